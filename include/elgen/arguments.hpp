@@ -10,7 +10,8 @@
 
 namespace elgen {
 
-/// Parameters, q and what the output table says, in the order of leaves.def; t where it occurs.
+/// Parameters, q and what the output table says, in the order of leaves.def; t where it occurs, and
+/// open values where the model has some.
 [[nodiscard]] std::vector<Opcode> arguments_of(const Model& model, const Function& function);
 
 /// Whether it is an array of numbers, not the struct of parameters or one number.

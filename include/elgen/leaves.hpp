@@ -105,4 +105,10 @@ template <class T>
   return list != nullptr ? list->size() : 1;
 }
 
+/// Whether emitted functions may take the kind: open values only where there are some.
+template <class T>
+[[nodiscard]] bool is_passed(const LeafValues<T>& leaves, Opcode kind) {
+  return !is_optional(kind) || leaf_count(leaves, kind) > 0;
+}
+
 }  // namespace elgen

@@ -38,6 +38,7 @@ struct OpenValue {
   std::uint32_t function = 0;          ///< in Model::functions
   std::vector<std::uint32_t> by = {};  ///< the arguments it is differentiated by, ascending
   std::optional<Unit> unit = {};       ///< none: not known
+  std::string unit_text = {};
 };
 
 struct Model;

@@ -57,7 +57,7 @@ struct EquationOfMotion {
 /// Whether some function is about more than positions and forces at rest.
 [[nodiscard]] bool knows_motion(const Model& model, const Program& program);
 
-/// A coordinate, an input or a parameter.
+/// A coordinate, an input, an open function or a parameter.
 struct SheetVariable {
   std::string symbol = {};  ///< LaTeX
   std::string name = {};    ///< as in the model; "l[1..5]"
@@ -101,6 +101,7 @@ struct Sheet {
   std::string equation_of_motion = {};  ///< LaTeX
   std::vector<SheetVariable> coordinates = {};
   std::vector<SheetVariable> inputs = {};
+  std::vector<SheetVariable> functions = {};  ///< left open
   std::vector<SheetVariable> parameters = {};
   std::vector<SheetOutput> outputs = {};
 };

@@ -75,6 +75,7 @@ class InterfaceComparison {
     compare_names();
     compare_lists("coordinate", members(old.coordinates, renames_), members(now.coordinates, {}));
     compare_lists("input", members(old.inputs, renames_), members(now.inputs, {}));
+    compare_lists("open value", members(old.open_values, renames_), members(now.open_values, {}));
     compare_parameters();
     if (old.uses_time != now.uses_time) {
       add(Impact::breaks,

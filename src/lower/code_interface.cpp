@@ -39,6 +39,8 @@ DeclaredArray intervals(const char* name, const std::vector<Element>& elements,
   return array;
 }
 
+std::string unit_text(const OpenValue& value) { return value.unit ? to_string(*value.unit) : ""; }
+
 template <class Predicate>
 bool has_instruction(const Program& program, const Predicate& is_wanted) {
   return std::any_of(program.functions.begin(), program.functions.end(), [&](const Function& f) {
@@ -84,6 +86,7 @@ std::vector<Opcode> arguments_of(const Model& model, const Function& function) {
   const bool mass_takes_velocity = function.kind == OutputKind::mass_matrix && !model.quadratic;
   if (mass_takes_velocity) taken |= Opcode::velocity;
   if (model.uses_time) taken |= Opcode::time;
+  if (!model.open_values.empty()) taken |= Opcode::open_value;
   std::vector<Opcode> list;
   for (const LeafRow& leaf : leaf_table) {
     if (taken.has_any(leaf.id)) list.push_back(leaf.id);
@@ -122,6 +125,11 @@ std::vector<DeclaredArray> declared_arrays(const Model& model) {
   list.push_back(texts("input_names", model.inputs, [](const Input& i) { return i.name; }));
   list.push_back(texts("input_units", model.inputs, [](const Input& i) { return i.unit_text; }));
   list.push_back(intervals("input_limits", model.inputs, [](const Input& i) { return i.limits; }));
+  if (model.open_values.empty()) return list;
+  using F = OpenValue;
+  list.push_back(texts("open_value_names", model.open_values, [](const F& f) { return f.name; }));
+  list.push_back(
+      texts("open_value_units", model.open_values, [](const F& f) { return f.unit_text; }));
   return list;
 }
 

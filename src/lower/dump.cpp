@@ -83,6 +83,7 @@ std::string dump(const Program& program) {
   std::string text = list_line("parameters", program.leaves.parameters) +
                      assumption_line("positive", program.leaves, Assumption::positive) +
                      assumption_line("nonnegative", program.leaves, Assumption::nonnegative) +
+                     list_line("open_values", program.leaves.f) +
                      list_line("coordinates", program.leaves.q);
   // Where nothing rotates, velocities are called as their coordinates.
   if (program.leaves.v != program.leaves.q) {

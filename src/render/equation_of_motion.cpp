@@ -142,6 +142,11 @@ Lines variable_lines(const Model& model, const Program& program) {
     lines.push_back("dq/dt = N(q) v: coordinate_rates");
   }
   if (!inputs.empty()) lines.push_back("u = " + tuple(inputs));
+  Lines open_values;
+  for (const OpenValue& f : model.open_values) {
+    open_values.push_back(with_unit(f.name, f.unit_text));
+  }
+  if (!open_values.empty()) lines.push_back("f = " + tuple(open_values));
   return lines;
 }
 

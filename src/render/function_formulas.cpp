@@ -32,8 +32,10 @@ class FunctionFormulas::Rules {
   [[nodiscard]] Formula constant(const Constant& constant) const {
     return vocabulary_.constant(constant);
   }
+  /// A power of V'(r) has brackets.
   [[nodiscard]] Formula leaf(Opcode kind, std::uint32_t number) const {
-    return {vocabulary_.leaf(kind, number)};
+    const bool is_long = kind == Opcode::open_value && spelling_.is_two_dimensional;
+    return {vocabulary_.leaf(kind, number), is_long ? Binding::product : Binding::atom};
   }
   [[nodiscard]] Formula add(std::uint32_t x, std::uint32_t y) const {
     return sum(spelling_, {{all_.entry(x)}, {all_.entry(y)}});

@@ -105,6 +105,7 @@ TemplateData page_data(const Sheet& sheet, const PageWords& words) {
   data.set("equation_of_motion", section_of(equation.empty() ? "" : words.formula(equation)));
   data.set("coordinates", table(sheet.coordinates, words));
   data.set("inputs", table(sheet.inputs, words));
+  data.set("functions", table(sheet.functions, words));
   data.set("parameters", table(sheet.parameters, words));
   data.set("outputs", outputs);
   return data;

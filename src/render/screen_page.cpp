@@ -202,7 +202,8 @@ std::string screen_page(const Sheet& sheet, const Screen& screen) {
   std::string text = sheet.title + "\n";
   for (const std::string& note : sheet.notes) text += note + "\n";
   if (!sheet.equation_of_motion.empty()) text += "\n" + page.formula(sheet.equation_of_motion);
-  for (const auto* const list : {&sheet.coordinates, &sheet.inputs, &sheet.parameters}) {
+  for (const auto* const list :
+       {&sheet.coordinates, &sheet.inputs, &sheet.functions, &sheet.parameters}) {
     if (!list->empty()) text += "\n" + page.variables(*list);
   }
   for (const SheetOutput& output : sheet.outputs) {

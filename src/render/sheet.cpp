@@ -39,6 +39,18 @@ std::vector<SheetVariable> inputs(const Model& model) {
   return list;
 }
 
+std::vector<SheetVariable> functions(const Model& model) {
+  std::vector<SheetVariable> list;
+  const std::vector<std::string> symbols = ModelSymbols(model).leaves().f;
+  for (std::size_t i = 0; i < symbols.size(); ++i) {
+    const OpenValue& value = model.open_values[i];
+    if (!value.by.empty()) continue;
+    const OpenFunction& function = model.functions[value.function];
+    list.push_back({symbols[i], function.name, function.unit_text, "", function.doc});
+  }
+  return list;
+}
+
 /// "0.5"; "0.3, 0.4"; "0.3 each"; with "(fixed)" where it is a number in the code.
 std::string value_text(const Model& model, const Scene& scene, const ParameterArray& array) {
   std::string text;
@@ -108,6 +120,7 @@ Sheet sheet(const Model& model, const Scene& scene, const Program& program,
   result.equation_of_motion = equation_of_motion(model, program).latex;
   result.coordinates = coordinates(model);
   result.inputs = inputs(model);
+  result.functions = functions(model);
   result.parameters = parameters(model, scene);
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     const Function& function = program.functions[i];

@@ -112,6 +112,40 @@ std::string seen(const SymbolText& symbol) {
   return text;
 }
 
+/// Of an argument that is a name; empty of other expressions.
+std::string argument_symbol(const Model& model, const LeafValues<std::string>& leaves,
+                            ExpressionId argument) {
+  const Expression& e = model.expressions[argument];
+  if (e.kind == ExpressionKind::leaf) return leaf_of(leaves, e.leaf, e.index);
+  if (e.kind != ExpressionKind::definition) return {};
+  const NamedExpression& definition = model.definitions[e.index];
+  return latex_symbol(definition.name, definition.latex).text();
+}
+
+/// V(r), V'(r); of several arguments \frac{\partial V}{\partial x}, or \partial_{1} V where some
+/// have no names.
+std::string open_symbol(const std::string& function, const std::vector<std::string>& arguments,
+                        const std::vector<std::uint32_t>& by) {
+  const bool have_names =
+      std::ranges::none_of(arguments, [](const std::string& x) { return x.empty(); });
+  if (arguments.size() == 1 || by.empty()) {
+    const std::string primed = function + std::string(by.size(), '\'');
+    return have_names ? fmt::format("{}({})", primed, fmt::join(arguments, ", ")) : primed;
+  }
+  if (!have_names) {
+    std::vector<std::string> numbers;
+    for (const std::uint32_t argument : by) numbers.push_back(std::to_string(argument + 1));
+    return fmt::format("\\partial{} {}", subscripts(numbers), function);
+  }
+  const std::string& x = arguments[by.front()];
+  const std::string& y = arguments[by.back()];
+  if (by.size() == 1) return fmt::format("\\frac{{\\partial {}}}{{\\partial {}}}", function, x);
+  const std::string below = by.front() == by.back()
+                                ? fmt::format("\\partial {}^{{2}}", x)
+                                : fmt::format("\\partial {} \\partial {}", x, y);
+  return fmt::format("\\frac{{\\partial^{{2}} {}}}{{{}}}", function, below);
+}
+
 std::string written(Opcode kind, const SymbolText& symbol, bool has_own_symbol) {
   const LeafRow& row = leaf_row(kind);
   return fmt::format(fmt::runtime(has_own_symbol ? row.own_latex : row.latex), symbol.base,
@@ -205,6 +239,21 @@ ModelSymbols::ModelSymbols(const Model& model) {
   }
   leaves_.t = leaf_row(Opcode::time).symbol;
   leaves_.h = leaf_row(Opcode::step).symbol;
+  add_open_values(model);
+}
+
+void ModelSymbols::add_open_values(const Model& model) {
+  std::vector<std::string> functions;
+  for (const OpenFunction& function : model.functions) {
+    functions.push_back(distinct(latex_symbol(function.name, function.latex)).text());
+  }
+  for (const OpenValue& value : model.open_values) {
+    std::vector<std::string> arguments;
+    for (const ExpressionId id : model.functions[value.function].arguments) {
+      arguments.push_back(argument_symbol(model, leaves_, id));
+    }
+    leaves_.f.push_back(open_symbol(functions[value.function], arguments, value.by));
+  }
 }
 
 }  // namespace elgen

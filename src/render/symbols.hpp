@@ -36,6 +36,8 @@ class ModelSymbols {
   [[nodiscard]] SymbolText distinct(SymbolText symbol);
 
  private:
+  void add_open_values(const Model& model);
+
   /// Primes until none of the symbols is taken, and takes them.
   std::string primes_for(const std::vector<SymbolText>& symbols);
 

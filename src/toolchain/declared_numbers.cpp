@@ -73,6 +73,7 @@ class DeclarationDriver {
     add_count("coordinate_count", model.coordinates.size());
     add_count("velocity_count", model.velocities.size());
     add_count("input_count", model.inputs.size());
+    if (!model.open_values.empty()) add_count("open_value_count", model.open_values.size());
     add_count("parameter_count", emitted_parameter_count(model, input_.program));
   }
 

@@ -54,7 +54,9 @@ class UnitInference {
     for (const WrittenExpression& root : context_.roots) compare_with_place(root);
     for (OpenValue& value : context_.model.open_values) {
       const InferredUnit unit = of_open_value(value);
-      if (unit.known == Known::yes) value.unit = unit.unit;
+      if (unit.known != Known::yes) continue;
+      value.unit = unit.unit;
+      value.unit_text = to_string(unit.unit);
     }
   }
 

@@ -82,6 +82,9 @@ void set_counts(TemplateData& data, const EmissionInput& input) {
   data.set("coordinate_count", std::to_string(input.model.coordinates.size()));
   data.set("velocity_count", std::to_string(input.model.velocities.size()));
   data.set("input_count", std::to_string(input.model.inputs.size()));
+  const std::size_t open_values = input.model.open_values.size();
+  data.set("open_values", section_if(open_values > 0));
+  data.set("open_value_count", std::to_string(open_values));
   data.set("parameter_count", std::to_string(emitted_parameter_count(input.model, input.program)));
 }
 

@@ -63,6 +63,31 @@ Json variables(const std::vector<Variable>& all, const Unit& unit) {
   return list;
 }
 
+/// What each is a function of, in the model language.
+Json open_functions(const Model& model) {
+  Json list = Json::array();
+  for (const OpenFunction& function : model.functions) {
+    Json json = named(function.name, function.unit_text);
+    json["of"] = Json::array();
+    for (const ExpressionId id : function.arguments) json["of"].push_back(to_string(model, id));
+    list.push_back(json);
+  }
+  return list;
+}
+
+/// The entries of f; arguments count from 1.
+Json open_values(const Model& model) {
+  Json list = Json::array();
+  for (const OpenValue& value : model.open_values) {
+    Json json = named(value.name, value.unit_text);
+    json["function"] = model.functions[value.function].name;
+    json["by"] = Json::array();
+    for (const std::uint32_t argument : value.by) json["by"].push_back(argument + 1);
+    list.push_back(json);
+  }
+  return list;
+}
+
 Json parameters(const Model& model, const Program& program) {
   Json list = Json::array();
   for (const ParameterArray& array : emitted_parameters(model, program)) {
@@ -152,6 +177,10 @@ std::string sidecar(const EmissionInput& input) {
         input.model.velocities, [&](const Velocity& v) { return velocity_unit(input.model, v); });
   }
   json["inputs"] = variables(input.model.inputs, unit);
+  if (!input.model.functions.empty()) {
+    json["functions"] = open_functions(input.model);
+    json["open_values"] = open_values(input.model);
+  }
   json["parameters"] = parameters(input.model, input.program);
   json["outputs"] = outputs(input);
   if (!input.scene.left_out.empty()) json["left_out"] = left_out(input.scene);

@@ -37,7 +37,9 @@ class Naming {
   Naming(const Program& program, const Function& function)
       : program_(program), function_(function) {
     for (const std::string_view name : reserved_names) taken_.emplace(name);
-    for (const LeafRow& row : leaf_table) taken_.emplace(row.symbol);
+    for (const LeafRow& row : leaf_table) {
+      if (is_passed(program.leaves, row.id)) taken_.emplace(row.symbol);
+    }
     for (const FunctionRow& row : function_table) taken_.emplace(row.name);
     for_each_leaf([this](Opcode, std::uint32_t,
                          const std::string& leaf) { taken_.insert(identifier_of(leaf)); },
