@@ -249,6 +249,13 @@ Result<OutputBase> output_base(const Inputs& inputs, const std::string& output,
   if (one.checked->scene.outputs.empty()) {
     return Diagnostic{Code::E601, {}, in_backticks(name) + " is not one output"};
   }
+  const std::vector<OpenFunction>& functions = one.checked->model.functions;
+  if (!functions.empty()) {
+    return Diagnostic{
+        Code::E633, functions.front().span,
+        in_backticks(functions.front().name) + " is left open, and designs need its values",
+        "give it an expression in `[functions]` of a scene"};
+  }
   OutputBase base{std::move(*one.checked)};
   if (inputs.scene != nullptr) base.scene = parse_scene(inputs.scene, limits).value;
   return {std::move(base), std::move(found)};

@@ -39,8 +39,6 @@ DeclaredArray intervals(const char* name, const std::vector<Element>& elements,
   return array;
 }
 
-std::string unit_text(const OpenValue& value) { return value.unit ? to_string(*value.unit) : ""; }
-
 template <class Predicate>
 bool has_instruction(const Program& program, const Predicate& is_wanted) {
   return std::any_of(program.functions.begin(), program.functions.end(), [&](const Function& f) {

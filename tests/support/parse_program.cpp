@@ -57,6 +57,7 @@ class ProgramReader {
     if (words[0] == "parameters") return read_names(words, LeafOwner::parameters);
     if (words[0] == "positive") return read_assumption(words, Assumption::positive);
     if (words[0] == "nonnegative") return read_assumption(words, Assumption::nonnegative);
+    if (words[0] == "open_values") return read_names(words, LeafOwner::open_values);
     if (words[0] == "coordinates") return read_coordinates(words);
     if (words[0] == "velocities") return read_names(words, LeafOwner::velocities);
     if (words[0] == "inputs") return read_names(words, LeafOwner::inputs);
