@@ -63,11 +63,21 @@ std::vector<std::string> scalars_of(const Header& header) {
   return scalars;
 }
 
-/// A lambda over h::name that can be asked which arguments it takes.
-std::string lambda(const std::string& name) {
-  return fmt::format("[](const auto&... y) -> decltype(h::{0}(y...)) {{ return h::{0}(y...); }}",
-                     name);
+/// A lambda over h::name that can be asked which arguments it takes, open values aside.
+std::string lambda(const Header& header, const std::string& name) {
+  const char* const given =
+      header.sidecar.contains("open_values") ? "p, open_values(p), y..." : "p, y...";
+  return fmt::format(
+      "[](const auto& p, const auto&... y) -> decltype(h::{0}({1})) {{ return h::{0}({1}); }}",
+      name, given);
 }
+
+constexpr std::string_view open_values = R"(
+template <class Scalar>
+auto open_values(const h::Parameters<Scalar>&) {
+  return state<Scalar, h::open_value_count>(0.5625);
+}
+)";
 
 std::string appended(const Json& output, const std::string& result) {
   std::string text;
@@ -81,7 +91,7 @@ std::string appended(const Json& output, const std::string& result) {
 }
 
 std::string prologue(const Header& header, std::size_t index) {
-  return fmt::format(R"(
+  const std::string text = fmt::format(R"(
 namespace header_{0} {{
 namespace h = ::{1};
 template <class Scalar>
@@ -93,7 +103,8 @@ auto arguments() {{
       made<Scalar>(0.6875)}};
 }}
 )",
-                     index, header.name_space);
+                                       index, header.name_space);
+  return header.sidecar.contains("open_values") ? text + std::string(open_values) : text;
 }
 
 std::string values_function(const Header& header) {
@@ -101,8 +112,8 @@ std::string values_function(const Header& header) {
       "template <class Scalar>\nstd::vector<Reference> values() {\n"
       "  std::vector<Reference> to;\n  const auto x = arguments<Scalar>();\n";
   for (const auto& [name, output] : header.sidecar["outputs"].items()) {
-    text += fmt::format("  {{\n    const auto result = call({}, x);\n{}  }}\n", lambda(name),
-                        appended(output, "result"));
+    text += fmt::format("  {{\n    const auto result = call({}, x);\n{}  }}\n",
+                        lambda(header, name), appended(output, "result"));
   }
   return text + "  return to;\n}\n";
 }
@@ -120,7 +131,7 @@ std::string checks(const Header& header) {
     text += fmt::format(
         "  counts = {{}};\n  (void)call({}, x);\n"
         "  compare_counts(\"{}::{}\", {{{}, {}, {}, {}, {}, {}}});\n",
-        lambda(name), header.name_space, name, n["add"].get<int>(), n["mul"].get<int>(),
+        lambda(header, name), header.name_space, name, n["add"].get<int>(), n["mul"].get<int>(),
         n["div"].get<int>(), n["sqrt"].get<int>(), n["sincos"].get<int>(), n["other"].get<int>());
   }
   return text + "}\n}\n";

@@ -4,6 +4,7 @@
 
 #include "oracle/mechanics.hpp"
 #include "oracle/samples.hpp"
+#include "support/models.hpp"
 
 using namespace elgen;
 using namespace elgen::oracle;
@@ -15,7 +16,7 @@ namespace {
 /// x = 2, v = 3, a = 5, u = 7, p = 11, t = 13
 struct Fixture {
   ModelBuilder b;
-  Motion motion{{11}, {2}, {3}, {5}, {7}, 13};
+  Motion motion{{11}, {}, {2}, {3}, {5}, {7}, 13};
 
   Fixture() { b.coordinate("x").input("u").parameter("p", "11"); }
 
@@ -96,4 +97,32 @@ TEST_CASE("a chain of thousands of links is evaluated without recursion") {
   motion.v.assign(motion.v.size(), Jet(1));
   Evaluation at(b.model, motion);
   CHECK(at.rate(b.model.points.back().at[0]).real() == 5000 * exact("0.3"));
+}
+
+TEST_CASE("open functions are Taylor polynomials of the numbers that the state has") {
+  const Model model = checked_model(model_text("plane", R"toml([[coordinate]]
+name = "x"
+[[coordinate]]
+name = "y"
+[[function]]
+name = "V"
+of = ["x^2", "y"]
+[energy]
+T = "1/2*(dot(x)^2 + dot(y)^2)"
+V = "V"
+)toml"))
+                          .model;
+  // V = 1, V_1 = 2, V_2 = 3, V_11 = 5, V_12 = 7, V_22 = 11 at x = 1/2, y = 0
+  Motion motion{{}, {1, 2, 3, 5, 7, 11}, {cl_R(1) / 2, 0}, {4, 6}, {0, 0}, {}, 0};
+  const ExpressionId potential = *model.energies.V;
+  CHECK(Evaluation(model, motion).value(potential).real() == 1);
+  // d(x^2)/dt = 4, dy/dt = 6; d2(x^2)/dt2 = 32
+  CHECK(Evaluation(model, motion).rate(potential).real() == 2 * 4 + 3 * 6);
+  CHECK(Evaluation(model, motion).second_rate(potential).real() ==
+        2 * 32 + 5 * 16 + 2 * 7 * 24 + 11 * 36);
+  displace(motion.q, unit_direction(2, 0), generator(0));
+  displace(motion.q, unit_direction(2, 1), generator(1));
+  Evaluation at(model, motion);
+  CHECK(at.value(potential).coefficient(generator(0) | generator(1)) == 7);
+  CHECK_THROWS_AS(at.second_rate(potential), OutsideDomain);
 }

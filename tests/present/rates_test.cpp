@@ -74,3 +74,32 @@ TEST_CASE("functions with kinks have a rate only where they stand still") {
   CHECK_FALSE(is_steady(arithmetic.call(FunctionId::max, standing, moving)));
   CHECK(is_steady(arithmetic.call(FunctionId::abs, standing, {})));
 }
+
+TEST_CASE("open functions change as the chain rule says, whatever they are") {
+  const Model model = checked_model(model_text("line", R"toml([[coordinate]]
+name = "x"
+[[function]]
+name = "V"
+of = ["x^2"]
+[energy]
+T = "1/2*dot(x)^2"
+V = "V"
+[[expect]]
+inverse_dynamics = "-2*x*V_1"
+conserved = ["1/2*dot(x)^2 + V", "1/2*dot(x)^2 + 2*V", "V_11"]
+)toml"))
+                          .model;
+  ClosedForms forms;
+  const auto form = [&](std::size_t expectation, std::size_t entry) {
+    return *closed_form(forms, model, {}, model.expectations[expectation].entries[entry]);
+  };
+  const Fraction acceleration = form(0, 0);
+  const OpenTerms terms = open_terms(forms, model, {});
+  const auto stays = [&](std::size_t entry) {
+    const Fraction quantity = form(1, entry);
+    return proved_conserved(forms, quantity, {acceleration}, {}, terms);
+  };
+  CHECK(stays(0));
+  CHECK_FALSE(stays(1));
+  CHECK_FALSE(stays(2));
+}

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "check/judge/output_units.hpp"
 #include "elgen/wording.hpp"
@@ -36,6 +37,7 @@ class SidecarReader {
             [&](const Velocity& v) { return velocity_unit(model, v); });
     }
     named(take(json, "inputs"), model.inputs, unit);
+    if (!model.functions.empty()) open_functions(json);
     parameters(take(json, "parameters"));
     outputs(take(json, "outputs"));
     if (!origin_.scene.left_out.empty()) left_out(take(json, "left_out"));
@@ -94,6 +96,25 @@ class SidecarReader {
       if (!text.empty()) expect(take(list[i], "unit"), text);
       expect_empty(list[i]);
     }
+  }
+
+  void open_functions(Json& json) {
+    const Model& model = origin_.model;
+    const auto unit = [](const auto& declared) { return declared.unit_text; };
+    Json functions = take(json, "functions");
+    expect_size(functions, model.functions.size());
+    for (std::size_t i = 0; i < functions.size(); ++i) {
+      expect_size(take(functions[i], "of"), model.functions[i].arguments.size());
+    }
+    named(std::move(functions), model.functions, unit);
+    Json values = take(json, "open_values");
+    expect_size(values, model.open_values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const OpenValue& value = model.open_values[i];
+      expect(take(values[i], "function"), model.functions[value.function].name);
+      expect_size(take(values[i], "by"), value.by.size());
+    }
+    named(std::move(values), model.open_values, unit);
   }
 
   void parameters(Json list) {
