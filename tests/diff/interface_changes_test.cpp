@@ -138,3 +138,20 @@ TEST_CASE("another error of sines and cosines is a change of values") {
   CHECK(seen_by_callers(spring(), spring(), scene("1e-7"), scene("1e-5")) ==
         "values: the error that batches allow sines and cosines differs\n");
 }
+
+TEST_CASE("open values are counted and ordered") {
+  const auto plane = [](const std::string& functions) {
+    return model_text("plane", "[[coordinate]]\nname = \"x\"\n[[coordinate]]\nname = \"y\"\n" +
+                                   functions +
+                                   "[energy]\nT = \"dot(x)^2 + dot(y)^2\"\nV = \"V\"\n");
+  };
+  const std::string one = "[[function]]\nname = \"V\"\nof = [\"x\"]\n";
+  const std::string other = "[[function]]\nname = \"W\"\nof = [\"x\"]\n";
+  CHECK(
+      seen_by_callers(plane(one), plane("[[function]]\nname = \"V\"\nof = [\"x\", \"y\"]\n")) ==
+      "breaks: 6 open values where there were 3: V, V_1, V_11 -> V, V_1, V_2, V_11, V_12, V_22\n");
+  CHECK(seen_by_callers(plane(one + other), plane(other + one)) ==
+        "breaks: open values are other ones, or in another order: V, V_1, V_11, W, W_1, W_11 -> "
+        "W, W_1, W_11, V, V_1, V_11; " +
+            silent);
+}
