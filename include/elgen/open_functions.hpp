@@ -29,7 +29,6 @@ struct OpenFunction {
 };
 
 inline constexpr std::size_t most_arguments = 4;  ///< of an open function
-inline constexpr std::size_t highest_derivative = 2;
 
 /// A derivative of an open function, or its value.
 struct OpenValue {

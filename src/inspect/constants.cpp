@@ -108,9 +108,14 @@ class NamedConstants {
   }
 
   [[nodiscard]] bool is_constant(const Expression& node) const {
-    if (node.operands.empty()) return is_number(node);
+    if (is_last(node)) return is_number(node);
     return std::all_of(node.operands.begin(), node.operands.end(),
                        [this](ExpressionId operand) { return known_[operand].has_value(); });
+  }
+
+  /// Whatever an open function is of.
+  static bool is_last(const Expression& node) {
+    return node.operands.empty() || node.kind == ExpressionKind::leaf;
   }
 
   static bool is_number(const Expression& node) {
@@ -125,7 +130,7 @@ class NamedConstants {
     Growth& growth = growth_[id];
     if (known_[id]) {
       growth.digits = digits_of(known_[id]->value);
-    } else if (node.operands.empty() || node.kind == ExpressionKind::function) {
+    } else if (is_last(node) || node.kind == ExpressionKind::function) {
       growth.degree = 1;
     } else {
       growth = combined(node);

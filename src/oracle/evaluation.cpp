@@ -16,6 +16,15 @@ Generators time_generator(unsigned k) { return generator(first_time_generator + 
 /// The time generators beyond the first `order`.
 Generators beyond(unsigned order) { return all_generators & ~(time_generator(order) - 1); }
 
+/// The part of x of which some power vanishes.
+Jet nilpotent(const Jet& x) {
+  Jet result;
+  for (const auto& [generators, coefficient] : x.terms()) {
+    if (generators != 0 && !cln::zerop(coefficient)) result = result + Jet(generators, coefficient);
+  }
+  return result;
+}
+
 /// s = e_1 + ... + e_order
 Jet elapsed_time(unsigned order) {
   Jet s;
@@ -117,8 +126,7 @@ Jet Evaluation::open_value(const Expression& e, unsigned time_order) const {
   };
   std::vector<Jet> moves;
   for (const ExpressionId argument : e.operands) {
-    const Jet x = operand(argument, time_order);
-    moves.push_back(x - Jet(x.real()));
+    moves.push_back(nilpotent(operand(argument, time_order)));
   }
   const auto is_still = [](const Jet& x) { return x.terms().empty(); };
   Jet result = motion_.f[e.index];
