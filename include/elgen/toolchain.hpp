@@ -73,9 +73,9 @@ struct DeclaredNumber {
   double of_model = 0;    ///< rounded to the scalar
 };
 
-/// Counts of coordinates, rates, inputs and parameters; the values of the parameters, and where
-/// they stand in their struct; in C++ ranges and limits too, and
-/// of batches the numbers of their sines and cosines. Errors as of compile.
+/// Counts of coordinates, rates, inputs, open values and parameters; the values of the parameters,
+/// and where they stand in their struct; in C++ ranges and limits too, and of batches the numbers
+/// of their sines and cosines. Errors as of compile.
 [[nodiscard]] Result<std::vector<DeclaredNumber>> declared_numbers(const EmittedFiles& files,
                                                                    const Model& model,
                                                                    const Scene& scene,

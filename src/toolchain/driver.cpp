@@ -1,9 +1,9 @@
 // The drivers of a scene's headers, and what those of all languages share. For a function
 // inverse_dynamics(q, v, a) of two coordinates:
 //
-//     void elgen_driver_double_0(const double* p, const double* q, const double* v,
-//                                const double* a, const double* u, double t, double h,
-//                                double* result);
+//     void elgen_driver_double_0(const double* p, const double* f, const double* q,
+//                                const double* v, const double* a, const double* u, double t,
+//                                double h, double* result);
 #include "toolchain/driver.hpp"
 
 #include <fmt/format.h>

@@ -8,7 +8,7 @@ namespace elgen::test {
 
 namespace {
 
-constexpr const char* outputs =
+constexpr const char* wanted_outputs =
     "[outputs]\ninverse_dynamics = true\npotential_energy = true\n"
     "inverse_dynamics_derivatives = true\n";
 
@@ -81,7 +81,7 @@ int main() {
 )source";
 
 std::string scene_of(const std::string& name, const std::string& rest) {
-  return "format = 1\nmodel = \"model.toml\"\nname = \"" + name + "\"\n" + outputs + rest;
+  return "format = 1\nmodel = \"model.toml\"\nname = \"" + name + "\"\n" + wanted_outputs + rest;
 }
 
 /// Proved rows of [[expect]], and all of them.

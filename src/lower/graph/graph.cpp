@@ -33,7 +33,7 @@ bool same(const Node& x, const Node& y) {
 }
 
 /// 2 * pi * m * l * theta * cos(theta) * v: numbers, constants, parameters, coordinates, the rest,
-/// rates, inputs, time.
+/// open values, rates, inputs, time.
 int rank(const Node& node) {
   if (node.kind == NodeKind::rational) return 0;
   if (node.constant_size > 0) return 1;
