@@ -69,8 +69,8 @@ TEST_CASE("a compiled function is there to be called on numbers where they are")
   double result[2] = {0, 0};
   const auto function = model.find("forward_dynamics");
   REQUIRE(function != nullptr);
-  function(given.parameters.data(), given.q.data(), given.v.data(), nullptr, given.u.data(),
-           given.t, given.h, result);
+  function(given.parameters.data(), given.f.data(), given.q.data(), given.v.data(), nullptr,
+           given.u.data(), given.t, given.h, result);
   CHECK(result[0] == 32);
   CHECK(result[1] == 2);
   CHECK(model.find("gravity") == nullptr);
