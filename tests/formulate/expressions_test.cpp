@@ -227,3 +227,20 @@ TEST_CASE("a long chain declared backwards is ordered without recursion") {
   CHECK(names.front() == "d0");
   CHECK(names.back() == "d4000");
 }
+
+TEST_CASE("derivatives of open functions are leaves up to the second") {
+  const ex x = GiNaC::realsymbol("x");
+  const ex y = GiNaC::realsymbol("y");
+  const auto by = [](const ex& value, const ex& symbol) {
+    return value.diff(GiNaC::ex_to<GiNaC::symbol>(symbol));
+  };
+  const ex open = elgen_open(3, 2, 0, x, y, 0, 0);  // numbers 3 to 8
+  CHECK(open_leaf(open) == 3U);
+  CHECK(open_leaf(by(open, x)) == 4U);
+  CHECK(open_leaf(by(open, y)) == 5U);
+  CHECK(open_leaf(by(by(open, y), x)) == 7U);
+  CHECK(open_leaf(by(by(open, y), y)) == 8U);
+  CHECK_FALSE(open_leaf(by(by(by(open, x), y), x)).has_value());
+  const ex chained = elgen_open(0, 1, 0, x * x, 0, 0, 0);
+  CHECK((by(chained, x) - 2 * x * elgen_open(0, 1, 1, x * x, 0, 0, 0)).is_zero());
+}

@@ -96,6 +96,17 @@ TEST_CASE("what cannot be imported is said") {
   CHECK(failure(equations, 1 / zero) == "a denominator is 0");
 }
 
+TEST_CASE("an open function is a leaf, whatever it is of") {
+  EquationsOfMotion equations = testing::leaves();
+  const ex x = equations.symbols.q[0];
+  Graph graph;
+  const Ref value = imported(equations, elgen_open(0, 1, 11, x * x, 0, 0, 0), graph);
+  CHECK(graph.node(value.node).leaf == Opcode::open_value);
+  CHECK(graph.node(value.node).index == 2);
+  CHECK(failure(equations, elgen_open(0, 1, 111, x, 0, 0, 0)) ==
+        "a third derivative of an open function reached the equations");
+}
+
 TEST_CASE("a program has the value GiNaC gives") {
   EquationsOfMotion equations = testing::leaves();
   const std::vector<ex> leaves = {equations.symbols.parameters[0], equations.symbols.q[0],
