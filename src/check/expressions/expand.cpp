@@ -36,7 +36,7 @@ std::uint32_t append(std::vector<Row>& rows, const NewName& name) {
   return static_cast<std::uint32_t>(rows.size() - 1);
 }
 
-constexpr std::array<EntryKind, 9> entry_kinds{{
+constexpr std::array<EntryKind, 10> entry_kinds{{
     {"coordinate", SymbolKind::coordinate,
      [](Model& model, const NewName& name) {
        return append_coordinate(model, named<Coordinate>(name));

@@ -101,7 +101,7 @@ struct Context {
   DeclaredNames symbols = {};
   DeclaredNames frames =
       {};  ///< frames have names of their own: a body may be called like its frame
-  DeclaredNames equilibria = {};  ///< likewise
+  DeclaredNames equilibria = {};                              ///< likewise
   std::map<std::string, Closure, std::less<>> closures = {};  ///< by name of the function
   Model model = {};
   Constants constants = {};
