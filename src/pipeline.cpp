@@ -82,6 +82,7 @@ class Compilation {
     out.steps = std::move(steps_.product);
     out.equilibria = std::move(equilibria_.product);
     out.motions = std::move(motions_.product);
+    out.claims = std::move(claims_.product);
     out.files = std::move(files_.product);
     out.self_check = std::move(self_check_.product);
     out.diagnostics = std::move(run_.diagnostics);
@@ -145,13 +146,16 @@ class Compilation {
   Stage<Equilibria> equilibria_{
       run_, Goal::equilibria, std::tie(lagrangian_, checked_),
       [this](const Lagrangian& l, const CheckedModel& c, const Limits& limits) {
-        return equilibria(l, c, options_.about_start, limits);
+        return equilibria(l, c, options_.about, limits);
       }};
 
   Stage<std::vector<LinearMotions>> motions_{run_, Goal::modes, std::tie(checked_, equilibria_),
                                              [this](const CheckedModel& c, const Equilibria& e) {
-                                               return linear_motions(c, e, !options_.about_start);
+                                               return linear_motions(c, e, !options_.about);
                                              }};
+
+  Stage<std::vector<JudgedEquilibrium>> claims_{run_, Goal::claims, std::tie(lagrangian_, checked_),
+                                                claims};
 
   Stage<EmittedFiles> files_{run_, Goal::emit, std::tie(checked_, choice_),
                              [](const CheckedModel& c, const Choice& chosen) {

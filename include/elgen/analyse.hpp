@@ -112,10 +112,11 @@ struct Equilibria {
 [[nodiscard]] Result<Equilibria> find_equilibria(const CheckedModel& checked,
                                                  const Program& recursive, const Limits& limits);
 
-/// The point at which the coordinates start, as the only one; the others are not looked for. E532:
-/// the forces do not balance there.
-[[nodiscard]] Result<Equilibria> equilibrium_at_start(const CheckedModel& checked,
-                                                      const Program& recursive);
+/// An [[equilibrium]] of the model, or where the name is empty the point at which the coordinates
+/// start, as the only one; the others are not looked for. E201; E532: the forces do not balance
+/// there.
+[[nodiscard]] Result<Equilibria> equilibrium_at(const CheckedModel& checked,
+                                                const Program& recursive, const std::string& name);
 
 /// A motion x = shape sin(w t + phase) about a point of rest, or for w^2 < 0 one that grows.
 struct NormalMode {
@@ -154,5 +155,26 @@ struct LinearMotions {
                                           const Equilibria& equilibria);
 [[nodiscard]] std::string equilibria_json(const CheckedModel& checked,
                                           const Equilibria& equilibria);
+
+/// What is known of a claim.
+enum class ClaimStatus : std::uint8_t {
+  proved,   ///< by closed forms, for all values of the parameters
+  sampled,  ///< right at random values of the parameters
+  wrong,
+  open,  ///< no values of the parameters were found at which it can be judged
+};
+
+/// An [[equilibrium]] of a model: bias(q, 0) = B u there, and det(x M - K)/det M is the product of
+/// x - w^2 over its frequencies.
+struct JudgedEquilibrium {
+  std::string name = {};
+  ClaimStatus balance = ClaimStatus::open;
+  std::optional<ClaimStatus> frequencies = {};  ///< none: the model states none
+  std::string witness = {};                     ///< a state at which it is wrong
+};
+
+/// In the order of the model; empty where a scene expands the equations, or functions are open.
+[[nodiscard]] std::vector<JudgedEquilibrium> judge_equilibria(const CheckedModel& checked,
+                                                              const Program& recursive);
 
 }  // namespace elgen

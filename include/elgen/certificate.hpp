@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "elgen/analyse.hpp"
 #include "elgen/closed_forms.hpp"
 #include "elgen/diagnostic.hpp"
 #include "elgen/emitted_files.hpp"
@@ -93,6 +94,8 @@ struct VerifyOptions {
   bool extremes = false;
   /// The code as users compile it (Build::as_users), held to the same bounds; perhaps null.
   const CompiledModel* as_users = nullptr;
+  /// The verdicts about every [[equilibrium]]; may be null.
+  const std::vector<JudgedEquilibrium>* claims = nullptr;
   /// The numbers that the header declares; may be null.
   const std::vector<DeclaredNumber>* declared = nullptr;
   /// Told of each step: "accuracy in double, state 3 of 36".

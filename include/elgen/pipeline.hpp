@@ -44,13 +44,15 @@ enum class Goal : std::uint8_t {
   choose,
   equilibria,
   modes,
+  claims,
   emit,
   parts,
   self_check,
 };
-inline constexpr std::array<std::string_view, 16> goal_names{
-    "parse",  "check",   "inspect", "formulate",  "specialise", "steps", "derive", "lower",
-    "cancel", "present", "choose",  "equilibria", "modes",      "emit",  "parts",  "self-check"};
+inline constexpr std::array<std::string_view, 17> goal_names{
+    "parse",  "check",  "inspect", "formulate", "specialise", "steps",
+    "derive", "lower",  "cancel",  "present",   "choose",     "equilibria",
+    "modes",  "claims", "emit",    "parts",     "self-check"};
 
 [[nodiscard]] constexpr std::string_view name_of(Goal goal) {
   return goal_names[static_cast<std::size_t>(goal)];
@@ -65,9 +67,9 @@ struct PipelineOptions {
   std::optional<Goal> dump = {};
   /// The stages whose products are wanted; those that they need run before them.
   std::vector<Goal> goals = {Goal::self_check};
-  /// Motions are those about the start, which has to be an equilibrium, not about all that are
-  /// stable.
-  bool about_start = false;
+  /// Motions are those about this [[equilibrium]] of the model, or with an empty name about the
+  /// start, which has to be one; without a name about all that are stable.
+  std::optional<std::string> about = {};
   std::function<void(const std::string&)> on_stage = {};  ///< told each name as it starts
 };
 
@@ -89,6 +91,7 @@ struct Products {
   std::optional<ReadableSteps> steps = {};
   std::optional<Equilibria> equilibria = {};
   std::optional<std::vector<LinearMotions>> motions = {};
+  std::optional<std::vector<JudgedEquilibrium>> claims = {};  ///< of [[equilibrium]]
   std::optional<EmittedFiles> files = {};
   std::optional<SelfCheck> self_check = {};
   Diagnostics diagnostics = {};

@@ -46,15 +46,12 @@ Result<std::vector<cl_R>> inputs_of(const Model& model, const State& state) {
 
 class EquilibriumSearch {
  public:
-  EquilibriumSearch(const CheckedModel& checked, Program moving, RestProgram rest,
-                    std::vector<cl_R> inputs)
-      : model_(checked.model), moving_(std::move(moving)), rest_(std::move(rest)) {
-    result_.inputs = std::move(inputs);
-    state_ = nominal_state(model_, checked.scene);
-    for (std::size_t i = 0; i < model_.coordinates.size(); ++i) {
-      state_.q[i] = model_.coordinates[i].start_value;
-    }
-    state_.u = result_.inputs;
+  EquilibriumSearch(const CheckedModel& checked, Program moving, RestProgram rest, State state)
+      : model_(checked.model),
+        moving_(std::move(moving)),
+        rest_(std::move(rest)),
+        state_(std::move(state)) {
+    result_.inputs = state_.u;
   }
 
   Result<Equilibria> operator()(const Limits& limits) {
@@ -326,27 +323,68 @@ std::vector<OutputRequest> outputs_of_analysis(const Model& model) {
 
 namespace {
 
-Result<EquilibriumSearch> search_of(const CheckedModel& checked, const Program& recursive) {
-  const Result<std::vector<cl_R>> inputs =
-      inputs_of(checked.model, nominal_state(checked.model, checked.scene));
+/// At the start; inputs at their laws, or 0.
+Result<State> start_of(const CheckedModel& checked) {
+  const Model& model = checked.model;
+  State state = nominal_state(model, checked.scene);
+  for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
+    state.q[i] = model.coordinates[i].start_value;
+  }
+  Result<std::vector<cl_R>> inputs = inputs_of(model, nominal_state(model, checked.scene));
   if (!inputs) return inputs.diagnostics;
+  state.u = std::move(*inputs);
+  return state;
+}
+
+/// At an [[equilibrium]]; coordinates that it leaves open at their start.
+Result<State> state_at(const CheckedModel& checked, const std::string& name) {
+  Result<State> state = start_of(checked);
+  if (!state || name.empty()) return state;
+  const Model& model = checked.model;
+  const auto found = std::ranges::find(model.equilibria, name, &Equilibrium::name);
+  if (found == model.equilibria.end()) {
+    std::vector<std::string> names;
+    for (const Equilibrium& known : model.equilibria) names.push_back(known.name);
+    return Diagnostic{Code::E201,
+                      {},
+                      fmt::format("no [[equilibrium]] is called `{}`", name),
+                      names.empty() ? "say where: `--at theta=0`"
+                                    : fmt::format("there are: {}", fmt::join(names, ", "))};
+  }
+  const State given = nominal_state(model, checked.scene);
+  const auto put = [&](const std::vector<std::optional<ExpressionId>>& values,
+                       std::vector<cl_R>& entries) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const auto value = values[i] ? oracle_expression(model, *values[i], given) : std::nullopt;
+      if (value) entries[i] = *value;
+    }
+  };
+  put(found->coordinates, state->q);
+  put(found->inputs, state->u);
+  return state;
+}
+
+Result<EquilibriumSearch> search_of(const CheckedModel& checked, const Program& recursive,
+                                    const Result<State>& state) {
+  if (!state) return state.diagnostics;
   Program moving = closed_program(recursive);
-  Result<RestProgram> rest = rest_program(moving, *inputs);
+  Result<RestProgram> rest = rest_program(moving, state->u);
   if (!rest) return rest.diagnostics;
-  return EquilibriumSearch(checked, std::move(moving), std::move(*rest), *inputs);
+  return EquilibriumSearch(checked, std::move(moving), std::move(*rest), *state);
 }
 
 }  // namespace
 
 Result<Equilibria> find_equilibria(const CheckedModel& checked, const Program& recursive,
                                    const Limits& limits) {
-  Result<EquilibriumSearch> search = search_of(checked, recursive);
+  Result<EquilibriumSearch> search = search_of(checked, recursive, start_of(checked));
   if (!search) return search.diagnostics;
   return (*search)(limits);
 }
 
-Result<Equilibria> equilibrium_at_start(const CheckedModel& checked, const Program& recursive) {
-  Result<EquilibriumSearch> search = search_of(checked, recursive);
+Result<Equilibria> equilibrium_at(const CheckedModel& checked, const Program& recursive,
+                                  const std::string& name) {
+  Result<EquilibriumSearch> search = search_of(checked, recursive, state_at(checked, name));
   if (!search) return search.diagnostics;
   return search->at_start();
 }

@@ -10,6 +10,7 @@
 
 #include "analyse/stability.hpp"
 #include "base/exact_number.hpp"
+#include "elgen/evaluate.hpp"
 
 namespace elgen {
 namespace {

@@ -22,6 +22,7 @@ struct ShowOptions {
   std::string input = {};
   std::string what = {};  ///< outputs, or one of the words below; empty: all outputs
   std::string as = {};    ///< empty: as --format says
+  std::string at = {};    ///< "theta=0", or the name of an [[equilibrium]]
   SceneOptions scene = {};
 };
 
@@ -222,7 +223,14 @@ ExitCode show(const GlobalOptions& global, const ShowOptions& given) {
   if (!inputs) return report(global, inputs.diagnostics);
   PipelineOptions pipeline = pipeline_options(global, {row_of(*subject).goal});
   pipeline.scene = options.scene;
-  pipeline.about_start = !options.scene.starts.empty();
+  if (!options.at.empty()) {
+    const bool is_place = options.at.find('=') != std::string::npos;
+    pipeline.about = is_place ? "" : options.at;
+    if (is_place) pipeline.scene.starts = {make_source("--at", options.at)};
+  }
+  // States of rest are those of one potential: what a model leaves open is its sample.
+  pipeline.scene.close_functions =
+      *subject == ShownSubject::equilibria || *subject == ShownSubject::modes;
   if (*subject == ShownSubject::outputs && !options.what.empty()) {
     pipeline.scene.outputs = {make_source("command line", options.what)};
   }
@@ -251,8 +259,10 @@ void add_show(CLI::App& app, Action& action) {
       ->add_option("--as", options->as,
                    "unicode (on a terminal), text (elsewhere), latex, mathml, markdown or json")
       ->check(CLI::IsMember({"unicode", "text", "latex", "mathml", "markdown", "json"}));
-  add_sources(*command, "--at", "PLACE", options->scene.starts,
-              "for modes: the equilibrium, theta=0,...; else all that are stable");
+  command
+      ->add_option("--at", options->at,
+                   "for modes: theta=0,…, or an [[equilibrium]]; else all that are stable")
+      ->type_name("PLACE");
   add_sources(*command, "--input", "NAME=VALUE", options->scene.laws,
               "for equilibria and modes: inputs that are not 0");
   add_specialisation(*command, options->scene);

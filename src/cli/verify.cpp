@@ -88,6 +88,7 @@ Result<Verification> compared(const std::string& path, Products& products,
   if (!declared->empty()) verification.declared = &*declared;
   verification.forms = &*products.closed_forms;
   verification.parts = &products.parts;
+  if (products.claims) verification.claims = &*products.claims;
   if (!as_users->empty()) verification.as_users = as_users->front().functions.get();
   verification.on_step = [&progress](const std::string& step) { progress.stage(step); };
   const auto& [model, scene] = *products.checked;
@@ -100,7 +101,7 @@ Result<Verification> compared(const std::string& path, Products& products,
 ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& options,
                     const Inputs& inputs, std::vector<std::string>& certificates) {
   const std::string& path = (inputs.scene != nullptr ? inputs.scene : inputs.model)->path;
-  PipelineOptions pipeline = pipeline_options(global, {Goal::emit, Goal::parts});
+  PipelineOptions pipeline = pipeline_options(global, {Goal::emit, Goal::parts, Goal::claims});
   pipeline.scene.large_expectations = true;
   Products products = run_shown(path, inputs, pipeline);
   const ExitCode generated = report_products(global, products);

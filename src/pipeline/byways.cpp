@@ -87,12 +87,21 @@ Result<Program> parts(const Lagrangian& lagrangian, const CheckedModel& checked,
 }
 
 Result<Equilibria> equilibria(const Lagrangian& lagrangian, const CheckedModel& checked,
-                              bool at_start, const Limits& limits) {
+                              const std::optional<std::string>& about, const Limits& limits) {
   const Result<Program> moving =
       recursive_program(lagrangian, outputs_of_analysis(checked.model), limits);
   if (!moving) return moving.diagnostics;
-  if (at_start) return equilibrium_at_start(checked, *moving);
+  if (about) return equilibrium_at(checked, *moving, *about);
   return find_equilibria(checked, *moving, limits);
+}
+
+Result<std::vector<JudgedEquilibrium>> claims(const Lagrangian& lagrangian,
+                                              const CheckedModel& checked, const Limits& limits) {
+  if (checked.model.equilibria.empty()) return std::vector<JudgedEquilibrium>{};
+  const Result<Program> moving =
+      recursive_program(lagrangian, outputs_of_analysis(checked.model), limits);
+  if (!moving) return moving.diagnostics;
+  return judge_equilibria(checked, *moving);
 }
 
 Result<ReadableSteps> readable_steps(const Lagrangian& lagrangian, const CheckedModel& checked,

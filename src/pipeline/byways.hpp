@@ -30,11 +30,17 @@ namespace elgen {
 [[nodiscard]] Result<Program> parts(const Lagrangian& lagrangian, const CheckedModel& checked,
                                     const Program& recursive, const Limits& limits);
 
-/// The equilibria of a model, or the one at the start. Errors of find_equilibria() and
-/// equilibrium_at_start().
+/// The equilibria of a model, or the one `about` which motions are asked for. Errors of
+/// find_equilibria() and equilibrium_at().
 [[nodiscard]] Result<Equilibria> equilibria(const Lagrangian& lagrangian,
-                                            const CheckedModel& checked, bool at_start,
+                                            const CheckedModel& checked,
+                                            const std::optional<std::string>& about,
                                             const Limits& limits);
+
+/// The verdicts about every [[equilibrium]].
+[[nodiscard]] Result<std::vector<JudgedEquilibrium>> claims(const Lagrangian& lagrangian,
+                                                            const CheckedModel& checked,
+                                                            const Limits& limits);
 
 /// A derivation step by step, as it is read. The steps go the way of every output: lowered,
 /// presented, and read in their closed forms.

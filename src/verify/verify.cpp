@@ -99,6 +99,37 @@ CertificateRow one_sided(const std::string& kinks, std::size_t states) {
   return row;
 }
 
+CertificateRow row_of(const std::string& equilibrium, const char* subject, const char* formula,
+                      ClaimStatus status) {
+  CertificateRow row;
+  row.check = "[[equilibrium]]";
+  row.output = fmt::format("{} {}", row.check, equilibrium);
+  row.subject = subject;
+  row.formula = formula;
+  const bool is_proved = status == ClaimStatus::proved;
+  row.evidence = is_proved ? Evidence::proof : Evidence::states;
+  row.worst = is_proved ? "proved: the difference is the empty canonical sum" : "";
+  row.tolerance = "1e-30 in 64 digits at random parameters: sampled, no proof";
+  if (is_proved) row.tolerance = "proved";
+  row.verdict = status == ClaimStatus::wrong  ? Verdict::fails
+                : status == ClaimStatus::open ? Verdict::skipped
+                                              : Verdict::holds;
+  return row;
+}
+
+std::vector<CertificateRow> claimed_equilibria(const std::vector<JudgedEquilibrium>& claims) {
+  std::vector<CertificateRow> rows;
+  for (const JudgedEquilibrium& claim : claims) {
+    rows.push_back(row_of(claim.name, "balance", "bias(q, 0) - B u = 0", claim.balance));
+    rows.back().where = claim.balance == ClaimStatus::wrong ? claim.witness : "";
+    if (!claim.frequencies) continue;
+    rows.push_back(row_of(claim.name, "frequencies_squared",
+                          "det(x M - K) = det M (x - w1^2) (x - w2^2) ...", *claim.frequencies));
+    rows.back().where = *claim.frequencies == ClaimStatus::wrong ? claim.witness : "";
+  }
+  return rows;
+}
+
 std::string numbers(const std::vector<std::uint32_t>& entries) {
   std::string text;
   for (const std::uint32_t entry : entries) {
@@ -155,6 +186,7 @@ Verification verify(const Model& model, const Scene& scene, const Program& progr
   std::vector<CertificateRow>& rows = result.certificate.rows;
   ExpectationReport expected = check_expectations(subject, options.forms, options.seed);
   append(rows, expected.rows);
+  if (options.claims != nullptr) append(rows, claimed_equilibria(*options.claims));
   append(rows, check_accuracy(subject, doubles, accuracy(ScalarKind::double_precision)));
   const bool fits_float = fits(model, program, ScalarKind::single_precision);
   if (fits_float)

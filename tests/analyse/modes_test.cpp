@@ -20,7 +20,7 @@ Products motions_products(const std::string& text, const std::string& at = {},
   PipelineOptions options;
   options.goals = {Goal::modes};
   if (!at.empty()) options.scene.starts = {make_source("--at", at)};
-  options.about_start = !at.empty();
+  if (!at.empty()) options.about = "";
   for (const std::string& size : sizes) options.scene.sizes.push_back(make_source("--size", size));
   return run_pipeline(inputs_of(text), options);
 }
@@ -61,7 +61,8 @@ void check_chain(const std::string& size, const std::vector<double>& expected) {
 }  // namespace
 
 TEST_CASE("the double pendulum has two modes, by a formula") {
-  CHECK(page(motions(model_file("double_pendulum"))) == R"(Double pendulum: normal modes at θ₁ = 0, θ₂ = 0 (stable)
+  CHECK(page(motions(model_file("double_pendulum"))) ==
+        R"(Double pendulum: normal modes at θ₁ = 0, θ₂ = 0 (stable)
 
   M η̈ + K η = 0
   M = ⎡ l₁² (m₁ + m₂)   m₂ l₁ l₂ ⎤  K = ⎡ l₁ g (m₁ + m₂)      0    ⎤
@@ -81,7 +82,8 @@ TEST_CASE("the double pendulum has two modes, by a formula") {
 }
 
 TEST_CASE("the tilted bead has one mode, on either side") {
-  CHECK(page(motions(model_file("rotating_hoop"))) == R"(Bead on a hoop turned about its vertical diameter: normal modes at θ = ±0.697569 (stable)
+  CHECK(page(motions(model_file("rotating_hoop"))) ==
+        R"(Bead on a hoop turned about its vertical diameter: normal modes at θ = ±0.697569 (stable)
 
   m R² η̈ + K η = 0, K = m (R² Ω² - g²/Ω²)
 

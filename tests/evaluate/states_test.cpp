@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "verify/systems.hpp"
 
@@ -57,7 +58,7 @@ TEST_CASE("states are finite, however far a range reaches") {
   system.model.inputs[0].limits = Interval{far / 10, far};
   const auto all_finite = [](const auto& states) {
     return std::all_of(states.begin(), states.end(), [](const auto& state) {
-      const auto& [parameters, q, v, a, u, t, h] = state.values;
+      const auto& [q, v, u] = std::tie(state.values.q, state.values.v, state.values.u);
       const auto finite = [](auto x) { return std::isfinite(x); };
       return std::all_of(q.begin(), q.end(), finite) && std::all_of(v.begin(), v.end(), finite) &&
              std::all_of(u.begin(), u.end(), finite);

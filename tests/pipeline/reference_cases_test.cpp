@@ -68,7 +68,8 @@ BinaryState binary_state(const Model& model, const json& given) {
     for (const double value : values) numbers.push_back(exact_value(value));
     return numbers;
   };
-  result.state = {all(x.parameters), all(x.q), all(x.v), all(x.a), all(x.u), 0};
+  result.state = {
+      .parameters = all(x.parameters), .q = all(x.q), .v = all(x.v), .a = all(x.a), .u = all(x.u)};
   return result;
 }
 

@@ -1,0 +1,89 @@
+// [[equilibrium]]: what is proved of it, sampled, and found wrong.
+#include "analyse/found.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+std::vector<JudgedEquilibrium> judged(const std::string& text) {
+  PipelineOptions options;
+  options.goals = {Goal::claims};
+  Products products = run_pipeline(inputs_of(text), options);
+  INFO(format(products.diagnostics));
+  REQUIRE(products.claims);
+  return std::move(*products.claims);
+}
+
+std::string hanging(const std::string& frequency) {
+  const std::string pendulum = model_file("simple_pendulum");
+  const std::size_t known = pendulum.find("[[equilibrium]]");
+  const std::size_t end = pendulum.find("\n\n", known);
+  return pendulum.substr(0, known) +
+         "[[equilibrium]]\nname = \"hanging\"\nat = { theta = 0 }\nfrequencies_squared = [\"" +
+         frequency + "\"]" + (end == std::string::npos ? "\n" : pendulum.substr(end));
+}
+
+}  // namespace
+
+TEST_CASE("equilibria of models are proved, and their frequencies") {
+  for (const char* const name : {"simple_pendulum", "rotating_hoop", "cart_pole"}) {
+    INFO(name);
+    const std::vector<JudgedEquilibrium> all = judged(model_file(name));
+    CHECK_FALSE(all.empty());
+    for (const JudgedEquilibrium& one : all) {
+      CHECK(one.balance == ClaimStatus::proved);
+      CHECK(one.frequencies.value_or(ClaimStatus::proved) == ClaimStatus::proved);
+    }
+  }
+}
+
+TEST_CASE("wrong frequencies are found, with the parameters at which they are") {
+  CHECK(judged(hanging("g/l")).at(0).frequencies == ClaimStatus::proved);
+  const std::vector<JudgedEquilibrium> wrong = judged(hanging("2*g/l"));
+  CHECK(wrong[0].balance == ClaimStatus::proved);
+  CHECK(wrong[0].frequencies == ClaimStatus::wrong);
+  CHECK_FALSE(wrong[0].witness.empty());
+}
+
+TEST_CASE("equal pendulums and molecules: frequencies with roots are proved") {
+  const std::string pendulums = R"toml(format = 1
+[model]
+name = "pendulums"
+[[coordinate]]
+name = "a"
+unit = "rad"
+[[coordinate]]
+name = "b"
+unit = "rad"
+[parameters]
+m = { value = 2, unit = "kg", assume = "positive" }
+l = { value = 3, unit = "m", assume = "positive" }
+g = { value = 9.81, unit = "m/s^2" }
+[gravity]
+vector = ["0", "-g"]
+[[point]]
+name = "P"
+at = ["l*sin(a)", "-l*cos(a)"]
+mass = "m"
+[[point]]
+name = "Q"
+at = ["l*sin(a) + l*sin(b)", "-l*cos(a) - l*cos(b)"]
+mass = "m"
+[[equilibrium]]
+name = "hanging"
+at = { a = 0, b = 0 }
+frequencies_squared = ["g/l*(2 - sqrt(2))", "g/l*(2 + sqrt(2))"]
+)toml";
+  CHECK(judged(pendulums).at(0).frequencies == ClaimStatus::proved);
+  const std::string molecule = model_file("triatomic_molecule") + R"toml(
+[[equilibrium]]
+name = "stretched"
+at = { x1 = "-b", x2 = 0, x3 = "b" }
+frequencies_squared = [0, "k/m", "k*(1/m + 2/M)"]
+)toml";
+  const std::vector<JudgedEquilibrium> both = judged(molecule);
+  REQUIRE(both.size() == 1);
+  CHECK(both[0].balance == ClaimStatus::proved);
+  CHECK(both[0].frequencies == ClaimStatus::proved);
+}
