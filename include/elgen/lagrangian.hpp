@@ -234,6 +234,7 @@ void name(Definitions& definitions, const GiNaC::ex& symbol, const std::string& 
 /// A value of an open function in GiNaC: the number of its undifferentiated value among the leaves,
 /// how many arguments it has, the digits of the derivative (0, 1, 12), and four arguments, those
 /// that the function does not have being 0. Derivatives insert a digit, in ascending order.
+// NOLINTNEXTLINE(readability-function-size): GiNaC takes every operand by itself.
 DECLARE_FUNCTION_7P(elgen_open)
 
 /// The number of the leaf that an elgen_open is; none beyond second derivatives.

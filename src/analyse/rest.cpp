@@ -46,10 +46,28 @@ std::vector<Ref> entries_at_rest(const RestRules& rules, const Program& program,
 
 /// A function of these entries, in the shape of the one of this kind.
 void append_function(Program& program, const Program& shapes, OutputKind kind,
-                     Expressions expressions) {
+                     const Expressions& expressions) {
   Function function = unfilled(*find_function(shapes, kind));
   linearise(cheapest_network(expressions, function), program, function);
   program.functions.push_back(std::move(function));
+}
+
+/// bias - B u at v = 0, over one graph.
+Expressions residual_of(const Program& moving, const std::vector<cln::cl_R>& inputs) {
+  Expressions residual;
+  const RestRules rules(residual.graph, inputs);
+  residual.values = entries_at_rest(rules, moving, OutputKind::bias);
+  if (inputs.empty()) return residual;
+  const std::vector<Ref> matrix = entries_at_rest(rules, moving, OutputKind::input_matrix);
+  for (std::size_t i = 0; i < residual.values.size(); ++i) {
+    std::vector<Ref> terms{residual.values[i]};
+    for (std::size_t k = 0; k < inputs.size(); ++k) {
+      const Ref u = residual.graph.rational(cln::rational(inputs[k]));
+      terms.push_back(-residual.graph.product({{matrix[i * inputs.size() + k], 1}, {u, 1}}));
+    }
+    residual.values[i] = residual.graph.sum(terms);
+  }
+  return residual;
 }
 
 /// The sum of integer multiples of coordinates that a value is, if it is one but for what has no
@@ -151,26 +169,11 @@ Result<RestProgram> rest_program(const Program& moving, const std::vector<cln::c
   RestProgram rest;
   rest.program.leaves = moving.leaves;
   try {
-    Expressions residual;
-    const RestRules rules(residual.graph, inputs);
-    residual.values = entries_at_rest(rules, moving, OutputKind::bias);
-    if (!inputs.empty()) {
-      const std::vector<Ref> matrix = entries_at_rest(rules, moving, OutputKind::input_matrix);
-      for (std::size_t i = 0; i < residual.values.size(); ++i) {
-        std::vector<Ref> terms{residual.values[i]};
-        for (std::size_t k = 0; k < inputs.size(); ++k) {
-          const Ref u = residual.graph.rational(cln::rational(inputs[k]));
-          terms.push_back(-residual.graph.product({{matrix[i * inputs.size() + k], 1}, {u, 1}}));
-        }
-        residual.values[i] = residual.graph.sum(terms);
-      }
-    }
-    append_function(rest.program, moving, OutputKind::bias, std::move(residual));
+    append_function(rest.program, moving, OutputKind::bias, residual_of(moving, inputs));
     for (const OutputKind kind : {OutputKind::mass_matrix, OutputKind::energy_function}) {
       Expressions expressions;
-      const RestRules own(expressions.graph, inputs);
-      expressions.values = entries_at_rest(own, moving, kind);
-      append_function(rest.program, moving, kind, std::move(expressions));
+      expressions.values = entries_at_rest({expressions.graph, inputs}, moving, kind);
+      append_function(rest.program, moving, kind, expressions);
     }
   } catch (const NoValueAtRest&) {
     return Diagnostic{Code::E530, {}, "the equations of motion have no value at rest"};

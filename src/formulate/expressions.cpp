@@ -63,6 +63,7 @@ int with_digit(int digits, int digit) {
 int integer(const ex& number) { return GiNaC::ex_to<GiNaC::numeric>(number).to_int(); }
 
 // The first three operands are numbers, so that GiNaC asks for derivatives by the others only.
+// NOLINTNEXTLINE(readability-function-size): GiNaC passes every operand by itself.
 ex open_slope(const ex& first, const ex& count, const ex& digits, const ex& x1, const ex& x2,
               const ex& x3, const ex& x4, unsigned operand) {
   const int by = static_cast<int>(operand) - 2;
