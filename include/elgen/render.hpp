@@ -104,6 +104,7 @@ struct Sheet {
   std::vector<SheetVariable> functions = {};  ///< left open
   std::vector<SheetVariable> parameters = {};
   std::vector<SheetOutput> outputs = {};
+  std::string title_latex = {};  ///< the title with its formulas, for a screen; may be empty
 };
 
 /// Which functions of a program a page shows. `dynamics` repeats the others and is never shown.

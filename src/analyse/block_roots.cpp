@@ -59,16 +59,17 @@ class BlockSearch {
   BlockSearch(RestSystem& system, const RestBlock& block) : system_(system), block_(block) {
     for (const std::uint32_t coordinate : block.coordinates) {
       unknowns_.kinds.push_back(system.kinds[coordinate]);
-      own_rows_.push_back(system.model.coordinates[coordinate].velocity);
+      along_.push_back(system.model.coordinates[coordinate].velocity);
     }
     unknowns_.coordinates = block.coordinates;
     for (const std::uint32_t row : block.rows) {
       if (system.row(row)) forms_.push_back(*system.row(row));
     }
-    std::ranges::sort(own_rows_);
-    own_rows_.erase(std::unique(own_rows_.begin(), own_rows_.end()), own_rows_.end());
+    std::ranges::sort(along_);
+    along_.erase(std::unique(along_.begin(), along_.end()), along_.end());
+    choose_rows();
     rows_ = function_of(block.rows);
-    square_ = function_of(own_rows_);
+    square_ = function_of(chosen_rows_);
   }
 
   Result<BlockRoots> operator()(std::uint64_t most) {
@@ -157,7 +158,7 @@ class BlockSearch {
     const BoxedEquations equations{system_.program, square_, unknowns_.coordinates, known_leaves()};
     BoxSearch found = search_boxes(equations, domain(), most);
     result_.boxes = found.looked_at;
-    for (const Box& box : found.single) add_from(middle_of(box));
+    for (const Box& box : found.single) add_root_of(box);
     for (const Box& place : together(found)) judge(equations, place);
     if (found.left.empty()) return;
     result_.completeness = Completeness::searched;
@@ -178,10 +179,43 @@ class BlockSearch {
     return at;
   }
 
-  /// The root that iterations from there reach, if it is new and in the domain.
+  /// As many equations as unknowns where there are enough: those of the velocities of these first.
+  void choose_rows() {
+    chosen_rows_ = block_.rows;
+    std::ranges::stable_partition(chosen_rows_, [this](std::uint32_t row) {
+      return std::ranges::find(along_, row) != along_.end();
+    });
+    if (chosen_rows_.size() > along_.size()) chosen_rows_.resize(along_.size());
+  }
+
+  /// The root that iterations from there reach.
+  [[nodiscard]] std::optional<Arguments<Real>> reached_from(const Arguments<Real>& first) const {
+    return polished(system_.model, system_.program, square_, first, along_);
+  }
+
   void add_from(const Arguments<Real>& first) {
-    const auto root = polished(system_.model, system_.program, square_, first, own_rows_);
-    if (root) add(*root);
+    if (const auto root = reached_from(first)) add(*root);
+  }
+
+  /// The one root of a box; a place without a verdict where iterations lead elsewhere.
+  void add_root_of(const Box& box) {
+    const auto root = reached_from(middle_of(box));
+    if (root && is_in_box(box, *root)) {
+      add(*root);
+    } else {
+      note_undecided(box);
+    }
+  }
+
+  [[nodiscard]] bool is_in_box(const Box& box, const Arguments<Real>& root) const {
+    for (std::size_t i = 0; i < box.size(); ++i) {
+      // The root has 58 digits.
+      static const cl_R slack = power_of_ten(-40);
+      const cl_R value = root.q[unknowns_.coordinates[i]].value();
+      if (value < exact_value(box[i].low) - slack || value > exact_value(box[i].high) + slack)
+        return false;
+    }
+    return true;
   }
 
   void add(Arguments<Real> root) {
@@ -255,6 +289,10 @@ class BlockSearch {
       add(*root);
       if (is_only_root(equations, place, *root)) return;
     }
+    note_undecided(place);
+  }
+
+  void note_undecided(const Box& place) {
     result_.completeness = std::max(result_.completeness, Completeness::undecided);
     if (result_.undecided.size() >= most_places) return;
     std::vector<cl_R>& middle = result_.undecided.emplace_back();
@@ -281,11 +319,11 @@ class BlockSearch {
 
   [[nodiscard]] bool is_only_root(const BoxedEquations& equations, const Box& place,
                                   const Arguments<Real>& root) {
-    if (place.size() != 1 || !has_all_forms() || own_rows_.size() != 1) return false;
+    if (place.size() != 1 || !has_all_forms() || block_.rows.size() != 1) return false;
     const std::uint32_t coordinate = block_.coordinates[0];
     const auto exact = exact_root(system_.forms.algebra, forms_, unknowns_, root);
     const auto order =
-        exact ? root_order(system_, own_rows_[0], coordinate, exact->front()) : std::nullopt;
+        exact ? root_order(system_, block_.rows[0], coordinate, exact->front()) : std::nullopt;
     const auto derivative =
         order ? form_program(system_.program.leaves, system_.forms.algebra, {order->derivative})
               : std::nullopt;
@@ -299,10 +337,11 @@ class BlockSearch {
   RestSystem& system_;
   const RestBlock& block_;
   Unknowns unknowns_ = {};
-  std::vector<std::uint32_t> own_rows_ = {};  ///< of the velocities of the unknowns
-  std::vector<Fraction> forms_ = {};          ///< of the rows, where all have one
+  std::vector<std::uint32_t> along_ = {};        ///< velocities of the unknowns
+  std::vector<std::uint32_t> chosen_rows_ = {};  ///< as many equations
+  std::vector<Fraction> forms_ = {};             ///< of the rows, where all have one
   Function rows_ = {};
-  Function square_ = {};  ///< the own rows
+  Function square_ = {};  ///< the chosen rows
   BlockRoots result_ = {};
 };
 

@@ -180,7 +180,7 @@ class ModesPage {
         {fmt::format("{} eta''{} + K eta = {}", factor.text, is_damped ? " + D eta'" : "",
                      has_inputs() ? "B du" : "0"),
          fmt::format("{} \\ddot{{\\eta}}{} + K \\eta = {}", factor.latex,
-                     is_damped ? " + D \\dot{\\eta}" : "", has_inputs() ? "B \\text{ δu}" : "0")});
+                     is_damped ? " + D \\dot{\\eta}" : "", has_inputs() ? "B \\delta u" : "0")});
     if (is_one_line) {
       part.lines[0].text += fmt::format(",   K = {}", stiffness.entries[0].text);
       part.lines[0].latex += fmt::format(",\\quad K = {}", stiffness.entries[0].latex);
@@ -255,7 +255,7 @@ class ModesPage {
       return result;
     };
     part.lines.push_back(
-        {"dx/dt = A x + B du, x = (q, v)", "\\dot{x} = A x + B \\text{ δu, } x = (q, v)"});
+        {"dx/dt = A x + B du, x = (q, v)", "\\dot{x} = A x + B \\delta u \\text{, } x = (q, v)"});
     if (!has_inputs())
       part.lines = {{"dx/dt = A x, x = (q, v)", "\\dot{x} = A x \\text{, } x = (q, v)"}};
     part.matrices.push_back(rows(motions.a, "A", 2 * size()));

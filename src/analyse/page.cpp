@@ -9,7 +9,6 @@
 #include "elgen/leaf_names.hpp"
 #include "evaluate/subject.hpp"
 #include "present/arithmetic.hpp"
-#include "render/drawing.hpp"
 #include "render/symbols.hpp"
 
 namespace elgen {
@@ -135,13 +134,8 @@ bool is_mirrored(ClosedForms& forms, const std::vector<RestPoint>& points, std::
   return differs;
 }
 
-std::string line_of(const Printed& formula) {
-  const Block block = drawing(read_latex(formula.latex), Alphabet::unicode, Fractions::in_line);
-  return block.lines[block.base];
-}
-
 Sheet sheet_of(const AnalysisPage& page) {
-  Sheet sheet{.title = line_of(page.title)};
+  Sheet sheet{.title = page.title.text, .title_latex = page.title.latex};
   for (const PagePart& part : page.parts) {
     SheetOutput& output = sheet.outputs.emplace_back();
     output.lines = latex_of(part.lines);

@@ -54,9 +54,6 @@ struct AnalysisPage {
 [[nodiscard]] bool is_mirrored(ClosedForms& forms, const std::vector<RestPoint>& points,
                                std::size_t first);
 
-/// A formula on one line, in Unicode.
-[[nodiscard]] std::string line_of(const Printed& formula);
-
 [[nodiscard]] Sheet sheet_of(const AnalysisPage& page);
 [[nodiscard]] std::string text_of(const AnalysisPage& page);
 

@@ -100,6 +100,7 @@ std::optional<Arguments<Real>> polished(const Model& model, const Program& progr
                                         const Function& function, Arguments<Real> start,
                                         const std::vector<std::uint32_t>& along) {
   static const Real smallest_step(power_of_ten(-58));
+  if (entry_count(function) != along.size()) return std::nullopt;
   for (int i = 0; i < most_steps; ++i) {
     std::vector<Real> values = evaluate(program, function, start);
     if (std::ranges::all_of(values, is_exactly_zero)) return start;

@@ -20,7 +20,7 @@ namespace elgen {
                                                 const std::vector<std::uint32_t>& along);
 
 /// The solution f = 0 near the arguments, where only the coordinates of these velocities move; as
-/// many entries as velocities. None where it is not reached in 200 steps.
+/// many entries as velocities, else none. None also where it is not reached in 200 steps.
 [[nodiscard]] std::optional<Arguments<Real>> polished(const Model& model, const Program& program,
                                                       const Function& function,
                                                       Arguments<Real> start,

@@ -31,6 +31,10 @@ class ScreenPage {
     return text_of(draw(latex), page_indent);
   }
 
+  [[nodiscard]] std::string title(const std::string& latex) const {
+    return text_of(draw(latex, Fractions::in_line), "");
+  }
+
   [[nodiscard]] std::string line(const std::string& latex) const {
     return text_of(draw(latex, Fractions::in_line), page_indent);
   }
@@ -199,7 +203,7 @@ std::vector<const SheetOutput*> shown_first(const Sheet& sheet) {
 
 std::string screen_page(const Sheet& sheet, const Screen& screen) {
   const ScreenPage page(screen);
-  std::string text = sheet.title + "\n";
+  std::string text = sheet.title_latex.empty() ? sheet.title + "\n" : page.title(sheet.title_latex);
   for (const std::string& note : sheet.notes) text += note + "\n";
   if (!sheet.equation_of_motion.empty()) text += "\n" + page.formula(sheet.equation_of_motion);
   for (const auto* const list :

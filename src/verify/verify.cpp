@@ -104,7 +104,7 @@ CertificateRow row_of(const std::string& equilibrium, const char* subject, const
   CertificateRow row;
   row.check = "[[equilibrium]]";
   row.output = fmt::format("{} {}", row.check, equilibrium);
-  row.subject = subject;
+  row.subject = fmt::format("{}.{}", equilibrium, subject);
   row.formula = formula;
   const bool is_proved = status == ClaimStatus::proved;
   row.evidence = is_proved ? Evidence::proof : Evidence::states;
