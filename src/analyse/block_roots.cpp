@@ -182,7 +182,7 @@ class BlockSearch {
   /// As many equations as unknowns where there are enough: those of the velocities of these first.
   void choose_rows() {
     chosen_rows_ = block_.rows;
-    std::ranges::stable_partition(chosen_rows_, [this](std::uint32_t row) {
+    std::stable_partition(chosen_rows_.begin(), chosen_rows_.end(), [this](std::uint32_t row) {
       return std::ranges::find(along_, row) != along_.end();
     });
     if (chosen_rows_.size() > along_.size()) chosen_rows_.resize(along_.size());
