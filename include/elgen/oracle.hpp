@@ -103,4 +103,12 @@ struct Contraction {
 [[nodiscard]] std::optional<cln::cl_R> oracle_rate(const Model& model, ExpressionId expression,
                                                    const State& state);
 
+/// Whether the parameters of a state meet a condition.
+[[nodiscard]] bool oracle_meets(const Model& model, const Condition& condition, const State& state);
+
+/// A state at rest at a point, with the parameters given and the coordinates that the point leaves
+/// open; inputs are 0 where it gives none. None where one of its values does not exist.
+[[nodiscard]] std::optional<State> oracle_point(const Model& model, const StatedPoint& point,
+                                                State state);
+
 }  // namespace elgen

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 
 #include "evaluate/subject.hpp"
 #include "present/arithmetic.hpp"
@@ -66,13 +65,14 @@ class Claims {
   }
 
  private:
+  static bool has_wave(const RestPoint& point) {
+    return std::ranges::any_of(point.coordinates, [](const CoordinateAtRest& coordinate) {
+      return coordinate.wave.has_value();
+    });
+  }
+
   [[nodiscard]] std::size_t count_with_waves() const {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(equilibria_.points, [](const RestPoint& point) {
-          return std::ranges::any_of(point.coordinates, [](const CoordinateAtRest& coordinate) {
-            return coordinate.wave.has_value();
-          });
-        }));
+    return static_cast<std::size_t>(std::ranges::count_if(equilibria_.points, has_wave));
   }
 
   /// "the last two exist where |g| <= R W^2; stability at the parameters' values"
@@ -101,10 +101,7 @@ class Claims {
 
   [[nodiscard]] bool are_waves_last(std::size_t count) const {
     for (std::size_t i = 0; i < equilibria_.points.size(); ++i) {
-      const bool has_wave = std::ranges::any_of(
-          equilibria_.points[i].coordinates,
-          [](const CoordinateAtRest& coordinate) { return coordinate.wave.has_value(); });
-      if (has_wave != (i + count >= equilibria_.points.size())) return false;
+      if (has_wave(equilibria_.points[i]) != (i + count >= equilibria_.points.size())) return false;
     }
     return true;
   }
@@ -117,35 +114,28 @@ class Claims {
 
   /// |numerator| <= |denominator|, without bars where the sign is known.
   std::optional<Printed> condition_of(const Fraction& wave) {
-    Monomial divisor;
-    std::map<AtomId, std::int32_t> lowest;
-    for (const auto& [monomial, coefficient] : wave.numerator) {
-      for (const AtomPower& power : monomial) {
-        std::int32_t& least = lowest[power.atom];
-        least = std::min(least, power.exponent);
-      }
-    }
-    bool is_positive = wave.denominator.empty();
-    for (const auto& [atom, exponent] : lowest) {
-      if (exponent == 0) continue;
-      divisor.push_back({atom, -exponent});
-      is_positive = is_positive && (exponent % 2 == 0 || is_positive_leaf(atom));
-    }
     Arithmetic arithmetic(forms_.algebra);
-    Value below = fraction_of(Polynomial{{divisor, Gaussian{1, 0}}});
-    for (const auto& [factor, exponent] : wave.denominator) {
-      const Fraction shown = fraction_of(forms_.algebra.factors[factor].shown);
-      below = arithmetic.multiply(below, arithmetic.power(shown, exponent));
-    }
+    const Value below = divisor_of(forms_.algebra, wave);
+    if (!below) return std::nullopt;
     const std::optional<Printed> above = read(arithmetic.multiply(wave, below));
     const std::optional<Printed> bound = read(below);
     if (!above || !bound) return std::nullopt;
     const auto bars = [](const Printed& x) {
       return Printed{"|" + x.text + "|", "|" + x.latex + "|"};
     };
-    const Printed right = is_positive ? *bound : bars(*bound);
+    const Printed right = is_positive(*below) ? *bound : bars(*bound);
     const Printed left = bars(*above);
     return Printed{left.text + " <= " + right.text, left.latex + " \\le " + right.latex};
+  }
+
+  /// A product of even powers and of parameters that are assumed to be positive.
+  [[nodiscard]] bool is_positive(const Fraction& product) const {
+    if (product.numerator.size() != 1 || !product.denominator.empty()) return false;
+    const auto& [monomial, coefficient] = *product.numerator.begin();
+    return cln::plusp(coefficient.real) &&
+           std::ranges::all_of(monomial, [this](const AtomPower& power) {
+             return power.exponent % 2 == 0 || is_positive_leaf(power.atom);
+           });
   }
 
   [[nodiscard]] bool is_positive_leaf(AtomId id) const {
@@ -173,9 +163,8 @@ class Claims {
     return result;
   }
 
-  std::optional<Printed> read(const std::optional<Fraction>& form) {
-    if (!form) return std::nullopt;
-    return formulas(model_, forms_.algebra, {*form})[0];
+  [[nodiscard]] std::optional<Printed> read(const std::optional<Fraction>& form) const {
+    return printed(model_, forms_.algebra, form);
   }
 
   const Model& model_;

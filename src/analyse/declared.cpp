@@ -208,38 +208,16 @@ class DeclaredEquilibrium {
         draw_parameters(model_, scene_.specialisation.fixed, random, turn, state);
         draw_motion(model_, random, turn, state);
       }
-      if (!place(state)) continue;
-      const std::optional<bool> holds = (this->*judge)(state);
+      if (declared_.condition && !oracle_meets(model_, *declared_.condition, state)) continue;
+      const std::optional<State> point = oracle_point(model_, declared_, std::move(state));
+      const std::optional<bool> holds = point ? (this->*judge)(*point) : std::nullopt;
       if (!holds) continue;
       ++seen;
       if (*holds) continue;
-      result.witness = describe({model_, scene_, moving_}, state);
+      result.witness = describe({model_, scene_, moving_}, *point);
       return ClaimStatus::wrong;
     }
     return seen > 0 ? ClaimStatus::sampled : ClaimStatus::open;
-  }
-
-  /// The state at rest at the point; false where the condition is not met, or a value is missing.
-  bool place(State& state) const {
-    const State given = state;
-    if (declared_.condition) {
-      const auto excess = oracle_expression(model_, declared_.condition->excess, given);
-      if (!excess || cln::minusp(*excess) || cln::zerop(*excess)) return false;
-    }
-    std::ranges::fill(state.v, cl_R(0));
-    std::ranges::fill(state.a, cl_R(0));
-    std::ranges::fill(state.u, cl_R(0));
-    const auto put = [&](const std::vector<std::optional<ExpressionId>>& values,
-                         std::vector<cl_R>& entries) {
-      for (std::size_t i = 0; i < values.size(); ++i) {
-        if (!values[i]) continue;
-        const auto value = oracle_expression(model_, *values[i], given);
-        if (!value) return false;
-        entries[i] = *value;
-      }
-      return true;
-    };
-    return put(declared_.coordinates, state.q) && put(declared_.inputs, state.u);
   }
 
   /// bias - B u is 0 to 40 digits of its terms, of which there are 60.

@@ -330,7 +330,7 @@ Result<State> start_of(const CheckedModel& checked) {
   for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
     state.q[i] = model.coordinates[i].start_value;
   }
-  Result<std::vector<cl_R>> inputs = inputs_of(model, nominal_state(model, checked.scene));
+  Result<std::vector<cl_R>> inputs = inputs_of(model, state);
   if (!inputs) return inputs.diagnostics;
   state.u = std::move(*inputs);
   return state;
@@ -351,17 +351,9 @@ Result<State> state_at(const CheckedModel& checked, const std::string& name) {
                       names.empty() ? "say where: `--at theta=0`"
                                     : fmt::format("there are: {}", fmt::join(names, ", "))};
   }
-  const State given = nominal_state(model, checked.scene);
-  const auto put = [&](const std::vector<std::optional<ExpressionId>>& values,
-                       std::vector<cl_R>& entries) {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const auto value = values[i] ? oracle_expression(model, *values[i], given) : std::nullopt;
-      if (value) entries[i] = *value;
-    }
-  };
-  put(found->coordinates, state->q);
-  put(found->inputs, state->u);
-  return state;
+  std::optional<State> there = oracle_point(model, *found, std::move(*state));
+  if (there) return std::move(*there);
+  return Diagnostic{Code::E532, found->span, "the point has no value at these parameters"};
 }
 
 Result<EquilibriumSearch> search_of(const CheckedModel& checked, const Program& recursive,

@@ -43,9 +43,8 @@ class EquilibriaPage {
     return forms_.functions[0].fields[0].entries;
   }
 
-  std::optional<Printed> read(const std::optional<Fraction>& form) {
-    if (!form) return std::nullopt;
-    return formulas(model_, forms_.algebra, {*form})[0];
+  [[nodiscard]] std::optional<Printed> read(const std::optional<Fraction>& form) const {
+    return printed(model_, forms_.algebra, form);
   }
 
   [[nodiscard]] Printed rest_energy() const {
@@ -138,12 +137,11 @@ class EquilibriaPage {
     page_.parts.push_back({{scope_of(model_, equilibria_), claim_of(model_, equilibria_)}});
   }
 
-  /// K of one coordinate, where it is not a number.
+  /// K of a system with one coordinate.
   void find_stiffness() {
     if (model_.velocities.size() != 1 || model_.coordinates.size() != 1 || !rows()[0]) return;
     const Fraction row = *rows()[0];
     stiffness_ = partial_derivative(forms_, row, 0, 1);
-    if (stiffness_ && !holds_coordinate(forms_.algebra, *stiffness_)) return;
   }
 
   void add_row(PageTable& table, const RestPoint& point, bool is_pair) {
@@ -165,18 +163,10 @@ class EquilibriaPage {
     const Printed sign = is_pair ? Printed{"+-", "\\pm "} : Printed{};
     const Printed signed_form{sign.text + formula->text, sign.latex + formula->latex};
     const Printed value = number(size);
-    const bool is_plain = !coordinate.wave && !holds_parameter(*coordinate.form);
+    const bool is_plain = !coordinate.wave && !holds_leaves(forms_.algebra, *coordinate.form);
     if (is_plain) return signed_form;
     return {fmt::format("{} = {}{}", signed_form.text, sign.text, value.text),
             fmt::format("{} = {}{}", signed_form.latex, sign.latex, value.latex)};
-  }
-
-  [[nodiscard]] bool holds_parameter(const Fraction& form) const {
-    return std::ranges::any_of(form.numerator, [&](const auto& term) {
-      return std::ranges::any_of(term.first, [&](const AtomPower& power) {
-        return forms_.algebra.atoms[power.atom].kind != AtomKind::pi;
-      });
-    });
   }
 
   Printed stiffness_at(const RestPoint& point) {

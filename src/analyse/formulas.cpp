@@ -2,6 +2,9 @@
 // function, and printed as one.
 #include "analyse/formulas.hpp"
 
+#include <algorithm>
+#include <map>
+
 #include "base/exact_number.hpp"
 #include "choose/closed_graph.hpp"
 #include "choose/entries.hpp"
@@ -10,22 +13,47 @@
 
 namespace elgen {
 
-std::vector<std::optional<Printed>> formulas(const Model& model, const Algebra& algebra,
-                                             const std::vector<Fraction>& forms) {
+std::optional<Printed> printed(const Model& model, const Algebra& algebra,
+                               const std::optional<Fraction>& form) {
+  if (!form) return std::nullopt;
   const LeafNames leaves = leaf_names(model);
-  const MixedPoints points = mixed_points(leaves);
-  std::vector<std::optional<Printed>> result;
-  for (const Fraction& form : forms) {
-    auto& formula = result.emplace_back();
-    const std::optional<ReadableForm> readable = shortest(algebra, form, nullptr, points);
-    if (!readable) continue;
-    const Function shape{.fields = {Field{"", 1, 1, {0}}}};
-    Program program{leaves};
-    Function function = lowered_one_by_one({readable}, shape, program);
-    program.functions = {function};
-    program.readable = {std::move(function)};
-    formula = {readable_equations(program, 0).entries[0][0],
-               latex_equations(model, program, 0).entries[0][0]};
+  const std::optional<ReadableForm> readable =
+      shortest(algebra, *form, nullptr, mixed_points(leaves));
+  if (!readable) return std::nullopt;
+  const Function shape{.fields = {Field{"", 1, 1, {0}}}};
+  Program program{leaves};
+  Function function = lowered_one_by_one({readable}, shape, program);
+  program.functions = {function};
+  program.readable = {std::move(function)};
+  return Printed{readable_equations(program, 0).entries[0][0],
+                 latex_equations(model, program, 0).entries[0][0]};
+}
+
+bool holds_leaves(const Algebra& algebra, const Fraction& form) {
+  return std::ranges::any_of(form.numerator, [&algebra](const auto& term) {
+    return std::ranges::any_of(term.first, [&algebra](const AtomPower& power) {
+      return algebra.atoms[power.atom].kind != AtomKind::pi;
+    });
+  });
+}
+
+Value divisor_of(Algebra& algebra, const Fraction& form) {
+  std::map<AtomId, std::int32_t> lowest;
+  for (const auto& [monomial, coefficient] : form.numerator) {
+    for (const AtomPower& power : monomial) {
+      std::int32_t& least = lowest[power.atom];
+      least = std::min(least, power.exponent);
+    }
+  }
+  Monomial monomial;
+  for (const auto& [atom, exponent] : lowest) {
+    if (exponent < 0) monomial.push_back({atom, -exponent});
+  }
+  Arithmetic arithmetic(algebra);
+  Value result = fraction_of(Polynomial{{monomial, Gaussian{1, 0}}});
+  for (const auto& [factor, exponent] : form.denominator) {
+    const Fraction shown = fraction_of(algebra.factors[factor].shown);
+    result = arithmetic.multiply(result, arithmetic.power(shown, exponent));
   }
   return result;
 }

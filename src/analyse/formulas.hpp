@@ -8,6 +8,7 @@
 #include "elgen/closed_forms.hpp"
 #include "elgen/evaluate.hpp"
 #include "elgen/model.hpp"
+#include "present/arithmetic.hpp"
 
 namespace elgen {
 
@@ -16,12 +17,18 @@ struct Printed {
   std::string latex = {};
 };
 
-/// Each in its shortest form; none where it is too long to be read.
-[[nodiscard]] std::vector<std::optional<Printed>> formulas(const Model& model,
-                                                           const Algebra& algebra,
-                                                           const std::vector<Fraction>& forms);
+/// In its shortest form; none where there is none, or it is too long to be read.
+[[nodiscard]] std::optional<Printed> printed(const Model& model, const Algebra& algebra,
+                                             const std::optional<Fraction>& form);
 
-/// Those as one column of values of a program; none where one is too long.
+/// Whether a form is more than numbers and pi.
+[[nodiscard]] bool holds_leaves(const Algebra& algebra, const Fraction& form);
+
+/// The least product that makes a sum without divisors of a form: its monomials' negative powers
+/// and its denominator.
+[[nodiscard]] Value divisor_of(Algebra& algebra, const Fraction& form);
+
+/// Forms as one column of values of a program; none where one is too long.
 struct FormProgram {
   Program program = {};
   [[nodiscard]] const Function& function() const { return program.functions[0]; }

@@ -33,9 +33,8 @@ class FrequencyFormulas {
  private:
   [[nodiscard]] std::size_t size() const { return model_.velocities.size(); }
 
-  std::optional<Printed> read(const std::optional<Fraction>& form) {
-    if (!form) return std::nullopt;
-    return formulas(model_, forms_.algebra, {*form})[0];
+  [[nodiscard]] std::optional<Printed> read(const std::optional<Fraction>& form) const {
+    return printed(model_, forms_.algebra, form);
   }
 
   /// Coordinates that M and K join, each with its block's least one.
@@ -91,7 +90,7 @@ class FrequencyFormulas {
   std::optional<Printed> pair_of_roots(const Fraction& middle, const Fraction& square) {
     if (square.numerator.empty()) return read(middle);
     Arithmetic at(forms_.algebra);
-    const Fraction d = divisor_of(middle);
+    const Fraction d = whole_divisor_of(middle);
     const Value left = at.multiply(middle, d);
     const Value right = at.multiply(square, at.multiply(d, d));
     if (!left || !right) return std::nullopt;
@@ -114,27 +113,14 @@ class FrequencyFormulas {
   }
 
   /// The least form that makes a sum without divisors and with whole coefficients of x.
-  Fraction divisor_of(const Fraction& x) {
-    std::map<AtomId, std::int32_t> lowest;
+  Fraction whole_divisor_of(const Fraction& x) {
     cln::cl_I whole = 1;
     for (const auto& [monomial, coefficient] : x.numerator) {
       whole = cln::lcm(whole, cln::denominator(coefficient.real));
-      for (const AtomPower& power : monomial) {
-        std::int32_t& least = lowest[power.atom];
-        least = std::min(least, power.exponent);
-      }
-    }
-    Monomial monomial;
-    for (const auto& [atom, exponent] : lowest) {
-      if (exponent < 0) monomial.push_back({atom, -exponent});
     }
     Arithmetic at(forms_.algebra);
-    Value result = fraction_of(Polynomial{{monomial, Gaussian{cln::cl_RA(whole), 0}}});
-    for (const auto& [factor, exponent] : x.denominator) {
-      const Fraction shown = fraction_of(forms_.algebra.factors[factor].shown);
-      result = at.multiply(result, at.power(shown, exponent));
-    }
-    return result.value_or(fraction_of(cln::cl_RA(1)));
+    return at.multiply(divisor_of(forms_.algebra, x), fraction_of(cln::cl_RA(whole)))
+        .value_or(fraction_of(cln::cl_RA(1)));
   }
 
   /// The largest monomial that divides x, and whose square divides y.

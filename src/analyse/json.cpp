@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analyse/formulas.hpp"
-#include "analyse/modes.hpp"
+#include "analyse/linear_equations.hpp"
 #include "elgen/analyse.hpp"
 
 namespace elgen {
@@ -60,7 +60,7 @@ Json coordinates_json(const Model& model, const Algebra& algebra, const RestPoin
     if (coordinate.is_any) entry["any"] = true;
     entry["value"] = double_of(coordinate.value);
     if (!coordinate.form) continue;
-    const auto formula = formulas(model, algebra, {*coordinate.form})[0];
+    const auto formula = printed(model, algebra, coordinate.form);
     if (formula) entry["form"] = formula->text;
   }
   return object;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 
+#include "analyse/linear_equations.hpp"
 #include "analyse/stability.hpp"
 #include "base/exact_number.hpp"
 #include "elgen/evaluate.hpp"
@@ -17,20 +18,12 @@ namespace {
 
 using cln::cl_R;
 using Matrix = Eigen::MatrixXd;
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Values of w^2 that differ by this share of the largest are one; smaller ones are 0.
 constexpr double equal_share = 1e-9;
 
-Matrix matrix_of(const std::vector<cl_R>& values, std::size_t rows) {
-  const std::vector<double> numbers = doubles_of(values);
-  const auto r = static_cast<Eigen::Index>(rows);
-  const Eigen::Index c = rows == 0 ? 0 : static_cast<Eigen::Index>(numbers.size() / rows);
-  return Eigen::Map<const RowMajor>(numbers.data(), r, c);
-}
-
 std::vector<double> numbers_of(const Matrix& matrix) {
-  const RowMajor rows = matrix;
+  const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows = matrix;
   return {rows.data(), rows.data() + rows.size()};
 }
 
@@ -125,19 +118,18 @@ std::size_t controllable_rank(const Matrix& a, const Matrix& b,
 LinearMotions motions_about(const RestPoint& point) {
   LinearMotions result{point};
   const std::size_t n = point.state.v.size();
-  const auto size = static_cast<Eigen::Index>(n);
-  const Eigen::PartialPivLU<Matrix> mass(matrix_of(point.mass, n));
-  Matrix a = Matrix::Zero(2 * size, 2 * size);
-  a.topRightCorner(size, size).setIdentity();
-  a.bottomLeftCorner(size, size) = -mass.solve(matrix_of(point.stiffness, n));
-  a.bottomRightCorner(size, size) = -mass.solve(matrix_of(point.damping, n));
+  const Matrix a = state_matrix(point);
   result.a = numbers_of(a);
-  if (is_natural(point)) result.modes = normal_modes(point);
-  result.poles = is_natural(point) ? poles_of(result.modes) : poles_of(point);
+  if (is_natural(point)) {
+    result.modes = normal_modes(point);
+    result.poles = poles_of(result.modes);
+  } else {
+    result.poles = poles_of(point);
+  }
   if (!point.input_matrix.empty()) {
     const Matrix forces = matrix_of(point.input_matrix, n);
-    Matrix b = Matrix::Zero(2 * size, forces.cols());
-    b.bottomRows(size) = mass.solve(forces);
+    Matrix b = Matrix::Zero(a.rows(), forces.cols());
+    b.bottomRows(forces.rows()) = matrix_of(point.mass, n).partialPivLu().solve(forces);
     result.b = numbers_of(b);
     result.controllable = controllable_rank(a, b, result.poles);
   }
@@ -151,12 +143,6 @@ bool is_stable(const RestPoint& point) {
 }
 
 }  // namespace
-
-std::vector<double> doubles_of(const std::vector<cl_R>& values) {
-  std::vector<double> result;
-  for (const cl_R& value : values) result.push_back(ScalarTraits<double>::from_real(value));
-  return result;
-}
 
 bool is_natural(const RestPoint& point) {
   return is_zero_matrix(point.damping) && is_symmetric(point.stiffness, point.state.v.size());

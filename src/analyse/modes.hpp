@@ -12,7 +12,4 @@ namespace elgen {
 /// square of the error of its shape in doubles; what is below 1e-20 of the largest is 0.
 [[nodiscard]] std::vector<NormalMode> normal_modes(const RestPoint& point);
 
-/// Row-major numbers, nearest doubles.
-[[nodiscard]] std::vector<double> doubles_of(const std::vector<cln::cl_R>& values);
-
 }  // namespace elgen

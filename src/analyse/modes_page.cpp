@@ -23,8 +23,9 @@ class ModesPage {
         symbols_(symbols_of(checked.model)) {}
 
   AnalysisPage operator()(const std::vector<LinearMotions>& all) {
+    const std::vector<RestPoint> points = points_of(all);
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const bool is_pair = is_mirrored(forms_, points_of(all), i);
+      const bool is_pair = is_mirrored(forms_, points, i);
       add(all[i], is_pair);
       if (is_pair) ++i;
     }
@@ -41,9 +42,8 @@ class ModesPage {
     return points;
   }
 
-  std::optional<Printed> read(const std::optional<Fraction>& form) {
-    if (!form) return std::nullopt;
-    return formulas(model_, forms_.algebra, {*form})[0];
+  [[nodiscard]] std::optional<Printed> read(const std::optional<Fraction>& form) const {
+    return printed(model_, forms_.algebra, form);
   }
 
   void add(const LinearMotions& motions, bool is_pair) {
@@ -92,17 +92,9 @@ class ModesPage {
     }
     const std::optional<Printed> form = at.wave ? std::nullopt : read(at.form);
     if (!form) return number(at.value);
-    if (cln::zerop(at.value) || !holds_leaves(*at.form)) return *form;
+    if (cln::zerop(at.value) || !holds_leaves(forms_.algebra, *at.form)) return *form;
     const Printed value = number(at.value);
     return {form->text + " = " + value.text, form->latex + " = " + value.latex};
-  }
-
-  [[nodiscard]] bool holds_leaves(const Fraction& form) const {
-    return std::ranges::any_of(form.numerator, [&](const auto& term) {
-      return std::ranges::any_of(term.first, [&](const AtomPower& power) {
-        return forms_.algebra.atoms[power.atom].kind != AtomKind::pi;
-      });
-    });
   }
 
   static const char* verdict(Stability kind) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "analyse/linear_equations.hpp"
 #include "analyse/modes.hpp"
 #include "base/exact_number.hpp"
 #include "elgen/evaluate.hpp"
@@ -18,12 +19,6 @@ using cln::cl_R;
 /// Real parts below this share of the largest pole may be rounding of doubles: a triple pole is
 /// known to the third root of their spacing.
 constexpr double pole_noise = 1e-5;
-
-Eigen::MatrixXd matrix_of(const std::vector<cl_R>& values, Eigen::Index n) {
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const std::vector<double> numbers = doubles_of(values);
-  return Eigen::Map<const RowMajor>(numbers.data(), n, n);
-}
 
 /// Positive real parts, of conjugate poles once.
 std::vector<double> growth_rates(const std::vector<std::complex<double>>& poles) {
@@ -65,17 +60,11 @@ bool is_positive_definite(const std::vector<cl_R>& matrix,
 }
 
 std::vector<std::complex<double>> poles_of(const RestPoint& point) {
-  const auto n = static_cast<Eigen::Index>(point.state.v.size());
-  const Eigen::MatrixXd mass = matrix_of(point.mass, n);
-  const Eigen::PartialPivLU<Eigen::MatrixXd> factored(mass);
-  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(2 * n, 2 * n);
-  a.topRightCorner(n, n).setIdentity();
-  a.bottomLeftCorner(n, n) = -factored.solve(matrix_of(point.stiffness, n));
-  a.bottomRightCorner(n, n) = -factored.solve(matrix_of(point.damping, n));
+  const Eigen::MatrixXd a = state_matrix(point);
   if (!a.allFinite()) return {};
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(a, false);
   std::vector<std::complex<double>> poles;
-  for (Eigen::Index i = 0; i < 2 * n; ++i) poles.push_back(solver.eigenvalues()[i]);
+  for (Eigen::Index i = 0; i < a.rows(); ++i) poles.push_back(solver.eigenvalues()[i]);
   std::ranges::sort(poles, [](const auto& x, const auto& y) {
     return std::tuple(std::abs(x), x.real(), x.imag()) >
            std::tuple(std::abs(y), y.real(), y.imag());

@@ -52,40 +52,15 @@ State varied_state(const Inspected& subject, unsigned seed) {
   return state;
 }
 
-bool is_met(const Model& model, const Condition& condition, const State& state) {
-  const std::optional<cl_R> excess = oracle_expression(model, condition.excess, state);
-  return excess && (condition.is_strict ? *excess > 0 : *excess >= 0);
-}
-
 /// The seeds of the first states whose parameters meet the condition of the point.
 std::vector<unsigned> sample_seeds(const Inspected& subject, const StatedPoint& point) {
   std::vector<unsigned> seeds;
   for (unsigned seed = 0; seed < condition_draws && seeds.size() < equilibrium_samples; ++seed) {
-    const bool fits =
-        !point.condition || is_met(subject.model, *point.condition, varied_state(subject, seed));
+    const bool fits = !point.condition ||
+                      oracle_meets(subject.model, *point.condition, varied_state(subject, seed));
     if (fits) seeds.push_back(seed);
   }
   return seeds;
-}
-
-/// The state at rest at the point; nothing where one of its values does not exist.
-std::optional<State> at_point(const Model& model, const StatedPoint& point, State state) {
-  const State given = state;
-  const auto place = [&](const std::vector<std::optional<ExpressionId>>& values,
-                         std::vector<cl_R>& entries) {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (!values[i]) continue;
-      const std::optional<cl_R> value = oracle_expression(model, *values[i], given);
-      if (!value) return false;
-      entries[i] = *value;
-    }
-    return true;
-  };
-  state.v.assign(state.v.size(), cl_R(0));
-  state.a = state.v;
-  state.u.assign(state.u.size(), cl_R(0));
-  const bool exists = place(point.coordinates, state.q) && place(point.inputs, state.u);
-  return exists ? std::optional(std::move(state)) : std::nullopt;
 }
 
 std::optional<Residual> balance_at(const Model& exact, const State& point, const State& elsewhere) {
@@ -194,7 +169,7 @@ Diagnostics inspect_entry(const Inspected& subject, const Equilibrium& equilibri
   const ClaimedRest claim = claim_of(subject.model, equilibrium);
   for (const unsigned seed : sample_seeds(subject, equilibrium)) {
     const State elsewhere = varied_state(subject, seed);
-    const std::optional<State> point = at_point(subject.model, equilibrium, elsewhere);
+    const std::optional<State> point = oracle_point(subject.model, equilibrium, elsewhere);
     if (!point) {
       return {{Code::E613, claim.span,
                fmt::format("a value of `{}` does not exist for some values of the parameters",
@@ -234,7 +209,7 @@ Diagnostics inspect_equilibrium(const Inspected& subject) {
   bool was_seen = false;
   for (const unsigned seed : seeds) {
     const State elsewhere = varied_state(subject, seed);
-    const std::optional<State> point = at_point(model, claim.point, elsewhere);
+    const std::optional<State> point = oracle_point(model, claim.point, elsewhere);
     const auto balance = point ? balance_at(exact, *point, elsewhere) : std::nullopt;
     if (!balance) continue;
     Diagnostics found = unbalanced(subject, claim, *balance, *point, seed == 0);

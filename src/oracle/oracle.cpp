@@ -146,4 +146,28 @@ std::optional<cl_R> oracle_rate(const Model& model, ExpressionId expression, con
       [&] { return oracle::Evaluation(model, oracle::motion_of(state)).rate(expression).real(); });
 }
 
+bool oracle_meets(const Model& model, const Condition& condition, const State& state) {
+  const std::optional<cl_R> excess = oracle_expression(model, condition.excess, state);
+  return excess && (condition.is_strict ? *excess > 0 : *excess >= 0);
+}
+
+std::optional<State> oracle_point(const Model& model, const StatedPoint& point, State state) {
+  const State given = state;
+  const auto place = [&](const std::vector<std::optional<ExpressionId>>& values,
+                         std::vector<cl_R>& entries) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (!values[i]) continue;
+      const std::optional<cl_R> value = oracle_expression(model, *values[i], given);
+      if (!value) return false;
+      entries[i] = *value;
+    }
+    return true;
+  };
+  state.v.assign(state.v.size(), cl_R(0));
+  state.a = state.v;
+  state.u.assign(state.u.size(), cl_R(0));
+  const bool exists = place(point.coordinates, state.q) && place(point.inputs, state.u);
+  return exists ? std::optional(std::move(state)) : std::nullopt;
+}
+
 }  // namespace elgen
