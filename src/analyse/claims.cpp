@@ -144,7 +144,7 @@ class Claims {
            model_.parameters[atom.index].assumption == Assumption::positive;
   }
 
-  /// "; θ modulo 2 π", and what was not searched.
+  /// "; r in [0.3, 3]; θ modulo 2 π": where was searched, and what was not.
   Printed with_turns(const Printed& line) const {
     std::vector<Printed> turns;
     std::vector<Printed> starts;
@@ -158,6 +158,12 @@ class Claims {
       const Printed part = listed(names) + rest;
       result = result.text.empty() ? part : with_comma(result, ";") + part;
     };
+    for (std::size_t i = 0; i < model_.coordinates.size(); ++i) {
+      const Coordinate& coordinate = model_.coordinates[i];
+      if (equilibria_.kinds[i] != SearchKind::range || !coordinate.range) continue;
+      add({symbols_.q[i]}, prose(fmt::format("in [{}, {}]", short_text(coordinate.range->low),
+                                             short_text(coordinate.range->high))));
+    }
     add(turns, prose("modulo") + Printed{"2*pi", "2 \\pi"});
     add(starts, prose("from the start alone"));
     return result;

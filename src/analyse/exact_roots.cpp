@@ -211,7 +211,7 @@ class OneUnknown {
 /// A multiple of a quarter turn of an angle, 0 of another coordinate.
 std::optional<CoordinateAtRest> plain_value(Algebra& algebra, SearchKind kind, const Real& root) {
   Arithmetic arithmetic(algebra);
-  if (is_near(root, Real())) return CoordinateAtRest{false, root.value(), Fraction{}};
+  if (is_near(root, Real())) return CoordinateAtRest{false, 0, Fraction{}};
   if (kind != SearchKind::turn) return std::nullopt;
   for (const cl_RA& count : {cl_RA(1), cl_RA(1) / 2, cl_RA(-1) / 2}) {
     if (!is_same_angle(half_turns(count), root)) continue;

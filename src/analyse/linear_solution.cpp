@@ -24,6 +24,7 @@ class LinearSystem {
     std::vector<bool> is_used(rows_.size(), false);
     for (std::size_t column = n; column-- > 0;) {
       const auto row = pivot_row(column, is_used);
+      if (!row && holds_open(column, is_used)) return std::nullopt;
       if (!row) continue;
       is_used[*row] = true;
       pivots[column] = row;
@@ -32,7 +33,8 @@ class LinearSystem {
     LinearSolution solution;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       const bool is_constant = !is_used[i] && !rows_[i][n].numerator.empty();
-      if (is_constant && !vanishes(rows_[i][n])) solution.is_solvable = false;
+      if (is_constant && vanishes(rows_[i][n])) return std::nullopt;
+      if (is_constant) solution.is_solvable = false;
     }
     for (std::size_t k = 0; k < n; ++k) {
       const std::optional<CoordinateAtRest> value = value_at(k, pivots[k]);
@@ -54,6 +56,15 @@ class LinearSystem {
       if (!vanishes(rows_[i][column])) return i;
     }
     return std::nullopt;
+  }
+
+  /// Whether a coefficient that is 0 at these parameters alone stands in the column: 64 digits do
+  /// not prove that it is 0.
+  [[nodiscard]] bool holds_open(std::size_t column, const std::vector<bool>& is_used) const {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      if (!is_used[i] && !rows_[i][column].numerator.empty()) return true;
+    }
+    return false;
   }
 
   /// Takes the column out of all other rows, and scales the pivot to 1.

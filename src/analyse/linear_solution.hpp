@@ -11,7 +11,8 @@ namespace elgen {
 
 /// The general solution of equations that are linear in the unknowns: some of these are any, the
 /// others expressions of them. `is_solvable` is false where there is none; the whole is none where
-/// the equations are not linear, or a form is beyond the budget.
+/// the equations are not linear, or a form is beyond the budget, or 0 in 64 digits though it is not
+/// the empty sum.
 struct LinearSolution {
   bool is_solvable = true;
   std::vector<CoordinateAtRest> values = {};

@@ -92,7 +92,7 @@ TEST_CASE("coordinates that balance beside exact angles have closed forms") {
   ell₀ - m g/k = 0.4365   π   unstable: 4.7407 1/s
   ell₀ + m g/k = 0.7635   0   stable: V₀ has a strict minimum
 
-  exact for all values of the parameters; θ modulo 2 π
+  exact for all values of the parameters; r in [0.2, 2]; θ modulo 2 π
   these are all (proved)
 )");
 }
@@ -125,6 +125,13 @@ TEST_CASE("springs on a line have one equilibrium for every place of the first m
   CHECK(value(point, 1) == 1);
   CHECK(value(point, 2) == 2);
   CHECK(molecule.equilibria.completeness == Completeness::proved);
+}
+
+TEST_CASE("a stiffness that is 0 at these parameters alone makes no coordinate any") {
+  const std::string model =
+      potential_model(coordinate("x", "[-1, 1]"), "1/2*k*x^2") + "[parameters]\nk = 0\n";
+  const Analysed found = analysed(model);
+  CHECK(found.equilibria.completeness != Completeness::proved);
 }
 
 TEST_CASE("a null direction of two coupled coordinates decides nothing") {
