@@ -78,10 +78,10 @@ inline constexpr std::array leaf_table{
   return leaf_row(leaf).of == LeafOwner::system;
 }
 
-/// Whether emitted functions take them only where a system has some: the other lists are passed
-/// though they are empty.
+/// Whether they exist for emitted functions only where a system has some, or where a function takes
+/// them: the other lists are passed though they are empty.
 [[nodiscard]] constexpr bool is_optional(Opcode leaf) {
-  return leaf_row(leaf).of == LeafOwner::open_values;
+  return leaf_row(leaf).of == LeafOwner::open_values || leaf == Opcode::momentum;
 }
 
 /// A set of kinds of leaves.

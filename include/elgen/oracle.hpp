@@ -44,8 +44,8 @@ void draw_parameters(const Model& model, const FixedParameters& fixed, Random& r
                      std::size_t turn, State& state);
 
 /// Everything but parameters and h: in the declared range; else angles anywhere in a turn, and all
-/// others up to 1, 1e-3 or 1e3 in magnitude, in turn; quaternions of length 1. Outside of its
-/// domain a model has no value, and callers draw again.
+/// others, momenta among them, up to 1, 1e-3 or 1e3 in magnitude, in turn; quaternions of length 1.
+/// Outside of its domain a model has no value, and callers draw again.
 void draw_motion(const Model& model, Random& random, std::size_t turn, State& state);
 
 /// Values of one field after another, row-major, of the shape and in the units of the output table;
@@ -53,7 +53,7 @@ void draw_motion(const Model& model, Random& random, std::size_t turn, State& st
 using OracleValues = std::optional<std::vector<cln::cl_R>>;
 
 /// All entries of an output. forward_dynamics: the acceleration, then the relative pivots; step: q,
-/// then v.
+/// then v; hamilton_equations: dq/dt, then dp/dt.
 [[nodiscard]] OracleValues oracle_values(const Model& model, const OutputRequest& output,
                                          const State& state);
 

@@ -96,6 +96,17 @@ struct OutputRow {
   return !output.repeats && !output.steps;
 }
 
+/// Whether it is given only where it is named: a scene says how to step, and functions of momenta
+/// stand in the place of those of velocities.
+[[nodiscard]] constexpr bool is_named_only(const OutputRow& output) {
+  return output.steps || output.takes.has_any(Opcode::momentum);
+}
+
+/// Whether it divides by the pivots of M = L D L^T.
+[[nodiscard]] constexpr bool divides_by_mass(const OutputRow& output) {
+  return output.solves || output.steps || output.takes.has_any(Opcode::momentum);
+}
+
 /// The equation that holds in a model with or without rotations.
 [[nodiscard]] const Notation& equation_of(const OutputRow& output, bool has_rotations);
 

@@ -2,6 +2,8 @@
 // it; only what the scene asks for is derived.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "derive/lagrangian/node_limit.hpp"
 #include "derive/lagrangian/symmetric_solve.hpp"
 #include "derive/lagrangian/turning.hpp"
@@ -56,6 +58,16 @@ Fields fields(const Derivation& d, const OutputRequest& /*request*/, const Forwa
 
 Fields fields(const Derivation& d, const OutputRequest& /*request*/, const Linearization& x) {
   return named(2 * d.size(), {{"A", x.a}, {"B", x.b}});
+}
+
+FieldEquations column(std::string name, const Vector& entries) {
+  return {std::move(name), static_cast<std::uint32_t>(entries.size()), 1, entries};
+}
+
+Fields fields(const Derivation& /*derivation*/, const OutputRequest& /*request*/,
+              const HamiltonEquations& x) {
+  return {column("coordinate_rates", x.coordinate_rates),
+          column("momentum_rates", x.momentum_rates)};
 }
 
 Vector user_value(Derivation& /*derivation*/, const NamedOutput& output) { return output.values; }
@@ -126,6 +138,10 @@ Result<EquationsOfMotion> derive(const Lagrangian& lagrangian,
   }
   equations.symbols = derivation.symbols;
   equations.leaves = lagrangian.leaves;
+  const bool takes_momenta = std::ranges::any_of(outputs, [](const OutputRequest& request) {
+    return output_row(request.kind).takes.has_any(Opcode::momentum);
+  });
+  if (takes_momenta) equations.leaves.momenta = equations.leaves.v;
   equations.definitions = std::move(derivation.definitions);
   return equations;
 }

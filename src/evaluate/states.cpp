@@ -50,8 +50,9 @@ void scale_quaternions(const Model& model, Arguments<double>& values) {
   }
 }
 
-constexpr double default_rate = 10;  ///< of rates, accelerations, inputs, open values and time
-constexpr Range steps{0, 0.1};       ///< in s: a rate of 10 moves by 1 in the longest one
+/// Of rates, momenta, accelerations, inputs, open values and time.
+constexpr double default_rate = 10;
+constexpr Range steps{0, 0.1};  ///< in s: a rate of 10 moves by 1 in the longest one
 
 bool is_angle(const Coordinate& coordinate) { return coordinate.unit_text == "rad"; }
 
@@ -61,15 +62,18 @@ Arguments<double> values_of(const Subject& subject) {
   return arguments_at<double>(nominal_state(subject.model, subject.scene));
 }
 
-/// Whether a function takes h: where none does, none is drawn.
-bool has_step(const Subject& subject) { return !subject.program.leaves.h.empty(); }
+/// Whether functions take the kind: where none takes momenta or h, none are drawn.
+bool is_drawn(const Subject& subject, Opcode kind) {
+  const LeafNames& leaves = subject.program.leaves;
+  if (kind == Opcode::momentum) return !leaves.momenta.empty();
+  return kind != Opcode::step || !leaves.h.empty();
+}
 
 /// From `values`: parameters stay.
 Arguments<double> nominal(const Subject& subject, const Ranges& ranges, Arguments<double> values,
                           Random& random) {
   const auto draw = [&](Opcode kind, std::uint32_t, double& value, const Range& range) {
-    if (kind == Opcode::parameter) return;
-    if (kind == Opcode::step && !has_step(subject)) return;
+    if (kind == Opcode::parameter || !is_drawn(subject, kind)) return;
     value = random.uniform(range.low, range.high);
   };
   for_each_leaf(draw, values, ranges);
@@ -80,8 +84,8 @@ Arguments<double> nominal(const Subject& subject, const Ranges& ranges, Argument
 Arguments<double> scaled(const Subject& subject, Arguments<double> values, Random& random, int low,
                          int high) {
   const auto draw = [&](Opcode kind, std::uint32_t, double& value) {
-    if (kind == Opcode::step && !has_step(subject)) return;
-    if (kind != Opcode::parameter) value = random.log_uniform(low, high);
+    if (kind == Opcode::parameter || !is_drawn(subject, kind)) return;
+    value = random.log_uniform(low, high);
   };
   for_each_leaf(draw, values);
   return values;
@@ -160,8 +164,14 @@ class Extremes {
     }
   }
 
+  /// And momenta, where functions take them.
   void set_rates(std::string name, double size) {
-    for (double& v : add(std::move(name)).v) v = random_.uniform(0.5, 1) < 0.75 ? size : -size;
+    Arguments<double>& values = add(std::move(name));
+    const auto set = [&](std::vector<double>& all) {
+      for (double& x : all) x = random_.uniform(0.5, 1) < 0.75 ? size : -size;
+    };
+    set(values.v);
+    if (is_drawn(subject_, Opcode::momentum)) set(values.momenta);
   }
 
   /// Every second parameter times `ratio`.

@@ -54,7 +54,9 @@ std::string description(const Subject& subject, const State& state, bool exactly
   };
   for_each_list(
       [&](const LeafRow& row, const std::vector<cl_R>& values) {
-        if (row.id != Opcode::parameter) add(list(row.symbol, values, exactly));
+        const bool is_shown =
+            row.id != Opcode::parameter && is_passed(subject.program.leaves, row.id);
+        if (is_shown) add(list(row.symbol, values, exactly));
       },
       state);
   if (subject.model.uses_time) add("t = " + text_of(state.t, exactly));

@@ -92,13 +92,12 @@ std::vector<std::size_t> without_energy(const MassSample& sample,
   return result;
 }
 
-/// Of a regular matrix only what is solved for needs that it is positive definite. Where nothing
+/// Of a regular matrix only what divides by it needs that it is positive definite. Where nothing
 /// asks for an output by name, the mistake is in the model: in T, where it is written.
 Diagnostics not_definite(const Inspected& subject, const std::vector<std::size_t>& rates) {
   const Model& model = subject.model;
   for (const OutputRequest& output : subject.scene.outputs) {
-    const OutputRow& row = output_row(output.kind);
-    if (!(row.solves || row.steps) || rates.empty()) continue;
+    if (!divides_by_mass(output_row(output.kind)) || rates.empty()) continue;
     const Velocity& velocity = model.velocities[rates.front()];
     Diagnostic error = no_kinetic_energy(output, velocity.name);
     if (error.span.source == nullptr) {

@@ -91,6 +91,7 @@ std::string dump(const Program& program) {
   }
   text += list_line("inputs", program.leaves.u);
   if (program.leaves.uses_time) text += "time\n";
+  if (!program.leaves.momenta.empty()) text += "momenta\n";
   if (!program.leaves.h.empty()) text += "step\n";
   for (const Function& function : program.functions) text += function_text(program, function);
   return text;

@@ -16,9 +16,9 @@
 namespace elgen {
 namespace {
 
-/// An output that solves divides by the pivots of M: the message names the rate whose M_ii is 0.
+/// Of an output that divides by the pivots of M the message names the rate whose M_ii is 0.
 Diagnostic zero_denominator(const Program& program, const OutputRequest& request) {
-  if (!output_row(request.kind).solves) {
+  if (!divides_by_mass(output_row(request.kind))) {
     return {Code::E312, request.span,
             fmt::format("a denominator of `{}` is 0, whatever the state is", request.name)};
   }

@@ -11,6 +11,7 @@ LeafNames leaf_names(const Model& model) {
   const auto name = [](Opcode, const auto& entry) { return entry.name; };
   const auto single = [](Opcode kind) { return kind == Opcode::time ? "t" : ""; };
   LeafNames leaves{leaves_of<std::string>(model, name, single), model.uses_time};
+  leaves.momenta.clear();
   for (const Parameter& p : model.parameters) leaves.assumptions.push_back(p.assumption);
   return leaves;
 }

@@ -88,7 +88,7 @@ void draw_parameters(const Model& model, const FixedParameters& fixed, Random& r
 void draw_motion(const Model& model, Random& random, std::size_t turn, State& state) {
   const cln::cl_RA& scale = scales()[turn % scales().size()];
   const auto draw = [&](Opcode kind, std::uint32_t number, cl_R& value) {
-    if (kind == Opcode::parameter || kind == Opcode::step) return;
+    if (kind == Opcode::parameter || kind == Opcode::momentum || kind == Opcode::step) return;
     if (const auto range = declared_range(model, kind, number)) {
       value = within(*range, random);
     } else {
@@ -96,6 +96,9 @@ void draw_motion(const Model& model, Random& random, std::size_t turn, State& st
     }
   };
   for_each_leaf(draw, state);
+  // By a copy, so that momenta leave all that follows as it is.
+  Random of_momenta = random;
+  for (cl_R& p : state.momenta) p = of_momenta.rational() * scale;
   make_unit_quaternions(model, state);
 }
 

@@ -7,6 +7,7 @@
 #include "elgen/oracle.hpp"
 #include "oracle/derivatives.hpp"
 #include "oracle/mechanics.hpp"
+#include "oracle/momenta.hpp"
 #include "oracle/rotations.hpp"
 #include "oracle/solved_dynamics.hpp"
 #include "oracle/step.hpp"
@@ -169,6 +170,41 @@ Values rates_of_coordinates(const Question& of) {
   return values;
 }
 
+/// The state with the velocities that its momenta give.
+State moving_state(const Question& of) {
+  State state = of.state;
+  state.v = velocities_of_momenta(of.model, of.state, of.state.momenta);
+  return state;
+}
+
+/// v.dL/dv - L at those velocities.
+Values hamiltonian_of(const Question& of) {
+  const State state = moving_state(of);
+  return {Mechanics(of.model, state).energy_function()};
+}
+
+/// dq/dt, then dp/dt.
+Values canonical_rates(const Question& of) {
+  const State state = moving_state(of);
+  Values values = rates_of_coordinates({of.model, of.output, state});
+  const Values of_momenta = momentum_rates(of.model, state);
+  values.insert(values.end(), of_momenta.begin(), of_momenta.end());
+  return values;
+}
+
+/// w.x of one field, where the first has an entry per coordinate and the others one per velocity.
+template <Values (*values)(const Question&)>
+cl_R contracted_field(const Question& of, const Contraction& by) {
+  const Values all = values(of);
+  const std::size_t n = of.state.v.size();
+  const std::size_t first = by.field == 0 ? 0 : of.state.q.size() + (by.field - 1) * n;
+  cl_R sum = 0;
+  for (std::size_t i = 0; i < by.w.size(); ++i) sum = sum + by.w[i] * all[first + i];
+  return sum;
+}
+
+Values stepped(const Question& of) { return oracle::step(of.model, of.output, of.state); }
+
 /// All entries of what one function gives: a number, or every entry.
 template <auto whole>
 Values entries(const Question& of) {
@@ -233,6 +269,12 @@ constexpr OracleRow inverse_dynamics_derivatives{entries<inverse_derivatives>,
 constexpr OracleRow forward_dynamics_derivatives{entries<forward_derivatives>,
                                                  contracted<forward_contraction>};
 
+constexpr OracleRow hamiltonian{hamiltonian_of};
+constexpr OracleRow velocities_of_momenta{[](const Question& of) {
+  return oracle::velocities_of_momenta(of.model, of.state, of.state.momenta);
+}};
+constexpr OracleRow hamilton_equations{canonical_rates, contracted_field<canonical_rates>};
+
 constexpr OracleRow coordinate_rates{rates_of_coordinates};
 constexpr OracleRow normalized{
     [](const Question& of) { return oracle::normalized(of.model, of.state.q); }};
@@ -241,18 +283,7 @@ constexpr OracleRow user_value{values_of_user};
 constexpr OracleRow user_jacobian{jacobian_of_user};
 constexpr OracleRow user_bias{bias_of_user};
 
-constexpr OracleRow step{
-    [](const Question& of) { return oracle::step(of.model, of.output, of.state); },
-    [](const Question& of, const Contraction& by) {
-      const Values values = oracle::step(of.model, of.output, of.state);
-      const std::size_t n = of.state.v.size();
-      const std::size_t first = by.field == 0 ? 0 : of.state.q.size() + (by.field - 1) * n;
-      cl_R sum = 0;
-      for (std::size_t i = 0; i < by.w.size(); ++i) {
-        sum = sum + by.w[i] * values[first + i];
-      }
-      return sum;
-    }};
+constexpr OracleRow step{stepped, contracted_field<stepped>};
 
 constexpr OracleRow of_others{[](const Question&) { return Values(); }};
 

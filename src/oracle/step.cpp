@@ -2,6 +2,7 @@
 #include "oracle/step.hpp"
 
 #include "elgen/step_methods.hpp"
+#include "oracle/momenta.hpp"
 #include "oracle/rotations.hpp"
 #include "oracle/solved_dynamics.hpp"
 
@@ -57,17 +58,17 @@ class Stepping {
   /// M w = p + h/2 dp/dt - b at (q + h/2 w, w, t + h/2), substituted as often as is asked for.
   Moved midpoint() {
     const cl_R& h = start_.h;
-    const Values p = entries(start_, &Mechanics::momentum);
+    const Values p = momentum(start_);
     Values w = start_.v;
     const auto middle = [&] { return state_of({sum(start_.q, h / 2, w), w}, h / 2); };
     for (std::uint32_t i = 0; i < iterations_; ++i) {
-      w = velocities(middle(), sum(p, h / 2, momentum_rate(middle())));
+      w = velocities(middle(), sum(p, h / 2, momentum_rates(model_, middle())));
     }
-    const Values rate = momentum_rate(middle());
+    const Values rate = momentum_rates(model_, middle());
     const Values expected = sum(p, h / 2, rate);
     const Values q = sum(start_.q, h, w);
     return {q, velocities(state_of({q, w}, h), sum(p, h, rate)),
-            sum(entries(middle(), &Mechanics::momentum), -1, expected)};
+            sum(momentum(middle()), -1, expected)};
   }
 
  private:
@@ -79,33 +80,13 @@ class Stepping {
     return state;
   }
 
-  /// x_i = e_i.x
-  [[nodiscard]] Values entries(const State& state,
-                               cl_R (Mechanics::*product)(const Direction&)) const {
+  [[nodiscard]] Values momentum(const State& state) const {
     Mechanics at(model_, state);
-    Values values;
-    for (std::size_t i = 0; i < at.size(); ++i) values.push_back((at.*product)(at.unit(i)));
-    return values;
+    return unit_products(at, &Mechanics::momentum);
   }
 
-  /// dL/dq + B u + Q - dD/dv
-  [[nodiscard]] Values momentum_rate(const State& state) const {
-    Mechanics at(model_, state);
-    Values values;
-    for (std::size_t i = 0; i < at.size(); ++i) {
-      const Direction w = at.unit(i);
-      values.push_back(at.position_gradient(w) + at.input_force(w, state.u) + at.applied_force(w) -
-                       at.dissipation_force(w));
-    }
-    return values;
-  }
-
-  /// M^-1 (p - b), b = dL/dv at rest.
-  [[nodiscard]] Values velocities(State state, const Values& p) const {
-    state.v.assign(p.size(), 0);
-    Mechanics at(model_, state);
-    const Values b = entries(state, &Mechanics::momentum);
-    return solve_mass(model_, mass_matrix_values(at), sum(p, -1, b)).x;
+  [[nodiscard]] Values velocities(const State& state, const Values& p) const {
+    return velocities_of_momenta(model_, state, p);
   }
 
   /// dx/dt at the time t + `later`.

@@ -108,8 +108,9 @@ bool is_zero(const Program& program, const Function& function) {
 
 bool knows_motion(const Model& model, const Program& program) {
   const auto knows = [](const Function& function) {
+    const LeafSet takes = output_row(function.kind).takes;
     return function.kind == OutputKind::mass_matrix ||
-           output_row(function.kind).takes.has_any(Opcode::velocity | Opcode::acceleration);
+           takes.has_any(Opcode::velocity | Opcode::momentum | Opcode::acceleration);
   };
   return !model.quadratic || std::any_of(program.functions.begin(), program.functions.end(), knows);
 }
@@ -141,6 +142,7 @@ Lines variable_lines(const Model& model, const Program& program) {
     lines.push_back("v = " + tuple(rates(model)) + ", a = dv/dt");
     lines.push_back("dq/dt = N(q) v: coordinate_rates");
   }
+  if (is_passed(program.leaves, Opcode::momentum)) lines.emplace_back("p = dL/dv: momenta");
   if (!inputs.empty()) lines.push_back("u = " + tuple(inputs));
   Lines open_values;
   for (const OpenValue& f : model.open_values) {

@@ -219,6 +219,7 @@ ModelSymbols::ModelSymbols(const Model& model) {
     const SymbolText symbol =
         has_own ? distinct(spin_symbol(model, velocity)) : coordinates_[velocity.coordinate];
     leaves_.v.push_back(written(Opcode::velocity, symbol, has_own));
+    leaves_.momenta.push_back(written(Opcode::momentum, symbol, has_own));
     leaves_.a.push_back(written(Opcode::acceleration, symbol, has_own));
   }
   leaves_.parameters.resize(model.parameters.size());

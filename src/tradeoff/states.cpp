@@ -52,12 +52,11 @@ Result<NamedRange> read_range(const SourceText& source) {
 Diagnostics narrow(const Model& model, const SourceText& source, LeafValues<Range>& ranges) {
   const Result<NamedRange> narrowed = read_range(source);
   if (!narrowed) return narrowed.diagnostics;
-  const LeafNames leaves = leaf_names(model);
   std::vector<std::string> names;
   bool is_known = false;
   const auto visit = [&](Opcode kind, std::uint32_t i, Range& range) {
     if (kind == Opcode::parameter) return;
-    names.push_back(leaf_text(leaves, kind, i));
+    names.push_back(leaf_text(model, kind, i));
     if (names.back() != narrowed->name) return;
     range = narrowed->range;
     is_known = true;
@@ -65,7 +64,7 @@ Diagnostics narrow(const Model& model, const SourceText& source, LeafValues<Rang
   for_each_leaf(visit, ranges);
   if (is_known) return {};
   const Span name{&source, 0, static_cast<std::uint32_t>(narrowed->name.size())};
-  return {refused(name, in_backticks(narrowed->name) + " is no coordinate, rate or input",
+  return {refused(name, in_backticks(narrowed->name) + " is no coordinate, rate, momentum or input",
                   suggestion(narrowed->name, names))};
 }
 

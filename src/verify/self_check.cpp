@@ -124,8 +124,8 @@ class SelfChecking {
     result_.place = place_of(function);
     result_.remedy = "declare a `range` inside the domain";
     if (!undefined) {
-      const bool is_solved = output_row(function.kind).solves && is_singular();
-      if (is_solved) result_.remedy = singular_text();
+      const bool is_of_mass = divides_by_mass(output_row(function.kind)) && is_singular();
+      if (is_of_mass) result_.remedy = singular_text();
       return;
     }
     result_.place = subject_.model.expressions[*undefined].span;

@@ -67,6 +67,10 @@ class ProgramReader {
       program_.leaves.t = "t";
       return "";
     }
+    if (words[0] == "momenta") {
+      program_.leaves.momenta = program_.leaves.v;
+      return "";
+    }
     if (words[0] == "step") {
       program_.leaves.h = "h";
       return "";
@@ -79,7 +83,8 @@ class ProgramReader {
 
   std::string read_names(const Words& words, LeafOwner owner) {
     const auto assign = [&](const LeafRow& row, std::vector<std::string>& names) {
-      if (row.of == owner) names.assign(words.begin() + 1, words.end());
+      if (row.of != owner || row.id == Opcode::momentum) return;
+      names.assign(words.begin() + 1, words.end());
     };
     for_each_list(assign, program_.leaves);
     return "";

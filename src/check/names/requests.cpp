@@ -58,7 +58,11 @@ std::optional<Lack> lack_of(const Model& model, const OutputRequest& request) {
   const bool needs_quadratic =
       requirement == Requirement::quadratic || requirement == Requirement::energies;
   if (needs_quadratic && !model.quadratic) {
-    return Lack{Code::E505, "needs a Lagrangian at most quadratic in the rates",
+    const bool is_of_momenta = output_row(request.kind).takes.has_any(Opcode::momentum);
+    return Lack{is_of_momenta ? Code::E534 : Code::E505,
+                is_of_momenta ? "needs rates that p = dL/dv gives by a linear solve, and L is not "
+                                "quadratic in the rates"
+                              : "needs a Lagrangian at most quadratic in the rates",
                 model.expressions[*model.energies.L].span, "L is given here"};
   }
   if (requirement == Requirement::energies && model.energies.L) {
@@ -194,8 +198,8 @@ std::optional<OutputRequest> require_request(const Model& model, std::string_vie
 std::vector<OutputRequest> full_requests(const Model& model) {
   std::vector<OutputRequest> result;
   for (OutputRequest& request : all_requests(model)) {
-    const bool is_told_how = !output_row(request.kind).steps;  // only a scene says how to step
-    if (is_told_how && fits_in_full(request) && is_available(model, request)) {
+    const bool is_given = !is_named_only(output_row(request.kind));
+    if (is_given && fits_in_full(request) && is_available(model, request)) {
       result.push_back(std::move(request));
     }
   }

@@ -13,13 +13,13 @@ namespace elgen {
 /// The request for a name: built-in outputs, and NAME, NAME_jacobian, NAME_bias of declared ones.
 [[nodiscard]] std::optional<OutputRequest> find_request(const Model& model, std::string_view name);
 
-/// As find_request, with E601, E603 or E505 where the name is no output of the
-/// model.
+/// As find_request, with E601, E603, E505, E534 or E633 where the name is no output of the model.
 [[nodiscard]] std::optional<OutputRequest> require_request(const Model& model,
                                                            std::string_view name, const Span& span,
                                                            Report& report);
 
-/// Every output the model has, in the order of the output table, big ones left out.
+/// Every output the model has, in the order of the output table, without big ones and those that
+/// only a name asks for.
 [[nodiscard]] std::vector<OutputRequest> full_requests(const Model& model);
 
 /// The outputs that full_requests leaves out though a reader may look for them, once per reason.

@@ -76,6 +76,15 @@ ex total_energy(Derivation& derivation) {
   return GiNaC::add(terms);
 }
 
+ex energy_at_rest(Derivation& derivation) {
+  GiNaC::exvector terms;
+  append_squares(terms, derivation, derivation.passing, -1);
+  append(terms, derivation.graded().kinetic0, -1);
+  append_weights(terms, derivation);
+  append(terms, derivation.graded().potential0, 1);
+  return GiNaC::add(terms);
+}
+
 ex energy_function(Derivation& derivation) {
   GiNaC::exvector terms;
   if (!derivation.lagrangian.quadratic) {
@@ -87,11 +96,8 @@ ex energy_function(Derivation& derivation) {
     return GiNaC::add(terms);
   }
   append_squares(terms, derivation, derivation.frozen, 1);
-  append_squares(terms, derivation, derivation.passing, -1);
+  terms.push_back(energy_at_rest(derivation));
   append(terms, derivation.graded().kinetic2, 1);
-  append(terms, derivation.graded().kinetic0, -1);
-  append_weights(terms, derivation);
-  append(terms, derivation.graded().potential0, 1);
   return GiNaC::add(terms);
 }
 

@@ -66,6 +66,9 @@ enum class Bodies : unsigned char { all, without_frames };
 /// E = sum v dL/dv - L; T2 - T0 + V0 where L is quadratic in v.
 [[nodiscard]] GiNaC::ex energy_function(Derivation& derivation);
 
+/// V0 - T0: E at zero rates. L quadratic in v.
+[[nodiscard]] GiNaC::ex energy_at_rest(Derivation& derivation);
+
 // Matrices, row-major.
 
 /// M = d2L/dv2, n_v x n_v, symmetric: both halves hold the same expressions. One forward and one
@@ -132,5 +135,26 @@ struct Linearization {
   Vector b;
 };
 [[nodiscard]] Linearization linearization(Derivation& derivation);
+
+// Functions of q and of momenta p = M v + b, b = dL/dv at v = 0. L quadratic in v. Velocities are
+// solved for, and stand in the place of v in what is known as a function of (q, v): nothing is
+// differentiated again. Each throws ZeroPivot. Goldstein, Poole, Safko, 3rd ed., sec. 8.1.
+//
+//     v = M^-1 (p - b)
+//     H = p.v - L = 1/2 (p - b).v + V0 - T0
+//     dq/dt = N v,   dp/dt = N^T dL/dq - [w]x p + B u + Q - dD/dv   at that v
+
+/// H.
+[[nodiscard]] GiNaC::ex hamiltonian(Derivation& derivation);
+
+/// v.
+[[nodiscard]] Vector velocities_of_momenta(Derivation& derivation);
+
+/// n_q and n_v entries.
+struct HamiltonEquations {
+  Vector coordinate_rates;
+  Vector momentum_rates;
+};
+[[nodiscard]] HamiltonEquations hamilton_equations(Derivation& derivation);
 
 }  // namespace elgen

@@ -85,6 +85,7 @@ void set_counts(TemplateData& data, const EmissionInput& input) {
   const std::size_t open_values = input.model.open_values.size();
   data.set("open_values", section_if(open_values > 0));
   data.set("open_value_count", std::to_string(open_values));
+  data.set("momenta", section_if(is_passed(input.program.leaves, Opcode::momentum)));
   data.set("parameter_count", std::to_string(emitted_parameter_count(input.model, input.program)));
 }
 

@@ -1,0 +1,87 @@
+// Hamilton's functions: one solve with M, then a substitution in the forms of other outputs.
+#include <utility>
+
+#include "derive/lagrangian/symmetric_solve.hpp"
+#include "derive/lagrangian/turning.hpp"
+#include "derive/outputs/outputs.hpp"
+
+namespace elgen {
+
+using GiNaC::ex;
+
+namespace {
+
+/// p - b; entries are definitions.
+Vector momenta_of_motion(Derivation& derivation) {
+  Seeds rest;
+  for (const ex& velocity : derivation.symbols.v) rest.emplace(velocity, 0);
+  Substitution at_rest(derivation.definitions, std::move(rest));
+  const Vector whole = momentum(derivation);
+  Vector result;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    const ex entry = define(derivation.definitions, whole[i]);
+    const ex b = define(derivation.definitions, at_rest(entry));
+    result.push_back(define(derivation.definitions, derivation.symbols.momenta[i] - b));
+  }
+  return result;
+}
+
+/// M^-1 r. They are named "velocity_theta".
+Vector solved_velocities(Derivation& derivation, const Vector& right_side) {
+  SymmetricSolve mass(derivation, mass_matrix(derivation));
+  Vector result = mass.solve(right_side);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    name(derivation.definitions, result[i], "velocity_" + derivation.velocity_identifier(i));
+  }
+  return result;
+}
+
+/// N^T dL/dq - [w]x p + B u + Q - dD/dv, of q, v and p.
+Vector rates_of_momenta(Derivation& derivation) {
+  Vector result = position_gradient(derivation);
+  const Vector turning = turning_force(derivation, derivation.symbols.momenta);
+  const Vector applied = applied_force(derivation, InputForces::acting);
+  const Vector damping = dissipation(derivation);
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] += applied[i] - turning[i] - damping[i];
+  return result;
+}
+
+/// `values` with the velocities in the place of v.
+Vector moving_with(Derivation& derivation, const Vector& velocities, const Vector& values) {
+  Seeds seeds;
+  for (std::size_t i = 0; i < velocities.size(); ++i) {
+    seeds.emplace(derivation.symbols.v[i], velocities[i]);
+  }
+  Substitution at_velocities(derivation.definitions, std::move(seeds));
+  Vector result;
+  for (const ex& value : values) {
+    const ex entry = define(derivation.definitions, value);
+    result.push_back(at_velocities(entry));
+  }
+  return result;
+}
+
+}  // namespace
+
+Vector velocities_of_momenta(Derivation& derivation) {
+  return solved_velocities(derivation, momenta_of_motion(derivation));
+}
+
+ex hamiltonian(Derivation& derivation) {
+  const Vector p = momenta_of_motion(derivation);
+  const Vector v = solved_velocities(derivation, p);
+  GiNaC::exvector terms{energy_at_rest(derivation)};
+  for (std::size_t i = 0; i < v.size(); ++i) terms.push_back(p[i] * v[i] / 2);
+  return GiNaC::add(terms);
+}
+
+HamiltonEquations hamilton_equations(Derivation& derivation) {
+  const Vector v = velocities_of_momenta(derivation);
+  const Vector rates = rates_of_momenta(derivation);
+  HamiltonEquations result;
+  result.coordinate_rates = moving_with(derivation, v, coordinate_rates(derivation));
+  result.momentum_rates = moving_with(derivation, v, rates);
+  return result;
+}
+
+}  // namespace elgen
