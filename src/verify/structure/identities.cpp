@@ -2,18 +2,29 @@
 // g, B; E = v.dL/dv - L; p = dL/dv; T, V0, V1 as in the table of outputs.
 #include "verify/structure/identities.hpp"
 
+#include <optional>
+#include <utility>
+
 #include "elgen/outputs.hpp"
 
 namespace elgen {
+
+void add_all(Balance& balance, const std::vector<Real>& terms, int factor) {
+  for (std::size_t i = 0; i < terms.size(); ++i) balance.add(i, terms[i] * factor);
+}
+
+Arguments<Real> unit_position(const ExactValues& at, std::size_t i) {
+  Arguments<Real> direction = at.at_rest();
+  std::vector<Real> velocity(at.size());
+  velocity[i] = Real(1);
+  direction.q = at.coordinate_rates(velocity);
+  return direction;
+}
+
 namespace {
 
 using K = OutputKind;
 using Values = std::vector<Real>;
-
-/// balance_i += factor * terms_i
-void add_all(Balance& balance, const Values& terms, int factor) {
-  for (std::size_t i = 0; i < terms.size(); ++i) balance.add(i, terms[i] * factor);
-}
 
 /// balance_i += factor * sum_j matrix_ij x_j
 void add_product(Balance& balance, const Values& matrix, const Values& x, int factor) {
@@ -21,15 +32,6 @@ void add_product(Balance& balance, const Values& matrix, const Values& x, int fa
   for (std::size_t i = 0; i < matrix.size(); ++i) {
     balance.add(i / x.size(), matrix[i] * x[i % x.size()] * factor);
   }
-}
-
-/// A unit displacement along velocity i.
-Arguments<Real> unit_position(const ExactValues& at, std::size_t i) {
-  Arguments<Real> direction = at.at_rest();
-  std::vector<Real> velocity(at.size());
-  velocity[i] = Real(1);
-  direction.q = at.coordinate_rates(velocity);
-  return direction;
 }
 
 Arguments<Real> unit_rate(const ExactValues& at, std::size_t i) {
@@ -180,6 +182,57 @@ Balance inverse_parts(ExactValues& at) {
   return balance;
 }
 
+/// The state with the velocities that its momenta give; none where M is singular.
+std::optional<ExactValues> at_momenta(ExactValues& at) {
+  const OracleValues v = defined_values(at.value(K::velocities_of_momenta));
+  if (!v) return std::nullopt;
+  State state = at.state();
+  state.v = *v;
+  return ExactValues(at.subject(), std::move(state));
+}
+
+/// Of an entry without a value.
+Balance undefined() {
+  Balance balance(1);
+  balance.add(0, Real::undefined());
+  return balance;
+}
+
+Balance momenta_of_velocities(ExactValues& at) {
+  std::optional<ExactValues> moving = at_momenta(at);
+  if (!moving) return undefined();
+  Balance balance(at.size());
+  add_all(balance, moving->value(K::momentum), 1);
+  add_all(balance, at.arguments().momenta, -1);
+  return balance;
+}
+
+Balance hamiltonian_energy(ExactValues& at) {
+  std::optional<ExactValues> moving = at_momenta(at);
+  if (!moving) return undefined();
+  Balance balance(1);
+  add_all(balance, at.value(K::hamiltonian), 1);
+  add_all(balance, moving->value(K::energy_function), -1);
+  return balance;
+}
+
+/// d/dt (q, dL/dv) along the motion, less (dq/dt, dp/dt)
+Balance canonical_motion(ExactValues& at) {
+  std::optional<ExactValues> moving = at_momenta(at);
+  if (!moving) return undefined();
+  Arguments<Real> motion = moving->at_rest();
+  motion.q = moving->coordinate_rates(moving->arguments().v);
+  motion.v = acceleration(*moving);
+  motion.t = Real(1);
+  Values rates = motion.q;
+  const Values of_momenta = moving->slopes(K::momentum, motion);
+  rates.insert(rates.end(), of_momenta.begin(), of_momenta.end());
+  Balance balance(rates.size());
+  add_all(balance, at.value(K::hamilton_equations), 1);
+  add_all(balance, rates, -1);
+  return balance;
+}
+
 }  // namespace
 
 const std::vector<Identity>& identities() {
@@ -215,138 +268,18 @@ const std::vector<Identity>& identities() {
        "tau = M a + bias",
        {K::inverse_dynamics, K::mass_matrix, K::bias},
        inverse_parts},
-  };
-  return table;
-}
-
-namespace {
-
-// The pose [R p] of a frame's output gives its twist (angular velocity; velocity of the origin) as
-// a form linear in the pose and in its rate, so that its rate is that form twice:
-//
-//     in the world's axes    S = dR/dt R^T    v = dp/dt
-//     in the frame's         S = R^T dR/dt    v = R^T dp/dt        omega = (S_32, S_13, S_21)
-
-/// Where the six components of a twist stand in a balance: at first, first + stride, …
-struct TwistPlace {
-  Balance& balance;
-  std::size_t first = 0;
-  std::size_t stride = 1;
-  bool in_world = true;
-};
-
-/// A pose, 3 x 4 row by row, with its rate and its second rate.
-struct PoseMotion {
-  std::vector<Real> pose = {};
-  std::vector<Real> rate = {};
-  std::vector<Real> second_rate = {};
-};
-
-constexpr std::size_t axes = 3;
-constexpr std::size_t columns = 4;  ///< of [R p]
-
-const Real& entry(const Values& pose, std::size_t row, std::size_t column) {
-  return pose[columns * row + column];
-}
-
-/// S_32, S_13, S_21
-void subtract_spin(const TwistPlace& place, const Values& pose, const Values& rate) {
-  for (std::size_t axis = 0; axis < axes; ++axis) {
-    const std::size_t j = (axis + 1) % axes;
-    const std::size_t i = (axis + 2) % axes;
-    for (std::size_t k = 0; k < axes; ++k) {
-      const Real term = place.in_world ? entry(rate, i, k) * entry(pose, j, k)
-                                       : entry(pose, k, i) * entry(rate, k, j);
-      place.balance.add(place.first + axis * place.stride, -term);
-    }
-  }
-}
-
-/// Components of dp/dt along the columns of `along`.
-void subtract_velocity(const TwistPlace& place, const Values& along, const Values& rate) {
-  for (std::size_t axis = 0; axis < axes; ++axis) {
-    for (std::size_t k = 0; k < axes; ++k) {
-      const Real term = entry(along, k, axis) * entry(rate, k, axes);
-      place.balance.add(place.first + (axes + axis) * place.stride, -term);
-    }
-  }
-}
-
-/// The world's own axes.
-Values identity() {
-  Values pose(axes * columns);
-  for (std::size_t i = 0; i < axes; ++i) pose[columns * i + i] = Real(1);
-  return pose;
-}
-
-/// balance -= twist
-void subtract_twist(const TwistPlace& place, const PoseMotion& motion) {
-  subtract_spin(place, motion.pose, motion.rate);
-  subtract_velocity(place, place.in_world ? identity() : motion.pose, motion.rate);
-}
-
-/// balance -= d twist/dt
-void subtract_twist_rate(const TwistPlace& place, const PoseMotion& motion) {
-  subtract_spin(place, motion.pose, motion.second_rate);
-  subtract_spin(place, motion.rate, motion.rate);
-  subtract_velocity(place, place.in_world ? identity() : motion.pose, motion.second_rate);
-  if (!place.in_world) subtract_velocity(place, motion.rate, motion.rate);
-}
-
-/// d^2 y/dt^2 at a = 0 along a motion.
-Values second_rate(ExactValues& at, const Arguments<Real>& motion, std::uint32_t user) {
-  Values result = at.curvatures(K::user_value, motion, user);
-  if (at.subject().model.rotations.empty()) return result;
-  Arguments<Real> turning = at.at_rest();
-  turning.q = at.coasting_accelerations();
-  const Values of_turning = at.slopes(K::user_value, turning, user);
-  for (std::size_t i = 0; i < result.size(); ++i) result[i] = result[i] + of_turning[i];
-  return result;
-}
-
-Balance jacobian_balance(ExactValues& at, std::uint32_t user) {
-  const UserOutput& output = at.subject().model.outputs[user];
-  const Values& jacobian = at.value(K::user_jacobian, user);
-  const std::size_t n = at.size();
-  Balance balance(jacobian.size());
-  add_all(balance, jacobian, 1);
-  for (std::size_t j = 0; j < n; ++j) {
-    const Values column = at.slopes(K::user_value, unit_position(at, j), user);
-    if (output.frame) {
-      subtract_twist({balance, j, n, output.in_world}, {at.value(K::user_value, user), column});
-      continue;
-    }
-    for (std::size_t i = 0; i < column.size(); ++i) balance.add(i * n + j, -column[i]);
-  }
-  return balance;
-}
-
-Balance output_bias_balance(ExactValues& at, std::uint32_t user) {
-  const UserOutput& output = at.subject().model.outputs[user];
-  Arguments<Real> motion = at.at_rest();
-  motion.q = at.coordinate_rates(at.arguments().v);
-  motion.t = Real(1);
-  const Values& bias = at.value(K::user_bias, user);
-  Balance balance(bias.size());
-  add_all(balance, bias, 1);
-  if (output.frame) {
-    const PoseMotion pose{at.value(K::user_value, user), at.slopes(K::user_value, motion, user),
-                          second_rate(at, motion, user)};
-    subtract_twist_rate({balance, 0, 1, output.in_world}, pose);
-  } else {
-    add_all(balance, second_rate(at, motion, user), -1);
-  }
-  return balance;
-}
-
-}  // namespace
-
-const std::vector<OutputIdentity>& output_identities() {
-  static const std::vector<OutputIdentity> table{
-      {K::user_jacobian, "Jacobian by dual numbers", "J = dy/dq",
-       "J = d(omega; dp/dt)/dv, [omega]x = dR/dt R^T", jacobian_balance},
-      {K::user_bias, "output bias by dual numbers", "bias = d^2 y/dt^2 at a = 0",
-       "bias = d(omega; dp/dt)/dt at a = 0", output_bias_balance},
+      {"momenta of velocities",
+       "dL/dv = p at v = M^-1 (p - b)",
+       {K::velocities_of_momenta},
+       momenta_of_velocities},
+      {"Hamiltonian is the energy",
+       "H = v.dL/dv - L at v = M^-1 (p - b)",
+       {K::hamiltonian},
+       hamiltonian_energy},
+      {"Hamilton's equations along the motion",
+       "(dq/dt, dp/dt) = d/dt (q, dL/dv)",
+       {K::hamilton_equations, K::momentum},
+       canonical_motion},
   };
   return table;
 }

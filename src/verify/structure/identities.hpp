@@ -1,4 +1,4 @@
-// The tables of identities between the functions of a program.
+// The tables of identities between the functions of a program, and what their balances share.
 #pragma once
 
 #include <string_view>
@@ -29,5 +29,11 @@ struct OutputIdentity {
 };
 
 [[nodiscard]] const std::vector<OutputIdentity>& output_identities();
+
+/// balance_i += factor * terms_i
+void add_all(Balance& balance, const std::vector<Real>& terms, int factor);
+
+/// A unit displacement along velocity i.
+[[nodiscard]] Arguments<Real> unit_position(const ExactValues& at, std::size_t i);
 
 }  // namespace elgen
