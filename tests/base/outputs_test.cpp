@@ -96,6 +96,17 @@ TEST_CASE("arguments and shapes follow the equations") {
   CHECK(output_row(OutputKind::input_matrix).fields.front().columns == Extent::inputs);
 }
 
+TEST_CASE("functions of momenta are named, and in no struct of those of velocities") {
+  for (const OutputKind kind : {OutputKind::hamiltonian, OutputKind::velocities_of_momenta,
+                                OutputKind::hamilton_equations}) {
+    CHECK(is_named_only(output_row(kind)));
+    CHECK(divides_by_mass(output_row(kind)));
+    CHECK_FALSE(is_repeated(kind));
+  }
+  CHECK_FALSE(is_named_only(output_row(OutputKind::momentum)));
+  CHECK_FALSE(divides_by_mass(output_row(OutputKind::momentum)));
+}
+
 TEST_CASE("types hold as many numbers as their fields have entries") {
   for (const OutputRow& output : output_table()) {
     for (const FieldRow& field : output.fields) {
@@ -110,7 +121,7 @@ TEST_CASE("types hold as many numbers as their fields have entries") {
 
 TEST_CASE("what needs a quadratic Lagrangian says so") {
   for (const OutputKind kind : {OutputKind::coriolis_matrix, OutputKind::velocity_force,
-                                OutputKind::gravity, OutputKind::drift}) {
+                                OutputKind::gravity, OutputKind::drift, OutputKind::hamiltonian}) {
     CHECK(output_row(kind).requirement == Requirement::quadratic);
   }
   for (const OutputKind kind : {OutputKind::mass_matrix, OutputKind::bias, OutputKind::momentum,

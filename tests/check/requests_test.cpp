@@ -56,6 +56,9 @@ TEST_CASE("full is every output the model has") {
     CHECK(has(all, name));
   }
   CHECK_FALSE(has(all, "place_jacobian"));
+  for (const char* name : {"hamiltonian", "velocities_of_momenta", "hamilton_equations", "step"}) {
+    CHECK_FALSE(has(all, name));
+  }
   CHECK_FALSE(has(names_in_full(block()), "input_matrix"));
 }
 
@@ -77,6 +80,11 @@ TEST_CASE("outputs of another Lagrangian") {
   wanted.outputs = {"gravity"};
   CHECK(messages(relativistic, wanted) ==
         "E505 1:1 `gravity` needs a Lagrangian at most quadratic in the rates\n");
+  wanted.outputs = {"hamilton_equations"};
+  CHECK(
+      messages(relativistic, wanted) ==
+      "E534 1:1 `hamilton_equations` needs rates that p = dL/dv gives by a linear solve, and L is "
+      "not quadratic in the rates\n");
   // Quadratic, but T and V are not told apart.
   const std::string whole = head + "L = \"m*dot(x)^2\"\n";
   CHECK(has(names_in_full(whole), "gravity"));

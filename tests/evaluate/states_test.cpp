@@ -80,6 +80,20 @@ TEST_CASE("the length of a step is drawn where a function takes one") {
   }
 }
 
+TEST_CASE("momenta are drawn where a function takes them") {
+  System system = cart_pole_system();
+  for (const auto& state : sample_states<double>(system.subject(), {16, 1, true})) {
+    if (state.region != Region::extreme) CHECK(state.values.momenta == std::vector<double>(2));
+  }
+  system.program.leaves.momenta = system.program.leaves.v;
+  for (const auto& state : sample_states<double>(system.subject(), {16, 1, false})) {
+    for (const double p : state.values.momenta) {
+      CHECK(p != 0);
+      if (state.region == Region::nominal) CHECK(std::abs(p) <= 10);
+    }
+  }
+}
+
 TEST_CASE("nominal states keep to the declared ranges, or to the usual ones") {
   System system = cart_pole_system();
   system.model.coordinates[0].range = Interval{cln::cl_R(2), cln::cl_R(3)};

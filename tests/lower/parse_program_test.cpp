@@ -13,6 +13,7 @@ TEST_CASE("a program is printed with the names of the model, and reads back") {
       "coordinates theta\n"
       "inputs u\n"
       "time\n"
+      "momenta\n"
       "step\n"
       "function mass_matrix\n"
       "  0 = parameter l[2]\n"
@@ -35,6 +36,10 @@ TEST_CASE("a program is printed with the names of the model, and reads back") {
       "function tip = user_value 2\n"
       "  0 = time\n"
       "  result 1 1 = 0\n"
+      "function hamiltonian\n"
+      "  0 = momentum theta\n"
+      "  1 = multiply 0 0\n"
+      "  result 1 1 = 1\n"
       "function advance = step 1\n"
       "  0 = step\n"
       "  1 = velocity theta\n"
@@ -48,11 +53,12 @@ TEST_CASE("a program is printed with the names of the model, and reads back") {
   CHECK(program.constants.size() == 2);
   CHECK(program.functions.at(1).kind == OutputKind::dynamics);
   CHECK(program.functions.at(2).user == 2);
-  CHECK(program.functions.at(3).kind == OutputKind::step);
-  CHECK(program.functions.at(3).user == 1);
-  CHECK(program.functions.at(3).iterations == 0);
-  CHECK(program.functions.at(4).user == 2);
-  CHECK(program.functions.at(4).iterations == 8);
+  CHECK(program.functions.at(3).kind == OutputKind::hamiltonian);
+  CHECK(program.functions.at(4).kind == OutputKind::step);
+  CHECK(program.functions.at(4).user == 1);
+  CHECK(program.functions.at(4).iterations == 0);
+  CHECK(program.functions.at(5).user == 2);
+  CHECK(program.functions.at(5).iterations == 8);
 }
 
 TEST_CASE("comments and empty lines are passed over, names are kept") {

@@ -90,6 +90,8 @@ TEST_CASE("every invariant is watched, and names function and instruction") {
       {[](Function& f) { f.instructions[0].a = 1; }, "instruction 0: there is no leaf 1"},
       {[](Function& f) { f.instructions[0].opcode = Opcode::time; },
        "instruction 0: there is no leaf 0"},
+      {[](Function& f) { f.instructions[0].opcode = Opcode::momentum; },
+       "instruction 0: there is no leaf 0"},
       {[](Function& f) { f.instructions[0].opcode = Opcode::step; },
        "instruction 0: there is no leaf 0"},
       {[](Function& f) { f.instructions[1].a = 2; },

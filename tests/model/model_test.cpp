@@ -78,6 +78,10 @@ TEST_CASE("leaves are written as models and as C++ write them") {
   CHECK(leaf_text(leaves, Opcode::acceleration, 4) == "dot(dot(q[5]))");
   CHECK(leaf_text(leaves, Opcode::time, 0) == "t");
   CHECK(leaves.h.empty());  // until a function takes it
+  CHECK(leaves.momenta.empty());
+  LeafNames taken = leaves;
+  taken.momenta = leaves.v;
+  CHECK(leaf_text(taken, Opcode::momentum, 4) == "p(q[5])");
   CHECK(identifier_of("q[5]") == "q_5");
   CHECK(identifier_of("x_cart") == "x_cart");
 }
@@ -88,6 +92,7 @@ TEST_CASE("leaves are counted by what has one of each") {
   CHECK(leaf_count(model, Opcode::coordinate) == 5);
   CHECK(leaf_count(model, Opcode::velocity) == 5);
   CHECK(leaf_count(model, Opcode::acceleration) == 5);
+  CHECK(leaf_count(model, Opcode::momentum) == 5);
   CHECK(leaf_count(model, Opcode::input) == 5);
   CHECK(leaf_count(model, Opcode::time) == 1);
   const Model top = checked(file_text("models/free_body.toml")).model;

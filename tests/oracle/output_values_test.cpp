@@ -26,11 +26,12 @@ ModelBuilder polar() {
   return b;
 }
 
-/// r = 2, ph = 3, dr/dt = 5, dph/dt = 7, accelerations 11 and 13, u = 17, t = 19
+/// r = 2, ph = 3, dr/dt = 5, dph/dt = 7 and their momenta, accelerations 11 and 13, u = 17, t = 19
 State polar_state(const ModelBuilder& b) {
   State state = nominal_state(b.model, {});
   state.q = {2, 3};
   state.v = {5, 7};
+  state.momenta = {10, 56};
   state.a = {11, 13};
   state.u = {17};
   state.t = 19;
@@ -129,6 +130,9 @@ TEST_CASE("every output of a particle in polar coordinates, by hand") {
   CHECK(value(OutputKind::input_matrix) == Values{1, 2});
   CHECK(value(OutputKind::inverse_dynamics) == Values{22 - 184, 104 + 283});
   CHECK(value(OutputKind::forward_dynamics) == Values{exact("201/2"), exact("-249/8"), 1, 1});
+  CHECK(value(OutputKind::hamiltonian) == Values{225});
+  CHECK(value(OutputKind::velocities_of_momenta) == Values{5, 7});
+  CHECK(value(OutputKind::hamilton_equations) == Values{5, 7, 194 + 17 - 10, 34 - 3});
 }
 
 TEST_CASE("a user output: value, Jacobian, bias with d2y/dt2 = J a + bias") {

@@ -26,6 +26,7 @@ inline State random_state(const Model& model, unsigned seed) {
   }
   state.t = fraction();
   state.h = cln::cl_RA(1) / 9;
+  for (auto& p : state.momenta) p = fraction();
   return state;
 }
 

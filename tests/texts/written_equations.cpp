@@ -23,7 +23,7 @@ std::unordered_map<std::string, Real> leaves_at(const LeafNames& names,
                                                 const Arguments<Real>& state) {
   std::unordered_map<std::string, Real> leaves;
   const auto add = [&](Opcode kind, std::uint32_t number, const Real& value) {
-    leaves.emplace(leaf_text(names, kind, number), value);
+    if (is_passed(names, kind)) leaves.emplace(leaf_text(names, kind, number), value);
   };
   for_each_leaf(add, state);
   leaves.emplace("pi", Real(cln::pi(Real::format())));

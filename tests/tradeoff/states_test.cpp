@@ -57,8 +57,8 @@ TEST_CASE("E630: ranges that say nothing") {
   CHECK(refusal("q=a..1") == "`a..1` are no two numbers");
   CHECK(refusal("q") == "`q` is no range; write NAME=LOW..HIGH");
   CHECK(refusal("dot(w)=0..1") ==
-        "`dot(w)` is no coordinate, rate or input; did you mean `dot(q)`?");
-  CHECK(refusal("m=0..1") == "`m` is no coordinate, rate or input");
+        "`dot(w)` is no coordinate, rate, momentum or input; did you mean `dot(q)`?");
+  CHECK(refusal("m=0..1") == "`m` is no coordinate, rate, momentum or input");
 }
 
 TEST_CASE("E521: an output without a value at most states") {

@@ -151,11 +151,9 @@ jacobian = true
   return text;
 }
 
-System framed_system() {
+System framed_system(const std::string& outputs) {
   SceneOptions options;
-  options.outputs = {make_source("--outputs",
-                                 "tip_pose,tip_pose_jacobian,tip_pose_bias,own,own_jacobian,"
-                                 "own_bias,ball_pose,ball_pose_jacobian,ball_pose_bias")};
+  options.outputs = {make_source("--outputs", outputs)};
   const CheckedModel checked = checked_model(framed_text(), options);
   const Result<Lagrangian> lagrangian = formulate(checked.model);
   const auto equations = derive(*lagrangian, checked.scene.outputs, {});
@@ -184,7 +182,9 @@ void shift(Program& program, Function& function, std::uint32_t& entry) {
 }  // namespace
 
 TEST_CASE("a frame's Jacobian and bias are those of its twist, entry by entry") {
-  const System framed = framed_system();
+  const System framed = framed_system(
+      "tip_pose,tip_pose_jacobian,tip_pose_bias,own,own_jacobian,own_bias,ball_pose,"
+      "ball_pose_jacobian,ball_pose_bias");
   for (const Function& function : framed.program.functions) {
     if (function.kind == OutputKind::user_value) continue;
     INFO(function.name);
@@ -199,6 +199,29 @@ TEST_CASE("a frame's Jacobian and bias are those of its twist, entry by entry") 
       Function& changed = wrong.program.functions.back();
       shift(wrong.program, changed, changed.fields.front().entries[i]);
       CHECK(rows_of(wrong).front().verdict == Verdict::fails);
+    }
+  }
+}
+
+TEST_CASE("Hamilton's functions balance with energies and the motion, entry by entry") {
+  const System right =
+      framed_system("momentum,hamiltonian,velocities_of_momenta,hamilton_equations");
+  const std::vector<CertificateRow> rows = rows_of(right);
+  REQUIRE(rows.size() == 3);
+  for (const CertificateRow& row : rows) {
+    INFO(row.check << ": " << row.worst);
+    CHECK(row.verdict == Verdict::holds);
+    const auto is_subject = [&](const Function& f) { return f.name == row.output; };
+    System wrong = right;
+    Function& changed = *std::ranges::find_if(wrong.program.functions, is_subject);
+    const Function whole = changed;
+    for (std::size_t field = 0; field < whole.fields.size(); ++field) {
+      for (std::size_t i = 0; i < whole.fields[field].entries.size(); ++i) {
+        INFO("field " << field << ", entry " << i);
+        changed = whole;
+        shift(wrong.program, changed, changed.fields[field].entries[i]);
+        CHECK(verdict_of(wrong, row.check) == Verdict::fails);
+      }
     }
   }
 }

@@ -15,6 +15,7 @@ namespace elgen {
 ///     (sum_k dM/dq_k v_k) - 2 C skew         dE/dt = v.(B u + Q - dD/dv) - dL/dt
 ///     M a(q, v, u) + bias = B u              dp/dv = M,  dE/dv = M v,  p = 2 dT/dv - d(T + V)/dv
 ///     g = dV0/dq                             C v, bias and tau from their parts
+///     H(q, p) = E, dL/dv = p and (dq/dt, dp/dt) = d/dt (q, dL/dv) at v = M^-1 (p - b)
 ///     Jacobians and biases of [[output]]s from the derivatives of their values
 ///
 /// and that M is symmetric (in every bit) and positive definite (by its pivots).
