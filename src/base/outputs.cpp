@@ -6,7 +6,6 @@
 // elsewhere: d/dt dL/dv + [w]x dL/dv - N^T dL/dq is what forces are equal to.
 #include "elgen/outputs.hpp"
 
-#include <algorithm>
 #include <array>
 
 namespace elgen {
@@ -381,36 +380,8 @@ constexpr std::array table{
 }  // namespace
 }  // namespace rows
 
-std::string_view name_of(Form form) { return form == Form::closed ? "closed" : "recursive"; }
-
 std::span<const OutputRow> output_table() { return rows::table; }
 
 const OutputRow& output_row(OutputKind kind) { return rows::table[static_cast<std::size_t>(kind)]; }
-
-bool is_repeated(OutputKind kind) {
-  const OutputRow& row = output_row(kind);
-  const LeafSet repeated = output_row(OutputKind::dynamics).takes;
-  return (repeated | row.takes) == repeated && !row.repeats;
-}
-
-const FieldRow& field_row(OutputKind kind, std::string_view name) {
-  static constexpr FieldRow number{};
-  const std::span<const FieldRow> fields = output_row(kind).fields;
-  const auto found = std::ranges::find(fields, name, &FieldRow::name);
-  if (found != fields.end()) return *found;
-  return fields.empty() ? number : fields.front();
-}
-
-const Notation& equation_of(const OutputRow& output, bool has_rotations) {
-  const bool is_another = has_rotations && !output.turning_equation.text.empty();
-  return is_another ? output.turning_equation : output.equation;
-}
-
-const OutputRow* find_output(std::string_view name) {
-  for (const OutputRow& output : rows::table) {
-    if (output.name == name && !output.of_user) return &output;
-  }
-  return nullptr;
-}
 
 }  // namespace elgen

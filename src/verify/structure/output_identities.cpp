@@ -5,6 +5,8 @@
 namespace elgen {
 namespace {
 
+using K = OutputKind;
+
 // The pose [R p] of a frame's output gives its twist (angular velocity; velocity of the origin) as
 // a form linear in the pose and in its rate, so that its rate is that form twice:
 //
@@ -81,26 +83,25 @@ void subtract_twist_rate(const TwistPlace& place, const PoseMotion& motion) {
 
 /// d^2 y/dt^2 at a = 0 along a motion.
 std::vector<Real> second_rate(ExactValues& at, const Arguments<Real>& motion, std::uint32_t user) {
-  std::vector<Real> result = at.curvatures(OutputKind::user_value, motion, user);
+  std::vector<Real> result = at.curvatures(K::user_value, motion, user);
   if (at.subject().model.rotations.empty()) return result;
   Arguments<Real> turning = at.at_rest();
   turning.q = at.coasting_accelerations();
-  const std::vector<Real> of_turning = at.slopes(OutputKind::user_value, turning, user);
+  const std::vector<Real> of_turning = at.slopes(K::user_value, turning, user);
   for (std::size_t i = 0; i < result.size(); ++i) result[i] = result[i] + of_turning[i];
   return result;
 }
 
 Balance jacobian_balance(ExactValues& at, std::uint32_t user) {
   const UserOutput& output = at.subject().model.outputs[user];
-  const std::vector<Real>& jacobian = at.value(OutputKind::user_jacobian, user);
+  const std::vector<Real>& jacobian = at.value(K::user_jacobian, user);
   const std::size_t n = at.size();
   Balance balance(jacobian.size());
   add_all(balance, jacobian, 1);
   for (std::size_t j = 0; j < n; ++j) {
-    const std::vector<Real> column = at.slopes(OutputKind::user_value, unit_position(at, j), user);
+    const std::vector<Real> column = at.slopes(K::user_value, unit_position(at, j), user);
     if (output.frame) {
-      subtract_twist({balance, j, n, output.in_world},
-                     {at.value(OutputKind::user_value, user), column});
+      subtract_twist({balance, j, n, output.in_world}, {at.value(K::user_value, user), column});
       continue;
     }
     for (std::size_t i = 0; i < column.size(); ++i) balance.add(i * n + j, -column[i]);
@@ -113,12 +114,11 @@ Balance output_bias_balance(ExactValues& at, std::uint32_t user) {
   Arguments<Real> motion = at.at_rest();
   motion.q = at.coordinate_rates(at.arguments().v);
   motion.t = Real(1);
-  const std::vector<Real>& bias = at.value(OutputKind::user_bias, user);
+  const std::vector<Real>& bias = at.value(K::user_bias, user);
   Balance balance(bias.size());
   add_all(balance, bias, 1);
   if (output.frame) {
-    const PoseMotion pose{at.value(OutputKind::user_value, user),
-                          at.slopes(OutputKind::user_value, motion, user),
+    const PoseMotion pose{at.value(K::user_value, user), at.slopes(K::user_value, motion, user),
                           second_rate(at, motion, user)};
     subtract_twist_rate({balance, 0, 1, output.in_world}, pose);
   } else {
@@ -131,9 +131,9 @@ Balance output_bias_balance(ExactValues& at, std::uint32_t user) {
 
 const std::vector<OutputIdentity>& output_identities() {
   static const std::vector<OutputIdentity> table{
-      {OutputKind::user_jacobian, "Jacobian by dual numbers", "J = dy/dq",
+      {K::user_jacobian, "Jacobian by dual numbers", "J = dy/dq",
        "J = d(omega; dp/dt)/dv, [omega]x = dR/dt R^T", jacobian_balance},
-      {OutputKind::user_bias, "output bias by dual numbers", "bias = d^2 y/dt^2 at a = 0",
+      {K::user_bias, "output bias by dual numbers", "bias = d^2 y/dt^2 at a = 0",
        "bias = d(omega; dp/dt)/dt at a = 0", output_bias_balance},
   };
   return table;

@@ -1,0 +1,36 @@
+// Questions to the table of outputs.
+#include <algorithm>
+
+#include "elgen/outputs.hpp"
+
+namespace elgen {
+
+std::string_view name_of(Form form) { return form == Form::closed ? "closed" : "recursive"; }
+
+bool is_repeated(OutputKind kind) {
+  const OutputRow& row = output_row(kind);
+  const LeafSet repeated = std::ranges::find(output_table(), true, &OutputRow::repeats)->takes;
+  return (repeated | row.takes) == repeated && !row.repeats;
+}
+
+const FieldRow& field_row(OutputKind kind, std::string_view name) {
+  static constexpr FieldRow number{};
+  const std::span<const FieldRow> fields = output_row(kind).fields;
+  const auto found = std::ranges::find(fields, name, &FieldRow::name);
+  if (found != fields.end()) return *found;
+  return fields.empty() ? number : fields.front();
+}
+
+const Notation& equation_of(const OutputRow& output, bool has_rotations) {
+  const bool is_another = has_rotations && !output.turning_equation.text.empty();
+  return is_another ? output.turning_equation : output.equation;
+}
+
+const OutputRow* find_output(std::string_view name) {
+  for (const OutputRow& output : output_table()) {
+    if (output.name == name && !output.of_user) return &output;
+  }
+  return nullptr;
+}
+
+}  // namespace elgen
