@@ -23,8 +23,8 @@ template <class T, class F, class Single>
   return leaves;
 }
 
-/// "m", "l[2]", "theta", "q[1]"; of rates what dot() is written around. Momenta, by the names of their
-/// velocities, and h have names in programs with functions that take them.
+/// "m", "l[2]", "theta", "q[1]"; of rates what dot() is written around. Momenta, by the names of
+/// their velocities, and h have names in programs with functions that take them.
 struct LeafNames : LeafValues<std::string> {
   bool uses_time = false;
   std::vector<Assumption> assumptions = {};  ///< of the parameters; empty: none

@@ -105,8 +105,8 @@ template <class T>
   return list != nullptr ? list->size() : 1;
 }
 
-/// Whether emitted functions may take the kind: open values only where there are some, momenta where
-/// a function of theirs has given them names.
+/// Whether emitted functions may take the kind: open values only where there are some, momenta
+/// where a function of theirs has given them names.
 template <class T>
 [[nodiscard]] bool is_passed(const LeafValues<T>& leaves, Opcode kind) {
   return !is_optional(kind) || leaf_count(leaves, kind) > 0;

@@ -262,8 +262,7 @@ constexpr OutputRow hamiltonian{
     .doc = "Hamiltonian: the energy function of coordinates and momenta.",
     .requirement = R::quadratic};
 
-constexpr std::array velocity{
-    FieldRow{"", E::velocities, E::one, U::row, "Velocities<Scalar>"}};
+constexpr std::array velocity{FieldRow{"", E::velocities, E::one, U::row, "Velocities<Scalar>"}};
 constexpr OutputRow velocities_of_momenta{
     .symbol = {"v", "<v>"},
     .takes = Opcode::momentum,
