@@ -2,8 +2,8 @@
 // inverse_dynamics(q, v, a) of two coordinates:
 //
 //     void elgen_driver_double_0(const double* p, const double* f, const double* q,
-//                                const double* v, const double* a, const double* u, double t,
-//                                double h, double* result);
+//                                const double* v, const double* momenta, const double* a,
+//                                const double* u, double t, double h, double* result);
 #include "toolchain/driver.hpp"
 
 #include <fmt/format.h>

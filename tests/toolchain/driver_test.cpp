@@ -217,5 +217,6 @@ TEST_CASE("in packs, the header of batches does all of it") {
   CHECK_THAT(text,
              Contains("emitted::batch::inverse_dynamics<Scalar>(model_parameters<Scalar>(), count, "
                       "q, v, a, result);"));
-  CHECK_THAT(text, Contains("in_packs<double>(count, parameters, f, q, v, a, u, t, h, result);"));
+  CHECK_THAT(
+      text, Contains("in_packs<double>(count, parameters, f, q, v, momenta, a, u, t, h, result);"));
 }
