@@ -18,8 +18,8 @@ using ExpressionId = std::uint32_t;
 enum class ExpressionKind : std::uint8_t {
   number,  ///< number
   pi,
-  leaf,        ///< number `index` of its kind; inputs in forces and [[expect]], a in the latter;
-               ///< the operands of an open value are the arguments of its function
+  leaf,        ///< number `index` of its kind; inputs in forces and [[expect]], a, p and E in the
+               ///< latter; the operands of an open value are the arguments of its function
   prescribed,  ///< prescribed[index], a function of t
   definition,  ///< definitions[index]
   point_component,  ///< points[index / 3].at[index % 3]

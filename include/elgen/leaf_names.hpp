@@ -10,7 +10,7 @@
 
 namespace elgen {
 
-/// f(kind, entry) of the entry of the model that each leaf belongs to; single(kind) of t and h.
+/// f(kind, entry) of the entry of the model that each leaf belongs to; single(kind) of t, h and E.
 template <class T, class F, class Single>
 [[nodiscard]] LeafValues<T> leaves_of(const Model& model, const F& f, const Single& single) {
   LeafValues<T> leaves;
@@ -24,7 +24,7 @@ template <class T, class F, class Single>
 }
 
 /// "m", "l[2]", "theta", "q[1]"; of rates what dot() is written around. Momenta, by the names of
-/// their velocities, and h have names in programs with functions that take them.
+/// their velocities, and h have names in programs with functions that take them, E has none.
 struct LeafNames : LeafValues<std::string> {
   bool uses_time = false;
   std::vector<Assumption> assumptions = {};  ///< of the parameters; empty: none

@@ -106,10 +106,10 @@ template <class T>
 }
 
 /// Whether emitted functions may take the kind: open values only where there are some, momenta
-/// where a function of theirs has given them names.
+/// where a function of theirs has given them names, the energy nowhere.
 template <class T>
 [[nodiscard]] bool is_passed(const LeafValues<T>& leaves, Opcode kind) {
-  return !is_optional(kind) || leaf_count(leaves, kind) > 0;
+  return kind != Opcode::energy && (!is_optional(kind) || leaf_count(leaves, kind) > 0);
 }
 
 }  // namespace elgen

@@ -241,8 +241,12 @@ struct Expectation {
   std::uint32_t rows = 0;
   std::uint32_t columns = 0;
   std::vector<ExpressionId> entries = {};
-  std::vector<Span> spans = {};  ///< of each entry, in the file
+  std::vector<Span> spans = {};                 ///< of each entry, in the file
+  std::vector<std::optional<Unit>> units = {};  ///< of each entry; empty where none are checked
   Span span = {};
+
+  /// Whether its entries are constant along the motion, not those of an output.
+  [[nodiscard]] bool is_conserved() const { return output == "conserved"; }
 };
 
 /// A coordinate, or a rotation, that does not move freely.

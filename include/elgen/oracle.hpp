@@ -88,7 +88,7 @@ struct Contraction {
 /// Empty where a pivot is lost.
 [[nodiscard]] OracleValues oracle_relative_pivots(std::vector<cln::cl_R> matrix, std::size_t n);
 
-/// The value of one expression of the model (for [[expect]]); t, q, v, a, u, parameters from the
+/// The value of one expression of the model (for [[expect]]); all its leaves are those of the
 /// state.
 [[nodiscard]] std::optional<cln::cl_R> oracle_expression(const Model& model,
                                                          ExpressionId expression,
@@ -99,7 +99,8 @@ struct Contraction {
 [[nodiscard]] std::optional<cln::cl_R> oracle_slope(const Model& model, ExpressionId expression,
                                                     const State& state, const State& direction);
 
-/// d/dt of an expression in q, v, t along the motion with acceleration state.a (for `conserved`).
+/// d/dt of an expression in q, v, t along the motion with acceleration state.a (for `conserved`);
+/// p and E in it are those of the motion, whatever the state says.
 [[nodiscard]] std::optional<cln::cl_R> oracle_rate(const Model& model, ExpressionId expression,
                                                    const State& state);
 

@@ -16,6 +16,9 @@ namespace elgen {
 [[nodiscard]] std::vector<ExpressionId> reached(const Model& model,
                                                 const std::vector<ExpressionId>& roots);
 
+/// Whether an expression, or what it refers to, is a leaf of one of these kinds.
+[[nodiscard]] bool holds_leaf(const Model& model, ExpressionId expression, LeafSet kinds);
+
 /// Every expression of a model without cycles, each after what it refers to.
 [[nodiscard]] std::vector<ExpressionId> in_order(const Model& model);
 

@@ -54,6 +54,17 @@ struct EquationOfMotion {
 /// "q = (x [m], theta [rad])", "v = dq/dt, a = dv/dt" or "at rest", "u = (F [N])": a line each.
 [[nodiscard]] std::vector<std::string> variable_lines(const Model& model, const Program& program);
 
+/// A conserved quantity: "p(phi)", and in LaTeX what it is.
+struct ConservedQuantity {
+  std::string name = {};
+  std::string definition = {};
+};
+/// The energy function and the momenta of cyclic coordinates that are constant along every motion,
+/// as far as the outputs of the program prove it: L contains no t, or not the coordinate, and no
+/// input, force or dissipation acts. None of a scene that expands the equations.
+[[nodiscard]] std::vector<ConservedQuantity> conserved_quantities(const Model& model,
+                                                                  const Program& program);
+
 /// Whether some function is about more than positions and forces at rest.
 [[nodiscard]] bool knows_motion(const Model& model, const Program& program);
 
@@ -126,8 +137,8 @@ struct ReadableSteps {
   std::vector<std::string> masses = {};  ///< the names of the fields of "positions"
 };
 
-/// Positions, velocities, energies, Lagrange's equation of every coordinate, and what is conserved
-/// under which condition: one section per step.
+/// The action, positions, velocities, energies, Lagrange's equation of every coordinate, and what
+/// is conserved under which condition: one section per step.
 [[nodiscard]] Sheet steps_sheet(const Model& model, const Scene& scene, const ReadableSteps& steps);
 
 /// The section of T, V and L.

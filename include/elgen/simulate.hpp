@@ -36,6 +36,14 @@ struct Drift {
   double scale = 1;
 };
 
+/// An entry of `conserved` along a run.
+struct Invariant {
+  std::string text = {};  ///< as in the model
+  std::string unit = {};  ///< "" where it is 1 or not known
+  double start = 0;
+  double drift = 0;  ///< the largest deviation from the start, in the unit
+};
+
 /// A number of every row.
 struct TrajectoryColumn {
   std::string name = {};   ///< as in models: "theta", "dot(theta)"
@@ -54,6 +62,8 @@ struct Trajectory {
   /// time act, less the work they did: E - E0 - int v.(B u + Q - dD/dv) dt + int dL/dt dt.
   Drift energy = {};
   std::vector<Drift> momenta = {};  ///< of coordinates that are cyclic and free of forces
+  /// Of the model's `conserved`, which speaks of u = 0; none of a scene that locks or expands.
+  std::vector<Invariant> conserved = {};
   std::uint64_t steps = 0;
   double nanoseconds = 0;  ///< per step
 };

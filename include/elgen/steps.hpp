@@ -1,6 +1,6 @@
 // Steps: Lagrange's equations as a student derives them, each step over the definitions.
 //
-//     positions, velocities by the chain rule, T, V, L = T - V, then for every coordinate q
+//     delta S = 0, positions, velocities by the chain rule, T, V, L = T - V, then for every q
 //     dL/dv, d/dt dL/dv, dL/dq,      d/dt dL/dv - dL/dq + dD/dv = Q + B u
 //
 // and E = sum v dL/dv - L with dL/dt at fixed q and v: where it is zero, and no force or

@@ -1,6 +1,6 @@
 // elgen explain NAME: what an error code means and how to mend it, the keys of an entry of model
-// and scene files (`coordinate`, `scene.outputs`), what an output is, or a function of the
-// language.
+// and scene files (`coordinate`, `scene.outputs`), what an output is, a function of the language,
+// or a name in [[expect]].
 #include <fmt/format.h>
 
 #include <array>
@@ -38,6 +38,22 @@ constexpr std::array<std::string_view, 20> kinds{"expression",
                                                  "text or table",
                                                  "symbol"};
 static_assert(kinds.size() == static_cast<std::size_t>(KeyType::symbol) + 1);
+
+/// A name that expressions of [[expect]] have beside those of the model.
+struct WordRow {
+  std::string_view name;
+  std::string_view doc;
+};
+
+constexpr std::array word_table{
+    WordRow{
+        "E",
+        "In `conserved` of `[[expect]]` the energy function v dL/dv - L, where the model has no "
+        "`E` of its own; `energy_function` is it in every model."},
+    WordRow{"p",
+            "In `[[expect]]` `p(NAME)` is the momentum dL/d(dot(NAME)) of a coordinate, or of "
+            "`NAME[k]` of a rotation, in the axes of the body: in `conserved`, and in outputs that "
+            "take momenta. A name `p` of the model stays its own."}};
 
 using Json = nlohmann::ordered_json;
 
@@ -84,6 +100,8 @@ Json json_of(const FunctionRow& row) {
           {"forces_only", row.use == FunctionUse::forces}};
 }
 
+Json json_of(const WordRow& row) { return {{"name", row.name}, {"doc", row.doc}}; }
+
 std::string text_of(const CodeRow& row) {
   return fmt::format("{}: {}\n\n{}\n", row.name, row.title, row.explanation);
 }
@@ -99,6 +117,10 @@ std::string text_of(const FunctionRow& row) {
                      row.use == FunctionUse::forces
                          ? ", in forces only, as it has a kink; its argument may have a unit"
                          : "");
+}
+
+std::string text_of(const WordRow& row) {
+  return fmt::format("{}: a name in [[expect]]\n\n{}\n", row.name, row.doc);
 }
 
 std::string key_line(const KeyRow& key) {
@@ -143,8 +165,8 @@ std::string text_of(const std::vector<KeyRow>& keys) {
   return text;
 }
 
-/// Every code, output and function, and every entry that stands in a file under a header of its
-/// own.
+/// Every code, output, function and name, and every entry that stands in a file under a header of
+/// its own.
 std::vector<std::string> known_names() {
   std::vector<std::string> names;
   for (const EntryRow& entry : entry_table()) names.emplace_back(entry.entry);
@@ -153,7 +175,15 @@ std::vector<std::string> known_names() {
     if (!output.of_user) names.emplace_back(output.name);
   }
   for (const FunctionRow& function : function_table) names.emplace_back(function.name);
+  for (const WordRow& word : word_table) names.emplace_back(word.name);
   return names;
+}
+
+const WordRow* find_word(std::string_view name) {
+  for (const WordRow& word : word_table) {
+    if (word.name == name) return &word;
+  }
+  return nullptr;
 }
 
 const OutputRow* find_output(std::string_view name) {
@@ -188,6 +218,7 @@ ExitCode explain(const GlobalOptions& global, const std::string& name) {
   }
   if (const OutputRow* row = find_output(name)) return print_row(global, *row);
   if (const FunctionRow* row = find_function(name)) return print_row(global, *row);
+  if (const WordRow* row = find_word(name)) return print_row(global, *row);
   return report(global, {{Code::E913,
                           {},
                           fmt::format("`{}` is no error code, entry, output or function", name),

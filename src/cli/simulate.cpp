@@ -64,6 +64,7 @@ ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& opti
   if (!inputs) return report(global, inputs.diagnostics);
   PipelineOptions pipeline = pipeline_options(global, {Goal::choose});
   pipeline.scene = options.scene;
+  pipeline.scene.large_expectations = true;
   const Products products =
       derived_for_run(options.input, *inputs, pipeline, step_of_run(options.run));
   const ExitCode derived = report_products(global, products);

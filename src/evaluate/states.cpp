@@ -62,19 +62,20 @@ Arguments<double> values_of(const Subject& subject) {
   return arguments_at<double>(nominal_state(subject.model, subject.scene));
 }
 
-/// Whether functions take the kind: where none takes momenta or h, none are drawn.
+/// Parameters keep their values, and E follows from the others; momenta and h are drawn where a
+/// function takes them.
 bool is_drawn(const Subject& subject, Opcode kind) {
   const LeafNames& leaves = subject.program.leaves;
   if (kind == Opcode::momentum) return !leaves.momenta.empty();
-  return kind != Opcode::step || !leaves.h.empty();
+  if (kind == Opcode::step) return !leaves.h.empty();
+  return kind != Opcode::parameter && kind != Opcode::energy;
 }
 
 /// From `values`: parameters stay.
 Arguments<double> nominal(const Subject& subject, const Ranges& ranges, Arguments<double> values,
                           Random& random) {
   const auto draw = [&](Opcode kind, std::uint32_t, double& value, const Range& range) {
-    if (kind == Opcode::parameter || !is_drawn(subject, kind)) return;
-    value = random.uniform(range.low, range.high);
+    if (is_drawn(subject, kind)) value = random.uniform(range.low, range.high);
   };
   for_each_leaf(draw, values, ranges);
   return values;
@@ -84,8 +85,7 @@ Arguments<double> nominal(const Subject& subject, const Ranges& ranges, Argument
 Arguments<double> scaled(const Subject& subject, Arguments<double> values, Random& random, int low,
                          int high) {
   const auto draw = [&](Opcode kind, std::uint32_t, double& value) {
-    if (kind == Opcode::parameter || !is_drawn(subject, kind)) return;
-    value = random.log_uniform(low, high);
+    if (is_drawn(subject, kind)) value = random.log_uniform(low, high);
   };
   for_each_leaf(draw, values);
   return values;

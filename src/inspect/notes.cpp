@@ -63,13 +63,6 @@ Diagnostic note(const LeftOut& left_out) {
           "a smooth stand-in has them: `tanh(x/width)` for `sign(x)`"};
 }
 
-bool contains_rate(const Model& model, ExpressionId root) {
-  const std::vector<ExpressionId> parts = reached(model, {root});
-  return std::any_of(parts.begin(), parts.end(), [&](ExpressionId id) {
-    return is_leaf(model.expressions[id], Opcode::velocity);
-  });
-}
-
 /// tanh of something with a rate in it.
 std::optional<Span> smoothed_friction(const Model& model) {
   std::vector<ExpressionId> values;
@@ -79,7 +72,7 @@ std::optional<Span> smoothed_friction(const Model& model) {
   for (const ExpressionId id : reached(model, values)) {
     const Expression& node = model.expressions[id];
     const bool is_tanh = node.kind == ExpressionKind::function && node.function == FunctionId::tanh;
-    if (is_tanh && contains_rate(model, id)) return node.span;
+    if (is_tanh && holds_leaf(model, id, Opcode::velocity)) return node.span;
   }
   return std::nullopt;
 }

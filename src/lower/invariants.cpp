@@ -17,6 +17,7 @@ std::size_t leaf_count(const Program& program, Opcode opcode) {
   if (opcode == Opcode::constant) return program.constants.size();
   if (opcode == Opcode::time) return program.leaves.uses_time ? 1 : 0;
   if (opcode == Opcode::step) return program.leaves.h.empty() ? 0 : 1;
+  if (opcode == Opcode::energy) return 0;
   return is_leaf(opcode) ? elgen::leaf_count(program.leaves, opcode) : 1;
 }
 

@@ -104,6 +104,13 @@ std::vector<ExpressionId> reached(const Model& model, const std::vector<Expressi
   return search(model, roots, references).order;
 }
 
+bool holds_leaf(const Model& model, ExpressionId expression, LeafSet kinds) {
+  return std::ranges::any_of(reached(model, {expression}), [&](ExpressionId id) {
+    const Expression& e = model.expressions[id];
+    return e.kind == ExpressionKind::leaf && kinds.has_any(e.leaf);
+  });
+}
+
 std::vector<ExpressionId> in_order(const Model& model) { return reached(model, all_of(model)); }
 
 std::vector<ExpressionId> find_cycle(const Model& model) {

@@ -82,6 +82,19 @@ cl_R Mechanics::momentum(const Direction& w) {
   return energy_at(lagrangian, motion).coefficient(first);
 }
 
+/// p_i is the coefficient of e0 in L(v + e_i e0), v.dL/dv in L(v + v e0).
+void Mechanics::add_momenta(Motion& motion) {
+  for (std::size_t i = 0; i < size(); ++i) {
+    Motion pushed = motion;
+    displace(pushed.v, unit(i), first);
+    motion.momenta[i] = energy_at(lagrangian, pushed).tangent(first);
+  }
+  Motion scaled = motion;
+  displace(scaled.v, motion.v, first);
+  const Jet value = energy_at(lagrangian, scaled);
+  motion.E = value.tangent(first) - value.without(first);
+}
+
 cl_R Mechanics::position_gradient(const Direction& w) {
   Motion motion = base_;
   displace_position(model_, motion, w, first);
@@ -91,10 +104,8 @@ cl_R Mechanics::position_gradient(const Direction& w) {
 /// d/dt (w.dL/dv) is the coefficient of e0 e1 in L(q + dq/dt e1, v + a e1 + w e0, t + e1).
 Jet Mechanics::residual(const Motion& at, const Direction& w, const Direction& a) {
   Motion moving = at;
-  displace_position(model_, moving, at.v, second);
-  displace(moving.v, a, second);
+  move_on(model_, moving, a, second);
   displace(moving.v, w, first);
-  moving.t = moving.t + Jet(second, 1);
   Motion displaced = at;
   displace_position(model_, displaced, w, first);
   Motion resisted = at;

@@ -39,6 +39,14 @@ void displace_position(const Model& model, Motion& motion, const std::vector<Num
   displace(motion.q, coordinate_rates(model, motion.q, moving), generators);
 }
 
+/// q, v and t move on by `along`, with acceleration a.
+template <class Number>
+void move_on(const Model& model, Motion& motion, const std::vector<Number>& a, Generators along) {
+  displace_position(model, motion, motion.v, along);
+  displace(motion.v, a, along);
+  motion.t = motion.t + Jet(along, 1);
+}
+
 /// A change of position and velocity.
 struct Displacement {
   Direction x = {};
@@ -68,6 +76,9 @@ class Mechanics {
 
   /// w.dL/dv
   [[nodiscard]] cln::cl_R momentum(const Direction& w);
+
+  /// Gives a motion its p = dL/dv and E = v.dL/dv - L; generator 0 is free in it.
+  void add_momenta(Motion& motion);
 
   /// w.dL/dq, along the rotation vector where rotations turn
   [[nodiscard]] cln::cl_R position_gradient(const Direction& w);

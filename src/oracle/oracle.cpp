@@ -8,6 +8,7 @@
 #include "base/more_digits.hpp"
 #include "base/random.hpp"
 #include "elgen/leaf_names.hpp"
+#include "elgen/references.hpp"
 #include "oracle/mechanics.hpp"
 #include "oracle/output_values.hpp"
 #include "oracle/real_functions.hpp"
@@ -86,9 +87,10 @@ void draw_parameters(const Model& model, const FixedParameters& fixed, Random& r
 }
 
 void draw_motion(const Model& model, Random& random, std::size_t turn, State& state) {
+  constexpr LeafSet undrawn = Opcode::parameter | Opcode::step | Opcode::momentum | Opcode::energy;
   const cln::cl_RA& scale = scales()[turn % scales().size()];
   const auto draw = [&](Opcode kind, std::uint32_t number, cl_R& value) {
-    if (kind == Opcode::parameter || kind == Opcode::momentum || kind == Opcode::step) return;
+    if (undrawn.has_any(kind)) return;
     if (const auto range = declared_range(model, kind, number)) {
       value = within(*range, random);
     } else {
@@ -145,8 +147,15 @@ std::optional<cl_R> oracle_slope(const Model& model, ExpressionId expression, co
 }
 
 std::optional<cl_R> oracle_rate(const Model& model, ExpressionId expression, const State& state) {
-  return guarded(
-      [&] { return oracle::Evaluation(model, oracle::motion_of(state)).rate(expression).real(); });
+  constexpr oracle::Generators along = oracle::generator(1);
+  return guarded([&] {
+    oracle::Motion motion = oracle::motion_of(state);
+    oracle::move_on(model, motion, motion.a, along);
+    if (holds_leaf(model, expression, Opcode::momentum | Opcode::energy)) {
+      oracle::Mechanics(model, state).add_momenta(motion);
+    }
+    return oracle::Evaluation(model, motion).value(expression).coefficient(along);
+  });
 }
 
 bool oracle_meets(const Model& model, const Condition& condition, const State& state) {

@@ -141,7 +141,8 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"equilibrium.at", "*", expression, optional, true, "a coordinate there"},
     {"equilibrium.inputs", "*", expression, optional, true, "an input there"},
 
-    {"expect", "conserved", expression_list, optional, true, "constant along the motion, u = 0"},
+    {"expect", "conserved", expression_list, optional, true,
+     "constant along the motion, u = 0; E and p(NAME) are names"},
     {"expect", "*", closed_form, optional, true, "an output's closed form"},
     {"expect.*", "for", repetition, required, true, "the indices of the entry"},
     {"expect.*", "value", expression, required, true, "the entry at these indices"},

@@ -61,9 +61,9 @@ struct AsciiWord {
 };
 
 /// The words for characters that are no Greek letters.
-constexpr std::array ascii_words{AsciiWord{"⋅", "*"}, AsciiWord{"∂", "d"}, AsciiWord{"∑", "sum"},
-                                 AsciiWord{"⊤", "T"}, AsciiWord{"′", "'"}, AsciiWord{"±", "+-"},
-                                 AsciiWord{"∓", "-+"}};
+constexpr std::array ascii_words{AsciiWord{"⋅", "*"},  AsciiWord{"∂", "d"},  AsciiWord{"∑", "sum"},
+                                 AsciiWord{"⊤", "T"},  AsciiWord{"′", "'"},  AsciiWord{"±", "+-"},
+                                 AsciiWord{"∓", "-+"}, AsciiWord{"∫", "int"}};
 
 struct BracketRow {
   std::string_view bracket;
@@ -265,14 +265,14 @@ class Drawer {
     if (base.kind == LatexKind::space) return Role::space;
     if (base.kind == LatexKind::text) return Role::prose;
     if (base.text == "∂" || base.text == "±") return Role::prefix;
-    if (base.kind != LatexKind::sign) return Role::operand;
+    if (base.kind != LatexKind::sign || base.text == "∫") return Role::operand;
     return base.text == "," ? Role::comma : Role::sign;
   }
 
   /// The text between two pieces: nothing, a blank, or a sign of multiplication.
   [[nodiscard]] std::string between(Role left, const LatexTree& part) const {
     if (base_of(part).text == "′") return "";
-    if (part.kind == LatexKind::text && part.text.find_first_of(";:") == 0) return "";
+    if (part.kind == LatexKind::text && part.text.find_first_of(";:,") == 0) return "";
     const Role right = role_of(part);
     const bool is_bracket = is_open_bracket(part);
     if (left == Role::none || left == Role::prefix || right == Role::comma) return "";

@@ -1,13 +1,16 @@
 // equation_of_motion: the terms a model has. It is that of the whole model, also where a scene asks
 // for some of its terms only; where none of them knows of motion it is the one at rest. The
-// variables stand on a few lines; rates are named where some function knows of them.
+// variables stand on a few lines; rates are named where some function knows of them. What is
+// conserved follows from the entries that are 0.
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "check/judge/output_units.hpp"
 #include "elgen/render.hpp"
+#include "evaluate/subject.hpp"
 #include "render/headings.hpp"
+#include "render/symbols.hpp"
 
 namespace elgen {
 namespace {
@@ -98,7 +101,56 @@ Lines rates(const Model& model) {
   return names;
 }
 
+/// Whether a row of an output is 0, by proof; false of what the program does not have.
+bool is_proved_zero(const Program& program, OutputKind kind, std::uint32_t row) {
+  const Function* const function = find_function(program, kind);
+  if (function == nullptr) return false;
+  const Field& field = function->fields.front();
+  for (std::uint32_t i = row * field.columns; i < (row + 1) * field.columns; ++i) {
+    if (std::ranges::count(function->sampled_zeros, i) > 0) return false;
+    if (!loads_zero(program, function->instructions[field.entries[i]])) return false;
+  }
+  return true;
+}
+
+bool nothing_acts_on(const Model& model, const Program& program, std::uint32_t velocity) {
+  return (model.inputs.empty() || is_proved_zero(program, OutputKind::input_matrix, velocity)) &&
+         is_proved_zero(program, OutputKind::applied_force, velocity) &&
+         is_proved_zero(program, OutputKind::dissipation, velocity);
+}
+
+/// Of a function that the program has.
+bool contains_time(const Function& function) {
+  return std::ranges::any_of(function.instructions, [](const Instruction& instruction) {
+    return instruction.opcode == Opcode::time;
+  });
+}
+
 }  // namespace
+
+std::vector<ConservedQuantity> conserved_quantities(const Model& model, const Program& program) {
+  const Function* const energy = find_function(program, OutputKind::energy_function);
+  const Function* const momentum = find_function(program, OutputKind::momentum);
+  if (energy == nullptr || momentum == nullptr || model.approximation) return {};
+  const auto count = static_cast<std::uint32_t>(model.velocities.size());
+  const LeafValues<std::string> symbols = ModelSymbols(model).leaves();
+  std::vector<ConservedQuantity> result;
+  bool is_all_free = true;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const bool moves_freely = nothing_acts_on(model, program, i);
+    is_all_free = is_all_free && moves_freely;
+    const bool is_cyclic = is_proved_zero(program, OutputKind::position_gradient, i);
+    if (!is_cyclic || !moves_freely || model.velocities[i].rotation) continue;
+    result.push_back({leaf_text(model, Opcode::momentum, i),
+                      fmt::format("{} = \\frac{{\\partial L}}{{\\partial {}}}", symbols.momenta[i],
+                                  symbols.v[i])});
+  }
+  // L = v.p - E
+  if (is_all_free && !contains_time(*energy) && !contains_time(*momentum)) {
+    result.insert(result.begin(), ConservedQuantity{"E", heading(model, *energy).definition});
+  }
+  return result;
+}
 
 bool is_zero(const Program& program, const Function& function) {
   return std::ranges::all_of(entries_of(function), [&](std::uint32_t entry) {

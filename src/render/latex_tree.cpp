@@ -21,15 +21,11 @@ struct CommandRow {
 };
 
 constexpr std::array command_table{
-    CommandRow{"cdot", LatexKind::sign, "⋅"},
-    CommandRow{"partial", LatexKind::letter, "∂"},
-    CommandRow{"top", LatexKind::letter, "⊤"},
-    CommandRow{"sum", LatexKind::sign, "∑"},
-    CommandRow{"thinspace", LatexKind::space, "0.17"},
-    CommandRow{"quad", LatexKind::space, "1"},
-    CommandRow{"prime", LatexKind::letter, "′"},
-    CommandRow{"pm", LatexKind::letter, "±"},
-    CommandRow{"mp", LatexKind::sign, "∓"},
+    CommandRow{"cdot", LatexKind::sign, "⋅"},  CommandRow{"partial", LatexKind::letter, "∂"},
+    CommandRow{"top", LatexKind::letter, "⊤"}, CommandRow{"sum", LatexKind::sign, "∑"},
+    CommandRow{"int", LatexKind::sign, "∫"},   CommandRow{"thinspace", LatexKind::space, "0.17"},
+    CommandRow{"quad", LatexKind::space, "1"}, CommandRow{"prime", LatexKind::letter, "′"},
+    CommandRow{"pm", LatexKind::letter, "±"},  CommandRow{"mp", LatexKind::sign, "∓"},
     CommandRow{"le", LatexKind::sign, "<="},
 };
 

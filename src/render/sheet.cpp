@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/ascii.hpp"
 #include "base/number_text.hpp"
@@ -140,6 +141,11 @@ Sheet sheet(const Model& model, const Scene& scene, const Program& program,
                                 elgen::heading(model, function).definition});
     }
   }
+  SheetOutput conserved{.title = "Conserved", .doc = "Constant along every motion."};
+  for (const ConservedQuantity& quantity : conserved_quantities(model, program)) {
+    conserved.lines.push_back(quantity.definition);
+  }
+  if (!conserved.lines.empty()) result.outputs.push_back(std::move(conserved));
   return result;
 }
 

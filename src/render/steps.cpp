@@ -1,7 +1,10 @@
 // steps: the functions of a derivation -> a page in LaTeX, or plain text, in the order of a
-// textbook: positions, velocities, energies, then Lagrange's equation of one coordinate after the
-// other.
+// textbook: the action and what makes it stationary, positions, velocities, energies, then
+// Lagrange's equation of one coordinate after the other.
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
 
 #include "elgen/render.hpp"
 #include "render/symbols.hpp"
@@ -18,11 +21,59 @@ struct StepEquation {
   std::uint32_t rows = 1;
 };
 
+/// A formula of no function, or a sentence with formulas.
+struct StepLine {
+  std::string text = {};
+  std::string latex = {};
+};
+
 struct DerivationStep {
   std::string title = {};
   std::string doc = {};
   std::vector<StepEquation> equations = {};
+  std::vector<StepLine> lines = {};  ///< before the equations
 };
+
+constexpr std::string_view action_doc =
+    "Hamilton's principle: the motion between two fixed ends makes S stationary.";
+constexpr std::string_view turning_variation =
+    " Of an angular velocity delta q is a turn about the axes of the body, and d/dt is the rate "
+    "seen from the world.";
+
+struct FixedLine {
+  const char* text;
+  const char* latex;
+};
+
+/// S, its variation, the integration by parts, and its boundary terms.
+constexpr std::array<FixedLine, 4> variation_lines{{
+    {"S = int L dt", R"(S = \int L dt)"},
+    {"delta S = int (dL/dq delta q + dL/dv d(delta q)/dt) dt",
+     R"(\delta S = \int \left( \frac{\partial L}{\partial q} \cdot \delta q + )"
+     R"(\frac{\partial L}{\partial \dot{q}} \cdot \frac{d}{dt} \delta q \right) dt)"},
+    {"delta S = int (dL/dq - d/dt dL/dv) delta q dt + [dL/dv delta q] by parts",
+     R"(\delta S = \int \left( \frac{\partial L}{\partial q} - )"
+     R"(\frac{d}{dt} \frac{\partial L}{\partial \dot{q}} \right) \cdot \delta q dt + )"
+     R"(\left[ \frac{\partial L}{\partial \dot{q}} \cdot \delta q \right] \text{ by parts})"},
+    {"[dL/dv delta q] = 0, as delta q = 0 at both ends",
+     R"(\left[ \frac{\partial L}{\partial \dot{q}} \cdot \delta q \right] = 0 )"
+     R"(\text{, as } \delta q = 0 \text{ at both ends})"},
+}};
+
+/// Hamilton's principle, and d'Alembert's where forces work.
+constexpr FixedLine stationary{
+    "delta S = 0 for every delta q, so d/dt dL/dv - dL/dq = 0",
+    R"(\delta S = 0 \text{ for every } \delta q \text{, so } )"
+    R"(\frac{d}{dt} \frac{\partial L}{\partial \dot{q}} - \frac{\partial L}{\partial q} = 0)"};
+constexpr FixedLine virtual_work{
+    "delta W = (Q - dD/dv) delta q is the virtual work of forces (d'Alembert)",
+    R"(\delta W = \left( Q - \frac{\partial D}{\partial \dot{q}} \right) \cdot \delta q )"
+    R"(\text{ is the virtual work of forces (d'Alembert)})"};
+constexpr FixedLine balanced{
+    "delta S + int delta W dt = 0 for every delta q, so d/dt dL/dv - dL/dq + dD/dv = Q",
+    R"(\delta S + \int \delta W dt = 0 \text{ for every } \delta q \text{, so } )"
+    R"(\frac{d}{dt} \frac{\partial L}{\partial \dot{q}} - \frac{\partial L}{\partial q} + )"
+    R"(\frac{\partial D}{\partial \dot{q}} = Q)"};
 
 constexpr std::string_view turning_doc =
     "An angular velocity: d/dt is the rate seen from the world, with [w]x dL/dw, and the slope of "
@@ -43,6 +94,7 @@ class Outline {
   }
 
   std::vector<DerivationStep> operator()() {
+    add_action();
     std::size_t function = 0;
     if (!steps_.masses.empty()) {
       add_motions(function, "Positions", "Where the masses are, in the coordinates.", false);
@@ -75,8 +127,20 @@ class Outline {
     return 2;
   }
 
+  void add_action() {
+    DerivationStep step{"Action", std::string(action_doc), {}, {}};
+    if (!model_.rotations.empty()) step.doc += turning_variation;
+    const auto add = [&step](const FixedLine& line) {
+      step.lines.push_back({line.text, line.latex});
+    };
+    std::ranges::for_each(variation_lines, add);
+    if (!is_free()) add(virtual_work);
+    add(is_free() ? stationary : balanced);
+    outline_.push_back(std::move(step));
+  }
+
   void add_motions(std::size_t function, const char* title, const char* doc, bool are_rates) {
-    DerivationStep step{title, doc, {}};
+    DerivationStep step{title, doc, {}, {}};
     for (std::size_t i = 0; i < steps_.masses.size(); ++i) {
       const std::string& name = steps_.masses[i];
       const std::string& place = places_[i];
@@ -91,7 +155,7 @@ class Outline {
     const bool is_whole = model_.energies.L.has_value();
     const char* doc =
         is_whole ? "The Lagrangian as given." : "Kinetic and potential energy, L = T - V.";
-    DerivationStep step{std::string(energies_title), doc, {}};
+    DerivationStep step{std::string(energies_title), doc, {}, {}};
     const std::vector<std::string> names =
         is_whole ? std::vector<std::string>{"L"} : std::vector<std::string>{"T", "V", "L"};
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -109,9 +173,12 @@ class Outline {
         is_angular ? latex_symbol(q) : symbols_.coordinates()[velocity.coordinate];
     const std::string rate = fmt::format("\\dot{{{}}}{}", symbol.base, symbol.scripts);
     const std::string slope = fmt::format("\\frac{{\\partial L}}{{\\partial {}}}", rate);
-    DerivationStep step{fmt::format("Equation of {}", q),
-                        is_angular ? std::string(turning_doc) : conservation(function, q),
-                        {}};
+    DerivationStep step{
+        fmt::format("Equation of {}", q), is_angular ? std::string(turning_doc) : "", {}, {}};
+    if (!is_angular && is_zero(function, partial)) {
+      step.lines.push_back(
+          conservation(function, {fmt::format("dL/d(dot({}))", q), slope}, {q, symbol.text()}));
+    }
     step.equations = {
         {fmt::format("dL/d(dot({}))", q), slope, function, momentum},
         {fmt::format("d/dt dL/d(dot({}))", q), "\\frac{d}{dt} " + slope, function, momentum_rate},
@@ -131,15 +198,16 @@ class Outline {
     outline_.push_back(std::move(step));
   }
 
-  /// The sentence about the momentum of a cyclic coordinate, which L does not hold; else empty.
-  [[nodiscard]] std::string conservation(std::size_t function, const std::string& q) const {
-    if (!is_zero(function, partial)) return {};
+  /// Noether's line of a cyclic coordinate.
+  [[nodiscard]] StepLine conservation(std::size_t function, const StepLine& slope,
+                                      const StepLine& q) const {
     const bool is_free = is_zero(function, force) && is_zero(function, dissipation);
     const char* condition = is_free ? "" : " wherever no force and no dissipation act on it";
-    return fmt::format(
-        "{0} is cyclic: L does not hold it, so its momentum dL/d(dot({0})) is "
-        "conserved{1}.",
-        q, condition);
+    return {fmt::format("L does not contain {0}, so p_{0} = {1} is conserved{2}", q.text,
+                        slope.text, condition),
+            fmt::format("L \\text{{ does not contain }} {0} \\text{{, so }} p_{{{0}}} = {1} "
+                        "\\text{{ is conserved{2}}}",
+                        q.latex, slope.latex, condition)};
   }
 
   [[nodiscard]] bool is_free() const {
@@ -148,12 +216,18 @@ class Outline {
 
   void add_invariants(std::size_t function) {
     const bool is_autonomous = is_zero(function, 1);
-    DerivationStep step{"Energy function", {}, {}};
-    step.doc =
-        is_autonomous ? "L does not hold t, so E is conserved" : "L holds t, so E is not conserved";
-    if (is_autonomous && !is_free()) step.doc += " wherever no force and no dissipation work";
-    step.doc += is_free() ? ": dE/dt = -dL/dt at fixed q and v."
-                          : ": dE/dt = v (Q - dD/dv) - dL/dt, the last at fixed q and v.";
+    DerivationStep step{"Energy function",
+                        is_free() ? "dE/dt = -dL/dt at fixed q and v."
+                                  : "dE/dt = v (Q - dD/dv) - dL/dt, the last at fixed q and v.",
+                        {},
+                        {}};
+    const char* contains = is_autonomous ? "does not contain" : "contains";
+    const char* verdict = !is_autonomous ? "is not conserved"
+                          : is_free()    ? "is conserved"
+                                         : "is conserved wherever no force and no dissipation work";
+    step.lines = {
+        {fmt::format("L {} t, so E {}", contains, verdict),
+         fmt::format("L \\text{{ {} }} t \\text{{, so }} E \\text{{ {}}}", contains, verdict)}};
     step.equations.push_back({"E = sum of v dL/dv - L",
                               "E = \\dot{q}^{\\top} \\frac{\\partial L}{\\partial \\dot{q}} - L",
                               function, 0});
@@ -188,6 +262,7 @@ std::string steps_text(const Model& model, const ReadableSteps& steps, std::stri
     if (!title.empty() && step.title != title) continue;
     text += fmt::format("{}{}\n", text.empty() ? "" : "\n", step.title);
     if (!step.doc.empty()) text += fmt::format("  {}\n", step.doc);
+    for (const StepLine& line : step.lines) text += fmt::format("  {}\n", line.text);
     for (const StepEquation& equation : step.equations) {
       text += fmt::format("  {} = {}\n", equation.text,
                           tuple(outline.entries(equation), equation.rows));
@@ -204,6 +279,7 @@ Sheet steps_sheet(const Model& model, const Scene& scene, const ReadableSteps& s
   Outline outline(model, steps);
   for (const DerivationStep& step : outline()) {
     SheetOutput section{.title = step.title, .doc = step.doc};
+    for (const StepLine& line : step.lines) section.lines.push_back(line.latex);
     for (const StepEquation& equation : step.equations) {
       std::vector<std::string> entries =
           latex_equations(model, steps.program, equation.function).entries[equation.field];

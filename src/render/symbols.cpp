@@ -240,6 +240,7 @@ ModelSymbols::ModelSymbols(const Model& model) {
   }
   leaves_.t = leaf_row(Opcode::time).symbol;
   leaves_.h = leaf_row(Opcode::step).symbol;
+  leaves_.E = leaf_row(Opcode::energy).symbol;
   add_open_values(model);
 }
 

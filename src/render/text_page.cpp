@@ -46,6 +46,11 @@ std::string text_page(const Model& model, const Scene& scene, const Program& pro
     if (!options.zeros && is_zero(program, function)) continue;
     text += fmt::format("\n{}\n{}", function.name, function_text(program, i));
   }
+  std::string conserved;
+  for (const ConservedQuantity& quantity : conserved_quantities(model, program)) {
+    conserved += (conserved.empty() ? "" : ", ") + quantity.name;
+  }
+  if (!conserved.empty()) text += fmt::format("\nconserved: {}\n", conserved);
   return text;
 }
 

@@ -53,11 +53,14 @@ Recorder::Recorder(System& system, const SimulationOptions& options, const Traje
       options_(options),
       momenta_at_start_(system.velocities()),
       momenta_(system.velocities()),
+      conserved_(system.invariants()),
       of_momenta_(system.cyclic().size()),
       last_(start) {
   const double* const q = start.state.data();
   energy_at_start_ = system.energy(q, system.v_of(start.state), start.t);
   system.momentum(q, system.v_of(start.state), start.t, momenta_at_start_.data());
+  const Numbers& values = system.invariant_values(q, system.v_of(start.state), start.t);
+  for (std::size_t i = 0; i < values.size(); ++i) conserved_[i].start = values[i];
 }
 
 Diagnostics Recorder::add(const TrajectorySample& sample) {
@@ -71,6 +74,7 @@ Diagnostics Recorder::add(const TrajectorySample& sample) {
   const double deviation = energy - energy_at_start_ - sample.state.back();
   energy_.add(part, sample.after, deviation, system_.magnitude(q, v, sample.t));
   if (!of_momenta_.empty()) add_momenta(sample, part);
+  add_conserved(sample);
   if (sample.is_row) rows_.push_back(row(sample, energy));
   last_ = sample;
   return {};
@@ -94,6 +98,7 @@ void Recorder::finish(Trajectory& trajectory) && {
     const std::string& name = system_.leaves().v[system_.cyclic()[i]];
     trajectory.momenta.push_back(of_momenta_[i].drift(name, "sum |M v|"));
   }
+  trajectory.conserved = std::move(conserved_);
 }
 
 std::vector<double> Recorder::row(const TrajectorySample& sample, double energy) const {
@@ -118,6 +123,15 @@ void Recorder::add_momenta(const TrajectorySample& sample, double part) {
     const std::uint32_t place = system_.cyclic()[i];
     of_momenta_[i].add(part, sample.after, momenta_[place] - momenta_at_start_[place],
                        std::max(std::abs(momenta_[place]), scales[place]));
+  }
+}
+
+void Recorder::add_conserved(const TrajectorySample& sample) {
+  const Numbers& values =
+      system_.invariant_values(sample.state.data(), system_.v_of(sample.state), sample.t);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    Invariant& invariant = conserved_[i];
+    invariant.drift = std::max(invariant.drift, std::abs(values[i] - invariant.start));
   }
 }
 

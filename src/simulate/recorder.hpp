@@ -65,12 +65,14 @@ class Recorder {
  private:
   [[nodiscard]] std::vector<double> row(const TrajectorySample& sample, double energy) const;
   void add_momenta(const TrajectorySample& sample, double part);
+  void add_conserved(const TrajectorySample& sample);
 
   System& system_;
   const SimulationOptions& options_;
   double energy_at_start_ = 0;
   Numbers momenta_at_start_;
   Numbers momenta_;
+  std::vector<Invariant> conserved_;
   DriftMeter energy_ = {};
   std::vector<DriftMeter> of_momenta_;
   std::vector<std::vector<double>> rows_ = {};

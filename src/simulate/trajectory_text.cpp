@@ -22,6 +22,19 @@ nlohmann::ordered_json json_of(const Drift& drift) {
           {"scale", drift.scale}};
 }
 
+std::string conserved_line(const Invariant& invariant) {
+  const std::string unit = invariant.unit.empty() ? "" : " " + invariant.unit;
+  return fmt::format("  {} = {:.10g}{} at the start, drift {:.3e}{}\n", invariant.text,
+                     invariant.start, unit, invariant.drift, unit);
+}
+
+nlohmann::ordered_json json_of(const Invariant& invariant) {
+  return {{"text", invariant.text},
+          {"unit", invariant.unit},
+          {"start", invariant.start},
+          {"drift", invariant.drift}};
+}
+
 }  // namespace
 
 std::string to_text(const Trajectory& trajectory) {
@@ -38,6 +51,7 @@ std::string to_text(const Trajectory& trajectory) {
   for (const Drift& momentum : trajectory.momenta) {
     text += drift_line(fmt::format("momentum of {}", momentum.name), momentum);
   }
+  for (const Invariant& invariant : trajectory.conserved) text += conserved_line(invariant);
   return text + fmt::format("  {:.0f} ns per step\n", trajectory.nanoseconds);
 }
 
@@ -58,9 +72,11 @@ std::string to_json(const Trajectory& trajectory) {
                                 {"nanoseconds_per_step", trajectory.nanoseconds},
                                 {"energy", json_of(trajectory.energy)},
                                 {"momenta", nlohmann::ordered_json::array()},
+                                {"conserved", nlohmann::ordered_json::array()},
                                 {"columns", nlohmann::ordered_json::array()},
                                 {"rows", trajectory.rows}};
   for (const Drift& momentum : trajectory.momenta) object["momenta"].push_back(json_of(momentum));
+  for (const Invariant& each : trajectory.conserved) object["conserved"].push_back(json_of(each));
   for (const TrajectoryColumn& column : trajectory.columns) {
     object["columns"].push_back({{"name", column.name}, {"unit", column.unit}});
   }

@@ -55,7 +55,7 @@ Diagnostics narrow(const Model& model, const SourceText& source, LeafValues<Rang
   std::vector<std::string> names;
   bool is_known = false;
   const auto visit = [&](Opcode kind, std::uint32_t i, Range& range) {
-    if (kind == Opcode::parameter) return;
+    if (kind == Opcode::parameter || kind == Opcode::energy) return;
     names.push_back(leaf_text(model, kind, i));
     if (names.back() != narrowed->name) return;
     range = narrowed->range;

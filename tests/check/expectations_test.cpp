@@ -118,10 +118,46 @@ TEST_CASE("closed forms that do not fit") {
       {"gravity = [\"kk\", \"0\"]\n",
        "E201 17:13 unknown name `kk` | did you mean `k`? (parameter, line 12)\n"},
       {"gravity = [\"k\", \"0\"]\n", "E403 17:13 `k` is in kg/s^2, but a closed form is in N\n"},
+      {"conserved = [\"p(k)\"]\n",
+       "E212 17:17 `k` is no coordinate, so it has no momentum | `p(NAME)` is dL/d(dot(NAME)) of a "
+       "coordinate, or of `NAME[k]` of a rotation\n"},
+      {"conserved = [\"p(x)\"]\n", "E208 17:17 `x` needs an index: `x` has the elements 1 to 2\n"},
+      {"conserved = [\"E - p(x[1])\"]\n",
+       "E401 17:19 `p(x[1])` is in kg*m/s, but the sum is in J\n"},
+      {"momentum = [\"p(x[1])\", \"0\"]\n",
+       "E319 17:14 `p(x[1])` is a momentum, and a closed form takes none | it stands in "
+       "`[[expect]]`: in `conserved`, and in outputs that take momenta\n"},
       {"input_matrix = [[\"1\"], [\"0\"]]\n",
        "E603 17:1 `input_matrix` needs inputs, and the model has none\n"},
   };
   check_rows(rows, [&](const std::string& expect) { return messages(sprung_masses + expect); });
+}
+
+TEST_CASE("E and p(NAME) are names in conserved alone, and a model's own names stay") {
+  const std::string p = "[define]\np = \"k*x[1]\"\n";
+  const Model model =
+      checked(sprung_masses + "conserved = [\"E\", \"p(x[2])\", \"p/k\"]\n" + p).model;
+  const std::vector<ExpressionId>& entries = model.expectations.front().entries;
+  CHECK(is_leaf(model.expressions[entries[0]], Opcode::energy));
+  CHECK(is_leaf(model.expressions[entries[1]], Opcode::momentum));
+  CHECK(model.expressions[entries[1]].index == 1);
+  CHECK(to_string(model, entries[1]) == "p(x[2])");
+  CHECK(to_string(model, entries[2]) == "p/k");
+  const std::string unknown = messages(sprung_masses + "gravity = [\"E\", \"0\"]\n");
+  CHECK(unknown.find("E201 17:13 unknown name `E`") == 0);
+}
+
+TEST_CASE("an E of the model wins, with one note") {
+  const std::string own =
+      sprung_masses +
+      "conserved = [\"E\", \"2*E\", \"energy_function\"]\n[define]\nE = \"k*x[1]^2\"\n";
+  CHECK(messages(own) ==
+        "E213 17:15 `E` is the definition of the model here | `energy_function` is v dL/dv - L in "
+        "every model\n");
+  const Model model = checked(own).model;
+  const std::vector<ExpressionId>& entries = model.expectations.front().entries;
+  CHECK(model.expressions[entries[0]].kind == ExpressionKind::definition);
+  CHECK(is_leaf(model.expressions[entries[2]], Opcode::energy));
 }
 
 TEST_CASE("big closed forms are kept only where they are asked for") {

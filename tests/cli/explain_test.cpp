@@ -47,6 +47,8 @@ TEST_CASE("explain knows codes in any case, outputs and functions") {
   CHECK(run("elgen explain sin").output == "sin: a function of 1 argument\n");
   CHECK(
       mentions(run("elgen explain max").output, "max: a function of 2 arguments, in forces only"));
+  CHECK(mentions(run("elgen explain E").output, "E: a name in [[expect]]\n\nIn `conserved`"));
+  CHECK(mentions(run("elgen explain p").output, "`p(NAME)` is the momentum dL/d(dot(NAME))"));
   const auto json = nlohmann::json::parse(run("elgen explain atan2 --format json").output);
   CHECK(json.at("arguments") == 2);
   CHECK(mentions(run("elgen explain mass_matri").errors, "did you mean `mass_matrix`?"));

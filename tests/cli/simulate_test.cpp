@@ -17,6 +17,22 @@ TEST_CASE("a run prints its last state and its drifts, by a method of `step` wit
   CHECK(mentions(outcome.output, " ns per step\n"));
 }
 
+TEST_CASE("a run says how far the conserved quantities of the model went, in their units") {
+  const std::string command =
+      "elgen simulate -q --time 2 --method midpoint --step 0.01 " + models + "/kepler_polar.toml";
+  const Outcome outcome = run(command);
+  INFO(outcome.errors);
+  CHECK(mentions(outcome.output, "\n  p(phi) = "));
+  CHECK(mentions(outcome.output, " kg*m^2/s at the start, drift "));
+  CHECK(mentions(outcome.output, "\n  E = "));
+  const auto conserved = nlohmann::json::parse(run(command + " --format json").output)["conserved"];
+  REQUIRE(conserved.size() == 4);
+  CHECK(conserved[0]["text"] == "p(phi)");
+  CHECK(conserved[0]["drift"] < 1e-9);
+  CHECK(conserved[1]["unit"] == "J");
+  CHECK(conserved[2]["unit"] == "m^3/s^2");
+}
+
 TEST_CASE("rows are written as the ending of the file says, and nothing is overwritten unasked") {
   const Workspace workspace;
   const auto run = [&](const std::string& rest) {

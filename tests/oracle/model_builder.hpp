@@ -48,6 +48,7 @@ class ModelBuilder {
     const std::uint32_t rate = model.coordinates[index].velocity;
     names_[name] = leaf_node(Opcode::coordinate, index);
     names_[name + "_d"] = leaf_node(Opcode::velocity, rate);
+    names_[name + "_p"] = leaf_node(Opcode::momentum, rate);
     names_[name + "_dd"] = leaf_node(Opcode::acceleration, rate);
     return *this;
   }
@@ -301,7 +302,7 @@ class ModelBuilder {
   }
 
   std::string_view rest_ = {};
-  std::map<std::string, Expression> names_ = {};
+  std::map<std::string, Expression> names_ = {{"E", leaf_node(Opcode::energy, 0)}};
   std::map<std::string, std::uint32_t> points_ = {};
 };
 

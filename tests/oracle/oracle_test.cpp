@@ -301,12 +301,14 @@ TEST_CASE("law: dE/dt = v.(B u + Q - dD/dv) along the motion of forward dynamics
   b.D("th_d^2/10 + x_d^2/3").force_on(1, "-tanh(th_d) + abs(x_d)/7");
   const ExpressionId energy =
       b.expression("(M + m)*x_d^2/2 + m*l*cos(th)*x_d*th_d + m*l^2*th_d^2/2 + m*g*l*cos(th)");
+  const ExpressionId leaf = b.expression("E");
   State state = random_state(b.model, 15);
   state.a = *value_of(b.model, OutputKind::forward_dynamics, state);
   const Values q = *value_of(b.model, OutputKind::applied_force, state);
   const Values d = *value_of(b.model, OutputKind::dissipation, state);
   const cl_R power = dot(state.v, q) - dot(state.v, d) + state.v[0] * state.u[0];
   CHECK(agree(*oracle_rate(b.model, energy, state), power, almost_all_digits, 1));
+  CHECK(agree(*oracle_rate(b.model, leaf, state), power, almost_all_digits, 1));
 }
 
 TEST_CASE("a chain of 1000 points is evaluated without recursion") {

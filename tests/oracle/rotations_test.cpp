@@ -104,13 +104,16 @@ TEST_CASE("C of a body is 1/2 ([w] I + I [w] - [I w])") {
 }
 
 TEST_CASE("energy is conserved along the motion") {
-  const Model model = top();
+  Model model = top();
+  const auto energy = static_cast<ExpressionId>(model.expressions.size());
+  model.expressions.push_back({.kind = ExpressionKind::leaf, .leaf = Opcode::energy});
   State state = turning(model);
   const std::vector<cl_R> solution = values(model, OutputKind::forward_dynamics, state);
   state.a.assign(solution.begin(), solution.begin() + 3);
   const auto potential = oracle_rate(model, *model.energies.V, state);
   const auto kinetic = oracle_rate(model, *model.energies.T, state);
   CHECK(*potential + *kinetic == 0);
+  CHECK(oracle_rate(model, energy, state).value() == 0);
 }
 
 TEST_CASE("second rates hold what turns the rate") {

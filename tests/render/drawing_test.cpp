@@ -32,6 +32,8 @@ TEST_CASE("a formula of one line, in Unicode and in ASCII") {
       {"x_{\\mathrm{cart}}", "x_cart", "x_cart"},
       {"\\sqrt{x}", "√(x)", "sqrt(x)"},
       {"a \\cdot b", "a ⋅ b", "a * b"},
+      {"S = \\int L dt", "S = ∫ L d t", "S = int L d t"},
+      {"\\theta \\text{, so } p", "θ, so p", "theta, so p"},
       {"\\frac{\\partial L}{\\partial q}", "∂L\n──\n∂q", "dL\n--\ndq"},
   };
   for (const Row& row : rows) {

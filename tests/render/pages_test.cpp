@@ -100,6 +100,33 @@ TEST_CASE("the page in the model language") {
             "  drift[2] = 0\n"));
 }
 
+TEST_CASE("a page ends with what is conserved, where nothing acts") {
+  const auto orbit = [](const std::string& more) {
+    return chosen(model_text("orbit", R"toml([[coordinate]]
+name = "r"
+range = [1, 2]
+[[coordinate]]
+name = "phi"
+[energy]
+T = "1/2*(dot(r)^2 + r^2*dot(phi)^2)"
+)toml" + more));
+  };
+  const auto text = [](const Chosen& c) {
+    return text_page(c.checked.model, c.checked.scene, c.choice.program);
+  };
+  const Chosen free = orbit("V = \"-1/r\"\n");
+  CHECK(text(free).ends_with("\n\nconserved: E, p(phi)\n"));
+  const SheetOutput last =
+      sheet(free.checked.model, free.checked.scene, free.choice.program).outputs.back();
+  CHECK(last.title == "Conserved");
+  REQUIRE(last.lines.size() == 2);
+  CHECK(last.lines[1] == "p_{\\varphi} = \\frac{\\partial L}{\\partial \\dot{\\varphi}}");
+  CHECK(text(orbit("V = \"-t/r\"\n")).ends_with("\n\nconserved: p(phi)\n"));
+  CHECK(text(orbit("D = \"dot(r)^2\"\n")).ends_with("\n\nconserved: p(phi)\n"));
+  CHECK_FALSE(has(text(orbit("D = \"dot(phi)^2\"\n")), "conserved"));
+  CHECK_FALSE(has(text(orbit("V = \"sin(phi - t)\"\n")), "conserved"));
+}
+
 TEST_CASE("costs of both forms, the emitted one marked") {
   FormCosts row{.function = "bias", .recursive = {.add = 2}, .closed = OperationCounts{.mul = 1}};
   row.chosen = Form::closed;

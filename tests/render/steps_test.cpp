@@ -31,8 +31,8 @@ TEST_CASE("the order of a textbook") {
   const Derivation d(cart_pole_text());
   const std::string text = steps_text(d.checked.model, d.steps);
   std::size_t last = 0;
-  for (const char* title : {"Positions\n", "\nVelocities\n", "\nEnergies\n", "\nEquation of x\n",
-                            "\nEquation of theta\n", "\nEnergy function\n"}) {
+  for (const char* title : {"Action\n", "\nPositions\n", "\nVelocities\n", "\nEnergies\n",
+                            "\nEquation of x\n", "\nEquation of theta\n", "\nEnergy function\n"}) {
     INFO(title);
     const std::size_t at = text.find(title, last);
     REQUIRE(at != std::string::npos);
@@ -46,14 +46,52 @@ TEST_CASE("dissipation, forces and explicit time are steps of their own") {
   const Derivation d(everything_text());
   const std::string text = steps_text(d.checked.model, d.steps);
   CHECK(has(text, "  dD/d(dot(r)) = "));
-  CHECK(has(text, "L holds t, so E is not conserved"));
+  CHECK(has(text, "L contains t, so E is not conserved\n"));
   CHECK(has(text, "  dL/dt at fixed q and v = "));
 }
 
 TEST_CASE("the sheet has one section per step") {
   const Derivation d(cart_pole_text());
   const Sheet sheet = steps_sheet(d.checked.model, d.checked.scene, d.steps);
-  REQUIRE(sheet.outputs.size() == 6);
-  CHECK(sheet.outputs[0].equations.at(0).rows == 2);
-  CHECK(sheet.outputs[4].equations.at(0).left == "\\frac{\\partial L}{\\partial \\dot{\\theta}}");
+  REQUIRE(sheet.outputs.size() == 7);
+  CHECK(sheet.outputs[0].title == "Action");
+  CHECK(sheet.outputs[1].equations.at(0).rows == 2);
+  CHECK(sheet.outputs[5].equations.at(0).left == "\\frac{\\partial L}{\\partial \\dot{\\theta}}");
+}
+
+TEST_CASE("it begins with the action, its variation by parts and its ends") {
+  const Derivation free(
+      model_text("block", "[[coordinate]]\nname = \"x\"\n[energy]\nT = \"dot(x)^2\"\n"));
+  CHECK(steps_text(free.checked.model, free.steps).find(R"(Action
+  Hamilton's principle: the motion between two fixed ends makes S stationary.
+  S = int L dt
+  delta S = int (dL/dq delta q + dL/dv d(delta q)/dt) dt
+  delta S = int (dL/dq - d/dt dL/dv) delta q dt + [dL/dv delta q] by parts
+  [dL/dv delta q] = 0, as delta q = 0 at both ends
+  delta S = 0 for every delta q, so d/dt dL/dv - dL/dq = 0
+
+Energies
+)") == 0);
+  const Derivation driven(cart_pole_text());
+  const std::string text = steps_text(driven.checked.model, driven.steps);
+  CHECK(has(text, "  delta W = (Q - dD/dv) delta q is the virtual work of forces (d'Alembert)\n"));
+  CHECK(has(text, "for every delta q, so d/dt dL/dv - dL/dq + dD/dv = Q\n"));
+}
+
+TEST_CASE("what L does not contain has a line of Noether's, in symbols on a sheet") {
+  const Derivation d(cart_pole_text());
+  CHECK(has(steps_text(d.checked.model, d.steps),
+            "  L does not contain x, so p_x = dL/d(dot(x)) is conserved wherever no force and no "
+            "dissipation act on it\n"));
+  const Sheet sheet = steps_sheet(d.checked.model, d.checked.scene, d.steps);
+  CHECK(sheet.outputs[4].lines ==
+        std::vector<std::string>{
+            "L \\text{ does not contain } x \\text{, so } p_{x} = \\frac{\\partial L}{\\partial "
+            "\\dot{x}} \\text{ is conserved wherever no force and no dissipation act on it}"});
+  CHECK(sheet.outputs[5].lines.empty());
+  const std::string screen = screen_page(sheet, {120, Alphabet::unicode});
+  CHECK(has(screen, "  S = ∫ L d t\n"));
+  CHECK(has(screen, "  δ S = ∫ (∂L/∂q - d/(d t) ∂L/∂q̇) ⋅ δ q d t + [∂L/∂q̇ ⋅ δ q] by parts\n"));
+  CHECK(has(screen, "  L does not contain x, so pₓ = ∂L/∂ẋ is conserved wherever"));
+  CHECK(has(screen, "  L does not contain t, so E is conserved wherever no force"));
 }

@@ -48,6 +48,35 @@ TEST_CASE("rows have wrapped angles, and momenta are those of cyclic coordinates
   CHECK(trajectory.energy.name == "E - E0");
 }
 
+TEST_CASE("entries of conserved are followed by their text and in their unit") {
+  const CompiledSystem compiled(
+      wheel +
+          "[[expect]]\nconserved = [\"E\", \"p(turn)\", \"\"\"\n  x -\n  t*dot(x)\"\"\", "
+          "\"dot(dot(x))\"]\n",
+      start_options("dot(turn)=3"));
+  System system(compiled.checked(), compiled.program(), &compiled.functions());
+  const SimulationOptions options{.time = 1};
+  const TrajectorySample start{0, 0, false, system.start(), {}};
+  Recorder recorder(system, options, start);
+  CHECK(recorder.add(start).empty());
+  CHECK(recorder.add({0.5, 0.5, false, {4, 1, 3.5, 0, 0}, {}}).empty());
+  CHECK(recorder.add({1, 0.5, false, {4, 1, 3, 2, 0}, {}}).empty());
+  Trajectory trajectory;
+  std::move(recorder).finish(trajectory);
+  REQUIRE(trajectory.conserved.size() == 4);
+  CHECK(trajectory.conserved[0].unit == "J");
+  CHECK(trajectory.conserved[0].start == 9);
+  CHECK(trajectory.conserved[0].drift == 3.25);
+  CHECK(trajectory.conserved[1].text == "p(turn)");
+  CHECK(trajectory.conserved[1].unit == "kg*m^2/s");
+  CHECK(trajectory.conserved[1].start == 6);
+  CHECK(trajectory.conserved[1].drift == 1);
+  CHECK(trajectory.conserved[2].text == "x - t*dot(x)");
+  CHECK(trajectory.conserved[2].unit == "m");
+  CHECK(trajectory.conserved[2].drift == 1);
+  CHECK(trajectory.conserved[3].drift == 0);
+}
+
 TEST_CASE("a number that is not finite ends the run, with the last state that was") {
   const CompiledSystem compiled(wheel, start_options("dot(turn)=3"));
   System system(compiled.checked(), compiled.program(), &compiled.functions());

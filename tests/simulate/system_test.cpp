@@ -56,7 +56,8 @@ on = "x"
 )toml"),
                                              start_options("", "u=" + text));
   const ExpressionId id = *checked.model.inputs[0].law;
-  StateFunction function(checked.model, id, {3});
+  const Arguments<double> others{.parameters = {3}, .a = {0, 0}};
+  StateFunction function(checked.model, id, others);
   const double q[] = {0.3, -2};
   const double v[] = {0.5, 7};
   return function(q, v, 4);
@@ -230,7 +231,8 @@ on = "x"
 T = "dot(x)^2"
 )toml"),
                                              start_options("", "u=v2(P) + dot(e[2])"));
-  StateFunction function(checked.model, *checked.model.inputs[0].law, {1});
+  const Arguments<double> others{.parameters = {1}, .a = {0, 0, 0, 0}};
+  StateFunction function(checked.model, *checked.model.inputs[0].law, others);
   const double q[] = {0, 1, 0, 0, 0};
   const double v[] = {0, 0.5, -1, 2};
   // w x p = (-1*3 - 2*2, 2*1 - 0.5*3, 0.5*2 + 1*1) at the axes of the world

@@ -22,6 +22,7 @@ Trajectory two_columns() {
   trajectory.rows = {{0, 0.1}, {1, 1.0 / 3}};
   trajectory.energy = {"E - E0", "|T| + |V|", 0.5, 0.25, 2};
   trajectory.momenta = {{"phi", "sum |M v|", 0, 0, 3}};
+  trajectory.conserved = {{"p(phi)", "kg*m^2/s", 3, 1.5e-12}};
   return trajectory;
 }
 
@@ -47,6 +48,7 @@ TEST_CASE("last state, drifts, and the cost of a step") {
   trajectory.last = {2, 0.5, -3};
   trajectory.energy = {"E - E0", "|T| + |V|", 1.036e-3, 2.2e-10, 0.46};
   trajectory.momenta = {{"phi", "sum |M v|", 0, 0, 3}};
+  trajectory.conserved = {{"p(phi)", "kg*m^2/s", 3, 1.5e-12}, {"2*E", "", -0.5, 0}};
   trajectory.steps = 200;
   trajectory.nanoseconds = 41.7;
   CHECK(to_text(trajectory) == R"(top by rk4: 200 steps to t = 2
@@ -54,6 +56,8 @@ TEST_CASE("last state, drifts, and the cost of a step") {
   dot(phi) = -3
   E - E0: worst 1.036e-03, secular +2.2e-10, relative to |T| + |V| = 0.46
   momentum of phi: worst 0.000e+00, secular +0.0e+00, relative to sum |M v| = 3
+  p(phi) = 3 kg*m^2/s at the start, drift 1.500e-12 kg*m^2/s
+  2*E = -0.5 at the start, drift 0.000e+00
   42 ns per step
 )");
 }
@@ -70,6 +74,10 @@ TEST_CASE("an object has the rows, what they are, and the drifts") {
   CHECK(object["rows"][1][1] == 1.0 / 3);
   CHECK(object["energy"]["worst"] == 0.5);
   CHECK(object["momenta"][0]["name"] == "phi");
+  CHECK(object["conserved"][0]["text"] == "p(phi)");
+  CHECK(object["conserved"][0]["unit"] == "kg*m^2/s");
+  CHECK(object["conserved"][0]["start"] == 3);
+  CHECK(object["conserved"][0]["drift"] == 1.5e-12);
 }
 
 TEST_CASE("a picture is XML with a panel for each name, and a curve for each column in it") {

@@ -137,6 +137,23 @@ TEST_CASE("declared damping breaks conservation") {
   CHECK(report.diagnostics.size() == 1);
 }
 
+TEST_CASE("E and momenta are those of the motion") {
+  check_holds(expecting(pendulum(), "conserved", 1, {"E"}));
+  check_holds(expecting(cart_pole(), "conserved", 1, {"x_p", "E", "E^2 - g*x_p"}));
+  CHECK(report_of(expecting(pendulum(), "conserved", 1, {"th_p"})).diagnostics.size() == 1);
+  ModelBuilder damped = pendulum();
+  damped.D("th_d^2/2");
+  CHECK(report_of(expecting(damped, "conserved", 1, {"E"})).diagnostics.size() == 1);
+}
+
+TEST_CASE("in a field that turns E - w p of the angle is conserved, and neither of them") {
+  ModelBuilder builder;
+  builder.coordinate("r").coordinate("phi", "rad").parameter("m", "2").parameter("k", "5");
+  builder.parameter("w", "0.7").T("m*(r_d^2 + r^2*phi_d^2)/2").V("k*(r*cos(phi - w*t))^2/2");
+  check_holds(expecting(builder, "conserved", 1, {"E - w*phi_p"}));
+  CHECK(report_of(expecting(builder, "conserved", 1, {"E", "phi_p"})).diagnostics.size() == 2);
+}
+
 TEST_CASE("a form that is undefined everywhere is not met") {
   const auto report = report_of(expecting(pendulum(), "mass_matrix", 1, {"sqrt(-1 - th^2)"}));
   CHECK(report.rows.front().verdict == Verdict::fails);
@@ -177,6 +194,10 @@ TEST_CASE("what is written in another form is proved, what is wrong is not") {
         std::pair{"mass_matrix = [[\"m*l^2*(sin(theta)^2 + cos(theta)^2)\"]]\n", Evidence::proof},
         std::pair{"forward_dynamics = [\"-g/l*sin(theta)\"]\n", Evidence::proof},
         std::pair{"conserved = [\"1/2*m*l^2*dot(theta)^2 - m*g*l*cos(theta)\"]\n", Evidence::proof},
+        std::pair{"conserved = [\"E\"]\n", Evidence::proof},
+        std::pair{"conserved = [\"2*m*energy_function - m\"]\n", Evidence::proof},
+        std::pair{"conserved = [\"p(theta)^2/(2*m*l^2) - m*g*l*cos(theta)\"]\n", Evidence::proof},
+        std::pair{"conserved = [\"p(theta)\"]\n", Evidence::states},
         std::pair{"gravity = [\"m*g*l*cos(theta)\"]\n", Evidence::states},
         std::pair{"conserved = [\"m*l^2*dot(theta)\"]\n", Evidence::states}}) {
     INFO(expect);
@@ -185,7 +206,7 @@ TEST_CASE("what is written in another form is proved, what is wrong is not") {
 }
 
 TEST_CASE("without closed forms, and where an entry rests on a sampled zero, nothing is proved") {
-  for (const char* expect : {"forward_dynamics = [\"-g/l*sin(theta)\"]\n",
+  for (const char* expect : {"forward_dynamics = [\"-g/l*sin(theta)\"]\n", "conserved = [\"E\"]\n",
                              "conserved = [\"1/2*m*l^2*dot(theta)^2 - m*g*l*cos(theta)\"]\n"}) {
     INFO(expect);
     DerivedPendulum pendulum(expect);

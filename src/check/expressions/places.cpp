@@ -11,7 +11,9 @@ struct IngredientRow {
   std::string_view noun;
 };
 
-constexpr std::array<IngredientRow, 10> ingredient_table{{
+constexpr std::array<IngredientRow, 12> ingredient_table{{
+    {uses_momentum, "a momentum"},
+    {uses_energy, "the energy function"},
     {uses_open_derivative, "a derivative of an open function"},
     {uses_open_rate, "an open function of rates"},
     {uses_open_function, "an open function"},
@@ -25,6 +27,8 @@ constexpr std::array<IngredientRow, 10> ingredient_table{{
 }};
 
 constexpr const char* smooth_stand_in = "a smooth stand-in is tanh(x/width)";
+constexpr const char* home_of_momenta =
+    "it stands in `[[expect]]`: in `conserved`, and in outputs that take momenta";
 constexpr const char* varying_mass = "what varies is written out in `[energy] T`";
 
 Code code_of(Ingredient ingredient, const Place& place) {
@@ -59,6 +63,7 @@ void report(Context& context, const WrittenExpression& root, const Expression& n
   std::string message = in_backticks(node.span) + (is_name ? " contains " : " is ");
   message += std::string(row.noun) + ", and " + std::string(root.place.noun) + " takes none";
   const std::string hint = row.ingredient == uses_kink          ? smooth_stand_in
+                           : row.ingredient == uses_momentum    ? home_of_momenta
                            : root.place.otherwise == Code::E506 ? varying_mass
                                                                 : "";
   context.report.add(code_of(row.ingredient, root.place), node.span, std::move(message), hint);

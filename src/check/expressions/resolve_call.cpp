@@ -1,7 +1,7 @@
 // Resolver, calls: the functions of functions.def, those of composite_functions.def, and those that
 // are expanded here:
 //
-//     dot(q) -> rate    delta(i, j) -> 0 or 1    x(P) y(P) z(P) -> components
+//     dot(q) -> rate    delta(i, j) -> 0 or 1    x(P) y(P) z(P) -> components    p(q) -> momentum
 //     sum(i, a, b, e) -> e[a] + … + e[b], 0 where b < a
 #include <algorithm>
 #include <array>
@@ -64,6 +64,7 @@ std::optional<ExpressionId> Resolver::resolve_call(const ExpressionSyntax& call)
   if (call.text == #name) return rule(call);
 #include "check/names/expanded_functions.def"
 #undef ELGEN_EXPANDED
+  if (call.text == "p") return resolve_momentum(call);  // a model may have a `p` of its own
   const bool converts_degrees =
       call.text == "deg" || call.text == "radians" || call.text == "deg2rad";
   context_.report.add(
@@ -149,6 +150,26 @@ std::optional<ExpressionId> Resolver::resolve_dot(const ExpressionSyntax& call) 
   }
   return push(
       {.kind = ExpressionKind::time_derivative, .operands = {*argument}, .span = call.span});
+}
+
+std::optional<ExpressionId> Resolver::resolve_momentum(const ExpressionSyntax& call) {
+  if (!has_arity(call, 1)) return std::nullopt;
+  const ExpressionSyntax& operand = call.operands[0];
+  const bool is_name = operand.kind == SyntaxKind::name;
+  const DeclaredName* symbol = is_name ? context_.symbols.find(operand.text) : nullptr;
+  const bool turns = symbol != nullptr && symbol->kind == SymbolKind::rotation;
+  if (turns || (symbol != nullptr && symbol->kind == SymbolKind::coordinate)) {
+    const std::optional<std::uint32_t> index = element(operand, *symbol);
+    if (!index) return std::nullopt;
+    const std::uint32_t velocity = turns ? *index : context_.model.coordinates[*index].velocity;
+    return push_leaf(Opcode::momentum, velocity, call.span);
+  }
+  if (is_name && context_.symbols.has_failed(operand.text)) return std::nullopt;
+  context_.report.add(
+      Code::E212, operand.span,
+      in_backticks(operand.span) + " is no coordinate, so it has no momentum",
+      "`p(NAME)` is dL/d(dot(NAME)) of a coordinate, or of `NAME[k]` of a rotation");
+  return std::nullopt;
 }
 
 std::optional<ExpressionId> Resolver::resolve_sum(const ExpressionSyntax& call) {

@@ -1,4 +1,5 @@
-// Resolver, names: time, pi, running indices and sizes (as numbers), and what the model declares.
+// Resolver, names: time, pi, running indices and sizes (as numbers), what the model declares, and
+// the energy where it has a place.
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -9,6 +10,9 @@
 
 namespace elgen {
 namespace {
+
+constexpr std::string_view energy_symbol = leaf_row(Opcode::energy).symbol;
+constexpr std::string_view energy_function = "energy_function";
 
 /// The expression that the name of such a symbol stands for, without its index and place.
 std::optional<Expression> named(SymbolKind kind) {
@@ -100,10 +104,30 @@ std::optional<ExpressionId> Resolver::resolve_name(const ExpressionSyntax& name)
   if (const auto value = scope_.find(name.text); value && !indexed) {
     return push_number(cln::cl_I(static_cast<long>(*value)), name.span);
   }
+  if (is_energy(name)) return push_leaf(Opcode::energy, 0, name.span);
   if (const DeclaredName* symbol = context_.symbols.find(name.text)) {
+    note_own_energy(name, *symbol);
     return resolve_symbol(name, *symbol);
   }
   return context_.symbols.has_failed(name.text) ? std::nullopt : unknown_name(name);
+}
+
+bool Resolver::is_energy(const ExpressionSyntax& name) const {
+  if ((allowed_ & uses_energy) == 0 || !name.operands.empty()) return false;
+  const DeclaredNames& symbols = context_.symbols;
+  const bool is_free = symbols.find(name.text) == nullptr && !symbols.has_failed(name.text);
+  return name.text == energy_function || (name.text == energy_symbol && is_free);
+}
+
+void Resolver::note_own_energy(const ExpressionSyntax& name, const DeclaredName& symbol) {
+  const bool hides = (allowed_ & uses_energy) != 0 && name.text == energy_symbol;
+  if (!hides || std::exchange(context_.told_of_own_energy, true)) return;
+  Diagnostic note{Code::E213, name.span,
+                  "`E` is the " + std::string(noun(symbol.kind)) + " of the model here",
+                  "`energy_function` is v dL/dv - L in every model"};
+  note.related = symbol.span;
+  note.related_message = "`E` is declared here";
+  context_.report.add(std::move(note));
 }
 
 std::optional<ExpressionId> Resolver::resolve_symbol(const ExpressionSyntax& name,

@@ -21,9 +21,12 @@ inline constexpr std::string_view degrees_hint = "angles are in rad: 30 degrees 
 ///
 ///     sum(i, 1, 2, m[i]*x[i])   ->   add(multiply(m[1], x[1]), multiply(m[2], x[2]))
 ///     v2(P)                     ->   add(power(dot(P.x), 2), power(dot(P.y), 2))
+///     p(x)                      ->   the momentum dL/d(dot(x)), a leaf
 class Resolver {
  public:
-  Resolver(Context& context, Scope& scope) : context_(context), scope_(scope) {}
+  /// `allowed`: what the place of the expression takes. `E` is a name where that is the energy.
+  Resolver(Context& context, Scope& scope, Ingredients allowed = 0)
+      : context_(context), scope_(scope), allowed_(allowed) {}
 
   /// Nothing after an error. Operands precede their users; the nodes of one call are consecutive.
   std::optional<ExpressionId> resolve(const ExpressionSyntax& expression);
@@ -62,12 +65,15 @@ class Resolver {
   std::optional<ExpressionId> resolve_symbol(const ExpressionSyntax& name,
                                              const DeclaredName& symbol);
   std::optional<ExpressionId> unknown_name(const ExpressionSyntax& name);
+  [[nodiscard]] bool is_energy(const ExpressionSyntax& name) const;
+  void note_own_energy(const ExpressionSyntax& name, const DeclaredName& symbol);
 
   std::optional<ExpressionId> resolve_call(const ExpressionSyntax& call);
   std::optional<ExpressionId> resolve_function(const ExpressionSyntax& call, FunctionId function);
   std::optional<ExpressionId> resolve_composite(const ExpressionSyntax& call,
                                                 const Composite& composite);
   std::optional<ExpressionId> resolve_dot(const ExpressionSyntax& call);
+  std::optional<ExpressionId> resolve_momentum(const ExpressionSyntax& call);
   std::optional<ExpressionId> resolve_sum(const ExpressionSyntax& call);
   std::optional<ExpressionId> resolve_delta(const ExpressionSyntax& call);
   std::optional<ExpressionId> resolve_component(const ExpressionSyntax& call);
@@ -77,6 +83,7 @@ class Resolver {
 
   Context& context_;
   Scope& scope_;
+  Ingredients allowed_;
   std::uint64_t steps_ = 0;
 };
 

@@ -121,6 +121,10 @@ class TraitFinder {
         return leaf(uses_acceleration);
       case Opcode::input:
         return {uses_input, 0, 0, 1, false};
+      case Opcode::momentum:
+        return leaf(uses_momentum);
+      case Opcode::energy:
+        return leaf(uses_energy);
       default:
         return leaf(uses_parameter);
     }

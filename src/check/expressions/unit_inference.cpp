@@ -58,9 +58,17 @@ class UnitInference {
       value.unit = unit.unit;
       value.unit_text = to_string(unit.unit);
     }
+    for (Expectation& expectation : context_.model.expectations) keep_units(expectation);
   }
 
  private:
+  void keep_units(Expectation& expectation) const {
+    for (const ExpressionId entry : expectation.entries) {
+      const auto& [is_known, unit] = units_[entry];
+      expectation.units.push_back(is_known == Known::yes ? std::optional(unit) : std::nullopt);
+    }
+  }
+
   void compare_with_place(const WrittenExpression& root) {
     const InferredUnit& inferred = units_[root.value];
     if (root.unit && !root.misplaced && inferred.known == Known::yes &&
@@ -101,6 +109,10 @@ class UnitInference {
         return declared(model_.velocities[node.index].unit);
       case Opcode::acceleration:
         return rate(declared(model_.velocities[node.index].unit));
+      case Opcode::momentum:
+        return quotient(known(*find_unit("J")), declared(model_.velocities[node.index].unit));
+      case Opcode::energy:
+        return known(*find_unit("J"));
       case Opcode::input:
         return declared(model_.inputs[node.index].unit);
       case Opcode::open_value:

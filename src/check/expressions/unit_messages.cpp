@@ -48,6 +48,7 @@ std::optional<UnitDeclaration> variable_declaration(const Model& model, const Ex
     case Opcode::coordinate:
       return of(model.coordinates[node.index]);
     case Opcode::velocity:
+    case Opcode::momentum:
     case Opcode::acceleration:
       return of(model.coordinates[model.velocities[node.index].coordinate]);
     case Opcode::input:

@@ -30,7 +30,8 @@ bool names_nothing(const std::vector<Expression>& nodes, ExpressionId first, Exp
 
 ExpressionId ValueReader::root(const ExpressionSyntax& expression, const RootRequest& request) {
   const auto first = static_cast<ExpressionId>(context_.model.expressions.size());
-  const std::optional<ExpressionId> id = Resolver(context_, scope_).resolve(expression);
+  const std::optional<ExpressionId> id =
+      Resolver(context_, scope_, request.place.allowed).resolve(expression);
   if (!id) {
     return no_expression;
   }

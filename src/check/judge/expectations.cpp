@@ -17,6 +17,14 @@ namespace {
 
 constexpr std::string_view entry_suffix = "_entry";
 constexpr Place closed_form{"a closed form", place::anything};
+constexpr Place closed_form_of_momenta{"a closed form", place::anything | uses_momentum};
+constexpr Place conserved_form{"a conserved quantity",
+                               place::anything | uses_momentum | uses_energy};
+
+const Place& place_for(const OutputRequest& request) {
+  const bool takes_momenta = output_row(request.kind).takes.has_any(Opcode::momentum);
+  return takes_momenta ? closed_form_of_momenta : closed_form;
+}
 
 std::string shape(std::size_t rows, std::size_t columns) {
   return std::to_string(rows) + " x " + std::to_string(columns);
@@ -82,7 +90,7 @@ class ExpectationReader {
   void read_conserved(const KeySyntax& key) {
     Expectation expectation = blank(key.key, key.key_span);
     for (const ValueSyntax& item : key.value.items) {
-      expectation.entries.push_back(values_.root(item, {closed_form}));
+      expectation.entries.push_back(values_.root(item, {conserved_form}));
       expectation.spans.push_back(item.span);
     }
     expectation.rows = static_cast<std::uint32_t>(expectation.entries.size());
@@ -101,7 +109,7 @@ class ExpectationReader {
       fits = rows[i].size() == request.columns;
       for (std::uint32_t j = 0; fits && j < rows[i].size(); ++j) {
         add_entry(expectation, *rows[i][j],
-                  unit_of_entry(context_.model, {request.kind, "", i, j}));
+                  {place_for(request), unit_of_entry(context_.model, {request.kind, "", i, j})});
       }
     }
     if (!fits) {
@@ -121,9 +129,8 @@ class ExpectationReader {
     }
   }
 
-  void add_entry(Expectation& expectation, const ValueSyntax& value,
-                 const std::optional<Unit>& unit) {
-    expectation.entries.push_back(values_.root(value, {closed_form, unit}));
+  void add_entry(Expectation& expectation, const ValueSyntax& value, const RootRequest& entry) {
+    expectation.entries.push_back(values_.root(value, entry));
     expectation.spans.push_back(value.span);
   }
 
@@ -165,7 +172,7 @@ class ExpectationReader {
       }
       const auto unit = unit_of_entry(context_.model, {request.kind, "", at->row, at->column});
       const ExpressionId entry =
-          ValueReader(context_, scope).root(value.value, {closed_form, unit});
+          ValueReader(context_, scope).root(value.value, {place_for(request), unit});
       const std::size_t index = at->row * std::size_t{request.columns} + at->column;
       // Grown as needed: a form beyond the limit of nodes ends long before its last entry.
       expectation.entries.resize(std::max(expectation.entries.size(), index + 1), no_expression);

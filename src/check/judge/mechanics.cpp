@@ -57,8 +57,8 @@ class MechanicsCheck {
   void check_degree(const std::optional<ExpressionId>& energy, std::uint8_t most, Code code,
                     const std::string& rule) {
     // Ingredients that have no place in an energy are reported as such.
-    constexpr unsigned misplaced =
-        uses_kink | uses_input | uses_acceleration | uses_open_rate | uses_open_derivative;
+    constexpr unsigned misplaced = uses_kink | uses_input | uses_acceleration | uses_open_rate |
+                                   uses_open_derivative | uses_momentum;
     if (!energy || (traits_[*energy].ingredients & misplaced) != 0 ||
         traits_[*energy].rate_degree <= most) {
       return;

@@ -30,6 +30,8 @@ enum Ingredient : std::uint16_t {
   uses_open_function = 128,
   uses_open_rate = 256,        ///< an open function of rates
   uses_open_derivative = 512,  ///< a derivative of an open function, or its rate
+  uses_momentum = 1024,
+  uses_energy = 2048,  ///< the energy function
 };
 using Ingredients = std::uint16_t;
 
@@ -109,8 +111,9 @@ struct Context {
   std::uint64_t node_limit = limits.derived_nodes;
   std::uint64_t coordinate_count = 0;
   std::uint64_t definition_count = 0;  ///< definitions, points, bodies and the like
-  bool beyond_limits = false;  ///< E906, E907 or E908 was reported; nothing more is resolved
-  bool has_units = true;       ///< the model declares a unit other than 1
+  bool beyond_limits = false;       ///< E906, E907 or E908 was reported; nothing more is resolved
+  bool has_units = true;            ///< the model declares a unit other than 1
+  bool told_of_own_energy = false;  ///< that `E` of the model wins in `conserved`
   /// The number of components of most vectors of the model, or of the first one.
   std::uint32_t dimension = 0;
   Span model_span = {};       ///< the header `[model]`

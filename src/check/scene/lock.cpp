@@ -203,7 +203,7 @@ class Locking {
                                        {},
                                        lock.span})};
     if (coordinate.armature) add_armature(coordinate, replacements_[index].rate);
-    model_.uses_time = model_.uses_time || depends_on_time(value);
+    model_.uses_time = model_.uses_time || holds_leaf(unlocked_, value, Opcode::time);
     model_.may_drift = model_.may_drift || model_.uses_time;
   }
 
@@ -230,13 +230,6 @@ class Locking {
   std::uint32_t prescribe(NamedExpression function) {
     model_.prescribed.push_back(std::move(function));
     return static_cast<std::uint32_t>(model_.prescribed.size() - 1);
-  }
-
-  [[nodiscard]] bool depends_on_time(ExpressionId id) const {
-    const std::vector<ExpressionId> all = reached(unlocked_, {id});
-    return std::any_of(all.begin(), all.end(), [this](ExpressionId each) {
-      return is_leaf(unlocked_.expressions[each], Opcode::time);
-    });
   }
 
   void rewrite(Expression& node) const {

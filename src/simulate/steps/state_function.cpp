@@ -3,7 +3,6 @@
 
 #include <limits>
 #include <numbers>
-#include <utility>
 
 #include "elgen/references.hpp"
 
@@ -15,9 +14,9 @@ bool is_number(const Expression& node) { return node.kind == ExpressionKind::num
 
 }  // namespace
 
-StateFunction::StateFunction(const Model& model, ExpressionId root, std::vector<double> parameters)
+StateFunction::StateFunction(const Model& model, ExpressionId root, const Arguments<double>& others)
     : model_(model),
-      parameters_(std::move(parameters)),
+      others_(others),
       order_(reached(model, {root})),
       known_(model.expressions.size()) {
   for (const ExpressionId id : order_) {
@@ -78,9 +77,11 @@ StateFunction::Rated StateFunction::leaf(const Expression& node) const {
     case Opcode::coordinate:
       return coordinate(node.index);
     case Opcode::velocity:
-      return {v_[node.index], std::numeric_limits<double>::quiet_NaN()};
+      return {v_[node.index], others_.a[node.index]};
+    case Opcode::parameter:
+      return {others_.parameters[node.index], 0};
     default:
-      return {parameters_[node.index], 0};
+      return {leaf_of(others_, node.leaf, node.index), std::numeric_limits<double>::quiet_NaN()};
   }
 }
 

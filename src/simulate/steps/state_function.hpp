@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "elgen/evaluate.hpp"
 #include "elgen/model.hpp"
 #include "evaluate/dual.hpp"
 
@@ -10,14 +11,14 @@ namespace elgen {
 
 class StateFunction {
  public:
-  /// `parameters` are their values; the expression holds no acceleration and no input.
-  StateFunction(const Model& model, ExpressionId root, std::vector<double> parameters);
+  /// `others` has what is neither q, v nor t at every call, so it outlives the function.
+  StateFunction(const Model& model, ExpressionId root, const Arguments<double>& others);
 
   /// Cost: one operation on a number and its rate for each node.
   [[nodiscard]] double operator()(const double* q, const double* v, double t);
 
  private:
-  /// A value with its rate along the motion; that of a velocity is not known.
+  /// A value with its rate along the motion; those of a, u, p and E are not known.
   using Rated = Dual<double>;
 
   [[nodiscard]] Rated value_of(const Expression& node, ExpressionId id) const;
@@ -26,7 +27,7 @@ class StateFunction {
   [[nodiscard]] Rated power(const Rated& base, double exponent) const;
 
   const Model& model_;
-  std::vector<double> parameters_;
+  const Arguments<double>& others_;
   std::vector<ExpressionId> order_;  ///< the expressions computed, operands before their users
   std::vector<Rated> known_;         ///< by expression
   ExpressionId result_ = 0;

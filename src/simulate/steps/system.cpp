@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "elgen/wording.hpp"
 #include "evaluate/subject.hpp"
 
 namespace elgen {
@@ -18,11 +19,11 @@ bool reads_time(const Function* function) {
 }
 
 /// [-inf, inf] where the model declares no limits.
-std::vector<InputLaw> laws_of(const Model& model, const Numbers& parameters) {
+std::vector<InputLaw> laws_of(const Model& model, const Arguments<double>& at) {
   std::vector<InputLaw> laws(model.inputs.size());
   for (std::size_t k = 0; k < laws.size(); ++k) {
     const Input& input = model.inputs[k];
-    if (input.law) laws[k].law.emplace(model, *input.law, parameters);
+    if (input.law) laws[k].law.emplace(model, *input.law, at);
     if (!input.limits) continue;
     laws[k].low = ScalarTraits<double>::from_real(input.limits->low);
     laws[k].high = ScalarTraits<double>::from_real(input.limits->high);
@@ -44,7 +45,7 @@ System::System(const CheckedModel& checked, const Program& program, const Compil
       program_(program),
       compiled_(compiled),
       at_(arguments_at<double>(nominal_state(checked.model, checked.scene))),
-      laws_(laws_of(model_, at_.parameters)),
+      laws_(laws_of(model_, at_)),
       mass_matrix_(callee(OutputKind::mass_matrix)),
       acceleration_(callee(OutputKind::forward_dynamics)),
       coordinate_rates_(callee(OutputKind::coordinate_rates)),
@@ -74,6 +75,21 @@ System::System(const CheckedModel& checked, const Program& program, const Compil
     if (is_cyclic && !model_.velocities[i].rotation) cyclic_.push_back(i);
   }
   does_work_ = is_forced_ || has_explicit_time_;
+  for (const Expectation& expectation : model_.expectations) add_invariants(expectation);
+}
+
+/// They speak of the exact model.
+void System::add_invariants(const Expectation& expectation) {
+  if (!expectation.is_conserved() || model_.approximation) return;
+  for (std::size_t i = 0; i < expectation.entries.size(); ++i) {
+    const ExpressionId id = expectation.entries[i];
+    const auto unit = i < expectation.units.size() ? expectation.units[i] : std::nullopt;
+    const bool has_unit = unit && *unit != Unit{};
+    invariants_.push_back({one_line(covered_text(model_.expressions[id].span)),
+                           has_unit ? to_string(*unit) : "", 0, 0});
+    invariant_functions_.emplace_back(model_, id, at_);
+  }
+  invariant_values_.resize(invariants_.size());
 }
 
 System::Callee System::callee(OutputKind kind) const {
@@ -142,7 +158,7 @@ void System::call(const Callee& called, const double* q, const double* v, double
                   double* result) {
   if (called.code != nullptr) {
     called.code(at_.parameters.data(), at_.f.data(), q, v, nullptr, nullptr, at_.u.data(), t, at_.h,
-                result);
+                at_.E, result);
     return;
   }
   std::copy_n(q, positions(), at_.q.begin());
@@ -225,6 +241,17 @@ const Numbers& System::momentum_scales(const double* q, const double* v, double 
     for (std::size_t j = 0; j < n; ++j) scales_[i] += std::abs(mass_[i * n + j] * v[j]);
   }
   return scales_;
+}
+
+const Numbers& System::invariant_values(const double* q, const double* v, double t) {
+  if (invariants_.empty()) return invariant_values_;
+  acceleration(q, v, t, at_.a.data());
+  momentum(q, v, t, at_.momenta.data());
+  at_.E = energy(q, v, t);
+  for (std::size_t i = 0; i < invariants_.size(); ++i) {
+    invariant_values_[i] = invariant_functions_[i](q, v, t);
+  }
+  return invariant_values_;
 }
 
 double System::energy(const double* q, const double* v, double t) {

@@ -13,6 +13,7 @@
 
 #include "elgen/program.hpp"
 #include "elgen/scene.hpp"
+#include "elgen/simulate.hpp"
 #include "elgen/toolchain.hpp"
 #include "simulate/steps/state_function.hpp"
 
@@ -56,10 +57,10 @@ class System {
   /// q as rows show it: an angle with `wrap` in (-pi, pi].
   [[nodiscard]] const Numbers& shown(const double* q);
 
-  /// Of an expression of the model without inputs.
+  /// Of an expression of the model in q, v and t.
   [[nodiscard]] double value(ExpressionId expression, const double* q, const double* v,
                              double t) const {
-    return StateFunction(model_, expression, at_.parameters)(q, v, t);
+    return StateFunction(model_, expression, at_)(q, v, t);
   }
 
   /// The result of the program's `step` of length h from a state, with its inputs there: q, v, and
@@ -78,6 +79,9 @@ class System {
   /// sum_j |M_ij v_j| of every i: what p_i is the sum of, but for what is linear in v.
   [[nodiscard]] const Numbers& momentum_scales(const double* q, const double* v, double t);
   [[nodiscard]] double energy(const double* q, const double* v, double t);
+  /// The entries of the model's `conserved`, and their values at a state.
+  [[nodiscard]] const std::vector<Invariant>& invariants() const { return invariants_; }
+  [[nodiscard]] const Numbers& invariant_values(const double* q, const double* v, double t);
   /// Whether T and V are known apart.
   [[nodiscard]] bool has_energies() const { return kinetic_energy_.function != nullptr; }
   /// |T| + |V|; |v.p| + |L| where only L is known.
@@ -97,6 +101,7 @@ class System {
     DriverFunction<double> code = nullptr;
   };
 
+  void add_invariants(const Expectation& expectation);
   [[nodiscard]] Callee callee(OutputKind kind) const;
   void call(const Callee& called, const double* q, const double* v, double t, double* result);
   /// F = B u + Q - dD/dv, to `force_`.
@@ -108,7 +113,8 @@ class System {
   const Model& model_;
   const Program& program_;
   const CompiledModel* compiled_;
-  Arguments<double> at_;  ///< of a call; inputs are those that were last asked for
+  /// Of a call; inputs are those that were last asked for, and a, p, E those of invariants.
+  Arguments<double> at_;
   std::vector<InputLaw> laws_;
   Callee mass_matrix_, acceleration_, coordinate_rates_, input_matrix_, applied_force_,
       dissipation_, momentum_, energy_, kinetic_energy_, total_energy_, normalized_, step_;
@@ -118,6 +124,9 @@ class System {
   bool is_forced_ = false;
   bool does_work_ = false;
   std::vector<std::uint32_t> cyclic_ = {};
+  std::vector<Invariant> invariants_ = {};
+  std::vector<StateFunction> invariant_functions_ = {};
+  Numbers invariant_values_ = {};
   Numbers shown_, solution_, moved_, force_, more_force_, matrix_, mass_, scales_;
 };
 

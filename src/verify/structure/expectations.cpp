@@ -6,10 +6,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "analyse/substitution.hpp"
 #include "base/exact_number.hpp"
 #include "base/random.hpp"
 #include "check/names/requests.hpp"
+#include "elgen/references.hpp"
 #include "verify/states/kinks.hpp"
 #include "verify/states/tally.hpp"
 
@@ -62,8 +65,6 @@ struct Entry {
   [[nodiscard]] Span span() const { return index < of.spans.size() ? of.spans[index] : of.span; }
 };
 
-bool is_rate(const Expectation& expectation) { return expectation.output == "conserved"; }
-
 std::string name_of(const Entry& entry) {
   const std::size_t columns = std::max<std::size_t>(entry.of.columns, 1);
   if (entry.of.entries.size() == 1) return entry.of.output;
@@ -78,7 +79,7 @@ CertificateRow row_of(const Entry& entry) {
   row.output = row.check + " " + entry.of.output;
   row.subject = name_of(entry);
   row.formula = to_string(entry.subject.model, entry.expression());
-  if (is_rate(entry.of)) row.formula = fmt::format("d/dt ({}) = 0 at u = 0", row.formula);
+  if (entry.of.is_conserved()) row.formula = fmt::format("d/dt ({}) = 0 at u = 0", row.formula);
   row.tolerance = sampled_reason;
   return row;
 }
@@ -87,7 +88,7 @@ CertificateRow proved_row(const Entry& entry) {
   CertificateRow row = row_of(entry);
   row.worst = "equal";
   row.evidence = Evidence::proof;
-  row.tolerance = is_rate(entry.of) ? proof_of_rate : proof;
+  row.tolerance = entry.of.is_conserved() ? proof_of_rate : proof;
   return row;
 }
 
@@ -101,7 +102,8 @@ struct Sample {
 std::string wrong_text(const Entry& entry, const Sample& sample, const State& state) {
   const std::string where = describe(entry.subject, state);
   const std::string written = short_text(sample.written);
-  if (is_rate(entry.of)) return fmt::format("its rate is {} instead of 0 at {}", written, where);
+  if (entry.of.is_conserved())
+    return fmt::format("its rate is {} instead of 0 at {}", written, where);
   return fmt::format("{} is {} by this form, {} as derived, {} too much, at {}", name_of(entry),
                      written, short_text(sample.derived),
                      short_text(sample.written - sample.derived), where);
@@ -145,12 +147,17 @@ std::optional<Sample> value_sample(const Entry& entry, const SampledPoint& deriv
                 cln::max(derived.scale, cln::abs(*written))};
 }
 
-/// The state at rest of inputs, with the acceleration it then has; none where M is singular.
+/// The state at rest of inputs, with the acceleration, the momenta and the energy that it then has;
+/// none where M is singular.
 std::optional<State> free_motion(const Model& model, State state) {
   for (cl_R& u : state.u) u = 0;
   const OracleValues solution = oracle_values(model, {.kind = OutputKind::forward_dynamics}, state);
-  if (!solution) return std::nullopt;
+  const OracleValues momenta = oracle_values(model, {.kind = OutputKind::momentum}, state);
+  const OracleValues energy = oracle_values(model, {.kind = OutputKind::energy_function}, state);
+  if (!solution || !momenta || !energy) return std::nullopt;
   for (std::size_t i = 0; i < state.a.size(); ++i) state.a[i] = (*solution)[i];
+  state.momenta = *momenta;
+  state.E = energy->front();
   return state;
 }
 
@@ -181,7 +188,7 @@ std::vector<SampledPoint> points_of(const Model& model, const Expectation& expec
   const auto request = find_request(model, expectation.output);
   std::vector<SampledPoint> points;
   for (const State& state : states) {
-    if (is_rate(expectation)) {
+    if (expectation.is_conserved()) {
       if (const auto motion = free_motion(model, state)) points.push_back({*motion});
     } else if (request) {
       points.push_back(derived_at(model, *request, state));
@@ -197,7 +204,7 @@ void compare(ExpectationReport& report, const Entry& entry, const std::vector<Sa
   std::string wrong;
   for (const SampledPoint& point : points) {
     const auto sample =
-        is_rate(entry.of) ? rate_sample(entry, point.state) : value_sample(entry, point);
+        entry.of.is_conserved() ? rate_sample(entry, point.state) : value_sample(entry, point);
     if (!sample) {
       tally.skip();
       continue;
@@ -249,6 +256,8 @@ class Proofs {
 
  private:
   [[nodiscard]] const ClosedFunction* derived(OutputKind kind, std::uint32_t user) const;
+  [[nodiscard]] std::optional<std::vector<Fraction>> entries(OutputKind kind) const;
+  [[nodiscard]] Replacements momenta() const;
   std::optional<Fraction> written(const Expectation& expectation, std::size_t entry);
 
   const Subject& subject_;
@@ -278,21 +287,41 @@ bool Proofs::equal(const Expectation& expectation, std::size_t entry) {
   return own && proved_equal(*forms_, *own, **form);
 }
 
-bool Proofs::conserved(const Expectation& expectation, std::size_t entry) {
-  const ClosedFunction* function = derived(OutputKind::forward_dynamics, 0);
-  if (function == nullptr || function->fields.empty()) return false;
-  std::vector<Fraction> accelerations;
-  for (const std::optional<Fraction>& acceleration : function->fields[0].entries) {
-    const bool is_sampled =
-        rests_on_samples(subject_.program, OutputKind::forward_dynamics, 0, accelerations.size());
-    if (!acceleration || is_sampled) return false;
-    accelerations.push_back(*acceleration);
+/// Of the first field; none where one of them has no form, or rests on samples.
+std::optional<std::vector<Fraction>> Proofs::entries(OutputKind kind) const {
+  const ClosedFunction* function = derived(kind, 0);
+  if (function == nullptr || function->fields.empty()) return std::nullopt;
+  std::vector<Fraction> result;
+  for (const std::optional<Fraction>& form : function->fields[0].entries) {
+    if (!form || rests_on_samples(subject_.program, kind, 0, result.size())) return std::nullopt;
+    result.push_back(*form);
   }
-  const auto own = written(expectation, entry);
+  return result;
+}
+
+/// What p and E stand for in `conserved`, as far as it is known.
+Replacements Proofs::momenta() const {
+  Replacements result;
+  for (const auto& [leaf, kind] : {std::pair{Opcode::momentum, OutputKind::momentum},
+                                   std::pair{Opcode::energy, OutputKind::energy_function}}) {
+    const auto forms = entries(kind);
+    for (std::uint32_t i = 0; forms && i < forms->size(); ++i)
+      result[{leaf, i}].value = (*forms)[i];
+  }
+  return result;
+}
+
+bool Proofs::conserved(const Expectation& expectation, std::size_t entry) {
+  const auto accelerations = entries(OutputKind::forward_dynamics);
+  if (!accelerations) return false;
+  auto own = written(expectation, entry);
+  const bool has_momenta =
+      holds_leaf(subject_.model, expectation.entries[entry], Opcode::momentum | Opcode::energy);
+  if (own && has_momenta) own = substituted(forms_->algebra, *own, momenta());
   const std::vector<Fraction> rates = coordinate_rates(*forms_, subject_.model);
   const OpenTerms open_values =
       open_terms(*forms_, subject_.model, subject_.scene.specialisation.fixed);
-  return own && proved_conserved(*forms_, *own, accelerations, rates, open_values);
+  return own && proved_conserved(*forms_, *own, *accelerations, rates, open_values);
 }
 
 void check(ExpectationReport& report, const Expectation& expectation, const Subject& subject,
@@ -300,8 +329,8 @@ void check(ExpectationReport& report, const Expectation& expectation, const Subj
   std::optional<std::vector<SampledPoint>> points;  // for the first entry that is not proved
   for (std::size_t index = 0; index < expectation.entries.size(); ++index) {
     const Entry entry{expectation, index, subject};
-    const bool is_proved = is_rate(expectation) ? proofs.conserved(expectation, index)
-                                                : proofs.equal(expectation, index);
+    const bool is_proved = expectation.is_conserved() ? proofs.conserved(expectation, index)
+                                                      : proofs.equal(expectation, index);
     if (is_proved) {
       report.rows.push_back(proved_row(entry));
       continue;
