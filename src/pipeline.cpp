@@ -82,6 +82,7 @@ class Compilation {
     out.steps = std::move(steps_.product);
     out.equilibria = std::move(equilibria_.product);
     out.motions = std::move(motions_.product);
+    out.symmetries = std::move(symmetries_.product);
     out.claims = std::move(claims_.product);
     out.files = std::move(files_.product);
     out.self_check = std::move(self_check_.product);
@@ -153,6 +154,9 @@ class Compilation {
                                              [this](const CheckedModel& c, const Equilibria& e) {
                                                return linear_motions(c, e, !options_.about);
                                              }};
+
+  Stage<Symmetries> symmetries_{run_, Goal::symmetries, std::tie(lagrangian_, checked_),
+                                symmetries};
 
   Stage<std::vector<JudgedEquilibrium>> claims_{run_, Goal::claims, std::tie(lagrangian_, checked_),
                                                 claims};

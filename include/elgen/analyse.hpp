@@ -1,9 +1,11 @@
-// Analysis: where a system can be at rest, whether it stays there, and how it moves about that.
+// Analysis: where a system can be at rest, whether it stays there, how it moves about that, and
+// what its symmetries keep.
 //
 //     equilibria    r(q) = bias(q, 0) - B(q) u = 0, u given
 //     stability     K = dr/dq,  W = V0 - T0
 //     modes         M x'' + K x = 0 about a point,  K x = w^2 M x
 //     poles         of d(dx)/dt = A dx + B du
+//     symmetries    dL = dF/dt under dq = A q + b + c t, dt constant
 #pragma once
 
 #include <cln/real.h>
@@ -155,6 +157,59 @@ struct LinearMotions {
                                           const Equilibria& equilibria);
 [[nodiscard]] std::string equilibria_json(const CheckedModel& checked,
                                           const Equilibria& equilibria);
+
+/// The sort of a symmetry.
+enum class SymmetryKind : std::uint8_t {
+  coordinate,   ///< one coordinate is cyclic
+  translation,  ///< several move by constants
+  boost,        ///< they move by constants times t
+  rotation,     ///< A is skew, the rest is 0
+  turn,         ///< rotations turn
+  other,
+  time,  ///< t alone moves
+};
+
+/// A change dq = A q + b + c t with a constant dt, of a rotation a turn R^T s + b, for which
+/// dL = dF/dt. So dI/dt = (dq - v dt).(B u + Q - dD/dv) with I = dL/dv.dq - E dt - F (Noether). Of
+/// the kind `time` I has the other sign: it is E + F.
+struct Symmetry {
+  SymmetryKind kind = SymmetryKind::other;
+  std::vector<Fraction> generator = {};     ///< A by rows, c, b, s and b of each rotation, dt
+  std::vector<Fraction> displacement = {};  ///< dq along every velocity
+  Fraction by_names = {};                   ///< I + F over the leaves momentum and energy
+  std::optional<Fraction> closed = {};      ///< the same in closed form
+  std::optional<Fraction> total = {};       ///< F, for `time` -F; none: it has no closed form
+  std::optional<Fraction> loss = {};        ///< dI/dt at u = 0, where known
+  std::optional<Fraction> rate = {};        ///< dI/dt
+  bool is_rounded = false;                  ///< the generator has six digits
+  bool is_proved = false;                   ///< dL = dF/dt is, by closed forms
+};
+
+struct Symmetries {
+  ClosedForms forms = {};     ///< their algebra holds all forms below
+  std::size_t unknowns = 0;   ///< of the class
+  bool is_exact = false;      ///< found by closed forms, for generic parameters
+  bool is_complete = false;   ///< and no relation between functions was left out
+  std::size_t states = 0;     ///< at which was sampled
+  std::size_t sampled = 0;    ///< the number at the values of the parameters
+  bool loses_energy = false;  ///< E is conserved, T + V is not
+  std::vector<Symmetry> all = {};
+};
+
+/// The functions that symmetries need of a model: their requests.
+[[nodiscard]] std::vector<OutputRequest> outputs_of_symmetries(const Model& model);
+
+/// A basis of the symmetries of L alone: forces, dissipation and inputs are taken off. `recursive`
+/// has the functions of outputs_of_symmetries. E910: the class has more than 1 000 unknowns.
+[[nodiscard]] Result<Symmetries> find_symmetries(const CheckedModel& checked,
+                                                 const Program& recursive);
+
+/// The symmetries as a page, in the model language, and as JSON.
+[[nodiscard]] Sheet symmetries_sheet(const CheckedModel& checked, const Symmetries& symmetries);
+[[nodiscard]] std::string symmetries_text(const CheckedModel& checked,
+                                          const Symmetries& symmetries);
+[[nodiscard]] std::string symmetries_json(const CheckedModel& checked,
+                                          const Symmetries& symmetries);
 
 /// What is known of a claim.
 enum class ClaimStatus : std::uint8_t {

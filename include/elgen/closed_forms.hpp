@@ -112,6 +112,10 @@ struct PresentBudget {
 /// Whether x = y is proved: x - y is the empty sum. False says nothing where roots or calls occur.
 [[nodiscard]] bool proved_equal(ClosedForms& forms, const Fraction& x, const Fraction& y);
 
+/// Whether no algebraic relation joins atoms of this sort: leaves, pi, and e^(i m/12) of monomials m
+/// of these. e^(i m/24), roots, and e^(ix) of fractions x have relations that forms do not know.
+[[nodiscard]] bool is_independent(const Algebra& algebra, AtomId id);
+
 /// The verdict of a closed form.
 enum class ZeroProof : std::uint8_t {
   open,
@@ -127,12 +131,6 @@ enum class ZeroProof : std::uint8_t {
 /// dq/dt of every coordinate; empty where nothing rotates, and dq/dt is v.
 [[nodiscard]] std::vector<Fraction> coordinate_rates(ClosedForms& forms, const Model& model);
 
-/// dx/dq_k, k the number of one of so many coordinates, of an x that holds no velocities. None
-/// beyond the budget, and of functions with kinks.
-[[nodiscard]] std::optional<Fraction> partial_derivative(ClosedForms& forms, const Fraction& x,
-                                                         std::uint32_t coordinate,
-                                                         std::size_t coordinates);
-
 /// One term of the rate of an open value: its derivative by an argument times the argument's rate.
 struct OpenTerm {
   std::uint32_t derivative = 0;  ///< the number of the leaf
@@ -144,6 +142,26 @@ struct OpenTerm {
 using OpenTerms = std::vector<std::vector<OpenTerm>>;
 [[nodiscard]] OpenTerms open_terms(ClosedForms& forms, const Model& model,
                                    const FixedParameters& fixed);
+
+/// How fast the leaves of a form change; parameters stand still. The rate of a leaf beyond the end
+/// of its list, and of inputs, is not known.
+struct LeafRates {
+  std::vector<Fraction> coordinates = {};  ///< empty: they change at their velocities
+  std::vector<Fraction> velocities = {};
+  std::vector<Fraction> accelerations = {};
+  OpenTerms open_values = {};
+  Fraction time = {};
+};
+
+/// dx/ds where the leaves change at these rates: sum dx/dleaf dleaf/ds. None beyond the budget, and
+/// of functions with kinks.
+[[nodiscard]] std::optional<Fraction> rate_along(ClosedForms& forms, const Fraction& x,
+                                                 const LeafRates& rates);
+
+/// dx/dq_k, k the number of one of so many coordinates, of an x that holds no velocities.
+[[nodiscard]] std::optional<Fraction> partial_derivative(ClosedForms& forms, const Fraction& x,
+                                                         std::uint32_t coordinate,
+                                                         std::size_t coordinates);
 
 /// Whether dx/dt = 0 is proved along the motion at u = 0; `accelerations` are those of the forward
 /// dynamics, one per velocity. False proves nothing.

@@ -44,15 +44,16 @@ enum class Goal : std::uint8_t {
   choose,
   equilibria,
   modes,
+  symmetries,
   claims,
   emit,
   parts,
   self_check,
 };
-inline constexpr std::array<std::string_view, 17> goal_names{
+inline constexpr std::array<std::string_view, 18> goal_names{
     "parse",  "check",  "inspect", "formulate", "specialise", "steps",
     "derive", "lower",  "cancel",  "present",   "choose",     "equilibria",
-    "modes",  "claims", "emit",    "parts",     "self-check"};
+    "modes",  "symmetries", "claims", "emit",    "parts",     "self-check"};
 
 [[nodiscard]] constexpr std::string_view name_of(Goal goal) {
   return goal_names[static_cast<std::size_t>(goal)];
@@ -91,6 +92,7 @@ struct Products {
   std::optional<ReadableSteps> steps = {};
   std::optional<Equilibria> equilibria = {};
   std::optional<std::vector<LinearMotions>> motions = {};
+  std::optional<Symmetries> symmetries = {};
   std::optional<std::vector<JudgedEquilibrium>> claims = {};  ///< of [[equilibrium]]
   std::optional<EmittedFiles> files = {};
   std::optional<SelfCheck> self_check = {};

@@ -310,15 +310,10 @@ class EquilibriumSearch {
 }  // namespace
 
 std::vector<OutputRequest> outputs_of_analysis(const Model& model) {
-  std::vector<OutputRequest> requests;
-  for (const OutputKind kind :
-       {OutputKind::mass_matrix, OutputKind::potential_energy, OutputKind::dissipation,
-        OutputKind::applied_force, OutputKind::bias, OutputKind::energy_function,
-        OutputKind::input_matrix}) {
-    OutputRequest request = request_of(model, kind, 0);
-    if (is_available(model, request)) requests.push_back(std::move(request));
-  }
-  return requests;
+  return available_requests(
+      model, {OutputKind::mass_matrix, OutputKind::potential_energy, OutputKind::dissipation,
+              OutputKind::applied_force, OutputKind::bias, OutputKind::energy_function,
+              OutputKind::input_matrix});
 }
 
 namespace {

@@ -16,7 +16,9 @@ namespace elgen {
 std::optional<Printed> printed(const Model& model, const Algebra& algebra,
                                const std::optional<Fraction>& form) {
   if (!form) return std::nullopt;
-  const LeafNames leaves = leaf_names(model);
+  LeafNames leaves = leaf_names(model);
+  leaves.momenta = leaves.v;
+  leaves.E = leaf_row(Opcode::energy).symbol;
   const std::optional<ReadableForm> readable =
       shortest(algebra, *form, nullptr, mixed_points(leaves));
   if (!readable) return std::nullopt;

@@ -138,6 +138,8 @@ Sheet sheet_of(const AnalysisPage& page) {
   Sheet sheet{.title = page.title.text, .title_latex = page.title.latex};
   for (const PagePart& part : page.parts) {
     SheetOutput& output = sheet.outputs.emplace_back();
+    output.title = part.title;
+    output.doc = part.doc;
     output.lines = latex_of(part.lines);
     for (const PageMatrix& matrix : part.matrices) {
       output.equations.push_back(
@@ -153,6 +155,8 @@ std::string text_of(const AnalysisPage& page) {
   std::string text = page.title.text + "\n";
   for (const PagePart& part : page.parts) {
     text += "\n";
+    if (!part.title.empty()) text += part.title + "\n";
+    if (!part.doc.empty()) text += fmt::format("  {}\n", part.doc);
     for (const Printed& line : part.lines) text += fmt::format("  {}\n", line.text);
     for (const PageMatrix& matrix : part.matrices) text += text_of(matrix);
     if (!part.table.heads.empty()) text += rows_of(part.table);

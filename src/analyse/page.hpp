@@ -28,6 +28,8 @@ struct PagePart {
   std::vector<PageMatrix> matrices = {};
   PageTable table = {};
   bool is_row = false;  ///< matrices stand side by side where there is room
+  std::string title = {};  ///< above all; may be empty, as the text below it
+  std::string doc = {};
 };
 
 struct AnalysisPage {

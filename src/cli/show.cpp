@@ -27,7 +27,7 @@ struct ShowOptions {
 };
 
 /// The subjects that --what may ask for beside outputs; each stands alone.
-enum class ShownSubject : unsigned char { outputs, lagrangian, steps, cost, equilibria, modes };
+enum class ShownSubject : unsigned char { outputs, lagrangian, steps, cost, equilibria, modes, symmetries };
 
 struct SubjectRow {
   std::string_view word;
@@ -43,7 +43,8 @@ constexpr std::array subjects{
     SubjectRow{"steps", ShownSubject::steps, Goal::steps},
     SubjectRow{"cost", ShownSubject::cost, Goal::emit, false},
     SubjectRow{"equilibria", ShownSubject::equilibria, Goal::equilibria, true, true},
-    SubjectRow{"modes", ShownSubject::modes, Goal::modes, true, true}};
+    SubjectRow{"modes", ShownSubject::modes, Goal::modes, true, true},
+    SubjectRow{"symmetries", ShownSubject::symmetries, Goal::symmetries, true, true}};
 
 const SubjectRow& row_of(ShownSubject subject) {
   return *std::ranges::find(subjects, subject, &SubjectRow::subject);
@@ -160,6 +161,9 @@ Sheet sheet_of(const Products& products, ShownSubject subject, const PageOptions
   if (subject == ShownSubject::modes) {
     return modes_sheet(*products.checked, *products.equilibria, *products.motions);
   }
+  if (subject == ShownSubject::symmetries) {
+    return symmetries_sheet(*products.checked, *products.symmetries);
+  }
   Sheet steps = steps_sheet(model, scene, *products.steps);
   if (subject == ShownSubject::steps) return steps;
   std::erase_if(steps.outputs,
@@ -182,6 +186,8 @@ std::string text_of(const Products& products, ShownSubject subject, const PageOp
       return equilibria_text(*products.checked, *products.equilibria);
     case ShownSubject::modes:
       return modes_text(*products.checked, *products.equilibria, *products.motions);
+    case ShownSubject::symmetries:
+      return symmetries_text(*products.checked, *products.symmetries);
   }
   return {};
 }
@@ -201,6 +207,9 @@ std::string page(const Products& products, ShownSubject subject, const ShowOptio
   }
   if (subject == ShownSubject::modes) {
     return modes_json(*products.checked, *products.equilibria, *products.motions);
+  }
+  if (subject == ShownSubject::symmetries) {
+    return symmetries_json(*products.checked, *products.symmetries);
   }
   for (const auto& [path, text] : products.files->files) {
     if (path.ends_with(".json")) return text;
@@ -253,7 +262,7 @@ void add_show(CLI::App& app, Action& action) {
   command
       ->add_option(
           "--what", options->what,
-          "outputs: mass_matrix,gravity,…; or lagrangian, steps, cost, equilibria or modes")
+          "outputs: mass_matrix,gravity,…; or lagrangian, steps, cost, equilibria, modes or symmetries")
       ->type_name("LIST");
   command
       ->add_option("--as", options->as,

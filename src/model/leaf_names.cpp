@@ -8,9 +8,7 @@
 namespace elgen {
 
 LeafNames leaf_names(const Model& model) {
-  const auto name = [](Opcode kind, const auto& entry) {
-    return kind == Opcode::momentum ? std::string() : entry.name;
-  };
+  const auto name = [](Opcode, const auto& entry) { return entry.name; };
   const auto single = [](Opcode kind) { return kind == Opcode::time ? "t" : ""; };
   LeafNames leaves{leaves_of<std::string>(model, name, single), model.uses_time};
   leaves.momenta.clear();

@@ -95,6 +95,14 @@ Result<Equilibria> equilibria(const Lagrangian& lagrangian, const CheckedModel& 
   return find_equilibria(checked, *moving, limits);
 }
 
+Result<Symmetries> symmetries(const Lagrangian& lagrangian, const CheckedModel& checked,
+                              const Limits& limits) {
+  const Result<Program> moving =
+      recursive_program(lagrangian, outputs_of_symmetries(checked.model), limits);
+  if (!moving) return moving.diagnostics;
+  return find_symmetries(checked, *moving);
+}
+
 Result<std::vector<JudgedEquilibrium>> claims(const Lagrangian& lagrangian,
                                               const CheckedModel& checked, const Limits& limits) {
   if (checked.model.equilibria.empty()) return std::vector<JudgedEquilibrium>{};

@@ -37,6 +37,10 @@ namespace elgen {
                                             const std::optional<std::string>& about,
                                             const Limits& limits);
 
+/// Errors of find_symmetries().
+[[nodiscard]] Result<Symmetries> symmetries(const Lagrangian& lagrangian,
+                                            const CheckedModel& checked, const Limits& limits);
+
 /// The verdicts about every [[equilibrium]].
 [[nodiscard]] Result<std::vector<JudgedEquilibrium>> claims(const Lagrangian& lagrangian,
                                                             const CheckedModel& checked,

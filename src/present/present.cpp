@@ -39,15 +39,6 @@ bool is_plain(const Algebra& algebra, const Monomial& monomial) {
   });
 }
 
-/// Whether no algebraic relation joins atoms of this sort: leaves, pi, and e^(i m/12) of monomials
-/// m of these. e^(i m/24), roots, and e^(ix) of fractions x have relations that forms do not know.
-bool is_independent(const Algebra& algebra, AtomId id) {
-  const Atom& atom = algebra.atoms[id];
-  if (atom.kind == AtomKind::leaf || atom.kind == AtomKind::pi) return true;
-  return atom.kind == AtomKind::circular && atom.divisor == angle_parts &&
-         is_plain(algebra, atom.arguments[0].numerator.begin()->first);
-}
-
 ZeroProof proof_of(const Algebra& algebra, const std::optional<Fraction>& form) {
   if (!form) return ZeroProof::open;
   if (form->numerator.empty()) return ZeroProof::zero;
@@ -60,6 +51,13 @@ ZeroProof proof_of(const Algebra& algebra, const std::optional<Fraction>& form) 
 }
 
 }  // namespace
+
+bool is_independent(const Algebra& algebra, AtomId id) {
+  const Atom& atom = algebra.atoms[id];
+  if (atom.kind == AtomKind::leaf || atom.kind == AtomKind::pi) return true;
+  return atom.kind == AtomKind::circular && atom.divisor == angle_parts &&
+         is_plain(algebra, atom.arguments[0].numerator.begin()->first);
+}
 
 ClosedForms present(const Program& program, const PresentBudget& budget) {
   ClosedForms forms;

@@ -82,14 +82,6 @@ bool is_input(const Atom& atom) {
   return atom.kind == AtomKind::leaf && atom.leaf == Opcode::input;
 }
 
-/// How fast the leaves change; parameters stand still, and time passes.
-struct LeafRates {
-  std::vector<Fraction> coordinates = {};  ///< empty: they change at their velocities
-  std::vector<Fraction> velocities = {};   ///< those that are missing are unknown
-  OpenTerms open_values = {};
-  Fraction time = fraction_of(cl_RA(1));
-};
-
 class Rates {
  public:
   Rates(Arithmetic& arithmetic, const Algebra& algebra, const LeafRates& motion)
@@ -177,6 +169,9 @@ class Rates {
       case Opcode::velocity:
         if (atom.index >= motion_.velocities.size()) return std::nullopt;
         return motion_.velocities[atom.index];
+      case Opcode::acceleration:
+        if (atom.index >= motion_.accelerations.size()) return std::nullopt;
+        return motion_.accelerations[atom.index];
       case Opcode::open_value:
         return of_open_value(atom.index);
       case Opcode::time:
@@ -261,25 +256,28 @@ std::vector<Fraction> coordinate_rates(ClosedForms& forms, const Model& model) {
   return rates;
 }
 
+std::optional<Fraction> rate_along(ClosedForms& forms, const Fraction& x, const LeafRates& rates) {
+  Arithmetic arithmetic(forms.algebra);
+  return Rates(arithmetic, forms.algebra, rates).of(x);
+}
+
 std::optional<Fraction> partial_derivative(ClosedForms& forms, const Fraction& x,
                                            std::uint32_t coordinate, std::size_t coordinates) {
-  Arithmetic arithmetic(forms.algebra);
-  LeafRates alone{std::vector<Fraction>(coordinates), {}, {}, {}};
+  LeafRates alone{std::vector<Fraction>(coordinates)};
   alone.coordinates[coordinate] = fraction_of(cl_RA(1));
-  return Rates(arithmetic, forms.algebra, alone).of(x);
+  return rate_along(forms, x, alone);
 }
 
 bool proved_conserved(ClosedForms& forms, const Fraction& x,
                       const std::vector<Fraction>& accelerations,
                       const std::vector<Fraction>& coordinate_rates, const OpenTerms& open_values) {
-  Arithmetic arithmetic(forms.algebra);
-  LeafRates free_motion{coordinate_rates, {}, open_values};
+  LeafRates free_motion{coordinate_rates, {}, {}, open_values, fraction_of(cl_RA(1))};
   for (const Fraction& acceleration : accelerations) {
     Value free = without_inputs(forms.algebra, acceleration);
     if (!free) return false;
     free_motion.velocities.push_back(std::move(*free));
   }
-  const Value rate = Rates(arithmetic, forms.algebra, free_motion).of(x);
+  const Value rate = rate_along(forms, x, free_motion);
   return rate && rate->numerator.empty();
 }
 

@@ -178,6 +178,16 @@ bool is_available(const Model& model, const OutputRequest& request) {
   return !lack_of(model, request);
 }
 
+std::vector<OutputRequest> available_requests(const Model& model,
+                                              std::initializer_list<OutputKind> kinds) {
+  std::vector<OutputRequest> requests;
+  for (const OutputKind kind : kinds) {
+    OutputRequest request = request_of(model, kind, 0);
+    if (is_available(model, request)) requests.push_back(std::move(request));
+  }
+  return requests;
+}
+
 std::optional<OutputRequest> require_request(const Model& model, std::string_view name,
                                              const Span& span, Report& report) {
   std::optional<OutputRequest> request = find_request(model, name);

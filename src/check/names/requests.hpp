@@ -35,6 +35,10 @@ namespace elgen {
 /// Whether the model has what the output needs.
 [[nodiscard]] bool is_available(const Model& model, const OutputRequest& request);
 
+/// Those of these kinds of which the model has what they need.
+[[nodiscard]] std::vector<OutputRequest> available_requests(
+    const Model& model, std::initializer_list<OutputKind> kinds);
+
 /// E609 where declared outputs would share a function name with each other or with the built-in
 /// ones.
 void check_output_names(const Model& model, Report& report);

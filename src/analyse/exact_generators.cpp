@@ -1,0 +1,238 @@
+// Every equation holds for all motions: with denominators cleared it is a sum of monomials in what
+// moves, over the parameters, and functions of the parameters before each of these are 0.
+#include "analyse/exact_generators.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "analyse/leaf_search.hpp"
+#include "present/polynomial.hpp"
+
+namespace elgen {
+namespace {
+
+/// sum over unknowns of x_u coefficient_u = 0, over the parameters.
+using Equation = std::map<std::size_t, Fraction>;
+
+class Conditions {
+ public:
+  Conditions(ClosedForms& forms, FormField& field)
+      : algebra_(forms.algebra), field_(field), motions_(forms.algebra, [](const Atom& leaf) {
+          return leaf.leaf != Opcode::parameter;
+        }) {}
+
+  /// The equations of one row; false beyond the budget.
+  bool add(std::vector<Value> row) {
+    if (!clear_denominators(row)) return false;
+    std::map<Monomial, std::map<std::size_t, Polynomial>, MonomialLess> sums;
+    for (std::size_t u = 0; u < row.size(); ++u) {
+      for (const auto& [monomial, coefficient] : row[u]->numerator) {
+        Monomial moving;
+        Monomial constant;
+        for (const AtomPower& power : monomial) {
+          note(power.atom);
+          (motions_.holds(power.atom) ? moving : constant).push_back(power);
+        }
+        add_term(sums[moving][u], constant, coefficient);
+      }
+    }
+    for (const auto& [monomial, coefficients] : sums) {
+      Equation equation;
+      for (const auto& [u, sum] : coefficients) {
+        if (!sum.empty()) equation.emplace(u, fraction_of(sum));
+      }
+      if (!equation.empty()) equations_.push_back(std::move(equation));
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool is_complete() const { return is_complete_; }
+  [[nodiscard]] std::vector<Equation> equations() && { return std::move(equations_); }
+
+ private:
+  /// Roots are held in powers 0 and 1 of theirs, which no relation joins.
+  void note(AtomId id) {
+    is_complete_ = is_complete_ && (algebra_.atoms[id].kind == AtomKind::root ||
+                                    is_independent(algebra_, id));
+  }
+
+  /// Squares of roots may bring denominators of their own.
+  bool clear_denominators(std::vector<Value>& row) {
+    for (;;) {
+      std::map<std::uint32_t, std::int32_t> common;
+      for (const Value& entry : row) {
+        if (!entry) return false;
+        for (const auto& [factor, exponent] : entry->denominator) {
+          common[factor] = std::max(common[factor], exponent);
+        }
+      }
+      if (common.empty()) return true;
+      for (Value& entry : row) {
+        std::map<std::uint32_t, std::int32_t> missing = common;
+        for (const auto& [factor, exponent] : entry->denominator) missing[factor] -= exponent;
+        Value cleared = Fraction{entry->numerator, {}};
+        for (const auto& [factor, exponent] : missing) {
+          for (std::int32_t i = 0; i < exponent; ++i) {
+            cleared = field_.multiply(cleared, fraction_of(algebra_.factors[factor].shown));
+          }
+        }
+        entry = std::move(cleared);
+      }
+    }
+  }
+
+  const Algebra& algebra_;
+  FormField& field_;
+  LeafSearch motions_;
+  bool is_complete_ = true;
+  std::vector<Equation> equations_ = {};
+};
+
+/// An unknown that stands alone in an equation is 0, in all of them.
+void remove_single_unknowns(std::vector<Equation>& equations, std::set<std::size_t>& zeros) {
+  for (bool is_done = false; !is_done;) {
+    is_done = true;
+    for (Equation& equation : equations) {
+      std::erase_if(equation, [&](const auto& term) { return zeros.contains(term.first); });
+      if (equation.size() != 1) continue;
+      zeros.insert(equation.begin()->first);
+      is_done = false;
+    }
+    std::erase_if(equations, [](const Equation& equation) { return equation.empty(); });
+  }
+}
+
+/// to -= factor * row; false beyond the budget.
+bool subtract(FormField& field, Equation& to, const Fraction& factor, const Equation& row) {
+  for (const auto& [u, coefficient] : row) {
+    const auto own = to.find(u);
+    const Value before = own == to.end() ? field.integer(0) : own->second;
+    const Value after = field.add(before, field.negate(field.multiply(factor, coefficient)));
+    if (!after) return false;
+    if (own != to.end()) to.erase(own);
+    if (!field.is_zero(after)) to.emplace(u, *after);
+  }
+  return true;
+}
+
+/// Gauss and Jordan from the first unknown to the last; the shortest equation is the pivot.
+std::optional<Echelon<Value>> eliminated(FormField& field, std::vector<Equation> equations,
+                                         std::size_t unknowns) {
+  std::set<std::size_t> zeros;
+  remove_single_unknowns(equations, zeros);
+  std::vector<std::pair<std::size_t, Equation>> done;
+  for (std::size_t u = 0; u < unknowns; ++u) {
+    auto pivot = equations.end();
+    for (auto at = equations.begin(); at != equations.end(); ++at) {
+      if (at->contains(u) && (pivot == equations.end() || at->size() < pivot->size())) pivot = at;
+    }
+    if (pivot == equations.end()) continue;
+    Equation row;
+    const Fraction lead = pivot->at(u);
+    for (const auto& [k, coefficient] : *pivot) {
+      const Value scaled = field.divide(coefficient, lead);
+      if (!scaled) return std::nullopt;
+      row.emplace(k, *scaled);
+    }
+    equations.erase(pivot);
+    const auto reduce = [&](Equation& equation) {
+      const auto own = equation.find(u);
+      return own == equation.end() || subtract(field, equation, Fraction(own->second), row);
+    };
+    for (Equation& equation : equations) {
+      if (!reduce(equation)) return std::nullopt;
+    }
+    for (auto& [k, equation] : done) {
+      if (!reduce(equation)) return std::nullopt;
+    }
+    std::erase_if(equations, [](const Equation& equation) { return equation.empty(); });
+    done.emplace_back(u, std::move(row));
+  }
+  for (const std::size_t u : zeros) done.emplace_back(u, Equation{});
+  Echelon<Value> result;
+  for (const auto& [u, equation] : done) {
+    result.pivots.push_back(u);
+    std::vector<Value>& row = result.rows.emplace_back(unknowns, field.integer(0));
+    for (const auto& [k, coefficient] : equation) row[k] = coefficient;
+  }
+  return result;
+}
+
+/// The slopes of R; none where one is not known.
+std::optional<ResidualSlopes<Value>> slopes_of(ClosedForms& forms, const GeneratorClass& all,
+                                               const OpenTerms& open_values,
+                                               const std::vector<Value>& residual) {
+  const std::size_t n = all.velocity_count;
+  const std::vector<Fraction> still(n);
+  const auto slopes_along = [&](const LeafRates& rates, std::vector<Value>& slopes,
+                                std::size_t column, std::size_t columns) {
+    slopes.resize(n * columns);
+    for (std::size_t i = 0; i < n; ++i) {
+      slopes[i * columns + column] = rate_along(forms, *residual[i], rates);
+      if (!slopes[i * columns + column]) return false;
+    }
+    return true;
+  };
+  const Fraction one = fraction_of(cln::cl_RA(1));
+  ResidualSlopes<Value> slopes;
+  for (std::size_t k = 0; k < n; ++k) {
+    LeafRates by_position{still, still, still, open_values};
+    LeafRates by_velocity = by_position;
+    LeafRates by_acceleration = by_position;
+    by_position.coordinates[k] = one;
+    by_velocity.velocities[k] = one;
+    by_acceleration.accelerations[k] = one;
+    if (!slopes_along(by_position, slopes.by_position, k, n)) return std::nullopt;
+    if (!slopes_along(by_velocity, slopes.by_velocity, k, n)) return std::nullopt;
+    if (!slopes_along(by_acceleration, slopes.by_acceleration, k, n)) return std::nullopt;
+  }
+  if (!slopes_along({still, still, still, open_values, one}, slopes.by_time, 0, 1)) {
+    return std::nullopt;
+  }
+  return slopes;
+}
+
+}  // namespace
+
+MotionPoint<Value> leaf_point(FormField& field, const Model& model,
+                              const std::vector<Value>& residual) {
+  MotionPoint<Value> at;
+  for (std::uint32_t i = 0; i < model.coordinates.size(); ++i) {
+    at.q.push_back(field.leaf(Opcode::coordinate, i));
+  }
+  for (std::uint32_t i = 0; i < model.velocities.size(); ++i) {
+    at.v.push_back(field.leaf(Opcode::velocity, i));
+    at.a.push_back(field.leaf(Opcode::acceleration, i));
+  }
+  at.t = field.leaf(Opcode::time, 0);
+  at.residual = residual;
+  return at;
+}
+
+std::optional<ExactGenerators> exact_generators(ClosedForms& forms, const Model& model,
+                                                const OpenTerms& open_values,
+                                                const std::vector<Value>& residual) {
+  const GeneratorClass all(model);
+  const bool are_known = std::ranges::all_of(residual, [](const Value& x) { return x.has_value(); });
+  if (!all.rotations.empty() || !are_known) return std::nullopt;
+  const auto slopes = slopes_of(forms, all, open_values, residual);
+  if (!slopes) return std::nullopt;
+  FormField field(forms.algebra);
+  Conditions equations(forms, field);
+  for (std::vector<Value>& row :
+       conditions(field, all, leaf_point(field, model, residual), *slopes)) {
+    if (!equations.add(std::move(row))) return std::nullopt;
+  }
+  ExactGenerators result;
+  result.is_complete = equations.is_complete();
+  const auto echelon = eliminated(field, std::move(equations).equations(), all.size());
+  if (!echelon) return std::nullopt;
+  for (const std::vector<Value>& solution : solutions(field, *echelon, all.size())) {
+    std::vector<Fraction>& entries = result.basis.emplace_back();
+    for (const Value& entry : solution) entries.push_back(*entry);
+  }
+  return result;
+}
+
+}  // namespace elgen

@@ -1,0 +1,53 @@
+// The symmetries of generic parameters: the conditions on a generator as closed forms, of which
+// every monomial in q, v, a and t has to vanish by itself.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "analyse/generators.hpp"
+#include "present/arithmetic.hpp"
+
+namespace elgen {
+
+/// Closed forms as the numbers of generators.hpp; none beyond the budget.
+class FormField {
+ public:
+  using Number = Value;
+  explicit FormField(Algebra& algebra) : arithmetic_(algebra, work) {}
+
+  [[nodiscard]] Value integer(int value) const { return fraction_of(cln::cl_RA(value)); }
+  [[nodiscard]] Value add(const Value& x, const Value& y) { return arithmetic_.add(x, y); }
+  [[nodiscard]] Value multiply(const Value& x, const Value& y) {
+    return arithmetic_.multiply(x, y);
+  }
+  [[nodiscard]] Value negate(const Value& x) const { return arithmetic_.negate(x); }
+  [[nodiscard]] Value divide(const Value& x, const Value& y) { return arithmetic_.divide(x, y); }
+  [[nodiscard]] bool is_zero(const Value& x) const { return x && x->numerator.empty(); }
+  [[nodiscard]] Value leaf(Opcode kind, std::uint32_t index) {
+    return arithmetic_.leaf(kind, index);
+  }
+
+ private:
+  static constexpr std::size_t work = 4'000'000;  ///< term products: below two seconds
+  Arithmetic arithmetic_;
+};
+
+/// The leaves as they are, with R.
+[[nodiscard]] MotionPoint<Value> leaf_point(FormField& field, const Model& model,
+                                            const std::vector<Value>& residual);
+
+/// Generators over the parameters.
+struct ExactGenerators {
+  std::vector<std::vector<Fraction>> basis = {};
+  /// No relation joins the functions of q, v, a and t that occur: there are no other generators.
+  bool is_complete = false;
+};
+
+/// Those of R, in closed forms over leaves of which none is a quaternion. None beyond the budget.
+[[nodiscard]] std::optional<ExactGenerators> exact_generators(ClosedForms& forms,
+                                                              const Model& model,
+                                                              const OpenTerms& open_values,
+                                                              const std::vector<Value>& residual);
+
+}  // namespace elgen

@@ -1,0 +1,225 @@
+// Generators of symmetries: one class of infinitesimal changes of a motion, linear in its unknowns.
+//
+//     dq = A q + b + c t of all that is no rotation,  dt constant
+//     dv = A v + c,  da = A a
+//     of a rotation the turn  eta = R^T s + b  in its axes, of which  dw = w x b,  d(w') = w' x b
+//
+// With R = d/dt dL/dv - dL/dq (and [w]x dL/dw of rotations) such a change is a symmetry, dL is a
+// total derivative, exactly where
+//
+//     dR + A^T R = 0    for all q, v, a, t;  of a rotation A = -[b]x
+//
+// since Q = dq - dt v fulfils E(X L) = X E(L) + D_Q^* E(L) with E Euler's operator (Olver,
+// Applications of Lie Groups to Differential Equations, 2nd ed., sec. 5.3). No ansatz for F in dL =
+// dF/dt is needed.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "elgen/model.hpp"
+
+namespace elgen {
+
+/// The unknowns in their order: A by rows, c, b, then s and b of each rotation, then dt.
+struct GeneratorClass {
+  explicit GeneratorClass(const Model& model);
+
+  std::vector<std::uint32_t> coordinates = {};  ///< that are no rotation, by their numbers in q
+  std::vector<std::uint32_t> velocities = {};   ///< of these
+  struct Place {
+    std::uint32_t first_coordinate = 0;
+    std::uint32_t first_velocity = 0;
+  };
+  std::vector<Place> rotations = {};
+  std::size_t velocity_count = 0;
+
+  [[nodiscard]] std::size_t scalars() const { return coordinates.size(); }
+  [[nodiscard]] std::size_t size() const { return time() + 1; }
+  [[nodiscard]] std::size_t a(std::size_t i, std::size_t k) const { return i * scalars() + k; }
+  [[nodiscard]] std::size_t c(std::size_t i) const { return scalars() * scalars() + i; }
+  [[nodiscard]] std::size_t b(std::size_t i) const { return c(scalars()) + i; }
+  [[nodiscard]] std::size_t world_turn(std::size_t rotation, std::size_t axis) const {
+    return b(scalars()) + 2 * axis_count * rotation + axis;
+  }
+  [[nodiscard]] std::size_t body_turn(std::size_t rotation, std::size_t axis) const {
+    return world_turn(rotation, axis) + axis_count;
+  }
+  [[nodiscard]] std::size_t time() const { return world_turn(rotations.size(), 0); }
+};
+
+/// A point of a motion, in numbers or in closed forms, and R there, by velocity.
+template <class Number>
+struct MotionPoint {
+  std::vector<Number> q = {};
+  std::vector<Number> v = {};
+  std::vector<Number> a = {};
+  Number t = {};
+  std::vector<Number> residual = {};
+};
+
+/// The slopes of R at a point: n x n, row-major, by position along each velocity.
+template <class Number>
+struct ResidualSlopes {
+  std::vector<Number> by_position = {};
+  std::vector<Number> by_velocity = {};
+  std::vector<Number> by_acceleration = {};
+  std::vector<Number> by_time = {};
+};
+
+/// Row j of the matrix of a unit quaternion: the j-th axis of the world in the axes of the body.
+template <class Field>
+std::array<typename Field::Number, axis_count> world_axis(
+    Field& field, const std::vector<typename Field::Number>& q, std::uint32_t first,
+    std::size_t j) {
+  using Number = typename Field::Number;
+  const Number& w = q[first];
+  const auto component = [&](std::size_t i) -> const Number& { return q[first + 1 + i]; };
+  const std::size_t k = (j + 1) % axis_count;
+  const std::size_t l = (j + 2) % axis_count;
+  const auto twice = [&](const Number& x) { return field.add(x, x); };
+  const Number squares = field.add(field.multiply(component(k), component(k)),
+                                   field.multiply(component(l), component(l)));
+  const auto mixed = [&](std::size_t i, int sign) {
+    const std::size_t third = axis_count - j - i;
+    const Number turned = field.multiply(w, component(third));
+    return twice(field.add(field.multiply(component(j), component(i)),
+                           sign < 0 ? field.negate(turned) : turned));
+  };
+  std::array<Number, axis_count> row;
+  row[j] = field.add(field.integer(1), field.negate(twice(squares)));
+  row[k] = mixed(k, -1);
+  row[l] = mixed(l, 1);
+  return row;
+}
+
+/// x times the j-th unit vector: the j-th column of [x]x.
+template <class Field>
+std::array<typename Field::Number, axis_count> across(
+    Field& field, const std::vector<typename Field::Number>& x, std::size_t first, std::size_t j) {
+  const std::size_t k = (j + 1) % axis_count;
+  const std::size_t l = (j + 2) % axis_count;
+  std::array<typename Field::Number, axis_count> result;
+  result[j] = field.integer(0);
+  result[k] = x[first + l];
+  result[l] = field.negate(x[first + k]);
+  return result;
+}
+
+/// The change of a point by a generator, each by velocity: along dq, dv, da, and A^T R.
+template <class Number>
+struct PointChange {
+  std::vector<Number> position = {};
+  std::vector<Number> velocity = {};
+  std::vector<Number> acceleration = {};
+  std::vector<Number> transposed = {};
+};
+
+/// That of the generator with these unknowns.
+template <class Field>
+PointChange<typename Field::Number> change_of(Field& field, const GeneratorClass& all,
+                                              const MotionPoint<typename Field::Number>& at,
+                                              const std::vector<typename Field::Number>& x) {
+  using Number = typename Field::Number;
+  const std::vector<Number> none(all.velocity_count, field.integer(0));
+  PointChange<Number> change{none, none, none, none};
+  const auto add = [&](Number& to, const Number& factor, const Number& term) {
+    if (!field.is_zero(factor)) to = field.add(to, field.multiply(factor, term));
+  };
+  for (std::size_t i = 0; i < all.scalars(); ++i) {
+    const std::uint32_t own = all.velocities[i];
+    for (std::size_t k = 0; k < all.scalars(); ++k) {
+      const Number& factor = x[all.a(i, k)];
+      const std::uint32_t other = all.velocities[k];
+      add(change.position[own], factor, at.q[all.coordinates[k]]);
+      add(change.velocity[own], factor, at.v[other]);
+      add(change.acceleration[own], factor, at.a[other]);
+      add(change.transposed[other], factor, at.residual[own]);
+    }
+    add(change.position[own], x[all.c(i)], at.t);
+    add(change.position[own], x[all.b(i)], field.integer(1));
+    add(change.velocity[own], x[all.c(i)], field.integer(1));
+  }
+  for (std::size_t r = 0; r < all.rotations.size(); ++r) {
+    const auto& [first_coordinate, first] = all.rotations[r];
+    for (std::size_t j = 0; j < axis_count; ++j) {
+      const Number& world = x[all.world_turn(r, j)];
+      const Number& body = x[all.body_turn(r, j)];
+      const auto axis = world_axis(field, at.q, first_coordinate, j);
+      const auto velocity = across(field, at.v, first, j);
+      const auto acceleration = across(field, at.a, first, j);
+      const auto residual = across(field, at.residual, first, j);
+      for (std::size_t k = 0; k < axis_count; ++k) {
+        add(change.position[first + k], world, axis[k]);
+        add(change.velocity[first + k], body, velocity[k]);
+        add(change.acceleration[first + k], body, acceleration[k]);
+        // [b]x R = -(R x b)
+        add(change.transposed[first + k], field.negate(body), residual[k]);
+      }
+      add(change.position[first + j], body, field.integer(1));
+    }
+  }
+  return change;
+}
+
+/// dR_i + (A^T R)_i of each unknown: n rows of `all.size()` entries. The unknowns of a symmetry
+/// make the sum of each row 0.
+template <class Field>
+std::vector<std::vector<typename Field::Number>> conditions(
+    Field& field, const GeneratorClass& all, const MotionPoint<typename Field::Number>& at,
+    const ResidualSlopes<typename Field::Number>& slopes) {
+  using Number = typename Field::Number;
+  const std::size_t n = all.velocity_count;
+  std::vector rows(n, std::vector<Number>(all.size(), field.integer(0)));
+  std::vector<Number> unit(all.size(), field.integer(0));
+  for (std::size_t u = 0; u + 1 < all.size(); ++u) {
+    unit[u] = field.integer(1);
+    const PointChange<Number> change = change_of(field, all, at, unit);
+    unit[u] = field.integer(0);
+    for (std::size_t i = 0; i < n; ++i) {
+      Number& entry = rows[i][u];
+      entry = change.transposed[i];
+      const auto along = [&](const std::vector<Number>& slope, const std::vector<Number>& moved) {
+        for (std::size_t k = 0; k < n; ++k) {
+          if (field.is_zero(moved[k])) continue;
+          entry = field.add(entry, field.multiply(slope[i * n + k], moved[k]));
+        }
+      };
+      along(slopes.by_position, change.position);
+      along(slopes.by_velocity, change.velocity);
+      along(slopes.by_acceleration, change.acceleration);
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) rows[i][all.time()] = slopes.by_time[i];
+  return rows;
+}
+
+/// The equations sum_u x_u row_u = 0 after elimination: the unknowns `pivots` follow from the
+/// others, each by the row of its place: x_pivot = -sum over free u of row_u x_u.
+template <class Number>
+struct Echelon {
+  std::vector<std::size_t> pivots = {};
+  std::vector<std::vector<Number>> rows = {};
+};
+
+/// A basis of the solutions: of each free unknown the one in which it is 1 and the other free ones
+/// are 0.
+template <class Field>
+std::vector<std::vector<typename Field::Number>> solutions(
+    Field& field, const Echelon<typename Field::Number>& echelon, std::size_t unknowns) {
+  std::vector<bool> is_pivot(unknowns);
+  for (const std::size_t pivot : echelon.pivots) is_pivot[pivot] = true;
+  std::vector<std::vector<typename Field::Number>> basis;
+  for (std::size_t u = 0; u < unknowns; ++u) {
+    if (is_pivot[u]) continue;
+    auto& solution = basis.emplace_back(unknowns, field.integer(0));
+    solution[u] = field.integer(1);
+    for (std::size_t p = 0; p < echelon.pivots.size(); ++p) {
+      solution[echelon.pivots[p]] = field.negate(echelon.rows[p][u]);
+    }
+  }
+  return basis;
+}
+
+}  // namespace elgen

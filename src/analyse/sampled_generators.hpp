@@ -1,0 +1,45 @@
+// The symmetries at the values of the parameters: the conditions on a generator at random states in
+// 64 digits. Every symmetry solves them, so that there are never more of these.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "analyse/generators.hpp"
+#include "elgen/program.hpp"
+#include "elgen/scene.hpp"
+#include "evaluate/exact_values.hpp"
+
+namespace elgen {
+
+/// Numbers of 64 digits as those of generators.hpp.
+struct RealField {
+  using Number = Real;
+  [[nodiscard]] static Real integer(int value) { return Real(value); }
+  [[nodiscard]] static Real add(const Real& x, const Real& y) { return x + y; }
+  [[nodiscard]] static Real multiply(const Real& x, const Real& y) { return x * y; }
+  [[nodiscard]] static Real negate(const Real& x) { return -x; }
+  [[nodiscard]] static bool is_zero(const Real& x) {
+    return x.is_defined() && cln::zerop(x.value());
+  }
+};
+
+struct SampledGenerators {
+  std::vector<std::vector<cln::cl_R>> basis = {};
+  std::vector<State> states = {};  ///< at which they were found
+};
+
+/// `moving` has the functions of outputs_of_symmetries. None where too few states have a value.
+/// Cost: that of 3 n + 1 derivatives of the inverse dynamics at each of (unknowns / n + 4) states,
+/// and an elimination.
+[[nodiscard]] std::optional<SampledGenerators> sampled_generators(const CheckedModel& checked,
+                                                                  const Program& moving);
+
+/// The point of a state, with R there.
+[[nodiscard]] MotionPoint<Real> sampled_point(ExactValues& values);
+
+/// A number as the fraction p/q, q up to 1000, that it is to 30 digits; none where it is none.
+[[nodiscard]] std::optional<cln::cl_RA> small_fraction(const cln::cl_R& value);
+
+}  // namespace elgen

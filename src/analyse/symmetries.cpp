@@ -1,0 +1,318 @@
+// A basis by closed forms, else by sampling; then of each the integral that it keeps, where dL =
+// dF/dt is proved once more by L = v.dL/dv - E itself.
+#include <cln/integer.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "analyse/exact_generators.hpp"
+#include "analyse/formulas.hpp"
+#include "analyse/leaf_search.hpp"
+#include "analyse/sampled_generators.hpp"
+#include "analyse/substitution.hpp"
+#include "analyse/symmetry_basis.hpp"
+#include "analyse/total_integral.hpp"
+#include "base/exact_number.hpp"
+#include "check/names/requests.hpp"
+#include "elgen/analyse.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_R;
+using cln::cl_RA;
+constexpr std::size_t most_unknowns = 1000;
+
+using Entries = std::vector<Value>;
+
+class SymmetrySearch {
+ public:
+  SymmetrySearch(const CheckedModel& checked, const Program& moving)
+      : checked_(checked), model_(checked.model), moving_(moving), all_(checked.model) {}
+
+  Symmetries operator()() {
+    result_.unknowns = all_.size();
+    result_.forms = present(moving_, budget);
+    open_values_ = open_terms(result_.forms, model_, checked_.scene.specialisation.fixed);
+    rates_ = coordinate_rates(result_.forms, model_);
+    sampled_ = sampled_generators(checked_, moving_);
+    if (sampled_) {
+      result_.sampled = sampled_->basis.size();
+      result_.states = sampled_->states.size();
+    }
+    std::vector<Generator> basis = found_basis();
+    prefer_common_rotations(result_.forms, all_, basis);
+    for (Generator& generator : basis) add(std::move(generator));
+    std::ranges::stable_sort(result_.all, {}, &Symmetry::kind);
+    result_.loses_energy = loses_energy();
+    return std::move(result_);
+  }
+
+ private:
+  static constexpr PresentBudget budget{300'000, 1'500'000};
+
+  /// The closed forms of a function; zeros where there is none.
+  [[nodiscard]] Entries entries_of(OutputKind kind, std::size_t count) const {
+    for (std::size_t i = 0; i < moving_.functions.size(); ++i) {
+      if (moving_.functions[i].kind != kind) continue;
+      const ClosedField& field = result_.forms.functions[i].fields[0];
+      return {field.entries.begin(), field.entries.end()};
+    }
+    return Entries(count, Fraction{});
+  }
+
+  [[nodiscard]] Entries of_velocities(OutputKind kind) const {
+    return entries_of(kind, all_.velocity_count);
+  }
+
+  std::vector<Generator> found_basis() {
+    FormField field(result_.forms.algebra);
+    Entries residual = of_velocities(OutputKind::inverse_dynamics);
+    const Entries dissipation = of_velocities(OutputKind::dissipation);
+    const Entries force = of_velocities(OutputKind::applied_force);
+    for (std::size_t i = 0; i < residual.size(); ++i) {
+      residual[i] = field.add(residual[i], field.add(force[i], field.negate(dissipation[i])));
+    }
+    const auto exact = exact_generators(result_.forms, model_, open_values_, residual);
+    result_.is_exact = exact.has_value();
+    if (exact) {
+      result_.is_complete = exact->is_complete;
+      return exact->basis;
+    }
+    std::vector<Generator> basis;
+    for (const std::vector<cl_R>& numbers : sampled_ ? sampled_->basis : decltype(sampled_->basis){}) {
+      Generator& generator = basis.emplace_back();
+      for (const cl_R& number : numbers) {
+        const std::optional<cl_RA> exact_number = small_fraction(number);
+        if (!exact_number) rounded_.insert(basis.size() - 1);
+        generator.push_back(fraction_of(exact_number ? *exact_number : six_digits(number)));
+      }
+    }
+    return basis;
+  }
+
+  static cl_RA six_digits(const cl_R& number) {
+    const cl_RA scale = power_of_ten(6 - static_cast<long>(decimal_exponent(number)));
+    return cln::round1(number * scale) / scale;
+  }
+
+  void add(Generator generator) {
+    Symmetry symmetry;
+    symmetry.is_rounded = rounded_.contains(result_.all.size());
+    symmetry.kind = kind_of(result_.forms, all_, generator);
+    FormField field(result_.forms.algebra);
+    const Entries unknowns(generator.begin(), generator.end());
+    const MotionPoint<Value> at =
+        leaf_point(field, model_, Entries(all_.velocity_count, Fraction{}));
+    const PointChange<Value> change = change_of(field, all_, at, unknowns);
+    for (const Value& x : change.position) symmetry.displacement.push_back(x.value());
+    symmetry.generator = std::move(generator);
+    const Fraction& time = symmetry.generator.back();
+    Entries names;
+    for (std::uint32_t i = 0; i < all_.velocity_count; ++i) {
+      names.push_back(field.leaf(Opcode::momentum, i));
+    }
+    symmetry.by_names =
+        integral_of(field, change.position, names, time, field.leaf(Opcode::energy, 0)).value();
+    const Value energy = entries_of(OutputKind::energy_function, 1)[0];
+    symmetry.closed =
+        integral_of(field, change.position, of_velocities(OutputKind::momentum), time, energy);
+    symmetry.total = total_of(change, time);
+    symmetry.is_proved = symmetry.total && !symmetry.is_rounded;
+    if (!symmetry.total && keeps_lagrangian(symmetry)) symmetry.total = Fraction{};
+    add_rates(field, change.position, symmetry);
+    if (symmetry.kind == SymmetryKind::time) turn_sign(field, symmetry);
+    result_.all.push_back(std::move(symmetry));
+  }
+
+  static void turn_sign(const FormField& field, Symmetry& symmetry) {
+    symmetry.by_names = field.negate(symmetry.by_names).value();
+    for (Value* const value :
+         {&symmetry.closed, &symmetry.total, &symmetry.loss, &symmetry.rate}) {
+      *value = field.negate(*value);
+    }
+  }
+
+  /// p.dq - E dt
+  static Value integral_of(FormField& field, const Entries& displacement, const Entries& momentum,
+                           const Fraction& time, const Value& energy) {
+    Value sum = field.negate(field.is_zero(time) ? field.integer(0) : field.multiply(time, energy));
+    for (std::size_t i = 0; i < displacement.size(); ++i) {
+      if (field.is_zero(displacement[i])) continue;
+      sum = field.add(sum, field.multiply(displacement[i], momentum[i]));
+    }
+    return sum;
+  }
+
+  /// F of dL = dF/dt, L = v.p - E.
+  Value total_of(const PointChange<Value>& change, const Fraction& time) {
+    FormField field(result_.forms.algebra);
+    Value lagrangian = field.negate(entries_of(OutputKind::energy_function, 1)[0]);
+    const Entries momentum = of_velocities(OutputKind::momentum);
+    for (std::uint32_t i = 0; i < all_.velocity_count; ++i) {
+      lagrangian =
+          field.add(lagrangian, field.multiply(field.leaf(Opcode::velocity, i), momentum[i]));
+    }
+    if (!lagrangian) return std::nullopt;
+    LeafRates moved{{}, {}, {}, open_values_, time};
+    for (std::uint32_t i = 0; i < model_.coordinates.size(); ++i) {
+      const Value rate = rates_.empty() ? change.position[i] : moved_coordinate(i, change.position);
+      if (!rate) return std::nullopt;
+      moved.coordinates.push_back(*rate);
+    }
+    for (const Value& velocity : change.velocity) moved.velocities.push_back(velocity.value());
+    Value slope = rate_along(result_.forms, *lagrangian, moved);
+    if (slope) slope = with_unit_quaternions(*slope);
+    if (!slope) return std::nullopt;
+    return total_integral(result_.forms, model_, rates_, open_values_, *slope);
+  }
+
+  /// (N x)_i, of dq/dt = N v with x in the place of v.
+  Value moved_coordinate(std::uint32_t i, const Entries& x) {
+    Replacements replacements;
+    for (std::uint32_t k = 0; k < x.size(); ++k) {
+      if (!x[k]) return std::nullopt;
+      replacements[{Opcode::velocity, k}].value = *x[k];
+    }
+    return substituted(result_.forms.algebra, rates_[i], replacements);
+  }
+
+  /// w^2 = 1 - x^2 - y^2 - z^2 of the numerator.
+  Value with_unit_quaternions(const Fraction& form) {
+    if (all_.rotations.empty()) return form;
+    FormField field(result_.forms.algebra);
+    Fraction over{{{Monomial{}, Gaussian{1, 0}}}, form.denominator};
+    Value sum = Fraction{};
+    for (const auto& [monomial, coefficient] : form.numerator) {
+      Value term = fraction_of(Polynomial{{Monomial{}, coefficient}});
+      for (const AtomPower& power : monomial) term = field.multiply(term, reduced(field, power));
+      sum = field.add(sum, term);
+    }
+    return field.multiply(sum, over);
+  }
+
+  Value reduced(FormField& field, AtomPower power) const {
+    const Atom& atom = result_.forms.algebra.atoms[power.atom];
+    const bool is_scalar_part =
+        atom.kind == AtomKind::leaf && atom.leaf == Opcode::coordinate &&
+        std::ranges::any_of(all_.rotations, [&](const GeneratorClass::Place& place) {
+          return place.first_coordinate == atom.index;
+        });
+    const std::uint32_t first = atom.index;
+    Value result = field.integer(1);
+    for (; is_scalar_part && power.exponent >= 2; power.exponent -= 2) {
+      Value rest = field.integer(1);
+      for (std::uint32_t i = 1; i <= axis_count; ++i) {
+        const Value x = field.leaf(Opcode::coordinate, first + i);
+        rest = field.add(rest, field.negate(field.multiply(x, x)));
+      }
+      result = field.multiply(result, rest);
+    }
+    if (power.exponent == 0) return result;
+    return field.multiply(result, fraction_of(Polynomial{{Monomial{power}, Gaussian{1, 0}}}));
+  }
+
+  /// Whether dL is 0 at all sampled states: then F is 0.
+  [[nodiscard]] bool keeps_lagrangian(const Symmetry& symmetry) const {
+    static const cl_R noise = power_of_ten(-30);
+    if (!sampled_) return false;
+    RealField field;
+    return std::ranges::all_of(sampled_->states, [&](const State& state) {
+      ExactValues values({model_, checked_.scene, moving_}, state);
+      std::vector<Real> unknowns;
+      for (const Fraction& entry : symmetry.generator) {
+        unknowns.push_back(value_of(result_.forms.algebra, entry, values.arguments()));
+      }
+      const PointChange<Real> change = change_of(field, all_, sampled_point(values), unknowns);
+      Arguments<Real> direction = values.at_rest();
+      direction.q = values.coordinate_rates(change.position);
+      direction.v = change.velocity;
+      direction.t = unknowns.back();
+      const Arguments<Real>& at = values.arguments();
+      const std::vector<Real>& momentum = values.value(OutputKind::momentum);
+      const std::vector<Real> slopes = values.slopes(OutputKind::momentum, direction);
+      Real sum = -values.slopes(OutputKind::energy_function, direction)[0];
+      for (std::size_t i = 0; i < momentum.size(); ++i) {
+        sum = sum + change.velocity[i] * momentum[i] + at.v[i] * slopes[i];
+      }
+      return sum.is_defined() && cln::abs(sum.value()) < noise;
+    });
+  }
+
+  /// (dq - v dt).(B u + Q - dD/dv)
+  void add_rates(FormField& field, const Entries& displacement, Symmetry& symmetry) const {
+    const std::size_t n = all_.velocity_count;
+    const std::size_t inputs = model_.inputs.size();
+    const Entries dissipation = of_velocities(OutputKind::dissipation);
+    const Entries force = of_velocities(OutputKind::applied_force);
+    const Entries by_input = entries_of(OutputKind::input_matrix, n * inputs);
+    Value loss = Fraction{};
+    Value work = Fraction{};
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const Value passed =
+          field.multiply(symmetry.generator.back(), field.leaf(Opcode::velocity, i));
+      const Value along = field.add(displacement[i], field.negate(passed));
+      if (field.is_zero(along)) continue;
+      const Value own = field.add(force[i], field.negate(dissipation[i]));
+      loss = field.add(loss, field.multiply(along, own));
+      for (std::uint32_t k = 0; k < inputs; ++k) {
+        const Value input =
+            field.multiply(by_input[i * inputs + k], field.leaf(Opcode::input, k));
+        work = field.add(work, field.multiply(along, input));
+      }
+    }
+    symmetry.rate = field.add(loss, work);
+    symmetry.loss = std::move(loss);
+  }
+
+  /// T + V - E = 2 T0 + T1: without T1 its rate is 0 where it holds neither q nor t.
+  bool loses_energy() {
+    const bool has_time =
+        std::ranges::any_of(result_.all, [](const Symmetry& symmetry) {
+          return symmetry.kind == SymmetryKind::time;
+        });
+    if (!has_time || find_function(moving_, OutputKind::total_energy) == nullptr) return false;
+    FormField field(result_.forms.algebra);
+    const Value difference = field.add(entries_of(OutputKind::total_energy, 1)[0],
+                                       field.negate(entries_of(OutputKind::energy_function, 1)[0]));
+    if (!difference) return false;
+    const auto holds = [&](bool (*wanted)(const Atom&)) {
+      return LeafSearch(result_.forms.algebra, wanted).holds(*difference);
+    };
+    return !holds([](const Atom& leaf) { return leaf.leaf == Opcode::velocity; }) &&
+           holds([](const Atom& leaf) { return leaf.leaf != Opcode::parameter; });
+  }
+
+  const CheckedModel& checked_;
+  const Model& model_;
+  const Program& moving_;
+  GeneratorClass all_;
+  OpenTerms open_values_ = {};
+  std::vector<Fraction> rates_ = {};  ///< dq/dt; empty where it is v
+  std::optional<SampledGenerators> sampled_ = {};
+  std::set<std::size_t> rounded_ = {};
+  Symmetries result_ = {};
+};
+
+}  // namespace
+
+std::vector<OutputRequest> outputs_of_symmetries(const Model& model) {
+  return available_requests(
+      model, {OutputKind::dissipation, OutputKind::applied_force, OutputKind::momentum,
+              OutputKind::total_energy, OutputKind::energy_function, OutputKind::input_matrix,
+              OutputKind::inverse_dynamics});
+}
+
+Result<Symmetries> find_symmetries(const CheckedModel& checked, const Program& recursive) {
+  const std::size_t unknowns = GeneratorClass(checked.model).size();
+  if (unknowns > most_unknowns) {
+    return Diagnostic{Code::E910,
+                      {},
+                      fmt::format("symmetries of {} velocities have {} unknowns, more than {}",
+                                  checked.model.velocities.size(), unknowns, most_unknowns)};
+  }
+  return {SymmetrySearch(checked, recursive)(), {}};
+}
+
+}  // namespace elgen

@@ -1,0 +1,291 @@
+// The page of symmetries: a row for each with its change and its integral, the claim, and the
+// integrals as a model states them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "analyse/generators.hpp"
+#include "analyse/page.hpp"
+#include "present/arithmetic.hpp"
+
+namespace elgen {
+namespace {
+
+bool is_nothing(const std::optional<Fraction>& form) { return form && form->numerator.empty(); }
+
+const char* name_of(SymmetryKind kind) {
+  switch (kind) {
+    case SymmetryKind::coordinate:
+    case SymmetryKind::translation:
+      return "translation";
+    case SymmetryKind::boost:
+      return "boost";
+    case SymmetryKind::rotation:
+      return "rotation";
+    case SymmetryKind::turn:
+      return "turn";
+    case SymmetryKind::other:
+      return "other";
+    case SymmetryKind::time:
+      return "time";
+  }
+  return "";
+}
+
+class SymmetriesPage {
+ public:
+  SymmetriesPage(const CheckedModel& checked, const Symmetries& symmetries)
+      : model_(checked.model),
+        symmetries_(symmetries),
+        forms_(symmetries.forms),
+        all_(checked.model),
+        symbols_(symbols_of(checked.model)) {}
+
+  AnalysisPage operator()() {
+    AnalysisPage page;
+    page.title = title();
+    if (!symmetries_.all.empty()) page.parts.push_back({.table = table()});
+    page.parts.push_back({.lines = claims()});
+    const std::vector<std::string> names = conserved();
+    if (names.empty()) return page;
+    std::string list;
+    for (const std::string& name : names) {
+      list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", name);
+    }
+    page.parts.push_back({.title = "[[expect]]", .doc = fmt::format("conserved = [{}]", list)});
+    return page;
+  }
+
+  /// The integrals that forces leave alone, as an [[expect]] states them.
+  std::vector<std::string> conserved() {
+    std::vector<std::string> result;
+    Arithmetic arithmetic(forms_.algebra);
+    for (const Symmetry& symmetry : symmetries_.all) {
+      if (symmetry.is_rounded || !symmetry.total || !is_nothing(symmetry.loss)) continue;
+      const auto whole = read(arithmetic.subtract(symmetry.by_names, *symmetry.total));
+      if (whole) result.push_back(whole->text);
+    }
+    return result;
+  }
+
+  nlohmann::ordered_json json() {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    const auto text_of = [&](const std::optional<Fraction>& form) {
+      const std::optional<Printed> formula = read(form);
+      return formula ? nlohmann::ordered_json(formula->text) : nlohmann::ordered_json(nullptr);
+    };
+    for (const Symmetry& symmetry : symmetries_.all) {
+      nlohmann::ordered_json entry{{"kind", name_of(symmetry.kind)}};
+      nlohmann::ordered_json change = nlohmann::ordered_json::array();
+      for (const Fraction& along : symmetry.displacement) change.push_back(text_of(along));
+      entry["displacement"] = change;
+      entry["time"] = text_of(symmetry.generator.back());
+      entry["integral"] = text_of(symmetry.by_names);
+      entry["closed_form"] = text_of(symmetry.closed);
+      entry["F"] = text_of(symmetry.total);
+      entry["rate"] = text_of(symmetry.rate);
+      entry["proved"] = symmetry.is_proved;
+      list.push_back(std::move(entry));
+    }
+    return {{"model", model_.name},
+            {"unknowns", symmetries_.unknowns},
+            {"exact", symmetries_.is_exact},
+            {"complete", symmetries_.is_complete},
+            {"sampled", symmetries_.sampled},
+            {"states", symmetries_.states},
+            {"symmetries", list},
+            {"conserved", conserved()}};
+  }
+
+ private:
+  [[nodiscard]] std::optional<Printed> read(const std::optional<Fraction>& form) const {
+    return printed(model_, forms_.algebra, form);
+  }
+
+  [[nodiscard]] Printed title() const {
+    const bool turns = !all_.rotations.empty();
+    const Printed change{turns ? "dq = A q + b + c t, turns R^T s + b" : "dq = A q + b + c t",
+                         turns ? "\\delta q = A q + b + c t, \\text{turns } R^{\\top} s + b"
+                               : "\\delta q = A q + b + c t"};
+    const std::size_t count = symmetries_.all.size();
+    const Printed time{fmt::format("dt constant: {}", count),
+                       fmt::format("\\delta t \\text{{ constant: {}}}", count)};
+    const Printed subject = prose(title_of(model_) + ": symmetries of L,") + change;
+    return Printed{subject.text + ", " + time.text, subject.latex + ", " + time.latex};
+  }
+
+  [[nodiscard]] bool is_about_time_alone() const {
+    return std::ranges::all_of(symmetries_.all, [](const Symmetry& symmetry) {
+      return symmetry.kind == SymmetryKind::time;
+    });
+  }
+
+  PageTable table() {
+    PageTable table;
+    const bool has_change = !is_about_time_alone();
+    const bool has_rate = std::ranges::any_of(
+        symmetries_.all, [](const Symmetry& symmetry) { return !is_nothing(symmetry.rate); });
+    table.heads.resize(2U + (has_change ? 1U : 0U) + (has_rate ? 1U : 0U));
+    for (const Symmetry& symmetry : symmetries_.all) {
+      table.cells.push_back(name(symmetry));
+      if (has_change) table.cells.push_back(change(symmetry));
+      table.cells.push_back(integral(symmetry));
+      if (has_rate) table.cells.push_back(rate(symmetry));
+    }
+    return table;
+  }
+
+  /// The only velocity along which a symmetry moves.
+  [[nodiscard]] static std::size_t moved_velocity(const Symmetry& symmetry) {
+    const auto moved = std::ranges::find_if(
+        symmetry.displacement, [](const Fraction& x) { return !x.numerator.empty(); });
+    return static_cast<std::size_t>(moved - symmetry.displacement.begin());
+  }
+
+  [[nodiscard]] Printed name(const Symmetry& symmetry) const {
+    if (symmetry.kind != SymmetryKind::coordinate) return prose(name_of(symmetry.kind));
+    return symbols_.q[model_.velocities[moved_velocity(symmetry)].coordinate];
+  }
+
+  /// "dx = -y, dy = x", "dt = 1"
+  Printed change(const Symmetry& symmetry) const {
+    std::vector<Printed> parts;
+    for (std::size_t i = 0; i < all_.scalars(); ++i) {
+      const Fraction& along = symmetry.displacement[all_.velocities[i]];
+      if (along.numerator.empty()) continue;
+      parts.push_back(moved(symbols_.q[all_.coordinates[i]], along));
+    }
+    for (std::size_t r = 0; r < all_.rotations.size(); ++r) add_turns(parts, symmetry, r);
+    const Fraction& time = symmetry.generator.back();
+    if (!time.numerator.empty()) parts.push_back(moved(symbols_.t, time));
+    return joined(parts);
+  }
+
+  /// "attitude turned by R^T (0, 0, 1)"
+  void add_turns(std::vector<Printed>& parts, const Symmetry& symmetry, std::size_t rotation) const {
+    const Printed world = triple(symmetry, all_.world_turn(rotation, 0));
+    const Printed body = triple(symmetry, all_.body_turn(rotation, 0));
+    if (world.text.empty() && body.text.empty()) return;
+    const Printed sum = world.text.empty() || body.text.empty() ? Printed{} : Printed{"+", "+"};
+    const Printed turned = world.text.empty()
+                               ? Printed{}
+                               : Printed{"R^T " + world.text, "R^{\\top} " + world.latex};
+    parts.push_back(prose(model_.rotations[rotation].name + " turned by") + turned + sum + body);
+  }
+
+  [[nodiscard]] Printed triple(const Symmetry& symmetry, std::size_t first) const {
+    std::vector<Printed> entries;
+    bool is_none = true;
+    for (std::size_t k = first; k < first + axis_count; ++k) {
+      is_none = is_none && symmetry.generator[k].numerator.empty();
+      entries.push_back(read(symmetry.generator[k]).value_or(Printed{"?", "?"}));
+    }
+    if (is_none) return {};
+    const Printed list = joined(entries);
+    return {"(" + list.text + ")", "(" + list.latex + ")"};
+  }
+
+  [[nodiscard]] Printed moved(const Printed& symbol, const Fraction& along) const {
+    const Printed formula = read(along).value_or(prose("a long form"));
+    return {fmt::format("d{} = {}", symbol.text, formula.text),
+            fmt::format("\\delta {} = {}", symbol.latex, formula.latex)};
+  }
+
+  static Printed joined(const std::vector<Printed>& parts) {
+    Printed result;
+    for (const Printed& part : parts) {
+      const bool is_first = result.text.empty();
+      result = {result.text + (is_first ? "" : ", ") + part.text,
+                result.latex + (is_first ? "" : ", ") + part.latex};
+    }
+    return result;
+  }
+
+  /// "p_x = m v", "E = ...", "p_x t - F,   F = m x", "x p_y - y p_x = ..."
+  [[nodiscard]] Printed integral(const Symmetry& symmetry) const {
+    Printed result = read(symmetry.by_names).value_or(prose("a long form"));
+    if (!symmetry.total) {
+      return Printed{result.text + " - F,", result.latex + " - F, \\quad"} +
+             prose("F has no closed form");
+    }
+    if (!is_nothing(symmetry.total)) {
+      const Printed total = read(symmetry.total).value_or(prose("a long form"));
+      return {fmt::format("{} - F,   F = {}", result.text, total.text),
+              fmt::format("{} - F, \\quad F = {}", result.latex, total.latex)};
+    }
+    const std::optional<Printed> closed = read(symmetry.closed);
+    if (closed) {
+      result = {fmt::format("{} = {}", result.text, closed->text),
+                fmt::format("{} = {}", result.latex, closed->latex)};
+    }
+    if (symmetry.kind != SymmetryKind::time || !symmetries_.loses_energy) return result;
+    const Printed note{"(T + V is not conserved)", "\\quad (T + V \\text{ is not conserved})"};
+    return Printed{result.text + "   " + note.text, result.latex + " " + note.latex};
+  }
+
+  [[nodiscard]] Printed rate(const Symmetry& symmetry) const {
+    if (is_nothing(symmetry.rate)) return {};
+    const std::optional<Printed> formula = read(symmetry.rate);
+    if (!formula) {
+      return {"d/dt = (dq - v dt).(B u + Q - dD/dv)",
+              "\\frac{d}{dt} = (\\delta q - v \\delta t) \\cdot (B u + Q - \\frac{\\partial "
+              "D}{\\partial v})"};
+    }
+    return {"d/dt = " + formula->text, "d/dt = " + formula->latex};
+  }
+
+  [[nodiscard]] std::vector<Printed> claims() const {
+    std::vector<Printed> lines;
+    std::string line;
+    const bool are_proved = std::ranges::all_of(symmetries_.all, &Symmetry::is_proved);
+    const bool is_free = std::ranges::all_of(
+        symmetries_.all, [](const Symmetry& symmetry) { return is_nothing(symmetry.rate); });
+    const std::string sampled =
+        fmt::format("sampled at {} states in 64 digits", symmetries_.states);
+    if (!symmetries_.all.empty()) {
+      line = fmt::format("{}: {}; ", is_free ? "conserved" : "conserved where d/dt is 0",
+                         are_proved ? "proved" : symmetries_.is_exact ? "dL = dF/dt is proved"
+                                                                      : sampled);
+    }
+    const std::string unknowns = fmt::format("{} unknowns", symmetries_.unknowns);
+    const std::string subject = symmetries_.all.empty() ? "there are none" : "these are all";
+    const bool agrees = symmetries_.states > 0 && symmetries_.sampled == symmetries_.all.size();
+    if (symmetries_.is_complete) {
+      line += fmt::format("{} of this form ({}, exactly)", subject, unknowns);
+    } else if (agrees) {
+      line += fmt::format("{} of this form at the values of the parameters ({}, sampled)", subject,
+                          unknowns);
+    } else {
+      line += fmt::format("these are at least those of this form ({})", unknowns);
+    }
+    lines.push_back(prose(line));
+    if (symmetries_.states > 0 && !agrees) {
+      lines.push_back(prose(fmt::format("at the values of the parameters there are {} ({})",
+                                        symmetries_.sampled, sampled)));
+    }
+    return lines;
+  }
+
+  const Model& model_;
+  const Symmetries& symmetries_;
+  ClosedForms forms_;  ///< a copy: reading forms adds to their algebra
+  GeneratorClass all_;
+  LeafValues<Printed> symbols_;
+};
+
+}  // namespace
+
+Sheet symmetries_sheet(const CheckedModel& checked, const Symmetries& symmetries) {
+  return sheet_of(SymmetriesPage(checked, symmetries)());
+}
+
+std::string symmetries_text(const CheckedModel& checked, const Symmetries& symmetries) {
+  return text_of(SymmetriesPage(checked, symmetries)());
+}
+
+std::string symmetries_json(const CheckedModel& checked, const Symmetries& symmetries) {
+  return SymmetriesPage(checked, symmetries).json().dump(1) + "\n";
+}
+
+}  // namespace elgen

@@ -1,0 +1,22 @@
+// The basis of the symmetries of a system in the terms of mechanics.
+#pragma once
+
+#include <vector>
+
+#include "analyse/generators.hpp"
+#include "elgen/analyse.hpp"
+
+namespace elgen {
+
+/// The unknowns of one, in the order of the class.
+using Generator = std::vector<Fraction>;
+
+/// Of a basis in which every vector has a last unknown that no other has: the rotations of all
+/// pairs, or triples, of coordinates at once take the place of vectors where they are symmetries.
+void prefer_common_rotations(ClosedForms& forms, const GeneratorClass& all,
+                             std::vector<Generator>& basis);
+
+[[nodiscard]] SymmetryKind kind_of(ClosedForms& forms, const GeneratorClass& all,
+                                   const Generator& generator);
+
+}  // namespace elgen

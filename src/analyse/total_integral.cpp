@@ -1,0 +1,142 @@
+// One variable after the other: after F took the part of dF/dt before v_k, the rest holds v_k no
+// more.
+#include "analyse/total_integral.hpp"
+
+#include "analyse/leaf_search.hpp"
+#include "present/arithmetic.hpp"
+#include "present/polynomial.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_RA;
+
+Value form_of(const Monomial& monomial, const Gaussian& coefficient = {1, 0}) {
+  return fraction_of(Polynomial{{monomial, coefficient}});
+}
+
+/// Nothing changes.
+LeafRates still(const Model& model) {
+  const std::vector<Fraction> velocities(model.velocities.size());
+  const std::vector<OpenTerm> constant_value{{0, {}}};
+  return {std::vector<Fraction>(model.coordinates.size()), velocities, velocities,
+          OpenTerms(model.open_values.size(), constant_value), {}};
+}
+
+/// Integrals by one leaf.
+class Integral {
+ public:
+  Integral(ClosedForms& forms, const Model& model, Opcode kind, std::uint32_t index)
+      : forms_(forms),
+        arithmetic_(forms.algebra),
+        search_(forms.algebra,
+                [=](const Atom& leaf) { return leaf.leaf == kind && leaf.index == index; }),
+        leaf_(*arithmetic_.leaf(kind, index)),
+        unit_(still(model)) {
+    const Fraction one = fraction_of(cl_RA(1));
+    (kind == Opcode::time ? unit_.time : unit_.coordinates[index]) = one;
+  }
+
+  Value of(const Fraction& x) {
+    for (const auto& [factor, exponent] : x.denominator) {
+      if (search_.holds(forms_.algebra.factors[factor].shown)) return std::nullopt;
+    }
+    Value sum = Fraction{};
+    for (const auto& [monomial, coefficient] : x.numerator) {
+      sum = arithmetic_.add(sum, of_term(monomial, coefficient));
+    }
+    return arithmetic_.multiply(sum, Fraction{constant(1), x.denominator});
+  }
+
+ private:
+  /// c x^n e^(r x): e^(r x) sum_k (-1)^k n!/(n-k)! x^(n-k)/r^(k+1)
+  Value of_term(const Monomial& monomial, const Gaussian& coefficient) {
+    const AtomId own = leaf_.numerator.begin()->first[0].atom;
+    std::int32_t n = 0;
+    Monomial rest;
+    Value rate = Fraction{};
+    for (const AtomPower& power : monomial) {
+      if (power.atom == own) {
+        n = power.exponent;
+        continue;
+      }
+      rest.push_back(power);
+      if (!search_.holds(power.atom)) continue;
+      rate = arithmetic_.add(rate, exponential_rate(power));
+    }
+    const Value factor = form_of(rest, coefficient);
+    if (!rate) return std::nullopt;
+    if (rate->numerator.empty()) {
+      if (n == -1) return std::nullopt;
+      const Value power = form_of({{own, n + 1}}, {cl_RA(1) / (n + 1), 0});
+      return arithmetic_.multiply(factor, n == -1 ? Value{} : power);
+    }
+    if (n < 0) return std::nullopt;
+    Value sum = Fraction{};
+    Value below = rate;
+    cl_RA weight = 1;
+    for (std::int32_t k = 0; k <= n; ++k) {
+      const Value power = k == n ? fraction_of(weight) : form_of({{own, n - k}}, {weight, 0});
+      sum = arithmetic_.add(sum, arithmetic_.divide(power, below));
+      below = arithmetic_.multiply(below, rate);
+      weight = -weight * (n - k);
+    }
+    return arithmetic_.multiply(factor, sum);
+  }
+
+  /// r of e^(i a)^k and exp(a)^k where a is linear in x; none of other functions of x.
+  Value exponential_rate(const AtomPower& power) {
+    const Atom atom = forms_.algebra.atoms[power.atom];  // a copy: atoms may be added
+    const bool is_real = atom.kind == AtomKind::call && atom.function == FunctionId::exp;
+    if (!is_real && atom.kind != AtomKind::circular) return std::nullopt;
+    const Value slope = rate_along(forms_, atom.arguments[0], unit_);
+    if (!slope || search_.holds(*slope)) return std::nullopt;
+    const cl_RA share = power.exponent / atom.divisor;
+    const Gaussian factor = is_real ? Gaussian{power.exponent, 0} : Gaussian{0, share};
+    return arithmetic_.multiply(form_of({}, factor), slope);
+  }
+
+  ClosedForms& forms_;
+  Arithmetic arithmetic_;
+  LeafSearch search_;
+  Fraction leaf_;
+  LeafRates unit_;
+};
+
+/// The coefficient of v_k in a form linear in the velocities.
+Value coefficient_of(ClosedForms& forms, const Model& model, const Fraction& form,
+                     std::uint32_t velocity) {
+  LeafRates unit = still(model);
+  unit.velocities[velocity] = fraction_of(cl_RA(1));
+  return rate_along(forms, form, unit);
+}
+
+}  // namespace
+
+std::optional<Fraction> total_integral(ClosedForms& forms, const Model& model,
+                                       const std::vector<Fraction>& rates,
+                                       const OpenTerms& open_values, const Fraction& rate) {
+  Arithmetic arithmetic(forms.algebra);
+  const LeafRates motion{rates, {}, {}, open_values, fraction_of(cl_RA(1))};
+  Value rest = rate;
+  Value total = Fraction{};
+  const auto take = [&](const Value& slope, Opcode kind, std::uint32_t index) {
+    if (!slope) return false;
+    if (slope->numerator.empty()) return true;
+    const Value part = Integral(forms, model, kind, index).of(*slope);
+    if (!part) return false;
+    total = arithmetic.add(total, part);
+    rest = arithmetic.subtract(rest, rate_along(forms, *part, motion));
+    return total && rest;
+  };
+  for (std::uint32_t i = 0; i < model.coordinates.size() && !rest->numerator.empty(); ++i) {
+    if (model.coordinates[i].rotation) continue;
+    const Value slope = coefficient_of(forms, model, *rest, model.coordinates[i].velocity);
+    if (!take(slope, Opcode::coordinate, i)) return std::nullopt;
+  }
+  if (!rest->numerator.empty() && !take(rest, Opcode::time, 0)) return std::nullopt;
+  if (!rest->numerator.empty()) return std::nullopt;
+  return total;
+}
+
+}  // namespace elgen
