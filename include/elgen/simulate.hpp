@@ -37,7 +37,7 @@ struct Drift {
 };
 
 /// An entry of `conserved` along a run.
-struct Invariant {
+struct ConservedDrift {
   std::string text = {};  ///< as in the model
   std::string unit = {};  ///< "" where it is 1 or not known
   double start = 0;
@@ -63,7 +63,7 @@ struct Trajectory {
   Drift energy = {};
   std::vector<Drift> momenta = {};  ///< of coordinates that are cyclic and free of forces
   /// Of the model's `conserved`, which speaks of u = 0; none of a scene that locks or expands.
-  std::vector<Invariant> conserved = {};
+  std::vector<ConservedDrift> conserved = {};
   std::uint64_t steps = 0;
   double nanoseconds = 0;  ///< per step
 };

@@ -84,6 +84,7 @@ cl_R Mechanics::momentum(const Direction& w) {
 
 /// p_i is the coefficient of e0 in L(v + e_i e0), v.dL/dv in L(v + v e0).
 void Mechanics::add_momenta(Motion& motion) {
+  motion.momenta.assign(size(), Jet());
   for (std::size_t i = 0; i < size(); ++i) {
     Motion pushed = motion;
     displace(pushed.v, unit(i), first);

@@ -1,7 +1,7 @@
 // equation_of_motion: the terms a model has. It is that of the whole model, also where a scene asks
 // for some of its terms only; where none of them knows of motion it is the one at rest. The
-// variables stand on a few lines; rates are named where some function knows of them. What is
-// conserved follows from the entries that are 0.
+// variables stand on a few lines; rates are named where some function knows of them. Conserved
+// quantities follow from the entries that are 0.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -53,13 +53,13 @@ Recorder::Recorder(System& system, const SimulationOptions& options, const Traje
       options_(options),
       momenta_at_start_(system.velocities()),
       momenta_(system.velocities()),
-      conserved_(system.invariants()),
+      conserved_(system.conserved()),
       of_momenta_(system.cyclic().size()),
       last_(start) {
   const double* const q = start.state.data();
   energy_at_start_ = system.energy(q, system.v_of(start.state), start.t);
   system.momentum(q, system.v_of(start.state), start.t, momenta_at_start_.data());
-  const Numbers& values = system.invariant_values(q, system.v_of(start.state), start.t);
+  const Numbers& values = system.conserved_values(q, system.v_of(start.state), start.t);
   for (std::size_t i = 0; i < values.size(); ++i) conserved_[i].start = values[i];
 }
 
@@ -128,10 +128,10 @@ void Recorder::add_momenta(const TrajectorySample& sample, double part) {
 
 void Recorder::add_conserved(const TrajectorySample& sample) {
   const Numbers& values =
-      system_.invariant_values(sample.state.data(), system_.v_of(sample.state), sample.t);
+      system_.conserved_values(sample.state.data(), system_.v_of(sample.state), sample.t);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    Invariant& invariant = conserved_[i];
-    invariant.drift = std::max(invariant.drift, std::abs(values[i] - invariant.start));
+    ConservedDrift& quantity = conserved_[i];
+    quantity.drift = std::max(quantity.drift, std::abs(values[i] - quantity.start));
   }
 }
 

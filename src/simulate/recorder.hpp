@@ -72,7 +72,7 @@ class Recorder {
   double energy_at_start_ = 0;
   Numbers momenta_at_start_;
   Numbers momenta_;
-  std::vector<Invariant> conserved_;
+  std::vector<ConservedDrift> conserved_;
   DriftMeter energy_ = {};
   std::vector<DriftMeter> of_momenta_;
   std::vector<std::vector<double>> rows_ = {};

@@ -22,17 +22,17 @@ nlohmann::ordered_json json_of(const Drift& drift) {
           {"scale", drift.scale}};
 }
 
-std::string conserved_line(const Invariant& invariant) {
-  const std::string unit = invariant.unit.empty() ? "" : " " + invariant.unit;
-  return fmt::format("  {} = {:.10g}{} at the start, drift {:.3e}{}\n", invariant.text,
-                     invariant.start, unit, invariant.drift, unit);
+std::string conserved_line(const ConservedDrift& quantity) {
+  const std::string unit = quantity.unit.empty() ? "" : " " + quantity.unit;
+  return fmt::format("  {} = {:.10g}{} at the start, drift {:.3e}{}\n", quantity.text,
+                     quantity.start, unit, quantity.drift, unit);
 }
 
-nlohmann::ordered_json json_of(const Invariant& invariant) {
-  return {{"text", invariant.text},
-          {"unit", invariant.unit},
-          {"start", invariant.start},
-          {"drift", invariant.drift}};
+nlohmann::ordered_json json_of(const ConservedDrift& quantity) {
+  return {{"text", quantity.text},
+          {"unit", quantity.unit},
+          {"start", quantity.start},
+          {"drift", quantity.drift}};
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ std::string to_text(const Trajectory& trajectory) {
   for (const Drift& momentum : trajectory.momenta) {
     text += drift_line(fmt::format("momentum of {}", momentum.name), momentum);
   }
-  for (const Invariant& invariant : trajectory.conserved) text += conserved_line(invariant);
+  for (const ConservedDrift& quantity : trajectory.conserved) text += conserved_line(quantity);
   return text + fmt::format("  {:.0f} ns per step\n", trajectory.nanoseconds);
 }
 
@@ -76,7 +76,8 @@ std::string to_json(const Trajectory& trajectory) {
                                 {"columns", nlohmann::ordered_json::array()},
                                 {"rows", trajectory.rows}};
   for (const Drift& momentum : trajectory.momenta) object["momenta"].push_back(json_of(momentum));
-  for (const Invariant& each : trajectory.conserved) object["conserved"].push_back(json_of(each));
+  for (const ConservedDrift& each : trajectory.conserved)
+    object["conserved"].push_back(json_of(each));
   for (const TrajectoryColumn& column : trajectory.columns) {
     object["columns"].push_back({{"name", column.name}, {"unit", column.unit}});
   }

@@ -78,10 +78,11 @@ StateFunction::Rated StateFunction::leaf(const Expression& node) const {
       return coordinate(node.index);
     case Opcode::velocity:
       return {v_[node.index], others_.a[node.index]};
-    case Opcode::parameter:
-      return {others_.parameters[node.index], 0};
-    default:
-      return {leaf_of(others_, node.leaf, node.index), std::numeric_limits<double>::quiet_NaN()};
+    default: {
+      const bool is_constant = leaf_row(node.leaf).of == LeafOwner::parameters;
+      return {leaf_of(others_, node.leaf, node.index),
+              is_constant ? 0 : std::numeric_limits<double>::quiet_NaN()};
+    }
   }
 }
 

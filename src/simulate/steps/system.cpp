@@ -75,21 +75,21 @@ System::System(const CheckedModel& checked, const Program& program, const Compil
     if (is_cyclic && !model_.velocities[i].rotation) cyclic_.push_back(i);
   }
   does_work_ = is_forced_ || has_explicit_time_;
-  for (const Expectation& expectation : model_.expectations) add_invariants(expectation);
+  for (const Expectation& expectation : model_.expectations) add_conserved(expectation);
 }
 
 /// They speak of the exact model.
-void System::add_invariants(const Expectation& expectation) {
+void System::add_conserved(const Expectation& expectation) {
   if (!expectation.is_conserved() || model_.approximation) return;
   for (std::size_t i = 0; i < expectation.entries.size(); ++i) {
     const ExpressionId id = expectation.entries[i];
     const auto unit = i < expectation.units.size() ? expectation.units[i] : std::nullopt;
     const bool has_unit = unit && *unit != Unit{};
-    invariants_.push_back({one_line(covered_text(model_.expressions[id].span)),
-                           has_unit ? to_string(*unit) : "", 0, 0});
-    invariant_functions_.emplace_back(model_, id, at_);
+    conserved_.push_back({one_line(covered_text(model_.expressions[id].span)),
+                          has_unit ? to_string(*unit) : "", 0, 0});
+    conserved_functions_.emplace_back(model_, id, at_);
   }
-  invariant_values_.resize(invariants_.size());
+  conserved_values_.resize(conserved_.size());
 }
 
 System::Callee System::callee(OutputKind kind) const {
@@ -243,15 +243,15 @@ const Numbers& System::momentum_scales(const double* q, const double* v, double 
   return scales_;
 }
 
-const Numbers& System::invariant_values(const double* q, const double* v, double t) {
-  if (invariants_.empty()) return invariant_values_;
+const Numbers& System::conserved_values(const double* q, const double* v, double t) {
+  if (conserved_.empty()) return conserved_values_;
   acceleration(q, v, t, at_.a.data());
   momentum(q, v, t, at_.momenta.data());
   at_.E = energy(q, v, t);
-  for (std::size_t i = 0; i < invariants_.size(); ++i) {
-    invariant_values_[i] = invariant_functions_[i](q, v, t);
+  for (std::size_t i = 0; i < conserved_.size(); ++i) {
+    conserved_values_[i] = conserved_functions_[i](q, v, t);
   }
-  return invariant_values_;
+  return conserved_values_;
 }
 
 double System::energy(const double* q, const double* v, double t) {

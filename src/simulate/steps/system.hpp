@@ -80,8 +80,8 @@ class System {
   [[nodiscard]] const Numbers& momentum_scales(const double* q, const double* v, double t);
   [[nodiscard]] double energy(const double* q, const double* v, double t);
   /// The entries of the model's `conserved`, and their values at a state.
-  [[nodiscard]] const std::vector<Invariant>& invariants() const { return invariants_; }
-  [[nodiscard]] const Numbers& invariant_values(const double* q, const double* v, double t);
+  [[nodiscard]] const std::vector<ConservedDrift>& conserved() const { return conserved_; }
+  [[nodiscard]] const Numbers& conserved_values(const double* q, const double* v, double t);
   /// Whether T and V are known apart.
   [[nodiscard]] bool has_energies() const { return kinetic_energy_.function != nullptr; }
   /// |T| + |V|; |v.p| + |L| where only L is known.
@@ -101,7 +101,7 @@ class System {
     DriverFunction<double> code = nullptr;
   };
 
-  void add_invariants(const Expectation& expectation);
+  void add_conserved(const Expectation& expectation);
   [[nodiscard]] Callee callee(OutputKind kind) const;
   void call(const Callee& called, const double* q, const double* v, double t, double* result);
   /// F = B u + Q - dD/dv, to `force_`.
@@ -113,7 +113,8 @@ class System {
   const Model& model_;
   const Program& program_;
   const CompiledModel* compiled_;
-  /// Of a call; inputs are those that were last asked for, and a, p, E those of invariants.
+  /// Of a call; inputs are those that were last asked for, and a, p, E those of conserved
+  /// quantities.
   Arguments<double> at_;
   std::vector<InputLaw> laws_;
   Callee mass_matrix_, acceleration_, coordinate_rates_, input_matrix_, applied_force_,
@@ -124,9 +125,9 @@ class System {
   bool is_forced_ = false;
   bool does_work_ = false;
   std::vector<std::uint32_t> cyclic_ = {};
-  std::vector<Invariant> invariants_ = {};
-  std::vector<StateFunction> invariant_functions_ = {};
-  Numbers invariant_values_ = {};
+  std::vector<ConservedDrift> conserved_ = {};
+  std::vector<StateFunction> conserved_functions_ = {};
+  Numbers conserved_values_ = {};
   Numbers shown_, solution_, moved_, force_, more_force_, matrix_, mass_, scales_;
 };
 

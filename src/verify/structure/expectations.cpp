@@ -299,7 +299,7 @@ std::optional<std::vector<Fraction>> Proofs::entries(OutputKind kind) const {
   return result;
 }
 
-/// What p and E stand for in `conserved`, as far as it is known.
+/// The forms of p and E in `conserved`, as far as they are known.
 Replacements Proofs::momenta() const {
   Replacements result;
   for (const auto& [leaf, kind] : {std::pair{Opcode::momentum, OutputKind::momentum},
