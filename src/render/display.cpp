@@ -45,35 +45,44 @@ std::size_t closing_brace(const std::string& latex, std::size_t open) {
   return std::string::npos;
 }
 
-/// A formula that is one fraction, with its sign.
-struct WholeFraction {
-  std::string sign = {};
+/// A formula with a fraction outside of braces, and what stands around that.
+struct WideFraction {
+  std::string before = {};
   std::string numerator = {};
   std::string denominator = {};
+  std::string after = {};
 };
 
-std::optional<WholeFraction> whole_fraction(const std::string& latex) {
-  const std::string sign = latex.substr(0, latex[0] == '-' ? 1 : 0);
-  const std::string start = sign + "\\frac{";
-  if (latex.substr(0, start.size()) != start) return std::nullopt;
-  const std::size_t above = closing_brace(latex, start.size() - 1);
-  const std::size_t below = above == std::string::npos ? above : closing_brace(latex, above + 1);
-  if (below == std::string::npos || below + 1 != latex.size()) return std::nullopt;
-  return WholeFraction{sign, latex.substr(start.size(), above - start.size()),
-                       latex.substr(above + 2, below - above - 2)};
+/// The first fraction that is, with its sign, wider than `widest`.
+std::optional<WideFraction> wide_fraction(const std::string& latex, double widest,
+                                          const PageShape& shape) {
+  const std::string command = "\\frac";
+  std::size_t end = 0;
+  for (std::size_t open = latex.find('{'); open != std::string::npos; open = latex.find('{', end)) {
+    const std::size_t begin = open < command.size() ? open : open - command.size();
+    const bool is_fraction = latex.substr(begin, open - begin) == command;
+    const std::size_t above = closing_brace(latex, open);
+    end = is_fraction && above != std::string::npos ? closing_brace(latex, above + 1) : above;
+    if (end == std::string::npos) return std::nullopt;
+    const std::string sign = begin > 1 ? "-" : latex.substr(0, begin);
+    if (is_fraction && measured(sign + latex.substr(begin, end + 1 - begin), shape) > widest) {
+      return WideFraction{latex.substr(0, begin), latex.substr(open + 1, above - open - 1),
+                          latex.substr(above + 2, end - above - 2), latex.substr(end + 1)};
+    }
+  }
+  return std::nullopt;
 }
 
 /// One display, or three where a fraction is too wide: it, its numerator, its denominator.
 std::vector<Display> number_displays(const std::string& left, const std::string& right,
                                      const PageShape& shape) {
-  const auto fraction = whole_fraction(right);
-  if (!fraction || measured(left, shape) + measured(right, shape) + 3 <= shape.width) {
-    return {lines_display(left, right, shape)};
-  }
+  const auto fraction = wide_fraction(right, shape.width - measured(left, shape) - 3, shape);
+  if (!fraction) return {lines_display(left, right, shape)};
   const std::string numerator = "\\mathrm{numerator}";
   const std::string denominator = "\\mathrm{denominator}";
-  return {{left, 0, {fmt::format("{}\\frac{{{}}}{{{}}}", fraction->sign, numerator, denominator)}},
-          lines_display(numerator, fraction->numerator, shape),
+  const std::string named = fmt::format("{}\\frac{{{}}}{{{}}}{}", fraction->before, numerator,
+                                        denominator, fraction->after);
+  return {lines_display(left, named, shape), lines_display(numerator, fraction->numerator, shape),
           lines_display(denominator, fraction->denominator, shape)};
 }
 

@@ -2,7 +2,7 @@
 //
 //     M = ( 2 x 2 )        where the columns fit side by side
 //     M_{1 2} = …          entry by entry where they do not; zeros are left out
-//     a = numerator/denominator, each of which follows, where a fraction is too wide
+//     a = b - numerator/denominator, each of which follows, where a fraction is too wide
 #pragma once
 
 #include <string>

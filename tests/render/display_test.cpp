@@ -26,6 +26,17 @@ TEST_CASE("a fraction wider than the page is written in three lines") {
   CHECK(parts[2].texts[0] == "m + l");
 }
 
+TEST_CASE("a fraction wider than the page in a product of a sum is written in three lines, too") {
+  const std::string wide = "\\frac{" + sum_of(60) + "}{m_{1} + l}";
+  const auto parts = displays({"a", 1, 1, {"k \\left( \\frac{1}{m} - " + wide + " \\right)"}});
+  REQUIRE(parts.size() == 3);
+  CHECK(parts[0].texts == std::vector<std::string>{"k \\left( \\frac{1}{m} - "
+                                                   "\\frac{\\mathrm{numerator}}"
+                                                   "{\\mathrm{denominator}} \\right)"});
+  CHECK(parts[1].left == "\\mathrm{numerator}");
+  CHECK(parts[2].texts[0] == "m_{1} + l");
+}
+
 TEST_CASE("a fraction that fits stays one") {
   CHECK(displays({"a", 1, 1, {"\\frac{x}{m + l}"}}).size() == 1);
 }
