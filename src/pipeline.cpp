@@ -46,6 +46,19 @@ Result<Syntaxes> parse(const Inputs& inputs, const Limits& limits) {
   return {{std::move(*model), std::move(scene.value)}, std::move(all)};
 }
 
+/// Momenta of `[routh]` are numbers that the oracle knows, and check does not.
+Result<CheckedModel> resolved(const Syntaxes& syntaxes, const SceneOptions& options,
+                              const Limits& limits) {
+  Result<CheckedModel> result =
+      check(syntaxes.model, syntaxes.scene ? &*syntaxes.scene : nullptr, options, limits);
+  if (!result) return result;
+  const Diagnostics errors = find_momenta(*result);
+  Diagnostics all = std::move(result.diagnostics);
+  all.insert(all.end(), errors.begin(), errors.end());
+  if (!errors.empty()) return all;
+  return {std::move(*result), std::move(all)};
+}
+
 Result<SelfCheck> checked(const CheckedModel& checked, const Program& program,
                           const Program& parts) {
   SelfCheck check = self_check(checked.model, checked.scene, program, &parts);
@@ -101,10 +114,10 @@ class Compilation {
   Stage<Syntaxes> syntaxes_{run_, Goal::parse, std::tie(),
                             [this](const Limits& limits) { return parse(inputs_, limits); }};
 
-  Stage<CheckedModel> checked_{
-      run_, Goal::check, std::tie(syntaxes_), [this](const Syntaxes& s, const Limits& limits) {
-        return check(s.model, s.scene ? &*s.scene : nullptr, options_.scene, limits);
-      }};
+  Stage<CheckedModel> checked_{run_, Goal::check, std::tie(syntaxes_),
+                               [this](const Syntaxes& s, const Limits& limits) {
+                                 return resolved(s, options_.scene, limits);
+                               }};
 
   Stage<Inspection> inspection_{run_, Goal::inspect, std::tie(checked_),
                                 [this](const CheckedModel& c) {

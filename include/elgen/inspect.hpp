@@ -15,4 +15,9 @@ namespace elgen {
 /// Errors, warnings and notes of E501 to E522, E613, E614 and E619; never changes the model.
 [[nodiscard]] Diagnostics inspect(const Model& model, const Scene& scene);
 
+/// Gives the momenta that a scene holds (`[routh]`) their values: as it says, or at the start.
+/// E635: L changes with a coordinate at one of 8 sampled states, the momenta do not determine the
+/// rates, or one has no value. Cost: a few evaluations of L for each.
+[[nodiscard]] Diagnostics find_momenta(CheckedModel& checked);
+
 }  // namespace elgen

@@ -179,6 +179,11 @@ struct LockedVariable : Held {
   std::vector<GiNaC::ex> values = {};
 };
 
+/// A cyclic variable that is taken out at its momentum, a parameter.
+struct CyclicVariable : Held {
+  GiNaC::ex momentum = {};
+};
+
 struct Lagrangian;
 
 /// The source of the forces that hold locked coordinates: the Lagrangian in which they still move
@@ -215,11 +220,13 @@ struct Lagrangian {
       {};  ///< terms of L where it is given whole; then the above are empty
   std::vector<GiNaC::ex> forces = {};  ///< generalized force on each velocity, inputs included
   std::vector<PointForce> point_forces = {};
-  FrameTree tree = {};
+  FrameTree tree = {};  ///< of an expansion or R it carries nothing but outputs
   std::vector<NamedOutput> outputs = {};
-  std::vector<LockedVariable> locked = {};  ///< until specialise takes them out
-  std::optional<Holding> holding = {};      ///< where a reaction is wanted
-  std::optional<Expansion> expansion = {};  ///< then the tree carries nothing but outputs
+  std::vector<LockedVariable> locked = {};   ///< until specialise takes them out
+  std::vector<CyclicVariable> cyclic = {};   ///< likewise
+  std::vector<GiNaC::ex> cyclic_rates = {};  ///< of those that specialise took out
+  std::optional<Holding> holding = {};       ///< where a reaction is wanted
+  std::optional<Expansion> expansion = {};
   bool quadratic = true;
   bool eliminates_last_first = false;  ///< order of elimination of M; see Model
 };

@@ -89,6 +89,7 @@ struct Parameter {
   Assumption assumption = Assumption::none;
   std::optional<Unit> unit = {};
   std::optional<ExpressionId> form = {};  ///< the value as written, where it is not rational
+  bool is_computed = false;  ///< a momentum of `[routh]` until find_momenta() gives it its value
 };
 
 /// A parameter as declared: one number, or `size` of them.
@@ -257,6 +258,7 @@ struct Held {
   bool reaction = false;  ///< the force that holds it is wanted
 
   [[nodiscard]] std::uint32_t velocity_count() const { return is_rotation ? axis_count : 1; }
+  [[nodiscard]] std::uint32_t coordinate_count() const { return is_rotation ? quaternion_size : 1; }
 };
 
 /// A variable that a scene holds at a function of time. It is taken out twice, on purpose: of the
@@ -264,6 +266,15 @@ struct Held {
 /// what is derived from. Each is a check of the other.
 struct Lock : Held {
   std::vector<ExpressionId> values = {};  ///< s(t); of a rotation the four of a unit quaternion
+  Span span = {};
+};
+
+/// A cyclic coordinate that a scene takes out at a momentum that stays (`[routh]`), which becomes a
+/// parameter. It is taken out twice, as locks are.
+struct Cyclic : Held {
+  std::uint32_t parameter = 0;
+  std::optional<ExpressionId> momentum =
+      {};  ///< of numbers and parameters; none: that at the start
   Span span = {};
 };
 
@@ -349,6 +360,12 @@ struct Model {
   std::vector<Lock> locks = {};
   std::shared_ptr<const Model> unlocked = {};
 
+  /// The cyclic coordinates that the scene takes out, in the order of v. The Model that every stage
+  /// works on is without them: its Lagrangian is R of `moving`, the model in which they move, which
+  /// has them and is kept. `unlocked` then is the model before both.
+  std::vector<Cyclic> cyclic = {};
+  std::shared_ptr<const Model> moving = {};
+
   bool quadratic = true;  ///< T - V (or L) is at most quadratic in the rates
   /// t occurs in an energy, a point, a force or an output: every function takes t
   bool uses_time = false;
@@ -366,6 +383,11 @@ std::uint32_t append_rotation(Model& model, Rotation rotation);
 /// The velocities of the model before locking whose locks ask for the force that holds them: those,
 /// in the order of v, that the output `reaction` has a row for.
 [[nodiscard]] std::vector<std::uint32_t> held_velocities(const Model& model);
+
+/// Whether the Lagrangian is one function, which has no T and V: L as given, or R.
+[[nodiscard]] inline bool has_whole_lagrangian(const Model& model) {
+  return model.energies.L.has_value() || model.moving != nullptr;
+}
 
 /// The order in which M is eliminated: where a frame carries two or more others, the last velocity
 /// first, so that limbs do not fill each other in; otherwise the first one first. It decides the

@@ -26,7 +26,16 @@ enum class Form : std::uint8_t {
 
 [[nodiscard]] std::string_view name_of(Form form);
 
-enum class Extent : std::uint8_t { one, coordinates, velocities, states, inputs, held, user };
+enum class Extent : std::uint8_t {
+  one,
+  coordinates,
+  velocities,
+  states,
+  inputs,
+  held,
+  cyclic,  ///< the coordinates that [routh] takes out
+  user
+};
 
 /// The unit of an entry from those of its row and column, which stand for coordinates, velocities
 /// or inputs: forces times velocities are a power, momenta times velocities an energy.
@@ -47,6 +56,7 @@ enum class Requirement : std::uint8_t {
   inputs,
   rotations,
   held,
+  cyclic,
   jacobian,
 };
 

@@ -19,6 +19,10 @@ namespace elgen {
 /// Whether an expression, or what it refers to, is a leaf of one of these kinds.
 [[nodiscard]] bool holds_leaf(const Model& model, ExpressionId expression, LeafSet kinds);
 
+/// Whether a coordinate, its rate or its acceleration stands below the roots.
+[[nodiscard]] bool is_reached(const Model& model, const std::vector<ExpressionId>& roots,
+                              const Held& variable);
+
 /// Every expression of a model without cycles, each after what it refers to.
 [[nodiscard]] std::vector<ExpressionId> in_order(const Model& model);
 

@@ -105,8 +105,9 @@ enum class KeyType : std::uint8_t {
   turns,             ///< list of [axis, angle]: the axis a text or a list of three expressions
   table,             ///< inline table or sub-table (rows `<entry>.<key>`)
   boolean_or_table,  ///< a wanted output: true, or a table
-  text_or_table,     ///< `fixed`: the text "all", or a table
-  symbol,            ///< string: LaTeX of a symbol
+  boolean_or_expression,  ///< a momentum: true, or an expression
+  text_or_table,          ///< `fixed`: the text "all", or a table
+  symbol,                 ///< string: LaTeX of a symbol
 };
 
 /// One row of the key table.

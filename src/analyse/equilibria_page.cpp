@@ -14,13 +14,14 @@ namespace {
 class EquilibriaPage {
  public:
   EquilibriaPage(const CheckedModel& checked, const Equilibria& equilibria)
-      : model_(checked.model),
+      : checked_(checked),
+        model_(checked.model),
         equilibria_(equilibria),
         forms_(equilibria.forms),
         symbols_(symbols_of(checked.model)) {}
 
   AnalysisPage operator()() {
-    page_.title = prose(fmt::format("{}: equilibria (v = 0{})", title_of(model_), given_inputs()));
+    page_.title = titled(checked_, fmt::format("equilibria (v = 0{})", given_inputs()));
     if (equilibria_.points.empty()) {
       add_none();
     } else {
@@ -103,16 +104,20 @@ class EquilibriaPage {
   }
 
   void add_cyclic(PagePart& part) const {
-    std::vector<Printed> names;
+    std::vector<Printed> symbols;
+    std::string name;
     for (std::size_t i = 0; i < model_.coordinates.size(); ++i) {
-      if (equilibria_.is_cyclic[i] && !model_.coordinates[i].rotation)
-        names.push_back(symbols_.q[i]);
+      if (!equilibria_.is_cyclic[i] || model_.coordinates[i].rotation) continue;
+      symbols.push_back(symbols_.q[i]);
+      name = model_.coordinates[i].name;
     }
-    if (names.empty()) return;
-    part.lines.push_back(
-        listed(names) +
-        prose(names.size() == 1 ? "is cyclic: with its momentum held there are steady motions"
-                                : "are cyclic: with their momenta held there are steady motions"));
+    if (symbols.empty()) return;
+    const std::string one = fmt::format(
+        "is cyclic: with its momentum held (scene: [routh] {} = true) there are steady motions",
+        name);
+    const char* const many =
+        "are cyclic: with their momenta held (scene: [routh]) there are steady motions";
+    part.lines.push_back(listed(symbols) + prose(symbols.size() == 1 ? one : many));
   }
 
   // The page of points.
@@ -220,6 +225,7 @@ class EquilibriaPage {
     return equation + prose(fmt::format("has a strict minimum, of order {}", term.order));
   }
 
+  const CheckedModel& checked_;
   const Model& model_;
   const Equilibria& equilibria_;
   ClosedForms forms_;  ///< a copy: reading forms adds to their algebra

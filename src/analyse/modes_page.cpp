@@ -9,6 +9,8 @@
 #include "analyse/exact_roots.hpp"
 #include "analyse/frequencies.hpp"
 #include "analyse/page.hpp"
+#include "check/judge/output_units.hpp"
+#include "elgen/leaf_names.hpp"
 #include "evaluate/subject.hpp"
 
 namespace elgen {
@@ -17,7 +19,8 @@ namespace {
 class ModesPage {
  public:
   ModesPage(const CheckedModel& checked, const Equilibria& equilibria)
-      : model_(checked.model),
+      : checked_(checked),
+        model_(checked.model),
         equilibria_(equilibria),
         forms_(equilibria.forms),
         symbols_(symbols_of(checked.model)) {}
@@ -49,8 +52,7 @@ class ModesPage {
   void add(const LinearMotions& motions, bool is_pair) {
     const bool is_free = !motions.modes.empty() && !has_inputs();
     const std::string subject = is_free ? "normal modes at" : "linear equations at";
-    const Printed title =
-        prose(fmt::format("{}: {}", title_of(model_), subject)) + place(motions.point, is_pair);
+    const Printed title = titled(checked_, subject) + place(motions.point, is_pair);
     if (page_.parts.empty()) {
       page_.title = title;
     } else {
@@ -64,6 +66,7 @@ class ModesPage {
       add_modes(motions);
     }
     if (!is_free) add_state_matrices(motions);
+    if (model_.moving) add_steady_motion(motions);
   }
 
   /// "θ₁ = 0, θ₂ = 0 (stable)"
@@ -287,6 +290,40 @@ class ModesPage {
     }
   }
 
+  /// "steady motion: dot(phi) = 0.578704 rad/s": the rates of what the scene took out.
+  void add_steady_motion(const LinearMotions& motions) {
+    const Model& moving = *model_.moving;
+    const OracleValues rates =
+        oracle_values(model_, {.kind = OutputKind::cyclic_rates}, motions.point.state);
+    if (!rates) return;
+    const LeafValues<Printed> symbols = symbols_of(moving);
+    Printed line = prose("steady motion:");
+    for (std::size_t i = 0; i < rates->size(); ++i) {
+      const std::uint32_t velocity = moving.cyclic[i].velocity;
+      const Printed value = number((*rates)[i]);
+      const std::string unit = " " + velocity_unit(moving, moving.velocities[velocity]);
+      const char* const comma = i == 0 ? " " : ", ";
+      line.text += fmt::format("{}{} = {}{}", comma, leaf_text(moving, Opcode::velocity, velocity),
+                               value.text, unit);
+      line.latex += fmt::format("{}{} = {} \\text{{{}}}", comma, symbols.v[velocity].latex,
+                                value.latex, unit);
+    }
+    if (have_one_period(motions.modes, *rates)) {
+      const char* const closed = ", of the same period: orbits close";
+      line = {line.text + closed, line.latex + prose(closed).latex};
+    }
+    page_.parts.push_back({{line}});
+  }
+
+  /// In 64 digits.
+  static bool have_one_period(const std::vector<NormalMode>& modes,
+                              const std::vector<cln::cl_R>& rates) {
+    if (modes.size() != 1 || rates.size() != 1) return false;
+    const cln::cl_R& square = modes[0].omega_squared;
+    return square > 0 && is_near(Real(rates[0] * rates[0] / square), Real(1));
+  }
+
+  const CheckedModel& checked_;
   const Model& model_;
   const Equilibria& equilibria_;
   ClosedForms forms_;  ///< a copy: reading forms adds to their algebra

@@ -64,6 +64,15 @@ std::vector<std::string> latex_of(const std::vector<Printed>& formulas) {
   return result;
 }
 
+/// " N m s", " N s": that of a force, times s.
+Printed unit_of_momentum(const Parameter& momentum) {
+  if (!momentum.unit) return {};
+  const Unit force = *momentum.unit / *find_unit("s");
+  std::string text = force == *find_unit("J") ? "N m" : to_string(force);
+  std::ranges::replace(text, '*', ' ');
+  return {fmt::format(" {} s", text), fmt::format("\\text{{ {} s}}", text)};
+}
+
 }  // namespace
 
 Printed prose(const std::string& text) {
@@ -112,7 +121,24 @@ LeafValues<Printed> symbols_of(const Model& model) {
       static_cast<const LeafValues<std::string>&>(names), ModelSymbols(model).leaves());
 }
 
-std::string title_of(const Model& model) { return model.title.empty() ? model.name : model.title; }
+Printed titled(const CheckedModel& checked, const std::string& subject) {
+  const Model& model = checked.model;
+  const std::string title = model.title.empty() ? model.name : model.title;
+  if (!model.moving) return prose(fmt::format("{}: {}", title, subject));
+  const LeafValues<Printed> symbols = symbols_of(model);
+  const State nominal = nominal_state(model, checked.scene);
+  Printed momenta;
+  for (const Cyclic& cyclic : model.moving->cyclic) {
+    const Printed& symbol = symbols.parameters[cyclic.parameter];
+    const Printed value = number(nominal.parameters[cyclic.parameter]);
+    const Printed unit = unit_of_momentum(model.parameters[cyclic.parameter]);
+    const char* const comma = momenta.text.empty() ? "" : ", ";
+    momenta.text += fmt::format("{}{} = {}{}", comma, symbol.text, value.text, unit.text);
+    momenta.latex += fmt::format("{}{} = {}{}", comma, symbol.latex, value.latex, unit.latex);
+  }
+  const Printed rest{": " + subject, prose(": " + subject).latex};
+  return prose(title + ",") + Printed{momenta.text + rest.text, momenta.latex + rest.latex};
+}
 
 bool is_mirrored(ClosedForms& forms, const std::vector<RestPoint>& points, std::size_t first) {
   if (first + 1 >= points.size()) return false;

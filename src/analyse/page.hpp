@@ -50,7 +50,8 @@ struct AnalysisPage {
 /// The symbols of the leaves of a model.
 [[nodiscard]] LeafValues<Printed> symbols_of(const Model& model);
 
-[[nodiscard]] std::string title_of(const Model& model);
+/// "TITLE, p_φ = 0.6 N m s: SUBJECT": the model with the momenta that its scene holds.
+[[nodiscard]] Printed titled(const CheckedModel& checked, const std::string& subject);
 
 /// Whether the point after this one is this one with the signs of all angles acos(c) turned.
 [[nodiscard]] bool is_mirrored(ClosedForms& forms, const std::vector<RestPoint>& points,

@@ -311,6 +311,17 @@ constexpr OutputRow normalized{.symbol = {"q", "q"},
                                .doc = "Coordinates with their quaternions scaled back to length 1.",
                                .requirement = R::rotations};
 
+constexpr std::array rate_taken_out{FieldRow{"", E::cyclic, E::one, U::row, entries}};
+constexpr OutputRow cyclic_rates{
+    .symbol = {"v_c", "v_{c}"},
+    .takes = Opcode::velocity,
+    .fields = rate_taken_out,
+    .equation =
+        {"M_cc v_c = p - dL/dv_c at v_c = 0",
+         R"(M_{cc} v_{c} = p - \left[ \frac{\partial L}{\partial v_{c}} \right]_{v_{c} = 0})"},
+    .doc = "Rates of the cyclic coordinates that were taken out, at their momenta.",
+    .requirement = R::cyclic};
+
 // Of an [[output]]: `<y>` is its symbol, `<y''>` its second rate; the sentence goes on with its
 // name.
 

@@ -86,13 +86,15 @@ void judge(Context& context, const FileSyntax& syntax, const FileSyntax* scene,
   read_starts(context, options);
   read_laws(context, options);
   if (!has_order) return;
+  check_routh(context);
   check_places(context, find_traits(context.model));
   check_units(context);
 }
 
-/// Locks the model; the requests of the scene are put to the model that is left.
-void lock_model(Context& context) {
-  context.model = locked(std::move(context.model));
+/// Locks the model and takes cyclic coordinates out; the requests of the scene are put to the model
+/// that is left.
+void reduce_model(Context& context) {
+  context.model = reduced(locked(std::move(context.model)));
   while (context.constants.size() < context.model.expressions.size()) {
     (void)context.constants.append(context.model.expressions);
   }
@@ -114,9 +116,10 @@ Result<CheckedModel> check(const FileSyntax& model, const FileSyntax* scene,
     return context.report.sorted();
   }
   read_locks(context, scene);
+  read_routh(context, scene);
   judge(context, model, scene, options);
   if (context.report.errors() == 0) {
-    lock_model(context);
+    reduce_model(context);
   }
   Scene checked_scene = read_scene(context, scene, options);
   read_values(context, checked_scene, options);

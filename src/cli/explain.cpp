@@ -17,7 +17,7 @@ namespace elgen::cli {
 namespace {
 
 /// In the order of KeyType.
-constexpr std::array<std::string_view, 20> kinds{"expression",
+constexpr std::array<std::string_view, 21> kinds{"expression",
                                                  "[expressions]",
                                                  "expression or list",
                                                  "expression or table",
@@ -35,6 +35,7 @@ constexpr std::array<std::string_view, 20> kinds{"expression",
                                                  "[[axis, angle], ...]",
                                                  "table",
                                                  "true or table",
+                                                 "true or expression",
                                                  "text or table",
                                                  "symbol"};
 static_assert(kinds.size() == static_cast<std::size_t>(KeyType::symbol) + 1);

@@ -4,8 +4,9 @@
 //     T = [energy] T + sum 1/2 m |dp/dt|^2 + sum 1/2 w.I w + sum 1/2 J v^2
 //     V = [energy] V - sum m gravity.p
 //
-// Quantities that move with frames go into their tree, except where a scene expands the energies:
-// an expansion needs them as sums, so everything is then written in the world.
+// Quantities that move with frames go into their tree, except where a scene expands the energies or
+// takes cyclic coordinates out: that needs them as sums, so everything is then written in the
+// world.
 #include <fmt/format.h>
 
 #include <utility>
@@ -65,7 +66,7 @@ class Formulation {
     using F = Formulation;
     for (void (F::*const add)() :
          {&F::add_gravity, &F::add_points, &F::add_bodies, &F::add_energies, &F::add_forces,
-          &F::add_outputs, &F::add_locks, &F::add_expansion, &F::add_tree}) {
+          &F::add_outputs, &F::add_locks, &F::add_cyclic, &F::add_expansion, &F::add_tree}) {
       (this->*add)();
       if (!translation_.errors().empty()) return translation_.errors();
     }
@@ -85,7 +86,7 @@ class Formulation {
   /// Whether the tree of frames takes it.
   template <class Placed>
   [[nodiscard]] bool is_in_tree(const Placed& placed) const {
-    return placed.local && !model_.approximation;
+    return placed.local && !sums_energies(model_);
   }
 
   void add_points() {
@@ -169,7 +170,7 @@ class Formulation {
         on[*force.on].push_back(translation_.value(force.value.front()));
       } else if (force.at) {
         add_point_force(force);
-      } else if (model_.approximation) {
+      } else if (sums_energies(model_)) {
         add_torque(force, on);
       }
     }
@@ -241,6 +242,13 @@ class Formulation {
         locked.values.push_back(translation_.named(lock.values[i], coordinate.identifier, origin));
       }
       lagrangian_.locked.push_back(std::move(locked));
+    }
+  }
+
+  void add_cyclic() {
+    for (const Cyclic& cyclic : model_.cyclic) {
+      lagrangian_.cyclic.push_back(
+          {Held(cyclic), lagrangian_.symbols.parameters[cyclic.parameter]});
     }
   }
 

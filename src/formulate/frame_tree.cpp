@@ -25,7 +25,7 @@ std::vector<bool> carrying(const Model& model) {
     if (point && model.points[*point].local) mark(model.points[*point].local->frame);
   };
   for (const UserOutput& output : model.outputs) mark(output.frame);
-  if (model.approximation) return needed;
+  if (sums_energies(model)) return needed;
   for (const Body& body : model.bodies) {
     if (body.local) mark(body.local->com.frame);
   }
@@ -138,7 +138,7 @@ class TreeFormulation {
 
   void build() {
     for (const std::uint32_t frame : parents_first(model_, carrying(model_))) add_frame(frame);
-    if (!model_.approximation) add_what_is_carried();
+    if (!sums_energies(model_)) add_what_is_carried();
     add_twists();
   }
 

@@ -28,6 +28,7 @@ Diagnostics unused_parameters(const Model& model) {
   for (const ParameterArray& array : model.parameter_arrays) {
     const auto first = marks.begin() + array.first;
     if (std::find(first, first + array.count, true) != first + array.count) continue;
+    if (std::ranges::count(model.cyclic, array.first, &Cyclic::parameter) > 0) continue;
     found.push_back(
         {Code::E522, array.span, fmt::format("parameter `{}` is used nowhere", array.name)});
   }

@@ -111,6 +111,16 @@ bool holds_leaf(const Model& model, ExpressionId expression, LeafSet kinds) {
   });
 }
 
+bool is_reached(const Model& model, const std::vector<ExpressionId>& roots, const Held& variable) {
+  const std::vector<ExpressionId> all = reached(model, roots);
+  return std::ranges::any_of(all, [&](ExpressionId id) {
+    const Expression& node = model.expressions[id];
+    const bool is_rate = is_leaf(node, Opcode::velocity) || is_leaf(node, Opcode::acceleration);
+    return (is_leaf(node, Opcode::coordinate) && node.index == variable.coordinate) ||
+           (is_rate && node.index == variable.velocity);
+  });
+}
+
 std::vector<ExpressionId> in_order(const Model& model) { return reached(model, all_of(model)); }
 
 std::vector<ExpressionId> find_cycle(const Model& model) {

@@ -85,7 +85,88 @@ Jet magnitude(Evaluation& at, ExpressionId id) {
   }
 }
 
+/// The last of the directions of differentiation, which no caller takes.
+constexpr Generators along_first = generator(6);
+constexpr Generators along_second = generator(7);
+
+/// A motion of the model without cyclic coordinates in the one that has them: they are 0, at rest.
+Motion standing(const Model& moving, const Motion& motion) {
+  Motion whole = motion;
+  for (const Cyclic& cyclic : moving.cyclic) {
+    const auto insert_at = [](std::vector<Jet>& list, std::uint32_t index) {
+      list.insert(list.begin() + index, Jet());
+    };
+    insert_at(whole.q, cyclic.coordinate);
+    insert_at(whole.v, cyclic.velocity);
+    insert_at(whole.a, cyclic.velocity);
+  }
+  return whole;
+}
+
+/// L0, w and M_cc, row-major.
+struct CyclicParts {
+  Jet rest;
+  std::vector<Jet> excess = {};
+  std::vector<Jet> mass = {};
+};
+
+CyclicParts cyclic_parts(const Evaluation& at) {
+  const Model& moving = *at.model().moving;
+  const std::size_t n = moving.cyclic.size();
+  const Motion whole = standing(moving, at.motion());
+  CyclicParts parts;
+  parts.mass.resize(n * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      Motion moved = whole;
+      Jet& rate = moved.v[moving.cyclic[i].velocity];
+      rate = rate + Jet(along_first, 1);
+      Jet& other = moved.v[moving.cyclic[j].velocity];
+      other = other + Jet(along_second, 1);
+      Evaluation evaluation(moving, moved);
+      const Jet value = lagrangian(evaluation);
+      parts.mass[i * n + j] = value.tangent(along_first).tangent(along_second);
+      parts.mass[j * n + i] = parts.mass[i * n + j];
+      if (j < i) continue;
+      const Jet momentum = value.tangent(along_first).without(along_second);
+      parts.rest = value.without(along_first | along_second);
+      parts.excess.push_back(at.motion().parameters[moving.cyclic[i].parameter] - momentum);
+    }
+  }
+  return parts;
+}
+
+/// x of A x = b, by elimination from the first row to the last.
+std::vector<Jet> eliminated(std::vector<Jet> a, std::vector<Jet> b) {
+  const std::size_t n = b.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t i = k + 1; i < n; ++i) {
+      const Jet factor = a[i * n + k] / a[k * n + k];
+      for (std::size_t j = k; j < n; ++j) a[i * n + j] = a[i * n + j] - factor * a[k * n + j];
+      b[i] = b[i] - factor * b[k];
+    }
+  }
+  for (std::size_t k = n; k-- > 0;) {
+    for (std::size_t j = k + 1; j < n; ++j) b[k] = b[k] - a[k * n + j] * b[j];
+    b[k] = b[k] / a[k * n + k];
+  }
+  return b;
+}
+
+Jet routhian(const Evaluation& at) {
+  const CyclicParts parts = cyclic_parts(at);
+  const std::vector<Jet> rates = eliminated(parts.mass, parts.excess);
+  Jet work;
+  for (std::size_t i = 0; i < rates.size(); ++i) work = work + parts.excess[i] * rates[i];
+  return parts.rest - half() * work;
+}
+
 }  // namespace
+
+std::vector<Jet> cyclic_rates(const Evaluation& at) {
+  const CyclicParts parts = cyclic_parts(at);
+  return eliminated(parts.mass, parts.excess);
+}
 
 Jet kinetic_energy(Evaluation& at) {
   const Model& model = at.model();
@@ -114,6 +195,7 @@ Jet potential_magnitude(Evaluation& at) {
 }
 
 Jet lagrangian(Evaluation& at) {
+  if (at.model().moving) return routhian(at);
   const Jet kinetic = kinetic_energy(at);  // first: with its rates it makes the values of V as well
   return value_or_zero(at, at.model().energies.L) + kinetic - potential_energy(at);
 }

@@ -4,7 +4,14 @@
 //     T = [energy].T + sum 1/2 m |dp/dt|^2 + sum 1/2 w.I w + sum 1/2 J v_i^2
 //     V = [energy].V - sum m gravity.p
 //     L = T - V, or [energy].L (+ armatures) where that is given
+//
+// A scene that takes cyclic coordinates out has R in the place of L, of the model in which they
+// move; dL/dv_c and M_cc are coefficients of two more generators of it:
+//
+//     R = L0 - 1/2 w.v_c,   M_cc v_c = w = p - dL/dv_c,   all at v_c = 0
 #pragma once
+
+#include <vector>
 
 #include "oracle/evaluation.hpp"
 
@@ -14,7 +21,10 @@ namespace elgen::oracle {
 [[nodiscard]] Jet potential_energy(Evaluation& at);
 /// Its summands without their signs: what V gives as a sum, and m g_i p_i of every mass and axis.
 [[nodiscard]] Jet potential_magnitude(Evaluation& at);
+/// L, or R.
 [[nodiscard]] Jet lagrangian(Evaluation& at);
+/// v_c, in the order of Model::cyclic. OutsideDomain where M_cc is singular.
+[[nodiscard]] std::vector<Jet> cyclic_rates(const Evaluation& at);
 [[nodiscard]] Jet dissipation(Evaluation& at);
 
 }  // namespace elgen::oracle

@@ -21,7 +21,8 @@
 
 namespace elgen::oracle {
 
-/// A state whose entries may carry directions of differentiation, generators 0 to 7.
+/// A state whose entries may carry directions of differentiation, generators 0 to 7, of which R
+/// takes 6 and 7.
 using Motion = LeafValues<Jet>;
 
 class Evaluation {

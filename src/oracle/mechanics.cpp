@@ -50,8 +50,8 @@ Jet Mechanics::energy_at(Energy energy, const Motion& motion) {
 }
 
 Jet Mechanics::potential_at(const Motion& motion) {
-  return model_.energies.L ? -energy_at(lagrangian, motion)
-                           : energy_at(oracle::potential_energy, motion);
+  return has_whole_lagrangian(model_) ? -energy_at(lagrangian, motion)
+                                      : energy_at(oracle::potential_energy, motion);
 }
 
 /// Coefficient of e0 e1 in L(q, v + w e0 + y e1). Where L is quadratic M has no v in it, and rest
@@ -201,12 +201,12 @@ cl_R Mechanics::input_force(const Direction& w, const Direction& y) {
 }
 
 cl_R Mechanics::kinetic_energy() {
-  if (model_.energies.L) return mass(state_.v, state_.v) / 2;
+  if (has_whole_lagrangian(model_)) return mass(state_.v, state_.v) / 2;
   return energy_at(oracle::kinetic_energy, base_).real();
 }
 
 cl_R Mechanics::potential_energy() {
-  return model_.energies.L ? potential_energy_at_rest() : potential_at(base_).real();
+  return has_whole_lagrangian(model_) ? potential_energy_at_rest() : potential_at(base_).real();
 }
 
 cl_R Mechanics::potential_energy_at_rest() { return potential_at(at_rest()).real(); }

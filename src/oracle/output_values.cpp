@@ -205,6 +205,14 @@ cl_R contracted_field(const Question& of, const Contraction& by) {
 
 Values stepped(const Question& of) { return oracle::step(of.model, of.output, of.state); }
 
+Values rates_taken_out(const Question& of) {
+  if (!of.model.moving) return {};
+  const Motion motion = motion_of(of.state);
+  Values values;
+  for (const Jet& rate : cyclic_rates(Evaluation(of.model, motion))) values.push_back(rate.real());
+  return values;
+}
+
 /// All entries of what one function gives: a number, or every entry.
 template <auto whole>
 Values entries(const Question& of) {
@@ -278,6 +286,8 @@ constexpr OracleRow hamilton_equations{canonical_rates, contracted_field<canonic
 constexpr OracleRow coordinate_rates{rates_of_coordinates};
 constexpr OracleRow normalized{
     [](const Question& of) { return oracle::normalized(of.model, of.state.q); }};
+
+constexpr OracleRow cyclic_rates{rates_taken_out};
 
 constexpr OracleRow user_value{values_of_user};
 constexpr OracleRow user_jacobian{jacobian_of_user};

@@ -166,6 +166,8 @@ Json schema_of(const KeyRow& row) {
       return inner_table_schema(row);
     case KeyType::boolean_or_table:
       return or_table(value_schema("boolean"));
+    case KeyType::boolean_or_expression:
+      return choice_schema({value_schema("boolean"), expression_schema()});
     case KeyType::text_or_table:
       return or_table(text);
   }

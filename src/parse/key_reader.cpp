@@ -232,6 +232,9 @@ ValueSyntax read_by_type(const TomlEntry& key, const KeyRow& row, FileReading& r
       return read_table(key, row, reading);
     case KeyType::boolean_or_table:
       return is_table ? read_table(key, row, reading) : read_boolean(value, reading);
+    case KeyType::boolean_or_expression:
+      return value.kind == TomlKind::boolean ? read_boolean(value, reading)
+                                             : read_expression_value(value, reading);
     case KeyType::text_or_table:
       return is_table ? read_table(key, row, reading) : read_text(value, reading);
   }

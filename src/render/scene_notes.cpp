@@ -3,6 +3,7 @@
 
 #include "base/number_text.hpp"
 #include "elgen/render.hpp"
+#include "evaluate/subject.hpp"
 
 namespace elgen {
 namespace {
@@ -27,6 +28,18 @@ Lines locked_coordinates(const Model& model) {
       values.push_back(fmt::format("{} = {}", model.unlocked->coordinates[lock.coordinate + i].name,
                                    to_string(*model.unlocked, lock.values[i])));
     }
+  }
+  return values;
+}
+
+/// "phi at p_phi = 0.6"
+Lines cyclic_coordinates(const Model& model) {
+  Lines values;
+  if (!model.moving) return values;
+  for (const Cyclic& cyclic : model.moving->cyclic) {
+    const Parameter& momentum = model.parameters[cyclic.parameter];
+    values.push_back(fmt::format("{} at {} = {}", model.moving->coordinates[cyclic.coordinate].name,
+                                 momentum.name, short_text(momentum.value)));
   }
   return values;
 }
@@ -99,6 +112,7 @@ std::vector<std::string> scene_notes(const Model& model, const Scene& scene) {
   };
   add("Fixed", fixed_parameters(model, scene));
   add("Locked", locked_coordinates(model));
+  add("Taken out, with its momentum held", cyclic_coordinates(model));
   if (model.approximation) notes.push_back(expansion_text(model));
   for (const LeftOut& left_out : scene.left_out) notes.push_back(left_out_text(left_out));
   return notes;

@@ -152,9 +152,10 @@ class Outline {
   }
 
   void add_energies(std::size_t function) {
-    const bool is_whole = model_.energies.L.has_value();
-    const char* doc =
-        is_whole ? "The Lagrangian as given." : "Kinetic and potential energy, L = T - V.";
+    const bool is_whole = has_whole_lagrangian(model_);
+    const char* doc = model_.moving ? "Routh's function, with the momenta of cyclic coordinates."
+                      : is_whole    ? "The Lagrangian as given."
+                                    : "Kinetic and potential energy, L = T - V.";
     DerivationStep step{std::string(energies_title), doc, {}, {}};
     const std::vector<std::string> names =
         is_whole ? std::vector<std::string>{"L"} : std::vector<std::string>{"T", "V", "L"};

@@ -203,7 +203,7 @@ std::string outputs_of_run(const Model& model) {
   std::string names =
       "mass_matrix,dissipation,applied_force,momentum,position_gradient,energy_function,"
       "forward_dynamics";
-  if (!model.energies.L) names += ",kinetic_energy,total_energy";
+  if (!has_whole_lagrangian(model)) names += ",kinetic_energy,total_energy";
   if (!model.inputs.empty()) names += ",input_matrix";
   if (!model.rotations.empty()) names += ",coordinate_rates,normalized";
   return names;

@@ -2,7 +2,6 @@
 //
 //     before    x = l*cos(q1) + l*cos(q1 + q2)     q = (q1, q2)     q1 locked at 0
 //     after     x = l + l*cos(q2)                  q = (q2)
-#include <algorithm>
 #include <memory>
 
 #include "specialise/passes.hpp"
@@ -55,65 +54,6 @@ std::shared_ptr<const Lagrangian> without_definitions(Lagrangian& lagrangian) {
   return copy;
 }
 
-/// Removes the indices of locked velocities, or coordinates, from lists as long as all of them.
-class Removal {
- public:
-  explicit Removal(std::size_t size) : locked_(size) {}
-
-  void mark(std::size_t first, std::size_t count) {
-    std::fill_n(locked_.begin() + static_cast<std::ptrdiff_t>(first), count, true);
-  }
-
-  template <class List>
-  void operator()(List& list) const {
-    List left;
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      if (!locked_[i]) left.push_back(list[i]);
-    }
-    list = std::move(left);
-  }
-
-  [[nodiscard]] bool has(std::size_t index) const { return locked_[index]; }
-
-  /// Where an index that is left goes.
-  [[nodiscard]] std::uint32_t operator()(std::uint32_t index) const {
-    const auto end = locked_.begin() + index;
-    return index - static_cast<std::uint32_t>(std::count(locked_.begin(), end, true));
-  }
-
- private:
-  std::vector<bool> locked_;
-};
-
-void remove_variables(Lagrangian& lagrangian) {
-  Symbols& symbols = lagrangian.symbols;
-  Removal coordinates(symbols.q.size());
-  Removal velocities(symbols.v.size());
-  for (const LockedVariable& locked : lagrangian.locked) {
-    coordinates.mark(locked.coordinate, locked.values.size());
-    velocities.mark(locked.velocity, locked.velocity_count());
-  }
-  const auto remove = [&](const LeafRow& row, auto& list) {
-    if (row.of == LeafOwner::coordinates) coordinates(list);
-    if (row.of == LeafOwner::velocities) velocities(list);
-  };
-  for_each_list(remove, symbols);
-  for_each_list(remove, lagrangian.leaves);
-  coordinates(symbols.q_rates);
-  velocities(lagrangian.forces);
-  std::vector<RotationPlace> rotations;
-  for (const RotationPlace& place : symbols.rotations) {
-    if (coordinates.has(place.first_coordinate)) continue;
-    rotations.push_back({coordinates(place.first_coordinate), velocities(place.first_velocity)});
-  }
-  symbols.rotations = std::move(rotations);
-  for (TreeStep& step : lagrangian.tree.steps) {
-    if (!step.rotation) continue;
-    const bool is_locked = velocities.has(*step.rotation);
-    step.rotation = is_locked ? std::nullopt : std::optional(velocities(*step.rotation));
-  }
-}
-
 }  // namespace
 
 void lock(Lagrangian& lagrangian) {
@@ -128,8 +68,9 @@ void lock(Lagrangian& lagrangian) {
   holding.values = values_of(lagrangian);
   if (!holding.velocities.empty()) holding.whole = without_definitions(lagrangian);
   replace(lagrangian, holding.values);
-  remove_variables(lagrangian);
+  const std::vector<Held> variables(lagrangian.locked.begin(), lagrangian.locked.end());
   lagrangian.locked.clear();
+  remove_variables(lagrangian, variables);
   if (holding.whole) lagrangian.holding = std::move(holding);
 }
 

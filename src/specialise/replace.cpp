@@ -41,6 +41,7 @@ class Replacing {
   }
   void operator()(NamedOutput& output) { (*this)(output.values); }
   void operator()(LockedVariable& locked) { (*this)(locked.values); }
+  void operator()(CyclicVariable& cyclic) { (*this)(cyclic.momentum); }
   void operator()(SmallLeaf& small) { (*this)(small.value); }
 
  private:
@@ -64,6 +65,8 @@ void replace(Lagrangian& lagrangian, const Seeds& values) {
   replacing(lagrangian.tree.wrenches);
   replacing(lagrangian.outputs);
   replacing(lagrangian.locked);
+  replacing(lagrangian.cyclic);
+  replacing(lagrangian.cyclic_rates);
   if (lagrangian.expansion) replacing(lagrangian.expansion->small);
 }
 

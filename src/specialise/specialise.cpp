@@ -1,5 +1,5 @@
 // specialise: fixed parameters become numbers throughout a Lagrangian, then what is locked leaves
-// it.
+// it, and what is cyclic where the scene says so.
 //
 //     before    p = l*sin(q), T = 1/2*m*p_dot^2      l = 1/2 fixed
 //     after     p = 1/2*sin(q), T = 1/2*m*p_dot^2
@@ -134,12 +134,20 @@ Diagnostics lock_coordinates(Lagrangian& lagrangian, const CheckedModel& checked
   return {blamed(*problem, parts, before, {"where it is locked", "where they are locked"})};
 }
 
+Diagnostics take_out(Lagrangian& lagrangian, const CheckedModel& checked) {
+  const auto problem = problem_of(routh, lagrangian);
+  if (!problem) return {};
+  return {{problem->code, checked.model.moving->cyclic.front().span,
+           "`[routh]` makes " + std::string(problem->text) + ", whatever the state is"}};
+}
+
 }  // namespace
 
 Result<Lagrangian> specialise(Lagrangian lagrangian, const CheckedModel& checked) {
   Diagnostics errors;
   if (!checked.scene.specialisation.fixed.empty()) errors = fix_parameters(lagrangian, checked);
   if (errors.empty() && !lagrangian.locked.empty()) errors = lock_coordinates(lagrangian, checked);
+  if (errors.empty() && !lagrangian.cyclic.empty()) errors = take_out(lagrangian, checked);
   if (!errors.empty()) return errors;
   return lagrangian.expansion ? expanded(std::move(lagrangian)) : std::move(lagrangian);
 }

@@ -56,8 +56,9 @@ class DesignText {
     return fmt::format("format = 1\nmodel = {}\nname = \"{}\"\n", toml_string(model_path), name()) +
            section("outputs", {line(output(), output_value())}) +
            section("parameters", {line("fixed", fixed())}) + section("sizes", own("sizes")) +
-           section("lock", own("lock")) + section("functions", own("functions")) +
-           section("approximate", approximation()) + section("numeric", numeric()) +
+           section("lock", own("lock")) + section("routh", own("routh")) +
+           section("functions", own("functions")) + section("approximate", approximation()) +
+           section("numeric", numeric()) +
            section("emit", {line("batch", design_.in_packs ? "true" : "")});
   }
 

@@ -76,12 +76,12 @@ TEST_CASE("systems without equilibria say why, and what is cyclic") {
   CHECK(page("kepler_polar") == R"(Kepler problem in polar coordinates: equilibria (v = 0)
 
   none: g = (m μ/r², 0) is not 0 for r in [0.3, 3] (proved)
-  φ is cyclic: with its momentum held there are steady motions
+  φ is cyclic: with its momentum held (scene: [routh] phi = true) there are steady motions
 )");
   CHECK(page("heavy_top") == R"(Heavy symmetric top: equilibria (v = 0)
 
   none: g = (0, -m h g sin θ, 0) is not 0 for θ in [0.1, 3.04159] (proved)
-  φ and ψ are cyclic: with their momenta held there are steady motions
+  φ and ψ are cyclic: with their momenta held (scene: [routh]) there are steady motions
 )");
 }
 

@@ -124,6 +124,7 @@ TEST_CASE("names that cannot be had") {
   const Rows rows{
       {"mass_matrx", "E601 1:1 unknown output `mass_matrx` | did you mean `mass_matrix`?\n"},
       {"bias, tp", "E601 1:7 unknown output `tp` | did you mean `tip`?\n"},
+      {"cyclic_rates", "E603 1:1 `cyclic_rates` needs a coordinate in `[routh]`\n"},
       {"reaction", "E603 1:1 `reaction` needs `reaction = true` in an entry of `[lock]`\n"},
       {"place_jacobian",
        "E603 1:1 `place_jacobian` needs `jacobian = true` in the output's entry\n"},

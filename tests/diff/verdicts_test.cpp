@@ -160,6 +160,7 @@ constexpr const char* locked = "[lock]\ntheta = { value = \"pi/6\" }\n";
 constexpr const char* expanded = "[approximate]\norder = 1\nabout = { theta = 0 }\n";
 constexpr const char* emitted =
     "[outputs]\nbias = true\n[numeric]\nscalar = [\"double\"]\n[emit]\neigen = true\n";
+constexpr const char* held = "[outputs]\nbias = true\n[routh]\nphi = true\n";
 constexpr const char* stepped = "[outputs]\nstep = { method = \"rk4\" }\n";
 
 const SceneEdit scene_edits[]{
@@ -183,6 +184,9 @@ const SceneEdit scene_edits[]{
     {"cart_pole", emitted, "eigen = true", "eigen = true\nnamespace = \"cart\"", Impact::breaks},
     {"cart_pole", emitted, "[\"double\"]", "[\"double\", \"float\"]", Impact::values},
     {"cart_pole", stepped, "rk4", "midpoint", Impact::different},
+    {"kepler_polar", held, "phi = true", "phi = \"0.6\"", Impact::equal},
+    {"kepler_polar", held, "phi = true", "phi = \"0.7\"", Impact::values},
+    {"kepler_polar", held, "[routh]\nphi = true\n", "", Impact::breaks},
     {"chain", "[sizes]\nn = 3\n", "n = 3", "n = 4", Impact::breaks},
 };
 

@@ -95,6 +95,8 @@ std::vector<std::string> accepted_by(KeyType type) {
       return {s.table};
     case KeyType::boolean_or_table:
       return {s.boolean, s.table};
+    case KeyType::boolean_or_expression:
+      return {s.boolean, s.number, s.integer, s.name, s.expression};
     case KeyType::text_or_table:
       return {s.name, s.expression, s.repetition, s.table};
     case KeyType::choice:

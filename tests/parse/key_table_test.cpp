@@ -68,6 +68,7 @@ std::string value_of(const KeyRow& row, std::size_t which) {
     case KeyType::condition:
       return either("\"x > 1\"", "\"x < 1\"");
     case KeyType::boolean:
+    case KeyType::boolean_or_expression:
     case KeyType::boolean_or_table:
       return either("true", "false");
     case KeyType::range:

@@ -120,8 +120,9 @@ void note_missing_units(Context& context) {
     if (!coordinate.unit && coordinate.unit_text.empty()) note(coordinate.name, coordinate.span);
   }
   for (const ParameterArray& array : model.parameter_arrays) {
-    if (!model.parameters[array.first].unit && array.unit_text.empty())
-      note(array.name, array.span);
+    const Parameter& parameter = model.parameters[array.first];
+    const bool is_silent = !parameter.unit && array.unit_text.empty();
+    if (is_silent && !parameter.is_computed) note(array.name, array.span);
   }
   for (const Input& input : model.inputs) {
     if (!input.unit && input.unit_text.empty()) note(input.name, input.span);

@@ -30,6 +30,9 @@ MaybeUnit unit_along(const Model& model, Extent extent, std::size_t i) {
       const std::vector<std::uint32_t> held = held_velocities(model);
       return i < held.size() ? unit_in(model.unlocked->velocities, held[i]) : std::nullopt;
     }
+    case Extent::cyclic:
+      return model.moving ? unit_in(model.moving->velocities, model.moving->cyclic[i].velocity)
+                          : std::nullopt;
     case Extent::states:
     case Extent::user:
       break;

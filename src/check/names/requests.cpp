@@ -35,6 +35,8 @@ std::uint32_t extent(const Model& model, Extent kind, std::uint32_t user) {
       return static_cast<std::uint32_t>(model.inputs.size());
     case Extent::held:
       return static_cast<std::uint32_t>(held_velocities(model).size());
+    case Extent::cyclic:
+      return model.moving ? static_cast<std::uint32_t>(model.moving->cyclic.size()) : 0;
     case Extent::user:
       return static_cast<std::uint32_t>(model.outputs[user].values.size());
     case Extent::one:
@@ -53,6 +55,15 @@ struct Lack {
 
 Lack lacking(std::string reason) { return {Code::E603, std::move(reason)}; }
 
+/// The coordinate of [routh] that an [[output]] is made of; null where there is none.
+const Cyclic* taken_out_of(const Model& moving, std::uint32_t user) {
+  std::vector<ExpressionId> roots = moving.outputs[user].values;
+  roots.insert(roots.end(), moving.outputs[user].twist.begin(), moving.outputs[user].twist.end());
+  const auto found = std::ranges::find_if(
+      moving.cyclic, [&](const Cyclic& cyclic) { return is_reached(moving, roots, cyclic); });
+  return found == moving.cyclic.end() ? nullptr : &*found;
+}
+
 std::optional<Lack> lack_of(const Model& model, const OutputRequest& request) {
   const Requirement requirement = output_row(request.kind).requirement;
   const bool needs_quadratic =
@@ -69,6 +80,10 @@ std::optional<Lack> lack_of(const Model& model, const OutputRequest& request) {
     return Lack{Code::E603, "needs T and V apart, but the model gives L",
                 model.expressions[*model.energies.L].span, "L is given here"};
   }
+  if (requirement == Requirement::energies && model.moving) {
+    return Lack{Code::E603, "needs T and V apart, but `[routh]` makes one function of them",
+                model.moving->cyclic.front().span, "it takes a coordinate out here"};
+  }
   if (requirement == Requirement::inputs && model.inputs.empty()) {
     return lacking("needs inputs, and the model has none");
   }
@@ -77,6 +92,17 @@ std::optional<Lack> lack_of(const Model& model, const OutputRequest& request) {
   }
   if (requirement == Requirement::held && held_velocities(model).empty()) {
     return lacking("needs `reaction = true` in an entry of `[lock]`");
+  }
+  if (requirement == Requirement::cyclic && !model.moving && model.cyclic.empty()) {
+    return lacking("needs a coordinate in `[routh]`");
+  }
+  if (output_row(request.kind).of_user && model.moving) {
+    if (const Cyclic* const cyclic = taken_out_of(*model.moving, request.user)) {
+      return Lack{Code::E603,
+                  "contains " + in_backticks(model.moving->coordinates[cyclic->coordinate].name) +
+                      ", which `[routh]` takes out",
+                  cyclic->span, "it is taken out here"};
+    }
   }
   const Expression* kink = output_row(request.kind).differentiates ? find_kink(model) : nullptr;
   if (kink != nullptr) {

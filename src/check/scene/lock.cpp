@@ -48,7 +48,7 @@ class LockReader {
       lock.velocity = coordinate->velocity;
       lock.values = {function_of_time(value->value, *coordinate)};
     } else {
-      report_unknown(key);
+      report_unknown_coordinate(context_, key);
       return;
     }
     context_.model.locks.push_back(std::move(lock));
@@ -91,20 +91,6 @@ class LockReader {
     const ExpressionId length = nodes.power(nodes.add(squares), cln::cl_RA(1) / 2);
     for (ExpressionId& component : components) component = nodes.divide(component, length);
     return components;
-  }
-
-  void report_unknown(const KeySyntax& key) {
-    const DeclaredNames& symbols = context_.symbols;
-    const DeclaredName* symbol = symbols.find(key.key);
-    if (symbol != nullptr && symbol->kind == SymbolKind::coordinate && symbol->is_array) {
-      context_.report.add(
-          Code::E208, key.key_span,
-          in_backticks(key.key) + " needs an index: " + elements_of(key.key, *symbol));
-      return;
-    }
-    context_.report.add(
-        Code::E612, key.key_span, "unknown coordinate " + in_backticks(key.key),
-        symbols.suggest(key.key, symbols.names({SymbolKind::coordinate, SymbolKind::rotation})));
   }
 
   void refuse(const Span& span, const std::string& message) {
@@ -290,6 +276,10 @@ class Locking {
         if (step.rotation) step.rotation = indices_.rotations[*step.rotation];
       }
     }
+    for (Cyclic& cyclic : model_.cyclic) {
+      cyclic.coordinate = *indices_.coordinates[cyclic.coordinate];
+      cyclic.velocity = *indices_.velocities[cyclic.velocity];
+    }
     for (Input& input : model_.inputs) {
       if (input.on) input.on = indices_.velocities[*input.on];
     }
@@ -322,6 +312,19 @@ class Locking {
 };
 
 }  // namespace
+
+void report_unknown_coordinate(Context& context, const KeySyntax& key) {
+  const DeclaredNames& symbols = context.symbols;
+  const DeclaredName* symbol = symbols.find(key.key);
+  if (symbol != nullptr && symbol->kind == SymbolKind::coordinate && symbol->is_array) {
+    context.report.add(Code::E208, key.key_span,
+                       in_backticks(key.key) + " needs an index: " + elements_of(key.key, *symbol));
+    return;
+  }
+  context.report.add(
+      Code::E612, key.key_span, "unknown coordinate " + in_backticks(key.key),
+      symbols.suggest(key.key, symbols.names({SymbolKind::coordinate, SymbolKind::rotation})));
+}
 
 void read_locks(Context& context, const FileSyntax* scene) {
   const EntrySyntax* entry = find_entry(scene, "lock");

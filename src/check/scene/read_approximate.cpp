@@ -65,14 +65,16 @@ class ApproximationReader {
     for (const KeySyntax& key : about.entries) {
       const Variables found = read_point_value(values, about_table, key, result_);
       for (const std::uint32_t i : found.coordinates) {
-        if (!is_locked(i)) continue;
-        context_.report.add(Code::E614, key.key_span,
-                            in_backticks(model_.coordinates[i].name) + " is locked");
+        const std::string name = in_backticks(model_.coordinates[i].name);
+        if (is_locked(i)) context_.report.add(Code::E614, key.key_span, name + " is locked");
+        if (!is_taken_out(i)) continue;
+        context_.report.add(Code::E635, key.key_span,
+                            name + " is taken out by `[routh]`, so that nothing is expanded in it");
       }
     }
   }
 
-  /// Locked coordinates are where the lock holds them.
+  /// Locked coordinates are where the lock holds them, and those of [routh] anywhere.
   void take_equilibrium(const ValueSyntax& name) {
     const auto found = std::ranges::find(model_.equilibria, name.text, &Equilibrium::name);
     if (found == model_.equilibria.end()) {
@@ -84,7 +86,7 @@ class ApproximationReader {
     }
     static_cast<StatedPoint&>(result_) = *found;
     for (std::uint32_t i = 0; i < result_.coordinates.size(); ++i) {
-      if (is_locked(i)) result_.coordinates[i].reset();
+      if (is_locked(i) || is_taken_out(i)) result_.coordinates[i].reset();
     }
   }
 
@@ -123,9 +125,13 @@ class ApproximationReader {
     });
   }
 
+  [[nodiscard]] bool is_taken_out(std::uint32_t coordinate) const {
+    return std::ranges::count(model_.cyclic, coordinate, &Cyclic::coordinate) > 0;
+  }
+
   [[nodiscard]] bool all_free_are_small() const {
     for (std::uint32_t i = 0; i < result_.small.size(); ++i) {
-      if (!result_.small[i] && !is_locked(i)) return false;
+      if (!result_.small[i] && !is_locked(i) && !is_taken_out(i)) return false;
     }
     return true;
   }

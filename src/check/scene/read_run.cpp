@@ -184,6 +184,7 @@ void read_values(Context& context, const Scene& scene, const SceneOptions& optio
       check_value(context, target, value->number, given->value);
       context.model.parameters[target].value = value->number;
       context.model.parameters[target].form = value->form;
+      context.model.parameters[target].is_computed = false;
     }
   }
 }

@@ -45,4 +45,20 @@ void read_locks(Context& context, const FileSyntax* scene);
 /// [[expect]] and equilibria are those of the whole model and do not carry over.
 [[nodiscard]] Model locked(Model model);
 
+/// E208 or E612 of a key that names no coordinate and no rotation.
+void report_unknown_coordinate(Context& context, const KeySyntax& key);
+
+/// Fills Model::cyclic, in the order of v, and adds their momenta to the parameters. E201, E208,
+/// E612; E635: of a rotation, of a locked coordinate, of all of them, or the name of the momentum
+/// is taken.
+void read_routh(Context& context, const FileSyntax* scene);
+
+/// E635: an input, a force or D acts on a cyclic coordinate or contains it, L is not quadratic, or
+/// a lock wants its reaction. Of a model without cycles.
+void check_routh(Context& context);
+
+/// The locked model without its cyclic coordinates; the model given is kept as `moving`. Without
+/// such coordinates it is returned as it is.
+[[nodiscard]] Model reduced(Model model);
+
 }  // namespace elgen

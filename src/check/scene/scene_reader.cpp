@@ -270,6 +270,7 @@ class SceneReader {
     }
     for (const std::uint32_t target : targets) {
       if (own) check_value(context_, target, own->number, value->span);
+      if (own) context_.model.parameters[target].is_computed = false;
       const Parameter& parameter = model_.parameters[target];
       scene_.specialisation.fixed[target] =
           own.value_or(FixedValue{parameter.value, parameter.form});

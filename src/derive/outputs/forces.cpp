@@ -229,6 +229,8 @@ Vector position_gradient(Derivation& derivation) {
   return derivation.by_position(sum);
 }
 
+Vector cyclic_rates(Derivation& derivation) { return derivation.lagrangian.cyclic_rates; }
+
 /// Rows of the Lagrangian in which everything moves, then brought to where it stands.
 ///
 ///     before    row of q1: (I1 + I2 + ...)*q1_ddot + ... - tau1

@@ -49,6 +49,9 @@ enum class Bodies : unsigned char { all, without_frames };
 /// at q = s(t), v = ds/dt, a = d2s/dt2: what must act beside the inputs to hold them.
 [[nodiscard]] Vector reaction(Derivation& derivation);
 
+/// v_c of the cyclic coordinates that specialise took out.
+[[nodiscard]] Vector cyclic_rates(Derivation& derivation);
+
 // Energies, in J.
 
 /// T. L quadratic in v.

@@ -1,0 +1,124 @@
+// Momenta of `[routh]`, and E635 where the coordinate they belong to is not cyclic. A slope of L
+// that is not 0 at one state proves that L changes with the coordinate; where it is 0 at all
+// sampled ones L is taken not to change, and what is derived is compared with the whole model
+// anyway.
+#include "base/exact_number.hpp"
+#include "elgen/inspect.hpp"
+#include "elgen/wording.hpp"
+#include "inspect/samples.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_R;
+
+constexpr unsigned cyclic_samples = 8;
+
+std::vector<cl_R> along(const Model& model, const Cyclic& cyclic) {
+  std::vector<cl_R> direction(model.velocities.size(), cl_R(0));
+  direction[cyclic.velocity] = 1;
+  return direction;
+}
+
+std::string quoted_name(const Model& model, const Cyclic& cyclic) {
+  return in_backticks(model.coordinates[cyclic.coordinate].name);
+}
+
+/// Whether dL/dq is more than rounding at a sampled state.
+bool changes_lagrangian(const Inspected& subject, const Cyclic& cyclic) {
+  const Model& model = subject.model;
+  for (unsigned seed = 0; seed < cyclic_samples; ++seed) {
+    const State state = sampled_state(subject, seed);
+    const auto slope = oracle_contraction(model, {.kind = OutputKind::position_gradient}, state,
+                                          {along(model, cyclic)});
+    const auto size = oracle_energy_magnitude(model, state);
+    if (slope && size && cln::abs(*slope) > *size * power_of_ten(-50)) return true;
+  }
+  return false;
+}
+
+/// Whether M_cc is singular wherever it has a value.
+bool are_dependent(const Inspected& subject) {
+  const Model& model = subject.model;
+  bool was_singular = false;
+  for (unsigned seed = 0; seed < zero_samples; ++seed) {
+    const State state = sampled_state(subject, seed);
+    std::vector<cl_R> mass;
+    for (const Cyclic& row : model.cyclic) {
+      for (const Cyclic& column : model.cyclic) {
+        const auto entry = oracle_contraction(model, {.kind = OutputKind::mass_matrix}, state,
+                                              {along(model, row), along(model, column)});
+        if (entry) mass.push_back(*entry);
+      }
+    }
+    const std::size_t n = model.cyclic.size();
+    if (mass.size() < n * n) continue;
+    if (oracle_relative_pivots(std::move(mass), n)) return false;
+    was_singular = true;
+  }
+  return was_singular;
+}
+
+Diagnostics not_cyclic(const Inspected& subject) {
+  Diagnostics errors;
+  for (const Cyclic& cyclic : subject.model.cyclic) {
+    if (!changes_lagrangian(subject, cyclic)) continue;
+    errors.push_back({Code::E635, cyclic.span,
+                      quoted_name(subject.model, cyclic) + " is not cyclic: L changes with it"});
+  }
+  if (errors.empty() && are_dependent(subject)) {
+    errors.push_back({Code::E635, subject.model.cyclic.front().span,
+                      "the momenta do not determine the rates of what `[routh]` takes out: their "
+                      "part of the mass matrix is singular"});
+  }
+  return errors;
+}
+
+/// The state at which a run starts, of the model in which cyclic coordinates move.
+State starting_state(const CheckedModel& checked) {
+  const Model& moving = *checked.model.moving;
+  State state = nominal_state(moving, checked.scene);
+  state.parameters = nominal_state(checked.model, checked.scene).parameters;
+  for (std::size_t i = 0; i < state.q.size(); ++i) state.q[i] = moving.coordinates[i].start_value;
+  for (std::size_t i = 0; i < state.v.size(); ++i) state.v[i] = moving.velocities[i].start_rate;
+  return state;
+}
+
+/// Rational, so that it can be fixed: the nearest double of what has no end.
+cl_R kept(const cl_R& value) {
+  return is_rational(value) ? value : cl_R(exact_value(cln::double_approx(value)));
+}
+
+std::optional<cl_R> momentum_of(const Model& exact, const Cyclic& cyclic, const State& start) {
+  if (cyclic.momentum) return oracle_expression(exact, *cyclic.momentum, start);
+  return oracle_contraction(exact, {.kind = OutputKind::momentum}, start, {along(exact, cyclic)});
+}
+
+}  // namespace
+
+Diagnostics find_momenta(CheckedModel& checked) {
+  if (!checked.model.moving) return {};
+  Model exact = *checked.model.moving;
+  exact.approximation.reset();
+  Diagnostics errors = not_cyclic({exact, checked.scene});
+  if (!errors.empty()) return errors;
+  const State start = starting_state(checked);
+  for (const Cyclic& cyclic : exact.cyclic) {
+    Parameter& parameter = checked.model.parameters[cyclic.parameter];
+    if (!parameter.is_computed) continue;
+    const std::optional<cl_R> momentum = momentum_of(exact, cyclic, start);
+    if (!momentum) {
+      errors.push_back({Code::E635, cyclic.span,
+                        "the momentum of " + quoted_name(exact, cyclic) + " has no value" +
+                            (cyclic.momentum ? "" : " at the start")});
+      continue;
+    }
+    parameter.value = kept(*momentum);
+    parameter.is_computed = false;
+    const auto fixed = checked.scene.specialisation.fixed.find(cyclic.parameter);
+    if (fixed != checked.scene.specialisation.fixed.end()) fixed->second.number = parameter.value;
+  }
+  return errors;
+}
+
+}  // namespace elgen

@@ -1,0 +1,63 @@
+// States of rest of what is left where momenta are held: steady motions of the whole.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "analyse/found.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+Products steady_products(const std::string& model, const std::string& routh) {
+  PipelineOptions options;
+  options.goals = {Goal::modes};
+  Products products = run_pipeline(inputs_of(model_file(model), "[routh]\n" + routh), options);
+  INFO(format(products.diagnostics));
+  REQUIRE(products.motions);
+  REQUIRE(products.motions->size() == 1);
+  return products;
+}
+
+double omega_squared(const Products& products) {
+  REQUIRE(products.motions->front().modes.size() == 1);
+  return ScalarTraits<double>::from_real(products.motions->front().modes[0].omega_squared);
+}
+
+double rest_coordinate(const Products& products) {
+  return ScalarTraits<double>::from_real(products.motions->front().point.state.q.at(0));
+}
+
+std::string steady_page(const Products& products) {
+  return screen_page(modes_sheet(*products.checked, *products.equilibria, *products.motions),
+                     {100, Alphabet::unicode});
+}
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("a circular orbit: r = p^2/(m^2 mu), and near ones close") {
+  const Products orbit = steady_products("kepler_polar", "phi = true\n");
+  CHECK(rest_coordinate(orbit) == Approx(1.44).epsilon(1e-14));
+  CHECK(orbit.motions->front().point.coordinates[0].form);
+  CHECK(omega_squared(orbit) == Approx(std::pow(0.5, 6) / std::pow(0.6, 6)).epsilon(1e-14));
+  const std::string text = steady_page(orbit);
+  INFO(text);
+  CHECK(text.starts_with("Kepler problem in polar coordinates, p_φ = 0.6 N m s: normal modes at"));
+  CHECK(holds(text, "0.334898"));
+  CHECK(holds(text, "= 0.578704 rad/s, of the same period: orbits close\n"));
+}
+
+TEST_CASE("a top that precesses steadily") {
+  const Products top = steady_products("heavy_top", "phi = true\npsi = true\n");
+  CHECK(rest_coordinate(top) == Approx(0.487368).epsilon(1e-6));
+  CHECK(omega_squared(top) == Approx(1518.19).epsilon(1e-5));
+  const std::string text = steady_page(top);
+  INFO(text);
+  CHECK(text.starts_with("Heavy symmetric top, p_φ = 1.80896 N m s, p_ψ = 2.0351 N m s: normal"));
+  CHECK(holds(text, "= 0.985147 rad/s, "));
+  CHECK(holds(text, "= 100.885 rad/s\n"));
+}

@@ -1,0 +1,200 @@
+// Scenes that take cyclic coordinates out: the equations of what is left are those of the whole
+// model at the momenta held, and its rates are those of the whole.
+#include <catch2/catch.hpp>
+
+#include "base/exact_number.hpp"
+#include "base/random.hpp"
+#include "elgen/simulate.hpp"
+#include "evaluate/subject.hpp"
+#include "pipeline/pipeline_testing.hpp"
+
+namespace elgen::test {
+namespace {
+
+using cln::cl_R;
+using Numbers = std::vector<cl_R>;
+
+struct Reduction {
+  const char* model;
+  const char* routh;
+};
+
+constexpr const char* routh_outputs =
+    "[outputs]\ninverse_dynamics = true\ncyclic_rates = true\npotential_energy = true\n"
+    "mass_matrix = true\n[routh]\n";
+
+const Reduction reductions[]{
+    {"kepler_polar", "phi = \"0.6\"\n"},    {"heavy_top", "psi = true\n"},
+    {"heavy_top", "phi = true\n"},          {"heavy_top", "phi = true\npsi = \"2\"\n"},
+    {"spherical_pendulum", "phi = true\n"}, {"free_particle", "y = true\nx = \"6\"\n"},
+    {"central_force_open", "phi = true\n"},
+};
+
+bool is_close(const cl_R& x, const cl_R& y) {
+  return cln::abs(x - y) <= power_of_ten(-50) * (1 + cln::abs(x) + cln::abs(y));
+}
+
+OracleValues truth_at(const Model& model, OutputKind kind, const State& state) {
+  return oracle_values(model, {.kind = kind}, state);
+}
+
+/// A state of the reduced model in the whole one, at accelerations that leave the momenta.
+std::optional<State> whole_state(const Model& reduced, const State& state) {
+  const Model& whole = *reduced.moving;
+  const OracleValues rates = truth_at(reduced, OutputKind::cyclic_rates, state);
+  if (!rates) return std::nullopt;
+  State moving = state;
+  for (std::size_t i = 0; i < rates->size(); ++i) {
+    const Cyclic& cyclic = whole.cyclic[i];
+    moving.q.insert(moving.q.begin() + cyclic.coordinate, cl_R(cln::cl_RA(1) / 3));
+    moving.v.insert(moving.v.begin() + cyclic.velocity, (*rates)[i]);
+    moving.a.insert(moving.a.begin() + cyclic.velocity, cl_R(0));
+  }
+  const OracleValues forces = truth_at(whole, OutputKind::inverse_dynamics, moving);
+  const OracleValues mass = truth_at(whole, OutputKind::mass_matrix, moving);
+  if (!forces || !mass) return std::nullopt;
+  const auto entry = [&](std::size_t i, std::size_t j) {
+    return (*mass)[whole.cyclic[i].velocity * moving.v.size() + whole.cyclic[j].velocity];
+  };
+  const auto force = [&](std::size_t i) { return (*forces)[whole.cyclic[i].velocity]; };
+  if (rates->size() == 1) {
+    moving.a[whole.cyclic[0].velocity] = -force(0) / entry(0, 0);
+    return moving;
+  }
+  const cl_R determinant = entry(0, 0) * entry(1, 1) - entry(0, 1) * entry(1, 0);
+  moving.a[whole.cyclic[0].velocity] =
+      (entry(0, 1) * force(1) - entry(1, 1) * force(0)) / determinant;
+  moving.a[whole.cyclic[1].velocity] =
+      (entry(1, 0) * force(0) - entry(0, 0) * force(1)) / determinant;
+  return moving;
+}
+
+/// The forces of the whole model, without those on what was taken out.
+std::optional<Numbers> forces_left(const Model& reduced, const State& state) {
+  const std::optional<State> moving = whole_state(reduced, state);
+  if (!moving) return std::nullopt;
+  OracleValues forces = truth_at(*reduced.moving, OutputKind::inverse_dynamics, *moving);
+  if (!forces) return std::nullopt;
+  const std::vector<Cyclic>& cyclic = reduced.moving->cyclic;
+  for (auto each = cyclic.rbegin(); each != cyclic.rend(); ++each) {
+    CHECK(is_close((*forces)[each->velocity], 0));
+    forces->erase(forces->begin() + each->velocity);
+  }
+  return forces;
+}
+
+void check_program(const Products& products, OutputKind kind, const State& state) {
+  const Function* const function = find_function(*products.program, kind);
+  REQUIRE(function != nullptr);
+  const OracleValues truth = truth_at(products.checked->model, kind, state);
+  const OracleValues found =
+      defined_values(evaluate(*products.program, *function, arguments_at<Real>(state)));
+  REQUIRE(truth);
+  REQUIRE(found);
+  REQUIRE(found->size() == truth->size());
+  for (std::size_t i = 0; i < truth->size(); ++i) CHECK(is_close((*found)[i], (*truth)[i]));
+}
+
+Products reduced_products(const Reduction& reduction, const std::string& value = {}) {
+  PipelineOptions options;
+  options.goals = {Goal::choose};
+  if (!value.empty()) options.scene.values = {make_source("--set", value)};
+  return derived(
+      inputs_of(model_file(reduction.model), routh_outputs + std::string(reduction.routh)),
+      options);
+}
+
+/// r at the end of ten turns about the centre.
+double last_distance(const std::string& rest) {
+  const Inputs inputs = inputs_of(model_file("kepler_polar"), rest);
+  PipelineOptions options;
+  options.goals = {Goal::check};
+  const Products checked = run_pipeline(inputs, options);
+  REQUIRE(checked.checked);
+  const Products products = derived(inputs, outputs_of_run(checked.checked->model));
+  const Result<Trajectory> run =
+      simulate(*products.checked, *products.program, nullptr, {.time = 150, .tolerance = 1e-11});
+  REQUIRE(run);
+  return run->last.at(1);
+}
+
+const Parameter& last_parameter(const Products& products) {
+  return products.checked->model.parameters.back();
+}
+
+}  // namespace
+
+TEST_CASE("what is left moves as the whole does at its momenta") {
+  for (const Reduction& reduction : reductions) {
+    INFO(reduction.model << ": " << reduction.routh);
+    const Products products = reduced_products(reduction);
+    const Model& model = products.checked->model;
+    Random random(5);
+    for (std::size_t turn = 0; turn < 4; ++turn) {
+      State state = nominal_state(model, products.checked->scene);
+      draw_motion(model, random, turn, state);
+      const OracleValues left = truth_at(model, OutputKind::inverse_dynamics, state);
+      const std::optional<Numbers> whole = forces_left(model, state);
+      REQUIRE(left);
+      REQUIRE(whole);
+      REQUIRE(left->size() == whole->size());
+      for (std::size_t i = 0; i < left->size(); ++i) CHECK(is_close((*left)[i], (*whole)[i]));
+      for (const OutputKind kind : {OutputKind::inverse_dynamics, OutputKind::cyclic_rates,
+                                    OutputKind::potential_energy, OutputKind::mass_matrix}) {
+        check_program(products, kind, state);
+      }
+    }
+  }
+}
+
+TEST_CASE("what is left runs as the whole does, over ten turns") {
+  CHECK(last_distance("[routh]\nphi = true\n") == Approx(last_distance("")).epsilon(1e-7));
+}
+
+TEST_CASE("a momentum is that at the start, as it is written, or as an option says") {
+  CHECK(last_parameter(reduced_products({"kepler_polar", "phi = true\n"})).name == "p_phi");
+  CHECK(last_parameter(reduced_products({"kepler_polar", "phi = true\n"})).value ==
+        cln::cl_RA(3) / 5);
+  CHECK(last_parameter(reduced_products({"kepler_polar", "phi = \"0.7\"\n"})).value ==
+        cln::cl_RA(7) / 10);
+  // m has twice its value.
+  CHECK(last_parameter(reduced_products({"kepler_polar", "phi = true\n"}, "m=1")).value ==
+        cln::cl_RA(6) / 5);
+  CHECK(last_parameter(reduced_products({"kepler_polar", "phi = true\n"}, "p_phi=2")).value == 2);
+}
+
+TEST_CASE("a momentum may be fixed, and what is left locked or expanded") {
+  const auto checked = [](const std::string& rest) {
+    PipelineOptions options;
+    options.goals = {Goal::self_check};
+    const Products products = run_pipeline(
+        inputs_of(model_file("heavy_top"), "[outputs]\nbias = true\ncyclic_rates = true\n" + rest),
+        options);
+    INFO(format(products.diagnostics));
+    return products.self_check.has_value();
+  };
+  CHECK(checked("[routh]\nphi = true\n[parameters]\nfixed = { p_phi = 2 }\n"));
+  CHECK(checked("[routh]\nphi = true\n[parameters]\nfixed = \"all\"\n"));
+  CHECK(checked("[routh]\nphi = true\n[lock]\ntheta = { value = \"pi/3\" }\n"));
+}
+
+TEST_CASE("outputs that contain what is taken out are not to be had") {
+  const std::string text = model_file("kepler_polar") +
+                           "\n[[output]]\nname = \"place\"\nvalue = [\"x(body)\", \"r\"]\n"
+                           "[[output]]\nname = \"height\"\nvalue = \"2*r\"\n";
+  PipelineOptions options;
+  options.goals = {Goal::check};
+  const Products all = run_pipeline(inputs_of(text, "[routh]\nphi = true\n"), options);
+  REQUIRE(all.checked);
+  CHECK(find_request(all.checked->scene, "height") != nullptr);
+  CHECK(find_request(all.checked->scene, "place") == nullptr);
+  CHECK(find_request(all.checked->scene, "cyclic_rates") != nullptr);
+  CHECK(find_request(all.checked->scene, "kinetic_energy") == nullptr);
+  const Products refused =
+      run_pipeline(inputs_of(text, "[outputs]\nplace = true\n[routh]\nphi = true\n"), options);
+  REQUIRE(refused.diagnostics.size() == 1);
+  CHECK(refused.diagnostics[0].code == Code::E603);
+  CHECK(refused.diagnostics[0].message == "`place` contains `phi`, which `[routh]` takes out");
+}
+
+}  // namespace elgen::test
