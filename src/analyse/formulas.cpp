@@ -39,7 +39,7 @@ bool holds_leaves(const Algebra& algebra, const Fraction& form) {
   });
 }
 
-Value divisor_of(Algebra& algebra, const Fraction& form) {
+Monomial divisor_powers(const Fraction& form) {
   std::map<AtomId, std::int32_t> lowest;
   for (const auto& [monomial, coefficient] : form.numerator) {
     for (const AtomPower& power : monomial) {
@@ -51,8 +51,12 @@ Value divisor_of(Algebra& algebra, const Fraction& form) {
   for (const auto& [atom, exponent] : lowest) {
     if (exponent < 0) monomial.push_back({atom, -exponent});
   }
+  return monomial;
+}
+
+Value divisor_of(Algebra& algebra, const Fraction& form) {
   Arithmetic arithmetic(algebra);
-  Value result = fraction_of(Polynomial{{monomial, Gaussian{1, 0}}});
+  Value result = fraction_of(Polynomial{{divisor_powers(form), Gaussian{1, 0}}});
   for (const auto& [factor, exponent] : form.denominator) {
     const Fraction shown = fraction_of(algebra.factors[factor].shown);
     result = arithmetic.multiply(result, arithmetic.power(shown, exponent));

@@ -24,6 +24,9 @@ struct Printed {
 /// Whether a form is more than numbers and pi.
 [[nodiscard]] bool holds_leaves(const Algebra& algebra, const Fraction& form);
 
+/// The powers that stand below in the monomials of a form, with positive exponents.
+[[nodiscard]] Monomial divisor_powers(const Fraction& form);
+
 /// The least product that makes a sum without divisors of a form: its monomials' negative powers
 /// and its denominator.
 [[nodiscard]] Value divisor_of(Algebra& algebra, const Fraction& form);

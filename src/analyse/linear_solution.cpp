@@ -1,6 +1,9 @@
 // A pivot is a coefficient that is not 0 at the values of the parameters.
 #include "analyse/linear_solution.hpp"
 
+#include <algorithm>
+#include <set>
+
 #include "analyse/formulas.hpp"
 
 namespace elgen {
@@ -109,6 +112,34 @@ class LinearSystem {
   std::vector<std::vector<Fraction>> rows_;  ///< coefficients, then what is left of the equation
 };
 
+/// A row times the powers of the unknowns that stand below in it; these go into `poles`.
+Value without_poles(Algebra& algebra, const Fraction& row, const Unknowns& unknowns,
+                    std::set<std::uint32_t>& poles) {
+  Monomial powers;
+  for (const AtomPower& power : divisor_powers(row)) {
+    const Atom& atom = algebra.atoms[power.atom];
+    const bool is_unknown =
+        atom.kind == AtomKind::leaf && atom.leaf == Opcode::coordinate &&
+        std::ranges::find(unknowns.coordinates, atom.index) != unknowns.coordinates.end();
+    if (!is_unknown) continue;
+    poles.insert(atom.index);
+    powers.push_back(power);
+  }
+  if (powers.empty()) return row;
+  return Arithmetic(algebra).multiply(row, fraction_of(Polynomial{{powers, Gaussian{1, 0}}}));
+}
+
+/// Whether an unknown that no value may make 0 is 0.
+bool is_at_pole(const LinearSolution& solution, const Unknowns& unknowns,
+                const std::set<std::uint32_t>& poles) {
+  for (std::size_t i = 0; i < solution.values.size(); ++i) {
+    const CoordinateAtRest& value = solution.values[i];
+    const bool is_zero = !value.is_any && is_near(Real(value.value), Real());
+    if (is_zero && poles.contains(unknowns.coordinates[i])) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::optional<LinearSolution> linear_solution(ClosedForms& forms, const std::vector<Fraction>& rows,
@@ -118,18 +149,23 @@ std::optional<LinearSolution> linear_solution(ClosedForms& forms, const std::vec
   for (const std::uint32_t coordinate : unknowns.coordinates) {
     origin[{Opcode::coordinate, coordinate}] = {};
   }
-  for (const Fraction& row : rows) {
+  std::set<std::uint32_t> poles;
+  for (const Fraction& given : rows) {
+    const Value row = without_poles(forms.algebra, given, unknowns, poles);
+    if (!row) return std::nullopt;
     std::vector<Fraction> coefficients;
     for (const std::uint32_t coordinate : unknowns.coordinates) {
-      const auto slope = partial_derivative(forms, row, coordinate, at.q.size());
+      const auto slope = partial_derivative(forms, *row, coordinate, at.q.size());
       if (!slope || holds_coordinate(forms.algebra, *slope)) return std::nullopt;
       coefficients.push_back(*slope);
     }
-    const Value rest = substituted(forms.algebra, row, origin);
+    const Value rest = substituted(forms.algebra, *row, origin);
     if (!rest) return std::nullopt;
     system.add(std::move(coefficients), *rest);
   }
-  return system();
+  std::optional<LinearSolution> solution = system();
+  if (solution && is_at_pole(*solution, unknowns, poles)) solution->is_solvable = false;
+  return solution;
 }
 
 }  // namespace elgen

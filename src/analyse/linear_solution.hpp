@@ -9,7 +9,8 @@
 
 namespace elgen {
 
-/// The general solution of equations that are linear in the unknowns: some of these are any, the
+/// The general solution of equations that are linear in the unknowns, perhaps times powers of them
+/// as those of orbits are (p^2/(m r^3) = m mu/r^2): some of these are any, the
 /// others expressions of them. `is_solvable` is false where there is none; the whole is none where
 /// the equations are not linear, or a form is beyond the budget, or 0 in 64 digits though it is not
 /// the empty sum.

@@ -43,7 +43,9 @@ class SymmetrySearch {
     }
     std::vector<Generator> basis = found_basis();
     prefer_common_rotations(result_.forms, all_, basis);
-    for (Generator& generator : basis) add(std::move(generator));
+    for (Generator& generator : basis) {
+      add(without_divisors(result_.forms, std::move(generator)));
+    }
     std::ranges::stable_sort(result_.all, {}, &Symmetry::kind);
     result_.loses_energy = loses_energy();
     return std::move(result_);
@@ -81,7 +83,8 @@ class SymmetrySearch {
       return exact->basis;
     }
     std::vector<Generator> basis;
-    for (const std::vector<cl_R>& numbers : sampled_ ? sampled_->basis : decltype(sampled_->basis){}) {
+    for (const std::vector<cl_R>& numbers :
+         sampled_ ? sampled_->basis : decltype(sampled_->basis){}) {
       Generator& generator = basis.emplace_back();
       for (const cl_R& number : numbers) {
         const std::optional<cl_RA> exact_number = small_fraction(number);
@@ -128,8 +131,7 @@ class SymmetrySearch {
 
   static void turn_sign(const FormField& field, Symmetry& symmetry) {
     symmetry.by_names = field.negate(symmetry.by_names).value();
-    for (Value* const value :
-         {&symmetry.closed, &symmetry.total, &symmetry.loss, &symmetry.rate}) {
+    for (Value* const value : {&symmetry.closed, &symmetry.total, &symmetry.loss, &symmetry.rate}) {
       *value = field.negate(*value);
     }
   }
@@ -257,8 +259,7 @@ class SymmetrySearch {
       const Value own = field.add(force[i], field.negate(dissipation[i]));
       loss = field.add(loss, field.multiply(along, own));
       for (std::uint32_t k = 0; k < inputs; ++k) {
-        const Value input =
-            field.multiply(by_input[i * inputs + k], field.leaf(Opcode::input, k));
+        const Value input = field.multiply(by_input[i * inputs + k], field.leaf(Opcode::input, k));
         work = field.add(work, field.multiply(along, input));
       }
     }
@@ -268,10 +269,8 @@ class SymmetrySearch {
 
   /// T + V - E = 2 T0 + T1: without T1 its rate is 0 where it holds neither q nor t.
   bool loses_energy() {
-    const bool has_time =
-        std::ranges::any_of(result_.all, [](const Symmetry& symmetry) {
-          return symmetry.kind == SymmetryKind::time;
-        });
+    const bool has_time = std::ranges::any_of(
+        result_.all, [](const Symmetry& symmetry) { return symmetry.kind == SymmetryKind::time; });
     if (!has_time || find_function(moving_, OutputKind::total_energy) == nullptr) return false;
     FormField field(result_.forms.algebra);
     const Value difference = field.add(entries_of(OutputKind::total_energy, 1)[0],

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "analyse/generators.hpp"
 #include "analyse/page.hpp"
@@ -36,7 +37,8 @@ const char* name_of(SymmetryKind kind) {
 class SymmetriesPage {
  public:
   SymmetriesPage(const CheckedModel& checked, const Symmetries& symmetries)
-      : model_(checked.model),
+      : checked_(checked),
+        model_(checked.model),
         symmetries_(symmetries),
         forms_(symmetries.forms),
         all_(checked.model),
@@ -45,7 +47,7 @@ class SymmetriesPage {
   AnalysisPage operator()() {
     AnalysisPage page;
     page.title = title();
-    if (!symmetries_.all.empty()) page.parts.push_back({.table = table()});
+    if (!symmetries_.all.empty()) page.parts = rows();
     page.parts.push_back({.lines = claims()});
     const std::vector<std::string> names = conserved();
     if (names.empty()) return page;
@@ -106,12 +108,12 @@ class SymmetriesPage {
   [[nodiscard]] Printed title() const {
     const bool turns = !all_.rotations.empty();
     const Printed change{turns ? "dq = A q + b + c t, turns R^T s + b" : "dq = A q + b + c t",
-                         turns ? "\\delta q = A q + b + c t, \\text{turns } R^{\\top} s + b"
-                               : "\\delta q = A q + b + c t"};
+                         turns ? "{\\delta} q = A q + b + c t, \\text{turns } R^{\\top} s + b"
+                               : "{\\delta} q = A q + b + c t"};
     const std::size_t count = symmetries_.all.size();
     const Printed time{fmt::format("dt constant: {}", count),
-                       fmt::format("\\delta t \\text{{ constant: {}}}", count)};
-    const Printed subject = prose(title_of(model_) + ": symmetries of L,") + change;
+                       fmt::format("{{\\delta}} t \\text{{ constant: {}}}", count)};
+    const Printed subject = titled(checked_, "symmetries of L,") + change;
     return Printed{subject.text + ", " + time.text, subject.latex + ", " + time.latex};
   }
 
@@ -121,25 +123,37 @@ class SymmetriesPage {
     });
   }
 
-  PageTable table() {
-    PageTable table;
+  /// A row each; where one of them is too wide to be read, lines.
+  std::vector<PagePart> rows() {
+    constexpr std::size_t widest = 120;
     const bool has_change = !is_about_time_alone();
     const bool has_rate = std::ranges::any_of(
         symmetries_.all, [](const Symmetry& symmetry) { return !is_nothing(symmetry.rate); });
+    PageTable table;
     table.heads.resize(2U + (has_change ? 1U : 0U) + (has_rate ? 1U : 0U));
+    std::vector<PagePart> listed;
+    std::vector<std::size_t> widths(table.heads.size(), 0);
     for (const Symmetry& symmetry : symmetries_.all) {
-      table.cells.push_back(name(symmetry));
-      if (has_change) table.cells.push_back(change(symmetry));
-      table.cells.push_back(integral(symmetry));
-      if (has_rate) table.cells.push_back(rate(symmetry));
+      std::vector<Printed> row{name(symmetry)};
+      if (has_change) row.push_back(change(symmetry));
+      row.push_back(integral(symmetry));
+      if (has_rate) row.push_back(rate(symmetry));
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        widths[i] = std::max(widths[i], row[i].text.size());
+      }
+      table.cells.insert(table.cells.end(), row.begin(), row.end());
+      std::erase_if(row, [](const Printed& cell) { return cell.text.empty(); });
+      listed.push_back({.lines = std::move(row)});
     }
-    return table;
+    const std::size_t width = std::accumulate(widths.begin(), widths.end(), std::size_t{0});
+    if (width > widest) return listed;
+    return {{.table = std::move(table)}};
   }
 
   /// The only velocity along which a symmetry moves.
   [[nodiscard]] static std::size_t moved_velocity(const Symmetry& symmetry) {
-    const auto moved = std::ranges::find_if(
-        symmetry.displacement, [](const Fraction& x) { return !x.numerator.empty(); });
+    const auto moved = std::ranges::find_if(symmetry.displacement,
+                                            [](const Fraction& x) { return !x.numerator.empty(); });
     return static_cast<std::size_t>(moved - symmetry.displacement.begin());
   }
 
@@ -163,14 +177,14 @@ class SymmetriesPage {
   }
 
   /// "attitude turned by R^T (0, 0, 1)"
-  void add_turns(std::vector<Printed>& parts, const Symmetry& symmetry, std::size_t rotation) const {
+  void add_turns(std::vector<Printed>& parts, const Symmetry& symmetry,
+                 std::size_t rotation) const {
     const Printed world = triple(symmetry, all_.world_turn(rotation, 0));
     const Printed body = triple(symmetry, all_.body_turn(rotation, 0));
     if (world.text.empty() && body.text.empty()) return;
     const Printed sum = world.text.empty() || body.text.empty() ? Printed{} : Printed{"+", "+"};
-    const Printed turned = world.text.empty()
-                               ? Printed{}
-                               : Printed{"R^T " + world.text, "R^{\\top} " + world.latex};
+    const Printed turned =
+        world.text.empty() ? Printed{} : Printed{"R^T " + world.text, "R^{\\top} " + world.latex};
     parts.push_back(prose(model_.rotations[rotation].name + " turned by") + turned + sum + body);
   }
 
@@ -189,7 +203,7 @@ class SymmetriesPage {
   [[nodiscard]] Printed moved(const Printed& symbol, const Fraction& along) const {
     const Printed formula = read(along).value_or(prose("a long form"));
     return {fmt::format("d{} = {}", symbol.text, formula.text),
-            fmt::format("\\delta {} = {}", symbol.latex, formula.latex)};
+            fmt::format("{{\\delta}} {} = {}", symbol.latex, formula.latex)};
   }
 
   static Printed joined(const std::vector<Printed>& parts) {
@@ -206,15 +220,16 @@ class SymmetriesPage {
   [[nodiscard]] Printed integral(const Symmetry& symmetry) const {
     Printed result = read(symmetry.by_names).value_or(prose("a long form"));
     if (!symmetry.total) {
-      return Printed{result.text + " - F,", result.latex + " - F, \\quad"} +
+      return Printed{result.text + " - F,", result.latex + " - F \\text{, }"} +
              prose("F has no closed form");
     }
     if (!is_nothing(symmetry.total)) {
       const Printed total = read(symmetry.total).value_or(prose("a long form"));
       return {fmt::format("{} - F,   F = {}", result.text, total.text),
-              fmt::format("{} - F, \\quad F = {}", result.latex, total.latex)};
+              fmt::format("{} - F \\text{{,  }} F = {}", result.latex, total.latex)};
     }
-    const std::optional<Printed> closed = read(symmetry.closed);
+    const bool is_turn = symmetry.kind == SymmetryKind::turn;  // as long again as the components
+    const std::optional<Printed> closed = is_turn ? std::nullopt : read(symmetry.closed);
     if (closed) {
       result = {fmt::format("{} = {}", result.text, closed->text),
                 fmt::format("{} = {}", result.latex, closed->latex)};
@@ -229,10 +244,10 @@ class SymmetriesPage {
     const std::optional<Printed> formula = read(symmetry.rate);
     if (!formula) {
       return {"d/dt = (dq - v dt).(B u + Q - dD/dv)",
-              "\\frac{d}{dt} = (\\delta q - v \\delta t) \\cdot (B u + Q - \\frac{\\partial "
-              "D}{\\partial v})"};
+              "\\text{d/dt = }({\\delta} q - v {\\delta} t) \\cdot (B u + Q - \\partial "
+              "D/\\partial v)"};
     }
-    return {"d/dt = " + formula->text, "d/dt = " + formula->latex};
+    return {"d/dt = " + formula->text, "\\text{d/dt = }" + formula->latex};
   }
 
   [[nodiscard]] std::vector<Printed> claims() const {
@@ -245,8 +260,9 @@ class SymmetriesPage {
         fmt::format("sampled at {} states in 64 digits", symmetries_.states);
     if (!symmetries_.all.empty()) {
       line = fmt::format("{}: {}; ", is_free ? "conserved" : "conserved where d/dt is 0",
-                         are_proved ? "proved" : symmetries_.is_exact ? "dL = dF/dt is proved"
-                                                                      : sampled);
+                         are_proved             ? "proved"
+                         : symmetries_.is_exact ? "dL = dF/dt is proved"
+                                                : sampled);
     }
     const std::string unknowns = fmt::format("{} unknowns", symmetries_.unknowns);
     const std::string subject = symmetries_.all.empty() ? "there are none" : "these are all";
@@ -267,6 +283,7 @@ class SymmetriesPage {
     return lines;
   }
 
+  const CheckedModel& checked_;
   const Model& model_;
   const Symmetries& symmetries_;
   ClosedForms forms_;  ///< a copy: reading forms adds to their algebra

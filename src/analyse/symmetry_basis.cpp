@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "analyse/formulas.hpp"
 #include "present/arithmetic.hpp"
 
 namespace elgen {
@@ -47,7 +48,7 @@ class BasisChange {
     for (const Generator& solution : basis) free_.push_back(free_unknown(solution));
   }
 
-  void take(const Generator& wanted) {
+  void take(std::size_t dimension, const Generator& wanted) {
     std::vector<std::size_t> parts;
     for (std::size_t i = 0; i < free_.size(); ++i) {
       if (is_zero_form(wanted[free_[i]])) continue;
@@ -56,15 +57,26 @@ class BasisChange {
     }
     if (parts.empty() || !is_solution(wanted, parts)) return;
     used_.insert(parts.begin(), parts.end());
-    replaced_.emplace_back(parts.front(), wanted);
+    replaced_.push_back({parts.front(), dimension, wanted});
   }
 
   /// Once all are taken, since they are combinations of the old ones.
-  void apply() {
-    for (auto& [place, generator] : replaced_) basis_[place] = std::move(generator);
+  void apply(const GeneratorClass& all) {
+    for (const CommonRotation& taken : replaced_) {
+      for (std::size_t i = 0; i < basis_.size(); ++i) {
+        if (!used_.contains(i)) make_relative(all, taken, basis_[i]);
+      }
+    }
+    for (CommonRotation& taken : replaced_) basis_[taken.place] = std::move(taken.rotation);
   }
 
  private:
+  struct CommonRotation {
+    std::size_t place = 0;      ///< of the basis vector that it replaces
+    std::size_t dimension = 0;  ///< coordinates of a point
+    Generator rotation = {};
+  };
+
   /// wanted = sum over parts of wanted_free basis_part
   [[nodiscard]] bool is_solution(const Generator& wanted, const std::vector<std::size_t>& parts) {
     Arithmetic arithmetic(forms_.algebra);
@@ -80,11 +92,50 @@ class BasisChange {
     return true;
   }
 
+  /// Takes so much of a common rotation away that points at one place stay there: of two bodies the
+  /// turn of one about the other is left.
+  void make_relative(const GeneratorClass& all, const CommonRotation& taken, Generator& generator) {
+    const auto& [place, dimension, rotation] = taken;
+    Arithmetic arithmetic(forms_.algebra);
+    // Of coordinate i where all points stand at 1 along an axis.
+    const auto moved = [&](const Generator& of, std::size_t i, std::size_t axis) {
+      Value sum = Fraction{};
+      for (std::size_t k = axis; k < all.scalars(); k += dimension) {
+        sum = arithmetic.add(sum, of[all.a(i, k)]);
+      }
+      return sum;
+    };
+    Value share = Fraction{};
+    for (std::size_t i = 0; i < dimension && share && is_zero_form(*share); ++i) {
+      for (std::size_t axis = 0; axis < dimension; ++axis) {
+        const Value own = moved(rotation, i, axis);
+        if (own && !is_zero_form(*own)) {
+          share = arithmetic.divide(moved(generator, i, axis), own);
+        }
+      }
+    }
+    if (!share || is_zero_form(*share)) return;
+    Generator relative;
+    for (std::size_t u = 0; u < generator.size(); ++u) {
+      const Value entry =
+          arithmetic.subtract(arithmetic.multiply(*share, rotation[u]), generator[u]);
+      if (!entry) return;
+      relative.push_back(*entry);
+    }
+    for (std::size_t i = 0; i < all.scalars(); ++i) {
+      for (std::size_t axis = 0; axis < dimension; ++axis) {
+        const Value rest = moved(relative, i, axis);
+        if (!rest || !is_zero_form(*rest)) return;
+      }
+    }
+    generator = std::move(relative);
+  }
+
   ClosedForms& forms_;
   std::vector<Generator>& basis_;
   std::vector<std::size_t> free_ = {};
   std::set<std::size_t> used_ = {};
-  std::vector<std::pair<std::size_t, Generator>> replaced_ = {};
+  std::vector<CommonRotation> replaced_ = {};
 };
 
 }  // namespace
@@ -93,9 +144,25 @@ void prefer_common_rotations(ClosedForms& forms, const GeneratorClass& all,
                              std::vector<Generator>& basis) {
   BasisChange change(forms, basis);
   for (const std::size_t dimension : {std::size_t{3}, std::size_t{2}}) {
-    for (const Generator& rotation : common_rotations(all, dimension)) change.take(rotation);
+    for (const Generator& rotation : common_rotations(all, dimension))
+      change.take(dimension, rotation);
   }
-  change.apply();
+  change.apply(all);
+}
+
+Generator without_divisors(ClosedForms& forms, Generator generator) {
+  Arithmetic arithmetic(forms.algebra);
+  for (std::size_t u = 0; u < generator.size(); ++u) {
+    const Value divisor = divisor_of(forms.algebra, generator[u]);
+    Generator scaled;
+    for (const Fraction& entry : generator) {
+      const Value product = arithmetic.multiply(entry, divisor);
+      if (!product) return generator;
+      scaled.push_back(*product);
+    }
+    generator = std::move(scaled);
+  }
+  return generator;
 }
 
 SymmetryKind kind_of(ClosedForms& forms, const GeneratorClass& all, const Generator& generator) {

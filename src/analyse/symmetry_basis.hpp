@@ -16,6 +16,9 @@ using Generator = std::vector<Fraction>;
 void prefer_common_rotations(ClosedForms& forms, const GeneratorClass& all,
                              std::vector<Generator>& basis);
 
+/// The generator times the least product that leaves none of its unknowns a divisor.
+[[nodiscard]] Generator without_divisors(ClosedForms& forms, Generator generator);
+
 [[nodiscard]] SymmetryKind kind_of(ClosedForms& forms, const GeneratorClass& all,
                                    const Generator& generator);
 

@@ -161,7 +161,7 @@ constexpr OutputRow potential_energy{.symbol = {"V0", "V_{0}"},
                                      .fields = energy,
                                      .equation = {"V0 = V(q, v = 0)", "V_{0} = V(q, <v> = 0)"},
                                      .doc = "Potential energy at rest.",
-                                     .requirement = R::energies};
+                                     .requirement = R::quadratic};
 
 constexpr OutputRow kinetic_energy{.symbol = {"T", "T"},
                                    .takes = Opcode::velocity,

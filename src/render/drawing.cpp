@@ -105,6 +105,11 @@ const LatexTree& base_of(const LatexTree& part) {
   return part.kind == LatexKind::scripts ? part.parts[0] : part;
 }
 
+/// {\delta}, a group of its own: the variation of what follows, not a factor.
+bool is_variation(const LatexTree& part) {
+  return part.kind == LatexKind::row && part.parts.size() == 1 && part.parts[0].text == "δ";
+}
+
 bool is_closing_bracket(const LatexTree& part) {
   const LatexTree& base = base_of(part);
   const bool is_bracket = base.kind == LatexKind::bracket || base.kind == LatexKind::tall;
@@ -264,7 +269,7 @@ class Drawer {
     if (base.kind == LatexKind::function) return Role::function;
     if (base.kind == LatexKind::space) return Role::space;
     if (base.kind == LatexKind::text) return Role::prose;
-    if (base.text == "∂" || base.text == "±") return Role::prefix;
+    if (base.text == "∂" || base.text == "±" || is_variation(base)) return Role::prefix;
     if (base.kind != LatexKind::sign || base.text == "∫") return Role::operand;
     return base.text == "," ? Role::comma : Role::sign;
   }

@@ -49,29 +49,29 @@ struct FixedLine {
 constexpr std::array<FixedLine, 4> variation_lines{{
     {"S = int L dt", R"(S = \int L dt)"},
     {"delta S = int (dL/dq delta q + dL/dv d(delta q)/dt) dt",
-     R"(\delta S = \int \left( \frac{\partial L}{\partial q} \cdot \delta q + )"
-     R"(\frac{\partial L}{\partial \dot{q}} \cdot \frac{d}{dt} \delta q \right) dt)"},
+     R"({\delta} S = \int \left( \frac{\partial L}{\partial q} \cdot {\delta} q + )"
+     R"(\frac{\partial L}{\partial \dot{q}} \cdot \frac{d}{dt} {\delta} q \right) dt)"},
     {"delta S = int (dL/dq - d/dt dL/dv) delta q dt + [dL/dv delta q] by parts",
-     R"(\delta S = \int \left( \frac{\partial L}{\partial q} - )"
-     R"(\frac{d}{dt} \frac{\partial L}{\partial \dot{q}} \right) \cdot \delta q dt + )"
-     R"(\left[ \frac{\partial L}{\partial \dot{q}} \cdot \delta q \right] \text{ by parts})"},
+     R"({\delta} S = \int \left( \frac{\partial L}{\partial q} - )"
+     R"(\frac{d}{dt} \frac{\partial L}{\partial \dot{q}} \right) \cdot {\delta} q dt + )"
+     R"(\left[ \frac{\partial L}{\partial \dot{q}} \cdot {\delta} q \right] \text{ by parts})"},
     {"[dL/dv delta q] = 0, as delta q = 0 at both ends",
-     R"(\left[ \frac{\partial L}{\partial \dot{q}} \cdot \delta q \right] = 0 )"
-     R"(\text{, as } \delta q = 0 \text{ at both ends})"},
+     R"(\left[ \frac{\partial L}{\partial \dot{q}} \cdot {\delta} q \right] = 0 )"
+     R"(\text{, as } {\delta} q = 0 \text{ at both ends})"},
 }};
 
 /// Hamilton's principle, and d'Alembert's where forces work.
 constexpr FixedLine stationary{
     "delta S = 0 for every delta q, so d/dt dL/dv - dL/dq = 0",
-    R"(\delta S = 0 \text{ for every } \delta q \text{, so } )"
+    R"({\delta} S = 0 \text{ for every } {\delta} q \text{, so } )"
     R"(\frac{d}{dt} \frac{\partial L}{\partial \dot{q}} - \frac{\partial L}{\partial q} = 0)"};
 constexpr FixedLine virtual_work{
     "delta W = (Q - dD/dv) delta q is the virtual work of forces (d'Alembert)",
-    R"(\delta W = \left( Q - \frac{\partial D}{\partial \dot{q}} \right) \cdot \delta q )"
+    R"({\delta} W = \left( Q - \frac{\partial D}{\partial \dot{q}} \right) \cdot {\delta} q )"
     R"(\text{ is the virtual work of forces (d'Alembert)})"};
 constexpr FixedLine balanced{
     "delta S + int delta W dt = 0 for every delta q, so d/dt dL/dv - dL/dq + dD/dv = Q",
-    R"(\delta S + \int \delta W dt = 0 \text{ for every } \delta q \text{, so } )"
+    R"({\delta} S + \int {\delta} W dt = 0 \text{ for every } {\delta} q \text{, so } )"
     R"(\frac{d}{dt} \frac{\partial L}{\partial \dot{q}} - \frac{\partial L}{\partial q} + )"
     R"(\frac{\partial D}{\partial \dot{q}} = Q)"};
 

@@ -31,6 +31,8 @@ std::size_t size_of(Extent extent) {
       return 3;
     case Extent::held:
       return 11;
+    case Extent::cyclic:
+      return 17;
     case Extent::user:
       return 13;
   }

@@ -148,7 +148,7 @@ TEST_CASE("the struct of all outputs has no entries of its own") {
 
 TEST_CASE("contractions are the sums over all entries, for every field of every output") {
   for (const OutputRow& row : output_table()) {
-    if (row.requirement == Requirement::held) continue;
+    if (row.requirement == Requirement::held || row.requirement == Requirement::cyclic) continue;
     std::size_t first = 0;
     for (std::size_t k = 0; k < row.fields.size(); ++k) {
       // The pivots of a solve are no contraction.

@@ -120,7 +120,7 @@ T = "1/2*(dot(r)^2 + r^2*dot(phi)^2)"
       sheet(free.checked.model, free.checked.scene, free.choice.program).outputs.back();
   CHECK(last.title == "Conserved");
   REQUIRE(last.lines.size() == 2);
-  CHECK(last.lines[1] == "p_{\\varphi} = \\frac{\\partial L}{\\partial \\dot{\\varphi}}");
+  CHECK(last.lines[1] == "p_{\\phi} = \\frac{\\partial L}{\\partial \\dot{\\phi}}");
   CHECK(text(orbit("V = \"-t/r\"\n")).ends_with("\n\nconserved: p(phi)\n"));
   CHECK(text(orbit("D = \"dot(r)^2\"\n")).ends_with("\n\nconserved: p(phi)\n"));
   CHECK_FALSE(has(text(orbit("D = \"dot(phi)^2\"\n")), "conserved"));
