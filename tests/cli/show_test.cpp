@@ -1,6 +1,8 @@
 // elgen show: what comes out in each notation. Costs of generation, output by output.
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <string>
+#include <utility>
 
 #include "cli/cli_testing.hpp"
 
@@ -116,6 +118,31 @@ TEST_CASE("pages in every notation") {
   CHECK(mentions(markdown, "\n## Mass matrix (`mass_matrix`)\n"));
   const std::string json = show(model("cart_pole") + " --as json").output;
   CHECK(mentions(json, "\"entries\": [\"M + m\", \"m*l*cos(theta)\""));
+}
+
+TEST_CASE("symmetries are shown in every notation, of models and of scenes") {
+  const std::string words = model("kepler_polar") + " -q --what symmetries";
+  const Outcome text = show(words + " --fix m=1");
+  CHECK(text.status == 0);
+  CHECK(mentions(text.output, "\n  phi    dphi = 1   p(phi) = r^2*dot(phi)\n"));
+  CHECK(mentions(text.output, "\n[[expect]]\n  conserved = [\"p(phi)\", \"E\"]\n"));
+  for (const auto& [notation, part] :
+       {std::pair{"unicode", "  φ      δ φ = 1   "}, std::pair{"latex", "$\\delta \\varphi = 1$"},
+        std::pair{"mathml", "<mi>δ</mi><mi>φ</mi>"},
+        std::pair{"markdown", "$\\delta \\varphi = 1$"},
+        std::pair{"json", "\"integral\": \"p(phi)\""}}) {
+    INFO(notation);
+    const Outcome outcome = show(words + " --as " + notation);
+    CHECK(outcome.status == 0);
+    CHECK(mentions(outcome.output, part));
+  }
+  const Outcome mixed = show(model("kepler_polar") + " --what symmetries,gravity");
+  CHECK(mixed.status == 2);
+  CHECK(mentions(mixed.errors, "`symmetries` stands alone"));
+  const Outcome steady = show(std::string(ELGEN_SOURCE_DIR) +
+                              "/models/scenes/kepler_polar_routh.scene.toml -q --what symmetries");
+  CHECK(steady.status == 0);
+  CHECK(mentions(steady.output, ": symmetries of L, dq = A q + b + c t, dt constant: 1\n"));
 }
 
 TEST_CASE("words that show does not know are refused with their place") {

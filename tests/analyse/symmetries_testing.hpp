@@ -1,0 +1,89 @@
+// Helpers of the tests of symmetries: the symmetries of a model, and formulas of the model language
+// to compare theirs with.
+#pragma once
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pipeline/pipeline_testing.hpp"
+#include "support/models.hpp"
+
+namespace elgen::test {
+
+/// A model of tests/analyse/symmetries/, or of the project.
+inline std::string symmetric_model(const std::string& name) {
+  const std::filesystem::path own =
+      std::filesystem::path(ELGEN_SOURCE_DIR) / "tests/analyse/symmetries" / (name + ".toml");
+  return std::filesystem::exists(own) ? read_text(own) : model_file(name);
+}
+
+/// The model with this end in the place of its closed forms, which stand last.
+inline std::string ending(const std::string& model, const std::string& end) {
+  return model.substr(0, model.find("\n[[expect]]")) + "\n" + end;
+}
+
+class FoundSymmetries {
+ public:
+  explicit FoundSymmetries(std::string text, const std::vector<std::string>& fixed = {})
+      : text_(std::move(text)) {
+    for (const std::string& word : fixed) options_.fixed.push_back(make_source("--fix", word));
+    PipelineOptions options;
+    options.goals = {Goal::symmetries};
+    options.scene = options_;
+    Products products = run_pipeline(inputs_of(text_), options);
+    INFO(format(products.diagnostics));
+    REQUIRE(products.symmetries);
+    checked_ = std::move(*products.checked);
+    found_ = std::move(*products.symmetries);
+  }
+
+  [[nodiscard]] const std::string& text() const { return text_; }
+  [[nodiscard]] const CheckedModel& checked() const { return checked_; }
+  [[nodiscard]] const Symmetries& found() const { return found_; }
+  [[nodiscard]] const std::vector<Symmetry>& all() const { return found_.all; }
+  [[nodiscard]] std::string page() const { return symmetries_text(checked_, found_); }
+  [[nodiscard]] nlohmann::json json() const {
+    return nlohmann::json::parse(symmetries_json(checked_, found_));
+  }
+
+  /// A formula over the leaves of the model, p and E.
+  Fraction form(const std::string& formula) {
+    const CheckedModel reading =
+        checked_model(ending(text_, "[[expect]]\nconserved = [\"" + formula + "\"]\n"), options_);
+    const std::optional<Fraction> result =
+        closed_form(found_.forms, reading.model, reading.scene.specialisation.fixed,
+                    reading.model.expectations.back().entries.front());
+    INFO(formula);
+    REQUIRE(result);
+    return *result;
+  }
+
+  bool equals(const std::optional<Fraction>& x, const std::string& formula) {
+    return x && proved_equal(found_.forms, *x, form(formula));
+  }
+
+  /// The symmetry with this I + F.
+  const Symmetry& with(const std::string& integral) {
+    const Fraction wanted = form(integral);
+    const Symmetry* result = nullptr;
+    for (const Symmetry& symmetry : found_.all) {
+      if (proved_equal(found_.forms, symmetry.by_names, wanted)) result = &symmetry;
+    }
+    INFO(integral << "\n" << page());
+    REQUIRE(result != nullptr);
+    return *result;
+  }
+
+ private:
+  std::string text_;
+  SceneOptions options_ = {};
+  CheckedModel checked_ = {};
+  Symmetries found_ = {};
+};
+
+}  // namespace elgen::test

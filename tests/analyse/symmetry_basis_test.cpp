@@ -1,0 +1,136 @@
+// Kinds of generators, and the rotations of all points at once in the place of those of a basis.
+#include "analyse/symmetry_basis.hpp"
+
+#include <catch2/catch.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "present/arithmetic.hpp"
+#include "support/models.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+/// Coordinates q[1] to q[n] of point masses, and perhaps a rotation.
+GeneratorClass class_of(std::size_t scalars, bool has_rotation = false) {
+  std::string text;
+  for (std::size_t i = 1; i <= scalars; ++i) {
+    text += "[[coordinate]]\nname = \"q" + std::to_string(i) + "\"\narmature = 1\n";
+  }
+  if (has_rotation) {
+    text +=
+        "[[coordinate]]\nname = \"attitude\"\nkind = \"rotation\"\n[[frame]]\nname = \"top\"\n"
+        "parent = \"world\"\nrotation = \"attitude\"\n[[body]]\nname = \"rigid\"\n"
+        "frame = \"top\"\nmass = 1\ninertia = [1, 2, 3]\n";
+  }
+  text += "[energy]\nV = 0\n";
+  return GeneratorClass(checked_model(model_text("points", text)).model);
+}
+
+using Unknowns = std::vector<std::pair<std::size_t, int>>;
+
+Generator generator(const GeneratorClass& all, const Unknowns& values) {
+  Generator result(all.size());
+  for (const auto& [unknown, value] : values) result[unknown] = fraction_of(cln::cl_RA(value));
+  return result;
+}
+
+/// dq_k = q_i, dq_i = -q_k
+Unknowns turn(const GeneratorClass& all, std::size_t i, std::size_t k) {
+  return {{all.a(k, i), 1}, {all.a(i, k), -1}};
+}
+
+Unknowns both(Unknowns first, const Unknowns& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+bool are_equal(ClosedForms& forms, const Generator& x, const Generator& y) {
+  REQUIRE(x.size() == y.size());
+  for (std::size_t u = 0; u < x.size(); ++u) {
+    if (!proved_equal(forms, x[u], y[u])) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("the unknowns of a class follow one another") {
+  const GeneratorClass plane = class_of(2);
+  CHECK(plane.size() == 4 + 2 + 2 + 1);
+  CHECK(plane.a(1, 0) == 2);
+  CHECK(plane.c(0) == 4);
+  CHECK(plane.b(0) == 6);
+  CHECK(plane.time() == 8);
+  const GeneratorClass body = class_of(3, true);
+  CHECK(body.size() == 9 + 3 + 3 + 6 + 1);
+  CHECK(body.world_turn(0, 0) == 15);
+  CHECK(body.body_turn(0, 2) == 20);
+  CHECK(body.time() == 21);
+}
+
+TEST_CASE("generators are called by what they move") {
+  ClosedForms forms;
+  const GeneratorClass all = class_of(2, true);
+  const auto kind = [&](const Unknowns& values) {
+    return kind_of(forms, all, generator(all, values));
+  };
+  CHECK(kind({{all.time(), 1}}) == SymmetryKind::time);
+  CHECK(kind({{all.b(1), 3}}) == SymmetryKind::coordinate);
+  CHECK(kind({{all.b(0), 1}, {all.b(1), -1}}) == SymmetryKind::translation);
+  CHECK(kind({{all.c(0), 1}}) == SymmetryKind::boost);
+  CHECK(kind({{all.c(0), 1}, {all.c(1), 2}}) == SymmetryKind::boost);
+  CHECK(kind(turn(all, 0, 1)) == SymmetryKind::rotation);
+  CHECK(kind({{all.world_turn(0, 2), 1}}) == SymmetryKind::turn);
+  CHECK(kind({{all.world_turn(0, 2), 1}, {all.body_turn(0, 0), 1}}) == SymmetryKind::turn);
+  CHECK(kind({{all.a(0, 1), 1}, {all.a(1, 0), 1}}) == SymmetryKind::other);
+  CHECK(kind({{all.a(0, 0), 1}}) == SymmetryKind::other);
+  CHECK(kind(both(turn(all, 0, 1), {{all.time(), 1}})) == SymmetryKind::other);
+  CHECK(kind({{all.b(0), 1}, {all.c(0), 1}}) == SymmetryKind::other);
+  CHECK(kind({{all.b(0), 1}, {all.time(), 1}}) == SymmetryKind::other);
+}
+
+TEST_CASE("two points that turn by themselves turn at once, and one of them by itself") {
+  ClosedForms forms;
+  const GeneratorClass all = class_of(4);
+  const Generator first = generator(all, turn(all, 0, 1));
+  const Generator second = generator(all, turn(all, 2, 3));
+  std::vector<Generator> basis{first, second};
+  prefer_common_rotations(forms, all, basis);
+  REQUIRE(basis.size() == 2);
+  CHECK(are_equal(forms, basis[0], generator(all, both(turn(all, 0, 1), turn(all, 2, 3)))));
+  CHECK(are_equal(forms, basis[1], second));
+}
+
+TEST_CASE("in space the turns go from x to y, from y to z, from z to x") {
+  ClosedForms forms;
+  const GeneratorClass all = class_of(3);
+  std::vector<Generator> basis{generator(all, turn(all, 0, 1)), generator(all, turn(all, 0, 2)),
+                               generator(all, turn(all, 1, 2))};
+  prefer_common_rotations(forms, all, basis);
+  REQUIRE(basis.size() == 3);
+  CHECK(are_equal(forms, basis[0], generator(all, turn(all, 0, 1))));
+  CHECK(are_equal(forms, basis[1], generator(all, turn(all, 2, 0))));
+  CHECK(are_equal(forms, basis[2], generator(all, turn(all, 1, 2))));
+}
+
+TEST_CASE("a rotation that is no symmetry takes no place") {
+  ClosedForms forms;
+  const GeneratorClass all = class_of(2);
+  Arithmetic arithmetic(forms.algebra);
+  // dx = -k y, dy = x
+  Generator elliptic = generator(all, {{all.a(1, 0), 1}});
+  elliptic[all.a(0, 1)] = arithmetic.negate(arithmetic.leaf(Opcode::parameter, 0)).value();
+  std::vector<Generator> basis{elliptic, generator(all, {{all.time(), 1}})};
+  prefer_common_rotations(forms, all, basis);
+  CHECK(are_equal(forms, basis[0], elliptic));
+  CHECK(kind_of(forms, all, basis[0]) == SymmetryKind::other);
+  // The plane turns with time alone.
+  std::vector<Generator> mixed{generator(all, both(turn(all, 0, 1), {{all.time(), 2}}))};
+  const Generator before = mixed[0];
+  prefer_common_rotations(forms, all, mixed);
+  CHECK(are_equal(forms, mixed[0], before));
+}
