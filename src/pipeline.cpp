@@ -8,6 +8,7 @@
 //     specialise -> choose   what `step` calls, derived in its own name
 //     specialise -> equilibria -> modes   states of rest and motions about them, from outputs of
 //                                         their own
+//     specialise -> symmetries            likewise
 #include "elgen/pipeline.hpp"
 
 #include <algorithm>

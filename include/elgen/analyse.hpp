@@ -182,6 +182,7 @@ struct Symmetry {
   std::optional<Fraction> loss = {};        ///< dI/dt at u = 0, where known
   std::optional<Fraction> rate = {};        ///< dI/dt
   bool is_rounded = false;                  ///< the generator has six digits
+  bool is_special = false;                  ///< none at other values of the parameters
   bool is_proved = false;                   ///< dL = dF/dt is, by closed forms
 };
 

@@ -34,6 +34,9 @@ struct LeafNames : LeafValues<std::string> {
 
 [[nodiscard]] LeafNames leaf_names(const Model& model);
 
+/// The name of the leaf E in `conserved`: `energy_function` where the model calls something else E.
+[[nodiscard]] std::string energy_name(const Model& model);
+
 /// "m", "dot(x)", "t": a leaf as models write it.
 [[nodiscard]] std::string leaf_text(const LeafNames& leaves, Opcode kind, std::uint32_t number);
 [[nodiscard]] std::string leaf_text(const Model& model, Opcode kind, std::uint32_t number);

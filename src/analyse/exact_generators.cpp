@@ -18,9 +18,9 @@ using Equation = std::map<std::size_t, Fraction>;
 class Conditions {
  public:
   Conditions(ClosedForms& forms, FormField& field)
-      : algebra_(forms.algebra), field_(field), motions_(forms.algebra, [](const Atom& leaf) {
-          return leaf.leaf != Opcode::parameter;
-        }) {}
+      : algebra_(forms.algebra),
+        field_(field),
+        motions_(forms.algebra, [](const Atom& leaf) { return leaf.leaf != Opcode::parameter; }) {}
 
   /// The equations of one row; false beyond the budget.
   bool add(std::vector<Value> row) {
@@ -53,8 +53,8 @@ class Conditions {
  private:
   /// Roots are held in powers 0 and 1 of theirs, which no relation joins.
   void note(AtomId id) {
-    is_complete_ = is_complete_ && (algebra_.atoms[id].kind == AtomKind::root ||
-                                    is_independent(algebra_, id));
+    is_complete_ =
+        is_complete_ && (algebra_.atoms[id].kind == AtomKind::root || is_independent(algebra_, id));
   }
 
   /// Squares of roots may bring denominators of their own.
@@ -214,7 +214,8 @@ std::optional<ExactGenerators> exact_generators(ClosedForms& forms, const Model&
                                                 const OpenTerms& open_values,
                                                 const std::vector<Value>& residual) {
   const GeneratorClass all(model);
-  const bool are_known = std::ranges::all_of(residual, [](const Value& x) { return x.has_value(); });
+  const bool are_known =
+      std::ranges::all_of(residual, [](const Value& x) { return x.has_value(); });
   if (!all.rotations.empty() || !are_known) return std::nullopt;
   const auto slopes = slopes_of(forms, all, open_values, residual);
   if (!slopes) return std::nullopt;

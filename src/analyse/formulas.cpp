@@ -18,7 +18,7 @@ std::optional<Printed> printed(const Model& model, const Algebra& algebra,
   if (!form) return std::nullopt;
   LeafNames leaves = leaf_names(model);
   leaves.momenta = leaves.v;
-  leaves.E = leaf_row(Opcode::energy).symbol;
+  leaves.E = energy_name(model);
   const std::optional<ReadableForm> readable =
       shortest(algebra, *form, nullptr, mixed_points(leaves));
   if (!readable) return std::nullopt;

@@ -96,8 +96,9 @@ std::array<typename Field::Number, axis_count> world_axis(
 
 /// x times the j-th unit vector: the j-th column of [x]x.
 template <class Field>
-std::array<typename Field::Number, axis_count> across(
-    Field& field, const std::vector<typename Field::Number>& x, std::size_t first, std::size_t j) {
+std::array<typename Field::Number, axis_count> across(Field& field,
+                                                      const std::vector<typename Field::Number>& x,
+                                                      std::size_t first, std::size_t j) {
   const std::size_t k = (j + 1) % axis_count;
   const std::size_t l = (j + 2) % axis_count;
   std::array<typename Field::Number, axis_count> result;

@@ -27,7 +27,7 @@ struct PagePart {
   std::vector<Printed> lines = {};
   std::vector<PageMatrix> matrices = {};
   PageTable table = {};
-  bool is_row = false;  ///< matrices stand side by side where there is room
+  bool is_row = false;     ///< matrices stand side by side where there is room
   std::string title = {};  ///< above all; may be empty, as the text below it
   std::string doc = {};
 };

@@ -2,12 +2,13 @@
 // another number.
 #include "analyse/sampled_generators.hpp"
 
+#include <cln/float.h>
+
 #include <algorithm>
 #include <array>
 
 #include "base/exact_number.hpp"
 #include "base/random.hpp"
-#include <cln/float.h>
 
 namespace elgen {
 namespace {
@@ -39,8 +40,8 @@ ResidualSlopes<Real> slopes_at(const ExactValues& values) {
   const auto along = [&](const Arguments<Real>& direction, std::vector<Real>& slopes,
                          std::size_t column, std::size_t columns) {
     slopes.resize(n * columns);
-    const std::vector<Real> sum = sum_of_parts(
-        program, n, [&](OutputKind kind) { return values.slopes(kind, direction); });
+    const std::vector<Real> sum =
+        sum_of_parts(program, n, [&](OutputKind kind) { return values.slopes(kind, direction); });
     for (std::size_t i = 0; i < n; ++i) slopes[i * columns + column] = sum[i];
   };
   ResidualSlopes<Real> slopes;
@@ -63,7 +64,8 @@ ResidualSlopes<Real> slopes_at(const ExactValues& values) {
   return slopes;
 }
 
-/// The numbers of a row in 64 digits, of which exact ones would grow by elimination; the largest of which becomes 1; none where one is undefined.
+/// The numbers of a row in 64 digits, of which exact ones would grow by elimination; the largest of
+/// which becomes 1; none where one is undefined.
 std::optional<std::vector<cl_R>> scaled_row(const std::vector<Real>& row) {
   static const cln::float_format_t digits = cln::float_format(64);
   std::vector<cl_R> numbers;
@@ -128,6 +130,31 @@ std::optional<cln::cl_RA> small_fraction(const cl_R& value) {
     if (cln::abs(value - p / cln::cl_RA(q)) < near) return p / cln::cl_RA(q);
   }
   return std::nullopt;
+}
+
+bool is_generic(const CheckedModel& checked, const Program& moving,
+                const std::vector<cl_R>& generator) {
+  static const cl_R noise = power_of_ten(-40);
+  constexpr std::size_t states = 4;
+  const GeneratorClass all(checked.model);
+  Random random(seed);
+  RealField field;
+  for (std::size_t k = 0; k < states; ++k) {
+    State state = nominal_state(checked.model, checked.scene);
+    draw_parameters(checked.model, checked.scene.specialisation.fixed, random, 0, state);
+    draw_motion(checked.model, random, 0, state);
+    ExactValues values({checked.model, checked.scene, moving}, state);
+    for (const auto& row : conditions(field, all, sampled_point(values), slopes_at(values))) {
+      const auto numbers = scaled_row(row);
+      if (!numbers) continue;
+      cl_R sum = 0;
+      for (std::size_t u = 0; u < generator.size(); ++u) {
+        sum = sum + (*numbers)[u] * generator[u];
+      }
+      if (cln::abs(sum) > noise * largest_of(generator)) return false;
+    }
+  }
+  return true;
 }
 
 std::optional<SampledGenerators> sampled_generators(const CheckedModel& checked,

@@ -36,6 +36,11 @@ struct SampledGenerators {
 [[nodiscard]] std::optional<SampledGenerators> sampled_generators(const CheckedModel& checked,
                                                                   const Program& moving);
 
+/// Whether a generator solves the conditions at random values of the parameters, too. Fixed ones
+/// stay.
+[[nodiscard]] bool is_generic(const CheckedModel& checked, const Program& moving,
+                              const std::vector<cln::cl_R>& generator);
+
 /// The point of a state, with R there.
 [[nodiscard]] MotionPoint<Real> sampled_point(ExactValues& values);
 

@@ -16,6 +16,7 @@
 #include "base/exact_number.hpp"
 #include "check/names/requests.hpp"
 #include "elgen/analyse.hpp"
+#include "present/polynomial.hpp"
 
 namespace elgen {
 namespace {
@@ -103,6 +104,7 @@ class SymmetrySearch {
   void add(Generator generator) {
     Symmetry symmetry;
     symmetry.is_rounded = rounded_.contains(result_.all.size());
+    symmetry.is_special = symmetry.is_rounded || (!result_.is_exact && !holds_elsewhere(generator));
     symmetry.kind = kind_of(result_.forms, all_, generator);
     FormField field(result_.forms.algebra);
     const Entries unknowns(generator.begin(), generator.end());
@@ -134,6 +136,15 @@ class SymmetrySearch {
     for (Value* const value : {&symmetry.closed, &symmetry.total, &symmetry.loss, &symmetry.rate}) {
       *value = field.negate(*value);
     }
+  }
+
+  /// At other values of the parameters; of rational unknowns.
+  [[nodiscard]] bool holds_elsewhere(const Generator& generator) const {
+    std::vector<cl_R> numbers;
+    for (const Fraction& entry : generator) {
+      numbers.push_back(rational_value(entry.numerator).value());
+    }
+    return is_generic(checked_, moving_, numbers);
   }
 
   /// p.dq - E dt

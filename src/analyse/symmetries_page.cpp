@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "analyse/generators.hpp"
+#include "analyse/leaf_search.hpp"
 #include "analyse/page.hpp"
 #include "present/arithmetic.hpp"
 
@@ -48,7 +49,7 @@ class SymmetriesPage {
     AnalysisPage page;
     page.title = title();
     if (!symmetries_.all.empty()) page.parts = rows();
-    page.parts.push_back({.lines = claims()});
+    page.parts.push_back({.doc = claims()});
     const std::vector<std::string> names = conserved();
     if (names.empty()) return page;
     std::string list;
@@ -59,14 +60,23 @@ class SymmetriesPage {
     return page;
   }
 
-  /// The integrals that forces leave alone, as an [[expect]] states them.
+  /// The integrals that forces leave alone, as an [[expect]] of the model states them: it has no
+  /// names for quaternions, and knows nothing of what a scene changes.
   std::vector<std::string> conserved() {
     std::vector<std::string> result;
+    if (!checked_.scene.specialisation.fixed.empty() || model_.unlocked || model_.moving ||
+        model_.approximation) {
+      return result;
+    }
     Arithmetic arithmetic(forms_.algebra);
+    LeafSearch quaternions(forms_.algebra, [this](const Atom& leaf) {
+      return leaf.leaf == Opcode::coordinate && model_.coordinates[leaf.index].rotation;
+    });
     for (const Symmetry& symmetry : symmetries_.all) {
-      if (symmetry.is_rounded || !symmetry.total || !is_nothing(symmetry.loss)) continue;
-      const auto whole = read(arithmetic.subtract(symmetry.by_names, *symmetry.total));
-      if (whole) result.push_back(whole->text);
+      if (symmetry.is_special || !symmetry.total || !is_nothing(symmetry.loss)) continue;
+      const Value whole = arithmetic.subtract(symmetry.by_names, *symmetry.total);
+      if (!whole || quaternions.holds(*whole)) continue;
+      if (const auto formula = read(whole)) result.push_back(formula->text);
     }
     return result;
   }
@@ -88,6 +98,7 @@ class SymmetriesPage {
       entry["F"] = text_of(symmetry.total);
       entry["rate"] = text_of(symmetry.rate);
       entry["proved"] = symmetry.is_proved;
+      entry["generic"] = !symmetry.is_special;
       list.push_back(std::move(entry));
     }
     return {{"model", model_.name},
@@ -123,6 +134,26 @@ class SymmetriesPage {
     });
   }
 
+  /// I: "p_x" = "m v"; "p_x t - F", "F" = "m x"; "E" = "…" with a note.
+  struct IntegralText {
+    Printed left = {};
+    std::optional<PageMatrix> equation = {};
+    Printed note = {};
+
+    [[nodiscard]] Printed in_one_line() const {
+      Printed result = left;
+      if (equation) {
+        const char* const comma = left.text.empty() ? "" : ",   ";
+        const char* const latex = left.text.empty() ? "" : ", \\quad ";
+        const Printed& value = equation->entries[0];
+        result = {fmt::format("{}{}{} = {}", left.text, comma, equation->left.text, value.text),
+                  fmt::format("{}{}{} = {}", left.latex, latex, equation->left.latex, value.latex)};
+      }
+      if (note.text.empty()) return result;
+      return {result.text + "   " + note.text, result.latex + " \\quad " + note.latex};
+    }
+  };
+
   /// A row each; where one of them is too wide to be read, lines.
   std::vector<PagePart> rows() {
     constexpr std::size_t widest = 120;
@@ -131,23 +162,40 @@ class SymmetriesPage {
         symmetries_.all, [](const Symmetry& symmetry) { return !is_nothing(symmetry.rate); });
     PageTable table;
     table.heads.resize(2U + (has_change ? 1U : 0U) + (has_rate ? 1U : 0U));
-    std::vector<PagePart> listed;
+    std::vector<PagePart> blocks;
     std::vector<std::size_t> widths(table.heads.size(), 0);
     for (const Symmetry& symmetry : symmetries_.all) {
+      const IntegralText formula = integral(symmetry);
       std::vector<Printed> row{name(symmetry)};
       if (has_change) row.push_back(change(symmetry));
-      row.push_back(integral(symmetry));
-      if (has_rate) row.push_back(rate(symmetry));
+      row.push_back(formula.in_one_line());
+      if (has_rate) row.push_back(rate_in_one_line(symmetry));
       for (std::size_t i = 0; i < row.size(); ++i) {
         widths[i] = std::max(widths[i], row[i].text.size());
       }
       table.cells.insert(table.cells.end(), row.begin(), row.end());
-      std::erase_if(row, [](const Printed& cell) { return cell.text.empty(); });
-      listed.push_back({.lines = std::move(row)});
+      blocks.push_back(block(symmetry, formula));
     }
     const std::size_t width = std::accumulate(widths.begin(), widths.end(), std::size_t{0});
-    if (width > widest) return listed;
+    if (width > widest) return blocks;
     return {{.table = std::move(table)}};
+  }
+
+  /// "rotation: dx = -y, dy = x", its rate, and its integral.
+  [[nodiscard]] PagePart block(const Symmetry& symmetry, const IntegralText& formula) const {
+    const Printed own = name(symmetry);
+    const Printed moved = change(symmetry);
+    PagePart part;
+    part.lines.push_back(
+        symmetry.kind != SymmetryKind::coordinate
+            ? prose(own.text + ":") + moved
+            : Printed{own.text + ": " + moved.text, own.latex + " \\text{: } " + moved.latex});
+    for (const Printed& line : {formula.left, formula.note}) {
+      if (!line.text.empty()) part.lines.push_back(line);
+    }
+    if (formula.equation) part.matrices.push_back(*formula.equation);
+    if (!is_nothing(symmetry.rate)) part.matrices.push_back(rate(symmetry));
+    return part;
   }
 
   /// The only velocity along which a symmetry moves.
@@ -216,42 +264,53 @@ class SymmetriesPage {
     return result;
   }
 
-  /// "p_x = m v", "E = ...", "p_x t - F,   F = m x", "x p_y - y p_x = ..."
-  [[nodiscard]] Printed integral(const Symmetry& symmetry) const {
-    Printed result = read(symmetry.by_names).value_or(prose("a long form"));
+  [[nodiscard]] IntegralText integral(const Symmetry& symmetry) const {
+    const Printed names = read(symmetry.by_names).value_or(prose("a long form"));
+    const Printed less{names.text + " - F", names.latex + " - F"};
     if (!symmetry.total) {
-      return Printed{result.text + " - F,", result.latex + " - F \\text{, }"} +
-             prose("F has no closed form");
+      return {{less.text + ", F has no closed form",
+               less.latex + " \\text{, } F \\text{ has no closed form}"}};
     }
     if (!is_nothing(symmetry.total)) {
-      const Printed total = read(symmetry.total).value_or(prose("a long form"));
-      return {fmt::format("{} - F,   F = {}", result.text, total.text),
-              fmt::format("{} - F \\text{{,  }} F = {}", result.latex, total.latex)};
+      return {less, equation({"F", "F"}, read(symmetry.total).value_or(prose("a long form")))};
     }
     const bool is_turn = symmetry.kind == SymmetryKind::turn;  // as long again as the components
     const std::optional<Printed> closed = is_turn ? std::nullopt : read(symmetry.closed);
-    if (closed) {
-      result = {fmt::format("{} = {}", result.text, closed->text),
-                fmt::format("{} = {}", result.latex, closed->latex)};
+    IntegralText result;
+    if (is_turn) {
+      result.equation = equation({"I", "I"}, names);
+    } else if (closed) {
+      result.equation = equation(names, *closed);
+    } else {
+      result.left = names;
     }
-    if (symmetry.kind != SymmetryKind::time || !symmetries_.loses_energy) return result;
-    const Printed note{"(T + V is not conserved)", "\\quad (T + V \\text{ is not conserved})"};
-    return Printed{result.text + "   " + note.text, result.latex + " " + note.latex};
+    if (symmetry.is_special) {
+      result.note = prose("(at these values of the parameters)");
+    } else if (symmetry.kind == SymmetryKind::time && symmetries_.loses_energy) {
+      result.note = {"(T + V is not conserved)", "(T + V \\text{ is not conserved})"};
+    }
+    return result;
   }
 
-  [[nodiscard]] Printed rate(const Symmetry& symmetry) const {
+  static PageMatrix equation(const Printed& left, const Printed& right) {
+    return {left, 1, 1, {right}};
+  }
+
+  /// "d/dt" = "u t"
+  [[nodiscard]] PageMatrix rate(const Symmetry& symmetry) const {
+    const Printed otherwise{
+        "(dq - v dt).(B u + Q - dD/dv)",
+        "({\\delta} q - v {\\delta} t) \\cdot (B u + Q - \\partial D/\\partial v)"};
+    return equation({"d/dt", "\\text{d/dt}"}, read(symmetry.rate).value_or(otherwise));
+  }
+
+  [[nodiscard]] Printed rate_in_one_line(const Symmetry& symmetry) const {
     if (is_nothing(symmetry.rate)) return {};
-    const std::optional<Printed> formula = read(symmetry.rate);
-    if (!formula) {
-      return {"d/dt = (dq - v dt).(B u + Q - dD/dv)",
-              "\\text{d/dt = }({\\delta} q - v {\\delta} t) \\cdot (B u + Q - \\partial "
-              "D/\\partial v)"};
-    }
-    return {"d/dt = " + formula->text, "\\text{d/dt = }" + formula->latex};
+    const Printed value = rate(symmetry).entries[0];
+    return {"d/dt = " + value.text, "\\text{d/dt = }" + value.latex};
   }
 
-  [[nodiscard]] std::vector<Printed> claims() const {
-    std::vector<Printed> lines;
+  [[nodiscard]] std::string claims() const {
     std::string line;
     const bool are_proved = std::ranges::all_of(symmetries_.all, &Symmetry::is_proved);
     const bool is_free = std::ranges::all_of(
@@ -275,12 +334,9 @@ class SymmetriesPage {
     } else {
       line += fmt::format("these are at least those of this form ({})", unknowns);
     }
-    lines.push_back(prose(line));
-    if (symmetries_.states > 0 && !agrees) {
-      lines.push_back(prose(fmt::format("at the values of the parameters there are {} ({})",
-                                        symmetries_.sampled, sampled)));
-    }
-    return lines;
+    if (symmetries_.states == 0 || agrees) return line;
+    return line + fmt::format("; at the values of the parameters there are {} ({})",
+                              symmetries_.sampled, sampled);
   }
 
   const CheckedModel& checked_;

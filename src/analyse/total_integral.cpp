@@ -19,8 +19,11 @@ Value form_of(const Monomial& monomial, const Gaussian& coefficient = {1, 0}) {
 LeafRates still(const Model& model) {
   const std::vector<Fraction> velocities(model.velocities.size());
   const std::vector<OpenTerm> constant_value{{0, {}}};
-  return {std::vector<Fraction>(model.coordinates.size()), velocities, velocities,
-          OpenTerms(model.open_values.size(), constant_value), {}};
+  return {std::vector<Fraction>(model.coordinates.size()),
+          velocities,
+          velocities,
+          OpenTerms(model.open_values.size(), constant_value),
+          {}};
 }
 
 /// Integrals by one leaf.
@@ -54,7 +57,8 @@ class Integral {
     const AtomId own = leaf_.numerator.begin()->first[0].atom;
     std::int32_t n = 0;
     Monomial rest;
-    Value rate = Fraction{};
+    Value growth = Fraction{};
+    Value turn = Fraction{};
     for (const AtomPower& power : monomial) {
       if (power.atom == own) {
         n = power.exponent;
@@ -62,29 +66,40 @@ class Integral {
       }
       rest.push_back(power);
       if (!search_.holds(power.atom)) continue;
+      Value& rate = forms_.algebra.atoms[power.atom].kind == AtomKind::call ? growth : turn;
       rate = arithmetic_.add(rate, exponential_rate(power));
     }
     const Value factor = form_of(rest, coefficient);
-    if (!rate) return std::nullopt;
-    if (rate->numerator.empty()) {
+    if (!growth || !turn) return std::nullopt;
+    if (growth->numerator.empty() && turn->numerator.empty()) {
       if (n == -1) return std::nullopt;
       const Value power = form_of({{own, n + 1}}, {cl_RA(1) / (n + 1), 0});
       return arithmetic_.multiply(factor, n == -1 ? Value{} : power);
     }
     if (n < 0) return std::nullopt;
     Value sum = Fraction{};
-    Value below = rate;
+    const Value inverse = inverse_rate(growth, turn);
+    Value over = inverse;
     cl_RA weight = 1;
     for (std::int32_t k = 0; k <= n; ++k) {
       const Value power = k == n ? fraction_of(weight) : form_of({{own, n - k}}, {weight, 0});
-      sum = arithmetic_.add(sum, arithmetic_.divide(power, below));
-      below = arithmetic_.multiply(below, rate);
+      sum = arithmetic_.add(sum, arithmetic_.multiply(power, over));
+      over = arithmetic_.multiply(over, inverse);
       weight = -weight * (n - k);
     }
     return arithmetic_.multiply(factor, sum);
   }
 
-  /// r of e^(i a)^k and exp(a)^k where a is linear in x; none of other functions of x.
+  /// 1/(a + i b): denominators stay real, as forms are printed.
+  Value inverse_rate(const Value& a, const Value& b) {
+    const Value turned = arithmetic_.multiply(form_of({}, {0, -1}), b);
+    if (a->numerator.empty()) return arithmetic_.divide(form_of({}, {0, -1}), b);
+    if (b->numerator.empty()) return arithmetic_.divide(form_of({}), a);
+    const Value square = arithmetic_.add(arithmetic_.multiply(a, a), arithmetic_.multiply(b, b));
+    return arithmetic_.divide(arithmetic_.add(a, turned), square);
+  }
+
+  /// a of exp(a x)^k and b of e^(i b x)^k, times k; none of other functions of x.
   Value exponential_rate(const AtomPower& power) {
     const Atom atom = forms_.algebra.atoms[power.atom];  // a copy: atoms may be added
     const bool is_real = atom.kind == AtomKind::call && atom.function == FunctionId::exp;
@@ -92,8 +107,7 @@ class Integral {
     const Value slope = rate_along(forms_, atom.arguments[0], unit_);
     if (!slope || search_.holds(*slope)) return std::nullopt;
     const cl_RA share = power.exponent / atom.divisor;
-    const Gaussian factor = is_real ? Gaussian{power.exponent, 0} : Gaussian{0, share};
-    return arithmetic_.multiply(form_of({}, factor), slope);
+    return arithmetic_.multiply(fraction_of(is_real ? cl_RA(power.exponent) : share), slope);
   }
 
   ClosedForms& forms_;

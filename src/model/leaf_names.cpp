@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/ascii.hpp"
 
 namespace elgen {
@@ -14,6 +16,17 @@ LeafNames leaf_names(const Model& model) {
   leaves.momenta.clear();
   for (const Parameter& p : model.parameters) leaves.assumptions.push_back(p.assumption);
   return leaves;
+}
+
+std::string energy_name(const Model& model) {
+  const std::string name(leaf_row(Opcode::energy).symbol);
+  const auto has = [&name](const auto& entries) {
+    return std::ranges::any_of(entries, [&name](const auto& entry) { return entry.name == name; });
+  };
+  const bool is_taken = has(model.coordinates) || has(model.parameter_arrays) ||
+                        has(model.inputs) || has(model.functions) || has(model.prescribed) ||
+                        has(model.definitions);
+  return is_taken ? "energy_function" : name;
 }
 
 Assumption assumption_of(const LeafNames& leaves, std::uint32_t parameter) {

@@ -296,6 +296,8 @@ class Drawer {
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const Role role = role_of(parts[i]);
       if (role == Role::space) {
+        const bool is_quad = base_of(parts[i]).text == "1";
+        if (is_quad && last != Role::none) result = beside(result, line_of("  "));
         if (last == Role::operand) last = Role::space;
         continue;
       }

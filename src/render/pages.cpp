@@ -44,7 +44,8 @@ TemplateData cells_data(const SheetTable& table, const PageWords& words) {
   const auto row_of = [&](auto first, std::size_t count) {
     TemplateData cells(List::list);
     for (std::size_t i = 0; i < count; ++i, ++first) {
-      TemplateData cell("cell", first->empty() ? "" : words.formula(*first));
+      TemplateData cell;
+      cell.set("cell", section_of(first->empty() ? "" : words.formula(*first)));
       cell.set("separator", i + 1 < count ? " & " : "");
       cells << cell;
     }

@@ -85,7 +85,7 @@ TEST_CASE("the tilted bead has one mode, on either side") {
   CHECK(page(motions(model_file("rotating_hoop"))) ==
         R"(Bead on a hoop turned about its vertical diameter: normal modes at θ = ±0.697569 (stable)
 
-  m R² η̈ + K η = 0, K = m (R² Ω² - g²/Ω²)
+  m R² η̈ + K η = 0,   K = m (R² Ω² - g²/Ω²)
 
              g²
   ω² = Ω² - ─────
