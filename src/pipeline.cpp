@@ -127,6 +127,9 @@ class Compilation {
                                   // from it.
                                   if (options_.goals == std::vector<Goal>{Goal::steps})
                                     scene.left_out.clear();
+                                  // Symmetries need no solution.
+                                  if (options_.goals == std::vector<Goal>{Goal::symmetries})
+                                    scene.outputs = outputs_of_symmetries(c.model);
                                   return Result<Inspection>({}, inspect(c.model, scene));
                                 }};
 

@@ -187,13 +187,14 @@ struct Symmetry {
 };
 
 struct Symmetries {
-  ClosedForms forms = {};     ///< their algebra holds all forms below
-  std::size_t unknowns = 0;   ///< of the class
-  bool is_exact = false;      ///< found by closed forms, for generic parameters
-  bool is_complete = false;   ///< and no relation between functions was left out
-  std::size_t states = 0;     ///< at which was sampled
-  std::size_t sampled = 0;    ///< the number at the values of the parameters
-  bool loses_energy = false;  ///< E is conserved, T + V is not
+  ClosedForms forms = {};    ///< their algebra holds all forms below
+  std::size_t unknowns = 0;  ///< of the class
+  bool is_exact = false;     ///< found by closed forms, for generic parameters
+  bool is_complete = false;  ///< and no relation between functions was left out
+  std::size_t states = 0;    ///< at which was sampled
+  std::size_t sampled = 0;   ///< the number at the values of the parameters
+  std::optional<std::size_t> sampled_elsewhere = {};  ///< at random values, where it is known
+  bool loses_energy = false;                          ///< E is conserved, T + V is not
   std::vector<Symmetry> all = {};
 };
 
@@ -201,7 +202,7 @@ struct Symmetries {
 [[nodiscard]] std::vector<OutputRequest> outputs_of_symmetries(const Model& model);
 
 /// A basis of the symmetries of L alone: forces, dissipation and inputs are taken off. `recursive`
-/// has the functions of outputs_of_symmetries. E910: the class has more than 1 000 unknowns.
+/// has the functions of outputs_of_symmetries. E910: the class has more than 500 unknowns.
 [[nodiscard]] Result<Symmetries> find_symmetries(const CheckedModel& checked,
                                                  const Program& recursive);
 

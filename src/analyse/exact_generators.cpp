@@ -47,14 +47,23 @@ class Conditions {
     return true;
   }
 
-  [[nodiscard]] bool is_complete() const { return is_complete_; }
+  [[nodiscard]] bool is_complete() const { return is_complete_ && roots_.size() < 2; }
   [[nodiscard]] std::vector<Equation> equations() && { return std::move(equations_); }
 
  private:
-  /// Roots are held in powers 0 and 1 of theirs, which no relation joins.
+  /// One root is held in its powers 0 and 1, which no relation joins; of two, sqrt(a) sqrt(b) may
+  /// be a third, and one of sines and cosines a sine.
   void note(AtomId id) {
-    is_complete_ =
-        is_complete_ && (algebra_.atoms[id].kind == AtomKind::root || is_independent(algebra_, id));
+    if (algebra_.atoms[id].kind != AtomKind::root) {
+      is_complete_ = is_complete_ && is_independent(algebra_, id);
+    } else if (roots_.insert(id).second) {
+      const Fraction& radicand = algebra_.atoms[id].arguments[0];
+      is_complete_ = is_complete_ && std::ranges::all_of(radicand.numerator, [&](const auto& term) {
+                       return std::ranges::all_of(term.first, [&](const AtomPower& power) {
+                         return algebra_.atoms[power.atom].kind == AtomKind::leaf;
+                       });
+                     });
+    }
   }
 
   /// Squares of roots may bring denominators of their own.
@@ -86,6 +95,7 @@ class Conditions {
   FormField& field_;
   LeafSearch motions_;
   bool is_complete_ = true;
+  std::set<AtomId> roots_ = {};
   std::vector<Equation> equations_ = {};
 };
 

@@ -14,7 +14,7 @@ namespace elgen {
 class FormField {
  public:
   using Number = Value;
-  explicit FormField(Algebra& algebra) : arithmetic_(algebra, work) {}
+  explicit FormField(Algebra& algebra) : arithmetic_(algebra, work, terms) {}
 
   [[nodiscard]] Value integer(int value) const { return fraction_of(cln::cl_RA(value)); }
   [[nodiscard]] Value add(const Value& x, const Value& y) { return arithmetic_.add(x, y); }
@@ -30,6 +30,7 @@ class FormField {
 
  private:
   static constexpr std::size_t work = 4'000'000;  ///< term products: below two seconds
+  static constexpr std::size_t terms = 60'000;
   Arithmetic arithmetic_;
 };
 
@@ -40,7 +41,8 @@ class FormField {
 /// Generators over the parameters.
 struct ExactGenerators {
   std::vector<std::vector<Fraction>> basis = {};
-  /// No relation joins the functions of q, v, a and t that occur: there are no other generators.
+  /// No relation joins the functions that occur: there are no other generators. They are leaves,
+  /// sines, cosines and one root.
   bool is_complete = false;
 };
 

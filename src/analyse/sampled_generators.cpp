@@ -1,13 +1,16 @@
-// Gauss and Jordan with the largest pivot of each column; of 64 digits 40 decide between 0 and
+// Gauss and Jordan with the largest pivot of each column; of 128 digits 45 decide between 0 and
 // another number.
 #include "analyse/sampled_generators.hpp"
 
 #include <cln/float.h>
+#include <cln/integer.h>
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "base/exact_number.hpp"
+#include "base/more_digits.hpp"
 #include "base/random.hpp"
 
 namespace elgen {
@@ -16,6 +19,22 @@ namespace {
 using cln::cl_R;
 
 constexpr std::uint64_t seed = 1;
+/// Beyond the 64 that Real has.
+constexpr unsigned more_digits = 64;
+/// Outside of domains states have no value: so many are drawn for each that is wanted.
+constexpr std::size_t draws_per_state = 20;
+
+/// Of numbers scaled to 1.
+const cl_R& noise() {
+  static const cl_R value = power_of_ten(-45);
+  return value;
+}
+
+/// Of numbers of a row scaled to 1 what is no number of the system.
+const cl_R& rounding() {
+  static const cl_R value = power_of_ten(-70);
+  return value;
+}
 
 /// R = M a + bias - dD/dv + Q: forces and dissipation taken off.
 constexpr std::array<std::pair<OutputKind, int>, 3> parts{{{OutputKind::inverse_dynamics, 1},
@@ -64,10 +83,10 @@ ResidualSlopes<Real> slopes_at(const ExactValues& values) {
   return slopes;
 }
 
-/// The numbers of a row in 64 digits, of which exact ones would grow by elimination; the largest of
-/// which becomes 1; none where one is undefined.
+/// The numbers of a row in 128 digits, of which exact ones would grow by elimination; the largest
+/// of which becomes 1; none where one is undefined.
 std::optional<std::vector<cl_R>> scaled_row(const std::vector<Real>& row) {
-  static const cln::float_format_t digits = cln::float_format(64);
+  static const cln::float_format_t digits = cln::float_format(64 + more_digits);
   std::vector<cl_R> numbers;
   for (const Real& entry : row) {
     if (!entry.is_defined()) return std::nullopt;
@@ -79,32 +98,74 @@ std::optional<std::vector<cl_R>> scaled_row(const std::vector<Real>& row) {
   return numbers;
 }
 
+/// The largest entry of each column; 1 of a column of zeros, which is one of rounding, too.
+std::vector<cl_R> column_scales(const std::vector<std::vector<cl_R>>& rows, std::size_t unknowns) {
+  std::vector<cl_R> scales(unknowns, cl_R(0));
+  for (const std::vector<cl_R>& row : rows) {
+    for (std::size_t u = 0; u < unknowns; ++u) scales[u] = cln::max(scales[u], cln::abs(row[u]));
+  }
+  for (cl_R& scale : scales) {
+    if (scale < rounding()) scale = 1;
+  }
+  return scales;
+}
+
+/// The row of the largest entry of a column among those that are left; none below the noise.
+std::optional<std::size_t> pivot_row_of(const std::vector<std::vector<cl_R>>& rows,
+                                        std::size_t first, std::size_t column) {
+  std::optional<std::size_t> pivot;
+  for (std::size_t i = first; i < rows.size(); ++i) {
+    if (cln::abs(rows[i][column]) < noise()) continue;
+    if (!pivot || cln::abs(rows[i][column]) > cln::abs(rows[*pivot][column])) pivot = i;
+  }
+  return pivot;
+}
+
+/// Columns are scaled, so that numbers in any unit are told from 0.
 Echelon<cl_R> eliminated(std::vector<std::vector<cl_R>> rows, std::size_t unknowns) {
-  static const cl_R noise = power_of_ten(-40);
+  const std::vector<cl_R> scales = column_scales(rows, unknowns);
+  for (std::vector<cl_R>& row : rows) {
+    for (std::size_t u = 0; u < unknowns; ++u) row[u] = row[u] / scales[u];
+  }
   Echelon<cl_R> result;
-  std::size_t done = 0;
-  for (std::size_t u = 0; u < unknowns && done < rows.size(); ++u) {
-    std::size_t pivot = done;
-    for (std::size_t i = done; i < rows.size(); ++i) {
-      if (cln::abs(rows[i][u]) > cln::abs(rows[pivot][u])) pivot = i;
+  for (std::size_t u = 0; u < unknowns; ++u) {
+    const std::size_t done = result.pivots.size();
+    const std::optional<std::size_t> found = pivot_row_of(rows, done, u);
+    if (!found) continue;
+    std::swap(rows[*found], rows[done]);
+    std::vector<cl_R>& pivot = rows[done];
+    std::vector<std::size_t> filled;
+    const cl_R lead = pivot[u];
+    for (std::size_t k = u; k < unknowns; ++k) {
+      pivot[k] = pivot[k] / lead;
+      if (cln::abs(pivot[k]) >= noise()) filled.push_back(k);
     }
-    if (cln::abs(rows[pivot][u]) < noise) continue;
-    std::swap(rows[pivot], rows[done]);
-    const cl_R lead = rows[done][u];
-    for (cl_R& entry : rows[done]) entry = entry / lead;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (i == done || cln::abs(rows[i][u]) < noise) continue;
+      if (i == done || cln::abs(rows[i][u]) < noise()) continue;
       const cl_R factor = rows[i][u];
-      for (std::size_t k = u; k < unknowns; ++k) {
-        rows[i][k] = rows[i][k] - factor * rows[done][k];
-      }
+      for (const std::size_t k : filled) rows[i][k] = rows[i][k] - factor * pivot[k];
     }
     result.pivots.push_back(u);
-    ++done;
   }
-  rows.resize(done);
+  rows.resize(result.pivots.size());
+  for (std::size_t p = 0; p < rows.size(); ++p) {
+    for (std::size_t u = 0; u < unknowns; ++u) {
+      cl_R& entry = rows[p][u];
+      entry = cln::abs(entry) < noise() ? cl_R(0) : entry * scales[u] / scales[result.pivots[p]];
+    }
+  }
   result.rows = std::move(rows);
   return result;
+}
+
+/// A random state; parameters at their values, or random ones.
+State drawn_state(const CheckedModel& checked, SampledAt parameters, Random& random) {
+  State state = nominal_state(checked.model, checked.scene);
+  if (parameters == SampledAt::random_values) {
+    draw_parameters(checked.model, checked.scene.specialisation.fixed, random, 0, state);
+  }
+  draw_motion(checked.model, random, 0, state);
+  return state;
 }
 
 /// Negation for solutions().
@@ -124,53 +185,70 @@ MotionPoint<Real> sampled_point(ExactValues& values) {
 }
 
 std::optional<cln::cl_RA> small_fraction(const cl_R& value) {
-  static const cl_R near = power_of_ten(-30);
-  for (int q = 1; q <= 1000; ++q) {
-    const cln::cl_I p = cln::round1(value * q);
-    if (cln::abs(value - p / cln::cl_RA(q)) < near) return p / cln::cl_RA(q);
+  static const cl_R near = power_of_ten(-35);
+  static const cln::cl_I largest = cln::expt_pos(cln::cl_I(10), 9);
+  if (cln::zerop(value)) return cln::cl_RA(0);
+  // Convergents of the continued fraction.
+  cl_R rest = value;
+  cln::cl_I before_p = 0;
+  cln::cl_I before_q = 1;
+  cln::cl_I p = 1;
+  cln::cl_I q = 0;
+  for (;;) {
+    const cln::cl_I whole = cln::floor1(rest);
+    before_p = std::exchange(p, whole * p + before_p);
+    before_q = std::exchange(q, whole * q + before_q);
+    if (q > largest) return std::nullopt;
+    const cln::cl_RA fraction = p / cln::cl_RA(q);
+    if (cln::abs(value - fraction) < near * cln::abs(value)) return fraction;
+    if (rest == whole) return std::nullopt;
+    rest = 1 / (rest - whole);
   }
-  return std::nullopt;
 }
 
 bool is_generic(const CheckedModel& checked, const Program& moving,
                 const std::vector<cl_R>& generator) {
-  static const cl_R noise = power_of_ten(-40);
   constexpr std::size_t states = 4;
+  const MoreDigits digits(more_digits);
   const GeneratorClass all(checked.model);
   Random random(seed);
   RealField field;
-  for (std::size_t k = 0; k < states; ++k) {
-    State state = nominal_state(checked.model, checked.scene);
-    draw_parameters(checked.model, checked.scene.specialisation.fixed, random, 0, state);
-    draw_motion(checked.model, random, 0, state);
-    ExactValues values({checked.model, checked.scene, moving}, state);
+  std::size_t judged = 0;
+  const cl_R largest = largest_of(generator);
+  for (std::size_t k = 0; k < states * draws_per_state && judged < states; ++k) {
+    ExactValues values({checked.model, checked.scene, moving},
+                       drawn_state(checked, SampledAt::random_values, random));
+    bool has_value = true;
     for (const auto& row : conditions(field, all, sampled_point(values), slopes_at(values))) {
       const auto numbers = scaled_row(row);
+      has_value = has_value && numbers;
       if (!numbers) continue;
       cl_R sum = 0;
+      cl_R size = 0;
       for (std::size_t u = 0; u < generator.size(); ++u) {
-        sum = sum + (*numbers)[u] * generator[u];
+        const cl_R term = (*numbers)[u] * generator[u];
+        sum = sum + term;
+        size = size + cln::abs(term);
       }
-      if (cln::abs(sum) > noise * largest_of(generator)) return false;
+      if (cln::abs(sum) > noise() * size && size > rounding() * largest) return false;
     }
+    if (has_value) ++judged;
   }
-  return true;
+  return judged > 0;
 }
 
 std::optional<SampledGenerators> sampled_generators(const CheckedModel& checked,
-                                                    const Program& moving) {
-  const Model& model = checked.model;
-  const GeneratorClass all(model);
+                                                    const Program& moving, SampledAt parameters) {
+  const GeneratorClass all(checked.model);
   const std::size_t n = all.velocity_count;
   const std::size_t wanted = all.size() / n + 4;
   Random random(seed);
   SampledGenerators result;
   std::vector<std::vector<cl_R>> rows;
   RealField field;
-  for (std::size_t turn = 0; turn < 4 * wanted && result.states.size() < wanted; ++turn) {
-    State state = nominal_state(model, checked.scene);
-    draw_motion(model, random, 0, state);
-    ExactValues values({model, checked.scene, moving}, state);
+  for (std::size_t k = 0; k < draws_per_state * wanted && result.states.size() < wanted; ++k) {
+    State state = drawn_state(checked, parameters, random);
+    ExactValues values({checked.model, checked.scene, moving}, state);
     std::vector<std::vector<cl_R>> own;
     for (const auto& row : conditions(field, all, sampled_point(values), slopes_at(values))) {
       if (const auto numbers = scaled_row(row)) own.push_back(*numbers);

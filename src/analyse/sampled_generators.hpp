@@ -1,8 +1,9 @@
 // The symmetries at the values of the parameters: the conditions on a generator at random states in
-// 64 digits. Every symmetry solves them, so that there are never more of these.
+// 128 digits. Every symmetry solves them, so that there are never more of these.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -30,21 +31,24 @@ struct SampledGenerators {
   std::vector<State> states = {};  ///< at which they were found
 };
 
-/// `moving` has the functions of outputs_of_symmetries. None where too few states have a value.
-/// Cost: that of 3 n + 1 derivatives of the inverse dynamics at each of (unknowns / n + 4) states,
-/// and an elimination.
-[[nodiscard]] std::optional<SampledGenerators> sampled_generators(const CheckedModel& checked,
-                                                                  const Program& moving);
+enum class SampledAt : std::uint8_t { values, random_values };
 
-/// Whether a generator solves the conditions at random values of the parameters, too. Fixed ones
-/// stay.
+/// At the values of the parameters, or at random ones, but for those that are fixed. `moving` has
+/// the functions of outputs_of_symmetries. None where too few states have a value. Cost: that of
+/// 3 n + 1 derivatives of the inverse dynamics at each of (unknowns / n + 4) states, and an
+/// elimination.
+[[nodiscard]] std::optional<SampledGenerators> sampled_generators(const CheckedModel& checked,
+                                                                  const Program& moving,
+                                                                  SampledAt parameters);
+
+/// Whether a generator solves the conditions at random values of the parameters, too.
 [[nodiscard]] bool is_generic(const CheckedModel& checked, const Program& moving,
                               const std::vector<cln::cl_R>& generator);
 
 /// The point of a state, with R there.
 [[nodiscard]] MotionPoint<Real> sampled_point(ExactValues& values);
 
-/// A number as the fraction p/q, q up to 1000, that it is to 30 digits; none where it is none.
+/// A number as the fraction p/q, q below 1e9, that it is to 35 digits; none where it is none.
 [[nodiscard]] std::optional<cln::cl_RA> small_fraction(const cln::cl_R& value);
 
 }  // namespace elgen

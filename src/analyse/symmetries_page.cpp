@@ -64,10 +64,7 @@ class SymmetriesPage {
   /// names for quaternions, and knows nothing of what a scene changes.
   std::vector<std::string> conserved() {
     std::vector<std::string> result;
-    if (!checked_.scene.specialisation.fixed.empty() || model_.unlocked || model_.moving ||
-        model_.approximation) {
-      return result;
-    }
+    if (!checked_.scene.canonical.empty()) return result;
     Arithmetic arithmetic(forms_.algebra);
     LeafSearch quaternions(forms_.algebra, [this](const Atom& leaf) {
       return leaf.leaf == Opcode::coordinate && model_.coordinates[leaf.index].rotation;
@@ -267,29 +264,41 @@ class SymmetriesPage {
   [[nodiscard]] IntegralText integral(const Symmetry& symmetry) const {
     const Printed names = read(symmetry.by_names).value_or(prose("a long form"));
     const Printed less{names.text + " - F", names.latex + " - F"};
+    IntegralText result;
+    result.note = note(symmetry);
     if (!symmetry.total) {
-      return {{less.text + ", F has no closed form",
-               less.latex + " \\text{, } F \\text{ has no closed form}"}};
+      result.left = {less.text + ", F has no closed form",
+                     less.latex + " \\text{, } F \\text{ has no closed form}"};
+      return result;
     }
     if (!is_nothing(symmetry.total)) {
-      return {less, equation({"F", "F"}, read(symmetry.total).value_or(prose("a long form")))};
+      result.left = less;
+      result.equation = equation({"F", "F"}, read(symmetry.total).value_or(prose("a long form")));
+      return result;
     }
-    const bool is_turn = symmetry.kind == SymmetryKind::turn;  // as long again as the components
-    const std::optional<Printed> closed = is_turn ? std::nullopt : read(symmetry.closed);
-    IntegralText result;
-    if (is_turn) {
+    if (turns(symmetry)) {  // written out, as long again as the components
       result.equation = equation({"I", "I"}, names);
-    } else if (closed) {
+    } else if (const std::optional<Printed> closed = read(symmetry.closed)) {
       result.equation = equation(names, *closed);
     } else {
       result.left = names;
     }
-    if (symmetry.is_special) {
-      result.note = prose("(at these values of the parameters)");
-    } else if (symmetry.kind == SymmetryKind::time && symmetries_.loses_energy) {
-      result.note = {"(T + V is not conserved)", "(T + V \\text{ is not conserved})"};
-    }
     return result;
+  }
+
+  [[nodiscard]] Printed note(const Symmetry& symmetry) const {
+    if (symmetry.is_rounded) return prose("(six digits, at these values of the parameters)");
+    if (symmetry.is_special) return prose("(at these values of the parameters)");
+    if (symmetry.kind != SymmetryKind::time || !symmetries_.loses_energy) return {};
+    return {"(T + V is not conserved)", "(T + V \\text{ is not conserved})"};
+  }
+
+  /// Whether a rotation turns about axes of the world.
+  [[nodiscard]] bool turns(const Symmetry& symmetry) const {
+    for (std::size_t u = all_.world_turn(0, 0); u < all_.time(); ++u) {
+      if (!symmetry.generator[u].numerator.empty()) return true;
+    }
+    return false;
   }
 
   static PageMatrix equation(const Printed& left, const Printed& right) {
@@ -311,23 +320,19 @@ class SymmetriesPage {
   }
 
   [[nodiscard]] std::string claims() const {
-    std::string line;
-    const bool are_proved = std::ranges::all_of(symmetries_.all, &Symmetry::is_proved);
-    const bool is_free = std::ranges::all_of(
-        symmetries_.all, [](const Symmetry& symmetry) { return is_nothing(symmetry.rate); });
-    const std::string sampled =
-        fmt::format("sampled at {} states in 64 digits", symmetries_.states);
-    if (!symmetries_.all.empty()) {
-      line = fmt::format("{}: {}; ", is_free ? "conserved" : "conserved where d/dt is 0",
-                         are_proved             ? "proved"
-                         : symmetries_.is_exact ? "dL = dF/dt is proved"
-                                                : sampled);
+    const std::size_t count = symmetries_.all.size();
+    if (!symmetries_.is_exact && symmetries_.states == 0) {
+      return "not decided: no state within the ranges has a value";
     }
     const std::string unknowns = fmt::format("{} unknowns", symmetries_.unknowns);
-    const std::string subject = symmetries_.all.empty() ? "there are none" : "these are all";
-    const bool agrees = symmetries_.states > 0 && symmetries_.sampled == symmetries_.all.size();
+    const std::string subject = count == 0 ? "there are none" : "these are all";
+    const bool is_generic = symmetries_.sampled_elsewhere == count;
+    const bool agrees = symmetries_.states > 0 && symmetries_.sampled == count;
+    std::string line = verdict();
     if (symmetries_.is_complete) {
       line += fmt::format("{} of this form ({}, exactly)", subject, unknowns);
+    } else if (is_generic) {
+      line += fmt::format("{} of this form ({}, sampled)", subject, unknowns);
     } else if (agrees) {
       line += fmt::format("{} of this form at the values of the parameters ({}, sampled)", subject,
                           unknowns);
@@ -335,8 +340,25 @@ class SymmetriesPage {
       line += fmt::format("these are at least those of this form ({})", unknowns);
     }
     if (symmetries_.states == 0 || agrees) return line;
-    return line + fmt::format("; at the values of the parameters there are {} ({})",
-                              symmetries_.sampled, sampled);
+    return line + fmt::format("; at the values of the parameters there {} {} ({})",
+                              symmetries_.sampled == 1 ? "is" : "are", symmetries_.sampled,
+                              sampled());
+  }
+
+  [[nodiscard]] std::string sampled() const {
+    return fmt::format("sampled at {} states in 128 digits", symmetries_.states);
+  }
+
+  /// "conserved: proved; "
+  [[nodiscard]] std::string verdict() const {
+    if (symmetries_.all.empty()) return {};
+    const bool are_proved = std::ranges::all_of(symmetries_.all, &Symmetry::is_proved);
+    const bool is_free = std::ranges::all_of(
+        symmetries_.all, [](const Symmetry& symmetry) { return is_nothing(symmetry.rate); });
+    return fmt::format("{}: {}; ", is_free ? "conserved" : "conserved where d/dt is 0",
+                       are_proved             ? "proved"
+                       : symmetries_.is_exact ? "dL = dF/dt is proved"
+                                              : sampled());
   }
 
   const CheckedModel& checked_;
