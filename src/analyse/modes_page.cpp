@@ -62,7 +62,7 @@ class ModesPage {
     if (!is_free) add_poles(motions);
     add_equations(motions);
     if (!motions.modes.empty()) {
-      if (!mass_.empty()) add_frequencies();
+      if (!mass_.empty() && !stiffness_.empty()) add_frequencies();
       add_modes(motions);
     }
     if (!is_free) add_state_matrices(motions);
@@ -136,16 +136,15 @@ class ModesPage {
       const Value k = slope ? substituted(forms_.algebra, *slope, place) : std::nullopt;
       const Value m =
           masses.entries[i] ? substituted(forms_.algebra, *masses.entries[i], place) : std::nullopt;
-      const bool is_known =
-          k && m && !holds_coordinate(forms_.algebra, *k) && !holds_coordinate(forms_.algebra, *m);
-      if (!is_known) {
-        mass_.clear();
-        stiffness_.clear();
-        return;
-      }
-      mass_.push_back(*m);
-      stiffness_.push_back(*k);
+      if (is_form_at_place(m)) mass_.push_back(*m);
+      if (is_form_at_place(k)) stiffness_.push_back(*k);
     }
+    if (mass_.size() < n * n) mass_.clear();
+    if (stiffness_.size() < n * n) stiffness_.clear();
+  }
+
+  [[nodiscard]] bool is_form_at_place(const Value& form) const {
+    return form && !holds_coordinate(forms_.algebra, *form);
   }
 
   PageMatrix matrix(const Printed& left, const std::vector<Fraction>& forms,

@@ -158,13 +158,12 @@ Echelon<cl_R> eliminated(std::vector<std::vector<cl_R>> rows, std::size_t unknow
   return result;
 }
 
-/// A random state; parameters at their values, or random ones.
-State drawn_state(const CheckedModel& checked, SampledAt parameters, Random& random) {
+/// At rest, with the parameters at their values, or at random ones.
+State resting_state(const CheckedModel& checked, SampledAt parameters, Random& random) {
   State state = nominal_state(checked.model, checked.scene);
   if (parameters == SampledAt::random_values) {
     draw_parameters(checked.model, checked.scene.specialisation.fixed, random, 0, state);
   }
-  draw_motion(checked.model, random, 0, state);
   return state;
 }
 
@@ -216,8 +215,9 @@ bool is_generic(const CheckedModel& checked, const Program& moving,
   std::size_t judged = 0;
   const cl_R largest = largest_of(generator);
   for (std::size_t k = 0; k < states * draws_per_state && judged < states; ++k) {
-    ExactValues values({checked.model, checked.scene, moving},
-                       drawn_state(checked, SampledAt::random_values, random));
+    State state = resting_state(checked, SampledAt::random_values, random);
+    draw_motion(checked.model, random, 0, state);
+    ExactValues values({checked.model, checked.scene, moving}, state);
     bool has_value = true;
     for (const auto& row : conditions(field, all, sampled_point(values), slopes_at(values))) {
       const auto numbers = scaled_row(row);
@@ -246,8 +246,10 @@ std::optional<SampledGenerators> sampled_generators(const CheckedModel& checked,
   SampledGenerators result;
   std::vector<std::vector<cl_R>> rows;
   RealField field;
+  const State resting = resting_state(checked, parameters, random);
   for (std::size_t k = 0; k < draws_per_state * wanted && result.states.size() < wanted; ++k) {
-    State state = drawn_state(checked, parameters, random);
+    State state = resting;
+    draw_motion(checked.model, random, 0, state);
     ExactValues values({checked.model, checked.scene, moving}, state);
     std::vector<std::vector<cl_R>> own;
     for (const auto& row : conditions(field, all, sampled_point(values), slopes_at(values))) {

@@ -143,7 +143,7 @@ std::string header(const std::string& name) {
   return name + "\n";
 }
 
-/// Of an entry and of the tables inside it.
+/// Of an entry and of the tables inside it; `routh` is `scene.routh`, as no model has one.
 std::vector<KeyRow> keys_of_entry(const std::string& name) {
   std::vector<KeyRow> keys;
   for (const KeyRow& key : key_table()) {
@@ -151,7 +151,8 @@ std::vector<KeyRow> keys_of_entry(const std::string& name) {
     if (name.empty() || (key.entry != name && (!is_inside || name == "scene"))) continue;
     keys.push_back(key);
   }
-  return keys;
+  const bool is_of_scene = name.empty() || name.rfind("scene.", 0) == 0;
+  return keys.empty() && !is_of_scene ? keys_of_entry("scene." + name) : keys;
 }
 
 std::string text_of(const std::vector<KeyRow>& keys) {

@@ -84,9 +84,11 @@ State starting_state(const CheckedModel& checked) {
   return state;
 }
 
-/// Rational, so that it can be fixed: the nearest double of what has no end.
+/// Rational, so that it can be fixed: of a number without end 17 digits, as pages print it.
 cl_R kept(const cl_R& value) {
-  return is_rational(value) ? value : cl_R(exact_value(cln::double_approx(value)));
+  if (is_rational(value)) return value;
+  const cln::cl_RA scale = power_of_ten(16 - static_cast<long>(decimal_exponent(value)));
+  return cln::round1(value * scale) / scale;
 }
 
 std::optional<cl_R> momentum_of(const Model& exact, const Cyclic& cyclic, const State& start) {
