@@ -193,7 +193,7 @@ struct Symmetries {
   bool is_complete = false;  ///< and no relation between functions was left out
   std::size_t states = 0;    ///< at which was sampled
   std::size_t sampled = 0;   ///< the number at the values of the parameters
-  std::optional<std::size_t> sampled_elsewhere = {};  ///< at random values, where it is known
+  std::optional<std::size_t> sampled_elsewhere = {};  ///< at random values, where it is needed
   bool loses_energy = false;                          ///< E is conserved, T + V is not
   std::vector<Symmetry> all = {};
 };

@@ -112,8 +112,8 @@ struct PresentBudget {
 /// Whether x = y is proved: x - y is the empty sum. False says nothing where roots or calls occur.
 [[nodiscard]] bool proved_equal(ClosedForms& forms, const Fraction& x, const Fraction& y);
 
-/// Whether no algebraic relation joins atoms of this sort: leaves, pi, and e^(i m/12) of monomials m
-/// of these. e^(i m/24), roots, and e^(ix) of fractions x have relations that forms do not know.
+/// Whether no algebraic relation joins atoms of this sort: leaves, pi, and e^(i m/12) of monomials
+/// m of these. e^(i m/24), roots, and e^(ix) of fractions x have relations that forms do not know.
 [[nodiscard]] bool is_independent(const Algebra& algebra, AtomId id);
 
 /// The verdict of a closed form.

@@ -51,9 +51,9 @@ enum class Goal : std::uint8_t {
   self_check,
 };
 inline constexpr std::array<std::string_view, 18> goal_names{
-    "parse",  "check",  "inspect", "formulate", "specialise", "steps",
-    "derive", "lower",  "cancel",  "present",   "choose",     "equilibria",
-    "modes",  "symmetries", "claims", "emit",    "parts",     "self-check"};
+    "parse",  "check",      "inspect", "formulate", "specialise", "steps",
+    "derive", "lower",      "cancel",  "present",   "choose",     "equilibria",
+    "modes",  "symmetries", "claims",  "emit",      "parts",      "self-check"};
 
 [[nodiscard]] constexpr std::string_view name_of(Goal goal) {
   return goal_names[static_cast<std::size_t>(goal)];

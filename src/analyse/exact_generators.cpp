@@ -66,10 +66,12 @@ class Conditions {
     }
   }
 
+  using Denominator = std::map<std::uint32_t, std::int32_t>;
+
   /// Squares of roots may bring denominators of their own.
   bool clear_denominators(std::vector<Value>& row) {
     for (;;) {
-      std::map<std::uint32_t, std::int32_t> common;
+      Denominator common;
       for (const Value& entry : row) {
         if (!entry) return false;
         for (const auto& [factor, exponent] : entry->denominator) {
@@ -77,18 +79,20 @@ class Conditions {
         }
       }
       if (common.empty()) return true;
-      for (Value& entry : row) {
-        std::map<std::uint32_t, std::int32_t> missing = common;
-        for (const auto& [factor, exponent] : entry->denominator) missing[factor] -= exponent;
-        Value cleared = Fraction{entry->numerator, {}};
-        for (const auto& [factor, exponent] : missing) {
-          for (std::int32_t i = 0; i < exponent; ++i) {
-            cleared = field_.multiply(cleared, fraction_of(algebra_.factors[factor].shown));
-          }
-        }
-        entry = std::move(cleared);
+      for (Value& entry : row) entry = numerator_over(common, *entry);
+    }
+  }
+
+  /// The entry times the common denominator.
+  Value numerator_over(Denominator common, const Fraction& entry) {
+    for (const auto& [factor, exponent] : entry.denominator) common[factor] -= exponent;
+    Value result = Fraction{entry.numerator, {}};
+    for (const auto& [factor, exponent] : common) {
+      for (std::int32_t i = 0; i < exponent; ++i) {
+        result = field_.multiply(result, fraction_of(algebra_.factors[factor].shown));
       }
     }
+    return result;
   }
 
   const Algebra& algebra_;

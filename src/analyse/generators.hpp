@@ -41,7 +41,7 @@ struct GeneratorClass {
   [[nodiscard]] std::size_t c(std::size_t i) const { return scalars() * scalars() + i; }
   [[nodiscard]] std::size_t b(std::size_t i) const { return c(scalars()) + i; }
   [[nodiscard]] std::size_t world_turn(std::size_t rotation, std::size_t axis) const {
-    return b(scalars()) + 2 * axis_count * rotation + axis;
+    return b(scalars()) + std::size_t{2} * axis_count * rotation + axis;
   }
   [[nodiscard]] std::size_t body_turn(std::size_t rotation, std::size_t axis) const {
     return world_turn(rotation, axis) + axis_count;
@@ -164,6 +164,18 @@ PointChange<typename Field::Number> change_of(Field& field, const GeneratorClass
   return change;
 }
 
+/// to + sum_k slope_ik moved_k
+template <class Field>
+typename Field::Number with_slopes(Field& field, typename Field::Number to,
+                                   const std::vector<typename Field::Number>& slope, std::size_t i,
+                                   const std::vector<typename Field::Number>& moved) {
+  for (std::size_t k = 0; k < moved.size(); ++k) {
+    if (field.is_zero(moved[k])) continue;
+    to = field.add(to, field.multiply(slope[i * moved.size() + k], moved[k]));
+  }
+  return to;
+}
+
 /// dR_i + (A^T R)_i of each unknown: n rows of `all.size()` entries. The unknowns of a symmetry
 /// make the sum of each row 0.
 template <class Field>
@@ -179,17 +191,9 @@ std::vector<std::vector<typename Field::Number>> conditions(
     const PointChange<Number> change = change_of(field, all, at, unit);
     unit[u] = field.integer(0);
     for (std::size_t i = 0; i < n; ++i) {
-      Number& entry = rows[i][u];
-      entry = change.transposed[i];
-      const auto along = [&](const std::vector<Number>& slope, const std::vector<Number>& moved) {
-        for (std::size_t k = 0; k < n; ++k) {
-          if (field.is_zero(moved[k])) continue;
-          entry = field.add(entry, field.multiply(slope[i * n + k], moved[k]));
-        }
-      };
-      along(slopes.by_position, change.position);
-      along(slopes.by_velocity, change.velocity);
-      along(slopes.by_acceleration, change.acceleration);
+      Number sum = with_slopes(field, change.transposed[i], slopes.by_position, i, change.position);
+      sum = with_slopes(field, sum, slopes.by_velocity, i, change.velocity);
+      rows[i][u] = with_slopes(field, sum, slopes.by_acceleration, i, change.acceleration);
     }
   }
   for (std::size_t i = 0; i < n; ++i) rows[i][all.time()] = slopes.by_time[i];

@@ -1,4 +1,4 @@
-// Gauss and Jordan with the largest pivot of each column; of 128 digits 45 decide between 0 and
+// Gauss and Jordan with the largest pivot of each column; of 160 digits 100 decide between 0 and
 // another number.
 #include "analyse/sampled_generators.hpp"
 
@@ -20,19 +20,19 @@ using cln::cl_R;
 
 constexpr std::uint64_t seed = 1;
 /// Beyond the 64 that Real has.
-constexpr unsigned more_digits = 64;
+constexpr unsigned more_digits = 96;
 /// Outside of domains states have no value: so many are drawn for each that is wanted.
 constexpr std::size_t draws_per_state = 20;
 
 /// Of numbers scaled to 1.
 const cl_R& noise() {
-  static const cl_R value = power_of_ten(-45);
+  static const cl_R value = power_of_ten(-100);
   return value;
 }
 
 /// Of numbers of a row scaled to 1 what is no number of the system.
 const cl_R& rounding() {
-  static const cl_R value = power_of_ten(-70);
+  static const cl_R value = power_of_ten(-125);
   return value;
 }
 
@@ -83,7 +83,7 @@ ResidualSlopes<Real> slopes_at(const ExactValues& values) {
   return slopes;
 }
 
-/// The numbers of a row in 128 digits, of which exact ones would grow by elimination; the largest
+/// The numbers of a row in 160 digits, of which exact ones would grow by elimination; the largest
 /// of which becomes 1; none where one is undefined.
 std::optional<std::vector<cl_R>> scaled_row(const std::vector<Real>& row) {
   static const cln::float_format_t digits = cln::float_format(64 + more_digits);
@@ -158,21 +158,20 @@ Echelon<cl_R> eliminated(std::vector<std::vector<cl_R>> rows, std::size_t unknow
   return result;
 }
 
-/// At rest, with the parameters at their values, or at random ones.
-State resting_state(const CheckedModel& checked, SampledAt parameters, Random& random) {
-  State state = nominal_state(checked.model, checked.scene);
-  if (parameters == SampledAt::random_values) {
-    draw_parameters(checked.model, checked.scene.specialisation.fixed, random, 0, state);
-  }
-  return state;
-}
-
 /// Negation for solutions().
 struct NumberField {
   using Number = cl_R;
   [[nodiscard]] static cl_R integer(int value) { return value; }
   [[nodiscard]] static cl_R negate(const cl_R& x) { return -x; }
 };
+
+State at_random_parameters(const CheckedModel& checked, std::size_t turn) {
+  Random random(seed + turn);
+  State state = nominal_state(checked.model, checked.scene);
+  // Odd turns reach all of the ranges that parameters declare.
+  draw_parameters(checked.model, checked.scene.specialisation.fixed, random, 2 * turn + 1, state);
+  return state;
+}
 
 }  // namespace
 
@@ -215,7 +214,7 @@ bool is_generic(const CheckedModel& checked, const Program& moving,
   std::size_t judged = 0;
   const cl_R largest = largest_of(generator);
   for (std::size_t k = 0; k < states * draws_per_state && judged < states; ++k) {
-    State state = resting_state(checked, SampledAt::random_values, random);
+    State state = at_random_parameters(checked, k);
     draw_motion(checked.model, random, 0, state);
     ExactValues values({checked.model, checked.scene, moving}, state);
     bool has_value = true;
@@ -238,7 +237,8 @@ bool is_generic(const CheckedModel& checked, const Program& moving,
 }
 
 std::optional<SampledGenerators> sampled_generators(const CheckedModel& checked,
-                                                    const Program& moving, SampledAt parameters) {
+                                                    const Program& moving, const State& resting) {
+  const MoreDigits digits(more_digits);
   const GeneratorClass all(checked.model);
   const std::size_t n = all.velocity_count;
   const std::size_t wanted = all.size() / n + 4;
@@ -246,7 +246,6 @@ std::optional<SampledGenerators> sampled_generators(const CheckedModel& checked,
   SampledGenerators result;
   std::vector<std::vector<cl_R>> rows;
   RealField field;
-  const State resting = resting_state(checked, parameters, random);
   for (std::size_t k = 0; k < draws_per_state * wanted && result.states.size() < wanted; ++k) {
     State state = resting;
     draw_motion(checked.model, random, 0, state);
@@ -263,6 +262,19 @@ std::optional<SampledGenerators> sampled_generators(const CheckedModel& checked,
   NumberField numbers;
   result.basis = solutions(numbers, eliminated(std::move(rows), all.size()), all.size());
   return result;
+}
+
+std::optional<std::size_t> generic_count(const CheckedModel& checked, const Program& moving) {
+  constexpr std::size_t sets = 3;
+  std::optional<std::size_t> least;
+  std::size_t found = 0;
+  for (std::size_t turn = 0; turn < draws_per_state && found < sets; ++turn) {
+    const auto here = sampled_generators(checked, moving, at_random_parameters(checked, turn));
+    if (!here) continue;
+    ++found;
+    least = std::min(here->basis.size(), least.value_or(here->basis.size()));
+  }
+  return least;
 }
 
 }  // namespace elgen

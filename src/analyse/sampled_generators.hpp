@@ -1,5 +1,5 @@
 // The symmetries at the values of the parameters: the conditions on a generator at random states in
-// 128 digits. Every symmetry solves them, so that there are never more of these.
+// 160 digits. Every symmetry solves them, so that there are never more of these.
 #pragma once
 
 #include <cstddef>
@@ -31,15 +31,17 @@ struct SampledGenerators {
   std::vector<State> states = {};  ///< at which they were found
 };
 
-enum class SampledAt : std::uint8_t { values, random_values };
-
-/// At the values of the parameters, or at random ones, but for those that are fixed. `moving` has
-/// the functions of outputs_of_symmetries. None where too few states have a value. Cost: that of
-/// 3 n + 1 derivatives of the inverse dynamics at each of (unknowns / n + 4) states, and an
-/// elimination.
+/// At random states with the parameters of one at rest. `moving` has the functions of
+/// outputs_of_symmetries. None where too few states have a value. Cost: that of 3 n + 1 derivatives
+/// of the inverse dynamics at each of (unknowns / n + 4) states, and an elimination.
 [[nodiscard]] std::optional<SampledGenerators> sampled_generators(const CheckedModel& checked,
                                                                   const Program& moving,
-                                                                  SampledAt parameters);
+                                                                  const State& resting);
+
+/// The number at random values of the parameters, but for those that are fixed: the least of three
+/// sets. None where they have no values.
+[[nodiscard]] std::optional<std::size_t> generic_count(const CheckedModel& checked,
+                                                       const Program& moving);
 
 /// Whether a generator solves the conditions at random values of the parameters, too.
 [[nodiscard]] bool is_generic(const CheckedModel& checked, const Program& moving,

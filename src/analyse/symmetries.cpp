@@ -14,6 +14,7 @@
 #include "analyse/symmetry_basis.hpp"
 #include "analyse/total_integral.hpp"
 #include "base/exact_number.hpp"
+#include "base/more_digits.hpp"
 #include "check/names/requests.hpp"
 #include "elgen/analyse.hpp"
 #include "present/polynomial.hpp"
@@ -24,6 +25,7 @@ namespace {
 using cln::cl_R;
 using cln::cl_RA;
 constexpr std::size_t most_unknowns = 500;
+constexpr unsigned more_digits = 96;  ///< than 64, as sampled_generators() has
 
 using Entries = std::vector<Value>;
 
@@ -37,13 +39,11 @@ class SymmetrySearch {
     result_.forms = present(moving_, budget);
     open_values_ = open_terms(result_.forms, model_, checked_.scene.specialisation.fixed);
     rates_ = coordinate_rates(result_.forms, model_);
-    sampled_ = sampled_generators(checked_, moving_, SampledAt::values);
+    sampled_ = sampled_generators(checked_, moving_, nominal_state(model_, checked_.scene));
     if (sampled_) {
       result_.sampled = sampled_->basis.size();
       result_.states = sampled_->states.size();
     }
-    const auto elsewhere = sampled_generators(checked_, moving_, SampledAt::random_values);
-    if (elsewhere) result_.sampled_elsewhere = elsewhere->basis.size();
     std::vector<Generator> basis = found_basis();
     prefer_common_rotations(result_.forms, all_, basis);
     for (Generator& generator : basis) {
@@ -80,14 +80,12 @@ class SymmetrySearch {
       residual[i] = field.add(residual[i], field.add(force[i], field.negate(dissipation[i])));
     }
     const auto exact = exact_generators(result_.forms, model_, open_values_, residual);
+    result_.is_complete = exact && exact->is_complete;
+    if (!result_.is_complete) result_.sampled_elsewhere = generic_count(checked_, moving_);
     // A relation between functions that forms do not know hides symmetries.
-    const std::optional<std::size_t>& generic = result_.sampled_elsewhere;
-    const bool is_short = exact && generic && *generic > exact->basis.size();
-    result_.is_exact = exact && !is_short;
-    if (result_.is_exact) {
-      result_.is_complete = exact->is_complete;
-      return exact->basis;
-    }
+    const std::size_t hidden = result_.sampled_elsewhere.value_or(0);
+    result_.is_exact = exact && (result_.is_complete || hidden <= exact->basis.size());
+    if (result_.is_exact) return exact->basis;
     std::vector<Generator> basis;
     for (const std::vector<cl_R>& numbers :
          sampled_ ? sampled_->basis : decltype(sampled_->basis){}) {
@@ -233,8 +231,9 @@ class SymmetrySearch {
 
   /// Whether dL is 0 at all sampled states: then F is 0.
   [[nodiscard]] bool keeps_lagrangian(const Symmetry& symmetry) const {
-    constexpr double noise = 1e-40;
+    constexpr double noise = 1e-90;
     if (!sampled_) return false;
+    const MoreDigits digits(more_digits);
     RealField field;
     return std::ranges::all_of(sampled_->states, [&](const State& state) {
       ExactValues values({model_, checked_.scene, moving_}, state);

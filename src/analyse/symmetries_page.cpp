@@ -326,7 +326,8 @@ class SymmetriesPage {
     }
     const std::string unknowns = fmt::format("{} unknowns", symmetries_.unknowns);
     const std::string subject = count == 0 ? "there are none" : "these are all";
-    const bool is_generic = symmetries_.sampled_elsewhere == count;
+    const bool is_generic = symmetries_.sampled_elsewhere == count &&
+                            std::ranges::none_of(symmetries_.all, &Symmetry::is_special);
     const bool agrees = symmetries_.states > 0 && symmetries_.sampled == count;
     std::string line = verdict();
     if (symmetries_.is_complete) {
@@ -346,7 +347,7 @@ class SymmetriesPage {
   }
 
   [[nodiscard]] std::string sampled() const {
-    return fmt::format("sampled at {} states in 128 digits", symmetries_.states);
+    return fmt::format("sampled at {} states in 160 digits", symmetries_.states);
   }
 
   /// "conserved: proved; "

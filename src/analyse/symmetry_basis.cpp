@@ -95,7 +95,8 @@ class BasisChange {
   /// Takes so much of a common rotation away that points at one place stay there: of two bodies the
   /// turn of one about the other is left.
   void make_relative(const GeneratorClass& all, const CommonRotation& taken, Generator& generator) {
-    const auto& [place, dimension, rotation] = taken;
+    const std::size_t dimension = taken.dimension;
+    const Generator& rotation = taken.rotation;
     Arithmetic arithmetic(forms_.algebra);
     // Of coordinate i where all points stand at 1 along an axis.
     const auto moved = [&](const Generator& of, std::size_t i, std::size_t axis) {

@@ -27,7 +27,15 @@ struct ShowOptions {
 };
 
 /// The subjects that --what may ask for beside outputs; each stands alone.
-enum class ShownSubject : unsigned char { outputs, lagrangian, steps, cost, equilibria, modes, symmetries };
+enum class ShownSubject : unsigned char {
+  outputs,
+  lagrangian,
+  steps,
+  cost,
+  equilibria,
+  modes,
+  symmetries
+};
 
 struct SubjectRow {
   std::string_view word;
@@ -260,9 +268,9 @@ void add_show(CLI::App& app, Action& action) {
   command->add_option("input", options->input, "NAME.toml, NAME.scene.toml or - (stdin)")
       ->required();
   command
-      ->add_option(
-          "--what", options->what,
-          "outputs: mass_matrix,gravity,…; or lagrangian, steps, cost, equilibria, modes or symmetries")
+      ->add_option("--what", options->what,
+                   "outputs: mass_matrix,gravity,…; or lagrangian, steps, cost, equilibria, modes "
+                   "or symmetries")
       ->type_name("LIST");
   command
       ->add_option("--as", options->as,

@@ -147,9 +147,11 @@ TEST_CASE("closed forms and samples find as many symmetries") {
     const FoundSymmetries of_model(symmetric_model(name));
     const Symmetries& found = of_model.found();
     exact += found.is_exact ? 1 : 0;
-    if (!found.is_exact || found.sampled_elsewhere == found.all.size()) continue;
-    lines += fmt::format("{}: {}, {} sampled\n", name, found.all.size(),
-                         found.sampled_elsewhere.value_or(0));
+    // Their parameters have values at which there is another one: a wrist of equal inertias.
+    const std::size_t special = name == "ur5" || name == "unequal_at_special_values" ? 1 : 0;
+    if (found.states > 0 && found.sampled == found.all.size() + special) continue;
+    lines += fmt::format("{}: {}, {} of {} states\n", name, found.all.size(), found.sampled,
+                         found.states);
   }
   CHECK(lines == "");
   CHECK(exact >= 60);

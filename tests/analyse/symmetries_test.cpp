@@ -235,7 +235,7 @@ TEST_CASE("pages say what moves, what is claimed, and how it was found") {
 
   time   E
 
-  conserved: proved; these are all of this form (9 unknowns, exactly); at the values of the parameters there are 2 (sampled at 8 states in 128 digits)
+  conserved: proved; these are all of this form (9 unknowns, exactly); at the values of the parameters there are 2 (sampled at 8 states in 160 digits)
 
 [[expect]]
   conserved = [
@@ -253,13 +253,12 @@ TEST_CASE("where there are no closed forms the page says that states were sample
   INFO(page);
   CHECK(mentions(page, "  q1: dq1 = 1\n  p(q1)\n  d/dt = tau1\n"));
   CHECK(mentions(page,
-                 "\n  conserved where d/dt is 0: sampled at 13 states in 128 digits; these are all "
+                 "\n  conserved where d/dt is 0: sampled at 13 states in 160 digits; these are all "
                  "of this form (64 unknowns, sampled)\n"));
   CHECK(mentions(page, "\n[[expect]]\n  conserved = [\"p(q1)\", \"E\"]\n"));
   // e^(gamma t) has relations that forms do not know.
-  CHECK(
-      mentions(FoundSymmetries(symmetric_model("growing_mass")).page(),
-               "\n  conserved: proved; these are all of this form (4 unknowns, sampled)\n"));
+  CHECK(mentions(FoundSymmetries(symmetric_model("growing_mass")).page(),
+                 "\n  conserved: proved; these are all of this form (4 unknowns, sampled)\n"));
 }
 
 TEST_CASE("bodies turn in the axes of the world and in their own") {

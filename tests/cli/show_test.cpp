@@ -128,7 +128,8 @@ TEST_CASE("symmetries are shown in every notation, of models and of scenes") {
   CHECK(mentions(text.output, "\n[[expect]]\n  conserved = [\"p(phi)\", \"E\"]\n"));
   for (const auto& [notation, part] :
        {std::pair{"unicode", "  φ      δφ = 1   "}, std::pair{"latex", "${\\delta} \\varphi = 1$"},
-        std::pair{"mathml", "<mi>δ</mi><mi>φ</mi>"}, std::pair{"markdown", "${\\delta} \\varphi = 1$"},
+        std::pair{"mathml", "<mi>δ</mi><mi>φ</mi>"},
+        std::pair{"markdown", "${\\delta} \\varphi = 1$"},
         std::pair{"json", "\"integral\": \"p(phi)\""}}) {
     INFO(notation);
     const Outcome outcome = show(words + " --as " + notation);

@@ -218,5 +218,6 @@ TEST_CASE("in packs, the header of batches does all of it") {
              Contains("emitted::batch::inverse_dynamics<Scalar>(model_parameters<Scalar>(), count, "
                       "q, v, a, result);"));
   CHECK_THAT(
-      text, Contains("in_packs<double>(count, parameters, f, q, v, momenta, a, u, t, h, E, result);"));
+      text,
+      Contains("in_packs<double>(count, parameters, f, q, v, momenta, a, u, t, h, E, result);"));
 }
