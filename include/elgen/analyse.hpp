@@ -203,6 +203,8 @@ struct Symmetries {
 
 /// A basis of the symmetries of L alone: forces, dissipation and inputs are taken off. `recursive`
 /// has the functions of outputs_of_symmetries. E910: the class has more than 500 unknowns.
+/// Cost: 3 n + 1 derivatives of R; closed forms within budgets of 4e6 term products, samples at up
+/// to four sets of parameters.
 [[nodiscard]] Result<Symmetries> find_symmetries(const CheckedModel& checked,
                                                  const Program& recursive);
 

@@ -1,5 +1,5 @@
-// Every equation holds for all motions: with denominators cleared it is a sum of monomials in what
-// moves, over the parameters, and functions of the parameters before each of these are 0.
+// With denominators cleared an equation is a sum of monomials in q, v, a and t. It holds for all
+// motions where the coefficient of each, which is made of parameters, is 0.
 #include "analyse/exact_generators.hpp"
 
 #include <algorithm>
@@ -48,22 +48,30 @@ class Conditions {
   }
 
   [[nodiscard]] bool is_complete() const { return is_complete_ && roots_.size() < 2; }
+  [[nodiscard]] bool has_root() const { return !roots_.empty(); }
   [[nodiscard]] std::vector<Equation> equations() && { return std::move(equations_); }
 
  private:
   /// One root is held in its powers 0 and 1, which no relation joins; of two, sqrt(a) sqrt(b) may
-  /// be a third, and one of sines and cosines a sine.
+  /// be a third, one of sines and cosines a sine, and the root of a square is none.
   void note(AtomId id) {
     if (algebra_.atoms[id].kind != AtomKind::root) {
       is_complete_ = is_complete_ && is_independent(algebra_, id);
     } else if (roots_.insert(id).second) {
       const Fraction& radicand = algebra_.atoms[id].arguments[0];
-      is_complete_ = is_complete_ && std::ranges::all_of(radicand.numerator, [&](const auto& term) {
-                       return std::ranges::all_of(term.first, [&](const AtomPower& power) {
-                         return algebra_.atoms[power.atom].kind == AtomKind::leaf;
-                       });
+      is_complete_ = is_complete_ && is_of_leaves(radicand.numerator) &&
+                     std::ranges::all_of(radicand.denominator, [this](const auto& factor) {
+                       return is_of_leaves(algebra_.factors[factor.first].shown);
                      });
     }
+  }
+
+  [[nodiscard]] bool is_of_leaves(const Polynomial& sum) const {
+    return std::ranges::all_of(sum, [this](const auto& term) {
+      return std::ranges::all_of(term.first, [this](const AtomPower& power) {
+        return algebra_.atoms[power.atom].kind == AtomKind::leaf;
+      });
+    });
   }
 
   using Denominator = std::map<std::uint32_t, std::int32_t>;
@@ -241,6 +249,7 @@ std::optional<ExactGenerators> exact_generators(ClosedForms& forms, const Model&
   }
   ExactGenerators result;
   result.is_complete = equations.is_complete();
+  result.has_root = equations.has_root();
   const auto echelon = eliminated(field, std::move(equations).equations(), all.size());
   if (!echelon) return std::nullopt;
   for (const std::vector<Value>& solution : solutions(field, *echelon, all.size())) {

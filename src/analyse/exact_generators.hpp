@@ -41,12 +41,14 @@ class FormField {
 /// Generators over the parameters.
 struct ExactGenerators {
   std::vector<std::vector<Fraction>> basis = {};
-  /// No relation joins the functions that occur: there are no other generators. They are leaves,
-  /// sines, cosines and one root.
+  /// No relation joins the functions that occur, if the root is not that of a square: there are no
+  /// other generators. They are leaves, sines, cosines and at most one root.
   bool is_complete = false;
+  bool has_root = false;
 };
 
-/// Those of R, in closed forms over leaves of which none is a quaternion. None beyond the budget.
+/// Those for which dR + A^T R = 0 as forms. None of models with rotations, and none beyond the
+/// budget. Cost: 3 n + 1 derivatives of R, and an elimination over fractions of polynomials.
 [[nodiscard]] std::optional<ExactGenerators> exact_generators(ClosedForms& forms,
                                                               const Model& model,
                                                               const OpenTerms& open_values,

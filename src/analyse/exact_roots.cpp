@@ -9,6 +9,7 @@
 #include <map>
 
 #include "analyse/formulas.hpp"
+#include "analyse/leaf_search.hpp"
 #include "base/exact_number.hpp"
 #include "present/polynomial.hpp"
 
@@ -24,34 +25,11 @@ bool is_same_angle(const Real& x, const Real& y) {
   return is_near(cos(x), cos(y)) && is_near(sin(x), sin(y));
 }
 
-bool mentions(const Algebra& algebra, AtomId id, std::optional<std::uint32_t> coordinate);
-
-bool mentions(const Algebra& algebra, const Polynomial& sum,
-              std::optional<std::uint32_t> coordinate) {
-  return std::ranges::any_of(sum, [&](const auto& term) {
-    return std::ranges::any_of(term.first, [&](const AtomPower& power) {
-      return mentions(algebra, power.atom, coordinate);
-    });
-  });
-}
-
-bool mentions(const Algebra& algebra, const Fraction& form,
-              std::optional<std::uint32_t> coordinate) {
-  return mentions(algebra, form.numerator, coordinate) ||
-         std::ranges::any_of(form.denominator, [&](const auto& factor) {
-           return mentions(algebra, algebra.factors[factor.first].shown, coordinate);
-         });
-}
-
-/// One coordinate, or any.
-bool mentions(const Algebra& algebra, AtomId id, std::optional<std::uint32_t> coordinate) {
-  const Atom& atom = algebra.atoms[id];
-  if (atom.kind == AtomKind::leaf) {
-    return atom.leaf == Opcode::coordinate && (!coordinate || atom.index == *coordinate);
-  }
-  return std::ranges::any_of(atom.arguments, [&](const Fraction& argument) {
-    return mentions(algebra, argument, coordinate);
-  });
+/// For one coordinate, or any.
+LeafSearch search_of(const Algebra& algebra, std::optional<std::uint32_t> coordinate) {
+  return {algebra, [coordinate](const Atom& leaf) {
+            return leaf.leaf == Opcode::coordinate && (!coordinate || leaf.index == *coordinate);
+          }};
 }
 
 /// The power k of e^(i q) that an atom to a power is; none of other atoms.
@@ -83,7 +61,7 @@ std::optional<Coefficients> in_waves(const Algebra& algebra, const Polynomial& s
     for (const AtomPower& power : monomial) {
       if (const auto wave = wave_power(algebra, power, coordinate)) {
         total += *wave;
-      } else if (mentions(algebra, power.atom, coordinate)) {
+      } else if (search_of(algebra, coordinate).holds(power.atom)) {
         return std::nullopt;
       } else {
         rest.push_back(power);
@@ -186,7 +164,7 @@ class OneUnknown {
                            atom.index == coordinate_;
         if (is_it) {
           degree = power.exponent;
-        } else if (mentions(algebra_, power.atom, coordinate_)) {
+        } else if (search_of(algebra_, coordinate_).holds(power.atom)) {
           return std::nullopt;
         } else {
           others.push_back(power);
@@ -232,7 +210,7 @@ bool is_solved(Algebra& algebra, const std::vector<Fraction>& rows,
 }  // namespace
 
 bool holds_coordinate(const Algebra& algebra, const Fraction& form) {
-  return mentions(algebra, form, std::nullopt);
+  return search_of(algebra, std::nullopt).holds(form);
 }
 
 Replacements replacements_of(const std::vector<std::uint32_t>& coordinates,
@@ -271,7 +249,7 @@ std::optional<std::vector<CoordinateAtRest>> exact_root(Algebra& algebra,
   const Replacements known = replacements_of(unknowns.coordinates, values);
   for (const Fraction& row : rows) {
     const Value left = substituted(algebra, row, known);
-    if (!left || !mentions(algebra, *left, unknowns.coordinates[*open])) continue;
+    if (!left || !search_of(algebra, unknowns.coordinates[*open]).holds(*left)) continue;
     const auto value = OneUnknown(algebra, root, unknowns.coordinates[*open]).of(*left);
     if (!value) continue;
     values[*open] = *value;

@@ -300,14 +300,16 @@ class ModesPage {
     for (std::size_t i = 0; i < rates->size(); ++i) {
       const std::uint32_t velocity = moving.cyclic[i].velocity;
       const Printed value = number((*rates)[i]);
-      const std::string unit = " " + velocity_unit(moving, moving.velocities[velocity]);
+      const std::string name = velocity_unit(moving, moving.velocities[velocity]);
+      const std::string unit = name.empty() ? "" : " " + name;
       const char* const comma = i == 0 ? " " : ", ";
       line.text += fmt::format("{}{} = {}{}", comma, leaf_text(moving, Opcode::velocity, velocity),
                                value.text, unit);
       line.latex += fmt::format("{}{} = {} \\text{{{}}}", comma, symbols.v[velocity].latex,
                                 value.latex, unit);
     }
-    if (have_one_period(motions.modes, *rates)) {
+    const bool turns = moving.coordinates[moving.cyclic[0].coordinate].unit_text == "rad";
+    if (turns && have_one_period(motions.modes, *rates)) {
       const char* const closed = ", of the same period: orbits close";
       line = {line.text + closed, line.latex + prose(closed).latex};
     }

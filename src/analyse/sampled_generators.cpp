@@ -1,5 +1,4 @@
-// Gauss and Jordan with the largest pivot of each column; of 160 digits 100 decide between 0 and
-// another number.
+// Gauss and Jordan with the largest pivot of each column. Entries below 1e-100 are 0.
 #include "analyse/sampled_generators.hpp"
 
 #include <cln/float.h>
@@ -19,8 +18,6 @@ namespace {
 using cln::cl_R;
 
 constexpr std::uint64_t seed = 1;
-/// Beyond the 64 that Real has.
-constexpr unsigned more_digits = 96;
 /// Outside of domains states have no value: so many are drawn for each that is wanted.
 constexpr std::size_t draws_per_state = 20;
 
@@ -30,7 +27,7 @@ const cl_R& noise() {
   return value;
 }
 
-/// Of numbers of a row scaled to 1 what is no number of the system.
+/// Entries below this are rounding, in a row scaled to 1.
 const cl_R& rounding() {
   static const cl_R value = power_of_ten(-125);
   return value;
@@ -83,10 +80,10 @@ ResidualSlopes<Real> slopes_at(const ExactValues& values) {
   return slopes;
 }
 
-/// The numbers of a row in 160 digits, of which exact ones would grow by elimination; the largest
-/// of which becomes 1; none where one is undefined.
+/// A row in floats of 160 digits, whose largest entry is scaled to 1: exact numbers would grow by
+/// elimination. None where an entry is undefined.
 std::optional<std::vector<cl_R>> scaled_row(const std::vector<Real>& row) {
-  static const cln::float_format_t digits = cln::float_format(64 + more_digits);
+  static const cln::float_format_t digits = cln::float_format(64 + sampling_digits);
   std::vector<cl_R> numbers;
   for (const Real& entry : row) {
     if (!entry.is_defined()) return std::nullopt;
@@ -98,7 +95,7 @@ std::optional<std::vector<cl_R>> scaled_row(const std::vector<Real>& row) {
   return numbers;
 }
 
-/// The largest entry of each column; 1 of a column of zeros, which is one of rounding, too.
+/// The largest entry of each column; 1 where a column holds rounding alone.
 std::vector<cl_R> column_scales(const std::vector<std::vector<cl_R>>& rows, std::size_t unknowns) {
   std::vector<cl_R> scales(unknowns, cl_R(0));
   for (const std::vector<cl_R>& row : rows) {
@@ -207,7 +204,7 @@ std::optional<cln::cl_RA> small_fraction(const cl_R& value) {
 bool is_generic(const CheckedModel& checked, const Program& moving,
                 const std::vector<cl_R>& generator) {
   constexpr std::size_t states = 4;
-  const MoreDigits digits(more_digits);
+  const MoreDigits digits(sampling_digits);
   const GeneratorClass all(checked.model);
   Random random(seed);
   RealField field;
@@ -238,7 +235,7 @@ bool is_generic(const CheckedModel& checked, const Program& moving,
 
 std::optional<SampledGenerators> sampled_generators(const CheckedModel& checked,
                                                     const Program& moving, const State& resting) {
-  const MoreDigits digits(more_digits);
+  const MoreDigits digits(sampling_digits);
   const GeneratorClass all(checked.model);
   const std::size_t n = all.velocity_count;
   const std::size_t wanted = all.size() / n + 4;

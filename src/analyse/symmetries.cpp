@@ -25,7 +25,6 @@ namespace {
 using cln::cl_R;
 using cln::cl_RA;
 constexpr std::size_t most_unknowns = 500;
-constexpr unsigned more_digits = 96;  ///< than 64, as sampled_generators() has
 
 using Entries = std::vector<Value>;
 
@@ -80,7 +79,10 @@ class SymmetrySearch {
       residual[i] = field.add(residual[i], field.add(force[i], field.negate(dissipation[i])));
     }
     const auto exact = exact_generators(result_.forms, model_, open_values_, residual);
-    result_.is_complete = exact && exact->is_complete;
+    // The root of a square hides symmetries, which samples find.
+    const bool is_open =
+        exact && exact->has_root && sampled_ && sampled_->basis.size() > exact->basis.size();
+    result_.is_complete = exact && exact->is_complete && !is_open;
     if (!result_.is_complete) result_.sampled_elsewhere = generic_count(checked_, moving_);
     // A relation between functions that forms do not know hides symmetries.
     const std::size_t hidden = result_.sampled_elsewhere.value_or(0);
@@ -93,15 +95,10 @@ class SymmetrySearch {
       for (const cl_R& number : numbers) {
         const std::optional<cl_RA> exact_number = small_fraction(number);
         if (!exact_number) rounded_.insert(basis.size() - 1);
-        generator.push_back(fraction_of(exact_number ? *exact_number : six_digits(number)));
+        generator.push_back(fraction_of(exact_number ? *exact_number : rounded(number, 6)));
       }
     }
     return basis;
-  }
-
-  static cl_RA six_digits(const cl_R& number) {
-    const cl_RA scale = power_of_ten(6 - static_cast<long>(decimal_exponent(number)));
-    return cln::round1(number * scale) / scale;
   }
 
   void add(Generator generator) {
@@ -233,7 +230,7 @@ class SymmetrySearch {
   [[nodiscard]] bool keeps_lagrangian(const Symmetry& symmetry) const {
     constexpr double noise = 1e-90;
     if (!sampled_) return false;
-    const MoreDigits digits(more_digits);
+    const MoreDigits digits(sampling_digits);
     RealField field;
     return std::ranges::all_of(sampled_->states, [&](const State& state) {
       ExactValues values({model_, checked_.scene, moving_}, state);
@@ -249,13 +246,15 @@ class SymmetrySearch {
       const Arguments<Real>& at = values.arguments();
       const std::vector<Real>& momentum = values.value(OutputKind::momentum);
       const std::vector<Real> slopes = values.slopes(OutputKind::momentum, direction);
+      Real size = abs(values.value_at(OutputKind::energy_function, at)[0]);
       Balance balance(1);
       balance.add(0, -values.slopes(OutputKind::energy_function, direction)[0]);
       for (std::size_t i = 0; i < momentum.size(); ++i) {
+        size = size + abs(at.v[i] * momentum[i]);
         balance.add(0, change.velocity[i] * momentum[i]);
         balance.add(0, at.v[i] * slopes[i]);
       }
-      const std::optional<double> figure = balance.figure(Real());
+      const std::optional<double> figure = balance.figure(size);  // that of L = v.p - E
       return figure && *figure < noise;
     });
   }

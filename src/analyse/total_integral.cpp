@@ -74,7 +74,7 @@ class Integral {
     if (growth->numerator.empty() && turn->numerator.empty()) {
       if (n == -1) return std::nullopt;
       const Value power = form_of({{own, n + 1}}, {cl_RA(1) / (n + 1), 0});
-      return arithmetic_.multiply(factor, n == -1 ? Value{} : power);
+      return arithmetic_.multiply(factor, power);
     }
     if (n < 0) return std::nullopt;
     Value sum = Fraction{};

@@ -24,6 +24,12 @@ double decimal_exponent(const cln::cl_R& x) {
   return (bits(cln::numerator(r)) - bits(cln::denominator(r))) * log10_of_2;
 }
 
+cln::cl_RA rounded(const cln::cl_R& x, long digits) {
+  if (is_rational(x)) return cln::the<cln::cl_RA>(x);
+  const cln::cl_RA scale = power_of_ten(digits - static_cast<long>(decimal_exponent(x)));
+  return cln::round1(x * scale) / scale;
+}
+
 cln::cl_R largest_of(const std::vector<cln::cl_R>& values) {
   cln::cl_R largest = 0;
   for (const cln::cl_R& value : values) largest = cln::max(largest, cln::abs(value));

@@ -16,6 +16,10 @@ namespace elgen {
 /// log10 |x| to within one, of numbers of any size; 0 of 0.
 [[nodiscard]] double decimal_exponent(const cln::cl_R& x);
 
+/// The rational number of about so many significant digits, or one more; x itself where it is
+/// rational.
+[[nodiscard]] cln::cl_RA rounded(const cln::cl_R& x, long digits);
+
 /// The largest magnitude; 0 where there is none.
 [[nodiscard]] cln::cl_R largest_of(const std::vector<cln::cl_R>& values);
 

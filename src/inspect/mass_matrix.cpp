@@ -92,7 +92,7 @@ std::vector<std::size_t> without_energy(const MassSample& sample,
   return result;
 }
 
-/// Of a regular matrix only what divides by it needs that it is positive definite. Where nothing
+/// Only outputs that divide by M need a positive definite M. Where nothing
 /// asks for an output by name, the mistake is in the model: in T, where it is written.
 Diagnostics not_definite(const Inspected& subject, const std::vector<std::size_t>& rates) {
   const Model& model = subject.model;

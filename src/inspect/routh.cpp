@@ -84,13 +84,6 @@ State starting_state(const CheckedModel& checked) {
   return state;
 }
 
-/// Rational, so that it can be fixed: of a number without end 17 digits, as pages print it.
-cl_R kept(const cl_R& value) {
-  if (is_rational(value)) return value;
-  const cln::cl_RA scale = power_of_ten(16 - static_cast<long>(decimal_exponent(value)));
-  return cln::round1(value * scale) / scale;
-}
-
 std::optional<cl_R> momentum_of(const Model& exact, const Cyclic& cyclic, const State& start) {
   if (cyclic.momentum) return oracle_expression(exact, *cyclic.momentum, start);
   return oracle_contraction(exact, {.kind = OutputKind::momentum}, start, {along(exact, cyclic)});
@@ -115,7 +108,7 @@ Diagnostics find_momenta(CheckedModel& checked) {
                             (cyclic.momentum ? "" : " at the start")});
       continue;
     }
-    parameter.value = kept(*momentum);
+    parameter.value = rounded(*momentum, 16);
     parameter.is_computed = false;
     const auto fixed = checked.scene.specialisation.fixed.find(cyclic.parameter);
     if (fixed != checked.scene.specialisation.fixed.end()) fixed->second.number = parameter.value;

@@ -105,9 +105,10 @@ const LatexTree& base_of(const LatexTree& part) {
   return part.kind == LatexKind::scripts ? part.parts[0] : part;
 }
 
-/// {\delta}, a group of its own: the variation of what follows, not a factor.
+/// {\delta} q and {d} t, groups of their own: a variation and a differential, not factors.
 bool is_variation(const LatexTree& part) {
-  return part.kind == LatexKind::row && part.parts.size() == 1 && part.parts[0].text == "δ";
+  const bool is_group = part.kind == LatexKind::row && part.parts.size() == 1;
+  return is_group && (part.parts[0].text == "δ" || part.parts[0].text == "d");
 }
 
 bool is_closing_bracket(const LatexTree& part) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "check/judge/output_units.hpp"
+#include "elgen/references.hpp"
 #include "elgen/render.hpp"
 #include "evaluate/subject.hpp"
 #include "render/headings.hpp"
@@ -119,10 +120,14 @@ bool nothing_acts_on(const Model& model, const Program& program, std::uint32_t v
          is_proved_zero(program, OutputKind::dissipation, velocity);
 }
 
-/// Of a function that the program has.
-bool contains_time(const Function& function) {
-  return std::ranges::any_of(function.instructions, [](const Instruction& instruction) {
-    return instruction.opcode == Opcode::time;
+/// An open value changes with t where an argument of its function contains t.
+bool contains_time(const Model& model, const Function& function) {
+  return std::ranges::any_of(function.instructions, [&model](const Instruction& instruction) {
+    if (instruction.opcode != Opcode::open_value) return instruction.opcode == Opcode::time;
+    const OpenFunction& open = model.functions[model.open_values[instruction.a].function];
+    return std::ranges::any_of(open.arguments, [&model](ExpressionId argument) {
+      return holds_leaf(model, argument, Opcode::time);
+    });
   });
 }
 
@@ -146,7 +151,7 @@ std::vector<ConservedQuantity> conserved_quantities(const Model& model, const Pr
                                   symbols.v[i])});
   }
   // L = v.p - E
-  if (is_all_free && !contains_time(*energy) && !contains_time(*momentum)) {
+  if (is_all_free && !contains_time(model, *energy) && !contains_time(model, *momentum)) {
     result.insert(result.begin(), ConservedQuantity{"E", heading(model, *energy).definition});
   }
   return result;

@@ -47,13 +47,13 @@ struct FixedLine {
 
 /// S, its variation, the integration by parts, and its boundary terms.
 constexpr std::array<FixedLine, 4> variation_lines{{
-    {"S = int L dt", R"(S = \int L dt)"},
+    {"S = int L dt", R"(S = \int L {d} t)"},
     {"delta S = int (dL/dq delta q + dL/dv d(delta q)/dt) dt",
      R"({\delta} S = \int \left( \frac{\partial L}{\partial q} \cdot {\delta} q + )"
-     R"(\frac{\partial L}{\partial \dot{q}} \cdot \frac{d}{dt} {\delta} q \right) dt)"},
+     R"(\frac{\partial L}{\partial \dot{q}} \cdot \frac{d}{dt} {\delta} q \right) {d} t)"},
     {"delta S = int (dL/dq - d/dt dL/dv) delta q dt + [dL/dv delta q] by parts",
      R"({\delta} S = \int \left( \frac{\partial L}{\partial q} - )"
-     R"(\frac{d}{dt} \frac{\partial L}{\partial \dot{q}} \right) \cdot {\delta} q dt + )"
+     R"(\frac{d}{dt} \frac{\partial L}{\partial \dot{q}} \right) \cdot {\delta} q {d} t + )"
      R"(\left[ \frac{\partial L}{\partial \dot{q}} \cdot {\delta} q \right] \text{ by parts})"},
     {"[dL/dv delta q] = 0, as delta q = 0 at both ends",
      R"(\left[ \frac{\partial L}{\partial \dot{q}} \cdot {\delta} q \right] = 0 )"
@@ -71,7 +71,7 @@ constexpr FixedLine virtual_work{
     R"(\text{ is the virtual work of forces (d'Alembert)})"};
 constexpr FixedLine balanced{
     "delta S + int delta W dt = 0 for every delta q, so d/dt dL/dv - dL/dq + dD/dv = Q",
-    R"({\delta} S + \int {\delta} W dt = 0 \text{ for every } {\delta} q \text{, so } )"
+    R"({\delta} S + \int {\delta} W {d} t = 0 \text{ for every } {\delta} q \text{, so } )"
     R"(\frac{d}{dt} \frac{\partial L}{\partial \dot{q}} - \frac{\partial L}{\partial q} + )"
     R"(\frac{\partial D}{\partial \dot{q}} = Q)"};
 

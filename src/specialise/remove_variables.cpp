@@ -1,4 +1,4 @@
-// remove_variables: what is left of the lists of a Lagrangian moves up.
+// remove_variables: takes variables out of every list of a Lagrangian; later entries move up.
 #include <algorithm>
 #include <optional>
 

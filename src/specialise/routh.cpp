@@ -5,7 +5,7 @@
 //
 //     R = L0 - 1/2 w.v_c,   M_cc v_c = w = p - dL/dv_c,   all at v_c = 0
 //
-// L does not depend on the coordinate, whatever holds it in L, so it is 0 everywhere. Source:
+// L does not depend on the coordinate, so that 0 is put in its place wherever it stands. Source:
 // Goldstein, Poole, Safko, Classical Mechanics, 3rd ed., sec. 8.3.
 #include <utility>
 

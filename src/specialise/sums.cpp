@@ -1,4 +1,4 @@
-// write_sums: what stands apart for the sake of short derivations becomes terms of sums.
+// write_sums: masses, gravity and point forces become terms of T, V and Q.
 //
 //     before    mass m at p, gravity g, force F at p
 //     after     T = 1/2 m |dp/dt|^2,  V = -m g.p,  Q = F.d(dp/dt)/dv

@@ -330,3 +330,28 @@ TEST_CASE("kinds are words in JSON, and what is not known is null") {
   CHECK(arm.at("symmetries").at(1).at("closed_form").is_null());
   CHECK_FALSE(arm.at("symmetries").at(1).at("proved").get<bool>());
 }
+
+TEST_CASE("relations that closed forms do not know are found by samples") {
+  const auto found = [](const std::string& potential) {
+    return FoundSymmetries(
+        "format = 1\n[model]\nname = \"related\"\n"
+        "[[coordinate]]\nname = \"x\"\nrange = [1, 2]\n"
+        "[[coordinate]]\nname = \"y\"\nrange = [1, 2]\n"
+        "[parameters]\nm = 2\nk = 3\n[energy]\n"
+        "T = \"1/2*m*(dot(x)^2 + dot(y)^2)\"\nV = \"" +
+        potential + "\"\n");
+  };
+  for (const auto& [potential, count] :
+       {std::pair{"sqrt(k/m)*sqrt(m)*x^2 + sqrt(k)*y^2", 2U},
+        std::pair{"k*(sqrt(x^2)*x - x^2)", 6U},
+        std::pair{"k*(exp(x + y) + x*exp(x)*exp(y) - x*exp(x + y))", 3U}}) {
+    const FoundSymmetries of(found(potential));
+    INFO(of.page());
+    CHECK(of.all().size() == count);
+    CHECK(mentions(of.page(), "of this form (9 unknowns, sampled)"));
+  }
+  // A term of 1e-50 is no rounding.
+  const FoundSymmetries tiny(found("k*(x^2 + y^2) + 1e-50*x^4"));
+  CHECK(tiny.all().size() == 1);
+  CHECK(tiny.found().sampled == 1);
+}

@@ -122,6 +122,9 @@ T = "1/2*(dot(r)^2 + r^2*dot(phi)^2)"
   REQUIRE(last.lines.size() == 2);
   CHECK(last.lines[1] == "p_{\\phi} = \\frac{\\partial L}{\\partial \\dot{\\phi}}");
   CHECK(text(orbit("V = \"-t/r\"\n")).ends_with("\n\nconserved: p(phi)\n"));
+  const std::string push =
+      "V = \"f*r\"\n[[function]]\nname = \"f\"\nof = [\"t\"]\nsample = \"cos(t)\"\n";
+  CHECK(text(orbit(push)).ends_with("\n\nconserved: p(phi)\n"));
   CHECK(text(orbit("D = \"dot(r)^2\"\n")).ends_with("\n\nconserved: p(phi)\n"));
   CHECK_FALSE(has(text(orbit("D = \"dot(phi)^2\"\n")), "conserved"));
   CHECK_FALSE(has(text(orbit("V = \"sin(phi - t)\"\n")), "conserved"));

@@ -90,8 +90,8 @@ TEST_CASE("what L does not contain has a line of Noether's, in symbols on a shee
             "\\dot{x}} \\text{ is conserved wherever no force and no dissipation act on it}"});
   CHECK(sheet.outputs[5].lines.empty());
   const std::string screen = screen_page(sheet, {120, Alphabet::unicode});
-  CHECK(has(screen, "  S = ∫ L d t\n"));
-  CHECK(has(screen, "  δS = ∫ (∂L/∂q - d/(d t) ∂L/∂q̇) ⋅ δq d t + [∂L/∂q̇ ⋅ δq] by parts\n"));
+  CHECK(has(screen, "  S = ∫ L dt\n"));
+  CHECK(has(screen, "  δS = ∫ (∂L/∂q - d/(d t) ∂L/∂q̇) ⋅ δq dt + [∂L/∂q̇ ⋅ δq] by parts\n"));
   CHECK(has(screen, "  L does not contain x, so pₓ = ∂L/∂ẋ is conserved wherever"));
   CHECK(has(screen, "  L does not contain t, so E is conserved wherever no force"));
 }

@@ -11,6 +11,7 @@
 namespace elgen {
 namespace {
 
+/// A run has no open functions, so that only t itself stands in code.
 bool reads_time(const Function* function) {
   return function != nullptr &&
          std::ranges::any_of(function->instructions, [](const Instruction& instruction) {
