@@ -55,13 +55,14 @@ using Coefficients = std::vector<Polynomial>;
 std::optional<Coefficients> in_waves(const Algebra& algebra, const Polynomial& sum,
                                      std::uint32_t coordinate) {
   std::map<std::int32_t, Polynomial> by_power;
+  LeafSearch search = search_of(algebra, coordinate);
   for (const auto& [monomial, coefficient] : sum) {
     Monomial rest;
     std::int32_t total = 0;
     for (const AtomPower& power : monomial) {
       if (const auto wave = wave_power(algebra, power, coordinate)) {
         total += *wave;
-      } else if (search_of(algebra, coordinate).holds(power.atom)) {
+      } else if (search.holds(power.atom)) {
         return std::nullopt;
       } else {
         rest.push_back(power);
@@ -155,6 +156,7 @@ class OneUnknown {
   std::optional<CoordinateAtRest> linear(const Polynomial& row) {
     Polynomial slope;
     Polynomial rest;
+    LeafSearch search = search_of(algebra_, coordinate_);
     for (const auto& [monomial, coefficient] : row) {
       Monomial others;
       std::int32_t degree = 0;
@@ -164,7 +166,7 @@ class OneUnknown {
                            atom.index == coordinate_;
         if (is_it) {
           degree = power.exponent;
-        } else if (search_of(algebra_, coordinate_).holds(power.atom)) {
+        } else if (search.holds(power.atom)) {
           return std::nullopt;
         } else {
           others.push_back(power);

@@ -170,6 +170,18 @@ State at_random_parameters(const CheckedModel& checked, std::size_t turn) {
   return state;
 }
 
+/// The conditions at a state, scaled; those without a value are left out.
+std::vector<std::vector<cl_R>> rows_at(const CheckedModel& checked, const Program& moving,
+                                       const GeneratorClass& all, const State& state) {
+  ExactValues values({checked.model, checked.scene, moving}, state);
+  RealField field;
+  std::vector<std::vector<cl_R>> rows;
+  for (const auto& row : conditions(field, all, sampled_point(values), slopes_at(values))) {
+    if (auto numbers = scaled_row(row)) rows.push_back(std::move(*numbers));
+  }
+  return rows;
+}
+
 }  // namespace
 
 MotionPoint<Real> sampled_point(ExactValues& values) {
@@ -207,28 +219,23 @@ bool is_generic(const CheckedModel& checked, const Program& moving,
   const MoreDigits digits(sampling_digits);
   const GeneratorClass all(checked.model);
   Random random(seed);
-  RealField field;
   std::size_t judged = 0;
   const cl_R largest = largest_of(generator);
   for (std::size_t k = 0; k < states * draws_per_state && judged < states; ++k) {
     State state = at_random_parameters(checked, k);
     draw_motion(checked.model, random, 0, state);
-    ExactValues values({checked.model, checked.scene, moving}, state);
-    bool has_value = true;
-    for (const auto& row : conditions(field, all, sampled_point(values), slopes_at(values))) {
-      const auto numbers = scaled_row(row);
-      has_value = has_value && numbers;
-      if (!numbers) continue;
+    const std::vector<std::vector<cl_R>> rows = rows_at(checked, moving, all, state);
+    for (const std::vector<cl_R>& row : rows) {
       cl_R sum = 0;
       cl_R size = 0;
       for (std::size_t u = 0; u < generator.size(); ++u) {
-        const cl_R term = (*numbers)[u] * generator[u];
+        const cl_R term = row[u] * generator[u];
         sum = sum + term;
         size = size + cln::abs(term);
       }
       if (cln::abs(sum) > noise() * size && size > rounding() * largest) return false;
     }
-    if (has_value) ++judged;
+    if (rows.size() == all.velocity_count) ++judged;
   }
   return judged > 0;
 }
@@ -242,15 +249,10 @@ std::optional<SampledGenerators> sampled_generators(const CheckedModel& checked,
   Random random(seed);
   SampledGenerators result;
   std::vector<std::vector<cl_R>> rows;
-  RealField field;
   for (std::size_t k = 0; k < draws_per_state * wanted && result.states.size() < wanted; ++k) {
     State state = resting;
     draw_motion(checked.model, random, 0, state);
-    ExactValues values({checked.model, checked.scene, moving}, state);
-    std::vector<std::vector<cl_R>> own;
-    for (const auto& row : conditions(field, all, sampled_point(values), slopes_at(values))) {
-      if (const auto numbers = scaled_row(row)) own.push_back(*numbers);
-    }
+    const std::vector<std::vector<cl_R>> own = rows_at(checked, moving, all, state);
     if (own.size() < n) continue;
     rows.insert(rows.end(), own.begin(), own.end());
     result.states.push_back(std::move(state));

@@ -158,16 +158,21 @@ class SymmetrySearch {
     return sum;
   }
 
-  /// F of dL = dF/dt, L = v.p - E.
-  Value total_of(const PointChange<Value>& change, const Fraction& time) {
+  /// L = v.p - E
+  const Value& lagrangian() {
+    if (lagrangian_) return *lagrangian_;
     FormField field(result_.forms.algebra);
-    Value lagrangian = field.negate(entries_of(OutputKind::energy_function, 1)[0]);
+    Value sum = field.negate(entries_of(OutputKind::energy_function, 1)[0]);
     const Entries momentum = of_velocities(OutputKind::momentum);
     for (std::uint32_t i = 0; i < all_.velocity_count; ++i) {
-      lagrangian =
-          field.add(lagrangian, field.multiply(field.leaf(Opcode::velocity, i), momentum[i]));
+      sum = field.add(sum, field.multiply(field.leaf(Opcode::velocity, i), momentum[i]));
     }
-    if (!lagrangian) return std::nullopt;
+    return lagrangian_.emplace(std::move(sum));
+  }
+
+  /// F of dL = dF/dt.
+  Value total_of(const PointChange<Value>& change, const Fraction& time) {
+    if (!lagrangian()) return std::nullopt;
     LeafRates moved{{}, {}, {}, open_values_, time};
     for (std::uint32_t i = 0; i < model_.coordinates.size(); ++i) {
       const Value rate = rates_.empty() ? change.position[i] : moved_coordinate(i, change.position);
@@ -175,7 +180,7 @@ class SymmetrySearch {
       moved.coordinates.push_back(*rate);
     }
     for (const Value& velocity : change.velocity) moved.velocities.push_back(velocity.value());
-    Value slope = rate_along(result_.forms, *lagrangian, moved);
+    Value slope = rate_along(result_.forms, *lagrangian(), moved);
     if (slope) slope = with_unit_quaternions(*slope);
     if (!slope) return std::nullopt;
     return total_integral(result_.forms, model_, rates_, open_values_, *slope);
@@ -306,6 +311,7 @@ class SymmetrySearch {
   GeneratorClass all_;
   OpenTerms open_values_ = {};
   std::vector<Fraction> rates_ = {};  ///< dq/dt; empty where it is v
+  std::optional<Value> lagrangian_ = {};
   std::optional<SampledGenerators> sampled_ = {};
   std::set<std::size_t> rounded_ = {};
   Symmetries result_ = {};

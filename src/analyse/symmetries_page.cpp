@@ -163,36 +163,38 @@ class SymmetriesPage {
     std::vector<std::size_t> widths(table.heads.size(), 0);
     for (const Symmetry& symmetry : symmetries_.all) {
       const IntegralText formula = integral(symmetry);
+      const Printed moved = change(symmetry);
+      const std::optional<PageMatrix> flow = rate(symmetry);
       std::vector<Printed> row{name(symmetry)};
-      if (has_change) row.push_back(change(symmetry));
+      if (has_change) row.push_back(moved);
       row.push_back(formula.in_one_line());
-      if (has_rate) row.push_back(rate_in_one_line(symmetry));
+      if (has_rate) row.push_back(flow ? in_one_line(*flow) : Printed{});
       for (std::size_t i = 0; i < row.size(); ++i) {
         widths[i] = std::max(widths[i], row[i].text.size());
       }
       table.cells.insert(table.cells.end(), row.begin(), row.end());
-      blocks.push_back(block(symmetry, formula));
+      blocks.push_back({.lines = lines(symmetry, moved, formula)});
+      for (const std::optional<PageMatrix>& equation : {formula.equation, flow}) {
+        if (equation) blocks.back().matrices.push_back(*equation);
+      }
     }
     const std::size_t width = std::accumulate(widths.begin(), widths.end(), std::size_t{0});
     if (width > widest) return blocks;
     return {{.table = std::move(table)}};
   }
 
-  /// "rotation: dx = -y, dy = x", its rate, and its integral.
-  [[nodiscard]] PagePart block(const Symmetry& symmetry, const IntegralText& formula) const {
+  /// "rotation: dx = -y, dy = x", and what stands beside its equations.
+  [[nodiscard]] std::vector<Printed> lines(const Symmetry& symmetry, const Printed& moved,
+                                           const IntegralText& formula) const {
     const Printed own = name(symmetry);
-    const Printed moved = change(symmetry);
-    PagePart part;
-    part.lines.push_back(
+    std::vector<Printed> result{
         symmetry.kind != SymmetryKind::coordinate
             ? prose(own.text + ":") + moved
-            : Printed{own.text + ": " + moved.text, own.latex + " \\text{: } " + moved.latex});
+            : Printed{own.text + ": " + moved.text, own.latex + " \\text{: } " + moved.latex}};
     for (const Printed& line : {formula.left, formula.note}) {
-      if (!line.text.empty()) part.lines.push_back(line);
+      if (!line.text.empty()) result.push_back(line);
     }
-    if (formula.equation) part.matrices.push_back(*formula.equation);
-    if (!is_nothing(symmetry.rate)) part.matrices.push_back(rate(symmetry));
-    return part;
+    return result;
   }
 
   /// The only velocity along which a symmetry moves.
@@ -305,17 +307,17 @@ class SymmetriesPage {
     return {left, 1, 1, {right}};
   }
 
-  /// "d/dt" = "u t"
-  [[nodiscard]] PageMatrix rate(const Symmetry& symmetry) const {
+  /// "d/dt" = "u t"; none where nothing acts.
+  [[nodiscard]] std::optional<PageMatrix> rate(const Symmetry& symmetry) const {
+    if (is_nothing(symmetry.rate)) return std::nullopt;
     const Printed otherwise{
         "(dq - v dt).(B u + Q - dD/dv)",
         "({\\delta} q - v {\\delta} t) \\cdot (B u + Q - \\partial D/\\partial v)"};
     return equation({"d/dt", "\\text{d/dt}"}, read(symmetry.rate).value_or(otherwise));
   }
 
-  [[nodiscard]] Printed rate_in_one_line(const Symmetry& symmetry) const {
-    if (is_nothing(symmetry.rate)) return {};
-    const Printed value = rate(symmetry).entries[0];
+  static Printed in_one_line(const PageMatrix& rate) {
+    const Printed& value = rate.entries[0];
     return {"d/dt = " + value.text, "\\text{d/dt = }" + value.latex};
   }
 
