@@ -4,7 +4,8 @@
 // The recursive form keeps the definitions of the derivation: linear cost along a chain. The closed
 // form is the cancelled, collected equation: for small models fewer operations, and more accurate,
 // since what cancels on paper is gone. Both are lowered and counted after sharing, and the cheaper
-// is kept, the closed one on a tie, unless the scene asks for one. Where sums cancel entries are
+// is kept, the closed one on a tie, unless the scene asks for one. A closed form that loses digits
+// which the recursive one keeps is not taken, whatever it costs. Where sums cancel entries are
 // written in other ways, and the other form is taken, if digits are lost (choose/precision.hpp):
 // many, and for a little more, where the scene wants balance; any where it prefers accuracy; never
 // for speed. Guards that make either hold at states that algebra passes over come last, and then
@@ -16,6 +17,7 @@
 #include <vector>
 
 #include "elgen/closed_forms.hpp"
+#include "elgen/domain.hpp"
 #include "elgen/program.hpp"
 #include "elgen/scene.hpp"
 
@@ -31,6 +33,9 @@ struct FormCosts {
   /// None where it did not matter.
   std::optional<double> recursive_loss = {};
   std::optional<double> closed_loss = {};
+  /// The first entry, by its number among all, that every closed form tried would harm: its digits
+  /// would be lost where the recursive form keeps them (choose/harm.hpp).
+  std::optional<std::size_t> harmed = {};
   Form chosen = Form::recursive;
   bool is_asked_for = false;  ///< by the scene, whatever it costs
 };
@@ -43,6 +48,6 @@ struct Choice {
 /// `recursive` is the program the closed forms were made of. E608: a closed form is asked for that
 /// was given up.
 [[nodiscard]] Result<Choice> choose(const Program& recursive, const ClosedForms& forms,
-                                    const Scene& scene);
+                                    const Domain& domain, const Scene& scene);
 
 }  // namespace elgen

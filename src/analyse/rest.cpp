@@ -188,9 +188,10 @@ Program closed_program(const Program& recursive) {
   for (std::size_t i = 0; i < recursive.functions.size(); ++i) {
     const Function& function = recursive.functions[i];
     const ReadableEntries entries =
-        read_entries({recursive, function, forms, forms.functions[i]}, points);
+        read_entries({recursive, function, forms, forms.functions[i]}, points, nullptr);
     if (!is_complete(entries)) continue;
-    result.functions[i] = lowered_together(entries, function, result, Splits::sums_and_differences);
+    result.functions[i] =
+        lowered_together(entries, function, result, Splits::sums_and_differences, nullptr).function;
   }
   return result;
 }

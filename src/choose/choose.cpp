@@ -55,12 +55,14 @@ Span place_of(const Scene& scene, const Function& function) {
 
 class Choosing {
  public:
-  Choosing(const Program& recursive, const ClosedForms& forms, const Scene& scene)
+  Choosing(const Program& recursive, const ClosedForms& forms, const Domain& domain,
+           const Scene& scene)
       : recursive_(recursive),
         forms_(forms),
+        domain_(domain),
         scene_(scene),
         points_(mixed_points(recursive.leaves)),
-        extremes_(extreme_points(recursive, scene.numerics.prefer)) {
+        extremes_(prefers_accuracy() ? extreme_points(recursive) : ComparisonPoints{}) {
     result_.program = recursive;
     result_.program.readable.resize(recursive.functions.size());
   }
@@ -79,7 +81,7 @@ class Choosing {
     const Function& function = recursive_.functions[index];
     ReadableEntries& entries = entries_[function.name];
     if (!output_row(function.kind).repeats) {
-      return entries = read_entries(both_forms(index), points_);
+      return entries = read_entries(both_forms(index), points_, text_of(index));
     }
     for (const Field& field : function.fields) {
       const auto member = entries_.find(field.name);
@@ -89,6 +91,17 @@ class Choosing {
       entries.insert(entries.end(), member->second.begin(), member->second.end());
     }
     return entries;
+  }
+
+  /// Null where digits do not matter.
+  const TextErrors* text_of(std::size_t index) {
+    if (scene_.numerics.prefer == Preference::speed) return nullptr;
+    const auto known = texts_.find(index);
+    if (known != texts_.end()) return &known->second;
+    const Function& text = recursive_.functions[index];
+    ComparisonPoints points = comparison_points(recursive_, text, domain_);
+    points.insert(points.end(), extremes_.begin(), extremes_.end());
+    return &texts_.try_emplace(index, recursive_, text, std::move(points)).first->second;
   }
 
   [[nodiscard]] BothForms both_forms(std::size_t index) const {
@@ -105,7 +118,7 @@ class Choosing {
     costs.is_asked_for = wish.has_value();
     Function closed;
     if (is_complete(entries)) {
-      if (wants_closed || is_worth_lowering(entries, function)) {
+      if (wants_closed || is_worth_lowering(index, entries, function)) {
         closed = compare(index, function, entries, costs);
         if (wish) costs.chosen = *wish;
         if (costs.chosen == Form::closed) read_as_precisely(entries, points_);
@@ -134,20 +147,21 @@ class Choosing {
     return with_guarded_pivots(std::move(function), result_.program.constants);
   }
 
-  [[nodiscard]] bool is_worth_lowering(const ReadableEntries& entries, const Function& recursive) {
+  [[nodiscard]] bool is_worth_lowering(std::size_t index, const ReadableEntries& entries,
+                                       const Function& recursive) {
     const std::size_t total = length(entries);
     const std::size_t known = cost(count_operations(recursive));
     if (total <= always_tried || total <= hopeless_ratio * known) return true;
     if (!prefers_accuracy() || total > hopeless_ratio_with_losses * known) return false;
-    return recursive_loss(recursive) > 0;
+    return recursive_loss(index, recursive) > 0;
   }
 
   /// Of the function that is being chosen, once.
-  double recursive_loss(const Function& recursive) {
-    const auto known = recursive_losses_.find(recursive.name);
+  double recursive_loss(std::size_t index, const Function& recursive) {
+    const auto known = recursive_losses_.find(index);
     if (known != recursive_losses_.end()) return known->second;
-    const double loss = std::ranges::max(losses_of(recursive));
-    recursive_losses_[recursive.name] = loss;
+    const double loss = std::ranges::max(losses_of(index, recursive));
+    recursive_losses_[index] = loss;
     return loss;
   }
 
@@ -166,7 +180,7 @@ class Choosing {
     const auto index = static_cast<std::size_t>(pivots - recursive_.functions.begin());
     if (!closed_pivots_) {
       closed_pivots_ =
-          closed_pivots(recursive_, *pivots, forms_, forms_.functions[index], extremes_);
+          closed_pivots(recursive_, *pivots, forms_, forms_.functions[index], points_of(index));
     }
     return with_closed_pivots(recursive, *pivots, *closed_pivots_, result_.program);
   }
@@ -186,9 +200,8 @@ class Choosing {
 
   Function compare(std::size_t index, const Function& recursive, ReadableEntries& entries,
                    FormCosts& costs) {
-    Function closed = lowered_together(entries, recursive, result_.program, splits_of(recursive));
-    costs.chosen = cost_of(closed) <= cost_of(recursive) ? Form::closed : Form::recursive;
-    if (scene_.numerics.prefer != Preference::speed) {
+    Function closed = lowered(index, recursive, entries, costs);
+    if (scene_.numerics.prefer != Preference::speed && !costs.harmed) {
       closed = prefers_accuracy()
                    ? keep_digits(index, recursive, entries, std::move(closed), costs)
                    : keep_most_digits(index, recursive, entries, std::move(closed), costs);
@@ -196,6 +209,21 @@ class Choosing {
     closed = finished(std::move(closed));
     costs.closed = count_operations(closed);
     return closed;
+  }
+
+  /// The entries as one function, and the form that follows from its cost and from what it harms.
+  Function lowered(std::size_t index, const Function& recursive, const ReadableEntries& entries,
+                   FormCosts& costs) {
+    Lowered closed =
+        lowered_together(entries, recursive, result_.program, splits_of(recursive), text_of(index));
+    costs.harmed = closed.harmed;
+    choose_by_cost(closed.function, recursive, costs);
+    return std::move(closed.function);
+  }
+
+  static void choose_by_cost(const Function& closed, const Function& recursive, FormCosts& costs) {
+    const bool is_closed = !costs.harmed && cost_of(closed) <= cost_of(recursive);
+    costs.chosen = is_closed ? Form::closed : Form::recursive;
   }
 
   /// In what solves, small differences of angles divide what they are made of.
@@ -208,18 +236,24 @@ class Choosing {
   /// between the forms where one of them loses more.
   Function keep_digits(std::size_t index, const Function& recursive, ReadableEntries& entries,
                        Function closed, FormCosts& costs) {
-    std::vector<double> losses = losses_of(closed);
+    std::vector<double> losses = losses_of(index, closed);
     // Those of `dynamics` are those of the functions before it.
     const bool repeats = output_row(recursive.kind).repeats;
-    const Judgement judgement{.points = extremes_, .prefers_short = true};
-    if (!repeats && rewrite(entries, losses, both_forms(index), judgement)) {
-      closed = lowered_together(entries, recursive, result_.program, splits_of(recursive));
-      losses = losses_of(closed);
-      costs.chosen = cost_of(closed) <= cost_of(recursive) ? Form::closed : Form::recursive;
+    const Judgement judgement{.points = points_of(index), .prefers_short = true};
+    ReadableEntries others = entries;
+    if (!repeats && rewrite(others, losses, both_forms(index), judgement)) {
+      FormCosts other_costs = costs;
+      Function other = lowered(index, recursive, others, other_costs);
+      if (!other_costs.harmed) {
+        entries = std::move(others);
+        closed = std::move(other);
+        losses = losses_of(index, closed);
+        costs = other_costs;
+      }
     }
     costs.closed_loss = std::ranges::max(losses);
     if (costs.chosen == Form::closed && costs.closed_loss == 0) return closed;
-    costs.recursive_loss = recursive_loss(recursive);
+    costs.recursive_loss = recursive_loss(index, recursive);
     if (loses_more(*costs.closed_loss, *costs.recursive_loss)) costs.chosen = Form::recursive;
     if (is_worth_its_digits(recursive.kind, cost_of(closed), cost_of(recursive)) &&
         loses_more(*costs.recursive_loss, *costs.closed_loss)) {
@@ -232,7 +266,7 @@ class Choosing {
   /// and worth it, and the choice between the forms by the same rule.
   Function keep_most_digits(std::size_t index, const Function& recursive, ReadableEntries& entries,
                             Function closed, FormCosts& costs) {
-    costs.closed_loss = std::ranges::max(losses_of(closed));
+    costs.closed_loss = std::ranges::max(losses_of(index, closed));
     // Those of `dynamics` are those of the functions before it.
     if (*costs.closed_loss > 0 && !output_row(recursive.kind).repeats) {
       const std::size_t cheapest = std::min(cost_of(closed), cost_of(recursive));
@@ -242,10 +276,10 @@ class Choosing {
     }
     const std::size_t own = cost_of(closed);
     const std::size_t other = cost_of(recursive);
-    costs.chosen = own <= other ? Form::closed : Form::recursive;
+    choose_by_cost(closed, recursive, costs);
     if (!is_little_dearer(std::max(own, other), std::min(own, other))) return closed;
     if (costs.chosen == Form::closed && *costs.closed_loss <= tolerated()) return closed;
-    costs.recursive_loss = recursive_loss(recursive);
+    costs.recursive_loss = recursive_loss(index, recursive);
     if (loses_more(*costs.closed_loss, *costs.recursive_loss, tolerated())) {
       costs.chosen = Form::recursive;
     } else if (loses_more(*costs.recursive_loss, *costs.closed_loss, tolerated())) {
@@ -265,13 +299,15 @@ class Choosing {
   bool try_ways(std::size_t index, const Allowance& allowance, ReadableEntries& entries,
                 Function& closed, FormCosts& costs) {
     const BothForms both = both_forms(index);
-    const Judgement judgement{extremes_, allowance.limit,
-                              magnitudes_of(result_.program, closed, extremes_, Scale::field)};
+    const ComparisonPoints& points = points_of(index);
+    const Judgement judgement{points, allowance.limit,
+                              magnitudes_of(result_.program, closed, points, Scale::field)};
     ReadableEntries others = entries;
-    if (!rewrite(others, losses_of(closed), both, judgement)) return false;
-    Function way =
-        lowered_together(others, both.function, result_.program, splits_of(both.function));
-    const double loss = std::ranges::max(losses_of(way));
+    if (!rewrite(others, losses_of(index, closed), both, judgement)) return false;
+    FormCosts way_costs = costs;
+    Function way = lowered(index, both.function, others, way_costs);
+    if (way_costs.harmed) return false;
+    const double loss = std::ranges::max(losses_of(index, way));
     const bool is_free = cost_of(way) <= cost_of(closed) && loss <= *costs.closed_loss;
     const bool is_worth = is_little_dearer(cost_of(way), allowance.cheapest) &&
                           loses_more(*costs.closed_loss, loss, tolerated());
@@ -282,9 +318,12 @@ class Choosing {
     return true;
   }
 
-  [[nodiscard]] std::vector<double> losses_of(const Function& function) const {
-    return possible_losses(result_.program, function, extremes_, scale());
+  /// Of the function with this index, in any form. Not for speed.
+  [[nodiscard]] std::vector<double> losses_of(std::size_t index, const Function& form) {
+    return possible_losses(result_.program, form, points_of(index), scale());
   }
+
+  const ComparisonPoints& points_of(std::size_t index) { return text_of(index)->points(); }
 
   void fill_readable(std::size_t index, const ReadableEntries& entries) {
     const Function& function = recursive_.functions[index];
@@ -296,20 +335,23 @@ class Choosing {
 
   const Program& recursive_;
   const ClosedForms& forms_;
+  const Domain& domain_;
   const Scene& scene_;
   MixedPoints points_;
-  ExtremePoints extremes_;
+  ComparisonPoints extremes_;  ///< where accuracy counts
   std::map<std::string, ReadableEntries> entries_;
-  std::string normalized_;  ///< name of the function of that kind
+  std::map<std::size_t, TextErrors> texts_;  ///< by function
+  std::string normalized_;                   ///< name of the function of that kind
   std::optional<std::vector<ClosedPivot>> closed_pivots_;
-  std::map<std::string, double> recursive_losses_;
+  std::map<std::size_t, double> recursive_losses_;
   Choice result_;
 };
 
 }  // namespace
 
-Result<Choice> choose(const Program& recursive, const ClosedForms& forms, const Scene& scene) {
-  Result<Choice> choice = Choosing(recursive, forms, scene)();
+Result<Choice> choose(const Program& recursive, const ClosedForms& forms, const Domain& domain,
+                      const Scene& scene) {
+  Result<Choice> choice = Choosing(recursive, forms, domain, scene)();
   if (!choice) return choice;
   for (Function& function : choice->program.functions) function = trigonometry_first(function);
   return choice;

@@ -113,7 +113,7 @@ class Appender {
 
 std::vector<ClosedPivot> closed_pivots(const Program& program, const Function& forward_dynamics,
                                        const ClosedForms& forms, const ClosedFunction& closed,
-                                       const ExtremePoints& points) {
+                                       const ComparisonPoints& points) {
   std::vector<ClosedPivot> pivots;
   if (closed.fields.size() < 3) return pivots;
   const std::vector<std::optional<Fraction>>& relative = closed.fields[1].entries;

@@ -25,7 +25,7 @@ struct ClosedPivot {
                                                      const Function& forward_dynamics,
                                                      const ClosedForms& forms,
                                                      const ClosedFunction& closed,
-                                                     const ExtremePoints& points);
+                                                     const ComparisonPoints& points);
 
 /// The recursive `function` with its pivots replaced; they are found by their values, which
 /// `forward_dynamics` of the same program gives. As it was where it has none of them. `program` may

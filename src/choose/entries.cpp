@@ -2,6 +2,7 @@
 #include "choose/entries.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "choose/precise.hpp"
 #include "choose/ways.hpp"
@@ -47,12 +48,17 @@ LossyEntry lossy_entry(std::size_t i, double loss, const ReadableForm& known,
   return entry;
 }
 
-Function lowered(const Expressions& together, const Function& shape, Program& program,
-                 Splits splits) {
-  Function function = unfilled(shape);
-  function.form = Form::closed;
-  linearise(cheapest_network(together, function, splits), program, function);
-  return function;
+/// Writes the entry so that it is not harmed, where a way does that.
+void protect(ReadableForm& known, std::size_t entry, const BothForms& both, const Fraction& form,
+             const DerivedEntry* derived, const TextErrors& text) {
+  const bool is_harmed = text.are_passed_by(known.compact, entry);
+  if (!is_harmed && !text.are_passed_by(known.readable, entry)) return;
+  if (is_harmed) {
+    auto way = harmless_way(both.forms.algebra, form, derived, text, entry);
+    if (!way) return;
+    known.compact = std::move(*way);
+  }
+  known.is_rewritten = true;
 }
 
 void append_entry(Function& to, Field& field, const Function& one) {
@@ -68,7 +74,8 @@ void append_entry(Function& to, Field& field, const Function& one) {
 
 }  // namespace
 
-ReadableEntries read_entries(const BothForms& both, const MixedPoints& points) {
+ReadableEntries read_entries(const BothForms& both, const MixedPoints& points,
+                             const TextErrors* text) {
   const auto& [program, function, forms, closed] = both;
   ReadableEntries entries;
   if (term_count(closed) > most_terms_together) return entries;
@@ -79,6 +86,8 @@ ReadableEntries read_entries(const BothForms& both, const MixedPoints& points) {
       if (!form) continue;
       const auto derived = as_derived(program, function, function.fields[f].entries[e]);
       entry = shortest(forms.algebra, *form, derived ? &derived->written_out : nullptr, points);
+      if (!entry || text == nullptr) continue;
+      protect(*entry, entries.size() - 1, both, *form, derived ? &*derived : nullptr, *text);
     }
   }
   return entries;
@@ -137,8 +146,8 @@ void read_as_precisely(ReadableEntries& entries, const MixedPoints& points) {
   }
 }
 
-Function lowered_together(const ReadableEntries& entries, const Function& shape, Program& program,
-                          Splits splits) {
+Lowered lowered_together(const ReadableEntries& entries, const Function& shape, Program& program,
+                         Splits splits, const TextErrors* text) {
   Expressions readable;
   Expressions compact;
   for (const auto& entry : entries) {
@@ -146,10 +155,22 @@ Function lowered_together(const ReadableEntries& entries, const Function& shape,
     readable.values.push_back(copied(readable.graph, read));
     compact.values.push_back(copied(compact.graph, entry->compact));
   }
-  Function first = lowered(readable, shape, program, splits);
-  Function second = lowered(compact, shape, program, splits);
-  const bool is_second = cost(count_operations(second)) < cost(count_operations(first));
-  return is_second ? second : first;
+  std::optional<Lowered> cheapest;
+  for (const Splits which : {splits, Splits::sums}) {
+    std::vector<CostedNetwork> networks = networks_by_cost(readable, unfilled(shape), which);
+    std::ranges::move(networks_by_cost(compact, unfilled(shape), which),
+                      std::back_inserter(networks));
+    std::ranges::stable_sort(networks, {}, &CostedNetwork::cost);
+    for (const CostedNetwork& costed : networks) {
+      Lowered form{unfilled(shape)};
+      form.function.form = Form::closed;
+      linearise(costed.network, program, form.function);
+      if (text != nullptr) form.harmed = text->harmed_entry(program, form.function);
+      if (!form.harmed) return form;
+      if (!cheapest) cheapest = std::move(form);
+    }
+  }
+  return std::move(*cheapest);
 }
 
 Function lowered_one_by_one(const ReadableEntries& entries, const Function& shape,

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "choose/harm.hpp"
 #include "choose/precision.hpp"
 #include "choose/readable.hpp"
 #include "lower/graph/angle_sums.hpp"
@@ -20,8 +21,10 @@ struct BothForms {
   const ClosedFunction& closed;
 };
 
-/// None where the closed forms are too long together.
-[[nodiscard]] ReadableEntries read_entries(const BothForms& both, const MixedPoints& points);
+/// None where the closed forms are too long together. With `text`, an entry that the shortest ways
+/// harm is rewritten where there is one that does not.
+[[nodiscard]] ReadableEntries read_entries(const BothForms& both, const MixedPoints& points,
+                                           const TextErrors* text);
 
 /// Whether there are entries, and each has a form.
 [[nodiscard]] bool is_complete(const ReadableEntries& entries);
@@ -36,7 +39,7 @@ struct BothForms {
 
 /// How entries are judged that lose digits.
 struct Judgement {
-  const ExtremePoints& points;
+  const ComparisonPoints& points;
   double tolerated =
       tolerated_loss;          ///< of an entry that loses no more only shorter ways are taken
   Magnitudes magnitudes = {};  ///< by point and entry; empty: each entry by itself
@@ -52,10 +55,17 @@ struct Judgement {
 /// that is less precise, which would judge the code.
 void read_as_precisely(ReadableEntries& entries, const MixedPoints& points);
 
-/// All entries over one graph, as they are read or in their shortest forms, whichever is cheaper.
-/// `shape` says which they are; `program` gets their constants.
-[[nodiscard]] Function lowered_together(const ReadableEntries& entries, const Function& shape,
-                                        Program& program, Splits splits);
+/// All entries of a function as instructions, and the first one that is harmed by them.
+struct Lowered {
+  Function function = {};
+  std::optional<std::size_t> harmed = {};
+};
+
+/// All entries over one graph, as they are read or in their shortest forms: the cheaper one that
+/// harms nothing, with angles taken apart as `splits` says, or with their differences left whole.
+/// `shape` says which they are; `program` gets their constants. `text` may be null.
+[[nodiscard]] Lowered lowered_together(const ReadableEntries& entries, const Function& shape,
+                                       Program& program, Splits splits, const TextErrors* text);
 
 /// As they are read, entry by entry, so that nothing is taken apart for what another entry shares.
 [[nodiscard]] Function lowered_one_by_one(const ReadableEntries& entries, const Function& shape,

@@ -29,7 +29,7 @@ std::vector<Expressions> all_ways(const Algebra& algebra, const Fraction& form,
   return ways;
 }
 
-double loss_of(const Expressions& way, const ExtremePoints& points,
+double loss_of(const Expressions& way, const ComparisonPoints& points,
                const std::vector<double>& beside = {}) {
   Program program;
   Function function;
@@ -40,9 +40,18 @@ double loss_of(const Expressions& way, const ExtremePoints& points,
 
 }  // namespace
 
+std::optional<Expressions> harmless_way(const Algebra& algebra, const Fraction& form,
+                                        const DerivedEntry* derived, const TextErrors& text,
+                                        std::size_t entry) {
+  for (Expressions& way : all_ways(algebra, form, derived)) {
+    if (!text.are_passed_by(way, entry)) return std::move(way);
+  }
+  return std::nullopt;
+}
+
 std::optional<Expressions> more_precise(const Algebra& algebra, const Fraction& form,
                                         const DerivedEntry* derived, const LossyEntry& entry,
-                                        const ExtremePoints& points) {
+                                        const ComparisonPoints& points) {
   std::optional<Expressions> best;
   double least = entry.loss;
   for (Expressions& way : all_ways(algebra, form, derived)) {
@@ -58,7 +67,8 @@ std::optional<Expressions> more_precise(const Algebra& algebra, const Fraction& 
 }
 
 std::optional<Expressions> shorter_precise(const Algebra& algebra, const Fraction& form,
-                                           const Expressions& known, const ExtremePoints& points) {
+                                           const Expressions& known,
+                                           const ComparisonPoints& points) {
   for (Collected& way : precise_ways(algebra, form)) {
     const bool is_shorter = way.length < written_length(known);
     if (is_shorter && loss_of(way.expressions, points) <= tolerated_loss) {

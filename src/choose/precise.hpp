@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "choose/harm.hpp"
 #include "choose/precision.hpp"
 #include "choose/readable.hpp"
 
@@ -23,18 +24,24 @@ struct LossyEntry {
   std::vector<double> beside = {};  ///< by point, magnitudes of its field; empty: its own
 };
 
+/// The shortest way that does not harm the entry with this number; the text as it stands comes
+/// last. None where every way does. `derived` may be null.
+[[nodiscard]] std::optional<Expressions> harmless_way(const Algebra& algebra, const Fraction& form,
+                                                      const DerivedEntry* derived,
+                                                      const TextErrors& text, std::size_t entry);
+
 /// None where every way loses about as much. `derived` may be null. Cost: the possible losses of
 /// each way, up to the first that is good enough.
 [[nodiscard]] std::optional<Expressions> more_precise(const Algebra& algebra, const Fraction& form,
                                                       const DerivedEntry* derived,
                                                       const LossyEntry& entry,
-                                                      const ExtremePoints& points);
+                                                      const ComparisonPoints& points);
 
 /// A sum that does not cancel and is shorter than `known`, where there is one that loses nothing:
 /// differences of angles that inputs' own rounding would excuse have all digits in it.
 [[nodiscard]] std::optional<Expressions> shorter_precise(const Algebra& algebra,
                                                          const Fraction& form,
                                                          const Expressions& known,
-                                                         const ExtremePoints& points);
+                                                         const ComparisonPoints& points);
 
 }  // namespace elgen

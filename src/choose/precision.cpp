@@ -8,6 +8,7 @@
 
 #include "base/exact_number.hpp"
 #include "base/random.hpp"
+#include "evaluate/rough_errors.hpp"
 #include "evaluate/running_errors.hpp"
 #include "lower/graph/prune.hpp"
 
@@ -27,41 +28,22 @@ constexpr int ratios[]{40, -40, 15};
 
 constexpr int ordinary_points = 3;
 constexpr int wide_points = 5;
-/// Of each neighbourhood, where parameters are ordinary: three draws have both signs of most
-/// differences.
-constexpr int drawn_places = 3;
-
 constexpr Neighbourhood neighbourhoods[]{Neighbourhood::right, Neighbourhood::straight,
                                          Neighbourhood::nearly_equal, Neighbourhood::tiny};
 
-/// How near.
-struct Distances {
-  double angle;
-  double difference;
-  int length;  ///< its binary logarithm, with a minus, at most
-};
-/// A square of this is lost in a sum of double precision beside 1.
-constexpr Distances at_extremes{1e-8, 1e-3, wide};
-/// A product of two such is; in float such a distance itself nearly.
-constexpr Distances nearby{1e-4, 1e-4, 13};
+/// Distances. A square of the first is lost in a sum of double precision beside 1.
+constexpr double from_right_angles = 1e-8;
+constexpr double between_angles = 1e-3;
 
 /// Of more parameters some are left out.
 constexpr std::size_t most_parameters = 10;
 
-class Points {
+class DrawnExtremes {
  public:
-  Points(const LeafNames& leaves, std::vector<bool> is_angle, const Distances& distances)
-      : leaves_(leaves), is_angle_(std::move(is_angle)), distances_(distances) {}
+  DrawnExtremes(const LeafNames& leaves, std::vector<bool> is_angle)
+      : leaves_(leaves), is_angle_(std::move(is_angle)) {}
 
-  ExtremePoints ordinary_ones() {
-    for (int i = 0; i < ordinary_points; ++i) points_.push_back(drawn(ordinary));
-    for (int i = 0; i < drawn_places; ++i) {
-      for (const Neighbourhood place : neighbourhoods) add(place, drawn(ordinary));
-    }
-    return std::move(points_);
-  }
-
-  ExtremePoints all() {
+  ComparisonPoints all() {
     for (int i = 0; i < ordinary_points; ++i) points_.push_back(drawn(ordinary));
     for (int i = 0; i < wide_points; ++i) points_.push_back(drawn(wide));
     const std::size_t count = leaves_.parameters.size();
@@ -91,7 +73,7 @@ class Points {
   void add(Neighbourhood place, Arguments<double> point) {
     const double common = random_.uniform(-3, 3);
     for (std::size_t i = 0; i < point.q.size(); ++i) {
-      const double length = random_.log_uniform(-distances_.length, -ordinary);
+      const double length = random_.log_uniform(-wide, -ordinary);
       if (is_angle_[i]) point.q[i] = angle(place, common);
       if (!is_angle_[i] && place == Neighbourhood::tiny) point.q[i] = length;
     }
@@ -102,8 +84,8 @@ class Points {
     const double sign = random_.uniform(-1, 1) < 0 ? -1 : 1;
     const double share = sign * random_.uniform(0.5, 1);
     const double turns = std::floor(random_.uniform(-1, 2));
-    const double away = share * distances_.angle;
-    if (place == Neighbourhood::nearly_equal) return common + share * distances_.difference;
+    const double away = share * from_right_angles;
+    if (place == Neighbourhood::nearly_equal) return common + share * between_angles;
     if (place == Neighbourhood::tiny) return away;
     if (place == Neighbourhood::right) return (2 * turns + 1) * right_angle + away;
     return 2 * turns * right_angle + away;
@@ -111,9 +93,8 @@ class Points {
 
   const LeafNames& leaves_;
   std::vector<bool> is_angle_;
-  const Distances& distances_;
   Random random_{1};
-  ExtremePoints points_ = {};
+  ComparisonPoints points_ = {};
 };
 
 /// By coordinate, whether a sine or cosine is taken of it somewhere.
@@ -132,51 +113,6 @@ std::vector<bool> angles_of(const Program& program) {
   }
   return is_angle;
 }
-
-/// A value and its error in double: where nothing is lost they tell as much as exact ones do.
-struct RoughError {
-  double value = std::numeric_limits<double>::quiet_NaN();
-  double error = std::numeric_limits<double>::quiet_NaN();
-};
-
-/// The rules of running errors (evaluate/running_errors.hpp) in double.
-struct RoughRules {
-  const Arguments<double>& point;
-
-  [[nodiscard]] RoughError constant(const Constant& constant) const {
-    const double value = ScalarTraits<double>::from_real(constant.value);
-    return {value, std::abs(value)};
-  }
-  [[nodiscard]] RoughError leaf(Opcode kind, std::uint32_t number) const {
-    return {leaf_of(point, kind, number), 0};
-  }
-  [[nodiscard]] RoughError negate(const RoughError& x) const { return {-x.value, x.error}; }
-  [[nodiscard]] RoughError add(const RoughError& x, const RoughError& y) const {
-    const double value = x.value + y.value;
-    return {value, x.error + y.error + std::abs(value)};
-  }
-  [[nodiscard]] RoughError subtract(const RoughError& x, const RoughError& y) const {
-    return add(x, negate(y));
-  }
-  [[nodiscard]] RoughError multiply(const RoughError& x, const RoughError& y) const {
-    const double value = x.value * y.value;
-    return {value, x.error * std::abs(y.value) + y.error * std::abs(x.value) + std::abs(value)};
-  }
-  [[nodiscard]] RoughError divide(const RoughError& x, const RoughError& y) const {
-    const double value = x.value / y.value;
-    return {value, (x.error + std::abs(value) * y.error) / std::abs(y.value) + std::abs(value)};
-  }
-  [[nodiscard]] RoughError square_root(const RoughError& x) const {
-    const double value = std::sqrt(x.value);
-    return {value, x.error / (value + value) + value};
-  }
-  /// Slopes of sines are at most 1; of other functions nothing is told.
-  [[nodiscard]] RoughError call(FunctionId function, const RoughError& x, const RoughError&) const {
-    if (!is_circular(function)) return {};
-    const double value = function == FunctionId::sin ? std::sin(x.value) : std::cos(x.value);
-    return {value, x.error + std::abs(value)};
-  }
-};
 
 /// The magnitudes of all entries, in the order of the fields; those of a field are alike where the
 /// scale is that.
@@ -254,15 +190,12 @@ class PointLosses {
 
 }  // namespace
 
-ExtremePoints extreme_points(const Program& program, Preference preference) {
-  if (preference == Preference::accuracy) {
-    return Points(program.leaves, angles_of(program), at_extremes).all();
-  }
-  return Points(program.leaves, angles_of(program), nearby).ordinary_ones();
+ComparisonPoints extreme_points(const Program& program) {
+  return DrawnExtremes(program.leaves, angles_of(program)).all();
 }
 
 std::vector<double> possible_losses(const Program& program, const Function& function,
-                                    const ExtremePoints& points, Scale scale) {
+                                    const ComparisonPoints& points, Scale scale) {
   const std::vector<std::uint32_t> entries = entries_of(function);
   std::vector<double> losses(entries.size());
   for (const Arguments<double>& point : points) {
@@ -279,7 +212,7 @@ std::vector<double> possible_losses(const Program& program, const Function& func
 }
 
 Magnitudes magnitudes_of(const Program& program, const Function& function,
-                         const ExtremePoints& points, Scale scale) {
+                         const ComparisonPoints& points, Scale scale) {
   Magnitudes magnitudes;
   for (const Arguments<double>& point : points) {
     const PointLosses at_point(program, function, point);
@@ -292,8 +225,8 @@ Magnitudes magnitudes_of(const Program& program, const Function& function,
   return magnitudes;
 }
 
-double possible_loss(const Program& program, const Function& function, const ExtremePoints& points,
-                     const std::vector<double>& beside) {
+double possible_loss(const Program& program, const Function& function,
+                     const ComparisonPoints& points, const std::vector<double>& beside) {
   const std::vector<std::uint32_t> entries = entries_of(function);
   double loss = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {

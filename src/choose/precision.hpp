@@ -10,20 +10,16 @@
 #include <cstdint>
 #include <vector>
 
-#include "elgen/evaluate.hpp"
+#include "choose/points.hpp"
 #include "elgen/program.hpp"
-#include "elgen/scene.hpp"
 #include "evaluate/conditioning.hpp"
 
 namespace elgen {
 
-using ExtremePoints = std::vector<Arguments<double>>;
-
-/// The same on every machine: ordinary magnitudes; and where the coordinates that sines are taken
-/// of are near multiples of a right angle, nearly the same, or tiny. For accuracy wide magnitudes
-/// too, and parameters of wide ratios, or one far larger than the others, at places that are
-/// nearer.
-[[nodiscard]] ExtremePoints extreme_points(const Program& program, Preference preference);
+/// The same on every machine: ordinary and wide magnitudes; and where the coordinates that sines
+/// are taken of are near multiples of a right angle, nearly the same, or tiny, with parameters of
+/// wide ratios, or one far larger than the others.
+[[nodiscard]] ComparisonPoints extreme_points(const Program& program);
 
 /// The magnitude that errors are compared with.
 enum class Scale : std::uint8_t {
@@ -35,17 +31,18 @@ enum class Scale : std::uint8_t {
 /// most tolerated_loss. Cost: an error per instruction and point; where digits are lost,
 /// derivatives too.
 [[nodiscard]] std::vector<double> possible_losses(const Program& program, const Function& function,
-                                                  const ExtremePoints& points,
+                                                  const ComparisonPoints& points,
                                                   Scale scale = Scale::entry);
 
 /// By point, |x| of the scale for each entry. Cost: an error of each instruction and point.
 using Magnitudes = std::vector<std::vector<double>>;
 [[nodiscard]] Magnitudes magnitudes_of(const Program& program, const Function& function,
-                                       const ExtremePoints& points, Scale scale);
+                                       const ComparisonPoints& points, Scale scale);
 
 /// The same of a function that has one entry of another, whose magnitudes are `beside`, by point.
 [[nodiscard]] double possible_loss(const Program& program, const Function& function,
-                                   const ExtremePoints& points, const std::vector<double>& beside);
+                                   const ComparisonPoints& points,
+                                   const std::vector<double>& beside);
 
 /// Whether one way loses so much more than another, and more than `tolerated`, that it does not
 /// matter which is cheaper.

@@ -65,7 +65,7 @@ std::vector<std::string> closed_texts(const Program& program, const Function& fu
   std::vector<bool> is_known;
   for (std::size_t i = 0; i < each.functions.size(); ++i) {
     const ReadableEntries entries =
-        read_entries({each, each.functions[i], forms, forms.functions[i]}, points);
+        read_entries({each, each.functions[i], forms, forms.functions[i]}, points, nullptr);
     is_known.push_back(is_complete(entries));
     each.readable.push_back(is_known.back() ? lowered_one_by_one(entries, each.functions[i], each)
                                             : Function{});

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/random.hpp"
+#include "elgen/domain.hpp"
 #include "evaluate/subject.hpp"
 
 namespace elgen {
@@ -36,12 +37,6 @@ struct Sampling {
   std::size_t count = 256;
   std::uint64_t seed = 1;
   bool extremes = true;
-};
-
-/// The interval that a leaf is drawn from.
-struct Range {
-  double low = 0;
-  double high = 0;
 };
 
 /// The ranges that the model declares; else the value of a parameter, a turn or a unit of a

@@ -31,7 +31,8 @@ Result<Program> calls_of(const Lagrangian& lagrangian, const CheckedModel& check
   scene.outputs = needed_for_step(checked.model, step);
   const Result<Program> recursive = recursive_program(lagrangian, scene.outputs, limits);
   if (!recursive) return recursive.diagnostics;
-  Result<Choice> choice = choose(*recursive, present(*recursive), scene);
+  Result<Choice> choice =
+      choose(*recursive, present(*recursive), domain_of(checked.model, scene, *recursive), scene);
   if (!choice) return choice.diagnostics;
   return std::move(choice->program);
 }
@@ -53,7 +54,8 @@ std::string name_of(const Model& model, const Entity& origin) {
 
 Result<Choice> chosen(const Lagrangian& lagrangian, const Program& recursive,
                       const ClosedForms& forms, const CheckedModel& checked, const Limits& limits) {
-  Result<Choice> choice = choose(recursive, forms, checked.scene);
+  Result<Choice> choice =
+      choose(recursive, forms, domain_of(checked.model, checked.scene, recursive), checked.scene);
   if (!choice) return choice;
   for (const OutputRequest& output : checked.scene.outputs) {
     if (!output_row(output.kind).steps) continue;
@@ -119,7 +121,8 @@ Result<ReadableSteps> readable_steps(const Lagrangian& lagrangian, const Checked
   Result<Program> lowered = lower(derived->equations, derived->requests, limits);
   if (!lowered) return lowered.diagnostics;
   const Program recursive = cancel(std::move(*lowered));
-  Result<Choice> choice = choose(recursive, present(recursive), {});
+  Result<Choice> choice =
+      choose(recursive, present(recursive), domain_of(checked.model, checked.scene, recursive), {});
   if (!choice) return choice.diagnostics;
   ReadableSteps result{std::move(choice->program), {}};
   for (const Entity& mass : derived->masses) {

@@ -78,7 +78,10 @@ std::string cost_page(const std::vector<FormCosts>& costs) {
                        "other", "cost", "digits", ""));
   const auto add = [&](const FormCosts& of, Form form, const OperationCounts& n,
                        const std::optional<double>& loss) {
-    const char* mark = form != of.chosen ? "" : of.is_asked_for ? "asked for" : "emitted";
+    std::string mark = form != of.chosen ? "" : of.is_asked_for ? "asked for" : "emitted";
+    if (form == Form::closed && of.harmed) {
+      mark += fmt::format("{}harms entry {}", mark.empty() ? "" : ", ", *of.harmed);
+    }
     add_line(fmt::format(row, of.function, width, name_of(form), n.add, n.mul, n.div, n.sqrt,
                          n.sincos, n.other, cost(n), digits_text(loss), mark));
   };

@@ -27,7 +27,7 @@ struct Recursive {
     return cancel(*lower(*equations, checked.scene.outputs, {}));
   }();
   ClosedForms forms = present(program);
-  ExtremePoints points = extreme_points(program, Preference::accuracy);
+  ComparisonPoints points = extreme_points(program);
 
   [[nodiscard]] std::size_t find(OutputKind kind) const {
     std::size_t at = 0;

@@ -20,7 +20,7 @@ struct Entries {
   ClosedForms forms = present(program);
   BothForms both{program, shape, forms, forms.functions[0]};
   MixedPoints points = mixed_points(program.leaves);
-  ReadableEntries entries = read_entries(both, points);
+  ReadableEntries entries = read_entries(both, points, nullptr);
 };
 
 }  // namespace
@@ -35,7 +35,7 @@ TEST_CASE("all entries of a function have a form") {
 
 TEST_CASE("code is rewritten where it loses digits, what people read stays") {
   Entries e({"1 - cos(a)", "b"});
-  const ExtremePoints extremes = extreme_points(e.program, Preference::accuracy);
+  const ComparisonPoints extremes = extreme_points(e.program);
   const auto with_losses = [&](const std::vector<double>& losses) {
     return rewrite(e.entries, losses, e.both, {.points = extremes, .prefers_short = true});
   };
@@ -53,7 +53,8 @@ TEST_CASE("code is rewritten where it loses digits, what people read stays") {
 TEST_CASE("together entries share what they have in common, one by one they share nothing") {
   Entries e({"(a + b)*c", "(a + b)*d"});
   const Function together =
-      lowered_together(e.entries, e.shape, e.program, Splits::sums_and_differences);
+      lowered_together(e.entries, e.shape, e.program, Splits::sums_and_differences, nullptr)
+          .function;
   CHECK(together.form == Form::closed);
   CHECK(count_operations(together).add == 1);
   const Function one_by_one = lowered_one_by_one(e.entries, e.shape, e.program);
@@ -67,7 +68,8 @@ TEST_CASE("a rewritten entry is code, whichever is cheaper") {
   e.entries[0]->is_rewritten = true;
   e.entries[0]->compact.values = {e.entries[0]->compact.graph.leaf(Opcode::coordinate, 4)};
   const Function function =
-      lowered_together(e.entries, e.shape, e.program, Splits::sums_and_differences);
+      lowered_together(e.entries, e.shape, e.program, Splits::sums_and_differences, nullptr)
+          .function;
   e.program.functions = {function};
   CHECK(equations(e.program, function).entries.at(0).at(0) == "e");
 }

@@ -18,9 +18,7 @@ const std::string head =
 double loss_of(const std::string& instructions, int entry) {
   const Program program =
       testing::read_program(head + instructions + "  result 1 1 = " + std::to_string(entry) + "\n");
-  return possible_losses(program, program.functions[0],
-                         extreme_points(program, Preference::accuracy))
-      .at(0);
+  return possible_losses(program, program.functions[0], extreme_points(program)).at(0);
 }
 
 }  // namespace
@@ -47,9 +45,9 @@ TEST_CASE("points are the same every time, and only angles are near right ones")
   const Program program = testing::read_program(
       head +
       "  5 = constant 2\n  6 = multiply 5 2\n  7 = cos 6\n  8 = add 7 3\n  result 1 1 = 8\n");
-  const ExtremePoints points = extreme_points(program, Preference::accuracy);
+  const ComparisonPoints points = extreme_points(program);
   CHECK(points.size() == 8 + 2 * 3 * 4);
-  const ExtremePoints again = extreme_points(program, Preference::accuracy);
+  const ComparisonPoints again = extreme_points(program);
   const auto near_right = [](double x) {
     return std::abs(x / 1.5707963267948966 - std::round(x / 1.5707963267948966)) < 1e-7 &&
            std::abs(x) > 1;
@@ -63,28 +61,12 @@ TEST_CASE("points are the same every time, and only angles are near right ones")
   for (std::size_t i = 0; i < points.size(); ++i) CHECK(points[i].q == again[i].q);
 }
 
-TEST_CASE("balanced points are ordinary, or 1e-4 from right angles, with or without parameters") {
-  const Program program = testing::read_program(
-      "coordinates q\nfunction bias\n  0 = coordinate q\n  1 = cos 0\n"
-      "  result 1 1 = 1\n");
-  const ExtremePoints points = extreme_points(program, Preference::balanced);
-  CHECK(points.size() == 15);
-  std::size_t near = 0;
-  for (const Arguments<double>& point : points) {
-    const double turns = point.q[0] / 1.5707963267948966;
-    const double away = std::abs(turns - std::round(turns));
-    CHECK(away > 1e-6);
-    if (away < 1e-4) ++near;
-  }
-  CHECK(near >= 9);
-}
-
 TEST_CASE("an entry that vanishes beside another one of its field loses nothing by that scale") {
   const Program program = testing::read_program(
       "coordinates q\nfunction bias\n  0 = coordinate q\n  1 = cos 0\n  2 = constant 1\n"
       "  3 = subtract 2 1\n  result 2 1 = 2 3\n");
   const Function& function = program.functions[0];
-  const ExtremePoints points = extreme_points(program, Preference::balanced);
+  const ComparisonPoints points = extreme_points(program);
   CHECK(possible_losses(program, function, points, Scale::entry).at(1) > 1e6);
   CHECK(possible_losses(program, function, points, Scale::field).at(1) == 0);
   const Magnitudes magnitudes = magnitudes_of(program, function, points, Scale::field);

@@ -23,7 +23,7 @@ std::string precise(const std::string& text) {
   const Program program = testing::program_of(testing::Texts{text});
   const ClosedForms forms = present(program);
   const Function& function = program.functions[0];
-  const ExtremePoints points = extreme_points(program, Preference::accuracy);
+  const ComparisonPoints points = extreme_points(program);
   const auto derived = as_derived(program, function, function.fields[0].entries[0]);
   const auto way = more_precise(forms.algebra, *forms.functions[0].fields[0].entries[0],
                                 derived ? &*derived : nullptr, {.loss = 1e12}, points);

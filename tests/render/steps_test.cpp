@@ -17,7 +17,9 @@ struct Derivation {
   explicit Derivation(const std::string& text) : checked(checked_model(text)) {
     const auto derived = derive_steps(*formulate(checked.model));
     const auto recursive = lower(derived->equations, derived->requests, {});
-    steps.program = choose(*recursive, present(*recursive), {})->program;
+    steps.program =
+        choose(*recursive, present(*recursive), domain_of(checked.model, {}, *recursive), {})
+            ->program;
     steps.masses.assign(derived->masses.size(), "mass");
   }
 

@@ -1,6 +1,9 @@
 // cheapest: see cheapest.hpp.
 #include "lower/network/cheapest.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "lower/graph/factor.hpp"
 #include "lower/graph/flatten.hpp"
 #include "lower/network/linearise.hpp"
@@ -12,11 +15,6 @@ namespace {
 
 /// Larger graphs are not tried with all products written out, which takes them longest.
 constexpr std::size_t maximal_nodes_written_out = 20'000;
-
-struct CostedNetwork {
-  Network network = {};
-  std::size_t cost = 0;
-};
 
 CostedNetwork candidate(const Expressions& expressions, const Function& unfilled) {
   CostedNetwork result{make_network(expressions)};
@@ -33,22 +31,25 @@ CostedNetwork candidate(const Expressions& expressions, const Function& unfilled
 
 Expressions factored(const Expressions& flat) { return factor(flatten(factor(flat))); }
 
-Network cheapest_network(const Expressions& expressions, const Function& unfilled, Splits splits) {
-  std::optional<CostedNetwork> best;
-  const auto consider = [&](const Expressions& form) {
-    CostedNetwork other = candidate(form, unfilled);
-    if (!best || other.cost < best->cost) best = std::move(other);
-  };
-  const auto consider_forms = [&](const Expressions& all) {
+std::vector<CostedNetwork> networks_by_cost(const Expressions& expressions,
+                                            const Function& unfilled, Splits splits) {
+  std::vector<CostedNetwork> networks;
+  const auto add = [&](const Expressions& form) { networks.push_back(candidate(form, unfilled)); };
+  const auto add_forms = [&](const Expressions& all) {
     const Expressions flat = flatten(all);
-    consider(factored(flat));
-    consider(flat);
+    add(factored(flat));
+    add(flat);
     if (flat.graph.size() > maximal_nodes_written_out) return;
-    consider(factored(flatten(flat, Flattened::all_products)));
+    add(factored(flatten(flat, Flattened::all_products)));
   };
-  consider_forms(expressions);
-  if (const auto expanded = expand_angle_sums(expressions, splits)) consider_forms(*expanded);
-  return std::move(best->network);
+  add_forms(expressions);
+  if (const auto expanded = expand_angle_sums(expressions, splits)) add_forms(*expanded);
+  std::ranges::stable_sort(networks, {}, &CostedNetwork::cost);
+  return networks;
+}
+
+Network cheapest_network(const Expressions& expressions, const Function& unfilled, Splits splits) {
+  return std::move(networks_by_cost(expressions, unfilled, splits).front().network);
 }
 
 }  // namespace elgen

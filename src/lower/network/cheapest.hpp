@@ -2,9 +2,12 @@
 //
 // Pulling common factors out of sums saves products but can undo what two sums would share, and
 // writing products out lets factors meet but takes shared ones apart; sines of sums of angles can
-// be calls or products of what is there. So several forms are made, counted after sharing, and the
-// cheapest is kept (the first on a tie).
+// be calls or products of what is there. So several forms are made, counted after sharing, and put
+// in the order of their costs (the first made first on a tie).
 #pragma once
+
+#include <cstddef>
+#include <vector>
 
 #include "lower/graph/angle_sums.hpp"
 #include "lower/network/network.hpp"
@@ -15,7 +18,18 @@ namespace elgen {
 /// meet in one sum, which may factor again.
 [[nodiscard]] Expressions factored(const Expressions& flat);
 
-/// `unfilled` says which values are the function's entries.
+/// A form, and what it costs as instructions.
+struct CostedNetwork {
+  Network network = {};
+  std::size_t cost = 0;
+};
+
+/// All forms, the cheapest first. `unfilled` says which values are the function's entries.
+[[nodiscard]] std::vector<CostedNetwork> networks_by_cost(
+    const Expressions& expressions, const Function& unfilled,
+    Splits splits = Splits::sums_and_differences);
+
+/// The first of them.
 [[nodiscard]] Network cheapest_network(const Expressions& expressions, const Function& unfilled,
                                        Splits splits = Splits::sums_and_differences);
 

@@ -1,0 +1,260 @@
+// points: see points.hpp. Places are found by folding the text over sums of numbers, multiples of
+// one leaf and multiples of its square; everything else is opaque.
+#include "choose/points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/random.hpp"
+#include "elgen/fold.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr std::size_t plain_points = 4;  ///< at the values of parameters, and at other values
+constexpr std::size_t most_places = 10;
+constexpr int widest_factor = 3;  ///< of parameters, as a power of two
+
+/// Relative, but at 0: multiples of 2^-30 near 1e-1, 1e-2, 1e-4 and 1e-8.
+constexpr double unit_of_distance = 0x1p-30;
+constexpr double distances[]{107374182 * unit_of_distance, 10737418 * unit_of_distance,
+                             107374 * unit_of_distance, 11 * unit_of_distance};
+
+/// The distances of all coordinates at once from their first places.
+constexpr double near = distances[2];
+constexpr double nearest = distances[3];
+
+constexpr double half_turn = 3.141592653589793;
+constexpr double places_of_sines[]{half_turn, half_turn / 2, -half_turn / 2, -half_turn};
+
+/// Sums of more terms are opaque: none of their terms cancels another alone.
+constexpr std::size_t most_parts = 8;
+
+/// factor, factor x or factor x^2 of a coordinate x; or opaque.
+struct SumPart {
+  enum class Kind : std::uint8_t { number, linear, square, opaque } kind = Kind::opaque;
+  double factor = 0;
+  std::uint32_t coordinate = 0;
+};
+using SumParts = std::vector<SumPart>;
+
+/// A coordinate is near `factor` times another one, or near the number `factor`.
+struct NearPlace {
+  std::uint32_t coordinate = 0;
+  double factor = 0;
+  std::optional<std::uint32_t> other = {};
+  friend bool operator==(const NearPlace&, const NearPlace&) = default;
+};
+
+/// The rules of fold.hpp. Numbers stand for parameters at their values.
+struct SumPartRules {
+  const Arguments<double>& values;
+
+  [[nodiscard]] static SumParts number(double value) { return {{SumPart::Kind::number, value, 0}}; }
+  [[nodiscard]] SumParts constant(const Constant& constant) const {
+    return number(ScalarTraits<double>::from_real(constant.value));
+  }
+  [[nodiscard]] SumParts leaf(Opcode kind, std::uint32_t index) const {
+    if (kind == Opcode::parameter) return number(values.parameters[index]);
+    if (kind == Opcode::coordinate) return {{SumPart::Kind::linear, 1, index}};
+    return {SumPart{}};
+  }
+  [[nodiscard]] SumParts negate(SumParts x) const {
+    for (SumPart& part : x) part.factor = -part.factor;
+    return x;
+  }
+  [[nodiscard]] SumParts add(SumParts x, const SumParts& y) const {
+    x.insert(x.end(), y.begin(), y.end());
+    if (x.size() > most_parts) return {SumPart{}};
+    return x;
+  }
+  [[nodiscard]] SumParts subtract(const SumParts& x, const SumParts& y) const {
+    return add(x, negate(y));
+  }
+  [[nodiscard]] SumParts multiply(const SumParts& x, const SumParts& y) const {
+    using enum SumPart::Kind;
+    if (x.size() > 1 || y.size() > 1) return {SumPart{}};
+    SumPart product = x[0];
+    product.factor *= y[0].factor;
+    if (y[0].kind == number && product.kind != opaque) return {product};
+    product.coordinate = y[0].coordinate;
+    product.kind = y[0].kind;
+    if (x[0].kind == number && product.kind != opaque) return {product};
+    const bool is_square =
+        x[0].kind == linear && y[0].kind == linear && x[0].coordinate == y[0].coordinate;
+    product.kind = is_square ? square : opaque;
+    return {product};
+  }
+  [[nodiscard]] SumParts divide(const SumParts& x, const SumParts& y) const {
+    if (y.size() > 1 || y[0].kind != SumPart::Kind::number) return {SumPart{}};
+    return multiply(x, number(1 / y[0].factor));
+  }
+  [[nodiscard]] SumParts square_root(const SumParts&) const { return {SumPart{}}; }
+  [[nodiscard]] SumParts call(FunctionId, const SumParts&, const SumParts&) const {
+    return {SumPart{}};
+  }
+};
+
+/// The places of all coordinates: 0, where two terms of a sum cancel, and right angles.
+class CancellingPlaces {
+ public:
+  CancellingPlaces(const Program& program, const Function& text, const Domain& domain)
+      : domain_(domain), count_(program.leaves.q.size()), found_(count_) {
+    for (std::uint32_t i = 0; i < count_; ++i) add({i, 0});
+    const auto parts = fold<SumParts>(SumPartRules{domain.states.front()}, program, text);
+    for (const Instruction& i : text.instructions) {
+      const bool is_sum = i.opcode == Opcode::add || i.opcode == Opcode::subtract;
+      const auto at = static_cast<std::size_t>(&i - text.instructions.data());
+      if (is_sum) add_cancelling(parts[at]);
+    }
+    for (const Instruction& i : text.instructions) {
+      if (i.opcode == Opcode::call && is_circular(i.function)) add_right_angles(parts[i.a]);
+    }
+  }
+
+  /// Taken from the coordinates in turn.
+  [[nodiscard]] std::vector<NearPlace> first(std::size_t most) const {
+    std::vector<NearPlace> places;
+    bool has_more = true;
+    for (std::size_t turn = 0; has_more; ++turn) {
+      has_more = false;
+      for (const std::vector<NearPlace>& of_coordinate : found_) {
+        if (turn >= of_coordinate.size()) continue;
+        if (places.size() == most) return places;
+        places.push_back(of_coordinate[turn]);
+        has_more = true;
+      }
+    }
+    return places;
+  }
+
+ private:
+  void add(const NearPlace& place) {
+    std::vector<NearPlace>& known = found_[place.coordinate];
+    const bool is_alone = domain_.is_alone[place.coordinate];
+    if (!is_alone || !std::isfinite(place.factor)) return;
+    if (std::ranges::find(known, place) == known.end()) known.push_back(place);
+  }
+
+  void add_right_angles(const SumParts& angle) {
+    for (const SumPart& part : angle) {
+      if (part.kind != SumPart::Kind::linear) continue;
+      for (const double place : places_of_sines) add({part.coordinate, place});
+    }
+  }
+
+  void add_cancelling(const SumParts& sum) {
+    SumPart total{SumPart::Kind::number, 0, 0};
+    for (const SumPart& part : sum) {
+      if (part.kind == SumPart::Kind::number) total.factor += part.factor;
+    }
+    for (const SumPart& x : sum) {
+      if (total.factor != 0) add_cancelling(x, total);
+      for (const SumPart& y : sum) {
+        if (y.kind != SumPart::Kind::number && y.coordinate != x.coordinate) add_cancelling(x, y);
+      }
+    }
+  }
+
+  void add_cancelling(const SumPart& x, const SumPart& y) {
+    using enum SumPart::Kind;
+    const std::optional<std::uint32_t> other =
+        y.kind == number ? std::nullopt : std::optional(y.coordinate);
+    const double ratio = -y.factor / x.factor;
+    if (x.kind == linear && (y.kind == linear || y.kind == number)) {
+      add({x.coordinate, ratio, other});
+    }
+    if (x.kind == square && (y.kind == square || y.kind == number) && ratio > 0) {
+      add({x.coordinate, std::sqrt(ratio), other});
+      add({x.coordinate, -std::sqrt(ratio), other});
+    }
+  }
+
+  const Domain& domain_;
+  std::size_t count_;
+  std::vector<std::vector<NearPlace>> found_;  ///< by coordinate
+};
+
+class Making {
+ public:
+  Making(const Domain& domain, std::vector<NearPlace> places)
+      : domain_(domain), places_(std::move(places)) {}
+
+  ComparisonPoints operator()() {
+    for (std::size_t i = 0; i < plain_points; ++i) points_.push_back(state());
+    for (std::size_t i = 0; i < plain_points; ++i)
+      points_.push_back(with_other_parameters(state()));
+    for (const NearPlace& place : places_) {
+      for (const double distance : distances) add_near(place, distance);
+    }
+    for (const double distance : {near, nearest}) add_near_all(distance);
+    return std::move(points_);
+  }
+
+ private:
+  /// The next one, over and over.
+  const Arguments<double>& state() { return domain_.states[next_++ % domain_.states.size()]; }
+
+  Arguments<double> with_other_parameters(Arguments<double> point) {
+    const std::vector<double> old = point.parameters;
+    for (std::size_t i = 0; i < old.size(); ++i) {
+      const double factor = std::abs(random_.log_uniform(-widest_factor, widest_factor - 1));
+      point.parameters[i] = within(domain_.declared.parameters[i], old[i] * factor);
+      for (std::size_t k = 0; k < i; ++k) {
+        const bool is_equal = old[k] == old[i] && domain_.unit_of[k] == domain_.unit_of[i];
+        if (is_equal) point.parameters[i] = point.parameters[k];
+      }
+    }
+    return point;
+  }
+
+  static double within(const std::optional<Range>& range, double value) {
+    return range ? std::clamp(value, range->low, range->high) : value;
+  }
+
+  void move(Arguments<double>& point, const NearPlace& place, double distance) {
+    const double at = place.other ? place.factor * point.q[*place.other] : place.factor;
+    const double away = random_.uniform(-1, 1) < 0 ? -distance : distance;
+    point.q[place.coordinate] = at == 0 ? away : at + at * away;
+  }
+
+  void add_near(const NearPlace& place, double distance) {
+    Arguments<double> point = state();
+    move(point, place, distance);
+    add(std::move(point));
+  }
+
+  void add_near_all(double distance) {
+    Arguments<double> point = state();
+    std::vector<bool> is_moved(point.q.size());
+    for (const NearPlace& place : places_) {
+      if (!is_moved[place.coordinate]) move(point, place, distance);
+      is_moved[place.coordinate] = true;
+    }
+    if (!places_.empty()) add(std::move(point));
+  }
+
+  /// A point outside the declared ranges is left out.
+  void add(Arguments<double> point) {
+    for (std::size_t i = 0; i < point.q.size(); ++i) {
+      if (within(domain_.declared.q[i], point.q[i]) != point.q[i]) return;
+    }
+    points_.push_back(std::move(point));
+  }
+
+  const Domain& domain_;
+  std::vector<NearPlace> places_;
+  Random random_{1};
+  std::size_t next_ = 0;
+  ComparisonPoints points_ = {};
+};
+
+}  // namespace
+
+ComparisonPoints comparison_points(const Program& program, const Function& text,
+                                   const Domain& domain) {
+  return Making(domain, CancellingPlaces(program, text, domain).first(most_places))();
+}
+
+}  // namespace elgen

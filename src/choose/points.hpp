@@ -1,0 +1,25 @@
+// points: where the ways to write a function are compared: at most 50, the same for all its forms.
+//
+// States inside the ranges, with the parameters at their values; such with other parameters, equal
+// ones of one unit multiplied by one factor, since what is equal may cancel; and states near the
+// places where sums of the text vanish:
+//
+//     before    F*sqrt((x - a)^2 + y^2)
+//     after     x near a and -a, x near 0, y near 0; both near 0
+#pragma once
+
+#include <vector>
+
+#include "elgen/domain.hpp"
+#include "elgen/evaluate.hpp"
+
+namespace elgen {
+
+using ComparisonPoints = std::vector<Arguments<double>>;
+
+/// `text`: the recursive form of the function. No function of libm is called, so that every machine
+/// gets the same points. Cost: one walk over the instructions.
+[[nodiscard]] ComparisonPoints comparison_points(const Program& program, const Function& text,
+                                                 const Domain& domain);
+
+}  // namespace elgen

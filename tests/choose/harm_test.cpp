@@ -1,0 +1,180 @@
+// Ways that lose digits which the text keeps, the points that show it, and models whose code kept
+// none.
+#include "choose/harm.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "choose/chosen.hpp"
+#include "lower/expression_leaves.hpp"
+#include "lower/read_program.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+using elgen::testing::expressions_of;
+using elgen::testing::program_of;
+
+namespace {
+
+Arguments<double> at(double a, double b) {
+  Arguments<double> point;
+  point.q = {a, b, 0.5, 0.25, 2};
+  return point;
+}
+
+/// Whether a way harms the text at one point.
+bool is_harmful(const std::string& way, const std::string& text, double a, double b) {
+  const Program program = program_of(testing::Texts{text});
+  const TextErrors errors(program, program.functions[0], {at(a, b)});
+  return errors.are_passed_by(expressions_of({way}), 0);
+}
+
+const std::string strut = R"toml(format = 1
+[model]
+name = "strut"
+[parameters]
+a = { value = 0.4, unit = "m", assume = "positive", min = 0.1, max = 0.5 }
+b = { value = 0.4, unit = "m", assume = "positive" }
+c = { value = 0.4, unit = "kg", assume = "positive" }
+F = { value = 300, unit = "N" }
+[[coordinate]]
+name = "th"
+unit = "rad"
+range = [-0.5, 3.2]
+[[point]]
+name = "P"
+at = ["a*cos(th)", "a*sin(th)"]
+[[point]]
+name = "Q"
+at = ["b", "0"]
+[energy]
+T = "1/2*c*a^2*dot(th)^2"
+V = "F*sqrt(dist2(P, Q))"
+)toml";
+
+std::string well(const std::string& potential) {
+  return R"toml(format = 1
+[model]
+name = "well"
+[parameters]
+m = { value = 1, unit = "kg*m^2" }
+k = { value = 3, unit = "J" }
+[[coordinate]]
+name = "x"
+unit = "1"
+[energy]
+T = "1/2*m*dot(x)^2"
+V = ")toml" +
+         potential + "\"\n";
+}
+
+std::size_t index_of(const Program& program, const std::string& name) {
+  const auto named = [&](const Function& f) { return f.name == name; };
+  return static_cast<std::size_t>(std::ranges::find_if(program.functions, named) -
+                                  program.functions.begin());
+}
+
+/// The largest error of the force at x, in u of its magnitude.
+double error_of_force(const Chosen& model, double x) {
+  const Program& program = model.choice.program;
+  const Function& gravity = program.functions[index_of(program, "gravity")];
+  Arguments<double> point = domain_of(model.checked.model, {}, model.recursive).states.front();
+  point.q = {x};
+  const RunningErrorRules rules{running_leaves(point, Leaves::exact)};
+  const Running force = entries_of(gravity, fold<Running>(rules, program, gravity)).at(0);
+  return ScalarTraits<double>::from_real((force.error / abs(force.value)).value());
+}
+
+ComparisonPoints points_of_gravity(const Chosen& model) {
+  const Program& program = model.recursive;
+  return comparison_points(program, program.functions[index_of(program, "gravity")],
+                           domain_of(model.checked.model, {}, program));
+}
+
+}  // namespace
+
+TEST_CASE("a way harms where it loses what the text keeps, in any direction of cancelling") {
+  const std::string text = "(a - b)*(a + b)";
+  const std::string way = "a^2 - b^2";
+  CHECK(is_harmful(way, text, 1, 1.0000001));
+  CHECK_FALSE(is_harmful(way, text, 1, 1.5));
+  CHECK_FALSE(is_harmful(text, way, 1, 1.0000001));
+  CHECK_FALSE(is_harmful("1 - cos(a)", "1 - cos(a)", 1e-8, 0));
+  CHECK(is_harmful("1 - cos(a)", "2*sin(1/2*a)^2", 1e-8, 0));
+}
+
+TEST_CASE("a way without a value harms where the text has one, not where it has none") {
+  CHECK(is_harmful("b/(a - a*b)", "1/a", 0.5, 1));
+  CHECK_FALSE(is_harmful("1/(a - b)", "a/(a - b)", 1, 1));
+}
+
+TEST_CASE("entries of a function are harmed one by one") {
+  const Program text = program_of(testing::Texts{"a*b", "(a - b)*(a + b)"});
+  const Program form = program_of(testing::Texts{"b*a", "a^2 - b^2"});
+  const TextErrors errors(text, text.functions[0], {at(1, 3), at(1, 1.0000001)});
+  CHECK(errors.harmed_entry(form, form.functions[0]) == std::size_t{1});
+  CHECK(errors.harmed_entry(text, text.functions[0]) == std::nullopt);
+}
+
+TEST_CASE("the force of a strut whose anchors are equally far from the hinge has all digits") {
+  const Chosen model = chosen(strut);
+  for (const double angle : {1e-1, 1e-4, 1e-8}) CHECK(error_of_force(model, angle) < 64);
+}
+
+TEST_CASE("wells as they were typed keep the digits at their minima") {
+  for (const char* potential : {"k*((x - 1)*(x + 1))^2", "k*(x - 1)^2*(x + 2)"}) {
+    const Chosen model = chosen(well(potential));
+    INFO(potential);
+    for (const double away : {1e-2, 1e-5, 1e-8}) CHECK(error_of_force(model, 1 + away) < 64);
+  }
+}
+
+TEST_CASE("the cheaper form is named with the entry that it harms, and speed takes it") {
+  const auto gravity = [](const Chosen& model) {
+    return model.choice.costs[index_of(model.recursive, "gravity")];
+  };
+  const Chosen speedy = chosen(strut, {}, Preference::speed);
+  CHECK_FALSE(gravity(speedy).harmed);
+  CHECK(error_of_force(speedy, 1e-8) > 1e6);
+  const FormCosts balanced = gravity(chosen(strut));
+  const bool is_kept = balanced.harmed == std::size_t{0} || balanced.chosen == Form::closed;
+  CHECK(is_kept);
+}
+
+TEST_CASE("points: inside the ranges, near places, and equal parameters of one unit stay equal") {
+  const ComparisonPoints points = points_of_gravity(chosen(strut));
+  CHECK(points.size() <= 50);
+  std::size_t others = 0;
+  std::size_t near_zero = 0;
+  bool has_different = false;
+  for (const Arguments<double>& point : points) {
+    CHECK(std::clamp(point.q[0], -0.5, 3.2) == point.q[0]);
+    near_zero += std::abs(point.q[0]) < 2e-8 ? 1 : 0;
+    const double a = point.parameters[0];
+    others += a != 0.4 ? 1 : 0;
+    has_different = has_different || point.parameters[2] != a;
+    CHECK(std::clamp(a, 0.1, 0.5) == a);
+    if (a != 0.5 && a != 0.1) CHECK(point.parameters[1] == a);
+  }
+  CHECK(others > 0);
+  CHECK(others <= 4);
+  CHECK(near_zero >= 2);
+  CHECK(has_different);
+}
+
+TEST_CASE("places are where terms of a sum cancel, at the values of parameters") {
+  const auto has_near = [](const Chosen& model, double place) {
+    const ComparisonPoints points = points_of_gravity(model);
+    return std::ranges::any_of(points, [place](const Arguments<double>& point) {
+      return std::abs(point.q[0] - place) < 1e-7 * std::abs(place);
+    });
+  };
+  const Chosen linear = chosen(well("k*(2*x - 3)^4"));
+  CHECK(has_near(linear, 1.5));
+  CHECK_FALSE(has_near(linear, -1.5));
+  const Chosen squares = chosen(well("k*(x^2 - 2)^2"));
+  CHECK(has_near(squares, std::sqrt(2)));
+  CHECK(has_near(squares, -std::sqrt(2)));
+  CHECK(has_near(chosen(well("k*sin(x)^2")), 3.141592653589793));
+}
