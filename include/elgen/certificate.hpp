@@ -57,8 +57,8 @@ struct CertificateRow {
   std::size_t samples = 0;                   ///< states at which it was compared
   std::vector<SkippedStates> skipped = {};   ///< and at which it could not be
   std::optional<double> error = {};          ///< largest, in u B
-  std::optional<double> loss = {};           ///< largest, in u R
-  std::optional<double> loss_of_field = {};  ///< largest, in u of the largest entry of its field
+  std::optional<double> loss = {};           ///< largest, in u R; 10^digits of the scalar at most
+  std::optional<double> loss_of_field = {};  ///< the same in u of the largest entry of its field
   std::string worst = {};                    ///< the figure, with its unit: "2.1 u B"
   std::string where = {};      ///< the state of the worst value, empty where nothing was sampled
   std::string tolerance = {};  ///< the bound and its reason

@@ -1,7 +1,9 @@
 // The built-in scalars that code is emitted, compiled and run for.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -14,14 +16,24 @@ enum class ScalarKind : std::uint8_t { single_precision, double_precision, long_
 struct ScalarRow {
   ScalarKind kind;
   std::string_view name;  ///< in C++, C and scenes
+  int digits;             ///< decimal, rounded: no value has more to lose
 };
 
-inline constexpr std::array scalar_table{ScalarRow{ScalarKind::single_precision, "float"},
-                                         ScalarRow{ScalarKind::double_precision, "double"},
-                                         ScalarRow{ScalarKind::long_double, "long double"}};
+inline constexpr std::array scalar_table{ScalarRow{ScalarKind::single_precision, "float", 7},
+                                         ScalarRow{ScalarKind::double_precision, "double", 16},
+                                         ScalarRow{ScalarKind::long_double, "long double", 19}};
 
 [[nodiscard]] constexpr std::string_view name_of(ScalarKind kind) {
   return scalar_table[static_cast<std::size_t>(kind)].name;
+}
+
+[[nodiscard]] constexpr int decimal_digits(ScalarKind kind) {
+  return scalar_table[static_cast<std::size_t>(kind)].digits;
+}
+
+/// Decimal digits that a loss of so many u takes, at most all of the scalar.
+[[nodiscard]] inline double digits_lost(double loss, ScalarKind kind) {
+  return loss > 1 ? std::min<double>(std::log10(loss), decimal_digits(kind)) : 0;
 }
 
 /// Of a type.

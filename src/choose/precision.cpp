@@ -178,8 +178,7 @@ class PointLosses {
  private:
   const Conditioning& conditioning() {
     if (conditioning_) return *conditioning_;
-    return conditioning_.emplace(program_, function_, values_of(values_), rounding<double>(),
-                                 Literals::not_binary);
+    return conditioning_.emplace(program_, function_, values_of(values_));
   }
 
   const Program& program_;

@@ -21,12 +21,11 @@ bool is_zero(const Real& x) { return x.is_defined() && cln::zerop(x.value()); }
 }  // namespace
 
 Conditioning::Conditioning(const Program& program, const Function& function,
-                           std::vector<Real> values, const Rounding& rounding, Literals literals)
+                           std::vector<Real> values, std::vector<bool> parameters)
     : program_(program),
       function_(function),
-      rounding_(rounding),
-      literals_(literals),
-      values_(std::move(values)) {
+      values_(std::move(values)),
+      parameters_(std::move(parameters)) {
   slopes_.reserve(values_.size());
   for (const Instruction& i : function.instructions) {
     const std::size_t operands = operand_count(i);
@@ -42,11 +41,9 @@ Real Conditioning::slope(const Instruction& i, std::uint32_t operand) const {
   return folded(rules, program_, i, OneMoves{values_, operand}).slope;
 }
 
-bool Conditioning::is_rounded(const Instruction& i) const {
-  if (is_leaf(i.opcode)) return true;
-  if (i.opcode != Opcode::constant) return false;
-  const Bound literal = leaf_bound(program_.constants[i.a].value, rounding_);
-  return literals_ == Literals::all ? !is_power_of_two(literal.value) : !literal.exact;
+bool Conditioning::counts(const Instruction& i) const {
+  if (i.opcode == Opcode::constant) return !parameters_.empty() && parameters_[i.a];
+  return is_leaf(i.opcode);
 }
 
 Real Conditioning::of(std::uint32_t instruction) const {
@@ -57,7 +54,7 @@ Real Conditioning::of(std::uint32_t instruction) const {
     const Instruction& i = function_.instructions[at];
     const Real adjoint = adjoints[at];
     if (is_zero(adjoint)) continue;
-    if (is_rounded(i)) sum = sum + abs(adjoint * values_[at]);
+    if (counts(i)) sum = sum + abs(adjoint * values_[at]);
     const std::size_t operands = operand_count(i);
     if (operands > 0) adjoints[i.a] = adjoints[i.a] + adjoint * slopes_[at].by_a;
     if (operands > 1) adjoints[i.b] = adjoints[i.b] + adjoint * slopes_[at].by_b;

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "elgen/render.hpp"
+#include "elgen/scalars.hpp"
 #include "lower/code_interface.hpp"
 #include "render/headings.hpp"
 
@@ -56,11 +56,12 @@ std::string text_page(const Model& model, const Scene& scene, const Program& pro
 
 namespace {
 
-/// "3.1"; "0" where nothing is lost, nothing where it was not asked.
+/// "3.1", of 16 digits at most; "0" where nothing is lost, nothing where it was not asked.
 std::string digits_text(const std::optional<double>& loss) {
   if (!loss) return {};
-  if (std::isinf(*loss)) return "all";
-  return *loss > 1 ? fmt::format("{:.1f}", std::log10(*loss)) : "0";
+  const double digits = digits_lost(*loss, ScalarKind::double_precision);
+  if (digits >= decimal_digits(ScalarKind::double_precision)) return "all";
+  return digits > 0 ? fmt::format("{:.1f}", digits) : "0";
 }
 
 }  // namespace

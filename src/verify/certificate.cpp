@@ -175,12 +175,10 @@ Json json_of(const CertificateRow& row) {
             {"subject", row.subject}, {"verdict", word(verdict_names, row.verdict)},
             {"formula", row.formula}, {"evidence", word(evidence_names, row.evidence)},
             {"samples", row.samples}, {"skipped_states", skipped}};
-  // JSON has no infinity, which a value that is no number is off by, and one whose R is 0.
+  // JSON has no infinity, which a value that is no number is off by.
   if (row.error && std::isfinite(*row.error)) json["error_in_bounds"] = *row.error;
-  if (row.loss && std::isfinite(*row.loss)) json["loss"] = *row.loss;
-  if (row.loss_of_field && std::isfinite(*row.loss_of_field)) {
-    json["loss_of_field"] = *row.loss_of_field;
-  }
+  if (row.loss) json["loss"] = *row.loss;
+  if (row.loss_of_field) json["loss_of_field"] = *row.loss_of_field;
   json["worst"] = row.worst;
   json["worst_at"] = row.where;
   json["tolerance"] = row.tolerance;

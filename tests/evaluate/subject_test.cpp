@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <utility>
 
 #include "evaluate/conditioning.hpp"
 #include "verify/systems.hpp"
@@ -14,12 +15,12 @@ namespace {
 
 /// Of the first entry of a program's first function.
 double conditioning(const std::string& text, const State& state,
-                    Literals literals = Literals::not_binary) {
+                    std::vector<bool> parameters = {}) {
   const Program program = program_of(text);
   const Function& function = program.functions.front();
   const auto arguments = map_leaves([](const cln::cl_R& x) { return Real(x); }, state);
   const Conditioning all(program, function, evaluate_instructions(program, function, arguments),
-                         rounding<double>(), literals);
+                         std::move(parameters));
   const Real k = all.of(function.fields[0].entries[0]);
   return k.is_defined() ? ScalarTraits<double>::from_real(k.value())
                         : std::numeric_limits<double>::infinity();
@@ -120,12 +121,13 @@ TEST_CASE("functions count by their slopes, quotients and roots too") {
   CHECK(conditioning(text, at(9, 0.5, 4)) == Approx(x / 2 + x + 0.5 * std::cos(0.5) / 4 * 3));
 }
 
-TEST_CASE("literals that are not binary are rounded, and all of them where parameters are fixed") {
+TEST_CASE("literals do not count, constants that a fixed parameter has left do") {
   const std::string text = head +
                            "  3 = constant 1/10\n  4 = constant 3\n  5 = constant 2\n"
                            "  6 = multiply 3 4\n  7 = multiply 6 5\n  result 1 1 = 7\n";
-  CHECK(conditioning(text, at(1, 1, 1)) == Approx(0.6));
-  CHECK(conditioning(text, at(1, 1, 1), Literals::all) == Approx(1.2));
+  CHECK(conditioning(text, at(1, 1, 1)) == 0);
+  CHECK(conditioning(text, at(1, 1, 1), {true, false, false}) == Approx(0.6));
+  CHECK(conditioning(text, at(1, 1, 1), {true, true, false}) == Approx(1.2));
 }
 
 TEST_CASE("K is undefined where a slope is") {

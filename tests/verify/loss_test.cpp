@@ -26,6 +26,10 @@ const std::string half_angle =
     form_head +
     "  6 = constant 1/2\n  7 = multiply 6 3\n  8 = sin 7\n  9 = multiply 8 8\n"
     "  10 = add 9 9\n  11 = multiply 5 10\n  result 1 1 = 11\n";
+/// m l g (pi/2 - atan(th)), which atan2(1, th) has all digits of.
+const std::string arctangent = form_head +
+                               "  6 = atan 3\n  7 = constant 1/2*pi\n  8 = subtract 7 6\n"
+                               "  9 = multiply 5 8\n  result 1 1 = 9\n";
 /// m l g tanh(th), as friction goes with a rate.
 const std::string friction = form_head + "  6 = tanh 3\n  7 = multiply 5 6\n  result 1 1 = 7\n";
 
@@ -68,9 +72,10 @@ bool keeps(const std::string& text, double angle) {
          tolerated_loss;
 }
 
+template <class Scalar = double>
 CertificateRow row_of(const System& system, Losing losing) {
   const Subject subject = system.subject();
-  const auto samples = sample_states<double>(subject, {16, 1, true});
+  const auto samples = sample_states<Scalar>(subject, {16, 1, true});
   for (const CertificateRow& row :
        check_accuracy(subject, samples, {{Comparison::entries, nullptr, losing}, {}})) {
     if (row.check == "digits lost") return row;
@@ -121,6 +126,65 @@ TEST_CASE("losses are counted in what the inputs' rounding costs") {
   // R >= |x|, which does until the loss is grave.
   CHECK(loss_of(system, at(1), 60 * x).of_entry.figure == Approx(60));
   CHECK(loss_of(system, at(1), 100 * x).of_field.figure == Approx(100));
+}
+
+TEST_CASE("literals excuse no cancellation, pi neither") {
+  CHECK(keeps(arctangent, 1));
+  CHECK_FALSE(keeps(arctangent, 1e8));
+  const System system = written_as(arctangent);
+  const double x = 9.81 * 1e-8;
+  // m, l, g and th each cost x.
+  CHECK(loss_of(system, at(1e8), 100 * x).of_entry.figure == Approx(100 / 5.0));
+}
+
+TEST_CASE(
+    "a fixed parameter excuses what it excuses as an argument, a literal of the text does not") {
+  const std::string text =
+      "coordinates th\nfunction potential_energy\n  0 = coordinate th\n"
+      "  1 = cos 0\n  2 = constant 1\n  3 = subtract 2 1\n"
+      "  4 = constant 3/10\n  5 = multiply 4 3\n  result 1 1 = 5\n";
+  System system = written_as(text);
+  const double x = 0.3 * (1 - std::cos(1.0));
+  const double of_angle = 0.3 * std::sin(1.0);
+  const auto reference = [&] { return 100 * x / loss_of(system, at(1), 100 * x).of_entry.figure; };
+  CHECK(reference() == Approx(x + of_angle));
+  system.scene.specialisation.fixed[1] = {exact("3/10")};
+  CHECK(reference() == Approx(2 * x + of_angle));
+  system.model.expressions.push_back({.number = cln::cl_RA(3) / 10});
+  CHECK(reference() == Approx(x + of_angle));
+}
+
+TEST_CASE("an entry that is 0 on paper is measured against the largest of its field") {
+  const System system = written_as(
+      "parameters m l\ncoordinates x y\nfunction gravity\n  0 = parameter m\n  1 = parameter l\n"
+      "  2 = add 0 1\n  3 = subtract 2 0\n  4 = subtract 3 1\n  result 2 1 = 2 4\n");
+  State state = at(1);
+  state.parameters = {1, 2};
+  const Subject subject = system.subject();
+  Losses losses(subject, state, rounding<double>());
+  const Real off = Real(300) * rounding<double>().roundoff;
+  const Loss loss =
+      losses.of_field(field_places(subject).front(), {Real(), off}, {Real(3), {}}, {});
+  CHECK(loss.of_entry.figure == Approx(100));
+  CHECK(loss.of_entry.entry == 1);
+  CHECK(loss.of_field.figure == Approx(100));
+}
+
+TEST_CASE("no more digits are lost than a scalar has") {
+  ModelBuilder builder;
+  builder.coordinate("x").parameter("m", "0.1").parameter("l", "0.2").T("x_d^2/2").V("0");
+  const System system =
+      system_of(builder.model,
+                "parameters m l\ncoordinates x\nfunction potential_energy\n  0 = parameter m\n"
+                "  1 = parameter l\n  2 = add 0 1\n  3 = subtract 2 0\n  4 = subtract 3 1\n"
+                "  result 1 1 = 4\n");
+  const CertificateRow in_double = row_of(system, Losing::everywhere);
+  CHECK(in_double.loss.value_or(0) == Approx(1e16));
+  CHECK(mentions(in_double.worst, "16.0 digits of potential_energy (of the largest entry 0.0)"));
+  CHECK(mentions(in_double.tolerance, "noted beyond 8.0 of the 16 digits of the scalar"));
+  const CertificateRow in_float = row_of<float>(system, Losing::everywhere);
+  CHECK(in_float.loss.value_or(0) == Approx(1e7));
+  CHECK(mentions(in_float.worst, "7.0 digits of potential_energy"));
 }
 
 TEST_CASE("where K has no value nothing is said of a loss") {

@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
 
 #include "elgen/outputs.hpp"
+#include "elgen/scalars.hpp"
 #include "verify/states/tally.hpp"
 
 namespace elgen {
@@ -189,9 +189,8 @@ class LostDigits {
   [[nodiscard]] bool is_empty() const { return states_ == 0; }
 
   /// The entry that loses most and its state, both of what one rounding of the inputs would cost,
-  /// and of the largest entry of its field. Noted where that is more than half of `digits`, those
-  /// of the scalar.
-  [[nodiscard]] CertificateRow row(double digits) const;
+  /// and of the largest entry of its field. Noted where that is more than half of all digits.
+  [[nodiscard]] CertificateRow row(ScalarKind scalar) const;
 
  private:
   struct Worst {
@@ -215,9 +214,6 @@ std::string name_of_entry(const FieldPlace& place, std::size_t entry) {
   return fmt::format("{}[{},{}]", name, row, entry % field.columns + 1);
 }
 
-/// Of a loss of so many u.
-double digits_of(double figure) { return figure > 1 ? std::log10(figure) : 0; }
-
 void LostDigits::add(const FieldPlace& place, const Finding& finding, const Subject& subject,
                      const State& state, std::size_t at) {
   if (!finding.loss) return;
@@ -231,27 +227,29 @@ void LostDigits::add(const FieldPlace& place, const Finding& finding, const Subj
   record(of_field_, finding.loss->of_field);
 }
 
-CertificateRow LostDigits::row(double digits) const {
+CertificateRow LostDigits::row(ScalarKind scalar) const {
+  const int all = decimal_digits(scalar);
+  const double of_entry = digits_lost(of_entry_.figure, scalar);
+  const double of_field = digits_lost(of_field_.figure, scalar);
   CertificateRow row;
   row.check = "digits lost";
   row.formula =
-      "log10 of |x - x*| / (u R), R = |x*| + K, K = sum |z dx/dz| over inputs, parameters and "
-      "literals: what their own rounding costs; in brackets of |x - x*| / (u max |x*|) of a field";
+      "log10 of |x - x*| / (u R), R = |x*| + K, max |x*| of the field for an x* of 0, K = sum "
+      "|z dx/dz| over inputs and parameters: what their own rounding costs; in brackets of |x - "
+      "x*| / (u max |x*|) of a field; at most all digits";
   row.samples = states_;
-  row.loss = of_entry_.figure;
-  row.loss_of_field = of_field_.figure;
-  const double of_field = digits_of(of_field_.figure);
-  const bool is_grave = of_field > digits / 2;
+  row.loss = std::min(of_entry_.figure, std::pow(10.0, all));
+  row.loss_of_field = std::min(of_field_.figure, std::pow(10.0, all));
+  const bool is_grave = of_field > all / 2.0;
   const Worst& told = is_grave ? of_field_ : of_entry_;
-  row.worst =
-      fmt::format("{:.1f} digits{} (of the largest entry {:.1f})", digits_of(of_entry_.figure),
-                  of_entry_.entry.empty() ? "" : " of " + of_entry_.entry, of_field);
+  row.worst = fmt::format("{:.1f} digits{} (of the largest entry {:.1f})", of_entry,
+                          of_entry_.entry.empty() ? "" : " of " + of_entry_.entry, of_field);
   if (is_grave && of_field_.entry != of_entry_.entry) row.worst += ", in " + of_field_.entry;
   row.where = told.where;
   row.tolerance = fmt::format(
-      "a figure; noted beyond {:.1f} of the {:.1f} digits of the scalar, of "
-      "the largest entry of a field",
-      digits / 2, digits);
+      "a figure; noted beyond {:.1f} of the {} digits of the scalar, of the largest entry of a "
+      "field",
+      all / 2.0, all);
   row.verdict = is_grave ? Verdict::noted : Verdict::holds;
   return row;
 }
@@ -280,11 +278,10 @@ std::vector<CertificateRow> rows_at(const Subject& subject,
     rows.push_back(row_of(subject, record, scalar, options));
   }
   if (options.visit.as_users != nullptr) rows.push_back(as_users.row(subject, scalar));
-  constexpr int binary_digits = std::numeric_limits<Scalar>::digits;
   for (const Function& function : subject.program.functions) {
     const LostDigits& lost = losses[&function];
     if (lost.is_empty()) continue;
-    CertificateRow row = lost.row(binary_digits * std::log10(2));
+    CertificateRow row = lost.row(scalar_kind<Scalar>);
     row.output = function.name;
     row.subject = fmt::format("{} ({})", function.name, scalar);
     rows.push_back(std::move(row));

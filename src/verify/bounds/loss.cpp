@@ -2,6 +2,7 @@
 #include "verify/bounds/loss.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "base/more_digits.hpp"
 
@@ -29,7 +30,58 @@ Real norm(const SolvedColumn& column, const std::vector<Real>& values) {
   return sqrt(square);
 }
 
+/// The magnitudes that errors are compared with: |x*|; the largest of the field where that is 0, or
+/// all of its column are.
+std::vector<Real> scales_of(const std::vector<Real>& exact,
+                            const std::vector<SolvedColumn>& columns) {
+  std::vector<Real> scales;
+  Real largest;
+  for (const Real& x : exact) {
+    scales.push_back(abs(x));
+    largest = max(largest, abs(x));
+  }
+  const auto scale = [&](const std::vector<std::size_t>& entries) {
+    const auto is_there = [&](std::size_t i) { return exceeds(scales[i], Real()); };
+    if (std::ranges::any_of(entries, is_there)) return;
+    for (const std::size_t i : entries) scales[i] = largest;
+  };
+  for (const SolvedColumn& column : columns) scale(column.entries);
+  const std::vector<bool> by_norm = entries_in(columns, exact.size());
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    if (!by_norm[i]) scale({i});
+  }
+  return scales;
+}
+
+/// The constants that parameters which a scene fixed may have left, alone or multiplied. Literals
+/// of the model are none, powers of two scale without error, and what has pi or a root in it is
+/// left by a parameter of that kind alone.
+std::vector<bool> constants_of_fixed(const Model& model, const Scene& scene,
+                                     const Program& program) {
+  const FixedParameters& fixed = scene.specialisation.fixed;
+  if (fixed.empty()) return {};
+  const bool has_irrational =
+      std::ranges::any_of(fixed, [](const auto& x) { return x.second.form.has_value(); });
+  std::set<cln::cl_R> literals;
+  for (const Expression& x : model.expressions) {
+    if (x.kind == ExpressionKind::number) literals.insert(cln::abs(x.number));
+  }
+  std::vector<bool> result;
+  for (const Constant& constant : program.constants) {
+    const cln::cl_R magnitude = cln::abs(constant.value);
+    const bool is_literal = literals.contains(magnitude) || is_power_of_two(Real(magnitude));
+    result.push_back(!is_literal && (has_irrational || is_rational(constant)));
+  }
+  return result;
+}
+
 }  // namespace
+
+Losses::Losses(const Subject& subject, const State& state, const Rounding& rounding)
+    : subject_(subject),
+      state_(state),
+      rounding_(rounding),
+      fixed_(constants_of_fixed(subject.model, subject.scene, subject.program)) {}
 
 const std::vector<Running>& Losses::errors(const Function& function) {
   auto known = errors_.find(&function);
@@ -47,18 +99,15 @@ const std::vector<Running>& Losses::errors(const Function& function) {
   return errors_.emplace(&function, std::move(values)).first->second;
 }
 
-/// R of an entry.
-Real Losses::reference(const FieldPlace& place, std::size_t entry) {
+/// K of an entry.
+Real Losses::conditioning(const FieldPlace& place, std::size_t entry) {
   const Function& function = *place.function;
   const std::vector<Running>& own = errors(function);
-  std::unique_ptr<Conditioning>& conditioning = conditioning_[&function];
-  if (conditioning == nullptr) {
-    const bool has_fixed = !subject_.scene.specialisation.fixed.empty();
-    conditioning =
-        std::make_unique<Conditioning>(subject_.program, function, values_of(own), rounding_,
-                                       has_fixed ? Literals::all : Literals::not_binary);
+  std::unique_ptr<Conditioning>& known = conditioning_[&function];
+  if (known == nullptr) {
+    known = std::make_unique<Conditioning>(subject_.program, function, values_of(own), fixed_);
   }
-  return conditioning->reference(place.field().entries[entry]);
+  return known->of(place.field().entries[entry]);
 }
 
 bool Losses::knows_angles() const {
@@ -70,14 +119,16 @@ bool Losses::knows_angles() const {
   return true;
 }
 
-Real Losses::norm_of_references(const FieldPlace& place, const SolvedColumn& column) {
-  std::vector<Real> references(place.field().entries.size());
-  for (const std::size_t entry : column.entries) references[entry] = reference(place, entry);
-  return norm(column, references);
+Real Losses::norm_of_references(const FieldPlace& place, const SolvedColumn& column,
+                                std::vector<Real> scales) {
+  for (const std::size_t entry : column.entries) {
+    scales[entry] = scales[entry] + conditioning(place, entry);
+  }
+  return norm(column, scales);
 }
 
 double Losses::of_entry(const FieldPlace& place, std::size_t entry, const std::vector<Real>& errors,
-                        const std::vector<Real>& exact, const std::vector<SolvedColumn>& columns) {
+                        const std::vector<Real>& scales, const std::vector<SolvedColumn>& columns) {
   static const Real tolerated(cln::cl_RA(static_cast<long>(tolerated_loss)));
   const Real threshold = tolerated * rounding_.roundoff;
   const auto has_entry = [entry](const SolvedColumn& column) {
@@ -86,20 +137,20 @@ double Losses::of_entry(const FieldPlace& place, std::size_t entry, const std::v
   const auto column = std::ranges::find_if(columns, has_entry);
   const bool by_norm = column != columns.end();
   const Real error = by_norm ? norm(*column, errors) : errors[entry];
-  const Real value = by_norm ? norm(*column, exact) : abs(exact[entry]);
-  // R >= |x*|, which costs nothing.
-  if (!exceeds(error, threshold * value)) return in_bounds(error, value, rounding_);
+  const Real scale = by_norm ? norm(*column, scales) : scales[entry];
+  // R is no less than the scale, which costs nothing.
+  if (!exceeds(error, threshold * scale)) return in_bounds(error, scale, rounding_);
   const Real reference =
-      by_norm ? norm_of_references(place, *column) : this->reference(place, entry);
+      by_norm ? norm_of_references(place, *column, scales) : scale + conditioning(place, entry);
   return reference.is_defined() ? in_bounds(error, reference, rounding_) : 0;
 }
 
 LostEntry Losses::of_largest(const std::vector<Real>& errors,
-                             const std::vector<Real>& exact) const {
+                             const std::vector<Real>& scales) const {
   const auto largest =
       std::ranges::max_element(errors, [](const Real& x, const Real& y) { return exceeds(y, x); });
   Real value;
-  for (const Real& x : exact) value = max(value, abs(x));
+  for (const Real& scale : scales) value = max(value, scale);
   if (largest == errors.end() || !exceeds(value, Real())) return {};
   return {in_bounds(*largest, value, rounding_),
           static_cast<std::size_t>(largest - errors.begin())};
@@ -107,17 +158,18 @@ LostEntry Losses::of_largest(const std::vector<Real>& errors,
 
 Loss Losses::of_field(const FieldPlace& place, const std::vector<Real>& errors,
                       const std::vector<Real>& exact, const std::vector<SolvedColumn>& columns) {
-  Loss loss{{}, of_largest(errors, exact)};
+  const std::vector<Real> scales = scales_of(exact, columns);
+  Loss loss{{}, of_largest(errors, scales)};
   LostEntry& worst = loss.of_entry;
   const auto look_at = [&](std::size_t entry) {
-    const double figure = of_entry(place, entry, errors, exact, columns);
+    const double figure = of_entry(place, entry, errors, scales, columns);
     if (figure > worst.figure) worst = {figure, entry};
   };
   for (const SolvedColumn& column : columns) look_at(column.entries.front());
   const std::vector<bool> by_norm = entries_in(columns, errors.size());
-  std::vector<std::pair<double, std::size_t>> most;  // what each may lose, as R >= |x*|
+  std::vector<std::pair<double, std::size_t>> most;  // what each may lose, as R is no less
   for (std::size_t i = 0; i < errors.size(); ++i) {
-    if (!by_norm[i]) most.emplace_back(in_bounds(errors[i], abs(exact[i]), rounding_), i);
+    if (!by_norm[i]) most.emplace_back(in_bounds(errors[i], scales[i], rounding_), i);
   }
   std::ranges::sort(most, std::ranges::greater());
   for (const auto& [figure, entry] : most) {

@@ -2,6 +2,8 @@
 //
 //     loss = max(0, |x - x*| - N eta) / (u R),     R = |x*| + K
 //
+// Where x* is 0 on paper the largest |x*| of the field takes its place in R, as errors are noise
+// beside it.
 // K = sum |z dx/dz| (evaluate/conditioning.hpp) is what one rounding of every input would cost, so
 // that an angle of 1e15 rad, which is known to a tenth, excuses what is made of it. In solutions of
 // M x = b the norm |D^1/2 x| is taken of errors and of R alike. It is looked at only where |x - x*|
@@ -33,8 +35,7 @@ struct Loss {
 class Losses {
  public:
   /// All arguments outlive it.
-  Losses(const Subject& subject, const State& state, const Rounding& rounding)
-      : subject_(subject), state_(state), rounding_(rounding) {}
+  Losses(const Subject& subject, const State& state, const Rounding& rounding);
 
   /// Whether angles are known well enough for K, which is of first order: to 1/1000 rad.
   [[nodiscard]] bool knows_angles() const;
@@ -47,17 +48,19 @@ class Losses {
 
  private:
   const std::vector<Running>& errors(const Function& function);
-  Real reference(const FieldPlace& place, std::size_t entry);
+  Real conditioning(const FieldPlace& place, std::size_t entry);
   [[nodiscard]] double of_entry(const FieldPlace& place, std::size_t entry,
-                                const std::vector<Real>& errors, const std::vector<Real>& exact,
+                                const std::vector<Real>& errors, const std::vector<Real>& scales,
                                 const std::vector<SolvedColumn>& columns);
   [[nodiscard]] LostEntry of_largest(const std::vector<Real>& errors,
-                                     const std::vector<Real>& exact) const;
-  Real norm_of_references(const FieldPlace& place, const SolvedColumn& column);
+                                     const std::vector<Real>& scales) const;
+  Real norm_of_references(const FieldPlace& place, const SolvedColumn& column,
+                          std::vector<Real> scales);
 
   const Subject& subject_;
   const State& state_;
   const Rounding& rounding_;
+  std::vector<bool> fixed_;  ///< of the program's constants, those that fixed parameters have left
   std::map<const Function*, std::vector<Running>> errors_ = {};  ///< of all instructions
   std::map<const Function*, std::unique_ptr<Conditioning>> conditioning_ = {};
 };

@@ -263,8 +263,8 @@ void Visit<Scalar>::measure_users(const FieldPlace& place, const Judged& judged,
   finding.users_imprecision = std::move(users.imprecision);
 }
 
-/// Exact values have 60 digits of the largest of what they are made of: errors that are no larger
-/// than what is left out of them say nothing, nor do those of what underflows on the way.
+/// Exact values have 60 digits of the largest of what they are made of: values and errors that are
+/// no larger than what is left out of them are 0, and so are errors of what underflows on the way.
 template <class Scalar>
 auto Visit<Scalar>::deviations(const FieldPlace& place, const Judged& judged,
                                std::span<const Scalar> values, std::size_t operations) const
@@ -275,9 +275,10 @@ auto Visit<Scalar>::deviations(const FieldPlace& place, const Judged& judged,
     const Bound& own = exact_.entries[place.first + i];
     if (!own.value.is_defined()) return std::nullopt;
     const Real error = excess_error(values[i], own.value, operations, rounding<Scalar>());
-    const bool is_known = error.value() > (own.bound * negligible).value();
+    const Real unknown = own.bound * negligible;
+    const bool is_known = error.value() > unknown.value();
     result.errors.push_back(is_known && !own.underflows ? error : Real());
-    result.exact.push_back(own.value);
+    result.exact.push_back(abs(own.value).value() > unknown.value() ? own.value : Real());
   }
   return result;
 }

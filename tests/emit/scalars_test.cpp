@@ -1,0 +1,60 @@
+// Scalars of emitted headers: right numbers in every kind that is promised, and a sentence for
+// those that have too few digits.
+#include <catch2/catch.hpp>
+
+#include "support/shell.hpp"
+
+using namespace elgen;
+
+namespace {
+
+const std::string programs = std::string(ELGEN_SOURCE_DIR) + "/tests/emit/compiled/";
+
+/// A folder with the header of tests/emit/compiled/swing.scene.toml.
+struct Swing : test::Workspace {
+  Swing() { prepare("elgen generate -q -o . " + programs + "swing.scene.toml"); }
+
+  [[nodiscard]] test::Outcome compiled(const std::string& command) const {
+    return run(command + " -std=c++17 -isystem /usr/include/eigen3 -I.");
+  }
+};
+
+}  // namespace
+
+TEST_CASE("right numbers in every kind of scalar") {
+  const std::string compiler = GENERATE("g++", "clang++");
+  const Swing swing;
+  const test::Outcome built = swing.compiled(
+      compiler + " -O2 -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror " +
+      "-Wno-psabi -Wno-ignored-attributes " + programs + "scalars.cpp -o scalars -lquadmath");
+  INFO(compiler << "\n" << built.errors);
+  REQUIRE(built.status == 0);
+  for (const char* const type : {"float", "double", "long_double", "float128", "cpp_bin_float",
+                                 "complex", "dual", "interval", "autodiff", "simd"}) {
+    const test::Outcome found = swing.run(std::string("./scalars ") + type);
+    INFO(type << "\n" << found.output);
+    CHECK(found.status == 0);
+  }
+}
+
+TEST_CASE("half precision, fixed point and integers are refused") {
+  const std::string compiler = GENERATE("g++", "clang++");
+  const Swing swing;
+  const auto errors_with = [&](const std::string& scalar) {
+    const test::Outcome built = swing.compiled(compiler + " -fsyntax-only '-DSCALAR=" + scalar +
+                                               "' " + programs + "refused_scalar.cpp");
+    return built.status == 0 ? std::string() : built.errors;
+  };
+  for (const char* const scalar :
+       {"int", "unsigned long", "Eigen::half", "Eigen::bfloat16", "std::complex<Eigen::half>",
+        "Fixed", "FixedPair", "Described"}) {
+    INFO(scalar);
+    CHECK(test::mentions(errors_with(scalar),
+                         "half precision, fixed point and integers have too few digits"));
+  }
+  // clang++ 14 has no _Float16 on this machine.
+  if (compiler == "g++") {
+    CHECK(test::mentions(errors_with("_Float16"), "half precision, fixed point and integers"));
+  }
+  CHECK(errors_with("double").empty());
+}
