@@ -41,9 +41,10 @@ struct OutputRequest {
   std::string name = {};   ///< of the emitted function: renamed, or the standard one
   std::uint32_t rows = 1;  ///< of the (single or first) field
   std::uint32_t columns = 1;
-  Span span = {};                 ///< where it was asked for
-  std::optional<Form> form = {};  ///< asked for; otherwise the cheaper one
-  std::uint32_t iterations = 0;   ///< of a `step` whose method is implicit
+  Span span = {};                    ///< where it was asked for
+  std::optional<Form> form = {};     ///< asked for; otherwise the cheaper one
+  std::uint32_t iterations = 0;      ///< of a `step` whose method is implicit
+  std::uint32_t composed_order = 0;  ///< of a `step` whose method is composed; 0: it is not
 };
 
 /// The criterion that decides between ways to compute the same.
@@ -134,7 +135,7 @@ struct CheckedModel {
 struct SceneOptions {
   SourcePaths paths = {};                   ///< empty: names of files
   std::vector<SourcePointer> outputs = {};  ///< "mass_matrix,bias"
-  std::optional<StepMethod> step = {};      ///< beside these `step`, by this method
+  std::optional<ChosenStep> step = {};      ///< beside these `step`, by this method
   std::vector<SourcePointer> fixed = {};    ///< "NAME", "NAME=VALUE" or "all"
   std::vector<SourcePointer> sizes = {};    ///< "n=20"
   std::vector<SourcePointer> values = {};   ///< "m=2": of parameters that stay parameters

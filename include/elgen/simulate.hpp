@@ -17,8 +17,8 @@ namespace elgen {
 /// Times in s. Of step and tolerance at most one is given: a method of fixed step takes a step, the
 /// others choose theirs to an error of `tolerance` absolute and relative.
 struct SimulationOptions {
-  std::string method = "dopri5";  ///< of simulate/steps/methods.cpp
-  bool is_reference = false;      ///< by a method of order 8 in its place, to a tolerance
+  std::string method = "dopri5";            ///< of simulate/steps/methods.cpp
+  std::optional<std::uint32_t> order = {};  ///< none: that of the method without composition
   double from = 0;
   double time = 0;                       ///< how long
   std::optional<double> step = {};       ///< the longest one; a whole number fill every interval
@@ -53,7 +53,7 @@ struct TrajectoryColumn {
 
 struct Trajectory {
   std::string model = {};
-  std::string method = {};
+  std::string method = {};  ///< "verlet of order 8"
   double from = 0;
   std::vector<TrajectoryColumn> columns = {};  ///< t, q, v, u with laws, E
   std::vector<std::vector<double>> rows = {};
@@ -68,21 +68,33 @@ struct Trajectory {
   double nanoseconds = 0;  ///< per step
 };
 
-/// The errors of a run that are found before anything is derived: E620, E621.
+/// The errors of a run that are found before anything is derived: E620, E621, E647.
 [[nodiscard]] Diagnostics refuse_run(const SimulationOptions& options);
 
 /// The outputs that every run calls of a model, as --outputs has them.
 [[nodiscard]] std::string outputs_of_run(const Model& model);
 
 /// The `step` whose program a run goes by, beside these outputs; none where it calls accelerations.
-[[nodiscard]] std::optional<StepMethod> step_of_run(const SimulationOptions& options);
+[[nodiscard]] std::optional<ChosenStep> step_of_run(const SimulationOptions& options);
 
 /// Runs from the model's start, by what was compiled; where that is null, in the evaluator. E620,
-/// E621, E623, E624. Cost: one step of the program, or a few calls of the equations of motion, per
-/// step, and of the energies for each.
+/// E621, E623, E624, E647. Cost: one step of the program, or a few calls of the equations of
+/// motion, per step, and of the energies for each.
 [[nodiscard]] Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
                                           const CompiledModel* compiled,
                                           const SimulationOptions& options);
+
+/// Coordinates and rates at the end of a run, from which errors of others are measured.
+struct ReferenceRun {
+  std::vector<double> last = {};     ///< to 1e-15, in long double
+  std::vector<double> rougher = {};  ///< to 1e-12, in double
+  std::vector<double> largest = {};  ///< of each the largest magnitude on the way
+};
+
+/// By Fehlberg's method of order 8 from the model's start on, in the evaluator; laws of inputs at
+/// every stage. E623, E624.
+[[nodiscard]] Result<ReferenceRun> reference_run(const CheckedModel& checked,
+                                                 const Program& program, double time);
 
 /// The last state, the drifts and the cost of a step, for people.
 [[nodiscard]] std::string to_text(const Trajectory& trajectory);

@@ -1,15 +1,24 @@
 // The methods of `step` (step_methods.def), which are straight-line code: explicit ones, and
-// implicit ones of a fixed number of iterations.
+// implicit ones of a fixed number of iterations; and compositions of those that are symmetric.
+//
+//     Phi_h of order 2, Phi_{-h} its inverse   ->   Phi_{g_s h} ... Phi_{g_1 h},   g_i = g_{s+1-i}
+//
+// is of order 4 where sum g_i = 1 and sum g_i^3 = 0, of order 8 by six conditions more. Hairer,
+// Lubich, Wanner, Geometric Numerical Integration, 2nd ed., sec. V.3.2.
 #pragma once
 
+#include <cln/rational.h>
+
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 namespace elgen {
 
 enum class StepMethod : std::uint8_t {
-#define ELGEN_STEP_METHOD(name, domain, iterations, doc, equation) name,
+#define ELGEN_STEP_METHOD(name, domain, order, iterations, doc, equation) name,
 #include "elgen/step_methods.def"
 #undef ELGEN_STEP_METHOD
 };
@@ -23,6 +32,7 @@ struct StepMethodRow {
   StepMethod id;
   std::string_view name;
   StepDomain domain;
+  std::uint32_t order;       ///< without composition
   std::uint32_t iterations;  ///< 0: explicit
   std::string_view doc;
   std::string_view equation;
@@ -30,10 +40,25 @@ struct StepMethodRow {
 
 /// step_methods.def
 inline constexpr std::array step_methods{
-#define ELGEN_STEP_METHOD(name, domain, iterations, doc, equation) \
-  StepMethodRow{StepMethod::name, #name, StepDomain::domain, iterations, doc, equation},
+#define ELGEN_STEP_METHOD(name, domain, order, iterations, doc, equation) \
+  StepMethodRow{StepMethod::name, #name, StepDomain::domain, order, iterations, doc, equation},
 #include "elgen/step_methods.def"
 #undef ELGEN_STEP_METHOD
 };
+
+/// The `step` that is asked for.
+struct ChosenStep {
+  StepMethod method = {};
+  std::uint32_t composed_order = 0;  ///< 0: not composed
+  friend auto operator<=>(const ChosenStep&, const ChosenStep&) = default;
+};
+
+/// The orders that there are of a method that is itself of order `own`: 2 -> 2, 4, 8.
+[[nodiscard]] std::vector<std::uint32_t> step_orders(std::uint32_t own);
+
+/// g_1 ... g_s of an order that is composed, of which the middle one is the longest: of 4 Suzuki's,
+/// whose errors are a ninth of those of Yoshida's for as many accelerations, of 8 Kahan and Li's.
+/// 1 alone where the order is 0.
+[[nodiscard]] std::vector<cln::cl_RA> step_parts(std::uint32_t composed_order);
 
 }  // namespace elgen

@@ -1,6 +1,8 @@
-// Timing: an emitted function on arrays of states, compiled as users compile, to be timed.
+// Timing: an emitted function on arrays of states, or an emitted step in a loop, compiled as users
+// compile, to be timed.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -40,5 +42,25 @@ struct TimingOptions {
 [[nodiscard]] Result<TimedFunctions> compile_timed(const EmittedFiles& files, const Model& model,
                                                    const Scene& scene, const Program& program,
                                                    const TimingOptions& options);
+
+/// Goes `steps` steps of length h from time t on, with inputs that stay. The q and v of `count`
+/// states side by side: number k of state i at [k * count + i], as of inputs. `spare` is
+/// overwritten; it and `state` are as long as the results of the step for all states.
+using StepLoop = void (*)(std::size_t count, std::size_t steps, double t, double h,
+                          const double* inputs, double* state, double* spare);
+
+/// An emitted `step` in loops.
+struct StepLoops {
+  std::shared_ptr<const void> code = {};  ///< lives as long as the loops are called
+  StepLoop one = nullptr;                 ///< of one state, whatever the count is
+  StepLoop in_packs = nullptr;
+  std::size_t entries = 0;  ///< of the result of the step
+};
+
+/// Of the first function of a program, a `step`, in double, whose scene has a batch; parameters
+/// have their values in the model and are arguments. Errors and cost as of compile_timed.
+[[nodiscard]] Result<StepLoops> compile_steps(const EmittedFiles& files, const Model& model,
+                                              const Scene& scene, const Program& program,
+                                              const Limits& limits);
 
 }  // namespace elgen

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,9 +27,11 @@ struct DesignBase {
 struct Design {
   ScalarKind scalar = ScalarKind::double_precision;  ///< or float
   bool in_packs = false;
-  std::string trigonometry = {};  ///< max_error of polynomials; "": as accurate as the scalar
-  bool is_fixed = false;          ///< every parameter is a number
-  std::string order = {};         ///< of an expansion, or "exact": nothing is approximated
+  std::string trigonometry = {};        ///< max_error of polynomials; "": as accurate as the scalar
+  bool is_fixed = false;                ///< every parameter is a number
+  std::string order = {};               ///< of an expansion, or "exact": nothing is approximated
+  std::optional<ChosenStep> step = {};  ///< in the place of the output
+  std::string doc = {};                 ///< of the scene
   friend bool operator==(const Design&, const Design&) = default;
 };
 
@@ -116,29 +119,46 @@ void by_turns(std::vector<std::vector<double>>& figures, const Rounds& rounds,
 /// Of at least one number.
 [[nodiscard]] Spread spread_of(std::vector<double> numbers);
 
-/// A run by one method, in steps of one length or to one tolerance.
+/// A run by an emitted step of one length.
 struct PlannedRun {
-  std::vector<std::string> values = {};  ///< method, step
-  SimulationOptions options = {};
+  std::vector<std::string> values = {};  ///< method, order, step, batch
+  Design design = {};
+  std::size_t steps = 0;
 };
 
-/// All methods, each in a few lengths of steps or to a few tolerances.
+/// All methods and orders, each in a few lengths of steps, by one state and in packs.
 [[nodiscard]] std::vector<PlannedRun> planned_runs(double time);
 
-/// The reference of the errors of runs: a method of order 8 at a tolerance of 1e-12, with rows.
-[[nodiscard]] SimulationOptions reference_run(double time);
+/// q and v at the end of a run from the model's start; in each step inputs keep what their laws are
+/// where it starts. `program` is that of the equations, which simulate() takes.
+[[nodiscard]] std::vector<double> end_of_run(const CheckedModel& checked, const Program& program,
+                                             const StepLoops& loops, const PlannedRun& run,
+                                             double time);
+
+/// Some steps of a length from the model's start, to be timed.
+struct TimedSteps {
+  std::function<void()> work = {};
+  std::size_t count = 0;  ///< steps, of all states together
+};
+
+/// Of one state, or of 256 side by side in packs.
+[[nodiscard]] TimedSteps timed_steps(const CheckedModel& checked, const Program& program,
+                                     const StepLoops& loops, bool in_packs, double length);
 
 /// Of coordinates and rates at the end: the distance from the reference / the largest magnitude of
 /// that number in the reference; the largest and the median one. Angles that wrap are near each
 /// other across the jump.
-[[nodiscard]] DesignErrors errors_of(const Trajectory& run, const Trajectory& reference,
+[[nodiscard]] DesignErrors errors_of(const std::vector<double>& last, const ReferenceRun& reference,
                                      const Model& model);
 
 struct TradeoffRow {
   std::vector<std::string> values = {};  ///< of the dimensions
+  Design design = {};
   Spread cost = {};
   DesignErrors error = {};
   std::string failure = {};  ///< why there is neither cost nor error; "": there is
+  /// The error is that of the reference, which the row's own is not told from.
+  bool is_below_reference = false;
   bool is_on_front = false;  ///< nothing is as cheap and more accurate, or as accurate and cheaper
 };
 
@@ -149,15 +169,12 @@ struct TradeoffTable {
   std::string error = {};    ///< likewise
   std::vector<std::string> dimensions = {};
   std::vector<TradeoffRow> rows = {};       ///< cheapest first, failed ones last
-  std::vector<std::string> sentences = {};  ///< of runs: why a method has none
+  std::vector<std::string> sentences = {};  ///< of runs, below the table
   Machine machine = {};
 };
 
 /// Sorts the rows, and marks the front.
 [[nodiscard]] TradeoffTable judged(TradeoffTable table);
-
-/// The design that was planned as this row of a table of designs.
-[[nodiscard]] Design design_of(const TradeoffTable& table, const TradeoffRow& row);
 
 /// "float, packs, full, fixed"
 [[nodiscard]] std::string name_of(const TradeoffRow& row);

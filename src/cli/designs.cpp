@@ -24,16 +24,6 @@ std::string default_output(const Scene& scene) {
   return usual != scene.outputs.end() ? usual->name : scene.outputs.front().name;
 }
 
-/// Leaves the output alone of what was derived; a lock may have asked for its reaction too.
-void keep_only(const std::string& output, Products& products) {
-  const auto is_other = [&output](const auto& named) { return named.name != output; };
-  std::erase_if(products.checked->scene.outputs, is_other);
-  if (!products.program) return;
-  Program& program = *products.program;
-  std::erase_if(program.functions, is_other);
-  std::erase_if(program.readable, is_other);
-}
-
 /// States that each design goes through in a turn: they fit a cache, in which their arrays do not
 /// lie at the same places, as those of 1024 would; and the largest error of more is hardly larger.
 constexpr std::size_t state_count = 1000;
@@ -131,7 +121,8 @@ class DesignBench {
     states_ = std::move(*states);
     result_.table.dimensions = planned->dimensions;
     designs_ = std::move(planned->designs);
-    for (const PlannedDesign& each : designs_) rows_.push_back({.values = each.values});
+    for (const PlannedDesign& each : designs_)
+      rows_.push_back({.values = each.values, .design = each.design});
     return {};
   }
 
@@ -228,6 +219,15 @@ class DesignBench {
 };
 
 }  // namespace
+
+void keep_only(const std::string& output, Products& products) {
+  const auto is_other = [&output](const auto& named) { return named.name != output; };
+  std::erase_if(products.checked->scene.outputs, is_other);
+  if (!products.program) return;
+  Program& program = *products.program;
+  std::erase_if(program.functions, is_other);
+  std::erase_if(program.readable, is_other);
+}
 
 Result<OutputBase> output_base(const Inputs& inputs, const std::string& output,
                                const Limits& limits, std::vector<SourcePointer>& sources) {

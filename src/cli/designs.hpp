@@ -25,6 +25,9 @@ struct OutputBase {
                                              const Limits& limits,
                                              std::vector<SourcePointer>& sources);
 
+/// Leaves the output alone of what was derived; a lock may have asked for its reaction too.
+void keep_only(const std::string& output, Products& products);
+
 struct DesignRequest {
   std::string path = {};  ///< as the command line has it
   Inputs inputs = {};

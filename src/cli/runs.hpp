@@ -1,4 +1,4 @@
-// Runs of a model or scene in time by all methods and steps, as a table.
+// Runs of a model or scene in time by all steps that can be emitted, as a table.
 #pragma once
 
 #include "cli/options.hpp"
@@ -14,6 +14,7 @@ struct RunRequest {
 
 /// Not judged. Warnings of the model are among the diagnostics; methods that are not for the system
 /// are named in a sentence. E621, E623, E624 of the reference, and what its stages say of a model.
+/// Cost: a derivation and a compilation for each method and order.
 [[nodiscard]] Result<TradeoffTable> measured_runs(const RunRequest& request, const Limits& limits);
 
 }  // namespace elgen::cli

@@ -29,7 +29,7 @@ ExitCode report_products(const GlobalOptions& global, const Products& products) 
 }
 
 Products derived_for_run(const std::string& path, const Inputs& inputs, PipelineOptions options,
-                         std::optional<StepMethod> step) {
+                         const std::optional<ChosenStep>& step) {
   options.scene.close_functions = true;
   PipelineOptions first = options;
   first.goals = {Goal::check};

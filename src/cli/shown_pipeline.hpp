@@ -26,7 +26,8 @@ ExitCode report_products(const GlobalOptions& global, const Products& products);
 /// For a run in time, with the outputs that it calls and the `step` that it goes by, whatever the
 /// scene asks for; shown under `path`. E622 where the method is not for the system.
 [[nodiscard]] Products derived_for_run(const std::string& path, const Inputs& inputs,
-                                       PipelineOptions options, std::optional<StepMethod> step);
+                                       PipelineOptions options,
+                                       const std::optional<ChosenStep>& step);
 
 /// Compiled for double, for a run that is not by a program of `step`: in C++, whatever the scene
 /// emits. Errors as of `compile`.

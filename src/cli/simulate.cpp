@@ -85,6 +85,9 @@ void add_numbers(CLI::App& command, SimulationOptions& run) {
   command.add_option("--from", run.from, "time at the start")->capture_default_str();
   command.add_option("--method", run.method, "rk4, dopri5, verlet or midpoint")
       ->capture_default_str();
+  command.add_option_function<std::uint32_t>(
+      "--order", [&run](std::uint32_t given) { run.order = given; },
+      "of verlet and midpoint: 2 (unless given), 4 or 8");
   const auto number = [&command](const char* name, std::optional<double>& value, const char* doc) {
     return command.add_option_function<double>(
         name, [&value](double given) { value = given; }, doc);

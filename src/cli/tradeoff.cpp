@@ -66,11 +66,12 @@ ExitCode choose_row(const GlobalOptions& global, const TradeoffOutput& output, c
                            name_of(*row), row->cost.median, row->error.worst));
   if (output.scene_file.empty()) return ExitCode::success;
   std::vector<SourcePointer> sources;
-  const Result<OutputBase> base = output_base(inputs, table.subject, global.limits, sources);
+  const std::string subject = row->design.step ? "" : table.subject;
+  const Result<OutputBase> base = output_base(inputs, subject, global.limits, sources);
   if (!base) return report(global, base.diagnostics);
   const std::string path = model_path(inputs, output.scene_file);
-  files.push_back({output.scene_file, scene_text(base->base(), design_of(table, *row), path),
-                   Replaces::nothing});
+  files.push_back(
+      {output.scene_file, scene_text(base->base(), row->design, path), Replaces::nothing});
   return ExitCode::success;
 }
 
@@ -164,8 +165,9 @@ CLI::Option* add_number(CLI::App& command, const char* name, std::optional<doubl
 
 /// The options for the designs and the ranges in which they are looked at, or for the runs.
 void add_subject(CLI::App& command, TradeoffOptions& options) {
-  CLI::Option* const time = add_number(command, "--trajectory", options.time,
-                                       "runs of so many s by all methods, instead of an output");
+  CLI::Option* const time =
+      add_number(command, "--trajectory", options.time,
+                 "runs of so many s by all steps that can be emitted, instead of an output");
   command.add_option("--of", options.of, "which output (inverse_dynamics)")
       ->type_name("OUTPUT")
       ->excludes(time);
@@ -188,8 +190,7 @@ void add_output(CLI::App& command, TradeoffOutput& output) {
                  "name the cheapest design whose worst error is at most this");
   command.add_option("--write-scene", output.scene_file, "write that design as a scene")
       ->type_name("FILE")
-      ->needs(max_error)
-      ->excludes(command.get_option("--trajectory"));
+      ->needs(max_error);
   command.add_option("--as", output.as, "of the table: text (unless given), json or csv")
       ->check(CLI::IsMember({"text", "json", "csv"}));
   command.add_option("-o,--output", output.file, "write the table (.svg, .json or .csv)")

@@ -255,6 +255,13 @@ class InterfaceComparison {
       add(Impact::different,
           fmt::format("the method of {} is {} where it was {}", in_backticks(now.name),
                       step_methods[now.user].name, step_methods[old.user].name));
+    } else if (old.composed_order != now.composed_order) {
+      const std::uint32_t own = step_methods[now.user].order;
+      const auto order = [own](const OutputRequest& step) {
+        return step.composed_order > 0 ? step.composed_order : own;
+      };
+      add(Impact::different, fmt::format("{} is of order {} where it was of order {}",
+                                         in_backticks(now.name), order(now), order(old)));
     } else if (old.iterations != now.iterations) {
       add(Impact::different, fmt::format("{} has {} where it had {}", in_backticks(now.name),
                                          counted(now.iterations, "iteration"), old.iterations));

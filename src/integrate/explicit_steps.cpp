@@ -19,14 +19,23 @@ class Explicit {
             compose_.moved(step_.start.v, sixth, weighted(k, &Rates::v))};
   }
 
+  /// The kick at the end of a part and that at the begin of the next one are one.
   NextState verlet() {
-    CallPoint end = step_.start;
-    end.number = 2;
-    end.v = compose_.moved(end.v, step_.half, acceleration(step_.start));
-    end.q = compose_.moved(end.q, step_.h, end.v);
-    end.t = step_.time_after(step_.h);
-    step_.name(end);
-    return {end.q, compose_.moved(end.v, step_.half, acceleration(end))};
+    CallPoint at = step_.start;
+    cln::cl_RA before = 0;
+    cln::cl_RA time = 0;
+    for (const cln::cl_RA& part : step_.parts) {
+      const std::uint32_t kick = step_.part((before + part) / 2);
+      at.v = compose_.moved(at.v, kick, acceleration(at));
+      at.q = compose_.moved(at.q, step_.part(part), at.v);
+      time = time + part;
+      at.t = step_.time_at(time);
+      ++at.number;
+      step_.name(at);
+      before = part;
+    }
+    const std::uint32_t kick = step_.part(before / 2);
+    return {at.q, compose_.moved(at.v, kick, acceleration(at))};
   }
 
  private:

@@ -17,7 +17,7 @@ namespace elgen {
 namespace {
 
 constexpr NextState (*methods[])(const StepContext&) = {
-#define ELGEN_STEP_METHOD(name, domain, iterations, doc, equation) &compose_##name,
+#define ELGEN_STEP_METHOD(name, domain, order, iterations, doc, equation) &compose_##name,
 #include "elgen/step_methods.def"
 #undef ELGEN_STEP_METHOD
 };
@@ -106,6 +106,7 @@ StepContext::StepContext(const Model& the_model, const OutputRequest& request,
       calls(the_calls),
       compose(composition),
       iterations(request.iterations),
+      parts(step_parts(request.composed_order)),
       h(compose.leaf(Opcode::step)),
       start{compose.leaves(Opcode::coordinate, model.coordinates.size()),
             compose.leaves(Opcode::velocity, model.velocities.size()),
@@ -114,6 +115,15 @@ StepContext::StepContext(const Model& the_model, const OutputRequest& request,
 
 std::uint32_t StepContext::time_after(std::uint32_t c) const {
   return model.uses_time ? compose.add(Opcode::add, start.t, c) : 0;
+}
+
+std::uint32_t StepContext::time_at(const cln::cl_RA& c) const {
+  return model.uses_time ? time_after(part(c)) : 0;
+}
+
+std::uint32_t StepContext::part(const cln::cl_RA& c) const {
+  if (c == 1) return h;
+  return compose.add(Opcode::multiply, compose.number(c), h);
 }
 
 void StepContext::name(const CallPoint& at) const {
@@ -156,8 +166,11 @@ Diagnostics add_step(const CheckedModel& checked, const OutputRequest& step, con
              "`rk4` takes any model"}};
   }
   program.leaves.h = leaf_row(Opcode::step).symbol;
-  Function function{
-      .kind = step.kind, .user = step.user, .iterations = step.iterations, .name = step.name};
+  Function function{.kind = step.kind,
+                    .user = step.user,
+                    .iterations = step.iterations,
+                    .composed_order = step.composed_order,
+                    .name = step.name};
   Composition compose(program, function);
   NextState moved = methods[step.user](StepContext(checked.model, step, calls, compose));
   add_field(function, "coordinates", std::move(moved.q));

@@ -1,6 +1,8 @@
 // The methods of step_methods.def, each composed as its textbook has it.
 #pragma once
 
+#include <vector>
+
 #include "elgen/scene.hpp"
 #include "integrate/composition.hpp"
 
@@ -14,13 +16,18 @@ struct StepContext {
 
   /// t + c; of no meaning where the model does not know t.
   [[nodiscard]] std::uint32_t time_after(std::uint32_t c) const;
+  /// t + c h, likewise.
+  [[nodiscard]] std::uint32_t time_at(const cln::cl_RA& c) const;
+  /// c h
+  [[nodiscard]] std::uint32_t part(const cln::cl_RA& c) const;
   /// Calls what was computed of q and v by the number of the point.
   void name(const CallPoint& at) const;
 
   const Model& model;
   const Program& calls;
   Composition& compose;
-  std::uint32_t iterations;  ///< of an implicit method
+  std::uint32_t iterations;       ///< of an implicit method
+  std::vector<cln::cl_RA> parts;  ///< of h, over which a symmetric method goes in turn
   std::uint32_t h;
   CallPoint start;
   std::uint32_t half;  ///< h/2
@@ -33,7 +40,7 @@ struct NextState {
   Places residual = {};  ///< of an implicit method
 };
 
-#define ELGEN_STEP_METHOD(name, domain, iterations, doc, equation) \
+#define ELGEN_STEP_METHOD(name, domain, order, iterations, doc, equation) \
   [[nodiscard]] NextState compose_##name(const StepContext& step);
 #include "elgen/step_methods.def"
 #undef ELGEN_STEP_METHOD

@@ -25,21 +25,31 @@ class Midpoint {
  public:
   explicit Midpoint(const StepContext& step) : step_(step), compose_(step.compose) {}
 
+  /// p goes from part to part of the step, v is what ends the last one; the last w of a part is the
+  /// first of the next one.
   NextState operator()() {
-    const Places p = part(OutputKind::momentum, step_.start);
-    CallPoint at = middle(step_.start.v, 2);
-    for (std::uint32_t i = 0; i < step_.iterations; ++i) {
-      const Places w = velocities(at, compose_.moved(p, step_.half, rate_of_momentum(at)));
-      at = middle(w, at.number + 1);
+    Places p = part(OutputKind::momentum, step_.start);
+    CallPoint end = step_.start;
+    CallPoint longest;
+    Places expected;
+    for (std::size_t i = 0; i < step_.parts.size(); ++i) {
+      const cln::cl_RA& length = step_.parts[i];
+      const CallPoint at = solved(end, p, length);
+      const Places rate = rate_of_momentum(at);
+      if (i == step_.parts.size() / 2) {
+        expected = compose_.moved(p, step_.part(length / 2), rate);
+        longest = at;
+      }
+      time_ = time_ + length;
+      end.q = compose_.moved(end.q, step_.part(length), at.v);
+      end.v = at.v;
+      end.t = step_.time_at(time_);
+      end.number = at.number + 1;
+      compose_.name(end.q, Opcode::coordinate, end.number);
+      p = compose_.moved(p, step_.part(length), rate);
     }
-    const Places rate = rate_of_momentum(at);
-    const Places expected = compose_.moved(p, step_.half, rate);
-    CallPoint end{.q = compose_.moved(step_.start.q, step_.h, at.v)};
-    end.t = step_.time_after(step_.h);
-    end.number = at.number + 1;
-    step_.name(end);
-    return {end.q, velocities(end, compose_.moved(p, step_.h, rate)),
-            compose_.add(Opcode::subtract, part(OutputKind::momentum, at), expected)};
+    return {end.q, velocities(end, p),
+            compose_.add(Opcode::subtract, part(OutputKind::momentum, longest), expected)};
   }
 
  private:
@@ -73,16 +83,23 @@ class Midpoint {
     return mass.solve(compose_.add(Opcode::subtract, p, part(OutputKind::momentum, at)));
   }
 
-  CallPoint middle(const Places& w, std::uint32_t number) {
-    CallPoint at{.q = compose_.moved(step_.start.q, step_.half, w), .v = w};
-    at.t = step_.time_after(step_.half);
-    at.number = number;
-    step_.name(at);
-    return at;
+  /// The middle of a part of the step that begins at `begin` with p, at the last w.
+  CallPoint solved(const CallPoint& begin, const Places& p, const cln::cl_RA& length) {
+    const std::uint32_t half = step_.part(length / 2);
+    CallPoint at = begin;
+    for (std::uint32_t i = 0;; ++i) {
+      at.q = compose_.moved(begin.q, half, at.v);
+      at.t = step_.time_at(time_ + length / 2);
+      ++at.number;
+      step_.name(at);
+      if (i == step_.iterations) return at;
+      at.v = velocities(at, compose_.moved(p, half, rate_of_momentum(at)));
+    }
   }
 
   const StepContext& step_;
   Composition& compose_;
+  cln::cl_RA time_ = 0;  ///< until the part, in h
 };
 
 }  // namespace

@@ -54,10 +54,10 @@ std::string operation_text(const Program& program, const Instruction& instructio
 std::string heading(const Function& function) {
   const OutputRow& row = output_row(function.kind);
   if (row.of_user || row.steps) {
-    const std::string iterations =
-        function.iterations > 0 ? fmt::format(" {}", function.iterations) : "";
-    return fmt::format("function {} = {} {}{}\n", function.name, row.name, function.user,
-                       iterations);
+    std::string numbers = std::to_string(function.user);
+    if (function.iterations > 0) numbers += fmt::format(" {}", function.iterations);
+    if (function.composed_order > 0) numbers += fmt::format(" order {}", function.composed_order);
+    return fmt::format("function {} = {} {}\n", function.name, row.name, numbers);
   }
   if (row.name == function.name) return fmt::format("function {}\n", row.name);
   return fmt::format("function {} = {}\n", function.name, row.name);

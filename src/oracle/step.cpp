@@ -31,8 +31,11 @@ Moved sum(const Moved& x, const cl_R& factor, const Moved& y) {
 
 class Stepping {
  public:
-  Stepping(const Model& model, const State& start, std::uint32_t iterations)
-      : model_(model), start_(start), iterations_(iterations) {}
+  Stepping(const Model& model, const State& start, const OutputRequest& output)
+      : model_(model),
+        start_(start),
+        iterations_(output.iterations),
+        parts_(step_parts(output.composed_order)) {}
 
   /// x + h/6 (k1 + 2 k2 + 2 k3 + k4)
   Moved rk4() {
@@ -45,30 +48,43 @@ class Stepping {
     return sum(sum(sum(sum(x, h / 6, k1), h / 3, k2), h / 3, k3), h / 6, k4);
   }
 
-  /// Kick, drift, kick.
+  /// Kick, drift, kick, over every part of the step.
   Moved verlet() {
-    const cl_R& h = start_.h;
     Moved x{start_.q, start_.v};
-    x.v = sum(x.v, h / 2, rates(x, 0).v);
-    x.q = sum(x.q, h, x.v);
-    x.v = sum(x.v, h / 2, rates(x, h).v);
+    cl_R time = 0;
+    for (const cln::cl_RA& part : parts_) {
+      const cl_R h = part * start_.h;
+      x.v = sum(x.v, h / 2, rates(x, time).v);
+      x.q = sum(x.q, h, x.v);
+      time = time + h;
+      x.v = sum(x.v, h / 2, rates(x, time).v);
+    }
     return x;
   }
 
-  /// M w = p + h/2 dp/dt - b at (q + h/2 w, w, t + h/2), substituted as often as is asked for.
+  /// M w = p + h/2 dp/dt - b at (q + h/2 w, w, t + h/2), substituted as often as is asked for, over
+  /// every part of the step; the residual is that of the part in the middle.
   Moved midpoint() {
-    const cl_R& h = start_.h;
-    const Values p = momentum(start_);
-    Values w = start_.v;
-    const auto middle = [&] { return state_of({sum(start_.q, h / 2, w), w}, h / 2); };
-    for (std::uint32_t i = 0; i < iterations_; ++i) {
-      w = velocities(middle(), sum(p, h / 2, momentum_rates(model_, middle())));
+    Values p = momentum(start_);
+    Moved x{start_.q, start_.v};
+    cl_R time = 0;
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+      const cl_R h = parts_[k] * start_.h;
+      Values& w = x.v;
+      const auto middle = [&] { return state_of({sum(x.q, h / 2, w), w}, time + h / 2); };
+      for (std::uint32_t i = 0; i < iterations_; ++i) {
+        w = velocities(middle(), sum(p, h / 2, momentum_rates(model_, middle())));
+      }
+      const Values rate = momentum_rates(model_, middle());
+      if (k == parts_.size() / 2) {
+        x.residual = sum(momentum(middle()), -1, sum(p, h / 2, rate));
+      }
+      x.q = sum(x.q, h, w);
+      p = sum(p, h, rate);
+      time = time + h;
     }
-    const Values rate = momentum_rates(model_, middle());
-    const Values expected = sum(p, h / 2, rate);
-    const Values q = sum(start_.q, h, w);
-    return {q, velocities(state_of({q, w}, h), sum(p, h, rate)),
-            sum(momentum(middle()), -1, expected)};
+    x.v = velocities(state_of(x, time), p);
+    return x;
   }
 
  private:
@@ -105,10 +121,11 @@ class Stepping {
   const Model& model_;
   const State& start_;
   std::uint32_t iterations_;
+  std::vector<cln::cl_RA> parts_;  ///< of h, of a method that is composed
 };
 
 constexpr Moved (Stepping::*methods[])() = {
-#define ELGEN_STEP_METHOD(name, domain, iterations, doc, equation) &Stepping::name,
+#define ELGEN_STEP_METHOD(name, domain, order, iterations, doc, equation) &Stepping::name,
 #include "elgen/step_methods.def"
 #undef ELGEN_STEP_METHOD
 };
@@ -116,7 +133,7 @@ constexpr Moved (Stepping::*methods[])() = {
 }  // namespace
 
 Values step(const Model& model, const OutputRequest& output, const State& state) {
-  const Moved end = (Stepping(model, state, output.iterations).*methods[output.user])();
+  const Moved end = (Stepping(model, state, output).*methods[output.user])();
   Values values = normalized(model, end.q);
   values.insert(values.end(), end.v.begin(), end.v.end());
   values.insert(values.end(), end.residual.begin(), end.residual.end());

@@ -159,6 +159,8 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"scene.outputs.*", "rename", name, optional, true, "name of the emitted function"},
     {"scene.outputs.*", "method", text, optional, true,
      "of `step`, which needs one: rk4, verlet, midpoint"},
+    {"scene.outputs.*", "order", integer, optional, true,
+     "of verlet and midpoint: 2 (unless given), 4 or 8"},
     {"scene.outputs.*", "iterations", integer, optional, true, "of midpoint, 1 to 20"},
 
     {"scene.parameters", "fixed", text_or_table, optional, true, "become numbers in the code"},

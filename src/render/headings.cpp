@@ -54,7 +54,13 @@ std::string field_symbol(const Model& model, OutputKind kind, const Field& field
 
 std::string output_doc(const Model& model, const Function& function) {
   const OutputRow& row = output_row(function.kind);
-  if (row.steps) return fmt::format("{} {}.", row.doc, step_methods[function.user].doc);
+  if (row.steps) {
+    const StepMethodRow& method = step_methods[function.user];
+    const bool is_composed = function.composed_order > 0;
+    return fmt::format("{} {}.", row.doc,
+                       fmt::format(fmt::runtime(method.doc),
+                                   is_composed ? function.composed_order : method.order));
+  }
   if (!row.of_user) return std::string(row.doc);
   const UserOutput& output = model.outputs[function.user];
   return sentence(

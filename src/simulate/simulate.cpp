@@ -11,6 +11,7 @@
 
 #include "evaluate/subject.hpp"
 #include "simulate/recorder.hpp"
+#include "simulate/start.hpp"
 #include "simulate/steps/methods.hpp"
 
 namespace elgen {
@@ -146,33 +147,6 @@ Diagnostic singular(std::string message) {
   return {Code::E623, {}, std::move(message), "`--state` starts the run elsewhere"};
 }
 
-/// Whether the acceleration is determined where a run starts: charts by the factors that the model
-/// states, M by its relative pivots. E623.
-Diagnostics refuse_start(System& system, const Numbers& state, double t) {
-  const double* const q = state.data();
-  const double* const v = system.v_of(state);
-  const Model& model = system.model();
-  for (const Coordinate& coordinate : model.coordinates) {
-    if (!coordinate.singular) continue;
-    if (std::abs(system.value(*coordinate.singular, q, v, t)) > zero) continue;
-    const std::string_view factor = covered_text(model.expressions[*coordinate.singular].span);
-    return {singular(fmt::format("the chart of `{}` breaks at the start, where `{}` is zero",
-                                 coordinate.name, factor))};
-  }
-  Numbers a(system.velocities());
-  system.acceleration(q, v, t, a.data());
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double pivot = system.relative_pivots()[i];
-    if (std::abs(pivot) > static_cast<double>(a.size()) * epsilon) continue;
-    const std::string name =
-        leaf_text(system.leaves(), Opcode::velocity, static_cast<std::uint32_t>(i));
-    const std::string value = std::isfinite(pivot) ? fmt::format("{:.1e}", pivot) : "no number";
-    return {singular(
-        fmt::format("M is singular at the start: the relative pivot of `{}` is {}", name, value))};
-  }
-  return {};
-}
-
 std::vector<TrajectoryColumn> columns_of(const Model& model, const LeafNames& leaves) {
   std::vector<TrajectoryColumn> columns{{"t", "s", ""}};
   const auto name = [&](Opcode kind, std::size_t i) {
@@ -199,6 +173,31 @@ std::vector<TrajectoryColumn> columns_of(const Model& model, const LeafNames& le
 
 }  // namespace
 
+Diagnostics refuse_start(System& system, const Numbers& state, double t) {
+  const double* const q = state.data();
+  const double* const v = system.v_of(state);
+  const Model& model = system.model();
+  for (const Coordinate& coordinate : model.coordinates) {
+    if (!coordinate.singular) continue;
+    if (std::abs(system.value(*coordinate.singular, q, v, t)) > zero) continue;
+    const std::string_view factor = covered_text(model.expressions[*coordinate.singular].span);
+    return {singular(fmt::format("the chart of `{}` breaks at the start, where `{}` is zero",
+                                 coordinate.name, factor))};
+  }
+  Numbers a(system.velocities());
+  system.acceleration(q, v, t, a.data());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double pivot = system.relative_pivots()[i];
+    if (std::abs(pivot) > static_cast<double>(a.size()) * epsilon) continue;
+    const std::string name =
+        leaf_text(system.leaves(), Opcode::velocity, static_cast<std::uint32_t>(i));
+    const std::string value = std::isfinite(pivot) ? fmt::format("{:.1e}", pivot) : "no number";
+    return {singular(
+        fmt::format("M is singular at the start: the relative pivot of `{}` is {}", name, value))};
+  }
+  return {};
+}
+
 std::string outputs_of_run(const Model& model) {
   std::string names =
       "mass_matrix,dissipation,applied_force,momentum,position_gradient,energy_function,"
@@ -223,6 +222,9 @@ Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
   if (!trajectory) return trajectory;
   trajectory->model = checked.scene.base_name;
   trajectory->method = method->name;
+  if (options.order && *options.order != method->order) {
+    trajectory->method += fmt::format(" of order {}", *options.order);
+  }
   trajectory->from = options.from;
   trajectory->columns = columns_of(checked.model, program.leaves);
   return trajectory;

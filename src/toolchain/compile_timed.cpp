@@ -1,4 +1,5 @@
 // compile_timed: the timing driver, compiled and loaded, with the states that it goes through.
+// compile_steps: the loops of a step, compiled and loaded.
 #include <utility>
 
 #include "base/no_interrupts.hpp"
@@ -75,27 +76,47 @@ std::unique_ptr<TimedFunction> loaded(const std::shared_ptr<const Library>& libr
   return std::make_unique<LoadedTiming<Scalar>>(library, function, states, entries);
 }
 
+Result<std::shared_ptr<const Library>> built_to_time(const EmittedFiles& files,
+                                                     const Driver& driver, const Limits& limits) {
+  const NoInterrupts until_removed;
+  const Result<Workshop> workshop = Workshop::open(files, {driver}, limits);
+  if (!workshop) return workshop.diagnostics;
+  Result<Library> built = workshop->build(driver, Build::to_time);
+  if (!built) return built.diagnostics;
+  return std::make_shared<const Library>(std::move(*built));
+}
+
 }  // namespace
 
 Result<TimedFunctions> compile_timed(const EmittedFiles& files, const Model& model,
                                      const Scene& scene, const Program& program,
                                      const TimingOptions& options) {
   const Driver driver = timing_driver({model, scene, program}, options.variants);
-  const NoInterrupts until_removed;
-  const Result<Workshop> workshop = Workshop::open(files, {driver}, options.limits);
-  if (!workshop) return workshop.diagnostics;
-  Result<Library> built = workshop->build(driver, Build::to_time);
-  if (!built) return built.diagnostics;
-  const auto library = std::make_shared<const Library>(std::move(*built));
+  const Result<std::shared_ptr<const Library>> library =
+      built_to_time(files, driver, options.limits);
+  if (!library) return library.diagnostics;
   const std::size_t entries = entry_count(program.functions.front());
   TimedFunctions functions;
   for (std::size_t i = 0; i < options.variants.size(); ++i) {
     const bool is_float = options.variants[i].scalar == ScalarKind::single_precision;
     const auto load = is_float ? &loaded<float> : &loaded<double>;
-    functions.push_back(load(library, timed_symbol(i), options.states, entries));
+    functions.push_back(load(*library, timed_symbol(i), options.states, entries));
     if (functions.back() == nullptr) return missing_function();
   }
   return Result<TimedFunctions>(std::move(functions));
+}
+
+Result<StepLoops> compile_steps(const EmittedFiles& files, const Model& model, const Scene& scene,
+                                const Program& program, const Limits& limits) {
+  const Result<std::shared_ptr<const Library>> library =
+      built_to_time(files, step_driver({model, scene, program}), limits);
+  if (!library) return library.diagnostics;
+  const StepLoops loops{.code = *library,
+                        .one = (*library)->find<StepLoop>(step_loop_of_one),
+                        .in_packs = (*library)->find<StepLoop>(step_loop_in_packs),
+                        .entries = entry_count(program.functions.front())};
+  if (loops.one == nullptr || loops.in_packs == nullptr) return missing_function();
+  return loops;
 }
 
 }  // namespace elgen

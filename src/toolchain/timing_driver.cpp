@@ -23,6 +23,7 @@ namespace {
 constexpr std::string_view timing_prologue = R"(#include "{header}"
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace {{
 
@@ -78,6 +79,54 @@ extern "C" void {symbol}(std::size_t count, {leaves}{scalar}* result) {{
 }}
 )";
 
+constexpr std::string_view step_loops = R"(}}  // namespace
+
+extern "C" void {one}(std::size_t count, std::size_t steps, double start, double h,
+                      const double* inputs, double* state, double* spare);
+extern "C" void {one}(std::size_t, std::size_t steps, double start, double h,
+                      const double* inputs, double* state, double*) {{
+  const auto& p = model_parameters<double>();
+  auto q = gathered<emitted::Coordinates<double>>(state, 0, 1);
+  auto v = gathered<emitted::Velocities<double>>(state + q.size(), 0, 1);
+  [[maybe_unused]] const auto u = gathered<emitted::Inputs<double>>(inputs, 0, 1);
+  for (std::size_t i = 0; i < steps; ++i) {{
+    [[maybe_unused]] const double t = start + static_cast<double>(i) * h;
+    const auto next = emitted::{function}<double>({arguments});
+    q = next.coordinates;
+    v = next.rates;
+  }}
+  scatter(q, 0, 1, state);
+  scatter(v, 0, 1, state + q.size());
+}}
+
+extern "C" void {in_packs}(std::size_t count, std::size_t steps, double start, double length,
+                           const double* u, double* state, double* spare);
+extern "C" void {in_packs}(std::size_t count, std::size_t steps, double start, double length,
+                           [[maybe_unused]] const double* u, double* state, double* spare) {{
+  constexpr std::size_t positions = emitted::coordinate_count;
+  constexpr std::size_t numbers = positions + emitted::velocity_count;
+  const std::vector<double> lengths(count, length);
+  std::vector<double> times(count, start);
+  [[maybe_unused]] const double* const h = lengths.data();
+  [[maybe_unused]] const double* const t = times.data();
+  double* from = state;
+  double* to = spare;
+  for (std::size_t i = 0; i < steps; ++i) {{
+{clock}    const double* const q = from;
+    const double* const v = from + positions * count;
+    emitted::batch::{function}<double>({batch_arguments}, to);
+    double* const before = from;
+    from = to;
+    to = before;
+  }}
+  for (std::size_t k = 0; from != state && k < numbers * count; ++k) state[k] = from[k];
+}}
+)";
+
+/// Of a model that knows the time.
+constexpr std::string_view step_clock =
+    "    for (double& time : times) time = start + static_cast<double>(i) * length;\n";
+
 /// "const double* parameters, const double* q, …, const double* t, "
 std::string declared(std::string_view scalar, std::string_view attribute = "") {
   std::string text;
@@ -85,6 +134,12 @@ std::string declared(std::string_view scalar, std::string_view attribute = "") {
     text += fmt::format("{}const {}* {}, ", attribute, scalar, leaf.member);
   }
   return text;
+}
+
+std::string prologue_of(const Scene& scene) {
+  const ArtifactId header = scene.emission.batch ? ArtifactId::batch : ArtifactId::cpp;
+  return fmt::format(timing_prologue, fmt::arg("header", path_of(scene, header)),
+                     fmt::arg("name_space", name_space(scene)));
 }
 
 std::string gathered(Opcode argument) {
@@ -139,16 +194,33 @@ std::string entry_of(const TimedVariant& variant, std::size_t number) {
 }  // namespace
 
 Driver timing_driver(const DriverInput& input, const std::vector<TimedVariant>& variants) {
-  const auto& [model, scene, program] = input;
-  const Function& function = program.functions.front();
-  const ArtifactId header = scene.emission.batch ? ArtifactId::batch : ArtifactId::cpp;
-  std::string text = fmt::format(timing_prologue, fmt::arg("header", path_of(scene, header)),
-                                 fmt::arg("name_space", name_space(scene)));
+  const Scene& scene = input.scene;
+  const Function& function = input.program.functions.front();
+  std::string text = prologue_of(scene);
   text += state_by_state(input, function);
   if (scene.emission.batch) text += pack_by_pack(input, function);
   text += "}  // namespace\n";
   for (std::size_t i = 0; i < variants.size(); ++i) text += entry_of(variants[i], i);
   return {"", "timing_driver.cpp", text, ""};
+}
+
+Driver step_driver(const DriverInput& input) {
+  const Function& step = input.program.functions.front();
+  std::vector<std::string_view> arguments;
+  std::vector<std::string_view> batch_arguments{"model_parameters<double>()", "count"};
+  bool has_time = false;
+  for (const Opcode argument : arguments_of(input.model, step)) {
+    const bool is_parameter = argument == Opcode::parameter;
+    arguments.push_back(is_parameter ? "p" : leaf_row(argument).member);
+    if (!is_parameter) batch_arguments.push_back(leaf_row(argument).member);
+    has_time = has_time || argument == Opcode::time;
+  }
+  const std::string loops = fmt::format(
+      step_loops, fmt::arg("one", step_loop_of_one), fmt::arg("in_packs", step_loop_in_packs),
+      fmt::arg("function", step.name), fmt::arg("arguments", fmt::join(arguments, ", ")),
+      fmt::arg("batch_arguments", fmt::join(batch_arguments, ", ")),
+      fmt::arg("clock", has_time ? step_clock : ""));
+  return {"", "step_driver.cpp", prologue_of(input.scene) + loops, ""};
 }
 
 std::string timed_symbol(std::size_t variant) { return fmt::format("elgen_timed_{}", variant); }

@@ -1,4 +1,5 @@
-// The driver that times: an emitted function on arrays of states, one by one or in packs.
+// The drivers that time: an emitted function on arrays of states, one by one or in packs, and an
+// emitted step in loops.
 #pragma once
 
 #include "elgen/timing.hpp"
@@ -21,5 +22,11 @@ using TimingDriverFunction = void (*)(std::size_t count,
 
 /// "elgen_timed_3" of variants[3].
 [[nodiscard]] std::string timed_symbol(std::size_t variant);
+
+/// Of a scene in C++ with its header of batches, a StepLoop of one state and one in packs, under
+/// these names; the first function of the program is a `step`.
+[[nodiscard]] Driver step_driver(const DriverInput& input);
+inline constexpr const char* step_loop_of_one = "elgen_step_loop";
+inline constexpr const char* step_loop_in_packs = "elgen_step_loop_in_packs";
 
 }  // namespace elgen

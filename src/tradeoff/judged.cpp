@@ -25,7 +25,8 @@ TradeoffTable judged(TradeoffTable table) {
     const auto beats_it = [&row](const TradeoffRow& other) {
       return other.failure.empty() && is_better(other, row);
     };
-    row.is_on_front = row.failure.empty() && std::ranges::none_of(table.rows, beats_it);
+    row.is_on_front = row.failure.empty() && !row.is_below_reference &&
+                      std::ranges::none_of(table.rows, beats_it);
   }
   return table;
 }

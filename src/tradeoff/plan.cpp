@@ -133,17 +133,6 @@ Result<TradeoffPlan> plan(const CheckedModel& checked, const Program& program,
   return plan;
 }
 
-Design design_of(const TradeoffTable& table, const TradeoffRow& row) {
-  Design design;
-  for (std::size_t i = 0; i < table.dimensions.size(); ++i) {
-    for (const DimensionRow& known : dimension_rows) {
-      const bool is_chosen = known.dimension == table.dimensions[i] && known.value == row.values[i];
-      if (is_chosen) known.choose(design);
-    }
-  }
-  return design;
-}
-
 Design derivation_of(const Design& design) {
   return {.is_fixed = design.is_fixed, .order = design.order};
 }

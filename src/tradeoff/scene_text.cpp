@@ -54,6 +54,7 @@ class DesignText {
 
   [[nodiscard]] std::string text(const std::string& model_path) const {
     return fmt::format("format = 1\nmodel = {}\nname = \"{}\"\n", toml_string(model_path), name()) +
+           line("doc", design_.doc.empty() ? "" : toml_string(design_.doc)) +
            section("outputs", {line(output(), output_value())}) +
            section("parameters", {line("fixed", fixed())}) + section("sizes", own("sizes")) +
            section("lock", own("lock")) + section("routh", own("routh")) +
@@ -99,14 +100,29 @@ class DesignText {
     add(word_of(design_.trigonometry));
     add(design_.is_fixed ? "fixed" : "");
     if (!design_.order.empty()) add("order_" + design_.order);
+    if (design_.step) add(std::string(step_name()));
+    if (design_.step && design_.step->composed_order > 0) {
+      add(std::to_string(design_.step->composed_order));
+    }
     return text;
   }
 
-  [[nodiscard]] const std::string& output() const {
-    return base_.checked.scene.outputs.front().name;
+  [[nodiscard]] std::string_view step_name() const {
+    return step_methods[static_cast<std::size_t>(design_.step->method)].name;
+  }
+
+  [[nodiscard]] std::string output() const {
+    return design_.step ? std::string(output_row(OutputKind::step).name)
+                        : base_.checked.scene.outputs.front().name;
   }
 
   [[nodiscard]] std::string output_value() const {
+    if (design_.step) {
+      Lines entries{fmt::format("method = \"{}\"", step_name())};
+      const std::uint32_t order = design_.step->composed_order;
+      if (order > 0) entries.push_back(fmt::format("order = {}", order));
+      return toml_inline_table(entries);
+    }
     const KeySyntax* const key = find_key(base_.scene, "outputs", output());
     const KeySyntax* const form = key == nullptr ? nullptr : key->value.find("form");
     return form == nullptr ? "true" : fmt::format("{{ form = {} }}", value_text(form->value));

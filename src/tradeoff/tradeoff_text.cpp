@@ -21,6 +21,10 @@ Cells cells_of(const TradeoffRow& row) {
   }
   cells.push_back(fmt::format("{:.4g}", row.cost.median));
   cells.push_back(fmt::format("{:.4g} to {:.4g}", row.cost.low, row.cost.high));
+  if (row.is_below_reference) {
+    cells.emplace_back("below the reference");
+    return cells;
+  }
   cells.push_back(fmt::format("{:.1e}", row.error.worst));
   cells.push_back(fmt::format("{:.1e}", row.error.median));
   return cells;
@@ -61,6 +65,7 @@ Json json_of(const TradeoffTable& table, const TradeoffRow& row) {
   }
   json["cost"] = {{"median", row.cost.median}, {"low", row.cost.low}, {"high", row.cost.high}};
   json["error"] = {{"worst", number(row.error.worst)}, {"median", number(row.error.median)}};
+  if (row.is_below_reference) json["error"]["below_reference"] = true;
   json["front"] = row.is_on_front;
   return json;
 }

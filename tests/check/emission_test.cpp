@@ -136,6 +136,28 @@ TEST_CASE("iterations out of range, or of an explicit method, are E626") {
              Catch::StartsWith("E103 5:10 `bias` has no `iterations`"));
 }
 
+TEST_CASE("a step has the order of its method, or one to which it is composed") {
+  const auto order = [](const std::string& entry) {
+    return checked(block(""), outputs("step = " + entry)).scene.outputs[0].composed_order;
+  };
+  CHECK(order("{ method = \"verlet\" }") == 0);
+  CHECK(order("{ method = \"verlet\", order = 2 }") == 0);
+  CHECK(order("{ method = \"verlet\", order = 4 }") == 4);
+  CHECK(order("{ method = \"midpoint\", order = 8, iterations = 5 }") == 8);
+  CHECK(order("{ method = \"rk4\", order = 4 }") == 0);
+}
+
+TEST_CASE("orders that a method does not have are E647") {
+  CHECK(said_of("step = { method = \"verlet\", order = 3 }") ==
+        "E647 5:37 `verlet` has no order `3`\n");
+  CHECK(said_of("step = { method = \"midpoint\", order = 6 }") ==
+        "E647 5:39 `midpoint` has no order `6`\n");
+  CHECK(said_of("step = { method = \"verlet\", order = -8 }") ==
+        "E647 5:37 `verlet` has no order `-8`\n");
+  CHECK(said_of("step = { method = \"rk4\", order = 8 }") == "E647 5:34 `rk4` has no order `8`\n");
+  CHECK_THAT(said_of("bias = { order = 4 }"), Catch::StartsWith("E103 5:10 `bias` has no `order`"));
+}
+
 TEST_CASE("a model alone has no step") {
   for (const OutputRequest& output : checked(block("")).scene.outputs) {
     CHECK(output.kind != OutputKind::step);

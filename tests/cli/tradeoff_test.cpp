@@ -119,37 +119,49 @@ TEST_CASE("where no design is good enough no scene is written, and the table all
   CHECK_FALSE(std::filesystem::exists(workspace.path() / "x.scene.toml"));
 }
 
-TEST_CASE("runs have a row for each method and step, and shorter steps smaller errors") {
+TEST_CASE("runs have a row for each step that is emitted, and shorter steps smaller errors") {
   const Workspace workspace;
   const Outcome outcome = workspace.run(
-      "elgen tradeoff --trajectory 2 --as json --max-error 1e-6 "
+      "elgen tradeoff --trajectory 2 --as json --max-error 1e-6 --write-scene x.scene.toml "
       "-o x.svg " +
       models + "/double_pendulum.toml");
   INFO(outcome.errors);
   REQUIRE(outcome.status == 0);
   const auto table = nlohmann::json::parse(outcome.output);
-  const auto error = [&table](const std::string& method, const std::string& step) {
+  const auto row = [&table](const std::string& method, const std::string& order,
+                            const std::string& step) {
     for (const auto& design : table["designs"]) {
       const auto& values = design["design"];
-      if (values["method"] == method && values["step"] == step) {
-        return design["error"]["worst"].get<double>();
+      if (values["method"] == method && values["order"] == order && values["step"] == step &&
+          values["batch"] == "1") {
+        return design;
       }
     }
-    return -1.0;
+    return nlohmann::json();
   };
-  CHECK(error("rk4", "0.0002 s") > 0);
-  CHECK(error("rk4", "0.002 s") > 100 * error("rk4", "0.0002 s"));
-  CHECK(error("dopri5", "to 1e-10") < 1e-8);
-  CHECK(error("verlet", "0.002 s") == -1);
+  const auto error = [&row](const std::string& order, const std::string& step) {
+    return row(order == "4" ? "rk4" : "midpoint", order, step)["error"]["worst"].get<double>();
+  };
+  CHECK(error("4", "0.002 s") > 0);
+  CHECK(error("4", "0.02 s") > 100 * error("4", "0.002 s"));
+  CHECK(error("2", "0.002 s") > 100 * error("8", "0.002 s"));
+  CHECK(row("verlet", "2", "0.002 s").is_null());
+  // Ten times the steps cost ten times as much.
+  const auto cost = [&row](const std::string& step) {
+    return row("rk4", "4", step)["cost"]["median"].get<double>();
+  };
+  CHECK(cost("0.0002 s") == Approx(10 * cost("0.002 s")));
+  CHECK(mentions(table["sentences"].front().get<std::string>(), "reference: Fehlberg's method"));
   CHECK(table["sentences"].back() == "`verlet` is not for this system: M depends on `theta1`");
   CHECK(mentions(outcome.errors, "cheapest within 1e-06: "));
   CHECK(starts_with(workspace.read("x.svg"), "<svg "));
+  CHECK(mentions(workspace.read("x.scene.toml"), "step = { method = "));
+  CHECK(workspace.run("elgen generate x.scene.toml").status == 0);
 }
 
 TEST_CASE("what is about an output is not about runs") {
   const Workspace workspace;
-  for (const char* option : {"--of gravity", "--dimensions order", "--range q1=0..1",
-                             "--max-error 1 --write-scene x.scene.toml"}) {
+  for (const char* option : {"--of gravity", "--dimensions order", "--range q1=0..1"}) {
     INFO(option);
     CHECK(workspace
               .run(std::string("elgen tradeoff --trajectory 2 ") + option + " " + models +

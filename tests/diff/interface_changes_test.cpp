@@ -110,6 +110,8 @@ TEST_CASE("another method of a step, or another number of its iterations, is ano
   CHECK(
       seen_by_callers(spring(), spring(), step("midpoint\""), step("midpoint\", iterations = 3")) ==
       "different: `step` has 3 iterations where it had 8\n");
+  CHECK(seen_by_callers(spring(), spring(), step("verlet\", order = 8"), step("verlet\"")) ==
+        "different: `step` is of order 2 where it was of order 8\n");
 }
 
 TEST_CASE("an output of another shape does not compile") {

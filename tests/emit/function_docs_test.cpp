@@ -74,6 +74,17 @@ TEST_CASE("a step says its method, not what it computes") {
             " symplectic.", "", "     v += h/2 a(q, t), q += h v, v += h/2 a(q, t + h)"});
 }
 
+TEST_CASE("a step that is composed says its order, and over which parts it goes") {
+  Subject subject = cart_pole();
+  subject.program = elgen::testing::read_program(
+      "coordinates x\nstep\nfunction step = step 1 order 4\n  0 = coordinate x\n  1 = step\n"
+      "  result coordinates 1 1 = 0\n  result rates 1 1 = 1\n");
+  const Lines lines = docs(subject, 0);
+  CHECK_THAT(lines[0] + lines[1], Catch::Contains("drift, kick), of order 4 and"));
+  CHECK(lines.back() ==
+        "     in turn over 0.414491 h, 0.414491 h, -0.657963 h, 0.414491 h, 0.414491 h");
+}
+
 TEST_CASE("a step that iterates says how often, and what its residual is") {
   Subject subject = cart_pole();
   subject.program = elgen::testing::read_program(

@@ -2,8 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "elgen/toolchain.hpp"
-#include "integrate/stepping.hpp"
+#include "integrate/compiled_step.hpp"
 
 namespace elgen::test {
 namespace {
@@ -32,56 +31,6 @@ on = "theta"
 value = "u*sin(x) - dot(x)/5"
 )toml");
 
-/// The emitted step, compiled, with the energies, run on from where the model starts.
-class Run {
- public:
-  explicit Run(const std::string& model, const std::string& more = {},
-               const std::string& emission = {})
-      : products_(stepped({.model = model,
-                           .method = "midpoint",
-                           .more = more,
-                           .outputs = "energy_function = true\nmomentum = true\n" + emission,
-                           .goal = Goal::emit})) {
-    if (!products_.files) throw std::runtime_error(format(products_.diagnostics));
-    const CheckedModel& checked = *products_.checked;
-    Result<CompiledHeaders> headers =
-        compile(*products_.files, checked.model, checked.scene, *products_.program, {});
-    if (!headers) throw std::runtime_error(format(headers.diagnostics));
-    headers_ = std::move(*headers);
-    at_ = arguments_at<double>(nominal_state(checked.model, checked.scene));
-    for (std::size_t i = 0; i < at_.q.size(); ++i) {
-      at_.q[i] = cln::double_approx(checked.model.coordinates[i].start_value);
-      at_.v[i] = cln::double_approx(checked.model.velocities[i].start_rate);
-    }
-  }
-
-  void step(double h) {
-    at_.h = h;
-    const std::vector<double> next = code().call("step", at_);
-    const auto rates = next.begin() + static_cast<std::ptrdiff_t>(at_.q.size());
-    const auto residual = rates + static_cast<std::ptrdiff_t>(at_.v.size());
-    at_.q.assign(next.begin(), rates);
-    at_.v.assign(rates, residual);
-    at_.t += h;
-    residual_ = 0;
-    for (auto r = residual; r != next.end(); ++r) residual_ = std::max(residual_, std::abs(*r));
-  }
-
-  [[nodiscard]] const Arguments<double>& at() const { return at_; }
-  [[nodiscard]] Arguments<double>& at() { return at_; }
-  [[nodiscard]] double residual() const { return residual_; }  ///< the largest entry
-  [[nodiscard]] double energy() const { return code().call("energy_function", at_).front(); }
-  [[nodiscard]] double momentum(std::size_t i) const { return code().call("momentum", at_)[i]; }
-
- private:
-  [[nodiscard]] const CompiledModel& code() const { return *headers_.front().functions; }
-
-  Products products_;
-  CompiledHeaders headers_;
-  Arguments<double> at_;
-  double residual_ = 0;
-};
-
 }  // namespace
 
 TEST_CASE("one step of midpoint is off by h^3") {
@@ -94,8 +43,8 @@ TEST_CASE("one step of midpoint is off by h^3") {
 }
 
 TEST_CASE("in C the step has the same bits") {
-  Run cpp(lifted);
-  Run c(lifted, "", "[emit]\nlanguage = \"c99\"\n");
+  CompiledStep cpp({.model = lifted});
+  CompiledStep c({.model = lifted, .outputs = "[emit]\nlanguage = \"c99\"\n"});
   for (int i = 0; i < 100; ++i) {
     cpp.step(0.01);
     c.step(0.01);
@@ -106,7 +55,7 @@ TEST_CASE("in C the step has the same bits") {
 }
 
 TEST_CASE("the energy swings and does not drift in a long run") {
-  Run run(model_file("double_pendulum"));
+  CompiledStep run({.model = model_file("double_pendulum")});
   const double start = run.energy();
   double first = 0;  // the largest change in the first half of the run, and in the second
   double second = 0;
@@ -124,7 +73,7 @@ TEST_CASE("the energy swings and does not drift in a long run") {
 }
 
 TEST_CASE("the momentum of a cyclic coordinate stays, however few the iterations are") {
-  Run run(model_file("cart_pole"), ", iterations = 1");
+  CompiledStep run({.model = model_file("cart_pole"), .more = ", iterations = 1"});
   run.at().v = {0.5, 3};
   run.at().q = {0, 1};
   const double start = run.momentum(0);
@@ -133,15 +82,28 @@ TEST_CASE("the momentum of a cyclic coordinate stays, however few the iterations
   CHECK(run.residual() > 1e-9);
 }
 
+TEST_CASE("compositions keep momenta, and leave the residual of their longest part") {
+  CompiledStep run({.model = model_file("cart_pole"), .more = ", order = 4, iterations = 1"});
+  run.at().v = {0.5, 3};
+  run.at().q = {0, 1};
+  const double start = run.momentum(0);
+  for (int i = 0; i < 1000; ++i) run.step(0.01);
+  CHECK(run.momentum(0) == Approx(start).epsilon(1e-13));
+  CHECK(run.residual() > 1e-9);
+  CompiledStep converged({.model = lifted, .more = ", order = 8"});
+  converged.step(0.01);
+  CHECK(converged.residual() < 1e-14);
+}
+
 TEST_CASE("residuals shrink by about h with every iteration, down to rounding") {
   double last = 1;
   for (const int iterations : {1, 2, 3, 4}) {
-    Run run(lifted, ", iterations = " + std::to_string(iterations));
+    CompiledStep run({.model = lifted, .more = ", iterations = " + std::to_string(iterations)});
     run.step(0.01);
     CHECK(run.residual() < last / 20);
     last = run.residual();
   }
-  Run run(lifted);
+  CompiledStep run({.model = lifted});
   run.step(0.01);
   CHECK(run.residual() < 1e-15);
 }

@@ -19,7 +19,7 @@ namespace elgen::test {
 /// A scene with a step.
 struct StepScene {
   std::string model;
-  std::string method;
+  std::string method = {};
   std::string more = {};     ///< of its entry, beginning with a comma
   std::string outputs = {};  ///< lines of others
   Goal goal = Goal::choose;

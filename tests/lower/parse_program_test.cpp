@@ -47,6 +47,9 @@ TEST_CASE("a program is printed with the names of the model, and reads back") {
       "  result rates 1 1 = 1\n"
       "function implicit = step 2 8\n"
       "  0 = velocity theta\n"
+      "  result rates 1 1 = 0\n"
+      "function composed = step 1 order 8\n"
+      "  0 = velocity theta\n"
       "  result rates 1 1 = 0\n";
   const Program program = testing::read_program(text);
   CHECK(dump(program) == text);
@@ -59,6 +62,8 @@ TEST_CASE("a program is printed with the names of the model, and reads back") {
   CHECK(program.functions.at(4).iterations == 0);
   CHECK(program.functions.at(5).user == 2);
   CHECK(program.functions.at(5).iterations == 8);
+  CHECK(program.functions.at(5).composed_order == 0);
+  CHECK(program.functions.at(6).composed_order == 8);
 }
 
 TEST_CASE("comments and empty lines are passed over, names are kept") {

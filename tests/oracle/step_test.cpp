@@ -49,6 +49,21 @@ TEST_CASE("verlet kicks, drifts and kicks") {
   CHECK(step_of(b, StepMethod::verlet, at_one(b)) == expected);
 }
 
+TEST_CASE("a composition goes over its parts one after another") {
+  const ModelBuilder b = spring();
+  State part = at_one(b);
+  for (const cln::cl_RA& length : step_parts(4)) {
+    part.h = length * at_one(b).h;
+    const Values next = step_of(b, StepMethod::verlet, part);
+    part.q = {next[0]};
+    part.v = {next[1]};
+  }
+  const OutputRequest request{.kind = OutputKind::step,
+                              .user = static_cast<std::uint32_t>(StepMethod::verlet),
+                              .composed_order = 4};
+  CHECK(oracle::step(b.model, request, at_one(b)) == Values{part.q[0], part.v[0]});
+}
+
 TEST_CASE("midpoint substitutes as often as is asked for, and says what is left") {
   const ModelBuilder b = spring();
   // w = 0, -1/4, -15/64; x in the middle 241/256; w + 1/4 241/256

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "simulate/compiled_model.hpp"
 
@@ -46,11 +47,6 @@ TEST_CASE("every method has the order that it is known for") {
   }
 }
 
-TEST_CASE("a reference is by none of them") {
-  for (const MethodRow& method : method_table()) CHECK(method.name != reference_method().name);
-  CHECK(reference_method().step == StepKind::adapted);
-}
-
 TEST_CASE("methods have names") {
   CHECK(find_method({.method = "rk4"})->name == "rk4");
   CHECK(message(find_method({.method = "rk5"}).diagnostics) ==
@@ -59,12 +55,42 @@ TEST_CASE("methods have names") {
     CHECK(message(find_method({.method = name}).diagnostics) ==
           "E620 unknown method `" + name + "` | one of rk4, dopri5, verlet, midpoint");
   }
-  CHECK(find_method({.is_reference = true})->name == "fehlberg78");
+}
+
+TEST_CASE("orders are of the methods that have them") {
+  CHECK(find_method({.method = "rk4", .order = 4})->order == 4);
+  CHECK(message(find_method({.method = "rk4", .order = 8}).diagnostics) ==
+        "E647 `rk4` has no order 8 | it has 4");
+  CHECK(message(find_method({.method = "dopri5", .order = 4}).diagnostics) ==
+        "E647 `dopri5` has no order 4 | it has 5");
+  CHECK(message(find_method({.method = "verlet", .order = 3}).diagnostics) ==
+        "E647 `verlet` has no order 3 | it has 2, 4, 8");
+}
+
+TEST_CASE("compositions have the orders that are asked for") {
+  const CompiledSystem pendulum(pendulum_text());
+  for (const std::string name : {"verlet", "midpoint"}) {
+    for (const auto& [order, steps] : {std::pair{4U, 40}, std::pair{8U, 12}}) {
+      INFO(name << " of order " << order);
+      const auto error = [&, order = order](double step) {
+        SimulationOptions options = steps_of(name, step, pendulum_period);
+        options.order = order;
+        const auto last = pendulum.trajectory(options).last;
+        return std::hypot(last[1] - 1, last[2]);
+      };
+      const double length = pendulum_period / steps;
+      CHECK(std::log2(error(length) / error(length / 2)) == Approx(order).margin(0.8));
+      SimulationOptions options = steps_of(name, length, length);
+      options.order = order;
+      CHECK(pendulum.trajectory(options).method == name + " of order " + std::to_string(order));
+    }
+  }
 }
 
 TEST_CASE("verlet and midpoint go by a program of `step`") {
-  CHECK(step_of_run({.method = "verlet"}) == StepMethod::verlet);
-  CHECK(step_of_run({.method = "midpoint"}) == StepMethod::midpoint);
+  CHECK(step_of_run({.method = "verlet"}) == ChosenStep{StepMethod::verlet});
+  CHECK(step_of_run({.method = "verlet", .order = 2}) == ChosenStep{StepMethod::verlet});
+  CHECK(step_of_run({.method = "midpoint", .order = 8}) == ChosenStep{StepMethod::midpoint, 8});
   for (const char* name : {"rk4", "dopri5", "rk5"}) CHECK_FALSE(step_of_run({.method = name}));
 }
 
@@ -87,20 +113,16 @@ TEST_CASE("times, steps and tolerances are positive, and one rule decides the st
 
 TEST_CASE("a smaller tolerance gives a smaller error by more steps") {
   const CompiledSystem pendulum(pendulum_text());
-  for (const bool is_reference : {false, true}) {
-    INFO(is_reference);
-    const auto run = [&](double tolerance) {
-      return pendulum.trajectory(
-          {.is_reference = is_reference, .time = pendulum_period, .tolerance = tolerance});
-    };
-    const auto error = [](const Trajectory& t) { return std::hypot(t.last[1] - 1, t.last[2]); };
-    const Trajectory rough = run(1e-6);
-    const Trajectory fine = run(1e-12);
-    CHECK(error(rough) < 1e-4);
-    CHECK(error(fine) < 1e-10);
-    CHECK(fine.steps > rough.steps);
-    CHECK(fine.last[0] == pendulum_period);
-  }
+  const auto run = [&](double tolerance) {
+    return pendulum.trajectory({.time = pendulum_period, .tolerance = tolerance});
+  };
+  const auto error = [](const Trajectory& t) { return std::hypot(t.last[1] - 1, t.last[2]); };
+  const Trajectory rough = run(1e-6);
+  const Trajectory fine = run(1e-12);
+  CHECK(error(rough) < 1e-4);
+  CHECK(error(fine) < 1e-10);
+  CHECK(fine.steps > rough.steps);
+  CHECK(fine.last[0] == pendulum_period);
 }
 
 TEST_CASE("rk4 loses 9.03e-8 of the pendulum's energy in each period of a hundred steps") {
@@ -124,6 +146,9 @@ V = "-1/x^2"
   const Result<Trajectory> run = compiled.run({.time = 2});
   REQUIRE_FALSE(run);
   CHECK(run.diagnostics.front().code == Code::E624);
+  const Result<ReferenceRun> reference = reference_run(compiled.checked(), compiled.program(), 2);
+  REQUIRE_FALSE(reference);
+  CHECK(reference.diagnostics.front().code == Code::E624);
 }
 
 TEST_CASE("quaternions keep their length") {
@@ -142,8 +167,8 @@ name = "B"
 frame = "F"
 inertia = ["2*J", "J", "3*J"]
 )toml"));
-  for (const SimulationOptions& options : {steps_of("rk4", 0.01, 20), SimulationOptions{.time = 20},
-                                           SimulationOptions{.is_reference = true, .time = 20}}) {
+  for (const SimulationOptions& options :
+       {steps_of("rk4", 0.01, 20), SimulationOptions{.time = 20}}) {
     const Trajectory run = compiled.trajectory(options);
     INFO(run.method);
     double square = 0;
@@ -151,4 +176,9 @@ inertia = ["2*J", "J", "3*J"]
     CHECK(std::abs(square - 1) < 1e-15);
     CHECK(run.energy.worst < 1e-7);
   }
+  const Result<ReferenceRun> reference = reference_run(compiled.checked(), compiled.program(), 20);
+  REQUIRE(reference);
+  double square = 0;
+  for (std::size_t i = 0; i < 4; ++i) square += reference->last[i] * reference->last[i];
+  CHECK(std::abs(square - 1) < 1e-15);
 }

@@ -110,7 +110,7 @@ class ProgramReader {
   std::string read_heading(const Words& words) {
     const bool renamed = words.size() > 3 && words[2] == "=";
     if (words.size() != 2 && !renamed)
-      return "expected `function NAME [= KIND [NUMBER [ITERATIONS]]]`";
+      return "expected `function NAME [= KIND [NUMBER [ITERATIONS] [order ORDER]]]`";
     Function function;
     function.name = std::string(words[1]);
     const OutputRow* kind = nullptr;
@@ -120,10 +120,13 @@ class ProgramReader {
     if (kind == nullptr) return fmt::format("`{}` is no output", words[renamed ? 3 : 1]);
     function.kind = kind->kind;
     std::uint32_t* const numbers[] = {&function.user, &function.iterations};
-    for (std::size_t i = 4; i < std::min(words.size(), std::size_t{6}); ++i) {
+    for (std::size_t i = 4; i < words.size(); ++i) {
+      const bool is_order = words[i] == "order" && i + 1 < words.size();
+      if (is_order) ++i;
       const auto value = number(words[i]);
       if (!value) return fmt::format("`{}` is not a number", words[i]);
-      *numbers[i - 4] = *value;
+      if (is_order) function.composed_order = *value;
+      if (!is_order && i < 6) *numbers[i - 4] = *value;
     }
     program_.functions.push_back(std::move(function));
     return "";

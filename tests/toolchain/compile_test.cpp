@@ -229,3 +229,48 @@ TEST_CASE("what the compiler refuses is an error with its words") {
   REQUIRE_FALSE(functions);
   CHECK(functions.diagnostics.front().code == Code::E705);
 }
+
+TEST_CASE("a step goes on from where it ended, one state or several side by side") {
+  EmittedFiles files = sample::files(header_with_values() + R"(
+namespace sample {
+template <class Scalar> struct Next { Vector<Scalar> coordinates, rates; };
+template <class Scalar>
+Next<Scalar> advance(const Parameters<Scalar>& p, const Vector<Scalar>& q, const Vector<Scalar>& v,
+                     const Inputs<Scalar>&, Scalar h) {
+  return {{q[0] + h * v[0]}, {v[0] + h * p.m}};
+}
+}  // namespace sample
+)");
+  files.files["sample/sample_batch.hpp"] = R"(#pragma once
+#include "sample.hpp"
+namespace sample::batch {
+template <class T>
+void advance(const Parameters<T>& p, std::size_t count, const T* q, const T* v, const T*,
+             const T* h, T* result) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto next = sample::advance<T>(p, {q[i]}, {v[i]}, {}, h[i]);
+    result[i] = next.coordinates[0];
+    result[count + i] = next.rates[0];
+  }
+}
+}  // namespace sample::batch
+)";
+  Scene scene = sample::scene();
+  scene.emission.batch = true;
+  Program program{sample::program().leaves};
+  program.functions.push_back({.kind = OutputKind::step,
+                               .name = "advance",
+                               .fields = {{"coordinates", 1, 1, {0}}, {"rates", 1, 1, {0}}}});
+  const Result<StepLoops> loops =
+      compile_steps(files, sample::model(), scene, program, {.seconds = 600});
+  INFO(elgen::format(loops.diagnostics));
+  REQUIRE(loops);
+  CHECK(loops->entries == 2);
+  std::vector<double> one{1, 10};
+  std::vector<double> spare(4);
+  loops->one(1, 3, 0, 0.5, nullptr, one.data(), spare.data());
+  CHECK(one == std::vector<double>{17.5, 13});
+  std::vector<double> two{1, 3, 10, 20};
+  loops->in_packs(2, 3, 0, 0.5, nullptr, two.data(), spare.data());
+  CHECK(two == std::vector<double>{17.5, 34.5, 13, 23});
+}

@@ -221,3 +221,19 @@ TEST_CASE("in packs, the header of batches does all of it") {
       text,
       Contains("in_packs<double>(count, parameters, f, q, v, momenta, a, u, t, h, E, result);"));
 }
+
+TEST_CASE("a step is called in loops, with the time where the model knows it") {
+  Program program{sample::program().leaves};
+  program.functions.push_back({.kind = OutputKind::step, .name = "advance"});
+  Model model = sample::model();
+  const std::string text = step_driver({model, batch_scene(), program}).text;
+  CHECK_THAT(text, Contains("#include \"sample/sample_batch.hpp\""));
+  CHECK_THAT(text, Contains("emitted::advance<double>(p, q, v, u, h);"));
+  CHECK_THAT(text, Contains("emitted::batch::advance<double>(model_parameters<double>(), count, "
+                            "q, v, u, h, to);"));
+  CHECK_THAT(text, !Contains("double& time"));
+  model.uses_time = true;
+  const std::string timed = step_driver({model, batch_scene(), program}).text;
+  CHECK_THAT(timed, Contains("emitted::advance<double>(p, q, v, u, t, h);"));
+  CHECK_THAT(timed, Contains("for (double& time : times) time = start"));
+}

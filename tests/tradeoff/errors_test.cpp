@@ -5,8 +5,10 @@
 #include <limits>
 
 #include "elgen/tradeoff.hpp"
+#include "tradeoff/derived.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
@@ -21,12 +23,8 @@ TradeoffStates three_states() {
   return states;
 }
 
-Trajectory ending(double q, double v) {
-  Trajectory trajectory;
-  trajectory.rows = {{0, 4, 1}, {1, -2, 10}};
-  trajectory.last = {2, q, v};
-  return trajectory;
-}
+/// A coordinate and its rate, of which the largest were 4 and 10.
+ReferenceRun ending(double q, double v) { return {.last = {q, v}, .largest = {4, 10}}; }
 
 Model one_angle(bool wraps) {
   Model model;
@@ -57,28 +55,64 @@ TEST_CASE("what is no number, or should be 0, is infinitely wrong") {
   CHECK(errors_of({1, 2, -4, 0, 0, 1, 0, 0, 0}, states).worst == 0);
 }
 
-TEST_CASE("every method is planned with steps of its kind") {
+TEST_CASE(
+    "every method and order is planned with steps of three lengths, one by one and in packs") {
   const std::vector<PlannedRun> runs = planned_runs(10);
+  CHECK(runs.size() == (1 + 3 + 3) * 3 * 2);
   const auto named = [&](const std::vector<std::string>& values) {
     const auto found = std::ranges::find(runs, values, &PlannedRun::values);
     REQUIRE(found != runs.end());
-    return found->options;
+    return *found;
   };
-  CHECK(named({"rk4", "0.01 s"}).step == 0.01);
-  CHECK_FALSE(named({"rk4", "0.01 s"}).tolerance);
-  CHECK(named({"dopri5", "to 1e-06"}).tolerance == 1e-6);
-  CHECK(named({"dopri5", "to 1e-06"}).time == 10);
-  CHECK(reference_run(10).every == 0.05);
+  const PlannedRun rk4 = named({"rk4", "4", "0.01 s", "1"});
+  CHECK(rk4.steps == 1000);
+  CHECK(rk4.design == Design{.step = ChosenStep{StepMethod::rk4}, .doc = "For steps of 0.01 s."});
+  const PlannedRun verlet = named({"verlet", "8", "0.1 s", "packs"});
+  CHECK(verlet.steps == 100);
+  CHECK(verlet.design.in_packs);
+  CHECK(verlet.design.step == ChosenStep{StepMethod::verlet, 8});
 }
 
 TEST_CASE("errors at the end are relative to the largest magnitude of each number on the way") {
-  const DesignErrors errors = errors_of(ending(1.4, 5.1), ending(1, 5), one_angle(false));
+  const DesignErrors errors = errors_of({1.4, 5.1}, ending(1, 5), one_angle(false));
   CHECK(errors.worst == Approx(0.1));
   CHECK(errors.median == Approx(0.1));
-  CHECK(errors_of(ending(1, 5), ending(1, 5), one_angle(false)).worst == 0);
+  CHECK(errors_of({1, 5}, ending(1, 5), one_angle(false)).worst == 0);
 }
 
 TEST_CASE("angles that wrap are near each other across the jump") {
-  CHECK(errors_of(ending(3.1, 5), ending(-3.1, 5), one_angle(true)).worst < 0.03);
-  CHECK(errors_of(ending(3.1, 5), ending(-3.1, 5), one_angle(false)).worst > 1);
+  CHECK(errors_of({3.1, 5}, ending(-3.1, 5), one_angle(true)).worst < 0.03);
+  CHECK(errors_of({3.1, 5}, ending(-3.1, 5), one_angle(false)).worst > 1);
+}
+
+TEST_CASE("loops of steps go from the start to the ends of runs") {
+  // x'' = u - t by two steps of Euler's method, u = 0.
+  const Products products = derived(model_text("mass", R"toml([[coordinate]]
+name = "x"
+start = { value = 1, rate = 2 }
+[energy]
+T = "1/2*dot(x)^2"
+V = "t*x"
+[[input]]
+name = "u"
+on = "x"
+)toml"),
+                                    "forward_dynamics");
+  const StepLoop advance = [](std::size_t count, std::size_t steps, double t, double h,
+                              const double* u, double* state, double*) {
+    for (std::size_t k = 0; k < steps; ++k) {
+      for (std::size_t i = 0; i < count; ++i) {
+        state[i] += h * state[count + i];
+        state[count + i] += h * (u[i] - t - static_cast<double>(k) * h);
+      }
+    }
+  };
+  const StepLoops loops{.one = advance, .in_packs = advance, .entries = 3};
+  const CheckedModel& checked = *products.checked;
+  const PlannedRun run{{}, {}, 2};
+  // x = 1 + 2, v = 2 + 0; x = 3 + 2, v = 2 - 1
+  CHECK(end_of_run(checked, *products.program, loops, run, 2) == std::vector<double>{5, 1});
+  const TimedSteps packs = timed_steps(checked, *products.program, loops, true, 0.01);
+  packs.work();
+  CHECK(packs.count == 256 * 8);
 }

@@ -78,13 +78,3 @@ TEST_CASE("designs that differ in the scalar, in packs or in their sines are der
   CHECK(derivation.is_fixed);
   CHECK(derivation.order == "3");
 }
-
-TEST_CASE("a row of the table says what was planned") {
-  const TradeoffPlan plan = planned(pendulum_text(), "gravity", {"order"});
-  const TradeoffTable table{.dimensions = plan.dimensions};
-  for (const PlannedDesign& planned : plan.designs) {
-    const Design design = design_of(table, {.values = planned.values});
-    INFO(name_of({.values = planned.values}));
-    CHECK(design == planned.design);
-  }
-}

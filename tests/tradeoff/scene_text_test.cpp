@@ -91,6 +91,16 @@ TEST_CASE("an expansion is about the start, an exact design without the scene's 
   CHECK_FALSE(mentions(text_of(exact_design, small, output), "approximate"));
 }
 
+TEST_CASE("a step of a run is a scene with its method and order, and says for which steps") {
+  const std::string text = text_of(
+      {.in_packs = true, .step = ChosenStep{StepMethod::verlet, 8}, .doc = "For steps of 0.01 s."});
+  CHECK(mentions(text, "name = \"double_packs_verlet_8\"\ndoc = \"For steps of 0.01 s.\"\n"));
+  CHECK(mentions(text, "[outputs]\nstep = { method = \"verlet\", order = 8 }\n"));
+  CHECK(mentions(text, "[emit]\nbatch = true\n"));
+  CHECK(mentions(text_of({.step = ChosenStep{StepMethod::rk4}}),
+                 "[outputs]\nstep = { method = \"rk4\" }\n"));
+}
+
 TEST_CASE("the path of a model is escaped as TOML wants it") {
   const Products products = derived(pendulum_text(), "inverse_dynamics");
   CHECK(mentions(scene_text({*products.checked}, {}, "a\t\"b\".toml"),

@@ -53,6 +53,20 @@ TEST_CASE("the cheapest row is first, failed ones are last, and what nothing bea
   CHECK(front == std::vector<bool>{true, true, true, false, false});
 }
 
+TEST_CASE("what is below the reference is not ranked, and is chosen by what that is known to") {
+  TradeoffTable table = sample_table();
+  table.rows[0] = row_of({"double", "1"}, 2, 1e-13);
+  table.rows[0].is_below_reference = true;
+  table = judged(table);
+  CHECK(name_of(table.rows[0]) == "double, 1");
+  CHECK_FALSE(table.rows[0].is_on_front);
+  CHECK(mentions(to_text(table), "below the reference\n"));
+  CHECK(name_of(*cheapest_within(table, 1e-12)) == "double, 1");
+  const auto json = nlohmann::json::parse(to_json(table))["designs"];
+  CHECK(json[0]["error"]["below_reference"] == true);
+  CHECK_FALSE(json[1]["error"].contains("below_reference"));
+}
+
 TEST_CASE("the cheapest design within an error, and the most accurate one") {
   const TradeoffTable table = judged(sample_table());
   CHECK(name_of(*cheapest_within(table, 1e-6)) == "float, packs");

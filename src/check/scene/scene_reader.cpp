@@ -36,7 +36,7 @@ void report_unknown(const ValueSyntax& value, Report& report) {
 }
 
 void refuse_keys(const ValueSyntax& entry, const OutputRequest& output, Report& report) {
-  for (const std::string_view name : {"method", "iterations"}) {
+  for (const std::string_view name : {"method", "order", "iterations"}) {
     const KeySyntax* key = entry.find(name);
     if (key == nullptr) continue;
     report.add(Code::E103, key->key_span,
@@ -59,9 +59,25 @@ void read_iterations(const KeySyntax& key, OutputRequest& output, Report& report
   output.iterations = cln::cl_I_to_uint(cln::floor1(count));
 }
 
-/// Sets method and iterations of a request for `step`, by the table of its entry; any other value
-/// says nothing. E103 where the output takes no method, E105 where it needs one, E620 where there
-/// is no such one, E626 where it does not iterate, or not so often.
+void read_order(const KeySyntax& key, OutputRequest& output, Report& report) {
+  const StepMethodRow& method = step_methods[output.user];
+  const std::vector<std::uint32_t> orders = step_orders(method.order);
+  const auto found = std::ranges::find_if(orders, [&key](std::uint32_t order) {
+    return key.value.expression.value == cln::cl_RA(order);
+  });
+  if (found == orders.end()) {
+    return report.add(
+        Code::E647, key.value.span,
+        fmt::format("`{}` has no order {}", method.name, in_backticks(key.value.span)),
+        fmt::format("it has {}", fmt::join(orders, ", ")));
+  }
+  if (*found != method.order) output.composed_order = *found;
+}
+
+/// Sets method, order and iterations of a request for `step`, by the table of its entry; any other
+/// value says nothing. E103 where the output takes no method, E105 where it needs one, E620 where
+/// there is no such one, E626 where it does not iterate, or not so often, E647 where it has not the
+/// order.
 void read_step(const ValueSyntax& entry, OutputRequest& output, Report& report) {
   if (!output_row(output.kind).steps) return refuse_keys(entry, output, report);
   const KeySyntax* method = entry.find("method");
@@ -75,6 +91,8 @@ void read_step(const ValueSyntax& entry, OutputRequest& output, Report& report) 
   output.iterations = found->iterations;
   const KeySyntax* iterations = entry.find("iterations");
   if (iterations != nullptr) read_iterations(*iterations, output, report);
+  const KeySyntax* order = entry.find("order");
+  if (order != nullptr) read_order(*order, output, report);
 }
 
 bool precedes(const OutputRequest& a, const OutputRequest& b) {
@@ -139,11 +157,12 @@ class SceneReader {
   }
 
   /// A run goes by it.
-  void request_step(StepMethod method) {
+  void request_step(const ChosenStep& chosen) {
     OutputRequest* const step = request(std::string(output_row(OutputKind::step).name), {});
     if (step == nullptr) return;
-    step->user = static_cast<std::uint32_t>(method);
+    step->user = static_cast<std::uint32_t>(chosen.method);
     step->iterations = step_methods[step->user].iterations;
+    step->composed_order = chosen.composed_order;
   }
 
   /// A lock asks for it.

@@ -105,6 +105,14 @@ Lines step_lines(const Function& step) {
   std::istringstream text(fmt::format(equation, step.iterations));
   Lines lines;
   for (std::string line; std::getline(text, line);) append(lines, wrapped(line));
+  if (step.composed_order == 0) return lines;
+  std::vector<std::string> parts;
+  for (const cln::cl_RA& part : step_parts(step.composed_order)) {
+    parts.push_back(fmt::format("{:.6g} h", cln::double_approx(part)));
+  }
+  const char* const residual =
+      step.iterations > 0 ? "; the residual is that of the longest part" : "";
+  append(lines, wrapped(fmt::format("in turn over {}{}", fmt::join(parts, ", "), residual)));
   return lines;
 }
 

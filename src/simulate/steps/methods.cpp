@@ -19,28 +19,36 @@ Diagnostic impossible(std::string message, std::string hint = {}) {
   return {Code::E621, {}, std::move(message), std::move(hint)};
 }
 
+/// Of the output `step`.
+constexpr MethodRow row_by_program(StepMethod method) {
+  const StepMethodRow& row = step_methods[static_cast<std::size_t>(method)];
+  return {row.name, row.order, StepKind::fixed, method, &make_step_program};
+}
+
 }  // namespace
 
 std::span<const MethodRow> method_table() {
-  static constexpr std::array table{
-      MethodRow{"rk4", StepKind::fixed, {}, &make_rk4},
-      MethodRow{"dopri5", StepKind::adapted, {}, &make_dopri5},
-      MethodRow{"verlet", StepKind::fixed, StepMethod::verlet, &make_step_program},
-      MethodRow{"midpoint", StepKind::fixed, StepMethod::midpoint, &make_step_program}};
+  static constexpr std::array table{MethodRow{"rk4", 4, StepKind::fixed, {}, &make_rk4},
+                                    MethodRow{"dopri5", 5, StepKind::adapted, {}, &make_dopri5},
+                                    row_by_program(StepMethod::verlet),
+                                    row_by_program(StepMethod::midpoint)};
   return table;
 }
 
-const MethodRow& reference_method() {
-  static constexpr MethodRow row{"fehlberg78", StepKind::adapted, {}, &make_fehlberg78};
-  return row;
-}
-
 Result<MethodRow> find_method(const SimulationOptions& options) {
-  if (options.is_reference) return reference_method();
   const std::string& name = options.method;
   const std::span<const MethodRow> table = method_table();
   const auto found = std::ranges::find(table, name, &MethodRow::name);
-  if (found != table.end()) return *found;
+  if (found != table.end()) {
+    const std::vector<std::uint32_t> orders = step_orders(found->order);
+    const bool is_known =
+        !options.order || std::ranges::find(orders, *options.order) != orders.end();
+    if (is_known) return *found;
+    return Diagnostic{Code::E647,
+                      {},
+                      fmt::format("`{}` has no order {}", name, *options.order),
+                      fmt::format("it has {}", fmt::join(orders, ", "))};
+  }
   std::vector<std::string> names;
   for (const MethodRow& row : table) names.emplace_back(row.name);
   const std::string hint = suggestion(name, names);
@@ -88,9 +96,11 @@ Diagnostics refuse_run(const SimulationOptions& options) {
   return method ? step_rule(*method, options).diagnostics : method.diagnostics;
 }
 
-std::optional<StepMethod> step_of_run(const SimulationOptions& options) {
+std::optional<ChosenStep> step_of_run(const SimulationOptions& options) {
   const Result<MethodRow> method = find_method(options);
-  return method ? method->program : std::nullopt;
+  if (!method || !method->program) return std::nullopt;
+  const std::uint32_t order = options.order.value_or(method->order);
+  return ChosenStep{*method->program, order == method->order ? 0 : order};
 }
 
 }  // namespace elgen

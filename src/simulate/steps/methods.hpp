@@ -83,6 +83,7 @@ enum class StepKind : std::uint8_t { fixed, adapted };
 
 struct MethodRow {
   std::string_view name;
+  std::uint32_t order;  ///< without composition
   StepKind step;
   std::optional<StepMethod> program;  ///< the `step` that it runs; none: it calls accelerations
   std::unique_ptr<Stepper> (*make)(System& system, const StepRule& rule);
@@ -91,15 +92,11 @@ struct MethodRow {
 /// Those that are offered, in their order.
 [[nodiscard]] std::span<const MethodRow> method_table();
 
-/// The one that errors of the others are measured from.
-[[nodiscard]] const MethodRow& reference_method();
-
 [[nodiscard]] std::unique_ptr<Stepper> make_rk4(System& system, const StepRule& rule);
 [[nodiscard]] std::unique_ptr<Stepper> make_dopri5(System& system, const StepRule& rule);
-[[nodiscard]] std::unique_ptr<Stepper> make_fehlberg78(System& system, const StepRule& rule);
 [[nodiscard]] std::unique_ptr<Stepper> make_step_program(System& system, const StepRule& rule);
 
-/// The row of the method that is asked for. E620 with a suggestion.
+/// The row of the method that is asked for. E620 with a suggestion, E647.
 [[nodiscard]] Result<MethodRow> find_method(const SimulationOptions& options);
 
 /// The rule of its steps. E621: impossible numbers, a step and a tolerance, or neither where the

@@ -1,12 +1,10 @@
-// rk4, dopri5 and, for references, fehlberg78, by Boost.odeint: classical Runge and Kutta's method,
-// Dormand and Prince's of order 5 and Fehlberg's of order 8 with estimates of their errors. Laws of
-// inputs are asked for at every stage. Hairer, Norsett, Wanner, Solving Ordinary Differential
-// Equations I, 2nd ed., sec. II.1, II.5 and II.10.
+// rk4 and dopri5 by Boost.odeint: classical Runge and Kutta's method, and Dormand and Prince's of
+// order 5 with an estimate of its error. Laws of inputs are asked for at every stage. Hairer,
+// Norsett, Wanner, Solving Ordinary Differential Equations I, 2nd ed., sec. II.1 and II.5.
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
-#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <limits>
 
 #include "simulate/steps/methods.hpp"
@@ -113,11 +111,6 @@ std::unique_ptr<Stepper> fixed(System& system, double step) {
   return std::make_unique<FixedSteps<RungeKutta<Steps>>>(system, step);
 }
 
-template <class Steps>
-std::unique_ptr<Stepper> adapted(System& system, double tolerance) {
-  return std::make_unique<AdaptedSteps<Steps>>(system, tolerance);
-}
-
 }  // namespace
 
 std::unique_ptr<Stepper> make_rk4(System& system, const StepRule& rule) {
@@ -126,11 +119,8 @@ std::unique_ptr<Stepper> make_rk4(System& system, const StepRule& rule) {
 
 std::unique_ptr<Stepper> make_dopri5(System& system, const StepRule& rule) {
   using Steps = odeint::runge_kutta_dopri5<Numbers>;
-  return rule.step ? fixed<Steps>(system, *rule.step) : adapted<Steps>(system, rule.tolerance);
-}
-
-std::unique_ptr<Stepper> make_fehlberg78(System& system, const StepRule& rule) {
-  return adapted<odeint::runge_kutta_fehlberg78<Numbers>>(system, rule.tolerance);
+  if (rule.step) return fixed<Steps>(system, *rule.step);
+  return std::make_unique<AdaptedSteps<Steps>>(system, rule.tolerance);
 }
 
 }  // namespace elgen

@@ -1,0 +1,57 @@
+// Orders of compositions, and their parts of a step as decimals; the middle one is what the others
+// leave of 1, so that the time after all of them is exact. Suzuki (1990): 1/(4 - 4^(1/3)). Kahan,
+// Li (1997), 17 parts: Hairer, Lubich, Wanner, Geometric Numerical Integration, 2nd ed., sec.
+// V.3.2.
+#include "elgen/step_methods.hpp"
+
+#include <cln/integer.h>
+
+#include <span>
+
+#include "base/exact_number.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr long decimals = 26;
+
+/// Before the middle, in units of 10^-26.
+constexpr std::array parts_of_order_4{"41449077179437573714235406", "41449077179437573714235406"};
+constexpr std::array parts_of_order_8{"13020248308889008087881763",  "56116298177510838456196441",
+                                      "-38947496264484728640807860", "15884190655515560089621075",
+                                      "-39590389413323757733623154", "18453964097831570709183254",
+                                      "25837438768632204729397911",  "29501172360931029887096624"};
+
+struct CompositionRow {
+  std::uint32_t order;
+  std::span<const char* const> parts;
+};
+constexpr std::array compositions{CompositionRow{4, parts_of_order_4},
+                                  CompositionRow{8, parts_of_order_8}};
+
+}  // namespace
+
+std::vector<std::uint32_t> step_orders(std::uint32_t own) {
+  std::vector<std::uint32_t> orders{own};
+  if (own != 2) return orders;
+  for (const CompositionRow& row : compositions) orders.push_back(row.order);
+  return orders;
+}
+
+std::vector<cln::cl_RA> step_parts(std::uint32_t composed_order) {
+  std::vector<cln::cl_RA> parts;
+  for (const CompositionRow& row : compositions) {
+    if (row.order != composed_order) continue;
+    for (const char* const digits : row.parts) {
+      parts.push_back(cln::cl_RA(cln::cl_I(digits)) / power_of_ten(decimals));
+    }
+  }
+  cln::cl_RA middle = 1;
+  for (const cln::cl_RA& part : parts) middle = middle - 2 * part;
+  const std::vector<cln::cl_RA> first = parts;
+  parts.push_back(middle);
+  parts.insert(parts.end(), first.rbegin(), first.rend());
+  return parts;
+}
+
+}  // namespace elgen

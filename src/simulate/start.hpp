@@ -1,0 +1,12 @@
+// The start of a run, and what forbids it.
+#pragma once
+
+#include "simulate/steps/system.hpp"
+
+namespace elgen {
+
+/// Whether the acceleration is determined where a run starts: charts by the factors that the model
+/// states, M by its relative pivots. E623.
+[[nodiscard]] Diagnostics refuse_start(System& system, const Numbers& state, double t);
+
+}  // namespace elgen
