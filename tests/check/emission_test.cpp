@@ -149,12 +149,13 @@ TEST_CASE("a step has the order of its method, or one to which it is composed") 
 
 TEST_CASE("orders that a method does not have are E647") {
   CHECK(said_of("step = { method = \"verlet\", order = 3 }") ==
-        "E647 5:37 `verlet` has no order `3`\n");
+        "E647 5:37 `verlet` has no order `3` | it has 2, 4, 8\n");
   CHECK(said_of("step = { method = \"midpoint\", order = 6 }") ==
-        "E647 5:39 `midpoint` has no order `6`\n");
+        "E647 5:39 `midpoint` has no order `6` | it has 2, 4, 8\n");
   CHECK(said_of("step = { method = \"verlet\", order = -8 }") ==
-        "E647 5:37 `verlet` has no order `-8`\n");
-  CHECK(said_of("step = { method = \"rk4\", order = 8 }") == "E647 5:34 `rk4` has no order `8`\n");
+        "E647 5:37 `verlet` has no order `-8` | it has 2, 4, 8\n");
+  CHECK(said_of("step = { method = \"rk4\", order = 8 }") ==
+        "E647 5:34 `rk4` has no order `8` | it has 4\n");
   CHECK_THAT(said_of("bias = { order = 4 }"), Catch::StartsWith("E103 5:10 `bias` has no `order`"));
 }
 
