@@ -59,7 +59,7 @@ struct CertificateRow {
   std::optional<double> error = {};          ///< largest, in u B
   std::optional<double> loss = {};           ///< largest, in u R; 10^digits of the scalar at most
   std::optional<double> loss_of_field = {};  ///< the same in u of the largest entry of its field
-  std::string worst = {};                    ///< the figure, with its unit: "2.1 u B"
+  std::string worst = {};                    ///< the figure, "2.1 u B"; why nothing was compared
   std::string where = {};      ///< the state of the worst value, empty where nothing was sampled
   std::string tolerance = {};  ///< the bound and its reason
   Verdict verdict = Verdict::holds;
@@ -92,18 +92,15 @@ struct VerifyOptions {
   const Program* parts = nullptr;
   /// Lost digits are those inside the declared ranges; with `extremes` also beyond.
   bool extremes = false;
-  /// The code as users compile it (Build::as_users), held to the same bounds; perhaps null.
-  const CompiledModel* as_users = nullptr;
   /// The verdicts about every [[equilibrium]]; may be null.
   const std::vector<JudgedEquilibrium>* claims = nullptr;
-  /// The numbers that the header declares; may be null.
-  const std::vector<DeclaredNumber>* declared = nullptr;
   /// Told of each step: "accuracy in double, state 3 of 36".
   std::function<void(const std::string&)> on_step = {};
 };
 
 /// Compares oracle, program, and compiled code, and checks the structure of M, C and energies.
-/// Without `compiled` headers (quick) their rows are absent.
+/// Without `compiled` headers (quick) their rows are absent. Those of Build::as_users are held to
+/// the bounds of the program, all others to its bits.
 /// Diagnostics: wrong [[expect]] with witness point.
 struct Verification {
   Certificate certificate;

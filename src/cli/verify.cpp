@@ -53,43 +53,28 @@ auto timed(const std::string& name, Products& products, const Progress& progress
   return result;
 }
 
-/// Compiles the emitted code, unless it is to be quick.
-Result<CompiledHeaders> compiled_by(Build build, Products& products, const VerifyOptions& options,
+/// Compiles the emitted code in every way that is compared, unless it is to be quick.
+Result<CompiledHeaders> compiled_by(Products& products, const VerifyOptions& options,
                                     const Limits& limits, const Progress& progress) {
   if (options.quick) return CompiledHeaders();
   const auto& [model, scene] = *products.checked;
+  const CompileOptions all{limits, {Build::as_written, Build::native, Build::as_users}, true};
   return timed("compile", products, progress, [&, &model = model, &scene = scene] {
-    return compile(*products.files, model, scene, *products.program, {limits, build});
+    return compile(*products.files, model, scene, *products.program, all);
   });
 }
 
-/// None where it is to be quick.
-Result<std::vector<DeclaredNumber>> declared_by(Products& products, const VerifyOptions& options,
-                                                const Limits& limits, const Progress& progress) {
-  if (options.quick) return std::vector<DeclaredNumber>();
-  const auto& [model, scene] = *products.checked;
-  return timed("compile", products, progress, [&, &model = model, &scene = scene] {
-    return declared_numbers(*products.files, model, scene, *products.program, limits);
-  });
-}
-
-/// Compiles, and compares with what is compiled and derived beside `options`; every step is shown,
-/// and timed with the stages of the products.
+/// Compiles, and compares with what is derived beside `options`; every step is shown, and timed
+/// with the stages of the products.
 Result<Verification> compared(const std::string& path, Products& products,
                               const VerifyOptions& options, const Limits& limits) {
   const Progress progress(path);
-  const auto compiled = compiled_by(Build::as_written, products, options, limits, progress);
+  const auto compiled = compiled_by(products, options, limits, progress);
   if (!compiled) return compiled.diagnostics;
-  const auto as_users = compiled_by(Build::as_users, products, options, limits, progress);
-  if (!as_users) return as_users.diagnostics;
-  const auto declared = declared_by(products, options, limits, progress);
-  if (!declared) return declared.diagnostics;
   VerifyOptions verification = options;
-  if (!declared->empty()) verification.declared = &*declared;
   verification.forms = &*products.closed_forms;
   verification.parts = &products.parts;
   if (products.claims) verification.claims = &*products.claims;
-  if (!as_users->empty()) verification.as_users = as_users->front().functions.get();
   verification.on_step = [&progress](const std::string& step) { progress.stage(step); };
   const auto& [model, scene] = *products.checked;
   return timed("verify", products, progress, [&, &model = model, &scene = scene] {

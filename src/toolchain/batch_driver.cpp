@@ -1,7 +1,7 @@
 // The driver of the header on arrays of states, seen from one state. The state is computed in a
-// batch of seven, at each of its places in turn: in full packs and in what is left of them. All
-// others have other numbers, so that a wrong stride reads or writes something else. Where a place
-// gives other bits than the first one, the entry is NaN.
+// batch of two packs and a half, at each of its places in turn: in full packs and in what is left
+// of them. All others have other numbers, so that a wrong stride reads or writes something else.
+// Where a place gives other bits than the first one, the entry is NaN.
 #include <fmt/format.h>
 
 #include "elgen/arguments.hpp"
@@ -20,20 +20,24 @@ constexpr std::string_view batch_prologue = R"(#include "{header}"
 #include <limits>
 #include <vector>
 
+namespace driver_of_batch {{
+
 namespace {{
 
 namespace emitted = ::{name_space};
 
-constexpr std::size_t states = 7;
+template <class Scalar>
+constexpr std::size_t states = 5 * sizeof(emitted::batch::Pack<Scalar>) / sizeof(Scalar) / 2;
 
 {shared}
 template <class Scalar>
 std::vector<Scalar> batch_of(const Scalar* values, std::size_t size, std::size_t place) {{
-  std::vector<Scalar> result(size * states);
+  constexpr std::size_t count = states<Scalar>;
+  std::vector<Scalar> result(size * count);
   for (std::size_t k = 0; k < size; ++k) {{
-    for (std::size_t i = 0; i < states; ++i) {{
+    for (std::size_t i = 0; i < count; ++i) {{
       const Scalar other = static_cast<Scalar>(i + 1) - values[k] / Scalar(2);
-      result[k * states + i] = i == place ? values[k] : other;
+      result[k * count + i] = i == place ? values[k] : other;
     }}
   }}
   return result;
@@ -46,12 +50,13 @@ bool is_same(const Scalar& x, const Scalar& y) {{
 
 template <class Scalar, std::size_t Entries, class Evaluate>
 std::array<Scalar, Entries> at_every_place(const Evaluate& evaluate) {{
+  constexpr std::size_t count = states<Scalar>;
   std::array<Scalar, Entries> values{{}};
-  for (std::size_t place = 0; place < states; ++place) {{
-    std::vector<Scalar> result(Entries * states);
+  for (std::size_t place = 0; place < count; ++place) {{
+    std::vector<Scalar> result(Entries * count);
     evaluate(place, result.data());
     for (std::size_t k = 0; k < Entries; ++k) {{
-      const Scalar value = result[k * states + place];
+      const Scalar value = result[k * count + place];
       const bool agrees = place == 0 || is_same(value, values[k]);
       values[k] = agrees ? value : std::numeric_limits<Scalar>::quiet_NaN();
     }}
@@ -68,9 +73,26 @@ extern "C" void {symbol}({leaves}{scalar}* to) {{
   using Scalar = {scalar};
   const auto p = parameters_from<Scalar>(parameters);
   const auto values = at_every_place<Scalar, {entries}>([&]([[maybe_unused]] std::size_t place, Scalar* result) {{
-    emitted::batch::{function}<Scalar>(p, states{arguments}, result);
+    emitted::batch::{function}<Scalar>(p, states<Scalar>{arguments}, result);
   }});
 {appends}}}
+)";
+
+/// In a namespace of its own, because it may stand alone.
+constexpr std::string_view sine_prologue = R"(#include "{header}"
+
+namespace driver_of_sines {{
+)";
+
+constexpr std::string_view sine_wrapper = R"(
+extern "C" void {symbol}({leaves}{scalar}* to);
+extern "C" void {symbol}({leaves}{scalar}* to) {{
+  const ::{name_space}::batch::Pack<{scalar}> angle(t);
+  const auto sine = ::{name_space}::batch::sin(angle);
+  const auto cosine = ::{name_space}::batch::cos(angle);
+  to[0] = sine.native[0];
+  to[1] = cosine.native[0];
+}}
 )";
 
 /// ", batch_of(q, emitted::coordinate_count, place).data(), batch_of(&t, 1, place).data()"
@@ -110,15 +132,30 @@ std::string batch_driver(const DriverInput& input) {
     if (!is_returned(function)) continue;
     for (const ScalarKind kind : scene.numerics.scalars) {
       const std::string scalar(name_of(kind));
-      text += fmt::format(
-          batch_wrapper, fmt::arg("symbol", driver_symbol(scalar, i)), fmt::arg("scalar", scalar),
-          fmt::arg("leaves", declared_leaves(scalar, "[[maybe_unused]] ")),
-          fmt::arg("entries", entry_count(function)), fmt::arg("function", function.name),
-          fmt::arg("arguments", batch_arguments(model, function)),
-          fmt::arg("appends", batch_appends(function)));
+      text += fmt::format(batch_wrapper, fmt::arg("symbol", driver_symbol("batch", scalar, i)),
+                          fmt::arg("scalar", scalar),
+                          fmt::arg("leaves", declared_leaves(scalar, "[[maybe_unused]] ")),
+                          fmt::arg("entries", entry_count(function)),
+                          fmt::arg("function", function.name),
+                          fmt::arg("arguments", batch_arguments(model, function)),
+                          fmt::arg("appends", batch_appends(function)));
     }
   }
-  return text;
+  return text + "\n}  // namespace driver_of_batch\n" + sine_driver(input);
+}
+
+std::string sine_driver(const DriverInput& input) {
+  const auto& [model, scene, program] = input;
+  std::string text =
+      fmt::format(sine_prologue, fmt::arg("header", path_of(scene, ArtifactId::batch)));
+  for (const ScalarKind kind : scene.numerics.scalars) {
+    const std::string scalar(name_of(kind));
+    text += fmt::format(
+        sine_wrapper, fmt::arg("symbol", driver_symbol("batch", scalar, program.functions.size())),
+        fmt::arg("scalar", scalar), fmt::arg("name_space", name_space(scene)),
+        fmt::arg("leaves", declared_leaves(scalar, "[[maybe_unused]] ")));
+  }
+  return text + "\n}  // namespace driver_of_sines\n";
 }
 
 }  // namespace elgen

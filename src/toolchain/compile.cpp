@@ -1,7 +1,12 @@
-// compile: has a workshop make shared objects of the drivers of all headers, and loads those.
+// compile: has a workshop make a shared object of each unit of drivers, and loads it.
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <optional>
+#include <iterator>
+#include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "base/no_interrupts.hpp"
 #include "elgen/toolchain.hpp"
@@ -20,7 +25,7 @@ struct LoadedFunction {
 
 class LoadedModel final : public CompiledModel {
  public:
-  LoadedModel(Library library, std::vector<LoadedFunction> functions)
+  LoadedModel(std::shared_ptr<const Library> library, std::vector<LoadedFunction> functions)
       : library_(std::move(library)), functions_(std::move(functions)) {}
 
   [[nodiscard]] DriverFunction<double> find(std::string_view function) const override {
@@ -58,38 +63,76 @@ class LoadedModel final : public CompiledModel {
     return result;
   }
 
-  Library library_;
+  std::shared_ptr<const Library> library_;
   std::vector<LoadedFunction> functions_;
 };
 
-/// None where a symbol is missing; functions the driver has for one scalar alone lack the other.
-std::optional<std::vector<LoadedFunction>> load(const Library& library, const Driver& driver,
-                                                const DriverInput& input) {
-  const std::size_t scalars = scalars_of(driver, input).size();
+/// The functions of a driver, null for the scalars that it does not have.
+std::vector<LoadedFunction> functions_of(const Driver& driver, const Library& library,
+                                         const Program& program) {
   std::vector<LoadedFunction> functions;
-  for (std::size_t i = 0; i < input.program.functions.size(); ++i) {
-    const Function& function = input.program.functions[i];
-    if (!is_wrapped(driver, function)) continue;
-    const LoadedFunction loaded{function.name, entry_count(function),
-                                library.find<DriverFunction<double>>(driver_symbol("double", i)),
-                                library.find<DriverFunction<float>>(driver_symbol("float", i))};
-    const std::size_t found =
-        (loaded.in_double != nullptr ? 1U : 0U) + (loaded.in_float != nullptr ? 1U : 0U);
-    if (found != scalars) return std::nullopt;
-    functions.push_back(loaded);
+  const auto add = [&](std::string name, std::size_t number, std::size_t entries) {
+    functions.push_back({std::move(name), entries,
+                         library.find<DriverFunction<double>>(
+                             driver_symbol(driver.name, name_of(scalar_kind<double>), number)),
+                         library.find<DriverFunction<float>>(
+                             driver_symbol(driver.name, name_of(scalar_kind<float>), number))});
+  };
+  for (std::size_t i = 0; i < program.functions.size(); ++i) {
+    const Function& function = program.functions[i];
+    if (is_wrapped(driver, function)) add(function.name, i, entry_count(function));
   }
+  if (driver.in_packs) add(std::string(sine_and_cosine), program.functions.size(), 2);
   return functions;
 }
 
-/// One driver, compiled and loaded.
-Result<CompiledHeader> compile_one(const Driver& driver, Build build, const Workshop& workshop,
-                                   const DriverInput& input) {
-  Result<Library> library = workshop.build(driver, build);
-  if (!library) return library.diagnostics;
-  std::optional<std::vector<LoadedFunction>> functions = load(*library, driver, input);
-  if (!functions) return missing_function();
-  return CompiledHeader{driver.types, driver.in_packs,
-                        std::make_unique<LoadedModel>(std::move(*library), std::move(*functions))};
+std::size_t scalars_in(const LoadedFunction& function) {
+  return (function.in_double != nullptr ? 1U : 0U) + (function.in_float != nullptr ? 1U : 0U);
+}
+
+/// `library`: of the driver's unit; null where the compiler does not take the flags of the build.
+Result<CompiledHeader> header_of(const Driver& driver, Build build,
+                                 const std::shared_ptr<const Library>& library,
+                                 const DriverInput& input) {
+  CompiledHeader header{driver.types, driver.in_packs, nullptr, build};
+  if (library == nullptr) {
+    header.lacking = "the compiler does not take -O3 -march=native";
+    return header;
+  }
+  std::vector<LoadedFunction> functions = functions_of(driver, *library, input.program);
+  const auto have = [&functions](std::size_t scalars) {
+    return std::ranges::all_of(functions, [scalars](const LoadedFunction& function) {
+      return scalars_in(function) == scalars;
+    });
+  };
+  if (!driver.needs.empty() && have(0)) {
+    header.lacking = fmt::format("<{}> is not installed", driver.needs);
+    return header;
+  }
+  if (!have(scalars_of(driver, input).size())) return missing_function();
+  header.functions = std::make_unique<LoadedModel>(library, std::move(functions));
+  return header;
+}
+
+/// Calls what gives the numbers.
+bool read_declared(const Library& library, std::vector<DeclaredNumber>& numbers) {
+  const auto give = library.find<void (*)(double*)>(declarations_symbol);
+  if (give == nullptr) return false;
+  std::vector<double> given(numbers.size());
+  give(given.data());
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i].declared = given[i];
+  return true;
+}
+
+/// Of all builds; the first of them ends with `declared`.
+std::vector<DriverUnit> all_units(const DriverInput& input, const std::vector<Build>& builds,
+                                  const std::string& declared) {
+  std::vector<DriverUnit> all;
+  for (const Build build : builds) {
+    std::vector<DriverUnit> some = units_of(input, build, all.empty() ? declared : "");
+    std::ranges::move(some, std::back_inserter(all));
+  }
+  return all;
 }
 
 }  // namespace
@@ -97,17 +140,31 @@ Result<CompiledHeader> compile_one(const Driver& driver, Build build, const Work
 Result<CompiledHeaders> compile(const EmittedFiles& files, const Model& model, const Scene& scene,
                                 const Program& program, const CompileOptions& options) {
   const DriverInput input{model, scene, program};
-  const std::vector<Driver> sources = drivers(input);
+  Declarations declared;
+  if (options.declarations) declared = declarations(input);
+  const std::vector<DriverUnit> units = all_units(input, options.builds, declared.text);
+  std::vector<Source> sources;
+  for (const DriverUnit& unit : units) sources.push_back(unit.source);
   const NoInterrupts until_removed;
   const Result<Workshop> workshop = Workshop::open(files, sources, options.limits);
   if (!workshop) return workshop.diagnostics;
   CompiledHeaders headers;
-  for (const Driver& driver : sources) {
-    if (options.build == Build::as_users && !driver.types.empty()) continue;
-    Result<CompiledHeader> header = compile_one(driver, options.build, *workshop, input);
-    if (!header) return header.diagnostics;
-    headers.push_back(std::move(*header));
+  for (const auto& [source, build, all] : units) {
+    Result<Library> built = workshop->build(source, build);
+    const bool lacks_flags =
+        !built && build != Build::as_written && !workshop->takes(build, source);
+    if (!built && !lacks_flags) return built.diagnostics;
+    std::shared_ptr<const Library> library;
+    if (built) library = std::make_shared<const Library>(std::move(*built));
+    const bool declares = headers.empty() && options.declarations && library != nullptr;
+    if (declares && !read_declared(*library, declared.numbers)) return missing_function();
+    for (const Driver& driver : all) {
+      Result<CompiledHeader> header = header_of(driver, build, library, input);
+      if (!header) return header.diagnostics;
+      headers.push_back(std::move(*header));
+    }
   }
+  headers.front().declared = std::move(declared.numbers);
   return headers;
 }
 

@@ -77,11 +77,11 @@ std::unique_ptr<TimedFunction> loaded(const std::shared_ptr<const Library>& libr
 }
 
 Result<std::shared_ptr<const Library>> built_to_time(const EmittedFiles& files,
-                                                     const Driver& driver, const Limits& limits) {
+                                                     const Source& source, const Limits& limits) {
   const NoInterrupts until_removed;
-  const Result<Workshop> workshop = Workshop::open(files, {driver}, limits);
+  const Result<Workshop> workshop = Workshop::open(files, {source}, limits);
   if (!workshop) return workshop.diagnostics;
-  Result<Library> built = workshop->build(driver, Build::to_time);
+  Result<Library> built = workshop->build(source, Build::to_time);
   if (!built) return built.diagnostics;
   return std::make_shared<const Library>(std::move(*built));
 }
@@ -91,9 +91,9 @@ Result<std::shared_ptr<const Library>> built_to_time(const EmittedFiles& files,
 Result<TimedFunctions> compile_timed(const EmittedFiles& files, const Model& model,
                                      const Scene& scene, const Program& program,
                                      const TimingOptions& options) {
-  const Driver driver = timing_driver({model, scene, program}, options.variants);
+  const Source source = timing_driver({model, scene, program}, options.variants);
   const Result<std::shared_ptr<const Library>> library =
-      built_to_time(files, driver, options.limits);
+      built_to_time(files, source, options.limits);
   if (!library) return library.diagnostics;
   const std::size_t entries = entry_count(program.functions.front());
   TimedFunctions functions;

@@ -24,9 +24,10 @@ CompilerCommand split(const std::string& text) {
 }
 
 /// In the order of Build.
-constexpr std::array<const char*, 3> flags_of_builds{
+constexpr std::array<const char*, 4> flags_of_builds{
     "-O2 -ffp-contract=off -fPIC -shared -Wall -Wextra -Wpedantic -Wconversion -Wshadow "
     "-Wsign-conversion -Wfloat-equal -Wdouble-promotion -Werror",
+    "-O3 -march=native -ffp-contract=off -fPIC -shared",
     "-O3 -march=native -ffp-contract=fast -fPIC -shared",
     "-O2 -march=native -ffp-contract=fast -fPIC -shared"};
 
@@ -73,12 +74,14 @@ Diagnostic no_compiler(const ProcessResult& last) {
   return {Code::E704, {}, "tried " + tried};
 }
 
-/// The needs of every driver: a language, its library, room to compile, and sums in their order.
-std::string probe_text(const Driver& driver) {
+/// The needs of every source: a language, its library, room to compile, and sums in their order.
+std::string probe_text(const Source& source) {
   std::string headers =
       "#include <math.h>\n#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)\n#error\n"
       "#endif\n";
-  if (!driver.needs.empty()) headers += fmt::format("#include <{}>\n", driver.needs);
+  if (!source.needs.empty()) {
+    headers += fmt::format("#if __has_include(<{0}>)\n#include <{0}>\n#endif\n", source.needs);
+  }
   return headers + "int elgen_probe(void);\nint elgen_probe(void) { return 0; }\n";
 }
 
@@ -93,13 +96,6 @@ bool is_refusal(const ProcessResult& compiled) {
   };
   return compiled.ending == Ending::exited && compiled.status == 1 &&
          std::none_of(other_reasons.begin(), other_reasons.end(), is_said);
-}
-
-bool takes_probe(const Compiler& compiler, const std::filesystem::path& directory,
-                 const Driver& driver) {
-  const std::filesystem::path probe = directory / ("probe_" + driver.file);
-  std::ofstream(probe, std::ios::binary) << probe_text(driver);
-  return compile_shared(compiler, Build::as_written, probe, directory / "probe.so").succeeded();
 }
 
 /// The line of /proc/cpuinfo that x86 has; elsewhere the architecture alone.
@@ -149,12 +145,20 @@ ProcessResult compile_shared(const Compiler& compiler, Build build,
   return run(command, compiler.seconds, object.parent_path().string());
 }
 
+bool takes_probe(const Compiler& compiler, Build build, const std::filesystem::path& directory,
+                 const Source& source) {
+  const std::filesystem::path probe = directory / ("probe_" + source.file);
+  std::ofstream(probe, std::ios::binary) << probe_text(source);
+  return compile_shared(compiler, build, probe, directory / "probe.so").succeeded();
+}
+
 Diagnostic why_refused(const Compiler& compiler, const ProcessResult& compiled,
-                       const std::filesystem::path& directory, const Driver& driver) {
+                       const std::filesystem::path& directory, const Source& source) {
   if (compiled.ending == Ending::out_of_time) {
     return out_of_time(compiler.command, compiler.seconds);
   }
-  const bool is_ours = is_refusal(compiled) && takes_probe(compiler, directory, driver);
+  const bool is_ours =
+      is_refusal(compiled) && takes_probe(compiler, Build::as_written, directory, source);
   return {is_ours ? Code::E705 : Code::E709,
           {},
           fmt::format("`{}` {}:\n{}", fmt::join(compiler.command, " "), ending_text(compiled),

@@ -36,9 +36,14 @@ struct Compiler {
                                            const std::filesystem::path& source,
                                            const std::filesystem::path& object);
 
-/// Why `compiled` failed for this driver: E909 out of time, E705 where the same compiler takes a
-/// function of one line, else E709, with the compiler's words.
+/// Whether it compiles a function of one line, with the library that the source needs where that is
+/// installed.
+[[nodiscard]] bool takes_probe(const Compiler& compiler, Build build,
+                               const std::filesystem::path& directory, const Source& source);
+
+/// Why `compiled` failed for this source: E909 out of time, E705 where the same compiler takes the
+/// probe, else E709, with the compiler's words.
 [[nodiscard]] Diagnostic why_refused(const Compiler& compiler, const ProcessResult& compiled,
-                                     const std::filesystem::path& directory, const Driver& driver);
+                                     const std::filesystem::path& directory, const Source& source);
 
 }  // namespace elgen

@@ -32,6 +32,8 @@ constexpr std::string_view cpp_prologue = R"(#include "{header}"
 #include <array>
 #include <cstddef>
 
+namespace driver_of_{name} {{
+
 namespace {{
 
 namespace emitted = ::{functions};
@@ -68,6 +70,7 @@ extern "C" void {symbol}({leaves}{scalar}* result) {{
 
 /// The names and types in which the two headers differ.
 struct Types {
+  std::string_view name;  ///< of the driver
   std::string header;
   std::string functions;                           ///< their namespace
   std::string_view vector;                         ///< an argument from flat numbers
@@ -110,9 +113,10 @@ std::string call(const DriverInput& input, const Types& types, const Function& f
 
 std::string calls_of(const DriverInput& input, const Types& types) {
   const auto& [model, scene, program] = input;
-  std::string text = fmt::format(
-      cpp_prologue, fmt::arg("header", types.header), fmt::arg("functions", types.functions),
-      fmt::arg("vector", types.vector), fmt::arg("shared", cpp_helpers(input)));
+  std::string text =
+      fmt::format(cpp_prologue, fmt::arg("name", types.name), fmt::arg("header", types.header),
+                  fmt::arg("functions", types.functions), fmt::arg("vector", types.vector),
+                  fmt::arg("shared", cpp_helpers(input)));
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     text += fmt::format(call_template, fmt::arg("index", i),
                         fmt::arg("leaves", declared_leaves("Scalar", "[[maybe_unused]] ")),
@@ -129,13 +133,13 @@ std::string driver_of(const DriverInput& input, const Types& types) {
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     for (const ScalarKind kind : driver_scalars(input)) {
       const std::string scalar(name_of(kind));
-      text += fmt::format(cpp_wrapper, fmt::arg("symbol", driver_symbol(scalar, i)),
+      text += fmt::format(cpp_wrapper, fmt::arg("symbol", driver_symbol(types.name, scalar, i)),
                           fmt::arg("scalar", scalar), fmt::arg("index", i),
                           fmt::arg("leaves", declared_leaves(scalar)),
                           fmt::arg("names", fmt::join(names, ", ")));
     }
   }
-  return text;
+  return text + fmt::format("\n}}  // namespace driver_of_{}\n", types.name);
 }
 
 }  // namespace
@@ -147,12 +151,12 @@ std::string cpp_helpers(const DriverInput& input) {
 }
 
 std::string cpp_driver(const DriverInput& input) {
-  return driver_of(input, {path_of(input.scene, ArtifactId::cpp), name_space(input.scene),
+  return driver_of(input, {"cpp", path_of(input.scene, ArtifactId::cpp), name_space(input.scene),
                            array_vector, array_result});
 }
 
 std::string eigen_driver(const DriverInput& input) {
-  return driver_of(input, {path_of(input.scene, ArtifactId::eigen),
+  return driver_of(input, {"eigen", path_of(input.scene, ArtifactId::eigen),
                            name_space(input.scene) + "::eigen", eigen_vector, eigen_result});
 }
 

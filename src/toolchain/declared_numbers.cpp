@@ -1,4 +1,4 @@
-// declared_numbers: a driver gives the numbers one after another. For two parameters m and l[2] in
+// declarations: a function gives the numbers one after another. For two parameters m and l[2] in
 // C++:
 //
 //     const emitted::Parameters<double> in_double{};
@@ -8,29 +8,25 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <utility>
 
 #include "base/exact_number.hpp"
-#include "base/no_interrupts.hpp"
 #include "elgen/artifacts.hpp"
 #include "elgen/evaluate.hpp"
-#include "elgen/toolchain.hpp"
 #include "evaluate/pack_trigonometry.hpp"
 #include "lower/code_interface.hpp"
 #include "toolchain/driver.hpp"
-#include "toolchain/workshop.hpp"
 
 namespace elgen {
 namespace {
 
-constexpr std::string_view symbol = "elgen_declared_numbers";
-
-/// A driver's text while it grows, beside the numbers that it has to give.
-class DeclarationDriver {
+/// A text while it grows, beside the numbers that it has to give.
+class DeclarationText {
  public:
-  explicit DeclarationDriver(const DriverInput& input)
+  explicit DeclarationText(const DriverInput& input)
       : input_(input), language_(input.scene.emission.language) {}
 
-  [[nodiscard]] Driver driver() {
+  [[nodiscard]] Declarations complete() && {
     add_counts();
     for (const ScalarKind scalar : driver_scalars(input_)) add_parameters(scalar);
     if (is_cpp()) add_intervals();
@@ -45,11 +41,9 @@ class DeclarationDriver {
     std::string text =
         fmt::format("#include \"{}\"\n{}", path_of(input_.scene, header), variables_);
     text += fmt::format("{0}void {1}(double* to);\n{0}void {1}(double* to) {{\n{2}}}\n", linkage,
-                        symbol, statements_);
-    return {"", is_cpp() ? "declared_numbers.cpp" : "declared_numbers.c", text, ""};
+                        declarations_symbol, statements_);
+    return {std::move(text), std::move(numbers_)};
   }
-
-  [[nodiscard]] std::vector<DeclaredNumber> numbers() && { return std::move(numbers_); }
 
  private:
   [[nodiscard]] bool is_cpp() const { return language_ == LanguageId::cpp; }
@@ -163,24 +157,6 @@ class DeclarationDriver {
 
 }  // namespace
 
-Result<std::vector<DeclaredNumber>> declared_numbers(const EmittedFiles& files, const Model& model,
-                                                     const Scene& scene, const Program& program,
-                                                     const Limits& limits) {
-  const DriverInput input{model, scene, program};
-  DeclarationDriver declarations(input);
-  const Driver driver = declarations.driver();
-  const NoInterrupts until_removed;
-  const Result<Workshop> workshop = Workshop::open(files, {driver}, limits);
-  if (!workshop) return workshop.diagnostics;
-  const Result<Library> library = workshop->build(driver, Build::as_written);
-  if (!library) return library.diagnostics;
-  const auto give = library->find<void (*)(double*)>(std::string(symbol));
-  if (give == nullptr) return missing_function();
-  std::vector<DeclaredNumber> numbers = std::move(declarations).numbers();
-  std::vector<double> given(numbers.size());
-  give(given.data());
-  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i].declared = given[i];
-  return numbers;
-}
+Declarations declarations(const DriverInput& input) { return DeclarationText(input).complete(); }
 
 }  // namespace elgen

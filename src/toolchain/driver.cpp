@@ -1,14 +1,16 @@
 // The drivers of a scene's headers, and what those of all languages share. For a function
 // inverse_dynamics(q, v, a) of two coordinates:
 //
-//     void elgen_driver_double_0(const double* p, const double* f, const double* q,
-//                                const double* v, const double* momenta, const double* a,
-//                                const double* u, double t, double h, double* result);
+//     void elgen_driver_cpp_double_0(const double* p, const double* f, const double* q,
+//                                    const double* v, const double* momenta, const double* a,
+//                                    const double* u, double t, double h, double E,
+//                                    double* result);
 #include "toolchain/driver.hpp"
 
 #include <fmt/format.h>
 
 #include <set>
+#include <utility>
 
 #include "elgen/arguments.hpp"
 #include "elgen/artifacts.hpp"
@@ -30,24 +32,37 @@ std::set<std::string> emitted_names(const DriverInput& input) {
   return names;
 }
 
+/// Of instructions: all headers of an arm of seven joints at once take a gigabyte.
+constexpr std::size_t longest_together = 4096;
+
+std::size_t length_of(const Program& program) {
+  std::size_t length = 0;
+  for (const Function& function : program.functions) length += function.instructions.size();
+  return length;
+}
+
 bool is_generic(const Scene& scene) {
   return language_row(scene.emission.language).scalars == LanguageScalars::any;
 }
 
+/// Null where there is nothing to compile.
+using DriverText = std::string (*)(const DriverInput& input);
+
 struct DriverRow {
   const char* types;
+  const char* name;
   const char* needs;
-  const char* file;
-  std::string (*text)(const DriverInput& input);  ///< null where there is nothing to compile
+  DriverText text;
+  DriverText as_users;
   bool in_packs = false;
 };
 
-constexpr DriverRow no_code{"", "", "", nullptr};
+constexpr DriverRow no_code{"", "", "", nullptr, nullptr};
 constexpr PerArtifact<DriverRow> driver_table{
-    .cpp = {"", "", "driver.cpp", &cpp_driver},
-    .eigen = {"Eigen", "Eigen/Core", "eigen_driver.cpp", &eigen_driver},
-    .batch = {"batch", "", "batch_driver.cpp", &batch_driver, true},
-    .c99 = {"", "", "driver.c", &c99_driver},
+    .cpp = {"", "cpp", "", &cpp_driver, &cpp_driver},
+    .eigen = {"Eigen", "eigen", "Eigen/Core", &eigen_driver, nullptr},
+    .batch = {"batch", "batch", "", &batch_driver, &sine_driver, true},
+    .c99 = {"", "c99", "", &c99_driver, &c99_driver},
     .sidecar = no_code,
     .page = no_code};
 
@@ -92,14 +107,38 @@ std::string appended(const DriverInput& input, const Function& function, std::st
   return text;
 }
 
-std::vector<Driver> drivers(const DriverInput& input) {
+std::vector<Driver> drivers(const DriverInput& input, Build build) {
   std::vector<Driver> result;
   for (const Artifact& artifact : artifacts_of(input.scene)) {
     const DriverRow& row = driver_table[artifact.id];
-    if (row.text == nullptr) continue;
-    result.push_back({row.types, row.file, row.text(input), row.needs, row.in_packs});
+    const DriverText text = build == Build::as_users ? row.as_users : row.text;
+    if (text == nullptr) continue;
+    result.push_back(
+        {row.types, row.name, text(input), row.needs, row.in_packs, text != &sine_driver});
   }
   return result;
+}
+
+std::vector<DriverUnit> units_of(const DriverInput& input, Build build, const std::string& more) {
+  const bool is_c = input.scene.emission.language == LanguageId::c99;
+  const bool is_long = length_of(input.program) > longest_together;
+  std::vector<DriverUnit> units;
+  for (Driver& driver : drivers(input, build)) {
+    if (units.empty() || (is_long && driver.has_functions)) {
+      units.push_back({{}, build, {}});
+      units.back().source.file =
+          fmt::format("driver_{}_{}.{}", static_cast<int>(build), units.size(), is_c ? "c" : "cpp");
+    }
+    Source& source = units.back().source;
+    const std::string& needs = driver.needs;
+    source.text += needs.empty()
+                       ? driver.text
+                       : fmt::format("#if __has_include(<{}>)\n{}#endif\n", needs, driver.text);
+    if (!needs.empty()) source.needs = needs;
+    units.back().drivers.push_back(std::move(driver));
+  }
+  units.front().source.text += more;
+  return units;
 }
 
 std::vector<ScalarKind> driver_scalars(const DriverInput& input) {
@@ -115,11 +154,11 @@ std::vector<ScalarKind> scalars_of(const Driver& driver, const DriverInput& inpu
 }
 
 bool is_wrapped(const Driver& driver, const Function& function) {
-  return !driver.in_packs || is_returned(function);
+  return driver.has_functions && (!driver.in_packs || is_returned(function));
 }
 
-std::string driver_symbol(std::string_view scalar, std::size_t function) {
-  return fmt::format("elgen_driver_{}_{}", scalar, function);
+std::string driver_symbol(std::string_view driver, std::string_view scalar, std::size_t function) {
+  return fmt::format("elgen_driver_{}_{}_{}", driver, scalar, function);
 }
 
 }  // namespace elgen

@@ -1,5 +1,4 @@
-// The C interface to an emitted header: one function per model function and scalar, with flat
-// arrays.
+// The C interface to emitted headers: one function per model function and scalar, with flat arrays.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +9,7 @@
 #include "elgen/model.hpp"
 #include "elgen/program.hpp"
 #include "elgen/scene.hpp"
+#include "elgen/toolchain.hpp"
 
 namespace elgen {
 
@@ -20,19 +20,39 @@ struct DriverInput {
   const Program& program;
 };
 
-/// A translation unit that includes one emitted header, in the header's language, and wraps each
-/// function for each scalar. `parameters` are those of Program::leaves; results follow each other
-/// in the order of Function::fields, matrices row by row.
-struct Driver {
-  std::string types = {};  ///< "Eigen", "batch"; empty for those of the language itself
+/// A translation unit.
+struct Source {
   std::string file = {};
   std::string text = {};
   std::string needs = {};  ///< "Eigen/Core": a header that is no part of the language
-  bool in_packs = false;   ///< sines and cosines are those of PackTrigonometry
 };
 
-/// One for every header among the emitted files.
-[[nodiscard]] std::vector<Driver> drivers(const DriverInput& input);
+/// The part of a translation unit that includes one emitted header, in the header's language, and
+/// wraps each function for each scalar. `parameters` are those of Program::leaves; results follow
+/// each other in the order of Function::fields, matrices row by row.
+struct Driver {
+  std::string types = {};  ///< "Eigen", "batch"; empty for those of the language itself
+  std::string name = {};   ///< "eigen": a part of its symbols
+  std::string text = {};
+  std::string needs = {};     ///< of the Source, which leaves the text out where it is not there
+  bool in_packs = false;      ///< sines and cosines are those of PackTrigonometry
+  bool has_functions = true;  ///< else it has nothing but these
+};
+
+/// One for every header among the emitted files that is compiled in this build.
+[[nodiscard]] std::vector<Driver> drivers(const DriverInput& input, Build build);
+
+/// Drivers that are compiled together.
+struct DriverUnit {
+  Source source = {};
+  Build build = Build::as_written;
+  std::vector<Driver> drivers = {};
+};
+
+/// Those of a build: all in one unit, or where the program is long each in one of its own, because
+/// the compiler's memory grows with it. `more` ends the first unit.
+[[nodiscard]] std::vector<DriverUnit> units_of(const DriverInput& input, Build build,
+                                               const std::string& more);
 
 /// The scalars a driver wraps functions for: of generic code double, and float where its numbers
 /// fit that, else the scene's own.
@@ -41,11 +61,23 @@ struct Driver {
 /// Those of this driver: of a header on arrays of states the scene's.
 [[nodiscard]] std::vector<ScalarKind> scalars_of(const Driver& driver, const DriverInput& input);
 
-/// Whether the header has the function: a batch has none with more than 4096 entries.
+/// Whether the driver has the function: a batch has none with more than 4096 entries.
 [[nodiscard]] bool is_wrapped(const Driver& driver, const Function& function);
 
-/// The driver's name for Program::functions[function]: "elgen_driver_double_3".
-[[nodiscard]] std::string driver_symbol(std::string_view scalar, std::size_t function);
+/// The name that the driver of this name has for Program::functions[function], or where that is
+/// the number of functions, for sine_and_cosine: "elgen_driver_eigen_double_3".
+[[nodiscard]] std::string driver_symbol(std::string_view driver, std::string_view scalar,
+                                        std::size_t function);
+
+/// The text that declared numbers are given by, and what they have to be.
+struct Declarations {
+  std::string text = {};
+  std::vector<DeclaredNumber> numbers = {};
+};
+[[nodiscard]] Declarations declarations(const DriverInput& input);
+
+/// In the text of declarations: void (*)(double* to), which writes all of them.
+inline constexpr const char* declarations_symbol = "elgen_declared_numbers";
 
 // The parts that the drivers of all languages are put together from.
 
@@ -66,10 +98,12 @@ struct Driver {
 /// `append` and `parameters_from`, which the drivers in C++17 have in common.
 [[nodiscard]] std::string cpp_helpers(const DriverInput& input);
 
-/// The drivers of C++17, on arrays of states and in Eigen's types too, and of C99.
+/// The drivers of C++17, on arrays of states and in Eigen's types too, and of C99; of packs also
+/// that of their sines and cosines alone.
 [[nodiscard]] std::string cpp_driver(const DriverInput& input);
 [[nodiscard]] std::string eigen_driver(const DriverInput& input);
 [[nodiscard]] std::string batch_driver(const DriverInput& input);
+[[nodiscard]] std::string sine_driver(const DriverInput& input);
 [[nodiscard]] std::string c99_driver(const DriverInput& input);
 
 }  // namespace elgen

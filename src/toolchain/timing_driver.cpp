@@ -193,7 +193,7 @@ std::string entry_of(const TimedVariant& variant, std::size_t number) {
 
 }  // namespace
 
-Driver timing_driver(const DriverInput& input, const std::vector<TimedVariant>& variants) {
+Source timing_driver(const DriverInput& input, const std::vector<TimedVariant>& variants) {
   const Scene& scene = input.scene;
   const Function& function = input.program.functions.front();
   std::string text = prologue_of(scene);
@@ -201,10 +201,10 @@ Driver timing_driver(const DriverInput& input, const std::vector<TimedVariant>& 
   if (scene.emission.batch) text += pack_by_pack(input, function);
   text += "}  // namespace\n";
   for (std::size_t i = 0; i < variants.size(); ++i) text += entry_of(variants[i], i);
-  return {"", "timing_driver.cpp", text, ""};
+  return {"timing_driver.cpp", text};
 }
 
-Driver step_driver(const DriverInput& input) {
+Source step_driver(const DriverInput& input) {
   const Function& step = input.program.functions.front();
   std::vector<std::string_view> arguments;
   std::vector<std::string_view> batch_arguments{"model_parameters<double>()", "count"};
@@ -220,7 +220,7 @@ Driver step_driver(const DriverInput& input) {
       fmt::arg("function", step.name), fmt::arg("arguments", fmt::join(arguments, ", ")),
       fmt::arg("batch_arguments", fmt::join(batch_arguments, ", ")),
       fmt::arg("clock", has_time ? step_clock : ""));
-  return {"", "step_driver.cpp", prologue_of(input.scene) + loops, ""};
+  return {"step_driver.cpp", prologue_of(input.scene) + loops};
 }
 
 std::string timed_symbol(std::size_t variant) { return fmt::format("elgen_timed_{}", variant); }

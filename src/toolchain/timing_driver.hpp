@@ -17,7 +17,7 @@ using TimingDriverFunction = void (*)(std::size_t count,
 
 /// Of a scene in C++, with its header of batches where a variant is in packs; the first function of
 /// the program.
-[[nodiscard]] Driver timing_driver(const DriverInput& input,
+[[nodiscard]] Source timing_driver(const DriverInput& input,
                                    const std::vector<TimedVariant>& variants);
 
 /// "elgen_timed_3" of variants[3].
@@ -25,7 +25,7 @@ using TimingDriverFunction = void (*)(std::size_t count,
 
 /// Of a scene in C++ with its header of batches, a StepLoop of one state and one in packs, under
 /// these names; the first function of the program is a `step`.
-[[nodiscard]] Driver step_driver(const DriverInput& input);
+[[nodiscard]] Source step_driver(const DriverInput& input);
 inline constexpr const char* step_loop_of_one = "elgen_step_loop";
 inline constexpr const char* step_loop_in_packs = "elgen_step_loop_in_packs";
 

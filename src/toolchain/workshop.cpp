@@ -26,12 +26,12 @@ bool write(const std::filesystem::path& path, const std::string& text) {
 }
 
 bool write_all(const std::filesystem::path& directory, const EmittedFiles& files,
-               const std::vector<Driver>& drivers) {
+               const std::vector<Source>& sources) {
   const bool headers = std::all_of(
       files.files.begin(), files.files.end(),
       [&directory](const auto& file) { return write(directory / file.first, file.second); });
-  return headers && std::all_of(drivers.begin(), drivers.end(), [&directory](const Driver& driver) {
-           return write(directory / driver.file, driver.text);
+  return headers && std::all_of(sources.begin(), sources.end(), [&directory](const Source& source) {
+           return write(directory / source.file, source.text);
          });
 }
 
@@ -61,10 +61,10 @@ TemporaryDirectory::~TemporaryDirectory() {
   }
 }
 
-Result<Workshop> Workshop::open(const EmittedFiles& files, const std::vector<Driver>& drivers,
+Result<Workshop> Workshop::open(const EmittedFiles& files, const std::vector<Source>& sources,
                                 const Limits& limits) {
   std::optional<TemporaryDirectory> directory = TemporaryDirectory::create();
-  if (!directory || !write_all(directory->path(), files, drivers)) {
+  if (!directory || !write_all(directory->path(), files, sources)) {
     return nowhere(Code::E706, "no temporary directory could be written; $TMPDIR names another");
   }
   Result<Compiler> compiler = find_compiler(limits.seconds);
@@ -72,17 +72,21 @@ Result<Workshop> Workshop::open(const EmittedFiles& files, const std::vector<Dri
   return Workshop(std::move(*directory), std::move(*compiler));
 }
 
-Result<Library> Workshop::build(const Driver& driver, Build build) const {
+Result<Library> Workshop::build(const Source& source, Build build) const {
   const std::filesystem::path& directory = directory_.path();
-  const std::filesystem::path object = directory / (driver.file + ".so");
-  const ProcessResult compiled = compile_shared(compiler_, build, directory / driver.file, object);
-  if (!compiled.succeeded()) return why_refused(compiler_, compiled, directory, driver);
+  const std::filesystem::path object = directory / (source.file + ".so");
+  const ProcessResult compiled = compile_shared(compiler_, build, directory / source.file, object);
+  if (!compiled.succeeded()) return why_refused(compiler_, compiled, directory, source);
   Library library(object);
   if (!library.loaded()) {
     return nowhere(Code::E709, fmt::format("what `{}` made could not be loaded: {}",
                                            fmt::join(compiler_.command, " "), dlerror()));
   }
   return library;
+}
+
+bool Workshop::takes(Build build, const Source& source) const {
+  return takes_probe(compiler_, build, directory_.path(), source);
 }
 
 Diagnostic missing_function() {

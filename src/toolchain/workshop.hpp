@@ -1,4 +1,4 @@
-// Workshop: a temporary directory with emitted headers and drivers in it, and the user's compiler.
+// Workshop: a temporary directory with emitted headers and sources in it, and the user's compiler.
 #pragma once
 
 #include <dlfcn.h>
@@ -64,11 +64,14 @@ class Workshop {
  public:
   /// E704 without a compiler, E706 without room, E909 where the compiler does not answer.
   [[nodiscard]] static Result<Workshop> open(const EmittedFiles& files,
-                                             const std::vector<Driver>& drivers,
+                                             const std::vector<Source>& sources,
                                              const Limits& limits);
 
-  /// One of the drivers, compiled and loaded. E705, E709 and E909 as of `compile`.
-  [[nodiscard]] Result<Library> build(const Driver& driver, Build build) const;
+  /// One of the sources, compiled and loaded. E705, E709 and E909 as of `compile`.
+  [[nodiscard]] Result<Library> build(const Source& source, Build build) const;
+
+  /// Whether the compiler takes the flags of this build: of a function of one line.
+  [[nodiscard]] bool takes(Build build, const Source& source) const;
 
  private:
   Workshop(TemporaryDirectory directory, Compiler compiler)
@@ -78,7 +81,7 @@ class Workshop {
   Compiler compiler_;
 };
 
-/// E705: a symbol of the driver is not in what was loaded.
+/// E705: a symbol of a driver is not in what was loaded.
 [[nodiscard]] Diagnostic missing_function();
 
 }  // namespace elgen

@@ -52,6 +52,11 @@ std::string skipped_text(const CertificateRow& row) {
   return text;
 }
 
+/// Where no state was looked at, "<Eigen/Core> is not installed".
+std::string why_skipped(const CertificateRow& row) {
+  return row.skipped.empty() ? row.worst : skipped_text(row);
+}
+
 void append_detail(std::string& text, std::string_view label, const std::string& value) {
   if (!value.empty()) text += fmt::format("           {:<10} {}\n", label, value);
 }
@@ -145,7 +150,7 @@ void append_output(std::string& text, const std::string& name, const Rows& rows,
     const std::string prefix = fails ? "" : fmt::format("{}: ", word(verdict_words, row->verdict));
     text += fmt::format("           {}{}, {}\n", prefix, row->check, row->subject);
     append_detail(text, is_skipped ? "because" : "worst",
-                  is_skipped ? skipped_text(*row) : row->worst);
+                  is_skipped ? why_skipped(*row) : row->worst);
     if (fails) append_details(text, *row);
     if (row->verdict == Verdict::noted) append_detail(text, "worst at", row->where);
   }

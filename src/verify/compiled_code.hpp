@@ -1,5 +1,5 @@
-// Compiled code against the program: the emitted header must compute what the interpreter computes,
-// bit by bit.
+// Compiled code against the program: the emitted headers must compute what the interpreter
+// computes, bit by bit, and sines of packs must be within the error that a scene asks for.
 #pragma once
 
 #include <vector>
@@ -14,6 +14,14 @@ template <class Scalar>
 [[nodiscard]] std::vector<CertificateRow> check_compiled(
     const Subject& subject, const CompiledHeader& compiled,
     const std::vector<SampledState<Scalar>>& states);
+
+/// One row per scalar of a header in packs, in any Build: its sines and cosines at angles up to 4
+/// and up to the end of the domain, spread evenly, against 64 digits.
+[[nodiscard]] std::vector<CertificateRow> check_sines(const Subject& subject,
+                                                      const CompiledHeader& compiled);
+
+/// The row of a header that lacks its functions: skipped, with the reason.
+[[nodiscard]] CertificateRow without_code(const CompiledHeader& compiled);
 
 /// One row: the numbers that the header declares are the model's.
 [[nodiscard]] CertificateRow check_declared(const std::vector<DeclaredNumber>& numbers);

@@ -158,6 +158,40 @@ std::vector<CertificateRow> sampled_zeros(const Program& program) {
   return rows;
 }
 
+/// The language's own header as users compile it; null where there is none.
+const CompiledModel* users_code(const CompiledHeaders& compiled) {
+  for (const CompiledHeader& header : compiled) {
+    if (header.build == Build::as_users && !header.in_packs) return header.functions.get();
+  }
+  return nullptr;
+}
+
+/// All that is compared with the program rather than with the oracle.
+std::vector<CertificateRow> check_code(const Subject& subject, const CompiledHeaders& compiled,
+                                       const std::vector<SampledState<double>>& doubles,
+                                       const std::vector<SampledState<float>>& floats) {
+  std::vector<CertificateRow> rows;
+  std::vector<CertificateRow> sines;
+  std::vector<CertificateRow> lacking;
+  for (const CompiledHeader& header : compiled) {
+    if (header.functions == nullptr) {
+      lacking.push_back(without_code(header));
+      continue;
+    }
+    const bool has_doubles = header.functions->has(ScalarKind::double_precision);
+    const bool has_floats = header.functions->has(ScalarKind::single_precision);
+    if (has_doubles) append(rows, check_compiled(subject, header, doubles));
+    if (has_floats) append(rows, check_compiled(subject, header, floats));
+    append(sines, check_sines(subject, header));
+  }
+  append(rows, lacking);
+  append(rows, sines);
+  for (const CompiledHeader& header : compiled) {
+    if (!header.declared.empty()) rows.push_back(check_declared(header.declared));
+  }
+  return rows;
+}
+
 /// Few states, or many velocities: the time goes where it tells most.
 Comparison comparison_for(const Model& model, const VerifyOptions& options) {
   const bool is_large = model.velocities.size() >= projected_velocities;
@@ -173,11 +207,12 @@ Verification verify(const Model& model, const Scene& scene, const Program& progr
   auto floats = states_for<float>(subject, options);
   const std::string one_sided_kinks = add_sides(subject, options, doubles);
   (void)add_sides(subject, options, floats);
+  const CompiledModel* const as_users = users_code(compiled);
   const auto accuracy = [&](ScalarKind scalar) {
-    const bool has = options.as_users != nullptr && options.as_users->has(scalar);
+    const bool has = as_users != nullptr && as_users->has(scalar);
     const VisitOptions visit{comparison_for(model, options), options.parts,
                              options.extremes ? Losing::everywhere : Losing::inside_ranges,
-                             has ? options.as_users : nullptr};
+                             has ? as_users : nullptr};
     return AccuracyOptions{visit, options.on_step, options.jobs};
   };
 
@@ -191,13 +226,7 @@ Verification verify(const Model& model, const Scene& scene, const Program& progr
   const bool fits_float = fits(model, program, ScalarKind::single_precision);
   if (fits_float)
     append(rows, check_accuracy(subject, floats, accuracy(ScalarKind::single_precision)));
-  for (const CompiledHeader& header : compiled) {
-    const bool has_doubles = header.functions->has(ScalarKind::double_precision);
-    const bool has_floats = header.functions->has(ScalarKind::single_precision);
-    if (has_doubles) append(rows, check_compiled(subject, header, doubles));
-    if (has_floats) append(rows, check_compiled(subject, header, floats));
-  }
-  if (options.declared != nullptr) rows.push_back(check_declared(*options.declared));
+  append(rows, check_code(subject, compiled, doubles, floats));
   append(rows, sampled_zeros(program));
   if (!one_sided_kinks.empty()) rows.push_back(one_sided(one_sided_kinks, doubles.size()));
   append(rows, check_structure(subject, nominal_states(subject, doubles)));

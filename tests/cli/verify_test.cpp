@@ -117,8 +117,14 @@ TEST_CASE("every file that is emitted is compiled and run, in every storage") {
     CHECK(mentions(on_eigen, "input_matrix (double) "));
     CHECK(mentions(on_eigen, "input_matrix (double, Eigen) "));
     CHECK(mentions(on_eigen, "linearization (float, Eigen) "));
-    CHECK(mentions(judged(line + "language = \"c99\"\n"), "input_matrix (double) "));
+    CHECK(mentions(on_eigen, "linearization (float, Eigen, -O3 -march=native) "));
+    const std::string in_c = judged(line + "language = \"c99\"\n");
+    CHECK(mentions(in_c, "input_matrix (double) "));
+    CHECK(mentions(in_c, "input_matrix (double, -O3 -march=native) "));
   }
+  const std::string in_packs = judged("batch = true\n");
+  CHECK(mentions(in_packs, "linearization (double, batch, -O3 -march=native) "));
+  CHECK(mentions(in_packs, "sine and cosine (double, batch, -O3 -march=native, contraction on) "));
 }
 
 TEST_CASE("a model whose numbers do not fit float is verified in double alone") {

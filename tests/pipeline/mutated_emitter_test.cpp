@@ -26,6 +26,13 @@ const std::vector<Fault> faults_of_batches{
     {"an argument", R"(<Velocities<Scalar>>\(v, at\))", "<Velocities<Scalar>>(q, at)"},
 };
 
+/// In C, and on types of Eigen.
+const std::vector<Fault> faults_of_steps{
+    {"an entry", R"((result(?:->|\.)coordinates[\[(]1[\])] = ))", "$1-"},
+    {"the length of a step", R"(\+ h \* )", "- h * "},
+    {"an index", R"(= q\[1\] )", "= q[0] "},
+};
+
 const std::vector<Fault> faults_of_declarations{
     {"the value of a parameter", R"(Scalar M = constant<Scalar>\(1\.0\))",
      "Scalar M = constant<Scalar>(2.0)"},
@@ -54,15 +61,31 @@ std::string with_fault(const std::string& header, const Fault& fault) {
 }
 
 /// Whether the code compiles under strict flags, and verify finds nothing wrong with it.
-bool passes(const Products& products, const EmittedFiles& files) {
+bool passes(const Products& products, const EmittedFiles& files,
+            const std::vector<Build>& builds = {Build::as_written}) {
   const auto& [model, scene] = *products.checked;
-  const auto compiled = compile(files, model, scene, *products.program, {});
-  const auto declared = declared_numbers(files, model, scene, *products.program, {});
-  if (!compiled || !declared) return false;
+  const auto compiled =
+      compile(files, model, scene, *products.program, {.builds = builds, .declarations = true});
+  if (!compiled) return false;
   VerifyOptions options;
   options.samples = 4;
-  options.declared = &*declared;
   return holds(verify(model, scene, *products.program, *compiled, options).certificate);
+}
+
+/// With a fault in the file of this ending.
+EmittedFiles files_with(const Products& products, const std::string& ending, const Fault& fault) {
+  EmittedFiles files = *products.files;
+  for (auto& [path, text] : files.files) {
+    if (path.ends_with(ending)) text = with_fault(text, fault);
+  }
+  return files;
+}
+
+Products products_in_packs() {
+  return run_pipeline(inputs_of(model_file("cart_pole"),
+                                "[outputs]\nforward_dynamics = true\n[emit]\nbatch = true\n"
+                                "[numeric]\ntrigonometry = { max_error = 1e-6 }\n"),
+                      {});
 }
 
 /// Without a fault the code passes; with one of them in the file of this ending it does not.
@@ -71,12 +94,8 @@ void expect_all_caught(const Products& products, const std::string& ending,
   REQUIRE(products.files);
   CHECK(passes(products, *products.files));
   for (const Fault& fault : list) {
-    EmittedFiles files = *products.files;
     INFO(fault.what);
-    for (auto& [path, text] : files.files) {
-      if (path.ends_with(ending)) text = with_fault(text, fault);
-    }
-    CHECK_FALSE(passes(products, files));
+    CHECK_FALSE(passes(products, files_with(products, ending, fault)));
   }
 }
 
@@ -91,10 +110,33 @@ TEST_CASE("verify catches a sign, a digit, an index and a term of the emitted co
 }
 
 TEST_CASE("verify catches a stride, a digit, a domain and an argument of a batch") {
-  const Inputs inputs = inputs_of(model_file("cart_pole"),
-                                  "[outputs]\nforward_dynamics = true\n[emit]\nbatch = true\n"
-                                  "[numeric]\ntrigonometry = { max_error = 1e-6 }\n");
-  expect_all_caught(run_pipeline(inputs, {}), "_batch.hpp", faults_of_batches);
+  expect_all_caught(products_in_packs(), "_batch.hpp", faults_of_batches);
+}
+
+TEST_CASE("verify catches an entry, a length and an index of a step in C and with Eigen") {
+  const auto stepped = [](const std::string& emission) {
+    return run_pipeline(inputs_of(model_file("two_body_plane"),
+                                  "[outputs]\nstep = { method = \"verlet\" }\n[emit]\n" + emission),
+                        {});
+  };
+  expect_all_caught(stepped("language = \"c99\"\n"), ".h", faults_of_steps);
+  expect_all_caught(stepped("eigen = true\n"), "_eigen.hpp", faults_of_steps);
+}
+
+TEST_CASE("verify catches what is wrong in packs as wide as the registers of this machine") {
+  const Products products = products_in_packs();
+  REQUIRE(products.files);
+  const std::vector<Build> builds{Build::as_written, Build::native, Build::as_users};
+  CHECK(passes(products, *products.files, builds));
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx") == 0) return;
+  // Code for any machine of this kind has registers of 16 bytes.
+  const EmittedFiles files = files_with(
+      products, "_batch.hpp",
+      {"a sign", R"(8 \* sizeof\(T\) - 2)", "8 * sizeof(T) - (N * sizeof(T) > 16 ? 1U : 2U)"});
+  CHECK(passes(products, files));
+  CHECK_FALSE(passes(products, files, builds));
+#endif
 }
 
 TEST_CASE("verify catches a value, a limit and an order that the header declares") {

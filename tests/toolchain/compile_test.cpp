@@ -3,6 +3,9 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "elgen/timing.hpp"
 #include "elgen/toolchain.hpp"
@@ -17,6 +20,58 @@ namespace {
 auto compile_header(const std::string& text) {
   return elgen::compile(sample::files(text), sample::model(), sample::scene(), sample::program(),
                         {});
+}
+
+/// Stands in the place of the compiler while it lives, and changes how that is called.
+class ChangedCompiler {
+ public:
+  /// `words`: of a shell, before the compiler is called with "$@".
+  explicit ChangedCompiler(const std::string& words)
+      : scratch_(TemporaryDirectory::create()), variable_("CXX", script(words)) {}
+
+ private:
+  [[nodiscard]] std::string script(const std::string& words) const {
+    const auto path = scratch_->path() / "compiler";
+    std::ofstream(path) << "#!/bin/sh\n" << words << "\nexec c++ \"$@\"\n";
+    std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+    return path.string();
+  }
+
+  std::optional<TemporaryDirectory> scratch_;
+  ScopedVariable variable_;
+};
+
+const std::vector<Build> builds_to_verify{Build::as_written, Build::native, Build::as_users};
+
+elgen::Scene eigen_scene() {
+  elgen::Scene scene = sample::scene();
+  scene.emission.eigen = true;
+  return scene;
+}
+
+/// Its inverse dynamics subtracts 5 v.
+elgen::EmittedFiles eigen_files() {
+  elgen::EmittedFiles files = sample::files(sample::header());
+  files.files["sample/sample_eigen.hpp"] = R"(#pragma once
+#include <Eigen/Core>
+#include "sample.hpp"
+namespace sample::eigen {
+template <class Scalar> using Vector = Eigen::Matrix<Scalar, 1, 1>;
+template <class Scalar> struct Forward { Vector<Scalar> acceleration, relative_pivots; };
+template <class Scalar>
+Vector<Scalar> inverse_dynamics(const Parameters<Scalar>& p, const Vector<Scalar>& q,
+                                const Vector<Scalar>& v, const Vector<Scalar>& a) noexcept {
+  return Vector<Scalar>(p.m * a(0) + p.l[0] * q(0) - p.l[1] * v(0));
+}
+template <class Scalar>
+Forward<Scalar> forward_dynamics(const Parameters<Scalar>& p, const Vector<Scalar>& q,
+                                 const Vector<Scalar>& v,
+                                 const Eigen::Matrix<Scalar, 0, 1>&) noexcept {
+  return {Vector<Scalar>(p.l[0] * q(0) + v(0)), Vector<Scalar>(p.m)};
+}
+}  // namespace sample::eigen
+)";
+  return files;
 }
 
 template <class Scalar>
@@ -103,42 +158,54 @@ TEST_CASE("a warning in emitted code is refused too") {
   CHECK_FALSE(compile_header(text));
 }
 
-TEST_CASE("a header on types of Eigen is compiled and run beside the other") {
-  elgen::EmittedFiles files = sample::files(sample::header());
-  files.files["sample/sample_eigen.hpp"] = R"(#pragma once
-#include <Eigen/Core>
-#include "sample.hpp"
-namespace sample::eigen {
-template <class Scalar> using Vector = Eigen::Matrix<Scalar, 1, 1>;
-template <class Scalar> struct Forward { Vector<Scalar> acceleration, relative_pivots; };
-template <class Scalar>
-Vector<Scalar> inverse_dynamics(const Parameters<Scalar>& p, const Vector<Scalar>& q,
-                                const Vector<Scalar>& v, const Vector<Scalar>& a) noexcept {
-  return Vector<Scalar>(p.m * a(0) + p.l[0] * q(0) - p.l[1] * v(0));
+TEST_CASE("a header on types of Eigen is compiled and run beside the other, in two builds") {
+  const auto compiled = elgen::compile(eigen_files(), sample::model(), eigen_scene(),
+                                       sample::program(), {.builds = builds_to_verify});
+  INFO(elgen::format(compiled.diagnostics));
+  REQUIRE(compiled);
+  REQUIRE(compiled->size() == 5);  // as users compile, bounds are those of the arithmetic
+  for (const std::size_t i : {1U, 3U}) {
+    const elgen::CompiledHeader& other = (*compiled)[i];
+    CHECK(other.types == "Eigen");
+    CHECK(other.build == (i == 1 ? Build::as_written : Build::native));
+    // Its own sum: 5 * 11 is subtracted there.
+    CHECK(other.functions->call("inverse_dynamics", arguments<double>()) ==
+          std::vector<double>{-8});
+    CHECK(other.functions->call("forward_dynamics", arguments<float>()) ==
+          std::vector<float>{32, 2});
+  }
+  CHECK(compiled->back().types.empty());
+  CHECK(compiled->back().build == Build::as_users);
 }
-template <class Scalar>
-Forward<Scalar> forward_dynamics(const Parameters<Scalar>& p, const Vector<Scalar>& q,
-                                 const Vector<Scalar>& v,
-                                 const Eigen::Matrix<Scalar, 0, 1>&) noexcept {
-  return {Vector<Scalar>(p.l[0] * q(0) + v(0)), Vector<Scalar>(p.m)};
-}
-}  // namespace sample::eigen
-)";
-  elgen::Scene scene = sample::scene();
-  scene.emission.eigen = true;
-  const auto as_users = elgen::compile(files, sample::model(), scene, sample::program(),
-                                       {.build = elgen::Build::as_users});
-  REQUIRE(as_users);
-  CHECK(as_users->size() == 1);  // the bounds are those of the arithmetic, whatever its types
-  const auto compiled = elgen::compile(files, sample::model(), scene, sample::program(), {});
+
+TEST_CASE("where Eigen is not installed its header lacks functions, and the other has them") {
+  const ChangedCompiler without(
+      "for word do\n  shift\n  test \"$word\" = /usr/include/eigen3 && word=/nonexistent\n"
+      "  set -- \"$@\" \"$word\"\ndone");
+  const auto compiled =
+      elgen::compile(eigen_files(), sample::model(), eigen_scene(), sample::program(), {});
   INFO(elgen::format(compiled.diagnostics));
   REQUIRE(compiled);
   REQUIRE(compiled->size() == 2);
-  const elgen::CompiledHeader& other = compiled->back();
-  CHECK(other.types == "Eigen");
-  // Its own sum: 5 * 11 is subtracted there.
-  CHECK(other.functions->call("inverse_dynamics", arguments<double>()) == std::vector<double>{-8});
-  CHECK(other.functions->call("forward_dynamics", arguments<float>()) == std::vector<float>{32, 2});
+  CHECK(compiled->front().functions->call("inverse_dynamics", arguments<double>()) ==
+        std::vector<double>{102});
+  CHECK(compiled->back().functions == nullptr);
+  CHECK(compiled->back().lacking == "<Eigen/Core> is not installed");
+}
+
+TEST_CASE("a build whose flags the compiler does not take lacks its functions") {
+  const ChangedCompiler without("case \"$*\" in *-march=native*) exit 1 ;; esac");
+  const auto compiled =
+      elgen::compile(sample::files(sample::header()), sample::model(), sample::scene(),
+                     sample::program(), {.builds = builds_to_verify});
+  INFO(elgen::format(compiled.diagnostics));
+  REQUIRE(compiled);
+  REQUIRE(compiled->size() == 3);
+  CHECK(compiled->front().functions != nullptr);
+  for (const std::size_t i : {1U, 2U}) {
+    CHECK((*compiled)[i].functions == nullptr);
+    CHECK((*compiled)[i].lacking == "the compiler does not take -O3 -march=native");
+  }
 }
 
 TEST_CASE("a C header is compiled as C99") {

@@ -10,6 +10,8 @@ using Names = std::vector<std::string>;
 
 namespace {
 
+const CompileOptions declaring{.limits = {.seconds = 600}, .declarations = true};
+
 Model sample_model() {
   Model model = sample::model();
   model.coordinates.front().range = Interval{cln::cl_RA(-2), cln::cl_RA(3) / 10};
@@ -45,12 +47,12 @@ Names differing(const std::string& from = "", const std::string& to = "") {
     REQUIRE(text.find(from) != std::string::npos);
     text.replace(text.find(from), from.size(), to);
   }
-  const auto numbers = declared_numbers(sample::files(text), sample_model(), sample::scene(),
-                                        sample::program(), {.seconds = 600});
-  INFO(format(numbers.diagnostics));
-  REQUIRE(numbers);
+  const auto compiled =
+      compile(sample::files(text), sample_model(), sample::scene(), sample::program(), declaring);
+  INFO(format(compiled.diagnostics));
+  REQUIRE(compiled);
   Names names;
-  for (const DeclaredNumber& number : *numbers) {
+  for (const DeclaredNumber& number : compiled->front().declared) {
     if (number.declared != number.of_model) names.push_back(number.name);
   }
   return names;
@@ -85,15 +87,30 @@ enum { SAMPLE_COORDINATE_COUNT = 1, SAMPLE_VELOCITY_COUNT = 1, SAMPLE_INPUT_COUN
        SAMPLE_PARAMETER_COUNT = 3 };
 typedef struct sample_parameters { float m; float l[2]; } sample_parameters;
 #define SAMPLE_DEFAULT_PARAMETERS {1.0F / 3.0F, {2.0F / 3.0F, 1.0F}}
+typedef struct sample_forward_dynamics_result {
+  float acceleration[1];
+  float relative_pivots[1];
+} sample_forward_dynamics_result;
+static inline void sample_inverse_dynamics(const sample_parameters *p, const float *q,
+                                           const float *v, const float *a, float *result) {
+  result[0] = p->m * a[0] + p->l[0] * q[0] + p->l[1] * v[0];
+}
+static inline void sample_forward_dynamics(const sample_parameters *p, const float *q,
+                                           const float *v, const float *u,
+                                           sample_forward_dynamics_result *result) {
+  (void)u;
+  result->acceleration[0] = p->l[0] * q[0] + v[0];
+  result->relative_pivots[0] = p->m;
+}
 )";
   Scene scene = sample::scene();
   scene.emission.language = LanguageId::c99;
   scene.numerics.scalars = {ScalarKind::single_precision};
-  const auto numbers =
-      declared_numbers(files, sample_model(), scene, sample::program(), {.seconds = 600});
-  INFO(format(numbers.diagnostics));
-  REQUIRE(numbers);
-  CHECK(numbers->size() == 4 + 6 + 1);
+  const auto compiled = compile(files, sample_model(), scene, sample::program(), declaring);
+  INFO(format(compiled.diagnostics));
+  REQUIRE(compiled);
+  const std::vector<DeclaredNumber>& numbers = compiled->front().declared;
+  CHECK(numbers.size() == 4 + 6 + 1);
   CHECK(std::ranges::all_of(
-      *numbers, [](const DeclaredNumber& number) { return number.declared == number.of_model; }));
+      numbers, [](const DeclaredNumber& number) { return number.declared == number.of_model; }));
 }

@@ -13,7 +13,9 @@ using namespace elgen;
 namespace {
 
 std::string driver(const elgen::Program& program) {
-  return elgen::drivers({sample::model(), sample::scene(), program}).front().text;
+  return elgen::drivers({sample::model(), sample::scene(), program}, Build::as_written)
+      .front()
+      .text;
 }
 
 std::string driver_text(const elgen::Model& model, const elgen::Scene& scene,
@@ -31,8 +33,16 @@ elgen::Scene batch_scene() {
 elgen::EmittedFiles batch_files(const std::string& stride) {
   elgen::EmittedFiles files = sample::files(sample::header());
   files.files["sample/sample_batch.hpp"] = R"(#pragma once
+#include <cmath>
 #include "sample.hpp"
 namespace sample::batch {
+template <class T>
+struct Pack {
+  explicit Pack(T number) { native[0] = number; }
+  T native[4] = {};
+};
+template <class T> Pack<T> sin(const Pack<T>& x) { return Pack<T>(std::sin(x.native[0])); }
+template <class T> Pack<T> cos(const Pack<T>& x) { return Pack<T>(std::cos(x.native[0])); }
 template <class T>
 void inverse_dynamics(const Parameters<T>& p, std::size_t count, const T* q, const T* v,
                       const T* a, T* result) {
@@ -79,23 +89,66 @@ std::string driver(const Scene& scene, const std::vector<TimedVariant>& variants
 
 TEST_CASE("every header that is emitted has a driver, in its language") {
   elgen::Scene scene = sample::scene();
-  const auto files = [&scene] {
-    std::string names;
+  const auto names = [&scene](Build build) {
+    std::string text;
     for (const elgen::Driver& driver :
-         elgen::drivers({sample::model(), scene, sample::program()})) {
-      names += driver.file + "[" + driver.types + "] ";
+         elgen::drivers({sample::model(), scene, sample::program()}, build)) {
+      text += driver.name + "[" + driver.types + "] ";
     }
-    return names;
+    return text;
   };
-  CHECK(files() == "driver.cpp[] ");
+  CHECK(names(Build::as_written) == "cpp[] ");
   scene.emission.eigen = true;
-  CHECK(files() == "driver.cpp[] eigen_driver.cpp[Eigen] ");
+  CHECK(names(Build::as_written) == "cpp[] eigen[Eigen] ");
   scene.emission.batch = true;
-  CHECK(files() == "driver.cpp[] eigen_driver.cpp[Eigen] batch_driver.cpp[batch] ");
+  CHECK(names(Build::as_written) == "cpp[] eigen[Eigen] batch[batch] ");
+  CHECK(names(Build::native) == names(Build::as_written));
+  CHECK(names(Build::as_users) == "cpp[] batch[batch] ");
   scene.emission = {};
   scene.emission.language = elgen::LanguageId::c99;
   scene.numerics.scalars = {elgen::ScalarKind::double_precision};
-  CHECK(files() == "driver.c[] ");
+  CHECK(names(Build::as_written) == "c99[] ");
+}
+
+TEST_CASE("a build is one source, in which Eigen may be missing") {
+  elgen::Scene scene = batch_scene();
+  scene.emission.eigen = true;
+  const Program program = sample::program();
+  const auto units = units_of({sample::model(), scene, program}, Build::native, "// more\n");
+  REQUIRE(units.size() == 1);
+  CHECK(units.front().drivers.size() == 3);
+  const Source& source = units.front().source;
+  CHECK(source.file == "driver_1_1.cpp");
+  CHECK(source.needs == "Eigen/Core");
+  CHECK_THAT(source.text, Contains("#if __has_include(<Eigen/Core>)\n#include \"sample/sample_"));
+  CHECK_THAT(source.text, Contains("elgen_driver_cpp_double_0"));
+  CHECK_THAT(source.text, Contains("elgen_driver_eigen_double_1"));
+  CHECK_THAT(source.text, Contains("elgen_driver_batch_double_1"));
+  CHECK_THAT(source.text, Catch::Matchers::EndsWith("// more\n"));
+}
+
+TEST_CASE("of a long program every header is compiled by itself, sines with the first") {
+  Program program = sample::program();
+  program.functions[1].instructions.resize(5000, program.functions[0].instructions.front());
+  const auto units_in = [&program](Build build) {
+    return units_of({sample::model(), batch_scene(), program}, build, "// more\n");
+  };
+  const auto units = units_in(Build::as_written);
+  REQUIRE(units.size() == 2);
+  CHECK(units.back().source.file == "driver_0_2.cpp");
+  CHECK_THAT(units.front().source.text, Contains("// more"));
+  CHECK_THAT(units.back().source.text, !Contains("// more"));
+  CHECK(units_in(Build::as_users).size() == 1);
+}
+
+TEST_CASE("as users compile batches have their sines and cosines alone") {
+  const Program program = sample::program();
+  const auto units = units_of({sample::model(), batch_scene(), program}, Build::as_users, "");
+  REQUIRE(units.size() == 1);
+  const std::string& text = units.front().source.text;
+  CHECK_THAT(text, Contains("elgen_driver_batch_double_2"));
+  CHECK_THAT(text, !Contains("elgen_driver_batch_double_1"));
+  CHECK_THAT(text, Contains("elgen_driver_cpp_double_1"));
 }
 
 TEST_CASE("parameters go to the members of the emitted struct") {
@@ -179,8 +232,8 @@ TEST_CASE("a driver of C calls prefixed functions, for the scene's scalar alone"
   CHECK_THAT(text, Contains("#include \"sample/sample.h\""));
   CHECK_THAT(text, Contains("sample_inverse_dynamics(&p, q, v, a, result);"));
   CHECK_THAT(text, Contains("sample_forward_dynamics(&p, q, v, u, &result);"));
-  CHECK_THAT(text, Contains("elgen_driver_float_0"));
-  CHECK_THAT(text, !Contains("elgen_driver_double_0"));
+  CHECK_THAT(text, Contains("elgen_driver_c99_float_0"));
+  CHECK_THAT(text, !Contains("elgen_driver_c99_double_0"));
 }
 
 TEST_CASE("a batch gives the numbers of one state, whatever place it has") {
@@ -195,8 +248,8 @@ TEST_CASE("functions that a batch leaves out have no driver") {
   elgen::Program program = sample::program();
   program.functions[0].fields[0].entries.assign(4097, 0);
   const std::string text = elgen::batch_driver({sample::model(), batch_scene(), program});
-  CHECK_THAT(text, !Contains("elgen_driver_double_0"));
-  CHECK_THAT(text, Contains("elgen_driver_double_1"));
+  CHECK_THAT(text, !Contains("elgen_driver_batch_double_0"));
+  CHECK_THAT(text, Contains("elgen_driver_batch_double_1"));
 }
 
 TEST_CASE("one by one, a state is gathered from all arrays and its fields are scattered") {

@@ -15,7 +15,7 @@ using elgen::Workshop;
 
 namespace {
 
-const elgen::Driver answer_driver{"", "driver.cpp", "#include \"a/a.hpp\"\n"};
+const elgen::Source answer_source{"driver.cpp", "#include \"a/a.hpp\"\n"};
 
 elgen::EmittedFiles answer_files() {
   return {{{"a/a.hpp", "extern \"C\" int answer(); extern \"C\" int answer() { return 42; }\n"}}};
@@ -28,9 +28,9 @@ TEST_CASE("what is built stays loaded, and its files are gone") {
   REQUIRE(scratch);
   const ScopedVariable variable("TMPDIR", scratch->path().string());
   auto library = [] {
-    const auto workshop = Workshop::open(answer_files(), {answer_driver}, {});
+    const auto workshop = Workshop::open(answer_files(), {answer_source}, {});
     REQUIRE(workshop);
-    return workshop->build(answer_driver, elgen::Build::as_users);
+    return workshop->build(answer_source, elgen::Build::as_users);
   }();
   REQUIRE(library);
   CHECK(std::filesystem::is_empty(scratch->path()));
@@ -42,7 +42,7 @@ TEST_CASE("what is built stays loaded, and its files are gone") {
 
 TEST_CASE("without room there is E706, without a compiler E704") {
   const auto code_of = [] {
-    const auto workshop = Workshop::open(answer_files(), {answer_driver}, {});
+    const auto workshop = Workshop::open(answer_files(), {answer_source}, {});
     REQUIRE_FALSE(workshop);
     CHECK(elgen::exit_code(workshop.diagnostics) == elgen::ExitCode::inaccessible);
     return workshop.diagnostics.front().code;
@@ -55,13 +55,31 @@ TEST_CASE("without room there is E706, without a compiler E704") {
   CHECK(code_of() == elgen::Code::E704);
 }
 
-TEST_CASE("a driver whose library is not installed is no fault of the emitted code") {
-  elgen::Driver lacking{"", "lacking.cpp", "#include <elgen/no/such.hpp>\n", "elgen/no/such.hpp"};
-  const auto workshop = Workshop::open(answer_files(), {lacking}, {});
+TEST_CASE("a library that does not compile is no fault of the emitted code") {
+  const auto scratch = elgen::TemporaryDirectory::create();
+  REQUIRE(scratch);
+  std::ofstream(scratch->path() / "elgen_broken.hpp") << "#error \"broken\"\n";
+  const ScopedVariable variable("CPATH", scratch->path().string());
+  const elgen::Source broken{"broken.cpp", "#include <elgen_broken.hpp>\n", "elgen_broken.hpp"};
+  const auto workshop = Workshop::open(answer_files(), {broken}, {});
   REQUIRE(workshop);
-  const auto library = workshop->build(lacking, elgen::Build::as_written);
+  const auto library = workshop->build(broken, elgen::Build::as_written);
   REQUIRE_FALSE(library);
   CHECK(library.diagnostics.front().code == elgen::Code::E709);
+}
+
+TEST_CASE("a compiler that does not take the flags of a build is told from one that takes them") {
+  const auto scratch = elgen::TemporaryDirectory::create();
+  REQUIRE(scratch);
+  const auto script = scratch->path() / "compiler";
+  std::ofstream(script) << "#!/bin/sh\ncase \"$*\" in *-march=native*) exit 1 ;; esac\n"
+                        << "exec c++ \"$@\"\n";
+  std::filesystem::permissions(script, std::filesystem::perms::owner_all);
+  const ScopedVariable variable("CXX", script.string());
+  const auto workshop = Workshop::open(answer_files(), {answer_source}, {});
+  REQUIRE(workshop);
+  CHECK(workshop->takes(elgen::Build::as_written, answer_source));
+  CHECK_FALSE(workshop->takes(elgen::Build::native, answer_source));
 }
 
 TEST_CASE("a temporary directory is removed with everything in it") {

@@ -85,6 +85,13 @@ TEST_CASE("an error is said to be of the states at which it was measured, the fe
   CHECK(to_text(bits).find("linearization  1 check, at 264 states\n") != std::string::npos);
 }
 
+TEST_CASE("what was not compared at all is skipped with the reason") {
+  CertificateRow row = row_of("compiled code vs program", "compiled code", Verdict::skipped);
+  row.worst = "<Eigen/Core> is not installed";
+  const std::string text = to_text({"arm", "full", 1, {row}});
+  CHECK(text.find("           because    <Eigen/Core> is not installed\n") != std::string::npos);
+}
+
 TEST_CASE("in full every row says how it was decided") {
   CHECK(to_full_text(sample()) == R"(certificate of cart_pole, scene full, seed 7
 

@@ -1,5 +1,8 @@
-// Compiled code against the program: equal bits hold, one changed bit or sign is seen.
+// Compiled code against the program: equal bits hold, one changed bit or sign is seen. Sines of
+// packs are within the error that was asked for, or are named with their angle.
 #include "verify/compiled_code.hpp"
+
+#include <cln/rational.h>
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -14,9 +17,42 @@ namespace {
 
 template <class Scalar>
 std::vector<CertificateRow> rows_of(const System& system, const Changed& compiled,
-                                    const std::string& types = {}) {
-  return check_compiled(system.subject(), {types, false, std::make_unique<Changed>(compiled)},
+                                    const std::string& types = {},
+                                    Build build = Build::as_written) {
+  return check_compiled(system.subject(),
+                        {types, false, std::make_unique<Changed>(compiled), build},
                         sample_states<Scalar>(system.subject(), {4, 1, true}));
+}
+
+/// Sines and cosines of the library, the cosine times a number; in double alone.
+class Sines final : public CompiledModel {
+ public:
+  explicit Sines(double factor) : factor_(factor) {}
+
+  [[nodiscard]] DriverFunction<double> find(std::string_view) const override { return nullptr; }
+  [[nodiscard]] std::vector<double> call(std::string_view function,
+                                         const Arguments<double>& arguments) const override {
+    if (function != sine_and_cosine) return {};
+    return {std::sin(arguments.t), factor_ * std::cos(arguments.t)};
+  }
+  [[nodiscard]] std::vector<float> call(std::string_view, const Arguments<float>&) const override {
+    return {};
+  }
+  [[nodiscard]] bool has(ScalarKind scalar) const override {
+    return scalar == ScalarKind::double_precision;
+  }
+
+ private:
+  double factor_;
+};
+
+CertificateRow sine_row_of(double factor, Build build = Build::as_written) {
+  System system = cart_pole_system();
+  system.scene.numerics.trigonometry_error = cln::cl_RA(1) / 1'000'000;
+  const auto rows =
+      check_sines(system.subject(), {"batch", true, std::make_unique<Sines>(factor), build});
+  REQUIRE(rows.size() == 1);
+  return rows.front();
 }
 
 std::size_t failing(const std::vector<CertificateRow>& rows) {
@@ -40,6 +76,15 @@ TEST_CASE("rows say which types the functions are on") {
   const Changed same(system.program, "", [](double x) { return x; });
   CHECK(rows_of<double>(system, same).front().subject == "mass_matrix (double)");
   CHECK(rows_of<float>(system, same, "Eigen").front().subject == "mass_matrix (float, Eigen)");
+  CHECK(rows_of<double>(system, same, "", Build::native).front().subject ==
+        "mass_matrix (double, -O3 -march=native)");
+}
+
+TEST_CASE("bits are compared without contraction alone") {
+  const System system = cart_pole_system();
+  const Changed last_bit(system.program, "bias", [](double x) { return std::nextafter(x, 1e9); });
+  CHECK(failing(rows_of<double>(system, last_bit, "", Build::native)) == 1);
+  CHECK(rows_of<double>(system, last_bit, "", Build::as_users).empty());
 }
 
 TEST_CASE("the last bit and the sign of zero count") {
@@ -72,6 +117,32 @@ TEST_CASE("batches are compared with the polynomials of their sines and cosines"
   const auto rows =
       check_compiled(system.subject(), batch, sample_states<float>(system.subject(), {4, 1, true}));
   CHECK(failing(rows) > 0);  // the library's sines are not the polynomials'
+}
+
+TEST_CASE("sines of packs may be off by what the scene says, in every build") {
+  for (const Build build : {Build::as_written, Build::native, Build::as_users}) {
+    CHECK(sine_row_of(1 - 0.9e-6, build).verdict == Verdict::holds);
+    const CertificateRow row = sine_row_of(1 + 1.5e-6, build);
+    CHECK(row.verdict == Verdict::fails);
+    CHECK(row.worst == "1.5e-06");
+    CHECK(row.where.find("x = ") == 0);
+    CHECK(row.tolerance == "1e-06: the `max_error` of `trigonometry`");
+  }
+  CHECK(sine_row_of(std::nan("")).verdict == Verdict::fails);
+  CHECK(sine_row_of(1, Build::as_users).subject ==
+        "sine and cosine (double, batch, -O3 -march=native, contraction on)");
+}
+
+TEST_CASE("code that is not there is skipped, with the reason") {
+  CompiledHeader eigen{"Eigen"};
+  eigen.lacking = "<Eigen/Core> is not installed";
+  const CertificateRow row = without_code(eigen);
+  CHECK(row.verdict == Verdict::skipped);
+  CHECK(row.subject == "all outputs (Eigen)");
+  CHECK(row.worst == "<Eigen/Core> is not installed");
+  CompiledHeader users;
+  users.build = Build::as_users;
+  CHECK(without_code(users).check == "as users compile");
 }
 
 TEST_CASE("a function that gives no entries differs") {
