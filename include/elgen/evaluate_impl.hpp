@@ -8,7 +8,9 @@
 
 #include <cln/float.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -69,10 +71,40 @@ template <class Scalar>
 requires std::is_floating_point_v<Scalar>
 [[nodiscard]] Scalar max(Scalar x, Scalar y) { return x < y ? y : x; }
 
+/// c_k(x), k > 0, by the operations of the emitted code: the series where its terms fall from the
+/// first one on, as a polynomial that suffices at the end of that range; else c_1 = sin(x)/x,
+/// c_2 = 2 (sin(x/2)/x)^2 and c_(n+2) = (1/n! - c_n)/x^2.
+template <class Scalar>
+requires std::is_floating_point_v<Scalar>
+[[nodiscard]] Scalar stumpff(Scalar x, Scalar order) {
+  const int k = static_cast<int>(order);
+  const int largest = std::max(1, k * (k - 1));
+  const Scalar square = x * x;
+  if (square < static_cast<Scalar>(largest)) {
+    double size = 1;
+    for (int i = 0; i < std::numeric_limits<Scalar>::max_digits10; ++i) size *= 10;
+    int n = k;
+    for (; size > 1; n += 2) size = size * largest / ((n + 1) * (n + 2));
+    Scalar sum = 1;
+    for (; n > k; n -= 2) sum = 1 - square * sum / static_cast<Scalar>(n * (n - 1));
+    for (; n > 1; --n) sum = sum / static_cast<Scalar>(n);
+    return sum;
+  }
+  const bool is_odd = k % 2 != 0;
+  const Scalar ratio = std::sin(is_odd ? x : x / 2) / x;
+  Scalar value = is_odd ? ratio : 2 * ratio * ratio;
+  auto factorial = static_cast<Scalar>(is_odd ? 1 : 2);
+  for (int n = is_odd ? 1 : 2; n < k; n += 2) {
+    value = (1 / factorial - value) / square;
+    factorial = factorial * static_cast<Scalar>((n + 1) * (n + 2));
+  }
+  return value;
+}
+
 template <class Scalar>
 [[nodiscard]] Scalar call(FunctionId function, const Scalar& x, const Scalar& y) {
   using std::abs, std::sin, std::cos, std::tan, std::asin, std::acos, std::atan, std::atan2;
-  using std::sinh, std::cosh, std::tanh, std::exp, std::log;
+  using std::sinh, std::cosh, std::tanh, std::exp, std::log, std::log1p, std::expm1, std::hypot;
   switch (function) {
 #define ELGEN_CALL_1(name) name(x)
 #define ELGEN_CALL_2(name) name(x, y)

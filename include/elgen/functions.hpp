@@ -52,6 +52,11 @@ inline constexpr std::array function_table{
   return id == FunctionId::sin || id == FunctionId::cos;
 }
 
+/// The name of stumpff(x, k) where k has one of its own.
+[[nodiscard]] constexpr std::string_view name_of_order(std::string_view k) {
+  return k == "1" ? "sinc" : k == "2" ? "cosc" : "";
+}
+
 /// Null where no function has that name.
 [[nodiscard]] constexpr const FunctionRow* find_function(std::string_view name) {
   for (const FunctionRow& row : function_table) {

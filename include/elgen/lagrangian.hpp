@@ -247,7 +247,12 @@ DECLARE_FUNCTION_7P(elgen_open)
 /// The number of the leaf that an elgen_open is; none beyond second derivatives.
 [[nodiscard]] std::optional<std::uint32_t> open_leaf(const GiNaC::ex& value);
 
-/// GiNaC's names for the kinked functions of forces; opaque, never differentiated.
+/// The functions that GiNaC has not, with the derivatives of functions.def; those with kinks have
+/// none.
+DECLARE_FUNCTION_1P(elgen_log1p)
+DECLARE_FUNCTION_1P(elgen_expm1)
+DECLARE_FUNCTION_2P(elgen_hypot)
+DECLARE_FUNCTION_2P(elgen_stumpff)
 DECLARE_FUNCTION_1P(elgen_abs)
 DECLARE_FUNCTION_1P(elgen_sign)
 DECLARE_FUNCTION_2P(elgen_min)

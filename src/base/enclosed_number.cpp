@@ -4,6 +4,7 @@
 #include <cln/integer.h>
 #include <cln/rational.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/exact_number.hpp"
@@ -27,6 +28,47 @@ cln::float_format_t bound_format() { return cln::float_format(17); }
 cl_R largest(const EnclosedNumber& x) { return cln::abs(x.value) + x.error; }
 /// The least magnitude; not above 0 where 0 is enclosed.
 cl_R least(const EnclosedNumber& x) { return cln::abs(x.value) - x.error; }
+
+/// log(1 + x): the quotient of two values that are off by the same share (W. Kahan).
+cl_F logarithm_of_sum(const cl_F& x) {
+  const cl_F sum = 1 + x;
+  const cl_F kept = sum - 1;
+  return cln::zerop(kept) ? x : cln::ln(sum) * x / kept;
+}
+
+/// e^x - 1
+cl_F exponential_less_one(const cl_F& x) {
+  if (cln::abs(x) > cl_R(1)) return cln::exp(x) - 1;
+  const cl_F half = x / 2;
+  return cln::scale_float(cln::sinh(half) * cln::exp(half), 1);
+}
+
+/// c_k(x), k > 0: the series where its terms fall from the first one on; else c_1 = sin(x)/x,
+/// c_2 = 2 (sin(x/2)/x)^2 and c_(n+2) = (1/n! - c_n)/x^2.
+cl_F stumpff_function(const cl_F& x, int k) {
+  const auto reciprocal_factorial = [&x](int n) {
+    return cln::recip(cln::cl_float(cln::factorial(static_cast<unsigned>(n)), x));
+  };
+  const cl_F square = x * x;
+  if (square < cln::cl_float(std::max(1, k * (k - 1)), x)) {
+    cl_F term = reciprocal_factorial(k);
+    cl_F sum = term;
+    for (int n = k + 1;; n += 2) {
+      term = -term * square / (n * (n + 1));
+      const cl_F next = sum + term;
+      if (next == sum) return sum;
+      sum = next;
+    }
+  }
+  const bool is_odd = k % 2 != 0;
+  const cl_F ratio = cln::sin(is_odd ? x : x / 2) / x;
+  cl_F value = is_odd ? ratio : cln::scale_float(ratio * ratio, 1);
+  for (int n = is_odd ? 1 : 2; n < k; n += 2) value = (reciprocal_factorial(n) - value) / square;
+  return value;
+}
+
+/// The k of stumpff(x, k).
+int whole_number(const cl_R& k) { return cln::cl_I_to_int(cln::round1(k)); }
 
 bool is_zero(const EnclosedNumber& x) { return is_exact(x) && cln::zerop(x.value); }
 
@@ -123,7 +165,8 @@ Enclosed EnclosedArithmetic::power(const EnclosedNumber& x, const cl_RA& exponen
   }
   const EnclosedNumber base = floating(x);
   if (q == 2) return integer_power(square_root(base), cln::numerator(exponent));
-  return exponential(FunctionId::exp, product(*logarithm(base).number, {exponent, 0}));
+  return exponential(FunctionId::exp,
+                     product(*logarithm(FunctionId::log, base).number, {exponent, 0}));
 }
 
 Enclosed EnclosedArithmetic::tangent(const EnclosedNumber& x) const {
@@ -158,30 +201,37 @@ Enclosed EnclosedArithmetic::arc_tangent_2(const EnclosedNumber& y, const Enclos
   return rounded(value, (across.error + along.error) / distance);
 }
 
-Enclosed EnclosedArithmetic::logarithm(const EnclosedNumber& x) const {
-  if (is_zero(x)) return NoValue::undefined;
-  const std::optional<int> sign = sign_of(x);
+/// log, or log1p.
+Enclosed EnclosedArithmetic::logarithm(FunctionId function, const EnclosedNumber& x) const {
+  const EnclosedNumber argument = function == FunctionId::log ? x : sum(x, {1, 0});
+  if (is_zero(argument)) return NoValue::undefined;
+  const std::optional<int> sign = sign_of(argument);
   if (!sign) return NoValue::unknown;
   if (*sign < 0) return NoValue::complex;
-  return sloped(FunctionId::log, floating(x), cln::recip(least(x)));
+  return sloped(function, floating(x), cln::recip(least(argument)));
 }
 
 Enclosed EnclosedArithmetic::exponential(FunctionId function, const EnclosedNumber& x) const {
   const EnclosedNumber argument = floating(x);
   if (largest(argument) > largest_exponent) {
-    const bool is_tanh = function == FunctionId::tanh;  // ±1 to more digits than there are
-    return is_tanh ? Enclosed(rounded(cln::signum(as_float(x.value)), 0)) : NoValue::too_large;
+    // ±1 to more digits than there are
+    const bool is_flat =
+        function == FunctionId::tanh || (function == FunctionId::expm1 && cln::minusp(x.value));
+    return is_flat ? Enclosed(rounded(cln::signum(as_float(x.value)), 0)) : NoValue::too_large;
   }
   if (function == FunctionId::tanh) return sloped(function, argument, 1);
-  const bool falls = function == FunctionId::exp;  // on the left, where the others rise again
+  // On the left, where the others rise again.
+  const bool falls = function == FunctionId::exp || function == FunctionId::expm1;
   const cl_R end = falls ? argument.value + argument.error : largest(argument);
   return sloped(function, argument, 2 * cln::exp(cln::cl_float(end, bound_format())));
 }
 
 Enclosed EnclosedArithmetic::call(FunctionId function, const EnclosedNumber& x,
                                   const EnclosedNumber& y) const {
-  if (is_exact(x) && is_rational(x.value) && function_row(function).arity == 1) {
-    const auto known = known_value(function, cln::the<cl_RA>(x.value));
+  const bool is_binary = function_row(function).arity == 2;
+  const EnclosedNumber& last = is_binary ? y : x;
+  if (is_exact(x) && is_rational(x.value) && is_exact(last) && is_rational(last.value)) {
+    const auto known = known_value(function, cln::the<cl_RA>(x.value), cln::the<cl_RA>(last.value));
     if (known) return EnclosedNumber{*known, 0};
   }
   switch (function) {
@@ -200,9 +250,17 @@ Enclosed EnclosedArithmetic::call(FunctionId function, const EnclosedNumber& x,
     case FunctionId::cosh:
     case FunctionId::tanh:
     case FunctionId::exp:
+    case FunctionId::expm1:
       return exponential(function, x);
     case FunctionId::log:
-      return logarithm(x);
+    case FunctionId::log1p:
+      return logarithm(function, x);
+    case FunctionId::hypot:
+      return rounded(function_value(function, as_float(x.value), as_float(y.value)),
+                     floating(x).error + floating(y).error);
+    case FunctionId::stumpff:  // |c_k'| <= 1/(k + 1)!
+      return rounded(function_value(function, as_float(x.value), as_float(y.value)),
+                     floating(x).error);
     case FunctionId::abs:
       return EnclosedNumber{cln::abs(x.value), x.error};
     case FunctionId::sign: {
@@ -244,6 +302,14 @@ cl_R function_value(FunctionId function, const cl_F& x, const cl_F& y) {
       return cln::exp(x);
     case FunctionId::log:
       return cln::ln(x);
+    case FunctionId::log1p:
+      return logarithm_of_sum(x);
+    case FunctionId::expm1:
+      return exponential_less_one(x);
+    case FunctionId::hypot:
+      return cln::sqrt(x * x + y * y);
+    case FunctionId::stumpff:
+      return stumpff_function(x, whole_number(y));
     case FunctionId::abs:
       return cln::abs(x);
     case FunctionId::sign:
@@ -256,17 +322,31 @@ cl_R function_value(FunctionId function, const cl_F& x, const cl_F& y) {
   return x;
 }
 
-std::optional<cl_RA> known_value(FunctionId function, const cl_RA& x) {
+std::optional<cl_RA> known_value(FunctionId function, const cl_RA& x, const cl_RA& y) {
+  const auto at = [&x](const cl_RA& place, const cl_RA& value) {
+    return x == place ? std::optional<cl_RA>(value) : std::nullopt;
+  };
   switch (function) {
     case FunctionId::cos:
     case FunctionId::cosh:
     case FunctionId::exp:
-      return cln::zerop(x) ? std::optional<cl_RA>(1) : std::nullopt;
+      return at(0, 1);
     case FunctionId::log:
     case FunctionId::acos:
-      return x == 1 ? std::optional<cl_RA>(0) : std::nullopt;
+      return at(1, 0);
+    case FunctionId::atan2:
+      return cln::plusp(y) ? at(0, 0) : std::nullopt;
+    case FunctionId::hypot: {
+      cl_RA root;
+      return cln::sqrtp(x * x + y * y, &root) ? std::optional(root) : std::nullopt;
+    }
+    case FunctionId::stumpff:
+      return at(0, cln::recip(cl_RA(cln::factorial(static_cast<unsigned>(whole_number(y))))));
+    case FunctionId::min:
+    case FunctionId::max:
+      return std::nullopt;
     default:
-      return cln::zerop(x) ? std::optional<cl_RA>(0) : std::nullopt;
+      return at(0, 0);
   }
 }
 

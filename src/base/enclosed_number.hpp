@@ -71,15 +71,17 @@ class EnclosedArithmetic {
   [[nodiscard]] Enclosed tangent(const EnclosedNumber& x) const;
   [[nodiscard]] Enclosed inverse_circular(FunctionId function, const EnclosedNumber& x) const;
   [[nodiscard]] Enclosed arc_tangent_2(const EnclosedNumber& y, const EnclosedNumber& x) const;
-  [[nodiscard]] Enclosed logarithm(const EnclosedNumber& x) const;
+  [[nodiscard]] Enclosed logarithm(FunctionId function, const EnclosedNumber& x) const;
   [[nodiscard]] Enclosed exponential(FunctionId function, const EnclosedNumber& x) const;
 
   cln::float_format_t format_;
   cln::cl_R roundoff_;
 };
 
-/// f(x) where it is a number known without computing: cos(0), log(1).
-[[nodiscard]] std::optional<cln::cl_RA> known_value(FunctionId function, const cln::cl_RA& x);
+/// f(x), or f(x, y), where it is a number known without computing: cos(0), log(1), hypot(3, 4).
+/// Functions of one argument ignore y.
+[[nodiscard]] std::optional<cln::cl_RA> known_value(FunctionId function, const cln::cl_RA& x,
+                                                    const cln::cl_RA& y);
 
 /// f(x), or f(x, y), inside the domain; CLN throws where its exponents end.
 [[nodiscard]] cln::cl_R function_value(FunctionId function, const cln::cl_F& x, const cln::cl_F& y);

@@ -20,7 +20,8 @@ std::string latex_head(FunctionId function) {
     case FunctionId::atan:
       return "\\arctan";
     case FunctionId::atan2:
-      return "\\operatorname{atan2}";
+    case FunctionId::stumpff:
+      return fmt::format("\\operatorname{{{}}}", function_row(function).name);
     case FunctionId::log:
       return "\\ln";
     case FunctionId::sign:
@@ -59,6 +60,23 @@ std::string joined(const std::vector<Formula>& arguments) {
 bool is_decimal(const cln::cl_RA& value) {
   return cln::zerop(cln::mod(cln::denominator(value), 5)) && exact_decimal(value) &&
          exact_text(value).find('e') == std::string::npos;
+}
+
+/// log1p(x), expm1(x) and hypot(x, y) as they are read: log(1 + x), e^x - 1, the root of a sum of
+/// squares.
+Formula as_read(const Spelling& spelling, FunctionId function,
+                const std::vector<Formula>& arguments) {
+  const Formula& x = arguments.front();
+  const Formula one{"1"};
+  if (function == FunctionId::log1p) {
+    return call(spelling, FunctionId::log, {sum(spelling, {{one}, {x}})});
+  }
+  if (function == FunctionId::expm1) {
+    return sum(spelling, {{call(spelling, FunctionId::exp, {x})}, {one, true}});
+  }
+  const Formula two{"2"};
+  return square_root(spelling, sum(spelling, {{power(spelling, x, two)},
+                                              {power(spelling, arguments.back(), two)}}));
 }
 
 std::string filled(std::string_view holes, const std::string& first,
@@ -145,7 +163,19 @@ Formula square_root(const Spelling& spelling, const Formula& radicand) {
 }
 
 Formula call(const Spelling& spelling, FunctionId function, const std::vector<Formula>& arguments) {
-  if (!spelling.is_two_dimensional) return called(function_row(function).name, arguments);
+  const bool is_stumpff = function == FunctionId::stumpff;
+  const std::string_view own = is_stumpff ? name_of_order(arguments.back().text()) : "";
+  if (!spelling.is_two_dimensional) {
+    return own.empty() ? called(function_row(function).name, arguments)
+                       : called(own, {arguments.front()});
+  }
+  const bool is_written_out = function == FunctionId::log1p || function == FunctionId::expm1 ||
+                              function == FunctionId::hypot;
+  if (is_written_out) return as_read(spelling, function, arguments);
+  if (!own.empty()) {
+    return {fmt::format("\\operatorname{{{}}}", own), Binding::power,
+            in_brackets(spelling, arguments.front().text())};
+  }
   const std::string list = joined(arguments);
   if (function == FunctionId::abs) return {fmt::format("\\left| {} \\right|", list)};
   const Formula& first = arguments.front();

@@ -60,6 +60,7 @@ template <class Base>
 #define ELGEN_OF_FLOATS                                                                      \
   using std::abs, std::sin, std::cos, std::tan, std::asin, std::acos, std::atan, std::atan2; \
   using std::sinh, std::cosh, std::tanh, std::exp, std::log, std::sqrt;                      \
+  using std::log1p, std::expm1, std::hypot, interpreter::stumpff;                            \
   using interpreter::sign, interpreter::min, interpreter::max;
 #define ELGEN_DUAL_1(name, first, second)                               \
   template <class Base>                                                 \

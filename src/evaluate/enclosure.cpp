@@ -269,6 +269,47 @@ Enclosure log(const Enclosure& x) {
   return result;
 }
 
+Enclosure log1p(const Enclosure& x) {
+  if (has_none(x) || x.high <= -1) return no_value;
+  Enclosure result =
+      rising([](double value) { return std::log1p(value); }, inside(x, -1, infinity));
+  if (x.low <= -1) result.defined = Definedness::somewhere;
+  return result;
+}
+
+Enclosure expm1(const Enclosure& x) {
+  return rising([](double value) { return std::expm1(value); }, x, -1);
+}
+
+Enclosure hypot(const Enclosure& x, const Enclosure& y) {
+  if (has_none(x) || has_none(y)) return no_value;
+  const Enclosure width = abs(x);
+  const Enclosure height = abs(y);
+  return bounds(std::max(lower_value(std::hypot(width.low, height.low)), 0.0),
+                upper_value(std::hypot(width.high, height.high)), both(x, y));
+}
+
+/// y is one whole number. c_k falls with |x| for k > 2, c_1 up to 4.49; c_2 is half the square of
+/// c_1 at x/2.
+Enclosure stumpff(const Enclosure& x, const Enclosure& y) {
+  constexpr double least_sinc = -0.2172337;
+  if (has_none(x) || has_none(y)) return no_value;
+  const Enclosure size = abs(x);
+  if (y.low == 2) {
+    const Enclosure ratio = stumpff(x / enclosure_of(2), enclosure_of(1));
+    return ratio * ratio / enclosure_of(2);
+  }
+  if (y.low > 2 || size.high < 4) {
+    constexpr double far = 1e150;  // beyond, the square overflows
+    const double greatest = interpreter::stumpff(std::min(size.low, far), y.low);
+    const double least = size.high < far ? interpreter::stumpff(size.high, y.low) : 0;
+    return {lower_value(least), upper_value(greatest), x.defined};
+  }
+  if (size.low == 0) return {least_sinc, 1, x.defined};
+  const Enclosure ratio = sin(size) / size;
+  return {std::max(ratio.low, least_sinc), std::min(ratio.high, 1.0), x.defined};
+}
+
 Enclosure abs(const Enclosure& x) {
   if (has_none(x)) return x;
   const double least = may_be(x, 0) ? 0 : std::min(std::abs(x.low), std::abs(x.high));

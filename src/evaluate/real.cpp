@@ -48,17 +48,21 @@ bool in_domain(FunctionId function, const cln::cl_F& x) {
     case FunctionId::sin:
     case FunctionId::cos:
     case FunctionId::tan:
+    case FunctionId::stumpff:
       return cln::float_exponent(x) < maximal_angle_exponent;
     case FunctionId::sinh:
     case FunctionId::cosh:
     case FunctionId::tanh:
     case FunctionId::exp:
+    case FunctionId::expm1:
       return cln::float_exponent(x) < maximal_exponent;
     case FunctionId::asin:
     case FunctionId::acos:
       return cln::abs(x) <= cln::cl_R(1);
     case FunctionId::log:
       return cln::plusp(x);
+    case FunctionId::log1p:
+      return x > cln::cl_R(-1);
     default:
       return true;
   }
@@ -68,7 +72,8 @@ Real called(FunctionId function, const Real& x, const Real& y) {
   if (!both(x, y)) return Real::undefined();
   const bool is_origin = cln::zerop(number(x)) && cln::zerop(number(y));
   if (function == FunctionId::atan2 && is_origin) return Real();  // as the C library has it
-  const bool is_periodic = is_circular(function) || function == FunctionId::tan;
+  const bool is_periodic =
+      is_circular(function) || function == FunctionId::tan || function == FunctionId::stumpff;
   return guarded(in_domain(function, number(x)), [&] {
     return function_value(function, is_periodic ? lengthened(x) : number(x), number(y));
   });

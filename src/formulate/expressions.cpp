@@ -5,6 +5,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "base/enclosed_number.hpp"
 #include "elgen/lagrangian.hpp"
 #include "elgen/references.hpp"
 
@@ -23,7 +24,11 @@ constexpr std::array<const char*, 3> axes{"_x", "_y", "_z"};
 
 ex number(const cln::cl_RA& value) { return GiNaC::numeric(value); }
 
-// Of these GiNaC has no kinked ones.
+// GiNaC has none of these.
+ex log1p(const ex& x) { return elgen_log1p(x); }
+ex expm1(const ex& x) { return elgen_expm1(x); }
+ex hypot(const ex& x, const ex& y) { return elgen_hypot(x, y); }
+ex stumpff(const ex& x, const ex& k) { return elgen_stumpff(x, k); }
 ex abs(const ex& x) { return elgen_abs(x); }
 ex sign(const ex& x) { return elgen_sign(x); }
 ex min(const ex& x, const ex& y) { return elgen_min(x, y); }
@@ -46,12 +51,52 @@ ex call(FunctionId function, const ex& x, const ex& y) {
   return 0;
 }
 
-// check() lets these stand in forces only, so a derivative is a mistake of elgen's own.
-ex no_derivative(const ex& /*x*/, unsigned /*argument*/) {
-  throw std::logic_error("derivative of a kinked function");
+/// The derivative by one argument. check() lets functions with kinks stand in forces only, so that
+/// of one of these is a mistake of elgen's own.
+ex slope(FunctionId function, const ex& x, const ex& y, unsigned argument) {
+  using GiNaC::sin, GiNaC::cos, GiNaC::sinh, GiNaC::cosh, GiNaC::exp, GiNaC::sqrt;
+  if (is_kinked(function)) throw std::logic_error("derivative of a kinked function");
+  const ex f = call(function, x, y);
+  const ex one = 1;
+  switch (function) {
+#define ELGEN_FUNCTION(name, arity, use, parity, smoothness, first, second) \
+  case FunctionId::name:                                                    \
+    return argument == 0 ? ex(first) : ex(second);
+#include "elgen/functions.def"
+#undef ELGEN_FUNCTION
+  }
+  return 0;
 }
-ex no_derivative_2(const ex& /*x*/, const ex& /*y*/, unsigned /*argument*/) {
-  throw std::logic_error("derivative of a kinked function");
+template <FunctionId function>
+ex slope_1(const ex& x, unsigned argument) {
+  return slope(function, x, x, argument);
+}
+template <FunctionId function>
+ex slope_2(const ex& x, const ex& y, unsigned argument) {
+  return slope(function, x, y, argument);
+}
+
+/// The value of a call that is known without computing, else the call as it is.
+ex evaluated(FunctionId function, const ex& x, const ex& y, const ex& held) {
+  const bool is_known = x.info(GiNaC::info_flags::rational) && y.info(GiNaC::info_flags::rational);
+  if (!is_known) return held;
+  const auto exact = [](const ex& operand) {
+    return cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(operand).to_cl_N());
+  };
+  const auto value = known_value(function, exact(x), exact(y));
+  return value ? number(*value) : held;
+}
+ex evaluated_log1p(const ex& x) {
+  return evaluated(FunctionId::log1p, x, x, elgen_log1p(x).hold());
+}
+ex evaluated_expm1(const ex& x) {
+  return evaluated(FunctionId::expm1, x, x, elgen_expm1(x).hold());
+}
+ex evaluated_hypot(const ex& x, const ex& y) {
+  return evaluated(FunctionId::hypot, x, y, elgen_hypot(x, y).hold());
+}
+ex evaluated_stumpff(const ex& x, const ex& k) {
+  return evaluated(FunctionId::stumpff, x, k, elgen_stumpff(x, k).hold());
 }
 
 /// 1 by argument 2 -> 12, 2 by argument 1 -> 12
@@ -289,9 +334,17 @@ ex constant_value(const Model& model, ExpressionId value) {
 }
 
 REGISTER_FUNCTION(elgen_open, derivative_func(open_slope))
-REGISTER_FUNCTION(elgen_abs, derivative_func(no_derivative))
-REGISTER_FUNCTION(elgen_sign, derivative_func(no_derivative))
-REGISTER_FUNCTION(elgen_min, derivative_func(no_derivative_2))
-REGISTER_FUNCTION(elgen_max, derivative_func(no_derivative_2))
+REGISTER_FUNCTION(elgen_log1p,
+                  eval_func(evaluated_log1p).derivative_func(slope_1<FunctionId::log1p>))
+REGISTER_FUNCTION(elgen_expm1,
+                  eval_func(evaluated_expm1).derivative_func(slope_1<FunctionId::expm1>))
+REGISTER_FUNCTION(elgen_hypot,
+                  eval_func(evaluated_hypot).derivative_func(slope_2<FunctionId::hypot>))
+REGISTER_FUNCTION(elgen_stumpff,
+                  eval_func(evaluated_stumpff).derivative_func(slope_2<FunctionId::stumpff>))
+REGISTER_FUNCTION(elgen_abs, derivative_func(slope_1<FunctionId::abs>))
+REGISTER_FUNCTION(elgen_sign, derivative_func(slope_1<FunctionId::sign>))
+REGISTER_FUNCTION(elgen_min, derivative_func(slope_2<FunctionId::min>))
+REGISTER_FUNCTION(elgen_max, derivative_func(slope_2<FunctionId::max>))
 
 }  // namespace elgen

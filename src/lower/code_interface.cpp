@@ -139,6 +139,8 @@ std::string_view own_name(FunctionId function) {
       return "smaller";
     case FunctionId::max:
       return "larger";
+    case FunctionId::stumpff:
+      return "stumpff";
     default:
       return {};
   }
@@ -151,24 +153,20 @@ bool needs_order(const Function& function) {
                      });
 }
 
-bool calls_own_functions(const Program& program) {
-  return std::any_of(program.functions.begin(), program.functions.end(), needs_order);
-}
-
 bool calls(const Program& program, FunctionId function) {
   return has_instruction(program, [function](const Instruction& i) {
     return i.opcode == Opcode::call && i.function == function;
   });
 }
 
-std::vector<std::string_view> library_calls(const Program& program) {
+std::vector<std::string_view> library_calls(const Program& program, std::size_t arity) {
   std::vector<std::string_view> names;
   for (const FunctionRow& row : function_table) {
-    const bool is_own = is_circular(row.id) || !own_name(row.id).empty() || row.arity != 1;
+    const bool is_own = is_circular(row.id) || !own_name(row.id).empty() || row.arity != arity;
     if (!is_own && calls(program, row.id)) names.push_back(row.name);
   }
   const auto is_root = [](const Instruction& i) { return i.opcode == Opcode::square_root; };
-  if (has_instruction(program, is_root)) names.emplace_back("sqrt");
+  if (arity == 1 && has_instruction(program, is_root)) names.emplace_back("sqrt");
   return names;
 }
 

@@ -43,11 +43,9 @@ struct DeclaredArray {
 /// Where nothing rotates, velocities are called as their coordinates.
 [[nodiscard]] std::vector<DeclaredArray> declared_arrays(const Model& model);
 
-/// "sign_of", "smaller", "larger": what the code has of its own; empty for what libraries have.
+/// "sign_of", "smaller", "larger", "stumpff": what the code has of its own; empty for what
+/// libraries have.
 [[nodiscard]] std::string_view own_name(FunctionId function);
-
-/// Whether some function calls one of these.
-[[nodiscard]] bool calls_own_functions(const Program& program);
 
 /// Whether the instruction is the sine of an angle whose cosine comes next: one call computes both,
 /// where the language has it.
@@ -59,9 +57,10 @@ struct DeclaredArray {
 /// Whether the function calls one of what the code has of its own, which compares numbers.
 [[nodiscard]] bool needs_order(const Function& function);
 
-/// The functions of one argument that a Program calls, square roots among them; sines and cosines
-/// aside, and what the code has of its own.
-[[nodiscard]] std::vector<std::string_view> library_calls(const Program& program);
+/// The functions of so many arguments that a Program calls, square roots among them; sines and
+/// cosines aside, and what the code has of its own.
+[[nodiscard]] std::vector<std::string_view> library_calls(const Program& program,
+                                                          std::size_t arity);
 
 /// Whether some function calls it.
 [[nodiscard]] bool calls(const Program& program, FunctionId function);

@@ -106,8 +106,8 @@ class Importer {
 
   Ref call(const GiNaC::ex& e) {
     std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
-    constexpr std::string_view kinked = "elgen_";
-    if (name.rfind(kinked, 0) == 0) name.erase(0, kinked.size());
+    constexpr std::string_view own = "elgen_";
+    if (name.rfind(own, 0) == 0) name.erase(0, own.size());
     if (name == "open") return open_value(e);
     std::vector<Ref> arguments;
     for (std::size_t i = 0; i < e.nops(); ++i) arguments.push_back(import(e.op(i)));

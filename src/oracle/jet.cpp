@@ -201,6 +201,10 @@ JetFunctions::Gradient JetFunctions::gradient(FunctionId function, const Jet& x,
   const auto cos = [this](const Jet& z) { return value(FunctionId::cos, z); };
   const auto sinh = [this](const Jet& z) { return value(FunctionId::sinh, z); };
   const auto cosh = [this](const Jet& z) { return value(FunctionId::cosh, z); };
+  const auto exp = [this](const Jet& z) { return value(FunctionId::exp, z); };
+  const auto stumpff = [this](const Jet& z, const Jet& k) {
+    return value(FunctionId::stumpff, z, k);
+  };
   const auto sqrt = [this](const Jet& z) { return power(z, cl_RA(1) / 2); };
   switch (function) {
 #define ELGEN_FUNCTION(name, arity, use, parity, smoothness, first, second) \

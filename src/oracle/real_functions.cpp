@@ -81,6 +81,60 @@ cl_R logarithm(const cl_R& x) {
   return x == 1 && is_rational(x) ? cl_R(0) : cl_R(cln::ln(as_float(x)));
 }
 
+/// log(1 + x) = 2 (z + z^3/3 + z^5/5 + …), z = x/(2 + x), where 1 + x loses digits.
+cl_R logarithm_of_sum(const cl_R& x) {
+  if (cln::abs(x) > cl_RA(1) / 2) return logarithm(1 + x);
+  const cl_R z = as_float(x / (2 + x));
+  cl_R power = z;
+  cl_R sum = z;
+  for (int n = 3;; n += 2) {
+    power = power * z * z;
+    const cl_R next = sum + power / n;
+    if (next == sum) return 2 * sum;
+    sum = next;
+  }
+}
+
+/// e^x - 1 = x + x^2/2! + …, where the difference loses digits.
+cl_R exponential_less_one(const cl_R& x) {
+  if (cln::abs(x) > cl_RA(1) / 2) return cln::exp(checked_exponent(x)) - 1;
+  cl_R term = as_float(x);
+  cl_R sum = term;
+  for (int n = 2;; ++n) {
+    term = term * x / n;
+    const cl_R next = sum + term;
+    if (next == sum) return sum;
+    sum = next;
+  }
+}
+
+/// c_k(x), the sum of (-1)^i x^(2 i)/(2 i + k)!, in all the digits that its largest term takes
+/// away; far out by c_(n+2) = (1/n! - c_n)/x^2 from c_0 = cos(x) and c_1 = sin(x)/x, which takes
+/// none.
+cl_R stumpff_sum(const cl_R& x, const cl_R& order) {
+  const unsigned k = cln::cl_I_to_uint(cln::round1(order));
+  const auto reciprocal_factorial = [](unsigned n) { return cl_RA(1) / cln::factorial(n); };
+  if (x == 0) return reciprocal_factorial(k);
+  const unsigned widest = 3 * k + 100;
+  if (cln::abs(x) > widest) {
+    const cl_F angle = widened(x);
+    cl_R value = k % 2 == 0 ? cl_R(cln::cos(angle)) : cl_R(cln::sin(angle) / angle);
+    for (unsigned n = k % 2; n < k; n += 2) {
+      value = (reciprocal_factorial(n) - value) / (angle * angle);
+    }
+    return value;
+  }
+  const cl_R argument = cln::cl_float(x, cln::float_format(all_digits() + widest));
+  cl_R term = cln::cl_float(reciprocal_factorial(k), cln::float_format(all_digits() + widest));
+  cl_R sum = term;
+  for (unsigned n = k + 1;; n += 2) {
+    term = -term * argument * argument / (n * (n + 1));
+    const cl_R next = sum + term;
+    if (next == sum) return sum;
+    sum = next;
+  }
+}
+
 /// Values at an exact 0 that are exact themselves.
 cl_R value_at_zero(FunctionId function, const cl_R& zero) {
   switch (function) {
@@ -123,6 +177,14 @@ cl_R computed(FunctionId function, const cl_R& x, const cl_R& y) {
       return cln::exp(checked_exponent(x));
     case FunctionId::log:
       return logarithm(x);
+    case FunctionId::log1p:
+      return logarithm_of_sum(x);
+    case FunctionId::expm1:
+      return exponential_less_one(x);
+    case FunctionId::hypot:
+      return x == 0 && y == 0 ? cl_R(0) : real_power(x * x + y * y, cl_RA(1) / 2);
+    case FunctionId::stumpff:
+      return stumpff_sum(x, y);
     case FunctionId::abs:
       return cln::abs(x);
     case FunctionId::sign:

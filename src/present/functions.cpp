@@ -153,18 +153,21 @@ Value Arithmetic::sine_or_cosine(FunctionId function, const Fraction& x) {
   return multiply(both, fraction_of(Polynomial{{Monomial{}, half}}));
 }
 
+/// log1p, expm1 and hypot are written by log, exp and a root.
 Value Arithmetic::call(FunctionId function, const Value& x, const Value& y) {
   const FunctionRow& row = function_row(function);
   if (!x || (row.arity > 1 && !y)) return std::nullopt;
+  const Fraction one = fraction_of(cl_RA(1));
+  if (is_circular(function)) return sine_or_cosine(function, *x);
+  if (function == FunctionId::tan) {
+    const Value sine = sine_or_cosine(FunctionId::sin, *x);
+    return divide(sine, sine_or_cosine(FunctionId::cos, *x));
+  }
+  if (function == FunctionId::log1p) return call(FunctionId::log, add(one, x), {});
+  if (function == FunctionId::expm1) return subtract(call(FunctionId::exp, x, {}), one);
+  if (function == FunctionId::hypot) return square_root(add(multiply(x, x), multiply(y, y)));
   std::vector<Fraction> values{*x};
   if (row.arity > 1) values.push_back(*y);
-  if (is_circular(function)) {
-    return sine_or_cosine(function, values[0]);
-  }
-  if (function == FunctionId::tan) {
-    const Value sine = sine_or_cosine(FunctionId::sin, values[0]);
-    return divide(sine, sine_or_cosine(FunctionId::cos, values[0]));
-  }
   bool turned = false;
   if (row.parity != Parity::none && has_negative_lead(values[0])) {
     values[0] = *negate(values[0]);

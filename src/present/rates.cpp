@@ -42,13 +42,17 @@ ArithmeticValue sqrt(const ArithmeticValue& x) {
   return {x.arithmetic, x.arithmetic->square_root(x.value)};
 }
 
-ArithmeticValue called(FunctionId function, const ArithmeticValue& x) {
-  return {x.arithmetic, x.arithmetic->call(function, x.value, {})};
+ArithmeticValue called(FunctionId function, const ArithmeticValue& x, const Value& y = {}) {
+  return {x.arithmetic, x.arithmetic->call(function, x.value, y)};
 }
 ArithmeticValue sin(const ArithmeticValue& x) { return called(FunctionId::sin, x); }
 ArithmeticValue cos(const ArithmeticValue& x) { return called(FunctionId::cos, x); }
 ArithmeticValue sinh(const ArithmeticValue& x) { return called(FunctionId::sinh, x); }
 ArithmeticValue cosh(const ArithmeticValue& x) { return called(FunctionId::cosh, x); }
+ArithmeticValue exp(const ArithmeticValue& x) { return called(FunctionId::exp, x); }
+ArithmeticValue stumpff(const ArithmeticValue& x, const ArithmeticValue& k) {
+  return called(FunctionId::stumpff, x, k.value);
+}
 
 /// By the first and the second argument.
 std::vector<ArithmeticValue> slopes(FunctionId function, const ArithmeticValue& x,

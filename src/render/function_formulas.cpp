@@ -49,9 +49,15 @@ class FunctionFormulas::Rules {
   [[nodiscard]] Formula square_root(std::uint32_t x) const {
     return vocabulary_.square_root(all_.entry(x));
   }
+  /// The k of stumpff(x, k) is a whole number in all languages.
   [[nodiscard]] Formula call(FunctionId function, std::uint32_t x, std::uint32_t y) const {
     std::vector<Formula> arguments = {all_.entry(x)};
-    if (function_row(function).arity > 1) arguments.push_back(all_.entry(y));
+    if (function == FunctionId::stumpff) {
+      const Constant& order = all_.program_.constants[all_.function_.instructions[y].a];
+      arguments.push_back(number(spelling_, cln::rational(order.value)));
+    } else if (function_row(function).arity > 1) {
+      arguments.push_back(all_.entry(y));
+    }
     return vocabulary_.call(function, arguments);
   }
 

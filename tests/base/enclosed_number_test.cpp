@@ -36,7 +36,7 @@ TEST_CASE("340 digits more agree within the error") {
     for (const cl_RA& x : {cl_RA(3) / 10, cl_RA(-7) / 9, cl_RA(9999) / 10000}) {
       if (row.id == FunctionId::log && cln::minusp(x)) continue;
       INFO(row.name);
-      CHECK(agree(call(few, row.id, x, cl_RA(1) / 7), call(many, row.id, x, cl_RA(1) / 7)));
+      CHECK(agree(call(few, row.id, x, 2), call(many, row.id, x, 2)));
     }
   }
   for (const cl_RA& exponent : {cl_RA(1) / 2, cl_RA(-7) / 3, cl_RA(-5)}) {
@@ -78,7 +78,8 @@ TEST_CASE("errors of operands go through arithmetic") {
 }
 
 TEST_CASE("what is small is known to as many digits") {
-  for (const FunctionId function : {FunctionId::exp, FunctionId::tanh, FunctionId::sin}) {
+  for (const FunctionId function :
+       {FunctionId::exp, FunctionId::tanh, FunctionId::sin, FunctionId::log1p, FunctionId::expm1}) {
     const Enclosed value =
         call(few, function, function == FunctionId::exp ? cl_RA(-300) : power_of_ten(-300));
     REQUIRE(value.number);
@@ -92,6 +93,8 @@ TEST_CASE("what is rational stays exact") {
   CHECK(is_exact(*call(few, FunctionId::exp, 0).number));
   CHECK(is_exact(*call(few, FunctionId::log, 1).number));
   CHECK(call(few, FunctionId::max, -2, 3).number->value == 3);
+  CHECK(call(few, FunctionId::hypot, -3, 4).number->value == 5);
+  CHECK(call(few, FunctionId::stumpff, 0, 4).number->value == cl_RA(1) / 24);
 }
 
 TEST_CASE("outside of a domain there is a reason") {
@@ -102,6 +105,10 @@ TEST_CASE("outside of a domain there is a reason") {
   CHECK(few.power(exact(10), 12'000).why == NoValue::too_large);
   CHECK(call(few, FunctionId::log, 0).why == NoValue::undefined);
   CHECK(call(few, FunctionId::log, -1).why == NoValue::complex);
+  CHECK(call(few, FunctionId::log1p, -1).why == NoValue::undefined);
+  CHECK(call(few, FunctionId::log1p, -2).why == NoValue::complex);
+  CHECK(call(few, FunctionId::expm1, -100'000).number->value == -1);
+  CHECK(call(few, FunctionId::expm1, 100'000).why == NoValue::too_large);
   CHECK(call(few, FunctionId::asin, 1 + power_of_ten(-30)).why == NoValue::complex);
   CHECK(call(few, FunctionId::asin, 1 - power_of_ten(-30)).number);
   CHECK(call(few, FunctionId::atan2, 0, 0).why == NoValue::undefined);

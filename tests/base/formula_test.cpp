@@ -37,6 +37,20 @@ TEST_CASE("LaTeX stacks fractions and puts exponents on functions") {
   CHECK(square_root(n, a).text() == "\\sqrt{a}");
 }
 
+TEST_CASE("log1p, expm1, hypot and Stumpff's functions are read as fields write them") {
+  const Spelling& n = latex_spelling();
+  CHECK(call(n, FunctionId::log1p, {a}).text() == "\\ln(1 + a)");
+  CHECK(call(n, FunctionId::expm1, {sum(n, {{a}, {b}})}).text() == "\\exp(a + b) - 1");
+  CHECK(call(n, FunctionId::hypot, {a, sum(n, {{b}, {c}})}).text() ==
+        "\\sqrt{a^{2} + (b + c)^{2}}");
+  CHECK(call(n, FunctionId::stumpff, {a, {"1"}}).text() == "\\operatorname{sinc}(a)");
+  CHECK(call(n, FunctionId::stumpff, {a, {"3"}}).text() == "\\operatorname{stumpff}(a, 3)");
+  CHECK(power(n, call(n, FunctionId::stumpff, {a, two}), two).text() ==
+        "\\operatorname{cosc}^{2}(a)");
+  CHECK(call(model_spelling(), FunctionId::hypot, {a, b}).text() == "hypot(a, b)");
+  CHECK(call(model_spelling(), FunctionId::stumpff, {a, two}).text() == "cosc(a)");
+}
+
 TEST_CASE("a sign stands free in front of a formula only") {
   const Spelling& n = code_spelling();
   CHECK(product(n, {negated(n, a), b}).text() == "-a * b");

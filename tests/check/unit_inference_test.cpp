@@ -54,9 +54,10 @@ Reading read(const std::string& text) {
 }  // namespace
 
 TEST_CASE("units that agree") {
-  for (const char* text : {"1/2*k*x^2", "0", "k*x^2 + 0", "k*x*sqrt(x^2)", "k*x^2*cos(2*pi*x/x)",
-                           "sqrt(k^2*x^4)", "k*x^2*exp(-x/x)", "k*x^2*atan2(x, 2*x)", "0*m + k*x^2",
-                           "(k*m)^(1/2)*x^2*(k/m)^(1/2)", "k*x^2 + 0*m", "k*x^2*t/t"}) {
+  for (const char* text :
+       {"1/2*k*x^2", "0", "k*x^2 + 0", "k*x*sqrt(x^2)", "k*x^2*cos(2*pi*x/x)", "sqrt(k^2*x^4)",
+        "k*x^2*exp(-x/x)", "k*x^2*atan2(x, 2*x)", "0*m + k*x^2", "k*x*hypot(x, 2*x)*cosc(x/x)",
+        "(k*m)^(1/2)*x^2*(k/m)^(1/2)", "k*x^2 + 0*m", "k*x^2*t/t"}) {
     INFO(text);
     CHECK(potential_messages(text).empty());
   }
@@ -72,6 +73,8 @@ TEST_CASE("units that differ") {
       {"k*x^2*sin(x)", "E404 12:16 `x` is in m, but `sin` takes a pure number\n"},
       {"k*x^2*exp(t)", "E404 12:16 `t` is in s, but `exp` takes a pure number\n"},
       {"k*x^2*atan2(x, m)", "E401 12:21 `m` is in kg, but the other argument is in m\n"},
+      {"k*x^2*hypot(x, m)", "E401 12:21 `m` is in kg, but the other argument is in m\n"},
+      {"k*x^2*sinc(x)", "E404 12:17 `x` is in m, but `sinc` takes a pure number\n"},
       {"k*x", "E403 12:6 `k*x` is in N, but V is in J\n"},
       {"k*x^2/t", "E403 12:6 `k*x^2/t` is in W, but V is in J\n"},
       {"sqrt(k*x^2)", "E403 12:6 `sqrt(k*x^2)` is in kg^(1/2)*m/s, but V is in J\n"},

@@ -53,9 +53,9 @@ std::vector<std::string> scalars_of(const Header& header) {
   std::vector<std::string> scalars = {"float", "double", "long double"};
   if (!header.is_exhaustive) return scalars;
   scalars.emplace_back("Decimal");
-  const bool needs_order = mentions(header.text, "detail::sign_of<") ||
-                           mentions(header.text, "detail::smaller<") ||
-                           mentions(header.text, "detail::larger<");
+  const bool needs_order =
+      mentions(header.text, "detail::sign_of<") || mentions(header.text, "detail::smaller<") ||
+      mentions(header.text, "detail::larger<") || mentions(header.text, "detail::stumpff<");
   if (!needs_order && !mentions(header.text, "atan2(")) {
     scalars.insert(scalars.end(), {"Pack", "Array"});
   }

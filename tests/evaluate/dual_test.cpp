@@ -20,7 +20,7 @@ double apart(const Real& x, const Real& y) {
 
 TEST_CASE("the slope of every smooth function is its derivative") {
   const Real x = real("3/7");
-  const Real y = real("5/4");
+  const Real y = real("2");
   const Real h = real("1/100000000000000000000");
   for (const FunctionRow& row : function_table) {
     if (row.use == FunctionUse::forces) continue;

@@ -53,7 +53,8 @@ TEST_CASE("enclosures of all functions hold the values inside of their boxes") {
     int defined = 0;
     for (int i = 0; i < boxes; ++i) {
       const Enclosure x = drawn(random);
-      const Enclosure y = drawn(random);
+      const bool is_stumpff = row.id == FunctionId::stumpff;
+      const Enclosure y = is_stumpff ? enclosure_of(1 + i % 5) : drawn(random);
       const Enclosure all = interpreter::call(row.id, x, y);
       for (int k = 0; k < points_in_box; ++k) {
         const double at_x = inside(x, random);

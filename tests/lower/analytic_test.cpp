@@ -34,6 +34,12 @@ TEST_CASE("roots, logarithms and angles of what is positive are analytic") {
   CHECK_FALSE(has_unknown(squares + "  7 = log 6\n  result 1 1 = 7\n"));
   CHECK_FALSE(has_unknown(squares + "  7 = atan2 3 6\n  result 1 1 = 7\n"));
   CHECK(has_unknown(squares + "  7 = atan2 6 3\n  result 1 1 = 7\n"));
+  CHECK_FALSE(has_unknown(squares + "  7 = log1p 6\n  8 = hypot 3 6\n  9 = add 7 8\n"
+                                    "  result 1 1 = 9\n"));
+  CHECK(has_unknown(squares + "  7 = log1p 3\n  8 = multiply 7 6\n  result 1 1 = 8\n"));
+  CHECK(has_unknown(squares + "  7 = hypot 2 3\n  8 = multiply 7 6\n  result 1 1 = 8\n"));
+  CHECK_FALSE(has_unknown(squares + "  7 = expm1 3\n  8 = stumpff 3 5\n  9 = add 7 8\n"
+                                    "  10 = multiply 9 6\n  result 1 1 = 10\n"));
   // sqrt((p + p)^2), sqrt(p/(2 + x^2)), sqrt(cosh(x)), log(exp(y)), sqrt(p + p x^4)
   CHECK_FALSE(
       has_unknown("  4 = add 0 0\n  5 = multiply 4 4\n  6 = square_root 5\n"

@@ -104,17 +104,18 @@ TEST_CASE("a name space is the base name unless the scene says another") {
   CHECK(name_space(scene) == "cart2");
 }
 
-TEST_CASE("sign, min and max are the code's own") {
+TEST_CASE("sign, min, max and Stumpff's functions are the code's own, and compare numbers") {
   Program program;
   program.functions.emplace_back();
-  CHECK_FALSE(calls_own_functions(program));
+  CHECK_FALSE(needs_order(program.functions[0]));
   program.functions[0].instructions = {{Opcode::call, FunctionId::abs, 0, 0}};
-  CHECK_FALSE(calls_own_functions(program));
+  CHECK_FALSE(needs_order(program.functions[0]));
   program.functions[0].instructions = {{Opcode::call, FunctionId::sign, 0, 0}};
-  CHECK(calls_own_functions(program));
+  CHECK(needs_order(program.functions[0]));
   CHECK(own_name(FunctionId::sign) == "sign_of");
   CHECK(own_name(FunctionId::min) == "smaller");
   CHECK(own_name(FunctionId::max) == "larger");
+  CHECK(own_name(FunctionId::stumpff) == "stumpff");
 }
 
 TEST_CASE("forward dynamics gives pivots") {

@@ -61,6 +61,12 @@ TEST_CASE("GiNaC's functions, kinked ones included, have our names") {
   CHECK(graph.node(value.node).function == FunctionId::atan2);
   value = imported(equations, exp(x), graph);
   CHECK(graph.node(value.node).function == FunctionId::exp);
+  value = imported(equations, ex(elgen_expm1(x)).diff(GiNaC::ex_to<GiNaC::symbol>(x)), graph);
+  CHECK(graph.node(value.node).function == FunctionId::exp);
+  value = imported(equations, elgen_hypot(-y, x) - elgen_hypot(x, y), graph);
+  CHECK(graph.is_zero(value.node));
+  value = imported(equations, ex(elgen_stumpff(x, 3)).subs(x == 0), graph);
+  CHECK(graph.rational_of(value.node) == cln::cl_RA(1) / 6);
 }
 
 TEST_CASE("a rounded number is refused: it would lose what it stands for") {

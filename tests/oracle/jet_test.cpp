@@ -110,7 +110,7 @@ TEST_CASE("the reciprocal of 1 - s is the geometric series") {
 
 TEST_CASE("first derivatives of every smooth function are those of functions.def") {
   const cl_R x = exact("0.3");
-  const cl_R y = exact("0.7");
+  const cl_R y = 2;
   for (const FunctionRow& row : function_table) {
     if (row.use == FunctionUse::forces) continue;
     JetFunctions functions;

@@ -89,6 +89,11 @@ class ExpressionFold {
   }
 
   Value call(const ExpressionSyntax& e) {
+    if (e.text == "sinc" || e.text == "cosc") {
+      const int order = e.text == "sinc" ? 1 : 2;
+      return rules_.call(function_row(FunctionId::stumpff), (*this)(e.operands[0]),
+                         rules_.number(order));
+    }
     const bool is_root = e.text == "sqrt";
     const FunctionRow* const row = find_function(e.text);
     if (!is_root && row == nullptr) return rules_.named(leaf_name(e));

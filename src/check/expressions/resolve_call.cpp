@@ -55,7 +55,8 @@ ExpressionSyntax written_out(ExpressionSyntax definition, const ExpressionSyntax
 
 std::optional<ExpressionId> Resolver::resolve_call(const ExpressionSyntax& call) {
   if (const FunctionRow* function = find_function(call.text)) {
-    return resolve_function(call, function->id);
+    return function->id == FunctionId::stumpff ? resolve_stumpff(call)
+                                               : resolve_function(call, function->id);
   }
   if (const Composite* composite = find_composite(call.text)) {
     return resolve_composite(call, *composite);
@@ -96,6 +97,35 @@ std::optional<ExpressionId> Resolver::resolve_function(const ExpressionSyntax& c
   return push({.kind = ExpressionKind::function,
                .function = function,
                .operands = std::move(*operands),
+               .span = call.span});
+}
+
+/// stumpff(x, k) with k >= 1; that of 0 is cos(x).
+std::optional<ExpressionId> Resolver::resolve_stumpff(const ExpressionSyntax& call) {
+  constexpr std::int64_t largest_order = 40;
+  if (!has_arity(call, 2)) return std::nullopt;
+  const ExpressionSyntax& order = call.operands[1];
+  const auto k = integer_value(order, scope_, context_.report);
+  if (!k) return std::nullopt;
+  if (*k < 0 || *k > largest_order) {
+    context_.report.add(
+        Code::E318, order.span,
+        in_backticks(order.span) + " is not from 0 to " + std::to_string(largest_order));
+    return std::nullopt;
+  }
+  const std::optional<ExpressionId> x = resolve(call.operands[0]);
+  if (!x) return std::nullopt;
+  if (*k == 0) {
+    return push({.kind = ExpressionKind::function,
+                 .function = FunctionId::cos,
+                 .operands = {*x},
+                 .span = call.span});
+  }
+  const auto number = push_number(cln::cl_I(static_cast<long>(*k)), order.span);
+  if (!number) return std::nullopt;
+  return push({.kind = ExpressionKind::function,
+               .function = FunctionId::stumpff,
+               .operands = {*x, *number},
                .span = call.span});
 }
 

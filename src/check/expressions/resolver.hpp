@@ -70,6 +70,7 @@ class Resolver {
 
   std::optional<ExpressionId> resolve_call(const ExpressionSyntax& call);
   std::optional<ExpressionId> resolve_function(const ExpressionSyntax& call, FunctionId function);
+  std::optional<ExpressionId> resolve_stumpff(const ExpressionSyntax& call);
   std::optional<ExpressionId> resolve_composite(const ExpressionSyntax& call,
                                                 const Composite& composite);
   std::optional<ExpressionId> resolve_dot(const ExpressionSyntax& call);

@@ -212,6 +212,7 @@ class UnitInference {
         return units_[node.operands[0]];
       case FunctionId::min:
       case FunctionId::max:
+      case FunctionId::hypot:
         return common(node, "the other argument");
       case FunctionId::atan2:
         return ratio(common(node, "the other argument"));
@@ -226,9 +227,16 @@ class UnitInference {
     const InferredUnit& argument = units_[node.operands[0]];
     if (argument.known == Known::yes && argument.unit != Unit{}) {
       refuse(Code::E404, node.operands[0], argument.unit,
-             in_backticks(function_row(node.function).name) + " takes a pure number");
+             in_backticks(name_of_call(node)) + " takes a pure number");
     }
     return ratio(argument);
+  }
+
+  [[nodiscard]] std::string_view name_of_call(const Expression& node) const {
+    const bool is_stumpff = node.function == FunctionId::stumpff;
+    const std::string_view own =
+        is_stumpff ? name_of_order(to_string(model_, node.operands[1])) : "";
+    return own.empty() ? function_row(node.function).name : own;
   }
 
   /// A pure number, as far as the argument is known.

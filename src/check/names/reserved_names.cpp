@@ -6,7 +6,6 @@
 #include <array>
 
 #include "base/ascii.hpp"
-#include "elgen/functions.hpp"
 
 namespace elgen {
 
@@ -144,18 +143,17 @@ bool is_macro(std::string_view name) {
 }  // namespace
 
 const std::vector<std::string>& function_names() {
-  static const std::vector<std::string> all = [] {
-    std::vector<std::string> names{
+  static const std::vector<std::string> all{
+#define ELGEN_FUNCTION(name, arity, use, parity, smoothness, first, second) #name,
+#include "elgen/functions.def"
+#undef ELGEN_FUNCTION
 #define ELGEN_EXPANDED(name, rule) #name,
 #include "check/names/expanded_functions.def"
 #undef ELGEN_EXPANDED
 #define ELGEN_COMPOSITE(name, arity, definition, in_space) #name,
 #include "check/names/composite_functions.def"
 #undef ELGEN_COMPOSITE
-    };
-    for (const FunctionRow& row : function_table) names.emplace_back(row.name);
-    return names;
-  }();
+  };
   return all;
 }
 

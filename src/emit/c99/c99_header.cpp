@@ -66,8 +66,8 @@ Texts default_parameters(const EmissionInput& input) {
   return continued(std::move(lines));
 }
 
-constexpr std::array<std::string_view, 5> header_names{"parameters", "is_regular", "sign_of",
-                                                       "smaller", "larger"};
+constexpr std::array<std::string_view, 6> header_names{"parameters", "is_regular", "sign_of",
+                                                       "smaller",    "larger",     "stumpff"};
 
 /// Whether `name` is that of the struct, the workspace or a part of the function.
 bool is_helper(const std::string& name, const Function& function) {
@@ -86,6 +86,9 @@ bool is_taken(const std::string& name, const Program& program) {
 std::string c99_header(const EmissionInput& input) {
   TemplateData data = header_data(input, *c99_dialect(input.model, input.scene, input.program));
   data.set("scalar", std::string(name_of(c99_scalar(input.scene))));
+  const bool is_float = c99_scalar(input.scene) == ScalarKind::single_precision;
+  data.set("sine", is_float ? "sinf" : "sin");
+  data.set("digits", is_float ? "1e9" : "1e17");
   data.set("guard", capitals(input.scene.base_name));
   data.set("capitals", capitals(name_space(input.scene)));
   data.set("parameters", lines_data(documented_members(parameter_members(input))));

@@ -126,14 +126,14 @@ Lines shown_equations(const FunctionText& text) {
   return lines;
 }
 
-/// Where any type may be the scalar, those with kinks need one that is ordered.
+/// Where any type may be the scalar, functions that compare numbers need one that is ordered.
 std::string ordering_note(const FunctionText& text) {
   if (language_row(text.emission.language).scalars == LanguageScalars::one) return "";
   const auto& all = text.function.instructions;
   const bool has_kinks = std::any_of(all.begin(), all.end(), [](const Instruction& i) {
     return i.opcode == Opcode::call && is_kinked(i.function);
   });
-  return has_kinks ? " Needs an ordered Scalar." : "";
+  return has_kinks || needs_order(text.function) ? " Needs an ordered Scalar." : "";
 }
 
 }  // namespace

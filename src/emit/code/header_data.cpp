@@ -118,7 +118,10 @@ TemplateData header_data(const EmissionInput& input, const Dialect& dialect) {
   set_counts(data, input);
   data.set("introduction", lines_data(introduction(input.model, input.scene, input.program)));
   data.set("operation_table", lines_data(operation_table(input.program)));
-  data.set("kinks", section_if(calls_own_functions(input.program)));
+  const auto has = [&input](FunctionId function) { return calls(input.program, function); };
+  const bool has_kinks = has(FunctionId::sign) || has(FunctionId::min) || has(FunctionId::max);
+  data.set("kinks", section_if(has_kinks));
+  data.set("stumpff", section_if(has(FunctionId::stumpff)));
   data.set("functions", functions(input, dialect));
   data.set("regular", section_if(gives_pivots(input.program)));
   return data;

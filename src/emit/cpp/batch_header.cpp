@@ -166,9 +166,9 @@ TemplateData functions(const EmissionInput& input) {
   return list;
 }
 
-TemplateData calls_data(const Program& program) {
+TemplateData calls_data(const Program& program, std::size_t arity) {
   TemplateData list(List::list);
-  for (const std::string_view name : library_calls(program)) {
+  for (const std::string_view name : library_calls(program, arity)) {
     TemplateData item;
     item.set("call", std::string(name));
     list << item;
@@ -183,8 +183,8 @@ std::string batch_header(const EmissionInput& input) {
   data.set("header", input.scene.base_name + ".hpp");
   data.set("notes", lines_data(notes(input)));
   data.set("elements", elements(input.scene.numerics));
-  data.set("calls", calls_data(input.program));
-  data.set("atan2", section_if(calls(input.program, FunctionId::atan2)));
+  data.set("calls", calls_data(input.program, 1));
+  data.set("calls_of_two", calls_data(input.program, 2));
   data.set("sine_cosine", section_if(has_sine_with_cosine(input.program)));
   data.set("parameters", lines_data(parameters(input)));
   data.set("functions", functions(input));

@@ -46,7 +46,8 @@ int three_way(const T& x, const T& y) {
 }
 
 bool commutes(FunctionId function) {
-  return function == FunctionId::min || function == FunctionId::max;
+  return function == FunctionId::min || function == FunctionId::max ||
+         function == FunctionId::hypot;
 }
 
 }  // namespace
@@ -131,11 +132,7 @@ std::optional<Ref> Graph::exact_call(FunctionId function, const std::vector<Ref>
   const std::optional<cln::cl_RA> x = rational_value(arguments.front());
   const std::optional<cln::cl_RA> y = rational_value(arguments.back());
   if (!x || !y) return std::nullopt;
-  if (function == FunctionId::atan2) {
-    const bool is_forward = cln::zerop(*x) && cln::plusp(*y);
-    return is_forward ? std::optional(rational(0)) : std::nullopt;
-  }
-  const std::optional<cln::cl_RA> value = known_value(function, *x);
+  const std::optional<cln::cl_RA> value = known_value(function, *x, *y);
   return value ? std::optional(rational(*value)) : std::nullopt;
 }
 
@@ -143,7 +140,7 @@ Ref Graph::call(FunctionId function, std::vector<Ref> arguments) {
   bool negative = false;
   if (const Parity parity = function_row(function).parity; parity != Parity::none) {
     negative = parity == Parity::odd && arguments[0].negative;
-    arguments[0].negative = false;
+    for (Ref& argument : arguments) argument.negative = false;
   }
   if (commutes(function) && less(arguments[1].node, arguments[0].node)) {
     std::swap(arguments[0], arguments[1]);

@@ -1,0 +1,152 @@
+// log1p, expm1, hypot and Stumpff's functions keep their digits near 0, in every arithmetic, and so
+// do the derivatives of sinc and cosc.
+#include <cln/integer.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
+
+#include "base/exact_number.hpp"
+#include "evaluate/dual.hpp"
+#include "evaluate/enclosure.hpp"
+#include "support/real.hpp"
+
+using namespace elgen;
+using cln::cl_RA;
+
+namespace {
+
+/// |x - y|/|y| as a double; |x| where y is 0.
+double relative(const Real& x, const Real& y) {
+  const Real scale = cln::zerop(y.value()) ? Real(1) : abs(y);
+  return ScalarTraits<double>::from_real((abs(x - y) / scale).value());
+}
+
+template <class Scalar>
+Real exactly(Scalar x) {
+  return Real(exact_value(static_cast<double>(x)));
+}
+Real exactly(const Real& x) { return x; }
+
+/// The derivative of c_k of some order at x, term by term of the series.
+Real derivative_of_series(unsigned order, unsigned k, const cl_RA& x) {
+  constexpr unsigned last_power = 240;
+  cl_RA sum = 0;
+  for (unsigned power = order + order % 2; power <= last_power; power += 2) {
+    const cl_RA factor = cl_RA(cln::factorial(power)) / cln::factorial(power - order);
+    const cl_RA term =
+        factor * cln::expt(x, static_cast<int>(power - order)) / cln::factorial(power + k);
+    sum = power % 4 == 0 ? sum + term : sum - term;
+  }
+  return Real(sum);
+}
+
+template <class Scalar, unsigned order>
+struct Nested {
+  using type = Dual<typename Nested<Scalar, order - 1>::type>;
+};
+template <class Scalar>
+struct Nested<Scalar, 0> {
+  using type = Scalar;
+};
+
+/// x, moving in every direction there is.
+template <class Scalar>
+struct Variable {
+  static Scalar at(const cl_RA& x) { return ScalarTraits<Scalar>::from_real(x); }
+  static Scalar slope(const Scalar& f) { return f; }
+};
+template <class Base>
+struct Variable<Dual<Base>> {
+  static Dual<Base> at(const cl_RA& x) {
+    return {Variable<Base>::at(x), ScalarTraits<Base>::from_real(1)};
+  }
+  static auto slope(const Dual<Base>& f) { return Variable<Base>::slope(f.slope); }
+};
+
+template <class Scalar, unsigned order>
+void check_derivative(double tolerance) {
+  using Number = typename Nested<Scalar, order>::type;
+  for (const unsigned k : {1U, 2U, 5U}) {
+    for (const char* text : {"0", "1/134217728", "1/2", "1", "3", "30"}) {
+      const cl_RA x(text);
+      const Number f = interpreter::call(FunctionId::stumpff, Variable<Number>::at(x),
+                                         ScalarTraits<Number>::from_real(cln::cl_I(k)));
+      INFO("derivative " << order << " of c_" << k << " at " << text);
+      // Far out, each derivative may lose a factor |x|.
+      const double lost = std::pow(std::max(1.0, cln::double_approx(x)), order);
+      const Real exact = derivative_of_series(order, k, x);
+      CHECK(relative(exactly(Variable<Number>::slope(f)), exact) < tolerance * lost);
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("c_k and its derivatives are their series, in double and in 60 digits") {
+  check_derivative<double, 0>(4e-15);
+  check_derivative<double, 1>(4e-15);
+  check_derivative<double, 2>(4e-15);
+  check_derivative<double, 3>(4e-15);
+  check_derivative<double, 4>(4e-13);
+  check_derivative<Real, 0>(1e-60);
+  check_derivative<Real, 1>(1e-60);
+  check_derivative<Real, 2>(1e-60);
+  check_derivative<Real, 3>(1e-59);
+  check_derivative<Real, 4>(1e-59);
+}
+
+TEST_CASE("c_k of built-in floats is right to 8 roundings for every k") {
+  for (int k = 1; k <= 46; ++k) {
+    for (const double x : {1e-9, 0.3, 0.99, 1.01, 1.6, 2.5, 3.7, 5.9, 12.4, 29.0, 47.0}) {
+      INFO("c_" << k << "(" << x << ")");
+      const Real exact = stumpff(exactly(x), Real(k));
+      CHECK(relative(exactly(interpreter::stumpff(x, static_cast<double>(k))), exact) < 0x1p-50);
+    }
+  }
+  for (const float x : {1e-4F, 0.3F, 1.6F, 5.9F}) {
+    const Real exact = stumpff(exactly(x), Real(7));
+    CHECK(relative(exactly(interpreter::stumpff(x, 7.0F)), exact) < 0x1p-21);
+  }
+}
+
+TEST_CASE("log1p and expm1 keep all digits of small numbers") {
+  for (const int digits : {1, 12, 40, 300}) {
+    const cl_RA small = power_of_ten(-digits);
+    for (const cl_RA& x : {small, -small}) {
+      INFO("+-1e-" << digits);
+      const Real real(x);
+      CHECK(relative(log1p(expm1(real)), real) < 1e-61);
+      // x - x^2/2 + … and x + x^2/2 + …, as far as they say
+      const double share = std::max(std::pow(10, -2 * digits), 1e-61);
+      CHECK(relative(log1p(real), Real(x - x * x / 2)) < share);
+      CHECK(relative(expm1(real), Real(x + x * x / 2)) < share);
+    }
+  }
+  for (const double x : {1e-12, -1e-12, 3e-5, 0.7, 20.0}) {
+    CHECK(relative(exactly(std::log1p(x)), log1p(exactly(x))) < 0x1p-51);
+    CHECK(relative(exactly(std::expm1(x)), expm1(exactly(x))) < 0x1p-51);
+  }
+  CHECK(relative(expm1(Real(-200)), exp(Real(-200)) - Real(1)) < 1e-60);
+  CHECK_FALSE(log1p(Real(-1)).is_defined());
+}
+
+TEST_CASE("hypot has a value where its squares have none in double") {
+  CHECK(relative(hypot(Real(-3), Real(4)), Real(5)) < 1e-62);
+  CHECK(interpreter::call(FunctionId::hypot, 3e200, 4e200) == Approx(5e200));
+  CHECK(hypot(Dual<double>{3, 1}, Dual<double>{4, 0}).slope == Approx(0.6));
+  CHECK_FALSE(hypot(Dual<Real>{Real(), Real(1)}, Dual<Real>{}).slope.is_defined());
+}
+
+TEST_CASE("enclosures are narrow near 0, and far out as well") {
+  const auto width = [](const Enclosure& x) { return x.high - x.low; };
+  const Enclosure near{1e-12, 2e-12};
+  CHECK(width(log1p(near)) < 1.001e-12);
+  CHECK(width(expm1(near)) < 1.001e-12);
+  CHECK(width(stumpff({-1e-3, 1e-3}, enclosure_of(1))) < 2e-7);
+  CHECK(width(stumpff({-1e-3, 1e-3}, enclosure_of(2))) < 1e-7);
+  CHECK(width(stumpff({1e3, 1e200}, enclosure_of(5))) < 1e-6);
+  CHECK(stumpff({-1e9, 1e9}, enclosure_of(1)).low > -0.22);
+  CHECK(hypot(Enclosure{-1, 2}, Enclosure{3, 4}).low == Approx(3));
+}
