@@ -1,0 +1,246 @@
+// Sixty energies of which sums cancel (energies.txt): the digits of the emitted programs beside
+// those of the user's text, which is the recursive form, and of stable forms, all in double.
+#include "choose/energies.hpp"
+
+#include <cln/integer.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+
+#include "base/exact_number.hpp"
+#include "choose/chosen.hpp"
+#include "elgen/evaluate.hpp"
+#include "elgen/oracle.hpp"
+#include "evaluate/subject.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+/// How many times the error of another form is no harm.
+constexpr double little_worse = 64;
+/// In u: a reference that loses digits is none.
+constexpr double most_of_stable = 32;
+constexpr std::size_t least_near_stable = 50;
+
+/// x to a multiple of 1/2, by multiplications.
+double power_in_double(double x, const cln::cl_RA& exponent) {
+  const long halves = cln::cl_I_to_long(cln::numerator(exponent * 2));
+  double result = 1;
+  for (long i = 0; i < std::abs(halves) / 2; ++i) result *= x;
+  if (halves % 2 != 0) result *= std::sqrt(x);
+  return halves < 0 ? 1 / result : result;
+}
+
+/// Expressions of the model in double, operation by operation as they are written.
+class AsWritten {
+ public:
+  AsWritten(const Model& model, const Arguments<double>& at) : model_(model), at_(at) {}
+
+  [[nodiscard]] double operator()(ExpressionId id) const {
+    const Expression& e = model_.expressions[id];
+    switch (e.kind) {
+      case ExpressionKind::number:
+        return ScalarTraits<double>::from_real(e.number);
+      case ExpressionKind::leaf:
+        return leaf_of(at_, e.leaf, e.index);
+      case ExpressionKind::negate:
+        return -operand(e, 0);
+      case ExpressionKind::add:
+        return folded(e, [](double x, double y) { return x + y; });
+      case ExpressionKind::multiply:
+        return folded(e, [](double x, double y) { return x * y; });
+      case ExpressionKind::divide:
+        return operand(e, 0) / operand(e, 1);
+      case ExpressionKind::power:
+        return power_in_double(operand(e, 0), e.number);
+      case ExpressionKind::function:
+        return interpreter::call(e.function, operand(e, 0), operand(e, e.operands.size() - 1));
+      default:
+        throw std::runtime_error("a stable form is made of numbers, leaves and functions");
+    }
+  }
+
+ private:
+  [[nodiscard]] double operand(const Expression& e, std::size_t i) const {
+    return (*this)(e.operands.at(i));
+  }
+
+  template <class Operation>
+  [[nodiscard]] double folded(const Expression& e, const Operation& operation) const {
+    double result = operand(e, 0);
+    for (std::size_t i = 1; i < e.operands.size(); ++i) result = operation(result, operand(e, i));
+    return result;
+  }
+
+  const Model& model_;
+  const Arguments<double>& at_;
+};
+
+/// |x - x*|/(u |x*|), u = 2^-53.
+double error_in_u(double x, const cln::cl_R& exact) {
+  if (!std::isfinite(x)) return std::numeric_limits<double>::infinity();
+  const cln::cl_R error = cln::abs(exact_value(x) - exact) / cln::abs(exact);
+  return std::ldexp(ScalarTraits<double>::from_real(error), 53);
+}
+
+/// Of one entry; stable: none where no such form is known.
+struct EntryErrors {
+  std::optional<double> stable = {};
+  double text = 0;
+  double emitted = 0;
+};
+
+void take_worse(std::vector<EntryErrors>& worst, const std::vector<EntryErrors>& others) {
+  worst.resize(others.size());
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    if (others[i].stable) {
+      worst[i].stable = std::max(worst[i].stable.value_or(0), *others[i].stable);
+    }
+    worst[i].text = std::max(worst[i].text, others[i].text);
+    worst[i].emitted = std::max(worst[i].emitted, others[i].emitted);
+  }
+}
+
+/// How many times worse; nothing is worse than what has no value.
+double times_worse(double error, double other) {
+  return std::isinf(other) ? 0 : error / std::max(other, 1.0);
+}
+
+std::vector<double> entries_at(const Program& program, const Arguments<double>& at) {
+  std::vector<double> entries;
+  for (const Function& function : program.functions) {
+    for (const double entry : evaluate(program, function, at)) entries.push_back(entry);
+  }
+  return entries;
+}
+
+std::vector<cln::cl_R> exact_entries(const CheckedModel& checked, const State& state) {
+  std::vector<cln::cl_R> entries;
+  for (const OutputRequest& output : checked.scene.outputs) {
+    const OracleValues values = oracle_values(checked.model, output, state);
+    REQUIRE(values);
+    entries.insert(entries.end(), values->begin(), values->end());
+  }
+  return entries;
+}
+
+/// The stable forms, in the order of the entries.
+std::vector<ExpressionId> stable_forms(const Model& model) {
+  std::vector<ExpressionId> forms;
+  for (const UserOutput& output : model.outputs) {
+    forms.insert(forms.end(), output.values.begin(), output.values.end());
+  }
+  return forms;
+}
+
+/// All numbers are those of double, so that equal parameters are equal and none is rounded again.
+State state_in_double(const CheckedModel& checked, const std::vector<double>& q) {
+  State state = nominal_state(checked.model, checked.scene);
+  for (cln::cl_R& p : state.parameters) p = exact_value(ScalarTraits<double>::from_real(p));
+  for (std::size_t i = 0; i < q.size(); ++i) state.q[i] = exact_value(q[i]);
+  return state;
+}
+
+/// Of gravity and V. Stable forms have to be these functions, to 25 digits.
+std::vector<EntryErrors> errors_at(const Chosen& chosen, const std::vector<double>& q) {
+  const Model& model = chosen.checked.model;
+  const State state = state_in_double(chosen.checked, q);
+  const auto arguments = arguments_at<double>(state);
+  const AsWritten as_written(model, arguments);
+  const std::vector<cln::cl_R> exact = exact_entries(chosen.checked, state);
+  const std::vector<double> text = entries_at(chosen.recursive, arguments);
+  const std::vector<double> emitted = entries_at(chosen.choice.program, arguments);
+  const std::vector<ExpressionId> stable = stable_forms(model);
+  REQUIRE(text.size() == exact.size());
+  REQUIRE(emitted.size() == exact.size());
+  std::vector<EntryErrors> errors;
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    errors.push_back({{}, error_in_u(text[i], exact[i]), error_in_u(emitted[i], exact[i])});
+    if (i >= stable.size()) continue;
+    errors[i].stable = error_in_u(as_written(stable[i]), exact[i]);
+    const std::optional<cln::cl_R> same = oracle_expression(model, stable[i], state);
+    REQUIRE(same);
+    CHECK((cln::abs(*same - exact[i]) <= cln::abs(exact[i]) * power_of_ten(-25)));
+  }
+  return errors;
+}
+
+struct EnergyErrors {
+  std::vector<EntryErrors> entries = {};  ///< of gravity, then V: the worst of all states
+  /// How many times worse the emitted program is, of the worst states of an entry at one distance
+  /// from one place: a single state may be lucky.
+  double than_text = 0;
+  double than_stable = 0;
+};
+
+EnergyErrors errors_of(const TypedEnergy& energy) {
+  SceneOptions options;
+  options.outputs = {make_source("command line", "gravity,potential_energy")};
+  const Chosen c = chosen(model_of(energy), options);
+  EnergyErrors result;
+  for (const std::string& line : energy.near) {
+    const StatesNear states(c.checked.model, line);
+    for (const double distance : {1e-1, 1e-2, 1e-4, 1e-8}) {
+      std::vector<EntryErrors> worst;
+      for (const std::vector<double>& q : states.at(distance)) take_worse(worst, errors_at(c, q));
+      REQUIRE_FALSE(worst.empty());
+      take_worse(result.entries, worst);
+      for (const EntryErrors& e : worst) {
+        result.than_text = std::max(result.than_text, times_worse(e.emitted, e.text));
+        if (!e.stable) continue;
+        result.than_stable = std::max(result.than_stable, times_worse(e.emitted, *e.stable));
+      }
+    }
+  }
+  return result;
+}
+
+std::string figure(std::optional<double> error) {
+  if (!error) return "-";
+  return *error < 1e4 ? fmt::format("{:.1f}", *error) : fmt::format("{:.1e}", *error);
+}
+
+/// A line for every entry.
+std::string table_rows(const TypedEnergy& energy, const EnergyErrors& errors) {
+  std::string rows;
+  for (std::size_t i = 0; i < errors.entries.size(); ++i) {
+    const EntryErrors& e = errors.entries[i];
+    const std::string entry =
+        i + 1 < errors.entries.size() ? fmt::format("gravity[{}]", i + 1) : "V";
+    rows += fmt::format("{:<30} {:<10} {:>8} {:>8} {:>8}\n", energy.name, entry, figure(e.stable),
+                        figure(e.text), figure(e.emitted));
+  }
+  return rows;
+}
+
+}  // namespace
+
+TEST_CASE("energies keep the digits of their texts, and most of them those of stable forms") {
+  const std::vector<TypedEnergy> energies = typed_energies();
+  CHECK(energies.size() == 60);
+  std::string table = fmt::format("{:<30} {:<10} {:>8} {:>8} {:>8}   errors in u\n", "energy",
+                                  "entry", "stable", "text", "emitted");
+  std::size_t near_stable = 0;
+  for (const TypedEnergy& energy : energies) {
+    INFO(energy.name);
+    const EnergyErrors errors = errors_of(energy);
+    for (const EntryErrors& e : errors.entries) CHECK(e.stable.value_or(0) <= most_of_stable);
+    CHECK(errors.than_text <= little_worse);
+    if (errors.than_stable <= little_worse) ++near_stable;
+    table += table_rows(energy, errors);
+  }
+  CHECK(near_stable >= least_near_stable);
+  if (std::getenv("ELGEN_ENERGIES") != nullptr) {
+    std::cout << table << near_stable << " energies within " << little_worse
+              << " times the error of the stable form\n";
+  }
+}
