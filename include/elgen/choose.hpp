@@ -28,9 +28,9 @@ struct FormCosts {
   std::string function = {};
   OperationCounts recursive = {};
   std::optional<OperationCounts> closed = {};  ///< none: given up, or far beyond the recursive form
-  /// The loss of either form at points where sums cancel, as a factor of what its inputs' rounding
-  /// costs: of each entry where the scene prefers accuracy, else of the largest entry of its field.
-  /// None where it did not matter.
+  /// The largest error of either form at points where sums cancel, as a multiple of |x| and of the
+  /// least error of all known ways (choose/harm.hpp): x is the entry where the scene prefers
+  /// accuracy, else the largest one of its field. None where it did not matter.
   std::optional<double> recursive_loss = {};
   std::optional<double> closed_loss = {};
   /// The first entry, by its number among all, that every closed form tried would harm: its digits

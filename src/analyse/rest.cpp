@@ -190,8 +190,7 @@ Program closed_program(const Program& recursive) {
     const ReadableEntries entries =
         read_entries({recursive, function, forms, forms.functions[i]}, points, nullptr);
     if (!is_complete(entries)) continue;
-    result.functions[i] =
-        lowered_together(entries, function, result, Splits::sums_and_differences, nullptr).function;
+    result.functions[i] = lowered_together(entries, function, result, {}).function;
   }
   return result;
 }

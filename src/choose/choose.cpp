@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
-#include "choose/closed_pivots.hpp"
 #include "choose/entries.hpp"
 #include "choose/finish.hpp"
 
@@ -17,10 +15,6 @@ namespace {
 /// recursive form executes does not become cheaper by sharing, and is not lowered. Ratios from 3 to
 /// 12 give the same code for all of models/; with 2 a cheaper form is missed.
 constexpr std::size_t hopeless_ratio = 6;
-/// Where the recursive form loses digits, a closed one that costs several times as much may be
-/// better. The longest that keep them in models/, derivatives of the accelerations of two
-/// links, are 12 times as long.
-constexpr std::size_t hopeless_ratio_with_losses = 24;
 /// Where the recursive form is a few operations, the ratio says nothing: forms up to this length
 /// are lowered whatever it is.
 constexpr std::size_t always_tried = 400;
@@ -34,7 +28,12 @@ constexpr std::size_t most_for_digits = 4;
 /// taken where that loses more than a quarter of the digits of double.
 constexpr double most_lost = 8192;
 
-bool is_little_dearer(std::size_t cost, std::size_t other) { return 4 * cost <= 5 * other; }
+/// A small function may have a division more.
+constexpr std::size_t always_affordable = 4;
+
+bool is_little_dearer(std::size_t cost, std::size_t other) {
+  return 4 * cost <= 5 * other + 4 * always_affordable;
+}
 
 /// Whether a form of this cost is taken in the place of another that loses digits.
 bool is_worth_its_digits(OutputKind kind, std::size_t cost, std::size_t other) {
@@ -90,18 +89,25 @@ class Choosing {
       if (!is_there) return entries = {};
       entries.insert(entries.end(), member->second.begin(), member->second.end());
     }
+    if (TextErrors* text = text_of(index); text != nullptr && is_complete(entries)) {
+      for (std::size_t i = 0; i < entries.size(); ++i) {
+        entries[i]->kept.reset();  // its function has decided that
+        text->add_way(text->errors_of(entries[i]->compact), i);
+      }
+    }
     return entries;
   }
 
   /// Null where digits do not matter.
-  const TextErrors* text_of(std::size_t index) {
+  TextErrors* text_of(std::size_t index) {
     if (scene_.numerics.prefer == Preference::speed) return nullptr;
     const auto known = texts_.find(index);
     if (known != texts_.end()) return &known->second;
     const Function& text = recursive_.functions[index];
     ComparisonPoints points = comparison_points(recursive_, text, domain_);
-    points.insert(points.end(), extremes_.begin(), extremes_.end());
-    return &texts_.try_emplace(index, recursive_, text, std::move(points)).first->second;
+    const auto made =
+        texts_.try_emplace(index, recursive_, text, std::move(points), scale(), extremes_);
+    return &made.first->second;
   }
 
   [[nodiscard]] BothForms both_forms(std::size_t index) const {
@@ -109,7 +115,7 @@ class Choosing {
   }
 
   Diagnostics choose_form(std::size_t index) {
-    const Function function = with_precise_pivots(recursive_.functions[index]);
+    const Function& function = recursive_.functions[index];
     ReadableEntries& entries = entries_of(index);
     const std::optional<Form> wish = wish_for(scene_, function);
     const bool wants_closed = wish == Form::closed;
@@ -118,7 +124,7 @@ class Choosing {
     costs.is_asked_for = wish.has_value();
     Function closed;
     if (is_complete(entries)) {
-      if (wants_closed || is_worth_lowering(index, entries, function)) {
+      if (wants_closed || is_worth_lowering(entries, function)) {
         closed = compare(index, function, entries, costs);
         if (wish) costs.chosen = *wish;
         if (costs.chosen == Form::closed) read_as_precisely(entries, points_);
@@ -147,42 +153,15 @@ class Choosing {
     return with_guarded_pivots(std::move(function), result_.program.constants);
   }
 
-  [[nodiscard]] bool is_worth_lowering(std::size_t index, const ReadableEntries& entries,
-                                       const Function& recursive) {
+  static bool is_worth_lowering(const ReadableEntries& entries, const Function& recursive) {
     const std::size_t total = length(entries);
-    const std::size_t known = cost(count_operations(recursive));
-    if (total <= always_tried || total <= hopeless_ratio * known) return true;
-    if (!prefers_accuracy() || total > hopeless_ratio_with_losses * known) return false;
-    return recursive_loss(index, recursive) > 0;
-  }
-
-  /// Of the function that is being chosen, once.
-  double recursive_loss(std::size_t index, const Function& recursive) {
-    const auto known = recursive_losses_.find(index);
-    if (known != recursive_losses_.end()) return known->second;
-    const double loss = std::ranges::max(losses_of(index, recursive));
-    recursive_losses_[index] = loss;
-    return loss;
+    return total <= always_tried || total <= hopeless_ratio * cost(count_operations(recursive));
   }
 
   /// The guards of pivots are not counted: whichever form is chosen gets them.
   static std::size_t cost_of(const Function& form) {
     const bool has_pivots = output_row(form.kind).gives_pivots;
     return cost(count_operations(has_pivots ? without_diagonal(form) : form));
-  }
-
-  /// `recursive` with its pivots by their closed forms, where those keep digits that it loses.
-  Function with_precise_pivots(const Function& recursive) {
-    if (!prefers_accuracy() || !output_row(recursive.kind).solves) return recursive;
-    const auto pivots = std::ranges::find_if(
-        recursive_.functions, [](const Function& f) { return output_row(f.kind).gives_pivots; });
-    if (pivots == recursive_.functions.end()) return recursive;
-    const auto index = static_cast<std::size_t>(pivots - recursive_.functions.begin());
-    if (!closed_pivots_) {
-      closed_pivots_ =
-          closed_pivots(recursive_, *pivots, forms_, forms_.functions[index], points_of(index));
-    }
-    return with_closed_pivots(recursive, *pivots, *closed_pivots_, result_.program);
   }
 
   [[nodiscard]] bool prefers_accuracy() const {
@@ -201,10 +180,9 @@ class Choosing {
   Function compare(std::size_t index, const Function& recursive, ReadableEntries& entries,
                    FormCosts& costs) {
     Function closed = lowered(index, recursive, entries, costs);
-    if (scene_.numerics.prefer != Preference::speed && !costs.harmed) {
-      closed = prefers_accuracy()
-                   ? keep_digits(index, recursive, entries, std::move(closed), costs)
-                   : keep_most_digits(index, recursive, entries, std::move(closed), costs);
+    if (scene_.numerics.prefer != Preference::speed) {
+      keep_digits(index, entries, closed, costs);
+      choose_by_losses(index, closed, recursive, costs);
     }
     closed = finished(std::move(closed));
     costs.closed = count_operations(closed);
@@ -214,8 +192,9 @@ class Choosing {
   /// The entries as one function, and the form that follows from its cost and from what it harms.
   Function lowered(std::size_t index, const Function& recursive, const ReadableEntries& entries,
                    FormCosts& costs) {
-    Lowered closed =
-        lowered_together(entries, recursive, result_.program, splits_of(recursive), text_of(index));
+    const LoweringAim aim{splits_of(recursive), text_of(index), tolerated(),
+                          prefers_accuracy() ? 4 * most_for_digits : 5};
+    Lowered closed = lowered_together(entries, recursive, result_.program, aim);
     costs.harmed = closed.harmed;
     choose_by_cost(closed.function, recursive, costs);
     return std::move(closed.function);
@@ -232,98 +211,64 @@ class Choosing {
     return is_whole ? Splits::sums : Splits::sums_and_differences;
   }
 
-  /// The closed form with the entries that lose digits written in another way, and the choice
-  /// between the forms where one of them loses more.
-  Function keep_digits(std::size_t index, const Function& recursive, ReadableEntries& entries,
-                       Function closed, FormCosts& costs) {
-    std::vector<double> losses = losses_of(index, closed);
-    // Those of `dynamics` are those of the functions before it.
-    const bool repeats = output_row(recursive.kind).repeats;
-    const Judgement judgement{.points = points_of(index), .prefers_short = true};
-    ReadableEntries others = entries;
-    if (!repeats && rewrite(others, losses, both_forms(index), judgement)) {
-      FormCosts other_costs = costs;
-      Function other = lowered(index, recursive, others, other_costs);
-      if (!other_costs.harmed) {
-        entries = std::move(others);
-        closed = std::move(other);
-        losses = losses_of(index, closed);
-        costs = other_costs;
-      }
+  /// Writes entries in the ways that keep their digits where that is free, or worth its cost: those
+  /// that lose many digits, and then all that lose some.
+  void keep_digits(std::size_t index, ReadableEntries& entries, Function& closed,
+                   FormCosts& costs) {
+    const Function& recursive = recursive_.functions[index];
+    const TextErrors& text = *text_of(index);
+    costs.closed_loss = text.worst_loss(result_.program, closed);
+    for (const double limit : {tolerated(), tolerated_loss}) {
+      std::optional<ReadableEntries> others = with_kept(entries, limit);
+      if (!others) continue;
+      FormCosts way_costs = costs;
+      Function way = lowered(index, recursive, *others, way_costs);
+      if (way_costs.harmed) continue;
+      way_costs.closed_loss = text.worst_loss(result_.program, way);
+      if (!is_taken(recursive, {closed, costs}, {way, way_costs})) continue;
+      entries = std::move(*others);
+      closed = std::move(way);
+      costs = way_costs;
     }
-    costs.closed_loss = std::ranges::max(losses);
-    if (costs.chosen == Form::closed && costs.closed_loss == 0) return closed;
-    costs.recursive_loss = recursive_loss(index, recursive);
-    if (loses_more(*costs.closed_loss, *costs.recursive_loss)) costs.chosen = Form::recursive;
-    if (is_worth_its_digits(recursive.kind, cost_of(closed), cost_of(recursive)) &&
-        loses_more(*costs.recursive_loss, *costs.closed_loss)) {
-      costs.chosen = Form::closed;
-    }
-    return closed;
   }
 
-  /// The closed form with its entries written in other ways where that is free, or a little dearer
-  /// and worth it, and the choice between the forms by the same rule.
-  Function keep_most_digits(std::size_t index, const Function& recursive, ReadableEntries& entries,
-                            Function closed, FormCosts& costs) {
-    costs.closed_loss = std::ranges::max(losses_of(index, closed));
-    // Those of `dynamics` are those of the functions before it.
-    if (*costs.closed_loss > 0 && !output_row(recursive.kind).repeats) {
-      const std::size_t cheapest = std::min(cost_of(closed), cost_of(recursive));
-      for (const double limit : {tolerated(), std::numeric_limits<double>::infinity()}) {
-        if (try_ways(index, {limit, cheapest}, entries, closed, costs)) break;
-      }
-    }
-    const std::size_t own = cost_of(closed);
-    const std::size_t other = cost_of(recursive);
-    choose_by_cost(closed, recursive, costs);
-    if (!is_little_dearer(std::max(own, other), std::min(own, other))) return closed;
-    if (costs.chosen == Form::closed && *costs.closed_loss <= tolerated()) return closed;
-    costs.recursive_loss = recursive_loss(index, recursive);
-    if (loses_more(*costs.closed_loss, *costs.recursive_loss, tolerated())) {
-      costs.chosen = Form::recursive;
-    } else if (loses_more(*costs.recursive_loss, *costs.closed_loss, tolerated())) {
-      costs.chosen = Form::closed;
-    }
-    return closed;
-  }
-
-  /// Above the loss `limit` entries may be written in longer ways, for which the function may cost
-  /// a little more than `cheapest`.
-  struct Allowance {
-    double limit;
-    std::size_t cheapest;
+  struct Candidate {
+    const Function& function;
+    const FormCosts& costs;
   };
 
-  /// Whether the ways together are free, or worth their cost: then they are taken.
-  bool try_ways(std::size_t index, const Allowance& allowance, ReadableEntries& entries,
-                Function& closed, FormCosts& costs) {
-    const BothForms both = both_forms(index);
-    const ComparisonPoints& points = points_of(index);
-    const Judgement judgement{points, allowance.limit,
-                              magnitudes_of(result_.program, closed, points, Scale::field)};
-    ReadableEntries others = entries;
-    if (!rewrite(others, losses_of(index, closed), both, judgement)) return false;
-    FormCosts way_costs = costs;
-    Function way = lowered(index, both.function, others, way_costs);
-    if (way_costs.harmed) return false;
-    const double loss = std::ranges::max(losses_of(index, way));
-    const bool is_free = cost_of(way) <= cost_of(closed) && loss <= *costs.closed_loss;
-    const bool is_worth = is_little_dearer(cost_of(way), allowance.cheapest) &&
-                          loses_more(*costs.closed_loss, loss, tolerated());
-    if (!is_free && !is_worth) return false;
-    entries = std::move(others);
-    closed = std::move(way);
-    costs.closed_loss = loss;
-    return true;
+  /// Whether a way is free, or worth its cost, in the place of the closed form.
+  [[nodiscard]] bool is_taken(const Function& recursive, const Candidate& closed,
+                              const Candidate& way) const {
+    const std::size_t cost = cost_of(way.function);
+    const double loss = *way.costs.closed_loss;
+    const double known = *closed.costs.closed_loss;
+    const std::size_t cheapest = std::min(cost_of(closed.function), cost_of(recursive));
+    const bool is_free = cost <= cost_of(closed.function) && loss <= known;
+    const bool is_better = closed.costs.harmed || loses_more(known, loss, tolerated());
+    return is_free || (is_better && is_affordable(recursive.kind, cost, cheapest));
   }
 
-  /// Of the function with this index, in any form. Not for speed.
-  [[nodiscard]] std::vector<double> losses_of(std::size_t index, const Function& form) {
-    return possible_losses(result_.program, form, points_of(index), scale());
+  /// Between the forms, where one loses more: the cheaper one, or the other if it is affordable.
+  void choose_by_losses(std::size_t index, const Function& closed, const Function& recursive,
+                        FormCosts& costs) {
+    choose_by_cost(closed, recursive, costs);
+    if (costs.harmed || (costs.chosen == Form::closed && *costs.closed_loss <= tolerated())) return;
+    costs.recursive_loss = text_of(index)->worst_loss(result_.program, recursive);
+    const bool is_closed = costs.chosen == Form::closed;
+    const double own = is_closed ? *costs.closed_loss : *costs.recursive_loss;
+    const double other = is_closed ? *costs.recursive_loss : *costs.closed_loss;
+    const Function& dearer = is_closed ? recursive : closed;
+    const Function& cheaper = is_closed ? closed : recursive;
+    if (!loses_more(own, other, tolerated())) return;
+    if (!is_affordable(recursive.kind, cost_of(dearer), cost_of(cheaper))) return;
+    costs.chosen = is_closed ? Form::recursive : Form::closed;
   }
 
-  const ComparisonPoints& points_of(std::size_t index) { return text_of(index)->points(); }
+  [[nodiscard]] bool is_affordable(OutputKind kind, std::size_t cost, std::size_t other) const {
+    return prefers_accuracy() ? is_worth_its_digits(kind, cost, other)
+                              : is_little_dearer(cost, other);
+  }
 
   void fill_readable(std::size_t index, const ReadableEntries& entries) {
     const Function& function = recursive_.functions[index];
@@ -342,8 +287,6 @@ class Choosing {
   std::map<std::string, ReadableEntries> entries_;
   std::map<std::size_t, TextErrors> texts_;  ///< by function
   std::string normalized_;                   ///< name of the function of that kind
-  std::optional<std::vector<ClosedPivot>> closed_pivots_;
-  std::map<std::size_t, double> recursive_losses_;
   Choice result_;
 };
 

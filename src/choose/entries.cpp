@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "choose/precise.hpp"
+#include "choose/kept_digits.hpp"
 #include "choose/ways.hpp"
 #include "lower/network/cheapest.hpp"
 #include "lower/network/linearise.hpp"
@@ -26,40 +26,137 @@ std::size_t term_count(const ClosedFunction& closed) {
   return count;
 }
 
-std::vector<const std::optional<Fraction>*> forms_of(const ClosedFunction& closed) {
-  std::vector<const std::optional<Fraction>*> forms;
-  for (const ClosedField& field : closed.fields) {
-    for (const std::optional<Fraction>& form : field.entries) forms.push_back(&form);
+/// All ways to write an entry, the shortest first. `derived` may be null.
+std::vector<Expressions> all_ways(const Algebra& algebra, const Fraction& form,
+                                  const DerivedEntry* derived) {
+  std::vector<Expressions> ways;
+  for (Collected& way : collected_ways(algebra, form)) ways.push_back(std::move(way.expressions));
+  for (Collected& way : precise_ways(algebra, form)) ways.push_back(std::move(way.expressions));
+  if (derived != nullptr) {
+    ways.push_back(derived_way(derived->written_out).expressions);
+    ways.push_back(derived->as_it_stands);
   }
-  return forms;
+  std::vector<Expressions> sources = plain_ways(algebra, form);
+  sources.insert(sources.end(), ways.begin(), ways.end());
+  for (const Expressions& source : sources) {
+    auto kept = with_kept_digits(source, Squares::whole);
+    auto apart = with_kept_digits(kept ? *kept : source, Squares::apart);
+    for (auto* way : {&kept, &apart}) {
+      if (!*way) continue;
+      if (auto fewer = with_fewer_calls(**way)) ways.push_back(std::move(*fewer));
+      ways.push_back(std::move(**way));
+    }
+  }
+  std::ranges::stable_sort(ways, {}, [](const Expressions& way) { return written_length(way); });
+  return ways;
 }
 
-LossyEntry lossy_entry(std::size_t i, double loss, const ReadableForm& known,
-                       const Judgement& judgement) {
-  LossyEntry entry{.loss = loss};
-  for (const std::vector<double>& at_point : judgement.magnitudes) {
-    entry.beside.push_back(at_point[i]);
-  }
-  if (loss <= judgement.tolerated) {
-    entry.longest = written_length(known.compact);
-  } else {
-    entry.tolerated = judgement.tolerated;
-  }
-  return entry;
-}
+/// One entry of the function, with what its text says.
+class Judging {
+ public:
+  Judging(ReadableForm& known, std::size_t entry, TextErrors& text)
+      : known_(known), entry_(entry), text_(text) {}
 
-/// Writes the entry so that it is not harmed, where a way does that.
-void protect(ReadableForm& known, std::size_t entry, const BothForms& both, const Fraction& form,
-             const DerivedEntry* derived, const TextErrors& text) {
-  const bool is_harmed = text.are_passed_by(known.compact, entry);
-  if (!is_harmed && !text.are_passed_by(known.readable, entry)) return;
-  if (is_harmed) {
-    auto way = harmless_way(both.forms.algebra, form, derived, text, entry);
-    if (!way) return;
-    known.compact = std::move(*way);
+  /// Writes the entry so that it is not harmed, where a way does that, and finds the way that keeps
+  /// its digits.
+  void operator()(const Algebra& algebra, const Fraction& form, const DerivedEntry* derived) {
+    const bool is_harmed = text_.are_passed_by(known_.compact, entry_);
+    ErrorsAtPoints errors = text_.errors_of(known_.compact);
+    if (is_harmed || text_.may_lose(errors, entry_)) {
+      ways_ = all_ways(algebra, form, derived);
+      for (const Expressions& way : ways_) errors_.push_back(text_.errors_of(way));
+    }
+    if (is_harmed) {
+      if (!protect()) return;
+      errors = text_.errors_of(known_.compact);
+    } else {
+      known_.is_rewritten = text_.are_passed_by(known_.readable, entry_);
+    }
+    text_.add_way(errors, entry_);
+    for (const ErrorsAtPoints& way : errors_) text_.add_way(way, entry_);
+    known_.loss = text_.loss_of(errors, entry_);
+    if (known_.loss > tolerated_loss) keep();
   }
-  known.is_rewritten = true;
-}
+
+ private:
+  bool protect() {
+    for (const Expressions& way : ways_) {
+      if (text_.are_passed_by(way, entry_)) continue;
+      known_.compact = way;
+      return known_.is_rewritten = true;
+    }
+    return false;
+  }
+
+  /// The cheapest way that loses nothing, else the one that loses least.
+  void keep() {
+    double least = known_.loss;
+    std::size_t least_cost = 0;
+    std::optional<std::size_t> best;
+    for (std::size_t i = 0; i < ways_.size(); ++i) {
+      const double loss = text_.loss_of(errors_[i], entry_);
+      if (std::max(loss, tolerated_loss) > std::max(least, tolerated_loss)) continue;
+      const std::size_t cost = cost_alone(ways_[i]);
+      const bool is_as_good = best && std::max(least, loss) <= tolerated_loss;
+      const bool is_better = is_as_good ? cost < least_cost : loss < least;
+      if (!is_better || text_.are_passed_by(ways_[i], entry_)) continue;
+      least = loss;
+      least_cost = cost;
+      best = i;
+    }
+    if (best && loses_more(known_.loss, least)) known_.kept = std::move(ways_[*best]);
+  }
+
+  static std::size_t cost_alone(const Expressions& way) {
+    Program program;
+    Function function;
+    function.fields = {Field{"", 1, 1, {0}}};
+    linearise(make_network(way), program, function);
+    return cost(count_operations(function));
+  }
+
+  ReadableForm& known_;
+  std::size_t entry_;
+  TextErrors& text_;
+  std::vector<Expressions> ways_ = {};
+  std::vector<ErrorsAtPoints> errors_ = {};
+};
+
+/// Of forms that come in the order of their costs.
+class Cheapest {
+ public:
+  Cheapest(const Function& shape, Program& program, const LoweringAim& aim)
+      : shape_(shape), program_(program), aim_(aim) {}
+
+  /// Whether no later one can be better.
+  bool add(const CostedNetwork& costed) {
+    const bool is_dearer = form_ && 4 * costed.cost > aim_.most_quarters * cost_ + division;
+    if (is_dearer && !form_->harmed) return true;
+    Lowered form{unfilled(shape_)};
+    form.function.form = Form::closed;
+    linearise(costed.network, program_, form.function);
+    if (aim_.text != nullptr) form.harmed = aim_.text->harmed_entry(program_, form.function);
+    if (form_ && form.harmed) return false;
+    const double loss =
+        aim_.text == nullptr || form.harmed ? 0 : aim_.text->worst_loss(program_, form.function);
+    const bool is_first = !form_ || form_->harmed;
+    if (!is_first && loss > aim_.tolerated) return false;
+    form_ = std::move(form);
+    cost_ = costed.cost;
+    return !form_->harmed && loss <= aim_.tolerated;
+  }
+
+  Lowered form() && { return std::move(*form_); }
+
+ private:
+  static constexpr std::size_t division = 4 * 4;
+
+  const Function& shape_;
+  Program& program_;
+  const LoweringAim& aim_;
+  std::optional<Lowered> form_ = {};
+  std::size_t cost_ = 0;
+};
 
 void append_entry(Function& to, Field& field, const Function& one) {
   const auto offset = static_cast<std::uint32_t>(to.instructions.size());
@@ -74,8 +171,7 @@ void append_entry(Function& to, Field& field, const Function& one) {
 
 }  // namespace
 
-ReadableEntries read_entries(const BothForms& both, const MixedPoints& points,
-                             const TextErrors* text) {
+ReadableEntries read_entries(const BothForms& both, const MixedPoints& points, TextErrors* text) {
   const auto& [program, function, forms, closed] = both;
   ReadableEntries entries;
   if (term_count(closed) > most_terms_together) return entries;
@@ -87,7 +183,8 @@ ReadableEntries read_entries(const BothForms& both, const MixedPoints& points,
       const auto derived = as_derived(program, function, function.fields[f].entries[e]);
       entry = shortest(forms.algebra, *form, derived ? &derived->written_out : nullptr, points);
       if (!entry || text == nullptr) continue;
-      protect(*entry, entries.size() - 1, both, *form, derived ? &*derived : nullptr, *text);
+      Judging judging(*entry, entries.size() - 1, *text);
+      judging(forms.algebra, *form, derived ? &*derived : nullptr);
     }
   }
   return entries;
@@ -112,30 +209,18 @@ std::vector<std::uint32_t> rewritten_entries(const ReadableEntries& entries, std
   return numbers;
 }
 
-bool rewrite(ReadableEntries& entries, const std::vector<double>& losses, const BothForms& both,
-             const Judgement& judgement) {
-  const Algebra& algebra = both.forms.algebra;
-  const std::vector<const std::optional<Fraction>*> all = forms_of(both.closed);
-  const std::vector<std::uint32_t> instructions = entries_of(both.function);
-  const bool solves = output_row(both.function.kind).solves;
-  const auto better = [&](std::size_t i) -> std::optional<Expressions> {
-    if (losses[i] > tolerated_loss) {
-      const auto derived = as_derived(both.program, both.function, instructions[i]);
-      return more_precise(algebra, **all[i], derived ? &*derived : nullptr,
-                          lossy_entry(i, losses[i], *entries[i], judgement), judgement.points);
-    }
-    if (!solves || !judgement.prefers_short) return std::nullopt;
-    return shorter_precise(algebra, **all[i], entries[i]->compact, judgement.points);
-  };
-  bool is_rewritten = false;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    std::optional<Expressions> way = entries[i] ? better(i) : std::nullopt;
-    if (!way) continue;
-    is_rewritten = true;
-    entries[i]->is_rewritten = true;
-    entries[i]->compact = std::move(*way);
+std::optional<ReadableEntries> with_kept(const ReadableEntries& entries, double limit) {
+  ReadableEntries others = entries;
+  bool is_changed = false;
+  for (auto& entry : others) {
+    if (!entry->kept || entry->loss <= limit) continue;
+    entry->compact = std::move(*entry->kept);
+    entry->kept.reset();
+    entry->is_rewritten = true;
+    is_changed = true;
   }
-  return is_rewritten;
+  if (!is_changed) return std::nullopt;
+  return others;
 }
 
 void read_as_precisely(ReadableEntries& entries, const MixedPoints& points) {
@@ -147,7 +232,7 @@ void read_as_precisely(ReadableEntries& entries, const MixedPoints& points) {
 }
 
 Lowered lowered_together(const ReadableEntries& entries, const Function& shape, Program& program,
-                         Splits splits, const TextErrors* text) {
+                         const LoweringAim& aim) {
   Expressions readable;
   Expressions compact;
   for (const auto& entry : entries) {
@@ -155,22 +240,17 @@ Lowered lowered_together(const ReadableEntries& entries, const Function& shape, 
     readable.values.push_back(copied(readable.graph, read));
     compact.values.push_back(copied(compact.graph, entry->compact));
   }
-  std::optional<Lowered> cheapest;
-  for (const Splits which : {splits, Splits::sums}) {
+  Cheapest cheapest(shape, program, aim);
+  for (const Splits which : {aim.splits, Splits::sums}) {
     std::vector<CostedNetwork> networks = networks_by_cost(readable, unfilled(shape), which);
     std::ranges::move(networks_by_cost(compact, unfilled(shape), which),
                       std::back_inserter(networks));
     std::ranges::stable_sort(networks, {}, &CostedNetwork::cost);
     for (const CostedNetwork& costed : networks) {
-      Lowered form{unfilled(shape)};
-      form.function.form = Form::closed;
-      linearise(costed.network, program, form.function);
-      if (text != nullptr) form.harmed = text->harmed_entry(program, form.function);
-      if (!form.harmed) return form;
-      if (!cheapest) cheapest = std::move(form);
+      if (cheapest.add(costed)) return std::move(cheapest).form();
     }
   }
-  return std::move(*cheapest);
+  return std::move(cheapest).form();
 }
 
 Function lowered_one_by_one(const ReadableEntries& entries, const Function& shape,

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "choose/harm.hpp"
-#include "choose/precision.hpp"
 #include "choose/readable.hpp"
 #include "lower/graph/angle_sums.hpp"
 
@@ -22,9 +21,9 @@ struct BothForms {
 };
 
 /// None where the closed forms are too long together. With `text`, an entry that the shortest ways
-/// harm is rewritten where there is one that does not.
+/// harm is rewritten where there is one that does not, and each has the way that keeps its digits.
 [[nodiscard]] ReadableEntries read_entries(const BothForms& both, const MixedPoints& points,
-                                           const TextErrors* text);
+                                           TextErrors* text);
 
 /// Whether there are entries, and each has a form.
 [[nodiscard]] bool is_complete(const ReadableEntries& entries);
@@ -32,27 +31,18 @@ struct BothForms {
 /// Signs and calls of all of them together, where they are complete.
 [[nodiscard]] std::size_t length(const ReadableEntries& entries);
 
-/// The numbers of those that rewrite() has written, out of the first `count`: pivots of M are not
+/// The numbers of those that are rewritten, out of the first `count`: pivots of M are not
 /// emitted with the others.
 [[nodiscard]] std::vector<std::uint32_t> rewritten_entries(const ReadableEntries& entries,
                                                            std::size_t count);
 
-/// How entries are judged that lose digits.
-struct Judgement {
-  const ComparisonPoints& points;
-  double tolerated =
-      tolerated_loss;          ///< of an entry that loses no more only shorter ways are taken
-  Magnitudes magnitudes = {};  ///< by point and entry; empty: each entry by itself
-  bool prefers_short = false;  ///< in what solves: sums that keep all digits and are shorter
-};
+/// The entries that lose more than `limit` in the ways that keep their digits; none where no entry
+/// does, or none has another way.
+[[nodiscard]] std::optional<ReadableEntries> with_kept(const ReadableEntries& entries,
+                                                       double limit);
 
-/// Writes the entries that lose digits in ways that do not; whether there is one. `losses` are
-/// those of the code, entry by entry.
-[[nodiscard]] bool rewrite(ReadableEntries& entries, const std::vector<double>& losses,
-                           const BothForms& both, const Judgement& judgement);
-
-/// Shows those that rewrite() has written as they are computed where they would be shown in a way
-/// that is less precise, which would judge the code.
+/// Shows those that are rewritten as they are computed where they would be shown in a way that is
+/// less precise, which would judge the code.
 void read_as_precisely(ReadableEntries& entries, const MixedPoints& points);
 
 /// All entries of a function as instructions, and the first one that is harmed by them.
@@ -61,11 +51,19 @@ struct Lowered {
   std::optional<std::size_t> harmed = {};
 };
 
-/// All entries over one graph, as they are read or in their shortest forms: the cheaper one that
-/// harms nothing, with angles taken apart as `splits` says, or with their differences left whole.
-/// `shape` says which they are; `program` gets their constants. `text` may be null.
+/// What is asked of them.
+struct LoweringAim {
+  Splits splits = Splits::sums_and_differences;  ///< which angles may be taken apart
+  const TextErrors* text = nullptr;              ///< null: the cheapest form is taken
+  double tolerated = 0;                          ///< a loss
+  std::size_t most_quarters = 4;  ///< of the cost of the cheapest form, for one that loses no more
+};
+
+/// All entries over one graph, as they are read or in their shortest forms: the cheapest one that
+/// harms nothing, or one that is a little dearer and loses no more than tolerated. `shape` says
+/// which they are; `program` gets their constants.
 [[nodiscard]] Lowered lowered_together(const ReadableEntries& entries, const Function& shape,
-                                       Program& program, Splits splits, const TextErrors* text);
+                                       Program& program, const LoweringAim& aim);
 
 /// As they are read, entry by entry, so that nothing is taken apart for what another entry shares.
 [[nodiscard]] Function lowered_one_by_one(const ReadableEntries& entries, const Function& shape,

@@ -1,7 +1,9 @@
 // harm: see harm.hpp.
 #include "choose/harm.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "lower/network/linearise.hpp"
@@ -13,6 +15,10 @@ namespace {
 constexpr long most_harmless = 64;
 /// Errors in double are right within a factor of two each.
 constexpr double certainly_harmless = 16;
+
+constexpr double unit_roundoff = 0x1p-53;
+/// A value that is right to one part in 1000 tells its magnitude.
+constexpr double certain_digits = 0x1p-10;
 
 bool is_certainly_harmless(const RoughError& own, const RoughError& text) {
   return own.error <= certainly_harmless * std::max(text.error, std::abs(text.value));
@@ -36,29 +42,146 @@ std::vector<RoughError> rough_entries(const Program& program, const Function& fu
   return entries_of(function, fold<RoughError>(RoughRules{point}, program, function));
 }
 
+/// Not a number where it is undefined.
+double number_of(const Real& x) {
+  return x.is_defined() ? ScalarTraits<double>::from_real(x.value())
+                        : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Where the text has no value there is nothing to lose.
+double loss_at(double error, double magnitude, double least) {
+  if (std::isnan(magnitude) || error == 0) return 0;
+  if (std::isnan(error)) return std::numeric_limits<double>::infinity();
+  return error / (least > magnitude ? least : magnitude);
+}
+
+/// A way as a function of one entry.
+struct OneEntry {
+  explicit OneEntry(const Expressions& way) {
+    function.fields = {Field{"", 1, 1, {0}}};
+    linearise(make_network(way), program, function);
+  }
+
+  Program program = {};
+  Function function = {};
+};
+
 }  // namespace
 
-TextErrors::TextErrors(const Program& program, const Function& text, ComparisonPoints points)
-    : program_(program), text_(text), points_(std::move(points)) {
-  for (const Arguments<double>& point : points_) {
-    rough_.push_back(rough_entries(program, text, point));
+bool loses_more(double loss, double other, double tolerated) {
+  return loss > std::max(tolerated, similar_losses * other);
+}
+
+TextErrors::TextErrors(const Program& program, const Function& text, ComparisonPoints points,
+                       Scale scale, const ComparisonPoints& extremes)
+    : program_(program), text_(text), harm_points_(points.size()), points_(std::move(points)) {
+  points_.insert(points_.end(), extremes.begin(), extremes.end());
+  for (std::size_t point = 0; point < points_.size(); ++point) {
+    rough_.push_back(rough_entries(program, text, points_[point]));
+    magnitudes_.push_back(magnitudes_at(point, scale));
+    least_.push_back(point < harm_points_ ? errors_at(program, text, point) : conditions_at(point));
   }
 }
 
-bool TextErrors::are_passed_by(const Expressions& way, std::size_t entry) const {
-  Program program;
-  Function function;
-  function.fields = {Field{"", 1, 1, {0}}};
-  linearise(make_network(way), program, function);
+/// K of all entries.
+std::vector<double> TextErrors::conditions_at(std::size_t point) const {
+  const auto all = fold<Running>(RunningErrorRules{running_leaves(points_[point], Leaves::exact)},
+                                 program_, text_);
+  const Conditioning conditioning(program_, text_, values_of(all));
+  std::vector<double> conditions;
+  for (const std::uint32_t entry : entries_of(text_)) {
+    conditions.push_back(number_of(conditioning.of(entry)));
+  }
+  return conditions;
+}
+
+/// Digits of the text are counted exactly where double hardly has any.
+std::vector<double> TextErrors::magnitudes_at(std::size_t point, Scale scale) const {
+  std::vector<double> magnitudes;
+  for (std::size_t i = 0; i < rough_[point].size(); ++i) {
+    const auto [value, error] = rough_[point][i];
+    const bool is_certain = error * unit_roundoff <= certain_digits * std::abs(value);
+    magnitudes.push_back(is_certain ? std::abs(value) : number_of(exact_text(point)[i].value));
+  }
+  if (scale == Scale::entry) return magnitudes;
+  auto begin = magnitudes.begin();
+  for (const Field& field : text_.fields) {
+    const auto end = begin + static_cast<std::ptrdiff_t>(field.entries.size());
+    double largest = 0;
+    for (auto at = begin; at != end; ++at) largest = std::max(largest, std::isnan(*at) ? 0 : *at);
+    for (auto at = begin; at != end; ++at) *at = std::isnan(*at) ? *at : largest;
+    begin = end;
+  }
+  return magnitudes;
+}
+
+std::vector<double> TextErrors::errors_at(const Program& program, const Function& form,
+                                          std::size_t point) const {
+  std::vector<double> errors;
+  std::optional<std::vector<Running>> exact;
+  for (const RoughError& entry : rough_entries(program, form, points_[point])) {
+    const std::size_t i = errors.size();
+    errors.push_back(entry.error);
+    if (std::isfinite(entry.error)) continue;
+    if (!exact) exact = running_entries(program, form, points_[point]);
+    errors.back() = number_of((*exact)[i].error);
+  }
+  return errors;
+}
+
+ErrorsAtPoints TextErrors::errors_of(const Expressions& way) const {
+  const OneEntry one(way);
+  ErrorsAtPoints errors;
   for (std::size_t point = 0; point < points_.size(); ++point) {
-    if (harmed(program, function, entry, point)) return true;
+    errors.push_back(errors_at(one.program, one.function, point).front());
+  }
+  return errors;
+}
+
+bool TextErrors::may_lose(const ErrorsAtPoints& errors, std::size_t entry) const {
+  for (std::size_t point = 0; point < points_.size(); ++point) {
+    if (errors[point] > tolerated_loss * magnitudes_[point][entry]) return true;
+  }
+  return false;
+}
+
+void TextErrors::add_way(const ErrorsAtPoints& errors, std::size_t entry) {
+  for (std::size_t point = 0; point < harm_points_; ++point) {
+    double& least = least_[point][entry];
+    if (errors[point] < least) least = errors[point];
+  }
+}
+
+double TextErrors::loss_of(const ErrorsAtPoints& errors, std::size_t entry) const {
+  double loss = 0;
+  for (std::size_t point = 0; point < points_.size(); ++point) {
+    loss = std::max(loss, loss_at(errors[point], magnitudes_[point][entry], least_[point][entry]));
+  }
+  return loss;
+}
+
+double TextErrors::worst_loss(const Program& program, const Function& form) const {
+  double loss = 0;
+  for (std::size_t point = 0; point < points_.size(); ++point) {
+    const std::vector<double> errors = errors_at(program, form, point);
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+      loss = std::max(loss, loss_at(errors[i], magnitudes_[point][i], least_[point][i]));
+    }
+  }
+  return loss;
+}
+
+bool TextErrors::are_passed_by(const Expressions& way, std::size_t entry) const {
+  const OneEntry one(way);
+  for (std::size_t point = 0; point < harm_points_; ++point) {
+    if (harmed(one.program, one.function, entry, point)) return true;
   }
   return false;
 }
 
 std::optional<std::size_t> TextErrors::harmed_entry(const Program& program,
                                                     const Function& form) const {
-  for (std::size_t point = 0; point < points_.size(); ++point) {
+  for (std::size_t point = 0; point < harm_points_; ++point) {
     if (const auto entry = harmed(program, form, 0, point)) return entry;
   }
   return std::nullopt;

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 
 #include "base/random.hpp"
 #include "elgen/fold.hpp"
+#include "evaluate/rough_errors.hpp"
 
 namespace elgen {
 namespace {
@@ -28,16 +30,25 @@ constexpr double nearest = distances[3];
 constexpr double half_turn = 3.141592653589793;
 constexpr double places_of_sines[]{half_turn, half_turn / 2, -half_turn / 2, -half_turn};
 
+/// Functions of functions are looked into so deep.
+constexpr int deepest = 3;
+
 /// Sums of more terms are opaque: none of their terms cancels another alone.
 constexpr std::size_t most_parts = 8;
 
-/// factor, factor x or factor x^2 of a coordinate x; or opaque.
-struct SumPart {
-  enum class Kind : std::uint8_t { number, linear, square, opaque } kind = Kind::opaque;
-  double factor = 0;
-  std::uint32_t coordinate = 0;
-};
+struct SumPart;
 using SumParts = std::vector<SumPart>;
+
+/// factor, factor x or factor x^2 of a coordinate x, a root, an inverse or a function of a sum; or
+/// opaque.
+struct SumPart {
+  enum class Kind : std::uint8_t { number, linear, square, root, inverse, call, opaque };
+  Kind kind = Kind::opaque;
+  double factor = 1;
+  std::uint32_t coordinate = 0;
+  FunctionId function = FunctionId::sin;
+  std::shared_ptr<const SumParts> inner = {};  ///< what it is a root, an inverse or a function of
+};
 
 /// A coordinate is near `factor` times another one, or near the number `factor`.
 struct NearPlace {
@@ -51,7 +62,7 @@ struct NearPlace {
 struct SumPartRules {
   const Arguments<double>& values;
 
-  [[nodiscard]] static SumParts number(double value) { return {{SumPart::Kind::number, value, 0}}; }
+  [[nodiscard]] static SumParts number(double value) { return {{SumPart::Kind::number, value}}; }
   [[nodiscard]] SumParts constant(const Constant& constant) const {
     return number(ScalarTraits<double>::from_real(constant.value));
   }
@@ -87,12 +98,21 @@ struct SumPartRules {
     return {product};
   }
   [[nodiscard]] SumParts divide(const SumParts& x, const SumParts& y) const {
-    if (y.size() > 1 || y[0].kind != SumPart::Kind::number) return {SumPart{}};
-    return multiply(x, number(1 / y[0].factor));
+    const bool is_number = y.size() == 1 && y[0].kind == SumPart::Kind::number;
+    return multiply(x, is_number ? number(1 / y[0].factor) : made_of(SumPart::Kind::inverse, y));
   }
-  [[nodiscard]] SumParts square_root(const SumParts&) const { return {SumPart{}}; }
-  [[nodiscard]] SumParts call(FunctionId, const SumParts&, const SumParts&) const {
-    return {SumPart{}};
+  [[nodiscard]] SumParts square_root(const SumParts& x) const {
+    return made_of(SumPart::Kind::root, x);
+  }
+  [[nodiscard]] SumParts call(FunctionId function, const SumParts& x, const SumParts&) const {
+    SumParts result = made_of(SumPart::Kind::call, x);
+    result[0].function = function;
+    return function_row(function).arity == 1 ? result : SumParts{SumPart{}};
+  }
+  static SumParts made_of(SumPart::Kind kind, const SumParts& x) {
+    SumPart part{.kind = kind};
+    part.inner = std::make_shared<const SumParts>(x);
+    return {part};
   }
 };
 
@@ -108,9 +128,16 @@ class CancellingPlaces {
       const auto at = static_cast<std::size_t>(&i - text.instructions.data());
       if (is_sum) add_cancelling(parts[at]);
     }
+    std::vector<bool> is_angle(count_);
     for (const Instruction& i : text.instructions) {
-      if (i.opcode == Opcode::call && is_circular(i.function)) add_right_angles(parts[i.a]);
+      if (i.opcode != Opcode::call) continue;
+      if (i.function == FunctionId::log) add_ones(parts[i.a]);
+      if (!is_circular(i.function)) continue;
+      for (const SumPart& part : parts[i.a]) {
+        if (part.kind == SumPart::Kind::linear) is_angle[part.coordinate] = true;
+      }
     }
+    add_angles(is_angle);
   }
 
   /// Taken from the coordinates in turn.
@@ -137,49 +164,87 @@ class CancellingPlaces {
     if (std::ranges::find(known, place) == known.end()) known.push_back(place);
   }
 
-  void add_right_angles(const SumParts& angle) {
-    for (const SumPart& part : angle) {
-      if (part.kind != SumPart::Kind::linear) continue;
-      for (const double place : places_of_sines) add({part.coordinate, place});
+  /// Where two angles are equal, sums of products of their sines and cosines cancel; then right
+  /// angles.
+  void add_angles(const std::vector<bool>& is_angle) {
+    for (std::uint32_t i = 0; i < count_; ++i) {
+      for (std::uint32_t k = i + 1; k < count_; ++k) {
+        if (is_angle[i] && is_angle[k]) add({i, 1, k});
+      }
+    }
+    for (std::uint32_t i = 0; i < count_; ++i) {
+      for (const double place : places_of_sines) {
+        if (is_angle[i]) add({i, place});
+      }
     }
   }
 
+  /// log(x) vanishes at 1.
+  void add_ones(const SumParts& argument) {
+    SumParts less = argument;
+    less.push_back({SumPart::Kind::number, -1});
+    add_cancelling(less);
+  }
+
   void add_cancelling(const SumParts& sum) {
-    SumPart total{SumPart::Kind::number, 0, 0};
+    SumPart total{SumPart::Kind::number, 0};
     for (const SumPart& part : sum) {
       if (part.kind == SumPart::Kind::number) total.factor += part.factor;
     }
-    for (const SumPart& x : sum) {
-      if (total.factor != 0) add_cancelling(x, total);
-      for (const SumPart& y : sum) {
-        if (y.kind != SumPart::Kind::number && y.coordinate != x.coordinate) add_cancelling(x, y);
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+      if (total.factor != 0) add_cancelling(sum[i], total);
+      for (std::size_t k = 0; k < sum.size(); ++k) {
+        if (k != i && sum[k].kind != SumPart::Kind::number) add_cancelling(sum[i], sum[k]);
       }
     }
   }
 
   void add_cancelling(const SumPart& x, const SumPart& y) {
-    using enum SumPart::Kind;
-    const std::optional<std::uint32_t> other =
-        y.kind == number ? std::nullopt : std::optional(y.coordinate);
+    using Kind = SumPart::Kind;
+    if (x.kind == Kind::number || x.kind == Kind::opaque) return;
     const double ratio = -y.factor / x.factor;
-    if (x.kind == linear && (y.kind == linear || y.kind == number)) {
-      add({x.coordinate, ratio, other});
+    if (x.inner) return add_equal(x, y, ratio);
+    const bool is_same = x.kind == y.kind && x.coordinate != y.coordinate;
+    if (!is_same && y.kind != Kind::number) return;
+    const std::optional<std::uint32_t> other =
+        y.kind == Kind::number ? std::nullopt : std::optional(y.coordinate);
+    if (x.kind == Kind::linear) return add({x.coordinate, ratio, other});
+    if (ratio <= 0) return;
+    add({x.coordinate, std::sqrt(ratio), other});
+    add({x.coordinate, -std::sqrt(ratio), other});
+  }
+
+  /// Where f(a) = ratio f(b), or a root or an inverse of a is a number.
+  void add_equal(const SumPart& x, const SumPart& y, double ratio) {
+    using Kind = SumPart::Kind;
+    SumParts difference = *x.inner;
+    if (y.kind == Kind::number && x.kind == Kind::root && ratio > 0) {
+      difference.push_back({Kind::number, -ratio * ratio});
+    } else if (y.kind == Kind::number && x.kind == Kind::inverse) {
+      difference.push_back({Kind::number, -1 / ratio});
+    } else if (y.kind == x.kind && y.function == x.function && std::abs(ratio) == 1) {
+      for (SumPart part : *y.inner) {
+        part.factor *= -ratio;
+        difference.push_back(part);
+      }
+    } else {
+      return;
     }
-    if (x.kind == square && (y.kind == square || y.kind == number) && ratio > 0) {
-      add({x.coordinate, std::sqrt(ratio), other});
-      add({x.coordinate, -std::sqrt(ratio), other});
-    }
+    if (++depth_ <= deepest) add_cancelling(difference);
+    --depth_;
   }
 
   const Domain& domain_;
   std::size_t count_;
   std::vector<std::vector<NearPlace>> found_;  ///< by coordinate
+  int depth_ = 0;
 };
 
 class Making {
  public:
-  Making(const Domain& domain, std::vector<NearPlace> places)
-      : domain_(domain), places_(std::move(places)) {}
+  Making(const Program& program, const Function& text, const Domain& domain,
+         std::vector<NearPlace> places)
+      : program_(program), text_(text), domain_(domain), places_(std::move(places)) {}
 
   ComparisonPoints operator()() {
     for (std::size_t i = 0; i < plain_points; ++i) points_.push_back(state());
@@ -188,13 +253,23 @@ class Making {
     for (const NearPlace& place : places_) {
       for (const double distance : distances) add_near(place, distance);
     }
-    for (const double distance : {near, nearest}) add_near_all(distance);
+    add_near_all(state(), near);
+    add_near_all(at_rest(state()), nearest);
     return std::move(points_);
   }
 
  private:
   /// The next one, over and over.
   const Arguments<double>& state() { return domain_.states[next_++ % domain_.states.size()]; }
+
+  /// T, which is large elsewhere, is 0.
+  static Arguments<double> at_rest(Arguments<double> point) {
+    const auto stop = [](Opcode kind, std::uint32_t, double& value) {
+      if (kind == Opcode::velocity || kind == Opcode::momentum) value = 0;
+    };
+    for_each_leaf(stop, point);
+    return point;
+  }
 
   Arguments<double> with_other_parameters(Arguments<double> point) {
     const std::vector<double> old = point.parameters;
@@ -213,23 +288,33 @@ class Making {
     return range ? std::clamp(value, range->low, range->high) : value;
   }
 
-  void move(Arguments<double>& point, const NearPlace& place, double distance) {
+  static void move(Arguments<double>& point, const NearPlace& place, double away) {
     const double at = place.other ? place.factor * point.q[*place.other] : place.factor;
-    const double away = random_.uniform(-1, 1) < 0 ? -distance : distance;
     point.q[place.coordinate] = at == 0 ? away : at + at * away;
   }
 
+  double drawn_side(double distance) { return random_.uniform(-1, 1) < 0 ? -distance : distance; }
+
+  /// On the side on which more entries have a value: sqrt(x^2 - r^2) has none for x < r.
   void add_near(const NearPlace& place, double distance) {
     Arguments<double> point = state();
-    move(point, place, distance);
-    add(std::move(point));
+    Arguments<double> other = point;
+    const double away = drawn_side(distance);
+    move(point, place, away);
+    move(other, place, -away);
+    add(value_count(other) > value_count(point) ? std::move(other) : std::move(point));
   }
 
-  void add_near_all(double distance) {
-    Arguments<double> point = state();
+  [[nodiscard]] std::ptrdiff_t value_count(const Arguments<double>& point) const {
+    const auto entries = entries_of(text_, fold<RoughError>(RoughRules{point}, program_, text_));
+    return std::ranges::count_if(
+        entries, [](const RoughError& entry) { return std::isfinite(entry.value); });
+  }
+
+  void add_near_all(Arguments<double> point, double distance) {
     std::vector<bool> is_moved(point.q.size());
     for (const NearPlace& place : places_) {
-      if (!is_moved[place.coordinate]) move(point, place, distance);
+      if (!is_moved[place.coordinate]) move(point, place, drawn_side(distance));
       is_moved[place.coordinate] = true;
     }
     if (!places_.empty()) add(std::move(point));
@@ -243,6 +328,8 @@ class Making {
     points_.push_back(std::move(point));
   }
 
+  const Program& program_;
+  const Function& text_;
   const Domain& domain_;
   std::vector<NearPlace> places_;
   Random random_{1};
@@ -254,7 +341,8 @@ class Making {
 
 ComparisonPoints comparison_points(const Program& program, const Function& text,
                                    const Domain& domain) {
-  return Making(domain, CancellingPlaces(program, text, domain).first(most_places))();
+  return Making(program, text, domain,
+                CancellingPlaces(program, text, domain).first(most_places))();
 }
 
 }  // namespace elgen

@@ -22,4 +22,9 @@ using ComparisonPoints = std::vector<Arguments<double>>;
 [[nodiscard]] ComparisonPoints comparison_points(const Program& program, const Function& text,
                                                  const Domain& domain);
 
+/// Where accuracy counts, the same on every machine: ordinary and wide magnitudes; and where the
+/// coordinates that sines are taken of are near multiples of a right angle, nearly the same, or
+/// tiny, with parameters of wide ratios, or one far larger than the others.
+[[nodiscard]] ComparisonPoints extreme_points(const Program& program);
+
 }  // namespace elgen

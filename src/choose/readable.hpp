@@ -42,9 +42,11 @@ using MixedPoints = std::vector<Arguments<double>>;
 /// One value, twice, each over a graph of its own.
 struct ReadableForm {
   Expressions readable = {};
-  Expressions compact = {};   ///< the shortest that is as precise, however it looks
-  std::size_t length = 0;     ///< of the readable one
-  bool is_rewritten = false;  ///< code is always the compact one: the other loses digits
+  Expressions compact = {};              ///< the shortest that is as precise, however it looks
+  std::size_t length = 0;                ///< of the readable one
+  bool is_rewritten = false;             ///< code is always the compact one: the other loses digits
+  double loss = 0;                       ///< of the compact one (harm.hpp)
+  std::optional<Expressions> kept = {};  ///< a longer way that keeps the digits it loses
 };
 
 /// The shortest candidate; none where all are too long. `derived` may be null.

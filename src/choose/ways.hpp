@@ -28,20 +28,14 @@ struct Collected {
 /// beyond most_terms.
 [[nodiscard]] std::vector<Collected> collected_ways(const Algebra& algebra, const Fraction& form);
 
+/// The same as sums of products: nothing is collected, so that terms which cancel stand together.
+[[nodiscard]] std::vector<Expressions> plain_ways(const Algebra& algebra, const Fraction& form);
+
 /// As it was derived.
 [[nodiscard]] Collected derived_way(const Expressions& derived);
 
 /// In sums that do not cancel where one square of an angle is 1 (real_terms.hpp: homogeneous):
 /// longer, and for code only.
 [[nodiscard]] std::vector<Collected> precise_ways(const Algebra& algebra, const Fraction& form);
-
-/// Differences with a root, where both sides are nearly the same:
-///
-///     before    sqrt(l^2 + x^2) - l                 no digit is right where x is small
-///     after     x^2/(sqrt(l^2 + x^2) + l)
-///
-/// Sums of a root and other terms, whose squares differ by less than they hold; nothing where there
-/// is none.
-[[nodiscard]] std::optional<Expressions> with_conjugates(const Expressions& expressions);
 
 }  // namespace elgen

@@ -33,28 +33,29 @@ TEST_CASE("all entries of a function have a form") {
   CHECK_FALSE(is_complete({e.entries[0], std::nullopt}));
 }
 
-TEST_CASE("code is rewritten where it loses digits, what people read stays") {
+TEST_CASE("the way that keeps digits is known, and taken where the entry loses more than a limit") {
   Entries e({"1 - cos(a)", "b"});
-  const ComparisonPoints extremes = extreme_points(e.program);
-  const auto with_losses = [&](const std::vector<double>& losses) {
-    return rewrite(e.entries, losses, e.both, {.points = extremes, .prefers_short = true});
-  };
-  CHECK_FALSE(with_losses({0, 0}));
-  REQUIRE(with_losses({1e15, 0}));
-  CHECK(e.entries[0]->is_rewritten);
-  CHECK_FALSE(e.entries[1]->is_rewritten);
-  CHECK(rewritten_entries(e.entries, 2) == std::vector<std::uint32_t>{0});
-  CHECK(rewritten_entries(e.entries, 0).empty());
-  read_as_precisely(e.entries, e.points);
-  CHECK(texts_of(e.entries[0]->readable).at(0) == "1 - cos(a)");
-  CHECK(texts_of(e.entries[0]->compact).at(0) == "2*sin(1/2*a)^2");
+  Arguments<double> point;
+  point.q = {1e-8, 1, 1, 1, 1};
+  TextErrors text(e.program, e.shape, {point}, Scale::entry);
+  e.entries = read_entries(e.both, e.points, &text);
+  CHECK(e.entries[0]->loss > 1e15);
+  CHECK(e.entries[1]->loss <= 1);
+  CHECK_FALSE(with_kept(e.entries, 1e20));
+  auto others = with_kept(e.entries, tolerated_loss);
+  REQUIRE(others);
+  CHECK((*others)[0]->is_rewritten);
+  CHECK_FALSE((*others)[1]->is_rewritten);
+  CHECK(rewritten_entries(*others, 2) == std::vector<std::uint32_t>{0});
+  CHECK(rewritten_entries(*others, 0).empty());
+  read_as_precisely(*others, e.points);
+  CHECK(texts_of((*others)[0]->readable).at(0) == "1 - cos(a)");
+  CHECK(texts_of((*others)[0]->compact).at(0) == "2*sin(1/2*a)^2");
 }
 
 TEST_CASE("together entries share what they have in common, one by one they share nothing") {
   Entries e({"(a + b)*c", "(a + b)*d"});
-  const Function together =
-      lowered_together(e.entries, e.shape, e.program, Splits::sums_and_differences, nullptr)
-          .function;
+  const Function together = lowered_together(e.entries, e.shape, e.program, {}).function;
   CHECK(together.form == Form::closed);
   CHECK(count_operations(together).add == 1);
   const Function one_by_one = lowered_one_by_one(e.entries, e.shape, e.program);
@@ -67,9 +68,7 @@ TEST_CASE("a rewritten entry is code, whichever is cheaper") {
   Entries e({"(a + b)*c", "(a + b)*d"});
   e.entries[0]->is_rewritten = true;
   e.entries[0]->compact.values = {e.entries[0]->compact.graph.leaf(Opcode::coordinate, 4)};
-  const Function function =
-      lowered_together(e.entries, e.shape, e.program, Splits::sums_and_differences, nullptr)
-          .function;
+  const Function function = lowered_together(e.entries, e.shape, e.program, {}).function;
   e.program.functions = {function};
   CHECK(equations(e.program, function).entries.at(0).at(0) == "e");
 }

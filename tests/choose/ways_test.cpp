@@ -6,7 +6,6 @@
 
 #include "choose/closed_graph.hpp"
 #include "choose/homogeneous_terms.hpp"
-#include "choose/precise.hpp"
 #include "lower/expression_leaves.hpp"
 
 using namespace elgen;
@@ -17,17 +16,6 @@ std::vector<std::string> texts(const std::vector<Collected>& ways) {
   std::vector<std::string> all;
   for (const Collected& way : ways) all.push_back(testing::texts_of(way.expressions).at(0));
   return all;
-}
-
-std::string precise(const std::string& text) {
-  const Program program = testing::program_of(testing::Texts{text});
-  const ClosedForms forms = present(program);
-  const Function& function = program.functions[0];
-  const ComparisonPoints points = extreme_points(program);
-  const auto derived = as_derived(program, function, function.fields[0].entries[0]);
-  const auto way = more_precise(forms.algebra, *forms.functions[0].fields[0].entries[0],
-                                derived ? &*derived : nullptr, {.loss = 1e12}, points);
-  return way ? testing::texts_of(*way).at(0) : "none";
 }
 
 }  // namespace
@@ -47,25 +35,6 @@ TEST_CASE("lengths count signs and calls") {
   const Expressions sum = testing::expressions_of({"a + b"});
   CHECK(written_length(sum) == 1);
   CHECK(derived_way(sum).length == 1);
-}
-
-TEST_CASE("a root less what it is nearly, and what is nearly a root less the root") {
-  const auto conjugates =
-      with_conjugates(testing::expressions_of({"sqrt(a^2 + b^2) - a", "a - sqrt(a^2 + b^2)"}));
-  REQUIRE(conjugates);
-  CHECK(testing::texts_of(*conjugates) ==
-        testing::Texts{"b^2/(a + sqrt(a^2 + b^2))", "-b^2/(a + sqrt(a^2 + b^2))"});
-}
-
-TEST_CASE("sums whose squares share nothing stay") {
-  CHECK_FALSE(with_conjugates(
-      testing::expressions_of({"sqrt(a^2 + b^2) - c", "sqrt(a^2 + b^2) + sqrt(a^2 + b^2)"})));
-}
-
-TEST_CASE("half angles, conjugates, and the shortest where all keep their digits") {
-  CHECK(precise("1 - cos(e)") == "2*sin(1/2*e)^2");
-  CHECK(precise("sqrt(a^2 + b^2) - abs(a)") != "none");
-  CHECK(precise("a*b + a*c") == "a*(b + c)");
 }
 
 TEST_CASE("sums of sines and cosines in homogeneous terms") {
