@@ -54,11 +54,21 @@ enum class Preference : std::uint8_t {
   speed,     ///< the cheapest
 };
 
+/// The numbers that a coordinate, a rate, an input or the like is between.
+struct NamedRange {
+  std::string name = {};  ///< as models write it: "dot(theta)"
+  double low = 0;
+  double high = 0;
+};
+
 /// choose, emit, toolchain: what code is written for, and compiled for.
 struct Numerics {
   Preference prefer = Preference::balanced;
   std::vector<ScalarKind> scalars = {ScalarKind::double_precision};
   std::optional<cln::cl_RA> trigonometry_error = {};  ///< of sines and cosines in batches, at most
+  /// What the error of every output, as `tradeoff` measures it, is at most; `verify` looks.
+  std::optional<double> max_error = {};
+  std::vector<NamedRange> ranges = {};  ///< where, beside the ranges of the model
 };
 
 /// The error that the scene asks for, or the least that the scalar can give: 2^-52, 2^-23 in float.
@@ -143,6 +153,8 @@ struct SceneOptions {
   std::vector<SourcePointer> laws = {};     ///< "u=-3*theta"
   /// Functions left open are their samples, where the scene has no expression of them.
   bool close_functions = false;
+  /// Without the scene's `[approximate]`: what its expansion is compared with.
+  bool is_exact = false;
   /// Keep closed forms of more than 4096 nodes too: `verify` needs them. Without it they are read
   /// until there, so that mistakes in them are reported, and dropped.
   bool large_expectations = false;

@@ -16,15 +16,17 @@ struct TimedVariant {
   bool in_packs = false;  ///< several states at once, by the header of batches; else one by one
 };
 
-/// An emitted function together with arrays of states, number k of state i at [k * count + i].
+/// An emitted function together with arrays of states, number k of state i at [k * count + i];
+/// numbers are rounded to its scalar.
 class TimedFunction {
  public:
   virtual ~TimedFunction() = default;
   /// Computes all states once.
   virtual void run() = 0;
-  /// The results of the last run: the entries of all fields, each of all states; numbers of float
-  /// are numbers of double.
-  [[nodiscard]] virtual std::vector<double> results() const = 0;
+  /// The entries of all fields at other states, entry k of state i at [k * states.size() + i];
+  /// there is at least one state.
+  [[nodiscard]] virtual std::vector<double> at(
+      const std::vector<Arguments<double>>& states) const = 0;
 };
 
 /// Of each variant.
@@ -32,7 +34,7 @@ using TimedFunctions = std::vector<std::unique_ptr<TimedFunction>>;
 
 struct TimingOptions {
   std::vector<TimedVariant> variants = {};
-  std::vector<Arguments<float>> states = {};
+  std::vector<Arguments<double>> states = {};
   Limits limits = {};
 };
 

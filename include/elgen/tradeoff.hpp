@@ -1,7 +1,8 @@
 // TradeoffTable: what the designs of one output, or of one run, cost and how far they are off.
 //
 // A design is a scene. plan() lists designs; the pipeline and the compiler run on each; measured()
-// and errors_of() look at what came out, and judged() makes the table.
+// and found_errors() look at what came out, and judged() makes the table. What the scene of a
+// design promises is checked by promised_errors().
 #pragma once
 
 #include <functional>
@@ -9,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "elgen/certificate.hpp"
 #include "elgen/program.hpp"
 #include "elgen/scene.hpp"
 #include "elgen/simulate.hpp"
@@ -21,6 +23,9 @@ namespace elgen {
 struct DesignBase {
   const CheckedModel& checked;        ///< with the output as the first one
   const FileSyntax* scene = nullptr;  ///< null: the model alone
+  /// What a scene that is written promises, beside the ranges of `scene` in these ("theta=-1..1").
+  std::optional<double> max_error = {};
+  std::vector<SourcePointer> ranges = {};
 };
 
 /// The choice in each dimension; "" where that of the scene stands.
@@ -68,18 +73,65 @@ struct ExactNumber {
 
 /// States at which errors are looked at, with the exact value of every entry at each.
 struct TradeoffStates {
-  std::vector<Arguments<float>> states = {};  ///< numbers of float are numbers of every scalar
+  std::vector<Arguments<double>> states = {};  ///< float gets them rounded, which counts
   std::vector<std::size_t> field_sizes = {};
   std::vector<ExactNumber> exact = {};  ///< entry k of state i at [k * states.size() + i]
+  Arguments<double> low = {};           ///< ends of the ranges that they are drawn from
+  Arguments<double> high = {};
 };
 
-/// `count` states inside the ranges of the model, narrowed by `ranges` ("theta=-0.1..0.1"), and the
-/// values that the first function of the program has there, by numbers of 60 digits, with the exact
-/// parameters. E630; E521 where it has none. Cost: one operation of Real per instruction and state.
+/// How many, and which.
+struct TradeoffSampling {
+  std::size_t count = 1000;
+  std::uint64_t seed = 1;
+};
+
+/// "theta=-0.1..0.1". E630.
+[[nodiscard]] Result<NamedRange> read_range(const SourceText& source);
+
+/// States inside the ranges of the model, narrowed by those of the scene and then by `ranges`, and
+/// the values that the first function of the program has there, by numbers of 60 digits, with the
+/// exact parameters. E630; E521 where it has none. Cost: one operation of Real per instruction and
+/// state.
 [[nodiscard]] Result<TradeoffStates> tradeoff_states(const CheckedModel& exact,
                                                      const Program& program,
                                                      const std::vector<SourcePointer>& ranges,
-                                                     std::size_t count);
+                                                     const TradeoffSampling& sampling);
+
+/// Of each state: the largest |x - x*| of the entries of a field / the largest |x*| of that field
+/// at any state. Infinite where x is no number. `results` as those of DesignValues.
+[[nodiscard]] std::vector<double> state_errors(const std::vector<double>& results,
+                                               const TradeoffStates& states);
+
+/// The values of a design at states: entry k of state i at [k * states.size() + i]; never asked at
+/// no state.
+using DesignValues = std::function<std::vector<double>(const std::vector<Arguments<double>>&)>;
+
+struct FoundErrors {
+  double worst = 0;              ///< of the states and of those that the search came to
+  double median = 0;             ///< of the states
+  Arguments<double> where = {};  ///< the worst state
+};
+
+/// The states, and a pattern search inside the ranges from the ten worst of them, at about 20 000
+/// others: each number that the function reads goes up and down by a step, and all that help go
+/// together; the step doubles where this is worse, and is halved where nothing is. There errors are
+/// those from the program in long double; the ten states that it ends at are confirmed in 60
+/// digits. Relative to the largest |x*| of the field at the states, or where that is larger at the
+/// state itself. The same in every run, whatever the time takes.
+[[nodiscard]] FoundErrors found_errors(const CheckedModel& exact, const Program& program,
+                                       const TradeoffStates& states, const DesignValues& design);
+
+/// The error of a design in a table is so many times the worst that was found.
+inline constexpr double search_margin = 1.5;
+
+/// `[numeric] max_error` of the scene, held against `compiled` and options.as_users: a row for each
+/// output, header and scalar, which fails where the worst error found is larger. `exact` and
+/// `program` are those of the scene without its expansion. Nothing where it promises nothing.
+[[nodiscard]] std::vector<CertificateRow> promised_errors(const CheckedModel& exact,
+                                                          const Program& program,
+                                                          const CompiledHeaders& compiled,
+                                                          const VerifyOptions& options);
 
 /// Median and quartiles.
 struct Spread {
@@ -88,16 +140,11 @@ struct Spread {
   double high = 0;
 };
 
-/// Over states: the largest |x - x*| of the entries of a field / the largest |x*| of that field at
-/// any state. Infinite where x is no number.
+/// In a table: of designs search_margin times the worst that was found, and the median one.
 struct DesignErrors {
   double worst = 0;
   double median = 0;
 };
-
-/// By results as TimedFunction gives them.
-[[nodiscard]] DesignErrors errors_of(const std::vector<double>& results,
-                                     const TradeoffStates& states);
 
 /// How many rounds there are: as many as `seconds` allow, but so few at least and so many at most.
 struct Rounds {

@@ -82,7 +82,7 @@ void judge(Context& context, const FileSyntax& syntax, const FileSyntax* scene,
   const bool has_order = check_cycles(context);
   if (has_order) check_mechanics(context, find_traits(context.model));
   read_expectations(context, syntax, options.large_expectations);
-  read_approximation(context, scene);
+  if (!options.is_exact) read_approximation(context, scene);
   read_starts(context, options);
   read_laws(context, options);
   if (!has_order) return;

@@ -57,9 +57,11 @@ Diagnostics none_within(const TradeoffTable& table, double max_error) {
                                             name_of(*nearest), nearest->error.worst)}};
 }
 
-/// The row that --max-error asks for; its scene joins `files`.
-ExitCode choose_row(const GlobalOptions& global, const TradeoffOutput& output, const Inputs& inputs,
-                    const TradeoffTable& table, std::vector<OutputFile>& files) {
+/// The row that --max-error asks for; its scene, which promises that, joins `files`.
+ExitCode choose_row(const GlobalOptions& global, const TradeoffOptions& options,
+                    const Inputs& inputs, const TradeoffTable& table,
+                    std::vector<OutputFile>& files) {
+  const TradeoffOutput& output = options.output;
   const TradeoffRow* const row = cheapest_within(table, *output.max_error);
   if (row == nullptr) return report(global, none_within(table, *output.max_error));
   tell(global, fmt::format("cheapest within {}: {}, {:.4g} ns, error {:.1e}", *output.max_error,
@@ -70,8 +72,12 @@ ExitCode choose_row(const GlobalOptions& global, const TradeoffOutput& output, c
   const Result<OutputBase> base = output_base(inputs, subject, global.limits, sources);
   if (!base) return report(global, base.diagnostics);
   const std::string path = model_path(inputs, output.scene_file);
-  files.push_back(
-      {output.scene_file, scene_text(base->base(), row->design, path), Replaces::nothing});
+  DesignBase from = base->base();
+  if (!row->design.step) {
+    from.max_error = output.max_error;
+    from.ranges = options.ranges;
+  }
+  files.push_back({output.scene_file, scene_text(from, row->design, path), Replaces::nothing});
   return ExitCode::success;
 }
 
@@ -90,8 +96,9 @@ Diagnostics refuse_output(const TradeoffOutput& output) {
 
 /// Of a table that was judged, of designs from `inputs` where a scene is wanted. E632 where no row
 /// is within max_error; E706.
-ExitCode deliver(const GlobalOptions& global, const TradeoffOutput& output, const Inputs& inputs,
+ExitCode deliver(const GlobalOptions& global, const TradeoffOptions& options, const Inputs& inputs,
                  const TradeoffTable& table) {
+  const TradeoffOutput& output = options.output;
   const std::string as = output.as.empty() && wants_json(global) ? "json" : output.as;
   const auto printed = format_of<TradeoffTable>("." + as);
   ExitCode worst = print(global, printed ? printed->text(table) : to_text(table));
@@ -101,7 +108,7 @@ ExitCode deliver(const GlobalOptions& global, const TradeoffOutput& output, cons
     files.push_back({output.file, format->text(table), Replaces::nothing});
   }
   if (output.max_error) {
-    worst = std::max(worst, choose_row(global, output, inputs, table, files));
+    worst = std::max(worst, choose_row(global, options, inputs, table, files));
   }
   const auto written = write_files(files, {output.force, global.limits.seconds});
   return std::max(worst, report(global, written.diagnostics));
@@ -149,7 +156,7 @@ ExitCode measure_input(const GlobalOptions& global, const TradeoffOptions& optio
   const auto measure = options.time ? measure_runs : measure_designs;
   const auto [found, table] = measure(global, options, *inputs);
   if (!table) return found;
-  return std::max(found, deliver(global, options.output, *inputs, judged(*table)));
+  return std::max(found, deliver(global, options, *inputs, judged(*table)));
 }
 
 ExitCode run_tradeoff(const GlobalOptions& global, const TradeoffOptions& options) {

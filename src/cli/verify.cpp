@@ -13,6 +13,7 @@
 #include "cli/shown_pipeline.hpp"
 #include "elgen/certificate.hpp"
 #include "elgen/render.hpp"
+#include "elgen/tradeoff.hpp"
 
 namespace elgen::cli {
 namespace {
@@ -64,9 +65,26 @@ Result<CompiledHeaders> compiled_by(Products& products, const VerifyOptions& opt
   });
 }
 
-/// Compiles, and compares with what is derived beside `options`; every step is shown, and timed
-/// with the stages of the products.
-Result<Verification> compared(const std::string& path, Products& products,
+/// The rows of `max_error`. What the scene expands is derived once more, without its expansion.
+Result<std::vector<CertificateRow>> promised(const Inputs& inputs, const Products& products,
+                                             const CompiledHeaders& compiled,
+                                             const VerifyOptions& options, const Limits& limits) {
+  const CheckedModel& checked = *products.checked;
+  renew_time_limit(limits);
+  const bool is_judged = checked.scene.numerics.max_error && !compiled.empty();
+  if (!is_judged || !checked.model.approximation) {
+    return promised_errors(checked, *products.program, compiled, options);
+  }
+  PipelineOptions pipeline{.limits = limits, .goals = {Goal::choose}};
+  pipeline.scene.is_exact = true;
+  const Products exact = run_pipeline(inputs, pipeline);
+  if (!exact.program) return exact.diagnostics;
+  return promised_errors(*exact.checked, *exact.program, compiled, options);
+}
+
+/// Compiles, and compares with what is derived beside `options`; every step is shown,
+/// and timed with the stages of the products.
+Result<Verification> compared(const std::string& path, const Inputs& inputs, Products& products,
                               const VerifyOptions& options, const Limits& limits) {
   const Progress progress(path);
   const auto compiled = compiled_by(products, options, limits, progress);
@@ -77,9 +95,16 @@ Result<Verification> compared(const std::string& path, Products& products,
   if (products.claims) verification.claims = &*products.claims;
   verification.on_step = [&progress](const std::string& step) { progress.stage(step); };
   const auto& [model, scene] = *products.checked;
-  return timed("verify", products, progress, [&, &model = model, &scene = scene] {
+  Verification result = timed("verify", products, progress, [&, &model = model, &scene = scene] {
     return verify(model, scene, *products.program, *compiled, verification);
   });
+  const auto more = timed("search", products, progress, [&] {
+    return promised(inputs, products, *compiled, verification, limits);
+  });
+  if (!more) return more.diagnostics;
+  std::vector<CertificateRow>& rows = result.certificate.rows;
+  rows.insert(rows.end(), more->begin(), more->end());
+  return result;
 }
 
 /// Appends the input's certificate in full; none where it could not be generated.
@@ -98,7 +123,7 @@ ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& opt
     const auto& [model, scene] = *products.checked;
     tell(global, overview(sheet(model, scene, *products.program), screen_of(stderr)));
   }
-  const auto verification = compared(path, products, options.verify, global.limits);
+  const auto verification = compared(path, inputs, products, options.verify, global.limits);
   tell_times(global, products);
   if (!verification) return report(global, verification.diagnostics);
   const Certificate& certificate = verification->certificate;

@@ -42,7 +42,10 @@ bool is_value(const KeyChange& change) {
   if (change.is_order || !is_both) return false;
   const std::vector<KeyStep>& path = change.path;
   if (change.table == "scene.parameters") return path.size() == 2;
-  if (change.table == "scene.numeric") return path.front().key == "trigonometry";
+  if (change.table == "scene.numeric") {
+    const std::string& key = path.front().key;
+    return key == "trigonometry" || key == "max_error" || key == "ranges";
+  }
   return change.table == "parameters" && (path.size() == 1 || path[1].key == "value");
 }
 

@@ -287,6 +287,9 @@ class InterfaceComparison {
     if (before_.scene.numerics.trigonometry_error != after_.scene.numerics.trigonometry_error) {
       add(Impact::values, "the error that batches allow sines and cosines differs");
     }
+    if (before_.scene.numerics.max_error != after_.scene.numerics.max_error) {
+      add(Impact::values, "the error that the scene promises of its outputs differs");
+    }
     if (before_.scene.numerics.scalars != after_.scene.numerics.scalars) {
       const bool is_in_types = now.language == LanguageId::c99;
       add(is_in_types ? Impact::breaks : Impact::values, "the scalars that code is for differ");

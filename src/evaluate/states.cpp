@@ -31,25 +31,6 @@ Range range_or(const std::optional<Interval>& interval, double otherwise) {
   return {within_scalar(interval->low), within_scalar(interval->high)};
 }
 
-/// Quaternions to length 1, each component rounded once; (1, 0, 0, 0) where there is no direction.
-void scale_quaternions(const Model& model, Arguments<double>& values) {
-  for (const Rotation& rotation : model.rotations) {
-    double* e = &values.q[rotation.first_coordinate];
-    Real square;
-    for (std::size_t i = 0; i < quaternion_size; ++i) {
-      square = square + Real(exact_value(e[i])) * Real(exact_value(e[i]));
-    }
-    if (cln::zerop(square.value())) {
-      e[0] = 1;
-      continue;
-    }
-    const Real length = sqrt(square);
-    for (std::size_t i = 0; i < quaternion_size; ++i) {
-      e[i] = ScalarTraits<double>::from_real((Real(exact_value(e[i])) / length).value());
-    }
-  }
-}
-
 /// Of rates, momenta, accelerations, inputs, open values and time.
 constexpr double default_rate = 10;
 constexpr Range steps{0, 0.1};  ///< in s: a rate of 10 moves by 1 in the longest one
@@ -260,6 +241,24 @@ LeafValues<Range> ranges_of(const Subject& subject) {
   };
   for_each_leaf(fill, values, ranges);
   return ranges;
+}
+
+void scale_quaternions(const Model& model, Arguments<double>& values) {
+  for (const Rotation& rotation : model.rotations) {
+    double* e = &values.q[rotation.first_coordinate];
+    Real square;
+    for (std::size_t i = 0; i < quaternion_size; ++i) {
+      square = square + Real(exact_value(e[i])) * Real(exact_value(e[i]));
+    }
+    if (cln::zerop(square.value())) {
+      e[0] = 1;
+      continue;
+    }
+    const Real length = sqrt(square);
+    for (std::size_t i = 0; i < quaternion_size; ++i) {
+      e[i] = ScalarTraits<double>::from_real((Real(exact_value(e[i])) / length).value());
+    }
+  }
 }
 
 Arguments<double> drawn_within(const Subject& subject, const LeafValues<Range>& ranges,

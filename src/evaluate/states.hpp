@@ -43,6 +43,10 @@ struct Sampling {
 /// coordinate, and 10 of rates, accelerations, inputs, open values and time.
 [[nodiscard]] LeafValues<Range> ranges_of(const Subject& subject);
 
+/// Gives every quaternion the length 1, each component rounded once; (1, 0, 0, 0) where there is no
+/// direction.
+void scale_quaternions(const Model& model, Arguments<double>& values);
+
 /// Uniform inside these ranges, parameters at their values; quaternions of length 1.
 [[nodiscard]] Arguments<double> drawn_within(const Subject& subject,
                                              const LeafValues<Range>& ranges, Random& random);

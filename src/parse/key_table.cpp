@@ -190,6 +190,11 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"scene.numeric", "trigonometry", table, optional, true, "sines and cosines of batches"},
     {"scene.numeric.trigonometry", "max_error", expression, optional, true,
      "absolute, rounding included; from 2^-52, float 2^-23"},
+    {"scene.numeric", "max_error", expression, optional, true,
+     "of every output, relative to the largest value of its field; verify looks"},
+    {"scene.numeric", "ranges", table, optional, true, "where max_error holds, and tradeoff looks"},
+    {"scene.numeric.ranges", "*", range, optional, true,
+     "of a coordinate, a rate such as dot(theta), an acceleration, an input or t"},
 
     {"scene.emit", "language", choice, optional, true, "language of the emitted code"},
     {"scene.emit", "namespace", text, optional, true,

@@ -15,19 +15,19 @@ template <class Scalar>
 using StateArrays = PerLeaf<std::vector<Scalar>, std::vector<Scalar>>;
 
 template <class Scalar>
-StateArrays<Scalar> arrays_of(const std::vector<Arguments<float>>& states) {
+StateArrays<Scalar> arrays_of(const std::vector<Arguments<double>>& states) {
   StateArrays<Scalar> arrays;
   const auto append = [&states](std::vector<Scalar>& array, const auto& value_in) {
-    for (const Arguments<float>& state : states) {
+    for (const Arguments<double>& state : states) {
       array.push_back(static_cast<Scalar>(value_in(state)));
     }
   };
-#define ELGEN_LEAVES(kind, member, ...)                                                    \
-  for (std::size_t k = 0; k < states.front().member.size(); ++k) {                         \
-    append(arrays.member, [k](const Arguments<float>& state) { return state.member[k]; }); \
+#define ELGEN_LEAVES(kind, member, ...)                                                     \
+  for (std::size_t k = 0; k < states.front().member.size(); ++k) {                          \
+    append(arrays.member, [k](const Arguments<double>& state) { return state.member[k]; }); \
   }
 #define ELGEN_LEAF(kind, member, ...) \
-  append(arrays.member, [](const Arguments<float>& state) { return state.member; });
+  append(arrays.member, [](const Arguments<double>& state) { return state.member; });
 #include "elgen/leaves.def"
 #undef ELGEN_LEAVES
 #undef ELGEN_LEAF
@@ -38,26 +38,32 @@ template <class Scalar>
 class LoadedTiming final : public TimedFunction {
  public:
   LoadedTiming(std::shared_ptr<const Library> library, TimingDriverFunction<Scalar> function,
-               const std::vector<Arguments<float>>& states, std::size_t entries)
+               const std::vector<Arguments<double>>& states, std::size_t entries)
       : library_(std::move(library)),
         function_(function),
         count_(states.size()),
         arrays_(arrays_of<Scalar>(states)),
         results_(entries * states.size()) {}
 
-  void run() override {
-    function_(count_,
-#define ELGEN_LEAVES(kind, member, ...) arrays_.member.data(),
-#include "elgen/leaves.def"
-#undef ELGEN_LEAVES
-              results_.data());
-  }
+  void run() override { compute(count_, arrays_, results_); }
 
-  [[nodiscard]] std::vector<double> results() const override {
-    return {results_.begin(), results_.end()};
+  [[nodiscard]] std::vector<double> at(
+      const std::vector<Arguments<double>>& states) const override {
+    std::vector<Scalar> results(results_.size() / count_ * states.size());
+    compute(states.size(), arrays_of<Scalar>(states), results);
+    return {results.begin(), results.end()};
   }
 
  private:
+  void compute(std::size_t count, const StateArrays<Scalar>& arrays,
+               std::vector<Scalar>& results) const {
+    function_(count,
+#define ELGEN_LEAVES(kind, member, ...) arrays.member.data(),
+#include "elgen/leaves.def"
+#undef ELGEN_LEAVES
+              results.data());
+  }
+
   std::shared_ptr<const Library> library_;
   TimingDriverFunction<Scalar> function_;
   std::size_t count_;
@@ -69,7 +75,7 @@ class LoadedTiming final : public TimedFunction {
 template <class Scalar>
 std::unique_ptr<TimedFunction> loaded(const std::shared_ptr<const Library>& library,
                                       const std::string& symbol,
-                                      const std::vector<Arguments<float>>& states,
+                                      const std::vector<Arguments<double>>& states,
                                       std::size_t entries) {
   const auto function = library->find<TimingDriverFunction<Scalar>>(symbol);
   if (function == nullptr) return nullptr;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "base/ascii.hpp"
 #include "base/number_text.hpp"
@@ -173,8 +174,31 @@ class DesignText {
     const std::string& error = design_.trigonometry;
     return {
         line("scalar", fmt::format("[\"{}\"]", name_of(design_.scalar))),
-        line("form", own("numeric", "form")), line("prefer", own("numeric", "prefer")),
-        line("trigonometry", error.empty() ? "" : fmt::format("{{ max_error = \"{}\" }}", error))};
+        line("form", own("numeric", "form")),
+        line("prefer", own("numeric", "prefer")),
+        line("trigonometry", error.empty() ? "" : fmt::format("{{ max_error = \"{}\" }}", error)),
+        line("max_error", base_.max_error ? number(*base_.max_error) : ""),
+        line("ranges", ranges())};
+  }
+
+  static std::string number(double value) { return expression_text(fmt::format("{}", value)); }
+
+  /// Those of the scene, and those given beside them or in their place.
+  [[nodiscard]] std::string ranges() const {
+    std::map<std::string, std::string> ends;
+    const KeySyntax* const key = find_key(base_.scene, "numeric", "ranges");
+    if (key != nullptr) {
+      for (const KeySyntax& range : key->value.entries) ends[range.key] = value_text(range.value);
+    }
+    for (const SourcePointer& source : base_.ranges) {
+      const Result<NamedRange> range = read_range(*source);
+      if (range) ends[range->name] = toml_list({number(range->low), number(range->high)});
+    }
+    Lines entries;
+    for (const auto& [name, range] : ends) {
+      entries.push_back(fmt::format("{} = {}", toml_key(name), range));
+    }
+    return entries.empty() ? "" : toml_inline_table(entries);
   }
 
   const DesignBase& base_;

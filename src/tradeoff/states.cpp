@@ -5,31 +5,67 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "elgen/leaf_names.hpp"
-#include "elgen/tradeoff.hpp"
 #include "elgen/wording.hpp"
+#include "tradeoff/errors.hpp"
 
 namespace elgen {
 namespace {
-
-/// "theta=-0.1..0.1"
-struct NamedRange {
-  std::string name;
-  Range range;
-};
 
 std::optional<double> number(std::string_view text) {
   double value = 0;
   const char* const end = text.data() + text.size();
   const auto read = std::from_chars(text.data(), end, value);
-  if (read.ec != std::errc() || read.ptr != end || text.empty()) return std::nullopt;
+  if (read.ec != std::errc() || read.ptr != end || !std::isfinite(value)) return std::nullopt;
   return value;
 }
 
 Diagnostic refused(const Span& span, std::string message, std::string hint = {}) {
   return {Code::E630, span, std::move(message), std::move(hint)};
 }
+
+/// Narrows the range of what it names, if that is there and varies. Returns what does.
+std::vector<std::string> narrow(const Model& model, const NamedRange& narrowed,
+                                LeafValues<Range>& ranges) {
+  std::vector<std::string> names;
+  const auto visit = [&](Opcode kind, std::uint32_t i, Range& range) {
+    if (kind == Opcode::parameter || kind == Opcode::energy) return;
+    names.push_back(leaf_text(model, kind, i));
+    if (names.back() == narrowed.name) range = {narrowed.low, narrowed.high};
+  };
+  for_each_leaf(visit, ranges);
+  return names;
+}
+
+/// E630 where it names nothing that varies.
+Diagnostics narrow(const Model& model, const SourceText& source, LeafValues<Range>& ranges) {
+  const Result<NamedRange> narrowed = read_range(source);
+  if (!narrowed) return narrowed.diagnostics;
+  const std::vector<std::string> names = narrow(model, *narrowed, ranges);
+  if (std::ranges::find(names, narrowed->name) != names.end()) return {};
+  const Span name{&source, 0, static_cast<std::uint32_t>(narrowed->name.size())};
+  return {refused(name, in_backticks(narrowed->name) + " is no coordinate, rate, momentum or input",
+                  suggestion(narrowed->name, names))};
+}
+
+ExactNumber exact_number(const cln::cl_R& value) {
+  const double high = ScalarTraits<double>::from_real(value);
+  return {high, ScalarTraits<double>::from_real(value - exact_value(high))};
+}
+
+/// State by state -> entry by entry.
+std::vector<ExactNumber> transposed(
+    const std::vector<std::vector<ExactNumber>>& entries_of_states) {
+  std::vector<ExactNumber> result;
+  for (std::size_t k = 0; k < entries_of_states.front().size(); ++k) {
+    for (const auto& entries : entries_of_states) result.push_back(entries[k]);
+  }
+  return result;
+}
+
+}  // namespace
 
 Result<NamedRange> read_range(const SourceText& source) {
   const std::string_view text = source.text;
@@ -45,40 +81,13 @@ Result<NamedRange> read_range(const SourceText& source) {
   if (!low || !high) return refused(numbers, in_backticks(numbers) + " are no two numbers");
   if (!(*low <= *high))
     return refused(numbers, fmt::format("the range {} is empty", in_backticks(numbers)));
-  return NamedRange{std::string(text.substr(0, equals)), {*low, *high}};
+  return NamedRange{std::string(text.substr(0, equals)), *low, *high};
 }
 
-/// Narrows the range of what it names; E630 where that is nothing that varies.
-Diagnostics narrow(const Model& model, const SourceText& source, LeafValues<Range>& ranges) {
-  const Result<NamedRange> narrowed = read_range(source);
-  if (!narrowed) return narrowed.diagnostics;
-  std::vector<std::string> names;
-  bool is_known = false;
-  const auto visit = [&](Opcode kind, std::uint32_t i, Range& range) {
-    if (kind == Opcode::parameter || kind == Opcode::energy) return;
-    names.push_back(leaf_text(model, kind, i));
-    if (names.back() != narrowed->name) return;
-    range = narrowed->range;
-    is_known = true;
-  };
-  for_each_leaf(visit, ranges);
-  if (is_known) return {};
-  const Span name{&source, 0, static_cast<std::uint32_t>(narrowed->name.size())};
-  return {refused(name, in_backticks(narrowed->name) + " is no coordinate, rate, momentum or input",
-                  suggestion(narrowed->name, names))};
-}
-
-ExactNumber exact_number(const cln::cl_R& value) {
-  const double high = ScalarTraits<double>::from_real(value);
-  return {high, ScalarTraits<double>::from_real(value - exact_value(high))};
-}
-
-/// At numbers of float and the exact parameters; none where some entry has no value.
 std::optional<std::vector<ExactNumber>> exact_entries(const CheckedModel& checked,
                                                       const Program& program,
-                                                      const Arguments<float>& state) {
-  Arguments<Real> arguments =
-      map_leaves([](float x) { return Real(exact_value(static_cast<double>(x))); }, state);
+                                                      const Arguments<double>& state) {
+  Arguments<Real> arguments = map_leaves([](double x) { return Real(exact_value(x)); }, state);
   const State nominal = nominal_state(checked.model, checked.scene);
   for (std::size_t i = 0; i < arguments.parameters.size(); ++i) {
     arguments.parameters[i] = Real(nominal.parameters[i]);
@@ -91,33 +100,26 @@ std::optional<std::vector<ExactNumber>> exact_entries(const CheckedModel& checke
   return entries;
 }
 
-/// State by state -> entry by entry.
-std::vector<ExactNumber> transposed(
-    const std::vector<std::vector<ExactNumber>>& entries_of_states) {
-  std::vector<ExactNumber> result;
-  for (std::size_t k = 0; k < entries_of_states.front().size(); ++k) {
-    for (const auto& entries : entries_of_states) result.push_back(entries[k]);
-  }
-  return result;
-}
-
-}  // namespace
-
 Result<TradeoffStates> tradeoff_states(const CheckedModel& exact, const Program& program,
                                        const std::vector<SourcePointer>& ranges,
-                                       std::size_t count) {
+                                       const TradeoffSampling& sampling) {
   const Subject subject{exact.model, exact.scene, program};
   LeafValues<Range> within = ranges_of(subject);
+  for (const NamedRange& range : exact.scene.numerics.ranges) {
+    (void)narrow(exact.model, range, within);
+  }
   for (const SourcePointer& source : ranges) {
     const Diagnostics wrong = narrow(exact.model, *source, within);
     if (!wrong.empty()) return wrong;
   }
-  Random random(1);
+  Random random(sampling.seed);
   TradeoffStates result;
+  result.low = map_leaves([](const Range& range) { return range.low; }, within);
+  result.high = map_leaves([](const Range& range) { return range.high; }, within);
   std::vector<std::vector<ExactNumber>> values;
+  const std::size_t count = sampling.count;
   for (std::size_t tried = 0; result.states.size() < count && tried < 2 * count; ++tried) {
-    const Arguments<float> state = map_leaves([](double x) { return static_cast<float>(x); },
-                                              drawn_within(subject, within, random));
+    const Arguments<double> state = drawn_within(subject, within, random);
     auto entries = exact_entries(exact, program, state);
     if (!entries) continue;
     result.states.push_back(state);

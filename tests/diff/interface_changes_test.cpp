@@ -141,6 +141,12 @@ TEST_CASE("another error of sines and cosines is a change of values") {
         "values: the error that batches allow sines and cosines differs\n");
 }
 
+TEST_CASE("another error that a scene promises is a change of values") {
+  const std::string promise = "[numeric]\nmax_error = ";
+  CHECK(seen_by_callers(spring(), spring(), promise + "1e-7\n", promise + "1e-5\n") ==
+        "values: the error that the scene promises of its outputs differs\n");
+}
+
 TEST_CASE("open values are counted and ordered") {
   const auto plane = [](const std::string& functions) {
     return model_text("plane", "[[coordinate]]\nname = \"x\"\n[[coordinate]]\nname = \"y\"\n" +

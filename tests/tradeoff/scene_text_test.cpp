@@ -101,6 +101,29 @@ TEST_CASE("a step of a run is a scene with its method and order, and says for wh
                  "[outputs]\nstep = { method = \"rk4\" }\n"));
 }
 
+TEST_CASE("a scene promises an error, in its own ranges and those that were given") {
+  const Products products = derived(pendulum_text(), "inverse_dynamics");
+  const SourcePointer source = make_source("test.scene.toml",
+                                           "format = 1\nmodel = \"test.toml\"\nname = \"given\"\n"
+                                           "[numeric]\nmax_error = 1e-3\n"
+                                           "ranges = { q = [-1, \"pi/2\"], t = [0, 1] }\n");
+  const Result<FileSyntax> syntax = parse_scene(source, Limits{});
+  REQUIRE(syntax);
+  CHECK_FALSE(mentions(scene_text({*products.checked, &*syntax}, {}, "test.toml"), "max_error"));
+  const std::vector<SourcePointer> given = {make_source("command line", "t=0..1e-05"),
+                                            make_source("command line", "dot(dot(q))=1..1")};
+  const std::string text = scene_text({*products.checked, &*syntax, 1e-6, given}, {}, "test.toml");
+  CHECK(mentions(
+      text,
+      "max_error = \"1e-06\"\n"
+      "ranges = { \"dot(dot(q))\" = [1, 1], q = [\"-1\", \"pi/2\"], t = [0, \"1e-05\"] }\n"));
+  const Numerics numerics = run(text).checked->scene.numerics;
+  CHECK(numerics.max_error == 1e-6);
+  REQUIRE(numerics.ranges.size() == 3);
+  CHECK(numerics.ranges[2].name == "t");
+  CHECK(numerics.ranges[2].high == 1e-5);
+}
+
 TEST_CASE("the path of a model is escaped as TOML wants it") {
   const Products products = derived(pendulum_text(), "inverse_dynamics");
   CHECK(mentions(scene_text({*products.checked}, {}, "a\t\"b\".toml"),

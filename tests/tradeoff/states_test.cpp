@@ -17,7 +17,7 @@ Result<TradeoffStates> states_in(const std::vector<std::string>& ranges, std::si
   for (const std::string& range : ranges) sources.push_back(make_source("command line", range));
   return tradeoff_states(*products.checked, *products.program,
                          {sources.begin() + static_cast<std::ptrdiff_t>(before), sources.end()},
-                         count);
+                         {.count = count});
 }
 
 std::string refusal(const std::string& range) {
@@ -37,8 +37,8 @@ TEST_CASE("states are inside the ranges, and exact values go beyond double") {
   REQUIRE(states->states.size() == 50);
   bool differ = false;
   for (std::size_t i = 0; i < 50; ++i) {
-    const float q = states->states[i].q[0];
-    CHECK(std::abs(q) <= 0.1F);
+    const double q = states->states[i].q[0];
+    CHECK(std::abs(q) <= 0.1);
     CHECK(states->states[i].a[0] == 1);
     differ = differ || q != states->states[0].q[0];
     const long double expected =
@@ -52,9 +52,21 @@ TEST_CASE("states are inside the ranges, and exact values go beyond double") {
   CHECK(differ);
 }
 
+TEST_CASE("ranges of the scene narrow those of the model, and given ones those of the scene") {
+  const Products products = derived(pendulum_text(), "inverse_dynamics",
+                                    "[numeric]\nranges = { q = [-0.2, 0.1], t = [2, 2] }\n");
+  const SourcePointer given = make_source("command line", "q=-0.1..0.3");
+  const auto states = tradeoff_states(*products.checked, *products.program, {given}, {.count = 5});
+  REQUIRE(states);
+  CHECK(states->low.q == std::vector<double>{-0.1});
+  CHECK(states->high.q == std::vector<double>{0.3});
+  CHECK(states->states[4].t == 2);
+}
+
 TEST_CASE("E630: ranges that say nothing") {
   CHECK(refusal("q=1..-1") == "the range `1..-1` is empty");
   CHECK(refusal("q=a..1") == "`a..1` are no two numbers");
+  CHECK(refusal("q=-inf..1") == "`-inf..1` are no two numbers");
   CHECK(refusal("q") == "`q` is no range; write NAME=LOW..HIGH");
   CHECK(refusal("dot(w)=0..1") ==
         "`dot(w)` is no coordinate, rate, momentum or input; did you mean `dot(q)`?");
@@ -70,7 +82,7 @@ T = "dot(x)^2"
 V = "sqrt(x - 9/10)"
 )toml"),
                                     "potential_energy");
-  const auto states = tradeoff_states(*products.checked, *products.program, {}, 50);
+  const auto states = tradeoff_states(*products.checked, *products.program, {}, {.count = 50});
   REQUIRE_FALSE(states);
   CHECK(states.diagnostics.front().code == Code::E521);
 }

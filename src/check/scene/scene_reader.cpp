@@ -111,6 +111,7 @@ class SceneReader {
     read_numerics();
     scene_.emission = read_emission(context_, syntax_, scene_);
     read_batch(context_, syntax_, scene_);
+    read_promise(context_, syntax_, scene_.numerics);
     scene_.has_options =
         !options_.outputs.empty() || !options_.fixed.empty() || !options_.sizes.empty();
     scene_.canonical = canonical_text(syntax_, options_);

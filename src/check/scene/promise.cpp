@@ -1,0 +1,87 @@
+// [numeric] max_error, which says how far outputs may be off, and the ranges in which it holds.
+#include <cln/real.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "check/expressions/values.hpp"
+#include "check/scene/scene.hpp"
+#include "elgen/leaf_names.hpp"
+#include "elgen/wording.hpp"
+
+namespace elgen {
+namespace {
+
+/// The leaves that states differ in, as models write them.
+std::vector<std::string> names_of_states(const Model& model) {
+  std::vector<std::string> names;
+  const LeafNames leaves = leaf_names(model);
+  const auto visit = [&](Opcode kind, std::uint32_t number, const std::string& name) {
+    const bool varies = kind != Opcode::parameter && kind != Opcode::energy;
+    if (varies && !name.empty()) names.push_back(leaf_text(leaves, kind, number));
+  };
+  for_each_leaf(visit, leaves);
+  return names;
+}
+
+class PromiseReader {
+ public:
+  PromiseReader(Context& context, Numerics& numerics)
+      : context_(context), values_(context, Scope(context.sizes)), numerics_(numerics) {}
+
+  void read_error(const ValueSyntax& value) {
+    const std::optional<double> error = number(value);
+    if (!error) return;
+    if (!(*error > 0)) {
+      context_.report.add(Code::E640, value.span, in_backticks(value.span) + " is not positive");
+    }
+    if (std::ranges::count(numerics_.scalars, ScalarKind::long_double) > 0) {
+      context_.report.add(Code::E640, value.span, "errors are measured in `float` and `double`",
+                          "`scalar` names `long double`");
+    }
+    numerics_.max_error = error;
+  }
+
+  void read_range(const KeySyntax& key, const std::vector<std::string>& names) {
+    if (std::ranges::find(names, key.key) == names.end()) {
+      return refuse(key.key_span,
+                    in_backticks(key.key) + " is no coordinate, rate, acceleration or input",
+                    suggestion(key.key, names));
+    }
+    const std::optional<double> low = number(key.value.items[0]);
+    const std::optional<double> high = number(key.value.items[1]);
+    if (!low || !high) return;
+    if (*low > *high) return refuse(key.value.span, "the range is empty");
+    numerics_.ranges.push_back({key.key, *low, *high});
+  }
+
+ private:
+  void refuse(const Span& span, std::string message, std::string hint = {}) {
+    context_.report.add(Code::E630, span, std::move(message), std::move(hint));
+  }
+
+  std::optional<double> number(const ValueSyntax& value) {
+    const std::optional<cln::cl_R> exact = values_.constant(value);
+    return exact ? std::optional(cln::double_approx(*exact)) : std::nullopt;
+  }
+
+  Context& context_;
+  ValueReader values_;
+  Numerics& numerics_;
+};
+
+}  // namespace
+
+void read_promise(Context& context, const FileSyntax* syntax, Numerics& numerics) {
+  PromiseReader reader(context, numerics);
+  const KeySyntax* const error = find_key(syntax, "numeric", "max_error");
+  if (error != nullptr) reader.read_error(error->value);
+  const KeySyntax* const ranges = find_key(syntax, "numeric", "ranges");
+  if (ranges == nullptr) return;
+  const std::vector<std::string> names = names_of_states(context.model);
+  for (const KeySyntax& key : ranges->value.entries) reader.read_range(key, names);
+}
+
+}  // namespace elgen

@@ -1,0 +1,134 @@
+// promised_errors: rows of the certificate of a scene that says how far its outputs may be off.
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "elgen/tradeoff.hpp"
+#include "evaluate/subject.hpp"
+
+namespace elgen {
+namespace {
+
+/// Code that is held to the promise.
+struct PromisedCode {
+  std::string types;  ///< "batch", "as users compile"; "" of the plain header
+  const CompiledModel* functions;
+};
+
+/// The same bits in other types and builds say nothing new; contracted ones differ.
+std::vector<PromisedCode> codes_of(const CompiledHeaders& compiled) {
+  std::vector<PromisedCode> codes;
+  for (const CompiledHeader& header : compiled) {
+    if (!header.functions) continue;
+    const bool is_own = header.types.empty() || header.in_packs;
+    const bool is_written = header.build == Build::as_written;
+    if (is_own && is_written) codes.push_back({header.types, header.functions.get()});
+    const bool is_users = header.build == Build::as_users && header.types.empty();
+    if (is_users) codes.push_back({"as users compile", header.functions.get()});
+  }
+  return codes;
+}
+
+/// Empty where the code lacks the function.
+template <class Scalar>
+std::vector<double> values_of(const CompiledModel& code, const Function& function,
+                              const std::vector<Arguments<double>>& states) {
+  std::vector<double> values(entry_count(function) * states.size());
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const auto rounded = map_leaves([](double x) { return static_cast<Scalar>(x); }, states[i]);
+    const std::vector<Scalar> entries = code.call(function.name, rounded);
+    if (entries.empty()) return {};
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+      values[k * states.size() + i] = static_cast<double>(entries[k]);
+    }
+  }
+  return values;
+}
+
+DesignValues promised_values(const CompiledModel& code, const Function& function,
+                             ScalarKind scalar) {
+  const auto values =
+      scalar == ScalarKind::single_precision ? &values_of<float> : &values_of<double>;
+  return [values, &code, &function](const std::vector<Arguments<double>>& states) {
+    return values(code, function, states);
+  };
+}
+
+class PromiseRows {
+ public:
+  PromiseRows(const CheckedModel& exact, const std::vector<PromisedCode>& codes, std::uint64_t seed)
+      : exact_(exact), codes_(codes), seed_(seed) {}
+
+  /// Of the only function of `program`.
+  void add(const Program& program) {
+    const Function& function = program.functions.front();
+    const Result<TradeoffStates> states = tradeoff_states(exact_, program, {}, {.seed = seed_});
+    if (!states) return rows_.push_back(skipped(function));
+    for (const PromisedCode& code : codes_) {
+      for (const ScalarKind scalar : exact_.scene.numerics.scalars) {
+        const DesignValues design = promised_values(*code.functions, function, scalar);
+        if (!code.functions->has(scalar) || design({states->states.front()}).empty()) continue;
+        const FoundErrors found = found_errors(exact_, program, *states, design);
+        rows_.push_back(row_of(program, found));
+        rows_.back().samples = states->states.size();
+        rows_.back().subject +=
+            fmt::format(" ({}{}{})", name_of(scalar), code.types.empty() ? "" : ", ", code.types);
+      }
+    }
+  }
+
+  std::vector<CertificateRow> rows() { return std::move(rows_); }
+
+ private:
+  [[nodiscard]] CertificateRow plain_row(const Function& function) const {
+    CertificateRow row;
+    row.check = "max_error";
+    row.output = row.subject = function.name;
+    row.formula = "|x - x*| / the largest |x*| of the field";
+    row.tolerance = fmt::format("{} of the scene; the states, and a search from the ten worst",
+                                *exact_.scene.numerics.max_error);
+    return row;
+  }
+
+  [[nodiscard]] CertificateRow skipped(const Function& function) const {
+    CertificateRow row = plain_row(function);
+    row.verdict = Verdict::skipped;
+    row.skipped = {{Obstacle::undefined, TradeoffSampling().count}};
+    return row;
+  }
+
+  [[nodiscard]] CertificateRow row_of(const Program& program, const FoundErrors& found) const {
+    const Subject subject{exact_.model, exact_.scene, program};
+    CertificateRow row = plain_row(program.functions.front());
+    row.worst = fmt::format("{:.2e} of the largest value", found.worst);
+    row.where = describe(subject, exact_state(subject, found.where));
+    const bool is_kept = found.worst <= *exact_.scene.numerics.max_error;
+    row.verdict = is_kept ? Verdict::holds : Verdict::fails;
+    return row;
+  }
+
+  const CheckedModel& exact_;
+  const std::vector<PromisedCode>& codes_;
+  std::uint64_t seed_;
+  std::vector<CertificateRow> rows_ = {};
+};
+
+}  // namespace
+
+std::vector<CertificateRow> promised_errors(const CheckedModel& exact, const Program& program,
+                                            const CompiledHeaders& compiled,
+                                            const VerifyOptions& options) {
+  const std::vector<PromisedCode> codes = codes_of(compiled);
+  if (!exact.scene.numerics.max_error || codes.empty()) return {};
+  PromiseRows rows(exact, codes, options.seed);
+  for (const Function& function : program.functions) {
+    Program alone = program;
+    alone.functions = {function};
+    rows.add(alone);
+  }
+  return rows.rows();
+}
+
+}  // namespace elgen

@@ -1,0 +1,61 @@
+// How far outputs may be off, and where.
+#include <catch2/catch.hpp>
+
+#include "check/scene/scene.hpp"
+#include "check_testing.hpp"
+
+namespace elgen::test {
+
+TEST_CASE("a scene promises an error inside ranges") {
+  CHECK_FALSE(block_scene("").numerics.max_error);
+  const Numerics numerics = block_scene(
+                                "[numeric]\nmax_error = 1e-6\n"
+                                "ranges = { x = [\"-pi\", 0.1], \"dot(x)\" = [0, 0], "
+                                "\"dot(dot(x))\" = [-1, 1], t = [0, 1] }\n")
+                                .numerics;
+  CHECK(numerics.max_error == 1e-6);
+  REQUIRE(numerics.ranges.size() == 4);
+  CHECK(numerics.ranges[0].low == -3.141592653589793);
+  CHECK(numerics.ranges[1].name == "dot(x)");
+  CHECK(numerics.ranges[1].high == 0);
+}
+
+TEST_CASE("errors that nothing keeps are E640") {
+  for (const std::string value : {"0", "-1e-6", "\"1 - pi\""}) {
+    INFO(value);
+    CHECK_THAT(block_scene_messages("[numeric]\nmax_error = " + value + "\n"),
+               Catch::Contains("E640") && Catch::Contains(" is not positive"));
+  }
+  CHECK_THAT(
+      block_scene_messages("[numeric]\nscalar = [\"long double\"]\nmax_error = 1e-6\n"),
+      Catch::Contains("E640") && Catch::Contains("errors are measured in `float` and `double`"));
+}
+
+TEST_CASE("ranges of what does not vary, and empty ones, are E630") {
+  const auto said = [](const std::string& ranges) {
+    return block_scene_messages("[numeric]\nranges = { " + ranges + " }\n");
+  };
+  CHECK_THAT(said("m = [1, 2]"),
+             Catch::Contains("E630") &&
+                 Catch::Contains("`m` is no coordinate, rate, acceleration or input"));
+  CHECK_THAT(said("x = [1, 0]"), Catch::Contains("E630") && Catch::Contains("the range is empty"));
+}
+
+TEST_CASE("a scene without its expansion") {
+  const auto expanded = [](bool is_exact) {
+    const auto model = parse_model(make_source("model.toml", block("V = \"1/2*k*x^2\"\n")), {});
+    const auto scene = parse_scene(make_source("a.scene.toml",
+                                               "format = 1\nmodel = \"model.toml\"\nname = \"a\"\n"
+                                               "[approximate]\norder = 1\nabout = { x = 0 }\n"),
+                                   {});
+    SceneOptions options;
+    options.is_exact = is_exact;
+    const Result<CheckedModel> checked = check(*model, &*scene, options, {});
+    REQUIRE(checked);
+    return checked->model.approximation.has_value();
+  };
+  CHECK(expanded(false));
+  CHECK_FALSE(expanded(true));
+}
+
+}  // namespace elgen::test
