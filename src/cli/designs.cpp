@@ -24,16 +24,6 @@ std::string default_output(const Scene& scene) {
   return usual != scene.outputs.end() ? usual->name : scene.outputs.front().name;
 }
 
-/// Leaves the output alone of what was derived; a lock may have asked for its reaction too.
-void keep_only(const std::string& output, Products& products) {
-  const auto is_other = [&output](const auto& named) { return named.name != output; };
-  std::erase_if(products.checked->scene.outputs, is_other);
-  if (!products.program) return;
-  Program& program = *products.program;
-  std::erase_if(program.functions, is_other);
-  std::erase_if(program.readable, is_other);
-}
-
 /// Each design goes through its 1000 states in a turn: they fit a cache, in which their arrays do
 /// not lie at the same places, as those of 1024 would.
 constexpr std::size_t state_count = TradeoffSampling().count;

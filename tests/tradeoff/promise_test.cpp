@@ -18,9 +18,8 @@ std::vector<CertificateRow> rows_of(const std::string& numeric, double factor) {
   CompiledHeaders headers;
   headers.push_back({"", false, std::make_unique<Changed>(code)});
   headers.push_back({"Eigen", false, std::make_unique<Changed>(code)});
-  VerifyOptions options;
-  options.as_users = &code;
-  return promised_errors(*products.checked, *products.program, headers, options);
+  headers.push_back({"", false, std::make_unique<Changed>(code), Build::as_users});
+  return promised_errors(*products.checked, *products.program, headers, {});
 }
 
 }  // namespace
@@ -78,9 +77,9 @@ V = "sqrt(x - 9/10)"
 )toml"),
                                     "potential_energy", "[numeric]\nmax_error = 1e-6\n");
   const Changed code(*products.program, "", [](double x) { return x; });
-  VerifyOptions options;
-  options.as_users = &code;
-  const auto rows = promised_errors(*products.checked, *products.program, {}, options);
+  CompiledHeaders headers;
+  headers.push_back({"", false, std::make_unique<Changed>(code)});
+  const auto rows = promised_errors(*products.checked, *products.program, headers, {});
   REQUIRE(rows.size() == 1);
   CHECK(rows[0].verdict == Verdict::skipped);
 }
