@@ -13,7 +13,8 @@ namespace elgen {
 /// How a function goes through the states.
 struct TimedVariant {
   ScalarKind scalar = ScalarKind::double_precision;  ///< or float
-  bool in_packs = false;  ///< several states at once, by the header of batches; else one by one
+  bool in_packs = false;      ///< several states at once, by the header of batches; else one by one
+  bool one_per_call = false;  ///< of packs: a call for each state, in one place of a pack
 };
 
 /// An emitted function together with arrays of states, number k of state i at [k * count + i];

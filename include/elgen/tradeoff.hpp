@@ -43,20 +43,44 @@ struct Design {
 /// The design that computes exactly what the model says.
 inline const Design exact_design{.order = "exact"};
 
+/// A dimension of designs, and the values that it has.
+struct DesignDimension {
+  std::string name = {};  ///< "scalar"
+  std::string doc = {};   ///< of an option that pins it
+  std::vector<std::string> values = {};
+};
+
+[[nodiscard]] std::vector<DesignDimension> design_dimensions();
+
+/// Designs that differ from the value are not tried; both words are of design_dimensions().
+struct PinnedDimension {
+  std::string name = {};
+  std::string value = {};
+};
+
+struct DesignChoices {
+  std::vector<std::string> more = {};  ///< dimensions that are tried beside the usual ones
+  std::vector<PinnedDimension> pinned = {};
+};
+
+/// E644, at its key, where the scene says another value of a pinned dimension.
+[[nodiscard]] Diagnostics contradictions(const DesignBase& base,
+                                         const std::vector<PinnedDimension>& pinned);
+
 struct PlannedDesign {
   std::vector<std::string> values = {};  ///< of the dimensions, in their order
   Design design = {};
 };
 
 struct TradeoffPlan {
-  std::vector<std::string> dimensions = {};  ///< those with two values or more
+  std::vector<std::string> dimensions = {};  ///< those with two values or more, and pinned ones
   std::vector<PlannedDesign> designs = {};
 };
 
 /// The scalars, batches, sines and parameters that the first function of `program` takes, in all
-/// combinations that there are; `more` adds dimensions by name. E631.
+/// combinations that there are and that `choices` leaves. E631; E645 where it leaves none.
 [[nodiscard]] Result<TradeoffPlan> plan(const CheckedModel& checked, const Program& program,
-                                        const std::vector<std::string>& more);
+                                        const DesignChoices& choices);
 
 /// The design as a scene file of a model at `model_path`.
 [[nodiscard]] std::string scene_text(const DesignBase& base, const Design& design,
@@ -202,32 +226,42 @@ struct TradeoffRow {
   std::vector<std::string> values = {};  ///< of the dimensions
   Design design = {};
   Spread cost = {};
+  Spread call_cost = {};  ///< of a call with one state; in packs it fills one place of them
   DesignErrors error = {};
   std::string failure = {};  ///< why there is neither cost nor error; "": there is
   /// The error is that of the reference, which the row's own is not told from.
   bool is_below_reference = false;
-  bool is_on_front = false;  ///< nothing is as cheap and more accurate, or as accurate and cheaper
+  /// From 1 on. A rank is the cheapest row that no rank has yet, with those whose quartiles overlap
+  /// its own: their costs are taken to be equal. 0 where it failed.
+  std::size_t rank = 0;
+  bool is_on_front = false;  ///< no row before it is as accurate, and its error is at most 1
 };
 
 struct TradeoffTable {
   std::string model = {};
-  std::string subject = {};  ///< "inverse_dynamics"
-  std::string cost = {};     ///< what it is: "ns per state"
-  std::string error = {};    ///< likewise
+  std::string subject = {};    ///< "inverse_dynamics"
+  std::string cost = {};       ///< what it is: "ns per state"
+  std::string call_cost = {};  ///< "ns per call"; "" where it is no other, or there is none
+  std::string error = {};      ///< likewise
   std::vector<std::string> dimensions = {};
-  std::vector<TradeoffRow> rows = {};       ///< cheapest first, failed ones last
-  std::vector<std::string> sentences = {};  ///< of runs, below the table
+  /// By ranks, in a rank by worst errors, of the same error as planned; failed ones last.
+  std::vector<TradeoffRow> rows = {};
+  std::vector<std::string> sentences = {};  ///< below the table
   Machine machine = {};
+  std::optional<double> max_error = {};  ///< that a row is picked by
 };
 
-/// Sorts the rows, and marks the front.
+/// Ranks and sorts the rows, which are as planned, and marks the front.
 [[nodiscard]] TradeoffTable judged(TradeoffTable table);
 
 /// "float, packs, full, fixed"
 [[nodiscard]] std::string name_of(const TradeoffRow& row);
 
-/// The cheapest row whose worst error is at most this; null where there is none.
+/// The first row whose worst error is at most this: of the cheapest rank that has one the most
+/// accurate. Null where there is none.
 [[nodiscard]] const TradeoffRow* cheapest_within(const TradeoffTable& table, double max_error);
+/// The one within table.max_error; null where none is or none is asked for.
+[[nodiscard]] const TradeoffRow* picked(const TradeoffTable& table);
 /// The row of the smallest worst error, the cheapest of them; null where all failed.
 [[nodiscard]] const TradeoffRow* most_accurate(const TradeoffTable& table);
 
@@ -235,7 +269,7 @@ struct TradeoffTable {
 [[nodiscard]] std::string to_text(const TradeoffTable& table);
 [[nodiscard]] std::string to_csv(const TradeoffTable& table);
 [[nodiscard]] std::string to_json(const TradeoffTable& table);
-/// Worst errors over costs, both logarithmic; the front is joined.
+/// Worst errors over costs, both logarithmic; the front is a staircase.
 [[nodiscard]] std::string to_svg(const TradeoffTable& table);
 
 }  // namespace elgen

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "cli/process/progress.hpp"
 #include "cli/process/resources.hpp"
@@ -41,7 +42,8 @@ std::string first_line(const Diagnostics& diagnostics) {
 /// Designs of one library.
 struct Workpiece {
   std::vector<std::size_t> designs = {};
-  TimedFunctions functions = {};  ///< of each; none where it could not be made
+  /// Of each, then of each in packs by one state per call; none where they could not be made.
+  TimedFunctions functions = {};
 };
 
 class DesignBench {
@@ -57,11 +59,13 @@ class DesignBench {
     Result<OutputBase> base = output_base(request_.inputs, request_.output, limits_, sources_);
     if (!base) return base.diagnostics;
     base_ = std::move(*base);
+    Diagnostics wrong = contradictions(base_.base(), request_.choices.pinned);
+    if (!wrong.empty()) return wrong;
     describe();
     const Products& exact = derived(exact_design);
     if (!exact.program) return exact.diagnostics;
     if (!is_returned(exact.program->functions.front())) return too_large();
-    if (Diagnostics wrong = prepare(exact); !wrong.empty()) return wrong;
+    if (wrong = prepare(exact); !wrong.empty()) return wrong;
     for (auto& [key, workpiece] : workpieces()) make(std::move(workpiece));
     search_all(exact);
     time_all();
@@ -73,7 +77,8 @@ class DesignBench {
   void describe() {
     result_.table.model = base_.checked.scene.base_name;
     result_.table.subject = base_.checked.scene.outputs.front().name;
-    result_.table.cost = fmt::format("ns per state of {}", state_count);
+    result_.table.cost = "ns per state";
+    result_.table.call_cost = "ns per call";
     result_.table.error = "errors relative to the largest value of a field";
     result_.table.sentences = {
         fmt::format("the worst error is {} times the worst of {} states and a search from there",
@@ -116,7 +121,7 @@ class DesignBench {
 
   /// The designs, the states, and what is exact there.
   Diagnostics prepare(const Products& exact) {
-    Result<TradeoffPlan> planned = plan(*exact.checked, *exact.program, request_.dimensions);
+    Result<TradeoffPlan> planned = plan(*exact.checked, *exact.program, request_.choices);
     if (!planned) return planned.diagnostics;
     progress_.stage("states");
     Result<TradeoffStates> states =
@@ -125,8 +130,14 @@ class DesignBench {
     states_ = std::move(*states);
     result_.table.dimensions = planned->dimensions;
     designs_ = std::move(planned->designs);
-    for (const PlannedDesign& each : designs_)
+    // One by one, a state is a call.
+    const auto in_packs = [](const PlannedDesign& each) { return each.design.in_packs; };
+    if (std::ranges::none_of(designs_, in_packs)) {
+      result_.table.cost = std::exchange(result_.table.call_cost, {});
+    }
+    for (const PlannedDesign& each : designs_) {
       rows_.push_back({.values = each.values, .design = each.design});
+    }
     return {};
   }
 
@@ -172,6 +183,10 @@ class DesignBench {
       if (design.in_packs) scene.numerics = numerics_of(design, std::move(scene.numerics.scalars));
       scene.emission.batch = scene.emission.batch || design.in_packs;
     }
+    for (const std::size_t i : piece.designs) {
+      const Design& design = designs_[i].design;
+      if (design.in_packs) timing.variants.push_back({design.scalar, true, true});
+    }
     if (scene.numerics.scalars.empty()) scene.numerics.scalars = {timing.variants.front().scalar};
     const Model& model = products.checked->model;
     const Result<EmittedFiles> files = emit(model, scene, *products.program);
@@ -207,19 +222,29 @@ class DesignBench {
     progress_.stage("time");
     renew_time_limit(limits_);
     std::vector<std::function<void()>> alternatives;
-    std::vector<TradeoffRow*> rows;
+    std::vector<Spread*> costs;
+    const auto add = [&](TimedFunction& function, Spread& cost) {
+      alternatives.emplace_back([&function] { function.run(); });
+      costs.push_back(&cost);
+    };
     for (const Workpiece& piece : made_) {
+      std::size_t calls = piece.designs.size();
       for (std::size_t k = 0; k < piece.designs.size(); ++k) {
-        TimedFunction* const function = piece.functions[k].get();
-        rows.push_back(&rows_[piece.designs[k]]);
-        alternatives.emplace_back([function] { function->run(); });
+        TradeoffRow& row = rows_[piece.designs[k]];
+        TimedFunction& function = *piece.functions[k];
+        add(function, row.cost);
+        if (designs_[piece.designs[k]].design.in_packs) {
+          add(*piece.functions[calls++], row.call_cost);
+        }
       }
     }
-    const std::vector<Spread> costs = measured(alternatives, seconds_of_timing);
+    const std::vector<Spread> found = measured(alternatives, seconds_of_timing);
     const auto per_state = [](double ns) { return ns / static_cast<double>(state_count); };
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      const auto& [median, low, high] = costs[i];
-      rows[i]->cost = {per_state(median), per_state(low), per_state(high)};
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      *costs[i] = {per_state(found[i].median), per_state(found[i].low), per_state(found[i].high)};
+    }
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      if (!designs_[i].design.in_packs) rows_[i].call_cost = rows_[i].cost;
     }
   }
 

@@ -32,7 +32,7 @@ struct DesignRequest {
   std::string path = {};  ///< as the command line has it
   Inputs inputs = {};
   std::string output = {};  ///< "": inverse_dynamics, or the first one there is
-  std::vector<std::string> dimensions = {};
+  DesignChoices choices = {};
   std::vector<SourcePointer> ranges = {};
 };
 
@@ -42,7 +42,7 @@ struct MeasuredDesigns {
 };
 
 /// Warnings of the model are among the diagnostics, which point into texts that `sources` gets.
-/// E601, E603, E630, E631, E704, and what its stages say of a model.
+/// E601, E603, E630, E631, E644, E645, E704, and what its stages say of a model.
 [[nodiscard]] Result<MeasuredDesigns> measured_designs(const DesignRequest& request,
                                                        const Limits& limits,
                                                        std::vector<SourcePointer>& sources);

@@ -33,7 +33,7 @@ struct TradeoffOptions {
   std::string input = {};
   std::string of = {};              ///< which output
   std::optional<double> time = {};  ///< of runs, in the place of an output
-  std::vector<std::string> dimensions = {};
+  DesignChoices choices = {};
   std::vector<SourcePointer> ranges = {};
   TradeoffOutput output = {};
 };
@@ -57,15 +57,13 @@ Diagnostics none_within(const TradeoffTable& table, double max_error) {
                                             name_of(*nearest), nearest->error.worst)}};
 }
 
-/// The row that --max-error asks for; its scene, which promises that, joins `files`.
+/// The scene of the row that --max-error asks for, which promises that, joins `files`.
 ExitCode choose_row(const GlobalOptions& global, const TradeoffOptions& options,
                     const Inputs& inputs, const TradeoffTable& table,
                     std::vector<OutputFile>& files) {
   const TradeoffOutput& output = options.output;
   const TradeoffRow* const row = cheapest_within(table, *output.max_error);
   if (row == nullptr) return report(global, none_within(table, *output.max_error));
-  tell(global, fmt::format("cheapest within {}: {}, {:.4g} ns, error {:.1e}", *output.max_error,
-                           name_of(*row), row->cost.median, row->error.worst));
   if (output.scene_file.empty()) return ExitCode::success;
   std::vector<SourcePointer> sources;
   const std::string subject = row->design.step ? "" : table.subject;
@@ -123,9 +121,8 @@ struct MeasuredHere {
 MeasuredHere measure_designs(const GlobalOptions& global, const TradeoffOptions& options,
                              const Inputs& inputs) {
   std::vector<SourcePointer> sources;
-  const Result<MeasuredDesigns> measured =
-      measured_designs({options.input, inputs, options.of, options.dimensions, options.ranges},
-                       global.limits, sources);
+  const Result<MeasuredDesigns> measured = measured_designs(
+      {options.input, inputs, options.of, options.choices, options.ranges}, global.limits, sources);
   const ExitCode found = report(global, measured.diagnostics);
   if (!measured) return {found};
   if (measured->not_compiled.empty()) return {found, measured->table};
@@ -154,8 +151,9 @@ ExitCode measure_input(const GlobalOptions& global, const TradeoffOptions& optio
   const Diagnostics refused = refuse_scene(options, *inputs);
   if (!refused.empty()) return report(global, refused);
   const auto measure = options.time ? measure_runs : measure_designs;
-  const auto [found, table] = measure(global, options, *inputs);
+  auto [found, table] = measure(global, options, *inputs);
   if (!table) return found;
+  table->max_error = options.output.max_error;
   return std::max(found, deliver(global, options, *inputs, judged(*table)));
 }
 
@@ -170,6 +168,18 @@ CLI::Option* add_number(CLI::App& command, const char* name, std::optional<doubl
       name, [&value](double given) { value = given; }, doc);
 }
 
+/// An option for each dimension of designs.
+void add_pins(CLI::App& command, DesignChoices& choices) {
+  for (const DesignDimension& dimension : design_dimensions()) {
+    const auto pin = [&choices, name = dimension.name](const std::string& value) {
+      choices.pinned.push_back({name, value});
+    };
+    command.add_option_function<std::string>("--" + dimension.name, pin, dimension.doc)
+        ->check(CLI::IsMember(dimension.values))
+        ->excludes(command.get_option("--trajectory"));
+  }
+}
+
 /// The options for the designs and the ranges in which they are looked at, or for the runs.
 void add_subject(CLI::App& command, TradeoffOptions& options) {
   CLI::Option* const time =
@@ -179,12 +189,13 @@ void add_subject(CLI::App& command, TradeoffOptions& options) {
       ->type_name("OUTPUT")
       ->excludes(time);
   command
-      .add_option("--dimensions", options.dimensions,
+      .add_option("--dimensions", options.choices.more,
                   "tried beside the usual ones: order, of an expansion about the start")
       ->type_name("LIST")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->excludes(time);
+  add_pins(command, options.choices);
   add_sources(command, "--range", "NAME=LOW..HIGH", options.ranges,
               "where errors are looked at: theta=-0.1..0.1");
   command.get_option("--range")->excludes(time);
@@ -194,7 +205,7 @@ void add_subject(CLI::App& command, TradeoffOptions& options) {
 void add_output(CLI::App& command, TradeoffOutput& output) {
   CLI::Option* const max_error =
       add_number(command, "--max-error", output.max_error,
-                 "name the cheapest design whose worst error is at most this");
+                 "pick the cheapest design whose worst error is at most this");
   command.add_option("--write-scene", output.scene_file, "write that design as a scene")
       ->type_name("FILE")
       ->needs(max_error);

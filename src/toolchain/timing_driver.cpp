@@ -72,6 +72,20 @@ void in_packs(std::size_t count, {leaves}Scalar* result) {{
 
 )";
 
+/// A call that has one state; its numbers are gathered and scattered as one by one.
+constexpr std::string_view one_per_call = R"(template <class Scalar>
+void one_per_call(std::size_t count, {leaves}Scalar* result) {{
+  const auto& p = model_parameters<Scalar>();
+  for (std::size_t i = 0; i < count; ++i) {{
+    std::array<Scalar, {entries}> values;
+    emitted::batch::{function}<Scalar>({arguments},
+        values.data());
+    scatter(values, i, count, result);
+  }}
+}}
+
+)";
+
 constexpr std::string_view entry = R"(
 extern "C" void {symbol}(std::size_t count, {leaves}{scalar}* result);
 extern "C" void {symbol}(std::size_t count, {leaves}{scalar}* result) {{
@@ -181,13 +195,31 @@ std::string pack_by_pack(const DriverInput& input, const Function& function) {
                      fmt::arg("arguments", fmt::join(arguments, ", ")));
 }
 
+std::string pack_by_state(const DriverInput& input, const Function& function) {
+  std::vector<std::string> arguments{"p", "1"};
+  for (const Opcode argument : arguments_of(input.model, function)) {
+    if (argument == Opcode::parameter) continue;
+    arguments.push_back(is_single(argument) ? fmt::format("{} + i", leaf_row(argument).member)
+                                            : gathered(argument) + ".data()");
+  }
+  return fmt::format(one_per_call, fmt::arg("leaves", declared("Scalar", "[[maybe_unused]] ")),
+                     fmt::arg("entries", entry_count(function)),
+                     fmt::arg("function", function.name),
+                     fmt::arg("arguments", fmt::join(arguments, ",\n        ")));
+}
+
+/// The template that goes through the states.
+const char* call_of(const TimedVariant& variant) {
+  if (!variant.in_packs) return "one_by_one";
+  return variant.one_per_call ? "one_per_call" : "in_packs";
+}
+
 std::string entry_of(const TimedVariant& variant, std::size_t number) {
   std::vector<std::string_view> names;
   for (const LeafRow& leaf : leaf_table) names.push_back(leaf.member);
   const std::string scalar(name_of(variant.scalar));
   return fmt::format(entry, fmt::arg("symbol", timed_symbol(number)), fmt::arg("scalar", scalar),
-                     fmt::arg("leaves", declared(scalar)),
-                     fmt::arg("call", variant.in_packs ? "in_packs" : "one_by_one"),
+                     fmt::arg("leaves", declared(scalar)), fmt::arg("call", call_of(variant)),
                      fmt::arg("names", fmt::join(names, ", ")));
 }
 
@@ -198,7 +230,7 @@ Source timing_driver(const DriverInput& input, const std::vector<TimedVariant>& 
   const Function& function = input.program.functions.front();
   std::string text = prologue_of(scene);
   text += state_by_state(input, function);
-  if (scene.emission.batch) text += pack_by_pack(input, function);
+  if (scene.emission.batch) text += pack_by_pack(input, function) + pack_by_state(input, function);
   text += "}  // namespace\n";
   for (std::size_t i = 0; i < variants.size(); ++i) text += entry_of(variants[i], i);
   return {"timing_driver.cpp", text};

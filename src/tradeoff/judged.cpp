@@ -1,7 +1,8 @@
-// judged: the order of the rows, the front, and what is chosen from them.
+// judged: ranks, the order of the rows, the front, and what is chosen from them.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 
 #include "elgen/tradeoff.hpp"
@@ -9,24 +10,36 @@
 namespace elgen {
 namespace {
 
-bool is_better(const TradeoffRow& x, const TradeoffRow& y) {
-  const bool is_as_good = x.cost.median <= y.cost.median && x.error.worst <= y.error.worst;
-  return is_as_good && (x.cost.median < y.cost.median || x.error.worst < y.error.worst);
+/// Of all that have not failed.
+void number_ranks(std::vector<TradeoffRow>& rows) {
+  std::vector<TradeoffRow*> by_cost;
+  for (TradeoffRow& row : rows) {
+    if (row.failure.empty()) by_cost.push_back(&row);
+  }
+  std::ranges::stable_sort(by_cost, {}, [](const TradeoffRow* row) { return row->cost.median; });
+  const TradeoffRow* cheapest = nullptr;
+  for (TradeoffRow* const row : by_cost) {
+    const bool is_next = cheapest == nullptr || row->cost.low > cheapest->cost.high;
+    row->rank = (cheapest == nullptr ? 0 : cheapest->rank) + (is_next ? 1 : 0);
+    if (is_next) cheapest = row;
+  }
 }
 
 }  // namespace
 
 TradeoffTable judged(TradeoffTable table) {
-  const auto key = [](const TradeoffRow& row) {
-    return std::tuple(!row.failure.empty(), row.cost.median);
-  };
-  std::ranges::stable_sort(table.rows, {}, key);
+  number_ranks(table.rows);
+  std::ranges::stable_sort(table.rows, {}, [](const TradeoffRow& row) {
+    return std::tuple(!row.failure.empty(), row.rank, row.error.worst);
+  });
+  // A relative error of more than 1 leaves no digit.
+  constexpr double largest_error = 1;
+  double least = std::numeric_limits<double>::infinity();
   for (TradeoffRow& row : table.rows) {
-    const auto beats_it = [&row](const TradeoffRow& other) {
-      return other.failure.empty() && is_better(other, row);
-    };
-    row.is_on_front = row.failure.empty() && !row.is_below_reference &&
-                      std::ranges::none_of(table.rows, beats_it);
+    const double error = row.error.worst;
+    row.is_on_front =
+        row.failure.empty() && !row.is_below_reference && error <= largest_error && error < least;
+    if (row.is_on_front) least = error;
   }
   return table;
 }
@@ -40,6 +53,10 @@ const TradeoffRow* cheapest_within(const TradeoffTable& table, double max_error)
     return row.failure.empty() && row.error.worst <= max_error;
   });
   return found == table.rows.end() ? nullptr : &*found;
+}
+
+const TradeoffRow* picked(const TradeoffTable& table) {
+  return table.max_error ? cheapest_within(table, *table.max_error) : nullptr;
 }
 
 const TradeoffRow* most_accurate(const TradeoffTable& table) {

@@ -1,13 +1,17 @@
 // plan: all combinations of the rows of a table, without those that do not exist. For a function of
 // parameters and sines, in double and float:
 //
-//     scalar double, float   batch 1, packs   trigonometry full, 1e-7   parameters arguments, fixed
+//     scalar double, float   batch one, packs   trigonometry full, 1e-7
+//     parameters arguments, fixed
 //     ->   10 designs: sines of 1e-7 are in packs of double alone
+#include <cln/rational.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 
+#include "check/expressions/values.hpp"
 #include "elgen/tradeoff.hpp"
 #include "elgen/wording.hpp"
 #include "emit/text/emission_checks.hpp"
@@ -16,36 +20,76 @@
 namespace elgen {
 namespace {
 
-/// A value of a dimension.
+/// A dimension, and the key by which a scene chooses in it.
 struct DimensionRow {
-  std::string_view dimension;
-  std::string_view value;
-  bool is_asked;  ///< there only where its dimension is named
-  void (*choose)(Design&);
+  std::string_view name;
+  std::string_view entry;
+  std::string_view key;
+  bool is_asked;  ///< there only where it is named or pinned
+  std::string_view doc;
 };
 
 constexpr std::array dimension_rows{
-    DimensionRow{"scalar", "double", false,
-                 [](Design& d) { d.scalar = ScalarKind::double_precision; }},
-    DimensionRow{"scalar", "float", false,
-                 [](Design& d) { d.scalar = ScalarKind::single_precision; }},
-    DimensionRow{"batch", "1", false, [](Design& d) { d.in_packs = false; }},
-    DimensionRow{"batch", "packs", false, [](Design& d) { d.in_packs = true; }},
-    DimensionRow{"trigonometry", "full", false, [](Design& d) { d.trigonometry = ""; }},
-    DimensionRow{"trigonometry", "1e-7", false, [](Design& d) { d.trigonometry = "1e-7"; }},
-    DimensionRow{"parameters", "arguments", false, [](Design& d) { d.is_fixed = false; }},
-    DimensionRow{"parameters", "fixed", false, [](Design& d) { d.is_fixed = true; }},
-    DimensionRow{"order", "exact", true, [](Design& d) { d.order = "exact"; }},
-    DimensionRow{"order", "3", true, [](Design& d) { d.order = "3"; }},
-    DimensionRow{"order", "1", true, [](Design& d) { d.order = "1"; }},
+    DimensionRow{"scalar", "numeric", "scalar", false, "try this scalar alone"},
+    DimensionRow{"batch", "emit", "batch", false, "try one state per call, or packs, alone"},
+    DimensionRow{"trigonometry", "numeric", "trigonometry", false,
+                 "try sines of this accuracy alone"},
+    DimensionRow{"parameters", "parameters", "fixed", false,
+                 "try parameters as arguments, or fixed, alone"},
+    DimensionRow{"order", "approximate", "order", true, "try this order of an expansion alone"}};
+
+/// A value of a dimension, and whether a scene that has the key leaves it open.
+struct ValueRow {
+  std::string_view dimension;
+  std::string_view value;
+  void (*choose)(Design&);
+  bool (*is_left)(const CheckedModel&);
+};
+
+bool has_scalar(const CheckedModel& base, ScalarKind scalar) {
+  return std::ranges::count(base.scene.numerics.scalars, scalar) > 0;
+}
+
+bool has_order(const CheckedModel& base, std::uint32_t order) {
+  return base.model.approximation && base.model.approximation->order == order;
+}
+
+constexpr std::array value_rows{
+    ValueRow{
+        "scalar", "double", [](Design& d) { d.scalar = ScalarKind::double_precision; },
+        [](const CheckedModel& base) { return has_scalar(base, ScalarKind::double_precision); }},
+    ValueRow{
+        "scalar", "float", [](Design& d) { d.scalar = ScalarKind::single_precision; },
+        [](const CheckedModel& base) { return has_scalar(base, ScalarKind::single_precision); }},
+    ValueRow{"batch", "one", [](Design& d) { d.in_packs = false; },
+             [](const CheckedModel& base) { return !base.scene.emission.batch; }},
+    ValueRow{"batch", "packs", [](Design& d) { d.in_packs = true; },
+             [](const CheckedModel& base) { return base.scene.emission.batch; }},
+    ValueRow{"trigonometry", "full", [](Design& d) { d.trigonometry = ""; },
+             [](const CheckedModel& base) { return !base.scene.numerics.trigonometry_error; }},
+    ValueRow{"trigonometry", "1e-7", [](Design& d) { d.trigonometry = "1e-7"; },
+             [](const CheckedModel& base) {
+               return trigonometry_error(base.scene.numerics, ScalarKind::double_precision) ==
+                      cln::cl_RA(1) / 10'000'000;
+             }},
+    ValueRow{"parameters", "arguments", [](Design& d) { d.is_fixed = false; },
+             [](const CheckedModel& base) {
+               return base.scene.specialisation.fixed.size() < base.model.parameters.size();
+             }},
+    ValueRow{"parameters", "fixed", [](Design& d) { d.is_fixed = true; },
+             [](const CheckedModel&) { return true; }},
+    ValueRow{"order", "exact", [](Design& d) { d.order = "exact"; },
+             [](const CheckedModel& base) { return !base.model.approximation; }},
+    ValueRow{"order", "3", [](Design& d) { d.order = "3"; },
+             [](const CheckedModel& base) { return has_order(base, 3); }},
+    ValueRow{"order", "1", [](Design& d) { d.order = "1"; },
+             [](const CheckedModel& base) { return has_order(base, 1); }},
 };
 
 /// E631. Dimensions that are always there may be named too.
 Diagnostics unknown_dimensions(const std::vector<std::string>& more) {
   std::vector<std::string> known;
-  for (const DimensionRow& row : dimension_rows) {
-    if (std::ranges::find(known, row.dimension) == known.end()) known.emplace_back(row.dimension);
-  }
+  for (const DimensionRow& row : dimension_rows) known.emplace_back(row.name);
   Diagnostics found;
   for (const std::string& word : more) {
     if (std::ranges::find(known, word) != known.end()) continue;
@@ -66,12 +110,15 @@ class ExistingDesigns {
         has_sines_(calls(program, FunctionId::sin) || calls(program, FunctionId::cos)),
         fits_float_(fits(checked.model, program, ScalarKind::single_precision)) {}
 
-  [[nodiscard]] bool contain(const Design& design) const {
+  /// "" where the design exists.
+  [[nodiscard]] const char* why_missing(const Design& design) const {
     const bool is_float = design.scalar == ScalarKind::single_precision;
-    if (is_float && !fits_float_) return false;
-    if (design.is_fixed && !has_parameters_) return false;
+    if (is_float && !fits_float_) return "a number of the output is lost in float";
+    if (design.is_fixed && !has_parameters_) return "no parameter is left to be fixed";
+    if (design.trigonometry.empty()) return "";
+    if (!has_sines_) return "the output has no sine and no cosine";
     // A float cannot be as good as 1e-7; and outside of packs there are no polynomials.
-    return design.trigonometry.empty() || (design.in_packs && !is_float && has_sines_);
+    return design.in_packs && !is_float ? "" : "sines of this accuracy are in packs of double";
   }
 
  private:
@@ -80,12 +127,43 @@ class ExistingDesigns {
   bool fits_float_;
 };
 
+const PinnedDimension* find_pin(const std::vector<PinnedDimension>& pinned,
+                                std::string_view dimension) {
+  const auto found = std::ranges::find(pinned, dimension, &PinnedDimension::name);
+  return found == pinned.end() ? nullptr : &*found;
+}
+
+/// "`--scalar float`"
+std::string option_of(const PinnedDimension& pin) {
+  return fmt::format("`--{} {}`", pin.name, pin.value);
+}
+
+/// E645
+Diagnostics none_as_pinned(const std::vector<PinnedDimension>& pinned, const char* why) {
+  std::vector<std::string> options;
+  for (const PinnedDimension& pin : pinned) options.push_back(option_of(pin));
+  return {{Code::E645, {}, fmt::format("no design is left by {}", fmt::join(options, ", ")), why}};
+}
+
+/// The pinned value, or all of a dimension that is usual or named.
+std::vector<ValueRow> tried_values(const DimensionRow& dimension, const DesignChoices& choices) {
+  const PinnedDimension* const pin = find_pin(choices.pinned, dimension.name);
+  const bool is_tried =
+      !dimension.is_asked || std::ranges::find(choices.more, dimension.name) != choices.more.end();
+  std::vector<ValueRow> values;
+  for (const ValueRow& row : value_rows) {
+    const bool is_chosen = pin == nullptr ? is_tried : row.value == pin->value;
+    if (row.dimension == dimension.name && is_chosen) values.push_back(row);
+  }
+  return values;
+}
+
 /// Every design by every value of one more dimension.
 std::vector<PlannedDesign> multiplied(const std::vector<PlannedDesign>& designs,
-                                      const std::vector<DimensionRow>& values) {
+                                      const std::vector<ValueRow>& values) {
   std::vector<PlannedDesign> result;
   for (const PlannedDesign& planned : designs) {
-    for (const DimensionRow& row : values) {
+    for (const ValueRow& row : values) {
       PlannedDesign more = planned;
       more.values.emplace_back(row.value);
       row.choose(more.design);
@@ -95,13 +173,14 @@ std::vector<PlannedDesign> multiplied(const std::vector<PlannedDesign>& designs,
   return result;
 }
 
-/// Columns in which all designs are alike go.
-void leave_out_constant_dimensions(TradeoffPlan& plan) {
+/// Columns in which all designs are alike go, where they are not pinned.
+void leave_out_constant_dimensions(TradeoffPlan& plan, const std::vector<PinnedDimension>& pinned) {
   for (std::size_t i = plan.dimensions.size(); i-- > 0;) {
     const auto is_first = [&](const PlannedDesign& design) {
       return design.values[i] == plan.designs.front().values[i];
     };
-    if (!std::ranges::all_of(plan.designs, is_first)) continue;
+    const bool is_pinned = find_pin(pinned, plan.dimensions[i]) != nullptr;
+    if (is_pinned || !std::ranges::all_of(plan.designs, is_first)) continue;
     const auto at = static_cast<std::ptrdiff_t>(i);
     plan.dimensions.erase(plan.dimensions.begin() + at);
     for (PlannedDesign& design : plan.designs) design.values.erase(design.values.begin() + at);
@@ -110,26 +189,53 @@ void leave_out_constant_dimensions(TradeoffPlan& plan) {
 
 }  // namespace
 
+std::vector<DesignDimension> design_dimensions() {
+  std::vector<DesignDimension> dimensions;
+  for (const DimensionRow& row : dimension_rows) {
+    DesignDimension& dimension =
+        dimensions.emplace_back(DesignDimension{std::string(row.name), std::string(row.doc)});
+    for (const ValueRow& value : value_rows) {
+      if (value.dimension == row.name) dimension.values.emplace_back(value.value);
+    }
+  }
+  return dimensions;
+}
+
+Diagnostics contradictions(const DesignBase& base, const std::vector<PinnedDimension>& pinned) {
+  Diagnostics found;
+  for (const DimensionRow& dimension : dimension_rows) {
+    const PinnedDimension* const pin = find_pin(pinned, dimension.name);
+    const KeySyntax* const key = find_key(base.scene, dimension.entry, dimension.key);
+    if (pin == nullptr || key == nullptr) continue;
+    for (const ValueRow& row : value_rows) {
+      const bool is_pinned = row.dimension == dimension.name && row.value == pin->value;
+      if (!is_pinned || row.is_left(base.checked)) continue;
+      found.push_back({Code::E644, key->value.span,
+                       fmt::format("{} contradicts the scene", option_of(*pin)),
+                       "leave out one of the two"});
+    }
+  }
+  return found;
+}
+
 Result<TradeoffPlan> plan(const CheckedModel& checked, const Program& program,
-                          const std::vector<std::string>& more) {
-  const Diagnostics unknown = unknown_dimensions(more);
+                          const DesignChoices& choices) {
+  const Diagnostics unknown = unknown_dimensions(choices.more);
   if (!unknown.empty()) return unknown;
   TradeoffPlan plan{{}, {PlannedDesign{}}};
-  for (std::size_t i = 0; i < dimension_rows.size();) {
-    const std::string_view dimension = dimension_rows[i].dimension;
-    std::vector<DimensionRow> values;
-    for (; i < dimension_rows.size() && dimension_rows[i].dimension == dimension; ++i) {
-      const bool is_named = std::ranges::find(more, dimension) != more.end();
-      if (is_named || !dimension_rows[i].is_asked) values.push_back(dimension_rows[i]);
-    }
+  for (const DimensionRow& dimension : dimension_rows) {
+    const std::vector<ValueRow> values = tried_values(dimension, choices);
     if (values.empty()) continue;
-    plan.dimensions.emplace_back(dimension);
+    plan.dimensions.emplace_back(dimension.name);
     plan.designs = multiplied(plan.designs, values);
   }
   const ExistingDesigns existing(checked, program);
-  std::erase_if(plan.designs,
-                [&](const PlannedDesign& planned) { return !existing.contain(planned.design); });
-  leave_out_constant_dimensions(plan);
+  const char* const why = existing.why_missing(plan.designs.front().design);
+  std::erase_if(plan.designs, [&](const PlannedDesign& planned) {
+    return !std::string_view(existing.why_missing(planned.design)).empty();
+  });
+  if (plan.designs.empty()) return none_as_pinned(choices.pinned, why);
+  leave_out_constant_dimensions(plan, choices.pinned);
   return plan;
 }
 

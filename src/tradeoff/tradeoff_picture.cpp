@@ -1,5 +1,5 @@
 // A table as SVG: worst errors over costs, both logarithmic. Shapes say the value of the first
-// dimension, numbers which design it is; the front is filled and joined.
+// dimension, numbers which design it is; the front is filled and joined by a staircase.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -120,12 +120,13 @@ class TradeoffPicture {
     return svg + svg_label(left + plot_width / 2, top + plot_height + 36, "middle", table_.cost);
   }
 
-  /// Rows are in the order of their costs.
+  /// Along the front costs go up and errors down; between two costs the cheaper design is the best.
   [[nodiscard]] std::string front() const {
     std::string path;
     for (const TradeoffRow* row : rows_) {
       if (!row->is_on_front) continue;
-      path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", x_of(*row), y_of(*row));
+      path += fmt::format("{}{:.1f}{}{:.1f}", path.empty() ? "M" : "H", x_of(*row),
+                          path.empty() ? " " : "V", y_of(*row));
     }
     return fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"#888\"/>\n", path);
   }

@@ -1,4 +1,5 @@
-// A table in columns, for people, where rows of the front have a star; and for programs.
+// A table in columns, for people, where rows of the front have a star, and for programs; both with
+// the row that is picked.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,14 +14,27 @@ namespace {
 using Cells = std::vector<std::string>;
 using Json = nlohmann::ordered_json;
 
-Cells cells_of(const TradeoffRow& row) {
-  Cells cells = row.values;
+Cells titles_of(const TradeoffTable& table) {
+  Cells titles{"rank"};
+  titles.insert(titles.end(), table.dimensions.begin(), table.dimensions.end());
+  titles.push_back(table.cost);
+  titles.emplace_back("quartiles");
+  if (!table.call_cost.empty()) titles.push_back(table.call_cost);
+  titles.emplace_back("worst error");
+  titles.emplace_back("median error");
+  return titles;
+}
+
+Cells cells_of(const TradeoffTable& table, const TradeoffRow& row) {
+  Cells cells{row.rank > 0 ? std::to_string(row.rank) : ""};
+  cells.insert(cells.end(), row.values.begin(), row.values.end());
   if (!row.failure.empty()) {
     cells.push_back(row.failure);
     return cells;
   }
   cells.push_back(fmt::format("{:.4g}", row.cost.median));
   cells.push_back(fmt::format("{:.4g} to {:.4g}", row.cost.low, row.cost.high));
+  if (!table.call_cost.empty()) cells.push_back(fmt::format("{:.4g}", row.call_cost.median));
   if (row.is_below_reference) {
     cells.emplace_back("below the reference");
     return cells;
@@ -52,6 +66,22 @@ std::string line_of(const Cells& cells, const std::vector<std::size_t>& widths, 
   return text.substr(0, text.find_last_not_of(' ') + 1) + '\n';
 }
 
+/// A line, or nothing where no row is picked.
+std::string pick_line(const TradeoffTable& table) {
+  const TradeoffRow* const row = picked(table);
+  if (row == nullptr) return "";
+  std::string cost = fmt::format("{:.4g} {}", row->cost.median, table.cost);
+  if (!table.call_cost.empty()) {
+    cost += fmt::format(", {:.4g} {}", row->call_cost.median, table.call_cost);
+  }
+  return fmt::format("cheapest within {}: {}; {}, error {:.1e}\n", *table.max_error, name_of(*row),
+                     cost, row->error.worst);
+}
+
+Json json_of(const Spread& spread) {
+  return {{"median", spread.median}, {"low", spread.low}, {"high", spread.high}};
+}
+
 /// JSON has no infinity; null says that there is no number.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
@@ -63,7 +93,9 @@ Json json_of(const TradeoffTable& table, const TradeoffRow& row) {
     json["failure"] = row.failure;
     return json;
   }
-  json["cost"] = {{"median", row.cost.median}, {"low", row.cost.low}, {"high", row.cost.high}};
+  json["rank"] = row.rank;
+  json["cost"] = json_of(row.cost);
+  if (!table.call_cost.empty()) json["call_cost"] = json_of(row.call_cost);
   json["error"] = {{"worst", number(row.error.worst)}, {"median", number(row.error.median)}};
   if (row.is_below_reference) json["error"]["below_reference"] = true;
   json["front"] = row.is_on_front;
@@ -81,49 +113,56 @@ std::string csv_cell(const std::string& text) {
 }  // namespace
 
 std::string to_text(const TradeoffTable& table) {
-  Cells titles = table.dimensions;
-  for (const char* title : {"ns", "quartiles", "worst error", "median error"})
-    titles.emplace_back(title);
+  const Cells titles = titles_of(table);
   std::vector<Cells> lines;
-  for (const TradeoffRow& row : table.rows) lines.push_back(cells_of(row));
+  for (const TradeoffRow& row : table.rows) lines.push_back(cells_of(table, row));
   const std::vector<std::size_t> widths = widths_of(titles, lines);
-  std::string text =
-      fmt::format("{}, {}: {}; {}\n\n", table.model, table.subject, table.cost, table.error);
+  std::string text = fmt::format("{}, {}: {}\n\n", table.model, table.subject, table.error);
   text += line_of(titles, widths, ' ');
   for (std::size_t i = 0; i < lines.size(); ++i) {
     text += line_of(lines[i], widths, table.rows[i].is_on_front ? '*' : ' ');
   }
-  text += '\n';
+  text += "\ndesigns of a rank cost the same: their quartiles overlap those of its cheapest\n";
   for (const std::string& sentence : table.sentences) text += sentence + '\n';
   return text +
-         fmt::format("measured on {}, {}\n", table.machine.processor, table.machine.compiler);
+         fmt::format("measured on {}, {}\n", table.machine.processor, table.machine.compiler) +
+         pick_line(table);
 }
 
 std::string to_json(const TradeoffTable& table) {
   Json rows = Json::array();
   for (const TradeoffRow& row : table.rows) rows.push_back(json_of(table, row));
-  const Json json{{"model", table.model},
-                  {"subject", table.subject},
-                  {"cost", table.cost},
-                  {"error", table.error},
-                  {"compiler", table.machine.compiler},
-                  {"processor", table.machine.processor},
-                  {"c_library", table.machine.c_library},
-                  {"designs", std::move(rows)},
-                  {"sentences", table.sentences}};
+  Json json{{"model", table.model},
+            {"subject", table.subject},
+            {"cost", table.cost},
+            {"error", table.error},
+            {"compiler", table.machine.compiler},
+            {"processor", table.machine.processor},
+            {"c_library", table.machine.c_library},
+            {"designs", std::move(rows)},
+            {"sentences", table.sentences}};
+  if (!table.call_cost.empty()) json["call_cost"] = table.call_cost;
+  if (table.max_error) {
+    const TradeoffRow* const row = picked(table);
+    json["max_error"] = *table.max_error;
+    json["pick"] = row == nullptr ? Json(nullptr) : json_of(table, *row);
+  }
   return json.dump(1) + "\n";
 }
 
 std::string to_csv(const TradeoffTable& table) {
   std::string text;
   for (const std::string& dimension : table.dimensions) text += csv_cell(dimension) + ",";
-  text += "cost,cost_low,cost_high,worst_error,median_error,front,failure\n";
+  text += "rank,cost,cost_low,cost_high,call_cost,worst_error,median_error,front,pick,failure\n";
   for (const TradeoffRow& row : table.rows) {
+    const auto& [median, low, high] = row.cost;
+    const double call = row.call_cost.median;
     for (const std::string& value : row.values) text += csv_cell(value) + ",";
     text += row.failure.empty()
-                ? fmt::format("{},{},{},{},{},{},\n", row.cost.median, row.cost.low, row.cost.high,
-                              row.error.worst, row.error.median, row.is_on_front ? 1 : 0)
-                : fmt::format(",,,,,0,{}\n", csv_cell(row.failure));
+                ? fmt::format("{},{},{},{},{},{},{},{:d},{:d},\n", row.rank, median, low, high,
+                              call > 0 ? fmt::format("{}", call) : "", row.error.worst,
+                              row.error.median, row.is_on_front, &row == picked(table))
+                : fmt::format(",,,,,,,0,0,{}\n", csv_cell(row.failure));
   }
   return text;
 }

@@ -68,7 +68,8 @@ TEST_CASE("a model gives ten designs, and the scene of the one chosen is as good
     CHECK(design["error"]["worst"] > (is_double && is_full ? 1e-17 : 1e-11));
   }
   CHECK(table["designs"][0]["front"] == true);
-  CHECK(mentions(outcome.errors, "cheapest within 1e-06: "));
+  CHECK(table["designs"][0]["rank"] == 1);
+  CHECK(table["pick"]["error"]["worst"] <= 1e-6);
   CHECK(starts_with(workspace.read("front.svg"), "<svg "));
   CHECK(mentions(workspace.read("fast.scene.toml"), "max_error = \"1e-06\"\n"));
   const auto verified = [&workspace](const std::string& words) {
@@ -117,6 +118,41 @@ TEST_CASE("dimensions that are asked for are tried, expansions about the point o
   CHECK(expanded > 0);
 }
 
+TEST_CASE("a design has two costs, and what is left out of packs one, that of a call") {
+  const Workspace workspace;
+  const std::string command = "elgen tradeoff -q --of gravity " + models + "/simple_pendulum.toml";
+  const nlohmann::json both = table_in(workspace.run(command + " --as json"));
+  CHECK(both["cost"] == "ns per state");
+  CHECK(both["call_cost"] == "ns per call");
+  for (const auto& design : both["designs"]) {
+    if (design["design"]["batch"] == "one") CHECK(design["call_cost"] == design["cost"]);
+    if (design["design"]["batch"] == "packs") {
+      CHECK(design["call_cost"]["median"] > 0);
+    }
+  }
+  const nlohmann::json one = table_in(workspace.run(command + " --as json --batch one"));
+  CHECK(one["cost"] == "ns per call");
+  CHECK_FALSE(one.contains("call_cost"));
+  REQUIRE(one["designs"].size() == 4);
+  for (const auto& design : one["designs"]) CHECK(design["design"]["batch"] == "one");
+}
+
+TEST_CASE("the row that is picked is printed, with -q too, and its scene is as pinned") {
+  const Workspace workspace;
+  const Outcome outcome = workspace.run(
+      "elgen tradeoff -q --scalar float --batch one --parameters arguments --max-error 1e-3 "
+      "--write-scene x.scene.toml --of gravity " +
+      models + "/simple_pendulum.toml");
+  INFO(outcome.errors);
+  CHECK(outcome.status == 0);
+  CHECK(outcome.errors.empty());
+  CHECK(mentions(outcome.output, "\ncheapest within 0.001: float, one, arguments; "));
+  const std::string scene = workspace.read("x.scene.toml");
+  CHECK(mentions(scene, "scalar = [\"float\"]"));
+  CHECK_FALSE(mentions(scene, "batch"));
+  CHECK_FALSE(mentions(scene, "fixed"));
+}
+
 TEST_CASE("a scene keeps what it locks and fixes, and files are not overwritten unasked") {
   const Workspace workspace;
   const std::string command =
@@ -155,7 +191,7 @@ TEST_CASE("runs have a row for each step that is emitted, and shorter steps smal
     for (const auto& design : table["designs"]) {
       const auto& values = design["design"];
       if (values["method"] == method && values["order"] == order && values["step"] == step &&
-          values["batch"] == "1") {
+          values["batch"] == "one") {
         return design;
       }
     }
@@ -175,7 +211,7 @@ TEST_CASE("runs have a row for each step that is emitted, and shorter steps smal
   CHECK(cost("0.0002 s") == Approx(10 * cost("0.002 s")));
   CHECK(mentions(table["sentences"].front().get<std::string>(), "reference: Fehlberg's method"));
   CHECK(table["sentences"].back() == "`verlet` is not for this system: M depends on `theta1`");
-  CHECK(mentions(outcome.errors, "cheapest within 1e-06: "));
+  CHECK(table["pick"]["error"]["worst"] <= 1e-6);
   CHECK(starts_with(workspace.read("x.svg"), "<svg "));
   CHECK(mentions(workspace.read("x.scene.toml"), "step = { method = "));
   CHECK(workspace.run("elgen generate x.scene.toml").status == 0);
@@ -183,7 +219,8 @@ TEST_CASE("runs have a row for each step that is emitted, and shorter steps smal
 
 TEST_CASE("what is about an output is not about runs") {
   const Workspace workspace;
-  for (const char* option : {"--of gravity", "--dimensions order", "--range q1=0..1"}) {
+  for (const char* option :
+       {"--of gravity", "--dimensions order", "--batch one", "--range q1=0..1"}) {
     INFO(option);
     CHECK(workspace
               .run(std::string("elgen tradeoff --trajectory 2 ") + option + " " + models +
@@ -231,6 +268,44 @@ TEST_CASE_METHOD(Base, "what is not one output is refused") {
   const Outcome outcome = measure("--of gravity,bias rotor.toml");
   CHECK(outcome.status == 2);
   CHECK(mentions(outcome.errors, "`gravity,bias` is not one output"));
+}
+
+TEST_CASE_METHOD(Base,
+                 "E644: a pinned value is refused where a key of the scene says another one") {
+  struct PinRow {
+    std::string keys;
+    std::string option;
+    bool contradicts;
+  };
+  const std::string polynomials =
+      "[emit]\nbatch = true\n[numeric]\ntrigonometry = { max_error = 1e-7 }\n";
+  const std::string expanded = "[approximate]\norder = 1\nabout = { q = 0 }\n";
+  const std::vector<PinRow> rows{
+      {"", "--scalar float --batch packs --parameters arguments", false},
+      {"[numeric]\nscalar = [\"float\"]\n", "--scalar double", true},
+      {"[numeric]\nscalar = [\"float\"]\n", "--scalar float", false},
+      {"[numeric]\nscalar = [\"float\", \"double\"]\n", "--scalar double", false},
+      {"[emit]\nbatch = false\n", "--batch packs", true},
+      {"[emit]\nbatch = true\n", "--batch one", true},
+      {polynomials, "--trigonometry full", true},
+      {polynomials, "--trigonometry 1e-7", false},
+      {"[parameters]\nfixed = \"all\"\n", "--parameters arguments", true},
+      {"[parameters]\nfixed = { J = 2 }\n", "--parameters arguments", false},
+      {"[parameters]\nfixed = { J = 2 }\n", "--parameters fixed", false},
+      {expanded, "--order 3", true},
+      {expanded, "--order exact", true},
+      {expanded, "--order 1", false},
+  };
+  for (const PinRow& row : rows) {
+    INFO(row.keys + row.option);
+    write("pinned.scene.toml",
+          "format = 1\nmodel = \"rotor.toml\"\nname = \"pinned\"\n[outputs]\ngravity = true\n" +
+              row.keys);
+    const Outcome outcome = measure(row.option + " pinned.scene.toml");
+    INFO(outcome.errors);
+    CHECK(outcome.status == (row.contradicts ? 2 : 4));
+    CHECK(mentions(outcome.errors, "E644") == row.contradicts);
+  }
 }
 
 }  // namespace elgen::test

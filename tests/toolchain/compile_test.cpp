@@ -107,6 +107,31 @@ std::string header_with_values() {
   return text;
 }
 
+/// In packs at once, and by a call for each state.
+Result<TimedFunctions> compiled_batch() {
+  TimingOptions options{.limits = {.seconds = 600}};
+  options.variants = {{ScalarKind::double_precision, true, false},
+                      {ScalarKind::double_precision, true, true}};
+  options.states = {{.parameters = {1, 1, 1}, .q = {7}, .v = {11}, .a = {13}},
+                    {.parameters = {1, 1, 1}, .q = {0}, .v = {1}, .a = {0.5F}}};
+  EmittedFiles files = sample::files(header_with_values());
+  files.files["sample/sample_batch.hpp"] = R"(#pragma once
+#include "sample.hpp"
+namespace sample::batch {
+template <class T>
+void inverse_dynamics(const Parameters<T>& p, std::size_t count, const T* q, const T* v,
+                      const T* a, T* result) {
+  for (std::size_t i = 0; i < count; ++i) {
+    result[i] = sample::inverse_dynamics<T>(p, {q[i]}, {v[i]}, {a[i]})[0];
+  }
+}
+}  // namespace sample::batch
+)";
+  Scene scene = sample::scene();
+  scene.emission.batch = true;
+  return compile_timed(files, sample::model(), scene, sample::program(), options);
+}
+
 }  // namespace
 
 TEST_CASE("compiled functions return the fields one after another, in double and float") {
@@ -292,6 +317,17 @@ TEST_CASE("all states are computed in every scalar, with the parameters of the h
     function->run();
     CHECK(function->at(timed_states()) == std::vector<double>{102, 6});
     CHECK(function->at({timed_states().back()}) == std::vector<double>{6});
+  }
+}
+
+TEST_CASE("a call for each state gives what packs of all states give") {
+  const auto functions = compiled_batch();
+  INFO(format(functions.diagnostics));
+  REQUIRE(functions);
+  REQUIRE(functions->size() == 2);
+  for (const auto& function : *functions) {
+    function->run();
+    CHECK(function->results() == std::vector<double>{102, 6});
   }
 }
 

@@ -290,3 +290,14 @@ TEST_CASE("a step is called in loops, with the time where the model knows it") {
   CHECK_THAT(timed, Contains("emitted::advance<double>(p, q, v, u, t, h);"));
   CHECK_THAT(timed, Contains("for (double& time : times) time = start"));
 }
+
+TEST_CASE("a call for each state has the numbers of one state side by side") {
+  Scene scene = sample::scene();
+  scene.emission.batch = true;
+  const std::string text = driver(scene, {{ScalarKind::single_precision, true, true}});
+  CHECK_THAT(text, Contains("emitted::batch::inverse_dynamics<Scalar>(p,\n        1,\n        "
+                            "gathered<emitted::Coordinates<Scalar>>(q, i, count).data(),"));
+  CHECK_THAT(
+      text,
+      Contains("one_per_call<float>(count, parameters, f, q, v, momenta, a, u, t, h, E, result);"));
+}

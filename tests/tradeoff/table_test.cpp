@@ -1,10 +1,13 @@
-// Tables: the order of rows, the front, what is chosen, and how people and programs see them. Costs
-// and errors are made up, so that nothing is measured.
+// Tables: ranks, the order of rows, the front, what is chosen, and how people and programs see
+// them. Costs and errors are made up, so that nothing is measured.
 #include <tinyxml2.h>
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "elgen/tradeoff.hpp"
 #include "support/shell.hpp"
@@ -14,10 +17,12 @@ using namespace elgen::test;
 
 namespace {
 
-/// Quartiles 5 % to either side of the cost.
+/// Quartiles 5 % to either side of the cost; five times as much by one state per call in packs.
 TradeoffRow row_of(std::vector<std::string> values, double cost, double error) {
+  const double call = values.back() == "packs" ? 5 * cost : cost;
   return {.values = std::move(values),
           .cost = {cost, 0.95 * cost, 1.05 * cost},
+          .call_cost = {call, 0.95 * call, 1.05 * call},
           .error = {error, error / 4}};
 }
 
@@ -30,12 +35,28 @@ TradeoffTable sample_table() {
   return {.model = "arm",
           .subject = "gravity",
           .cost = "ns per state",
+          .call_cost = "ns per call",
           .error = "errors, relative",
           .dimensions = {"scalar", "batch"},
-          .rows = {row_of({"double", "1"}, 40, 1e-16), row_of({"double", "packs"}, 8, 2e-16),
-                   row_of({"float", "1"}, 40.5, 1e-7), row_of({"float", "packs"}, 4, 2e-7),
-                   failed_row({"half", "1"}, "E709: \"c++\" exits 1")},
+          .rows = {row_of({"double", "one"}, 40, 1e-16), row_of({"double", "packs"}, 8, 2e-16),
+                   row_of({"float", "one"}, 39.5, 1e-7), row_of({"float", "packs"}, 4, 2e-7),
+                   failed_row({"half", "one"}, "E709: \"c++\" exits 1")},
           .machine = {.compiler = "g++ 12", .processor = "a processor"}};
+}
+
+/// Of rows "a", "b", … in their order: "b1* a1 c2", with the ranks and the front.
+std::string order_of(const std::vector<std::pair<double, double>>& costs_and_errors) {
+  TradeoffTable table{.dimensions = {"name"}};
+  for (const auto& [cost, error] : costs_and_errors) {
+    const auto name = static_cast<char>('a' + table.rows.size());
+    table.rows.push_back(row_of({std::string(1, name)}, cost, error));
+  }
+  std::string text;
+  for (const TradeoffRow& row : judged(table).rows) {
+    text += (text.empty() ? "" : " ") + row.values.front() + std::to_string(row.rank);
+    if (row.is_on_front) text += '*';
+  }
+  return text;
 }
 
 }  // namespace
@@ -45,12 +66,36 @@ TEST_CASE("the cheapest row is first, failed ones are last, and what nothing bea
   REQUIRE(table.rows.size() == 5);
   CHECK(name_of(table.rows[0]) == "float, packs");
   CHECK(name_of(table.rows[1]) == "double, packs");
-  CHECK(name_of(table.rows[2]) == "double, 1");
-  CHECK(name_of(table.rows[3]) == "float, 1");
-  CHECK(name_of(table.rows[4]) == "half, 1");
+  CHECK(name_of(table.rows[2]) == "double, one");
+  CHECK(name_of(table.rows[3]) == "float, one");
+  CHECK(name_of(table.rows[4]) == "half, one");
   std::vector<bool> front;
-  for (const TradeoffRow& row : table.rows) front.push_back(row.is_on_front);
+  std::vector<std::size_t> ranks;
+  for (const TradeoffRow& row : table.rows) {
+    front.push_back(row.is_on_front);
+    ranks.push_back(row.rank);
+  }
   CHECK(front == std::vector<bool>{true, true, true, false, false});
+  CHECK(ranks == std::vector<std::size_t>{1, 2, 3, 3, 0});
+}
+
+TEST_CASE("quartiles that overlap those of the cheapest are one rank, which errors decide") {
+  CHECK(order_of({{10, 1e-7}, {10.4, 1e-9}}) == "b1* a1");
+  CHECK(order_of({{10, 1e-9}, {10.4, 1e-7}}) == "a1* b1");
+  CHECK(order_of({{10, 1e-7}, {12, 1e-9}}) == "a1* b2*");
+}
+
+TEST_CASE("a rank does not go on from one overlap to the next") {
+  CHECK(order_of({{11.5, 1e-9}, {10, 1e-7}, {10.8, 1e-8}}) == "c1* b1 a2*");
+}
+
+TEST_CASE("of designs that are as good as each other the first one of the plan is on the front") {
+  CHECK(order_of({{5.1, 1e-3}, {5, 1e-3}, {4.9, 1e-3}}) == "a1* b1 c1");
+}
+
+TEST_CASE("nothing that is off by more than all of it is on the front") {
+  CHECK(order_of({{1, INFINITY}, {2, 1.1}, {3, 1}, {4, 0.5}}) == "a1 b2 c3* d4*");
+  CHECK(order_of({{1, 1.1}}) == "a1");
 }
 
 TEST_CASE("what is below the reference is not ranked, and is chosen by what that is known to") {
@@ -72,33 +117,63 @@ TEST_CASE("the cheapest design within an error, and the most accurate one") {
   CHECK(name_of(*cheapest_within(table, 1e-6)) == "float, packs");
   CHECK(name_of(*cheapest_within(table, 1e-15)) == "double, packs");
   CHECK(cheapest_within(table, 1e-17) == nullptr);
-  CHECK(name_of(*most_accurate(table)) == "double, 1");
+  CHECK(name_of(*most_accurate(table)) == "double, one");
   CHECK(most_accurate(TradeoffTable{.rows = {failed_row({}, "E705")}}) == nullptr);
 }
 
-TEST_CASE("of designs that are as good as each other all are on the front") {
-  const TradeoffTable table =
-      judged({.dimensions = {"a"}, .rows = {row_of({"1"}, 5, 1), row_of({"2"}, 5, 1)}});
-  CHECK(table.rows[0].is_on_front);
-  CHECK(table.rows[1].is_on_front);
+TEST_CASE("of designs that cost the same the most accurate one is picked") {
+  TradeoffTable table = judged(
+      {.dimensions = {"name"}, .rows = {row_of({"a"}, 10, 1e-7), row_of({"b"}, 10.4, 1e-9)}});
+  CHECK(picked(table) == nullptr);
+  table.max_error = 1e-6;
+  CHECK(name_of(*picked(table)) == "b");
+  table.max_error = 1e-12;
+  CHECK(picked(table) == nullptr);
 }
 
 TEST_CASE("rows are in columns, those of the front have a star, a failed one says why") {
   TradeoffTable table = judged(sample_table());
   table.sentences = {"one", "two"};
-  CHECK(to_text(table) == R"(arm, gravity: ns per state; errors, relative
+  table.max_error = 1e-6;
+  CHECK(to_text(table) == R"(arm, gravity: errors, relative
 
-  scalar  batch  ns    quartiles       worst error  median error
-* float   packs  4     3.8 to 4.2      2.0e-07      5.0e-08
-* double  packs  8     7.6 to 8.4      2.0e-16      5.0e-17
-* double  1      40    38 to 42        1.0e-16      2.5e-17
-  float   1      40.5  38.48 to 42.52  1.0e-07      2.5e-08
-  half    1      E709: "c++" exits 1
+  rank  scalar  batch  ns per state  quartiles       ns per call  worst error  median error
+* 1     float   packs  4             3.8 to 4.2      20           2.0e-07      5.0e-08
+* 2     double  packs  8             7.6 to 8.4      40           2.0e-16      5.0e-17
+* 3     double  one    40            38 to 42        40           1.0e-16      2.5e-17
+  3     float   one    39.5          37.52 to 41.48  39.5         1.0e-07      2.5e-08
+        half    one    E709: "c++" exits 1
 
+designs of a rank cost the same: their quartiles overlap those of its cheapest
 one
 two
 measured on a processor, g++ 12
+cheapest within 1e-06: float, packs; 4 ns per state, 20 ns per call, error 2.0e-07
 )");
+}
+
+TEST_CASE(
+    "where a call is no other cost it has no column, and where nothing is picked no line is") {
+  TradeoffTable table = judged({.model = "arm",
+                                .subject = "2 s in time",
+                                .cost = "ns per run",
+                                .error = "errors",
+                                .dimensions = {"method"},
+                                .rows = {row_of({"rk4"}, 40, 1e-5)},
+                                .machine = {.compiler = "g++ 12", .processor = "a processor"}});
+  const std::string text = R"(arm, 2 s in time: errors
+
+  rank  method  ns per run  quartiles  worst error  median error
+* 1     rk4     40          38 to 42   1.0e-05      2.5e-06
+
+designs of a rank cost the same: their quartiles overlap those of its cheapest
+measured on a processor, g++ 12
+)";
+  CHECK(to_text(table) == text);
+  table.max_error = 1e-9;
+  CHECK(to_text(table) == text);
+  table.max_error = 1e-4;
+  CHECK(to_text(table) == text + "cheapest within 0.0001: rk4; 40 ns per run, error 1.0e-05\n");
 }
 
 TEST_CASE("the object has a design for every row") {
@@ -109,12 +184,26 @@ TEST_CASE("the object has a design for every row") {
   REQUIRE(json["designs"].size() == 5);
   const auto& first = json["designs"][0];
   CHECK(first["design"]["scalar"] == "float");
+  CHECK(first["rank"] == 1);
   CHECK(first["cost"]["median"] == 4);
+  CHECK(first["call_cost"]["median"] == 20);
   CHECK(first["error"]["worst"] == 2e-7);
   CHECK(first["front"] == true);
   CHECK(json["designs"][4]["failure"] == "E709: \"c++\" exits 1");
   CHECK_FALSE(json["designs"][4].contains("cost"));
   CHECK(json["sentences"].size() == 1);
+  CHECK(json["call_cost"] == "ns per call");
+  CHECK_FALSE(json.contains("pick"));
+}
+
+TEST_CASE("the object has the row that is picked, or null") {
+  TradeoffTable table = judged(sample_table());
+  table.max_error = 1e-15;
+  const auto json = nlohmann::json::parse(to_json(table));
+  CHECK(json["max_error"] == 1e-15);
+  CHECK(json["pick"] == json["designs"][1]);
+  table.max_error = 1e-30;
+  CHECK(nlohmann::json::parse(to_json(table))["pick"].is_null());
 }
 
 TEST_CASE("what is infinitely wrong is null in JSON") {
@@ -125,19 +214,22 @@ TEST_CASE("what is infinitely wrong is null in JSON") {
 TEST_CASE("cells with quotes are quoted, failed rows have none of the numbers") {
   TradeoffTable table = judged(sample_table());
   table.rows.erase(table.rows.begin() + 1, table.rows.end() - 1);
+  table.max_error = 1e-6;
   CHECK(to_csv(table) ==
-        "scalar,batch,cost,cost_low,cost_high,worst_error,median_error,front,failure\n"
-        "float,packs,4,3.8,4.2,2e-07,5e-08,1,\n"
-        "half,1,,,,,,0,\"E709: \"\"c++\"\" exits 1\"\n");
+        "scalar,batch,rank,cost,cost_low,cost_high,call_cost,worst_error,median_error,front,pick,"
+        "failure\n"
+        "float,packs,1,4,3.8,4.2,20,2e-07,5e-08,1,1,\n"
+        "half,one,,,,,,,,0,0,\"E709: \"\"c++\"\" exits 1\"\n");
 }
 
-TEST_CASE("a picture is XML with every design that has numbers, and the front joined") {
+TEST_CASE("a picture is XML with every design that has numbers, and the front is a staircase") {
   const std::string svg = to_svg(judged(sample_table()));
   tinyxml2::XMLDocument document;
   REQUIRE(document.Parse(svg.c_str()) == tinyxml2::XML_SUCCESS);
   CHECK(count(svg, "fill=\"black\"") == 2 * 3);
   CHECK(count(svg, "transform=") == 2 * 4);
   CHECK(mentions(svg, ">1  float, packs<"));
+  CHECK(mentions(svg, "<path d=\"M226.5 69.4H304.8V447.4H486.5V460.0\" fill=\"none\""));
   CHECK(mentions(svg, "arm, gravity"));
   CHECK_FALSE(mentions(svg, "E709"));
 }
