@@ -73,10 +73,10 @@ TEST_CASE("a model gives ten designs, and the scene of the one chosen is as good
   CHECK(starts_with(workspace.read("front.svg"), "<svg "));
   CHECK(mentions(workspace.read("fast.scene.toml"), "max_error = \"1e-06\"\n"));
   const auto verified = [&workspace](const std::string& words) {
-    const Outcome outcome = workspace.run("elgen verify --samples 16 " + words);
-    INFO(outcome.output + outcome.errors);
-    CHECK(mentions(outcome.output, "max_error, inverse_dynamics") == (outcome.status == 1));
-    return outcome.status;
+    const Outcome verdict = workspace.run("elgen verify --samples 16 " + words);
+    INFO(verdict.output + verdict.errors);
+    CHECK(mentions(verdict.output, "max_error, inverse_dynamics") == (verdict.status == 1));
+    return verdict.status;
   };
   CHECK(verified("fast.scene.toml") == 0);
   workspace.prepare("sed -i 's/max_error = \"1e-06\"/max_error = 1e-17/' fast.scene.toml");

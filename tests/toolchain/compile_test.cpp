@@ -80,8 +80,9 @@ elgen::Arguments<Scalar> arguments() {
 }
 
 std::vector<elgen::Arguments<double>> timed_states() {
-  return {{.parameters = {1, 1, 1}, .q = {7}, .v = {11}, .a = {13}},
-          {.parameters = {1, 1, 1}, .q = {0}, .v = {1}, .a = {0.5}}};
+  const elgen::Arguments<double> first{.parameters = {1, 1, 1}, .q = {7}, .v = {11}, .a = {13}};
+  const elgen::Arguments<double> second{.parameters = {1, 1, 1}, .q = {0}, .v = {1}, .a = {0.5}};
+  return {first, second};
 }
 
 Result<TimedFunctions> compiled(const std::string& text, const std::vector<ScalarKind>& scalars) {
@@ -112,8 +113,7 @@ Result<TimedFunctions> compiled_batch() {
   TimingOptions options{.limits = {.seconds = 600}};
   options.variants = {{ScalarKind::double_precision, true, false},
                       {ScalarKind::double_precision, true, true}};
-  options.states = {{.parameters = {1, 1, 1}, .q = {7}, .v = {11}, .a = {13}},
-                    {.parameters = {1, 1, 1}, .q = {0}, .v = {1}, .a = {0.5F}}};
+  options.states = timed_states();
   EmittedFiles files = sample::files(header_with_values());
   files.files["sample/sample_batch.hpp"] = R"(#pragma once
 #include "sample.hpp"
@@ -316,7 +316,8 @@ TEST_CASE("all states are computed in every scalar, with the parameters of the h
   for (const auto& function : *functions) {
     function->run();
     CHECK(function->at(timed_states()) == std::vector<double>{102, 6});
-    CHECK(function->at({timed_states().back()}) == std::vector<double>{6});
+    const std::vector<elgen::Arguments<double>> last{timed_states().back()};
+    CHECK(function->at(last) == std::vector<double>{6});
   }
 }
 
@@ -327,7 +328,7 @@ TEST_CASE("a call for each state gives what packs of all states give") {
   REQUIRE(functions->size() == 2);
   for (const auto& function : *functions) {
     function->run();
-    CHECK(function->results() == std::vector<double>{102, 6});
+    CHECK(function->at(timed_states()) == std::vector<double>{102, 6});
   }
 }
 

@@ -67,7 +67,7 @@ TEST_CASE(
     REQUIRE(found != runs.end());
     return *found;
   };
-  const PlannedRun rk4 = named({"rk4", "4", "0.01 s", "1"});
+  const PlannedRun rk4 = named({"rk4", "4", "0.01 s", "one"});
   CHECK(rk4.steps == 1000);
   CHECK(rk4.design == Design{.step = ChosenStep{StepMethod::rk4}, .doc = "For steps of 0.01 s."});
   const PlannedRun verlet = named({"verlet", "8", "0.1 s", "packs"});
