@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "choose/energy_sum.hpp"
 #include "choose/entries.hpp"
 #include "choose/finish.hpp"
 
@@ -98,15 +99,25 @@ class Choosing {
     return entries;
   }
 
+  /// The total energy is never worse than the sum of the energies.
+  const Function& recursive_form(std::size_t index) {
+    const auto known = energy_sums_.find(index);
+    if (known != energy_sums_.end()) return known->second;
+    const bool matters = scene_.numerics.prefer != Preference::speed;
+    auto sum = matters ? energy_sum(recursive_, result_.program, index, domain_) : std::nullopt;
+    if (!sum) return recursive_.functions[index];
+    return energy_sums_.emplace(index, std::move(*sum)).first->second;
+  }
+
   /// Null where digits do not matter.
   TextErrors* text_of(std::size_t index) {
     if (scene_.numerics.prefer == Preference::speed) return nullptr;
     const auto known = texts_.find(index);
     if (known != texts_.end()) return &known->second;
-    const Function& text = recursive_.functions[index];
-    ComparisonPoints points = comparison_points(recursive_, text, domain_);
+    const Function& text = recursive_form(index);
+    ComparisonPoints points = comparison_points(recursive_, recursive_.functions[index], domain_);
     const auto made =
-        texts_.try_emplace(index, recursive_, text, std::move(points), scale(), extremes_);
+        texts_.try_emplace(index, result_.program, text, std::move(points), scale(), extremes_);
     return &made.first->second;
   }
 
@@ -115,7 +126,7 @@ class Choosing {
   }
 
   Diagnostics choose_form(std::size_t index) {
-    const Function& function = recursive_.functions[index];
+    const Function& function = recursive_form(index);
     ReadableEntries& entries = entries_of(index);
     const std::optional<Form> wish = wish_for(scene_, function);
     const bool wants_closed = wish == Form::closed;
@@ -215,7 +226,7 @@ class Choosing {
   /// that lose many digits, and then all that lose some.
   void keep_digits(std::size_t index, ReadableEntries& entries, Function& closed,
                    FormCosts& costs) {
-    const Function& recursive = recursive_.functions[index];
+    const Function& recursive = recursive_form(index);
     const TextErrors& text = *text_of(index);
     costs.closed_loss = text.worst_loss(result_.program, closed);
     for (const double limit : {tolerated(), tolerated_loss}) {
@@ -285,8 +296,9 @@ class Choosing {
   MixedPoints points_;
   ComparisonPoints extremes_;  ///< where accuracy counts
   std::map<std::string, ReadableEntries> entries_;
-  std::map<std::size_t, TextErrors> texts_;  ///< by function
-  std::string normalized_;                   ///< name of the function of that kind
+  std::map<std::size_t, Function> energy_sums_;  ///< by function, of total_energy
+  std::map<std::size_t, TextErrors> texts_;      ///< likewise
+  std::string normalized_;                       ///< name of the function of that kind
   Choice result_;
 };
 
