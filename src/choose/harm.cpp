@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/exact_number.hpp"
 #include "lower/network/linearise.hpp"
 
 namespace elgen {
@@ -17,16 +18,27 @@ constexpr long most_harmless = 64;
 constexpr double certainly_harmless = 16;
 
 constexpr double unit_roundoff = 0x1p-53;
+/// Values in double may be so many of their errors apart.
+constexpr double certainly_equal = 4;
 /// A value that is right to one part in 1000 tells its magnitude.
 constexpr double certain_digits = 0x1p-10;
 
 bool is_certainly_harmless(const RoughError& own, const RoughError& text) {
-  return own.error <= certainly_harmless * std::max(text.error, std::abs(text.value));
+  const double apart = std::abs(own.value - text.value);
+  return own.error <= certainly_harmless * std::max(text.error, std::abs(text.value)) &&
+         apart <= certainly_equal * unit_roundoff * (own.error + text.error);
+}
+
+/// A way that holds on one side of a branch only has another value on the other.
+bool has_other_value(const Running& own, const Running& text) {
+  static const Real negligible(power_of_ten(-45));
+  const Real scale = own.error + text.error + abs(text.value);
+  return abs(own.value - text.value).value() > (scale * negligible).value();
 }
 
 bool is_harmed(const Running& own, const Running& text) {
   if (!text.error.is_defined()) return false;
-  if (!own.error.is_defined()) return true;
+  if (!own.error.is_defined() || has_other_value(own, text)) return true;
   const Real allowed = max(text.error, abs(text.value)) * Real(cln::cl_I(most_harmless));
   return own.error.value() > allowed.value();
 }

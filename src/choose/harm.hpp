@@ -1,6 +1,7 @@
 // harm: the errors of one function's entries, in every form of it, at its points.
 //
-//     E > 64 max(E of the text, |x|)      the form harms an entry x that the text keeps
+//     E > 64 max(E of the text, |x|)      the form harms an entry x that the text keeps, as it does
+//                                         where it has another value or none
 //     E / max(least known E, |x|)         the loss: digits that another known way keeps; at
 //     extremes,
 //                                         where one way or another is lucky, K stands in the place

@@ -140,11 +140,23 @@ class KeptSum : GraphTerms {
     });
   }
 
-  /// root + rest = (root^2 - rest^2)/(root - rest)
+  /// Whether it may vanish on one side of a branch: (|x| - x) does.
+  [[nodiscard]] bool has_branches(Ref value) const {
+    return std::ranges::any_of(reachable(graph_, {value}), [&](NodeId id) {
+      const Node& node = graph_.node(id);
+      if (node.kind == NodeKind::square_root) return true;
+      return node.kind == NodeKind::call &&
+             function_row(node.function).smoothness == Smoothness::branches;
+    });
+  }
+
+  /// root + rest = (root^2 - rest^2)/(root - rest). Where the numerator vanishes on one side of a
+  /// branch, so does the divisor: sqrt(x^2) + x.
   std::optional<Ref> conjugate(Ref root, Ref rest) {
     const Ref raised = square_of_root(root);
     const Ref numerator = sum({raised, -square(rest)});
-    if (term_count(numerator) >= term_count(raised)) return std::nullopt;
+    const bool is_shorter = term_count(numerator) < term_count(raised);
+    if (!is_shorter || term_count(numerator) == 0 || has_branches(numerator)) return std::nullopt;
     return quotient(numerator, sum({root, -rest}));
   }
 
@@ -217,7 +229,8 @@ class KeptSum : GraphTerms {
     return graph_.product({{top, 1}, {a, -1}, {b, -1}});
   }
 
-  Ref of_roots(const Rest& f, const Rest& g) {
+  std::optional<Ref> of_roots(const Rest& f, const Rest& g) {
+    if (has_branches(f.argument) || has_branches(g.argument)) return std::nullopt;
     return quotient(sum({f.argument, -g.argument}), graph_.sum({f.value, g.value}));
   }
 

@@ -30,7 +30,7 @@ gravity = ["k*(2*x/(1 + x^2) + x/sqrt(x^2 + (2 + y)^2) + x*(stumpff(x, 3) - cosc
 
 constexpr const char* kept_c_scene = R"toml(format = 1
 model = "kept.toml"
-name = "kept_c"
+name = "c"
 [numeric]
 scalar = ["float"]
 [emit]
