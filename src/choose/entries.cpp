@@ -149,7 +149,7 @@ class Cheapest {
   Lowered form() && { return std::move(*form_); }
 
  private:
-  static constexpr std::size_t division = 4 * 4;
+  static constexpr std::size_t division = std::size_t{4} * 4;
 
   const Function& shape_;
   Program& program_;
