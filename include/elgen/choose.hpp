@@ -6,7 +6,7 @@
 // since what cancels on paper is gone. Both are lowered and counted after sharing, and the cheaper
 // is kept, the closed one on a tie, unless the scene asks for one. A closed form that loses digits
 // which the recursive one keeps is not taken, whatever it costs. Where sums cancel entries are
-// written in other ways, and the other form is taken, if digits are lost (choose/precision.hpp):
+// written in other ways, and the other form is taken, if digits are lost (choose/harm.hpp):
 // many, and for a little more, where the scene wants balance; any where it prefers accuracy; never
 // for speed. Guards that make either hold at states that algebra passes over come last, and then
 // the order in which all is evaluated (choose/finish.hpp).

@@ -104,7 +104,7 @@ class Choosing {
     const auto known = energy_sums_.find(index);
     if (known != energy_sums_.end()) return known->second;
     const bool matters = scene_.numerics.prefer != Preference::speed;
-    auto sum = matters ? energy_sum(recursive_, result_.program, index, domain_) : std::nullopt;
+    auto sum = matters ? energy_sum(recursive_, result_.program, index) : std::nullopt;
     if (!sum) return recursive_.functions[index];
     return energy_sums_.emplace(index, std::move(*sum)).first->second;
   }

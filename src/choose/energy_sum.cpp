@@ -1,16 +1,16 @@
 // energy_sum: see energy_sum.hpp. Both energies are appended to one function, nothing twice.
 #include "choose/energy_sum.hpp"
 
-#include <cmath>
-
+#include "base/exact_number.hpp"
+#include "base/random.hpp"
 #include "elgen/evaluate.hpp"
 #include "lower/network/instructions.hpp"
 
 namespace elgen {
 namespace {
 
-/// Of the larger energy. V in the rates is far larger at random states, rounding far smaller.
-constexpr double same_energy = 1e-6;
+/// Random points, with parameters of their own: at its value one may hide a part in the rates.
+constexpr std::size_t compared_points = 3;
 
 const Function* find_before(const Program& program, std::size_t index, OutputKind kind) {
   for (std::size_t i = 0; i < index; ++i) {
@@ -32,13 +32,19 @@ std::uint32_t append(Instructions& instructions, Function& to, const Function& f
   return places[from.fields.front().entries.front()];
 }
 
+/// Exactly; false where either has no value.
 bool is_same_energy(const Program& recursive, std::size_t index, const Program& chosen,
-                    const Function& sum, const Domain& domain) {
-  for (const Arguments<double>& state : domain.states) {
-    const double own = evaluate(recursive, recursive.functions[index], state).front();
-    const double other = evaluate(chosen, sum, state).front();
-    const double larger = std::max(std::abs(own), std::abs(other));
-    if (std::abs(own - other) > same_energy * larger) return false;
+                    const Function& sum) {
+  static const Real negligible(power_of_ten(-45));
+  Random random(1);
+  for (std::size_t i = 0; i < compared_points; ++i) {
+    const auto point =
+        draw_leaves(recursive.leaves, [&] { return Real(cln::abs(random.rational())); });
+    const Real own = evaluate(recursive, recursive.functions[index], point).front();
+    const Real other = evaluate(chosen, sum, point).front();
+    const Real apart = abs(own - other);
+    if (!apart.is_defined()) return false;
+    if (apart.value() > ((abs(own) + abs(other)) * negligible).value()) return false;
   }
   return true;
 }
@@ -46,7 +52,7 @@ bool is_same_energy(const Program& recursive, std::size_t index, const Program& 
 }  // namespace
 
 std::optional<Function> energy_sum(const Program& recursive, const Program& chosen,
-                                   std::size_t index, const Domain& domain) {
+                                   std::size_t index) {
   const Function& total = recursive.functions[index];
   if (total.kind != OutputKind::total_energy) return std::nullopt;
   const Function* const kinetic = find_before(chosen, index, OutputKind::kinetic_energy);
@@ -59,7 +65,7 @@ std::optional<Function> energy_sum(const Program& recursive, const Program& chos
   const std::uint32_t t = append(instructions, sum, *kinetic);
   const std::uint32_t v = append(instructions, sum, *potential);
   sum.fields.front().entries = {instructions.add(Opcode::add, t, v)};
-  if (!is_same_energy(recursive, index, chosen, sum, domain)) return std::nullopt;
+  if (!is_same_energy(recursive, index, chosen, sum)) return std::nullopt;
   return sum;
 }
 

@@ -60,7 +60,7 @@ class Judging {
   /// Writes the entry so that it is not harmed, where a way does that, and finds the way that keeps
   /// its digits.
   void operator()(const Algebra& algebra, const Fraction& form, const DerivedEntry* derived) {
-    const bool is_harmed = text_.are_passed_by(known_.compact, entry_);
+    const bool is_harmed = text_.is_harmed_by(known_.compact, entry_);
     ErrorsAtPoints errors = text_.errors_of(known_.compact);
     if (is_harmed || text_.may_lose(errors, entry_)) {
       ways_ = all_ways(algebra, form, derived);
@@ -70,10 +70,12 @@ class Judging {
       if (!protect()) return;
       errors = text_.errors_of(known_.compact);
     } else {
-      known_.is_rewritten = text_.are_passed_by(known_.readable, entry_);
+      known_.is_rewritten = text_.is_harmed_by(known_.readable, entry_);
     }
     text_.add_way(errors, entry_);
-    for (const ErrorsAtPoints& way : errors_) text_.add_way(way, entry_);
+    for (std::size_t i = 0; i < ways_.size(); ++i) {
+      if (!text_.is_harmed_by(ways_[i], entry_)) text_.add_way(errors_[i], entry_);
+    }
     known_.loss = text_.loss_of(errors, entry_);
     if (known_.loss > tolerated_loss) keep();
   }
@@ -81,7 +83,7 @@ class Judging {
  private:
   bool protect() {
     for (const Expressions& way : ways_) {
-      if (text_.are_passed_by(way, entry_)) continue;
+      if (text_.is_harmed_by(way, entry_)) continue;
       known_.compact = way;
       return known_.is_rewritten = true;
     }
@@ -99,7 +101,7 @@ class Judging {
       const std::size_t cost = cost_alone(ways_[i]);
       const bool is_as_good = best && std::max(least, loss) <= tolerated_loss;
       const bool is_better = is_as_good ? cost < least_cost : loss < least;
-      if (!is_better || text_.are_passed_by(ways_[i], entry_)) continue;
+      if (!is_better || text_.is_harmed_by(ways_[i], entry_)) continue;
       least = loss;
       least_cost = cost;
       best = i;

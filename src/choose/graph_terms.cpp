@@ -114,4 +114,25 @@ Ref GraphTerms::product(const cl_RA& coefficient, const std::vector<Operand>& fa
   return graph_.product(powers);
 }
 
+bool GraphTerms::is_anchored(Ref value) const {
+  const std::vector<Ref> terms = graph_.node(value.node).kind == NodeKind::sum
+                                     ? terms_of(value.node)
+                                     : std::vector<Ref>{value};
+  return std::ranges::any_of(terms, [&](Ref term) {
+    return std::ranges::all_of(reachable(graph_, {term}), [&](NodeId id) {
+      const Node& node = graph_.node(id);
+      return node.kind != NodeKind::leaf || node.leaf == Opcode::parameter;
+    });
+  });
+}
+
+bool GraphTerms::has_branches(Ref value) const {
+  return std::ranges::any_of(reachable(graph_, {value}), [&](NodeId id) {
+    const Node& node = graph_.node(id);
+    if (node.kind == NodeKind::square_root) return true;
+    return node.kind == NodeKind::call &&
+           function_row(node.function).smoothness == Smoothness::branches;
+  });
+}
+
 }  // namespace elgen

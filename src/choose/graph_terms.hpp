@@ -31,7 +31,6 @@ class GraphTerms {
   Ref times(Ref x, Ref y);
   /// Sums in it, and sums that are multiplied by something, are written out.
   Ref sum(const std::vector<Ref>& values);
-  std::vector<Ref> parts_of(Ref value);
   Ref quotient(Ref x, Ref y) { return graph_.product({{x, 1}, {y, -1}}); }
   Ref call(FunctionId function, Ref x) { return graph_.call(function, {x}); }
   Ref doubled(Ref x) { return times(graph_.rational(2), x); }
@@ -39,17 +38,24 @@ class GraphTerms {
   /// Sums in it are written out.
   std::vector<Ref> terms_of(NodeId sum) const;
   [[nodiscard]] std::size_t term_count(Ref value) const;
-  [[nodiscard]] bool is_one(Ref value) const;
   /// Whether it is a sum with the term 1.
   [[nodiscard]] bool has_one(Ref value) const;
   /// Products in it are written out.
   [[nodiscard]] ScaledTerm scaled(Ref value) const;
-  void append_power(ScaledTerm& term, NodeId base, std::int32_t exponent) const;
   /// Moves what both share from `x` and `y` to the result.
   static std::vector<Operand> take_shared(ScaledTerm& x, ScaledTerm& y);
   Ref product(const cln::cl_RA& coefficient, const std::vector<Operand>& factors);
+  /// Whether a term has neither coordinates nor rates: where all others vanish, the sum does not,
+  /// and nothing is divided by 0.
+  [[nodiscard]] bool is_anchored(Ref value) const;
+  /// Whether it may vanish on one side of a branch: (|x| - x) does.
+  [[nodiscard]] bool has_branches(Ref value) const;
 
  private:
+  std::vector<Ref> parts_of(Ref value);
+  [[nodiscard]] bool is_one(Ref value) const;
+  void append_power(ScaledTerm& term, NodeId base, std::int32_t exponent) const;
+
   Graph& graph_;
 };
 

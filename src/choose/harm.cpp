@@ -183,7 +183,7 @@ double TextErrors::worst_loss(const Program& program, const Function& form) cons
   return loss;
 }
 
-bool TextErrors::are_passed_by(const Expressions& way, std::size_t entry) const {
+bool TextErrors::is_harmed_by(const Expressions& way, std::size_t entry) const {
   const OneEntry one(way);
   for (std::size_t point = 0; point < harm_points_; ++point) {
     if (harmed(one.program, one.function, entry, point)) return true;

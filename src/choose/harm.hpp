@@ -2,14 +2,13 @@
 //
 //     E > 64 max(E of the text, |x|)      the form harms an entry x that the text keeps, as it does
 //                                         where it has another value or none
-//     E / max(least known E, |x|)         the loss: digits that another known way keeps; at
-//     extremes,
-//                                         where one way or another is lucky, K stands in the place
-//                                         of the least E (evaluate/conditioning.hpp)
+//     E / max(least known E, |x|)         the loss: digits that another known way keeps
 //
 // E is the running error in u (evaluate/running_errors.hpp). The text is the recursive form: the
-// energies as they were typed, differentiated. In double first; where that is not sure in 64
-// digits, so that every machine decides alike.
+// energies as they were typed, differentiated. At the extremes of accuracy, where one way or
+// another is lucky, K stands in the place of the least E (evaluate/conditioning.hpp). Harm is
+// decided in double first, and where that is not sure in 64 digits, so that every machine decides
+// alike; losses are compared in double, where they have one.
 #pragma once
 
 #include <cstddef>
@@ -47,7 +46,7 @@ class TextErrors {
              const ComparisonPoints& extremes = {});
 
   /// Whether a way harms one entry of the text, by its number among all.
-  [[nodiscard]] bool are_passed_by(const Expressions& way, std::size_t entry) const;
+  [[nodiscard]] bool is_harmed_by(const Expressions& way, std::size_t entry) const;
 
   /// The first entry of another form that is harmed; none where no entry is.
   [[nodiscard]] std::optional<std::size_t> harmed_entry(const Program& program,

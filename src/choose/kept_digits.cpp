@@ -96,8 +96,10 @@ class KeptSum : GraphTerms {
     Rest g = rest_of(y.factors);
     if (x.coefficient == y.coefficient && is_odd(g)) {
       g.argument = -g.argument;  // f(a) + f(b) = f(a) - f(-b)
+      g.value = -g.value;
     } else if (x.coefficient == y.coefficient && is_odd(f)) {
       f.argument = -f.argument;  // f(a) + 1 = -(f(-a) - 1)
+      f.value = -f.value;
       x.coefficient = -x.coefficient;
     } else if (x.coefficient != -y.coefficient) {
       return conjugate_pair(first, second);
@@ -134,20 +136,12 @@ class KeptSum : GraphTerms {
     return has_root(first) ? conjugate(first, second) : conjugate(second, first);
   }
 
+  /// One root, and no other.
   bool has_root(Ref term) {
-    return std::ranges::any_of(scaled(term).factors, [&](const Operand& factor) {
-      return factor.weight == 1 && graph_.node(factor.node).kind == NodeKind::square_root;
-    });
-  }
-
-  /// Whether it may vanish on one side of a branch: (|x| - x) does.
-  [[nodiscard]] bool has_branches(Ref value) const {
-    return std::ranges::any_of(reachable(graph_, {value}), [&](NodeId id) {
-      const Node& node = graph_.node(id);
-      if (node.kind == NodeKind::square_root) return true;
-      return node.kind == NodeKind::call &&
-             function_row(node.function).smoothness == Smoothness::branches;
-    });
+    const ScaledTerm factors = scaled(term);
+    return 1 == std::ranges::count_if(factors.factors, [&](const Operand& factor) {
+             return factor.weight == 1 && graph_.node(factor.node).kind == NodeKind::square_root;
+           });
   }
 
   /// root + rest = (root^2 - rest^2)/(root - rest). Where the numerator vanishes on one side of a
@@ -157,6 +151,7 @@ class KeptSum : GraphTerms {
     const Ref numerator = sum({raised, -square(rest)});
     const bool is_shorter = term_count(numerator) < term_count(raised);
     if (!is_shorter || term_count(numerator) == 0 || has_branches(numerator)) return std::nullopt;
+    if (!is_anchored(raised)) return std::nullopt;
     return quotient(numerator, sum({root, -rest}));
   }
 
@@ -175,8 +170,8 @@ class KeptSum : GraphTerms {
     const cl_RA ratio = y.coefficient / x.coefficient;
     if (cln::abs(ratio) != 2) return std::nullopt;
     const Ref argument = ratio < 0 ? rest.argument : -rest.argument;
-    return times(graph_.rational(x.coefficient * 2),
-                 graph_.call(FunctionId::atan2, {one(), argument}));
+    const Ref angle = graph_.call(FunctionId::atan2, {one(), argument});
+    return times(graph_.rational(x.coefficient * 2), angle);
   }
 
   /// f - g, where it is known.
@@ -193,7 +188,8 @@ class KeptSum : GraphTerms {
     const Ref beside = g.kind == Kind::one ? one() : g.argument;
     if (squares_ == Squares::apart && f.kind == Kind::square &&
         (g.kind == Kind::square || g.kind == Kind::one)) {
-      return times(graph_.sum({f.argument, -beside}), graph_.sum({f.argument, beside}));
+      const Ref less = graph_.sum({f.argument, -beside});
+      return times(less, graph_.sum({f.argument, beside}));
     }
     if (f.kind == Kind::root && g.kind == Kind::root) return of_roots(f, g);
     if (f.kind != Kind::call || g.kind != Kind::call || f.function != g.function)
@@ -231,7 +227,9 @@ class KeptSum : GraphTerms {
 
   std::optional<Ref> of_roots(const Rest& f, const Rest& g) {
     if (has_branches(f.argument) || has_branches(g.argument)) return std::nullopt;
-    return quotient(sum({f.argument, -g.argument}), graph_.sum({f.value, g.value}));
+    if (!is_anchored(f.argument) && !is_anchored(g.argument)) return std::nullopt;
+    const Ref top = sum({f.argument, -g.argument});
+    return quotient(top, graph_.sum({f.value, g.value}));
   }
 
   /// b is the shorter one.
@@ -242,8 +240,9 @@ class KeptSum : GraphTerms {
     const Ref less = sum({a, -b});
     const Ref mean = half(sum({a, b}));
     const auto products = [&](FunctionId of_mean, FunctionId of_half, int sign) {
-      const Ref both = times(call(of_mean, mean), call(of_half, half(less)));
-      return with_sign(doubled(both), sign < 0);
+      const Ref first = call(of_mean, mean);
+      const Ref second = call(of_half, half(less));
+      return with_sign(doubled(times(first, second)), sign < 0);
     };
     switch (f.function) {
       case FunctionId::sin:
@@ -259,7 +258,7 @@ class KeptSum : GraphTerms {
                                {call(FunctionId::cos, a), -1},
                                {call(FunctionId::cos, b), -1}});
       case FunctionId::exp:
-        return times(call(FunctionId::exp, b), call(FunctionId::expm1, less));
+        return products(FunctionId::exp, FunctionId::sinh, 1);
       case FunctionId::log:
         return call(FunctionId::log1p, quotient(less, b));
       case FunctionId::atan:

@@ -23,7 +23,7 @@ enum class Squares : std::uint8_t { whole, apart };
 ///     C sqrt(a) - b               (C^2 a - b^2)/(C sqrt(a) + b)   where that is shorter
 ///     1/a - 1/b                   (b - a)/(a b)
 ///     a^2 - b^2                   (a - b) (a + b)
-///     exp(a) - 1, exp(a) - exp(b) expm1(a), exp(b) expm1(a - b)
+///     exp(a) - 1, exp(a) - exp(b) expm1(a), 2 exp((a + b)/2) sinh((a - b)/2)
 ///     log(1 + a), log(a) - log(b) log1p(a), log1p((a - b)/b), which is log(a/b), too
 ///     1 - cos(a), cosh(a) - 1     2 sin(a/2)^2, 2 sinh(a/2)^2
 ///     1 - tanh(a)                 2/(1 + exp(2 a))

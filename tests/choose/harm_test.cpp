@@ -27,7 +27,7 @@ Arguments<double> at(double a, double b) {
 bool is_harmful(const std::string& way, const std::string& text, double a, double b) {
   const Program program = program_of(testing::Texts{text});
   const TextErrors errors(program, program.functions[0], {at(a, b)}, Scale::entry);
-  return errors.are_passed_by(expressions_of({way}), 0);
+  return errors.is_harmed_by(expressions_of({way}), 0);
 }
 
 const std::string strut = R"toml(format = 1

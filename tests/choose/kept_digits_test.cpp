@@ -33,15 +33,16 @@ TEST_CASE("each difference that may cancel, and what is written in its place") {
     const char* after;
   };
   const auto row = GENERATE(
-      KeptRow{"sqrt(a^2 + b^2) - a", "b^2/(a + sqrt(a^2 + b^2))"},
-      KeptRow{"a - sqrt(a^2 + b^2)", "-b^2/(a + sqrt(a^2 + b^2))"},
-      KeptRow{"c*exp(a) - c", "c*expm1(a)"}, KeptRow{"exp(a + b) - exp(b)", "exp(b)*expm1(a)"},
+      KeptRow{"sqrt(4 + b^2) - 2", "b^2/(2 + sqrt(4 + b^2))"},
+      KeptRow{"2 - sqrt(4 + b^2)", "-b^2/(2 + sqrt(4 + b^2))"},
+      KeptRow{"c*exp(a) - c", "c*expm1(a)"},
+      KeptRow{"exp(a + b) - exp(b)", "2*sinh(1/2*a)*exp(1/2*(a + 2*b))"},
       KeptRow{"log(1 + a)", "log1p(a)"}, KeptRow{"log(a + b) - log(b)", "log1p(a/b)"},
       KeptRow{"1 - cos(a)", "2*sin(1/2*a)^2"}, KeptRow{"cosh(a) - 1", "2*sinh(1/2*a)^2"},
       KeptRow{"1 - tanh(a)", "2*(1/(1 + exp(2*a)))"},
       KeptRow{"1 + tanh(a)", "2*(1/(1 + exp(-2*a)))"}, KeptRow{"1/(a - b) - 1/a", "b/(a*(a - b))"},
       KeptRow{"a^2 - b^2", "(a + b)*(a - b)"}, KeptRow{"c*a^2 - c", "-c*(1 + a)*(1 - a)"},
-      KeptRow{"sqrt(a + b) - sqrt(a)", "b/(sqrt(a) + sqrt(a + b))"},
+      KeptRow{"sqrt(1 + a) - sqrt(1 + b)", "(a - b)/(sqrt(1 + a) + sqrt(1 + b))"},
       KeptRow{"atan(a + b) - atan(a)", "atan2(b, 1 + a^2 + a*b)"},
       KeptRow{"sin(a + b) - sin(a)", "2*sin(1/2*b)*cos(1/2*(b + 2*a))"},
       KeptRow{"sin(a) - sin(b)", "2*sin(1/2*(a - b))*cos(1/2*(a + b))"},
@@ -55,7 +56,7 @@ TEST_CASE("each difference that may cancel, and what is written in its place") {
 
 TEST_CASE("every rewriting has the value of what it replaces") {
   Random random(1);
-  for (const char* text : {"sqrt(a^2 + b^2) - a",
+  for (const char* text : {"sqrt(4 + b^2) - 2",
                            "c*exp(a) - c",
                            "exp(a + b) - exp(b)",
                            "log(1 + a)",
@@ -66,7 +67,7 @@ TEST_CASE("every rewriting has the value of what it replaces") {
                            "1 + tanh(a)",
                            "1/(a - b) - 1/a",
                            "c*a^2 - c",
-                           "sqrt(a + b) - sqrt(a)",
+                           "sqrt(1 + a) - sqrt(1 + b)",
                            "atan(a + b) - atan(a)",
                            "atan(a + b) + atan(a)",
                            "sin(a + b) - sin(a)",
@@ -102,8 +103,9 @@ TEST_CASE("every rewriting has the value of what it replaces") {
 TEST_CASE("sums that have nothing in common stay") {
   for (const char* text :
        {"sqrt(a^2 + b^2) - c", "sqrt(a^2 + b^2) + sqrt(a^2 + b^2)", "a + b", "log(2 + a)",
-        "exp(a) - 2", "sqrt(a^2) + a", "sqrt(2*a^2 + 2*a*abs(a)) + 2*a", "a^2 + b^2 - 2*a*b",
-        "a^2 + b^2 - a*b*cos(c)"}) {
+        "exp(a) - 2", "sqrt(a^2) + a", "sqrt(a^2 + b^2) - a", "sqrt(1 + a^2)*sqrt(1 + b^2) - 1",
+        "sin(tan(a)) + tan(a)", "tan(a) + sin(tan(a))", "sqrt(2*a^2 + 2*a*abs(a)) + 2*a",
+        "a^2 + b^2 - 2*a*b", "a^2 + b^2 - a*b*cos(c)"}) {
     INFO(text);
     CHECK(kept(text) == "none");
   }
