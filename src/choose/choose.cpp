@@ -81,7 +81,9 @@ class Choosing {
     const Function& function = recursive_.functions[index];
     ReadableEntries& entries = entries_[function.name];
     if (!output_row(function.kind).repeats) {
-      return entries = read_entries(both_forms(index), points_, text_of(index));
+      const bool is_judged = has_closed_form(forms_.functions[index]);
+      TextErrors* const text = is_judged ? text_of(index) : nullptr;
+      return entries = read_entries(both_forms(index), points_, text);
     }
     for (const Field& field : function.fields) {
       const auto member = entries_.find(field.name);
@@ -90,7 +92,7 @@ class Choosing {
       if (!is_there) return entries = {};
       entries.insert(entries.end(), member->second.begin(), member->second.end());
     }
-    if (TextErrors* text = text_of(index); text != nullptr && is_complete(entries)) {
+    if (TextErrors* text = is_complete(entries) ? text_of(index) : nullptr) {
       for (std::size_t i = 0; i < entries.size(); ++i) {
         entries[i]->kept.reset();  // its function has decided that
         text->add_way(text->errors_of(entries[i]->compact), i);

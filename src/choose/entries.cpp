@@ -173,6 +173,13 @@ void append_entry(Function& to, Field& field, const Function& one) {
 
 }  // namespace
 
+bool has_closed_form(const ClosedFunction& closed) {
+  return term_count(closed) <= most_terms_together &&
+         std::ranges::all_of(closed.fields, [](const ClosedField& field) {
+           return std::ranges::all_of(field.entries, [](const auto& form) { return !!form; });
+         });
+}
+
 ReadableEntries read_entries(const BothForms& both, const MixedPoints& points, TextErrors* text) {
   const auto& [program, function, forms, closed] = both;
   ReadableEntries entries;

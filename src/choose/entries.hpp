@@ -20,6 +20,9 @@ struct BothForms {
   const ClosedFunction& closed;
 };
 
+/// Whether every entry has a closed form, and all together are not too long.
+[[nodiscard]] bool has_closed_form(const ClosedFunction& closed);
+
 /// None where the closed forms are too long together. With `text`, an entry that the shortest ways
 /// harm is rewritten where there is one that does not, and each has the way that keeps its digits.
 [[nodiscard]] ReadableEntries read_entries(const BothForms& both, const MixedPoints& points,

@@ -39,7 +39,8 @@ TradeoffTable judged(TradeoffTable table) {
     const double error = row.error.worst;
     row.is_on_front =
         row.failure.empty() && !row.is_below_reference && error <= largest_error && error < least;
-    if (row.is_on_front) least = error;
+    // A row that the reference does not tell from it beats dearer ones, too.
+    if (row.failure.empty()) least = std::min(least, error);
   }
   return table;
 }
