@@ -29,12 +29,8 @@ constexpr std::size_t most_for_digits = 4;
 /// taken where that loses more than a quarter of the digits of double.
 constexpr double most_lost = 8192;
 
-/// A small function may have a division more.
-constexpr std::size_t always_affordable = 4;
-
-bool is_little_dearer(std::size_t cost, std::size_t other) {
-  return 4 * cost <= 5 * other + 4 * always_affordable;
-}
+/// 1.25 times.
+constexpr std::size_t quarters_for_balance = 5;
 
 /// Whether a form of this cost is taken in the place of another that loses digits.
 bool is_worth_its_digits(OutputKind kind, std::size_t cost, std::size_t other) {
@@ -206,7 +202,7 @@ class Choosing {
   Function lowered(std::size_t index, const Function& recursive, const ReadableEntries& entries,
                    FormCosts& costs) {
     const LoweringAim aim{splits_of(recursive), text_of(index), tolerated(),
-                          prefers_accuracy() ? 4 * most_for_digits : 5};
+                          prefers_accuracy() ? 4 * most_for_digits : quarters_for_balance};
     Lowered closed = lowered_together(entries, recursive, result_.program, aim);
     costs.harmed = closed.harmed;
     choose_by_cost(closed.function, recursive, costs);
@@ -265,7 +261,6 @@ class Choosing {
   /// Between the forms, where one loses more: the cheaper one, or the other if it is affordable.
   void choose_by_losses(std::size_t index, const Function& closed, const Function& recursive,
                         FormCosts& costs) {
-    choose_by_cost(closed, recursive, costs);
     if (costs.harmed || (costs.chosen == Form::closed && *costs.closed_loss <= tolerated())) return;
     costs.recursive_loss = text_of(index)->worst_loss(result_.program, recursive);
     const bool is_closed = costs.chosen == Form::closed;
@@ -280,7 +275,7 @@ class Choosing {
 
   [[nodiscard]] bool is_affordable(OutputKind kind, std::size_t cost, std::size_t other) const {
     return prefers_accuracy() ? is_worth_its_digits(kind, cost, other)
-                              : is_little_dearer(cost, other);
+                              : elgen::is_affordable(cost, other, quarters_for_balance);
   }
 
   void fill_readable(std::size_t index, const ReadableEntries& entries) {

@@ -64,32 +64,24 @@ class Judging {
     ErrorsAtPoints errors = text_.errors_of(known_.compact);
     if (is_harmed || text_.may_lose(errors, entry_)) {
       ways_ = all_ways(algebra, form, derived);
+      std::erase_if(ways_, [&](const Expressions& w) { return text_.is_harmed_by(w, entry_); });
       for (const Expressions& way : ways_) errors_.push_back(text_.errors_of(way));
     }
     if (is_harmed) {
-      if (!protect()) return;
-      errors = text_.errors_of(known_.compact);
+      if (ways_.empty()) return;
+      known_.compact = ways_.front();
+      known_.is_rewritten = true;
+      errors = errors_.front();
     } else {
       known_.is_rewritten = text_.is_harmed_by(known_.readable, entry_);
     }
     text_.add_way(errors, entry_);
-    for (std::size_t i = 0; i < ways_.size(); ++i) {
-      if (!text_.is_harmed_by(ways_[i], entry_)) text_.add_way(errors_[i], entry_);
-    }
+    for (const ErrorsAtPoints& way : errors_) text_.add_way(way, entry_);
     known_.loss = text_.loss_of(errors, entry_);
     if (known_.loss > tolerated_loss) keep();
   }
 
  private:
-  bool protect() {
-    for (const Expressions& way : ways_) {
-      if (text_.is_harmed_by(way, entry_)) continue;
-      known_.compact = way;
-      return known_.is_rewritten = true;
-    }
-    return false;
-  }
-
   /// The cheapest way that loses nothing, else the one that loses least.
   void keep() {
     double least = known_.loss;
@@ -98,10 +90,10 @@ class Judging {
     for (std::size_t i = 0; i < ways_.size(); ++i) {
       const double loss = text_.loss_of(errors_[i], entry_);
       if (std::max(loss, tolerated_loss) > std::max(least, tolerated_loss)) continue;
-      const std::size_t cost = cost_alone(ways_[i]);
+      const std::size_t cost = elgen::cost(count_operations(OneEntry(ways_[i]).function));
       const bool is_as_good = best && std::max(least, loss) <= tolerated_loss;
       const bool is_better = is_as_good ? cost < least_cost : loss < least;
-      if (!is_better || text_.is_harmed_by(ways_[i], entry_)) continue;
+      if (!is_better) continue;
       least = loss;
       least_cost = cost;
       best = i;
@@ -109,18 +101,10 @@ class Judging {
     if (best && loses_more(known_.loss, least)) known_.kept = std::move(ways_[*best]);
   }
 
-  static std::size_t cost_alone(const Expressions& way) {
-    Program program;
-    Function function;
-    function.fields = {Field{"", 1, 1, {0}}};
-    linearise(make_network(way), program, function);
-    return cost(count_operations(function));
-  }
-
   ReadableForm& known_;
   std::size_t entry_;
   TextErrors& text_;
-  std::vector<Expressions> ways_ = {};
+  std::vector<Expressions> ways_ = {};  ///< that harm nothing
   std::vector<ErrorsAtPoints> errors_ = {};
 };
 
@@ -132,7 +116,7 @@ class Cheapest {
 
   /// Whether no later one can be better.
   bool add(const CostedNetwork& costed) {
-    const bool is_dearer = form_ && 4 * costed.cost > aim_.most_quarters * cost_ + division;
+    const bool is_dearer = form_ && !is_affordable(costed.cost, cost_, aim_.most_quarters);
     if (is_dearer && !form_->harmed) return true;
     Lowered form{unfilled(shape_)};
     form.function.form = Form::closed;
@@ -151,8 +135,6 @@ class Cheapest {
   Lowered form() && { return std::move(*form_); }
 
  private:
-  static constexpr std::size_t division = std::size_t{4} * 4;
-
   const Function& shape_;
   Program& program_;
   const LoweringAim& aim_;
@@ -172,6 +154,11 @@ void append_entry(Function& to, Field& field, const Function& one) {
 }
 
 }  // namespace
+
+bool is_affordable(std::size_t cost, std::size_t other, std::size_t quarters) {
+  constexpr std::size_t division = 4;
+  return 4 * cost <= quarters * other + 4 * division;
+}
 
 bool has_closed_form(const ClosedFunction& closed) {
   return term_count(closed) <= most_terms_together &&

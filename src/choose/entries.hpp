@@ -20,6 +20,9 @@ struct BothForms {
   const ClosedFunction& closed;
 };
 
+/// Whether one cost is at most so many quarters of another, or a division more.
+[[nodiscard]] bool is_affordable(std::size_t cost, std::size_t other, std::size_t quarters);
+
 /// Whether every entry has a closed form, and all together are not too long.
 [[nodiscard]] bool has_closed_form(const ClosedFunction& closed);
 

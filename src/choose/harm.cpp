@@ -67,18 +67,12 @@ double loss_at(double error, double magnitude, double least) {
   return error / (least > magnitude ? least : magnitude);
 }
 
-/// A way as a function of one entry.
-struct OneEntry {
-  explicit OneEntry(const Expressions& way) {
-    function.fields = {Field{"", 1, 1, {0}}};
-    linearise(make_network(way), program, function);
-  }
-
-  Program program = {};
-  Function function = {};
-};
-
 }  // namespace
+
+OneEntry::OneEntry(const Expressions& way) {
+  function.fields = {Field{"", 1, 1, {0}}};
+  linearise(make_network(way), program, function);
+}
 
 bool loses_more(double loss, double other, double tolerated) {
   return loss > std::max(tolerated, similar_losses * other);
