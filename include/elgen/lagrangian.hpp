@@ -214,6 +214,7 @@ struct Lagrangian {
   std::vector<PointMass> masses = {};
   std::optional<std::array<GiNaC::ex, 3>> gravity = {};
   std::vector<GiNaC::ex> kinetic = {};      ///< further terms of T
+  std::size_t kinetic_of_bodies = 0;        ///< the first of them: 1/2 w.I w of bodies
   std::vector<GiNaC::ex> potential = {};    ///< further terms of V
   std::vector<GiNaC::ex> dissipation = {};  ///< terms of D
   std::vector<GiNaC::ex> lagrangian =

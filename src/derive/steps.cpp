@@ -2,6 +2,8 @@
 // outputs themselves go shorter ways (derivation.hpp); tests compare the two.
 #include "elgen/steps.hpp"
 
+#include <algorithm>
+
 #include "derive/lagrangian/turning.hpp"
 #include "derive/outputs/outputs.hpp"
 
@@ -11,8 +13,9 @@ using GiNaC::ex;
 
 namespace {
 
-FieldEquations scalar(std::string name, ex value) {
-  return {std::move(name), 1, 1, {std::move(value)}};
+FieldEquations field_of(std::string name, Terms entries) {
+  const auto rows = static_cast<std::uint32_t>(entries.size());
+  return {std::move(name), rows, 1, std::move(entries)};
 }
 
 FieldEquations vector_field(const std::array<ex, 3>& components) {
@@ -64,50 +67,80 @@ class StepByStep {
     add("velocities", std::move(velocities));
   }
 
+  /// Points and bodies come first, as one summand; a sum without terms is 0.
+  [[nodiscard]] Terms summands(const ex& of_masses, const Terms& typed, std::size_t of_bodies) {
+    const auto first =
+        typed.begin() + static_cast<std::ptrdiff_t>(std::min(of_bodies, typed.size()));
+    Terms result{of_masses + GiNaC::add(GiNaC::exvector(typed.begin(), first))};
+    result.insert(result.end(), first, typed.end());
+    std::erase_if(result, [](const ex& term) { return term.is_zero(); });
+    if (result.empty()) result.emplace_back(0);
+    for (ex& term : result) term = define(derivation_.definitions, term);
+    return result;
+  }
+
   void add_energies() {
-    std::vector<FieldEquations> fields;
+    const Lagrangian& all = derivation_.lagrangian;
     if (is_whole_) {
-      lagrangian_ = GiNaC::add(derivation_.lagrangian.lagrangian);
-    } else {
-      const ex kinetic = define(derivation_.definitions, kinetic_energy(derivation_));
-      const ex potential = define(derivation_.definitions, full_potential_energy(derivation_));
-      fields.push_back(scalar("T", kinetic));
-      fields.push_back(scalar("V", potential));
-      lagrangian_ = kinetic - potential;
+      summands_ = summands(0, all.lagrangian, 0);
+      add("energies", {field_of("L", summands_)});
+      return;
     }
-    lagrangian_ = define(derivation_.definitions, lagrangian_);
-    fields.push_back(scalar("L", lagrangian_));
-    add("energies", std::move(fields));
+    summands_ = summands(kinetic_energy_of_masses(derivation_), all.kinetic, all.kinetic_of_bodies);
+    const Terms potential = summands(weight_of_masses(derivation_), all.potential, 0);
+    add("energies", {field_of("T", summands_), field_of("V", potential)});
+    for (const ex& term : potential) summands_.push_back(-term);
   }
 
   void add_coordinates() {
-    momentum_ = derivation_.by_velocity({{lagrangian_, 1}});
-    const Vector partial = derivation_.by_position({{lagrangian_, 1}});
-    const Vector turning = turning_force(derivation_, momentum_);
-    const Vector dissipation = elgen::dissipation(derivation_);
+    std::vector<Vector> rates;
+    std::vector<Vector> partials;
+    for (const ex& term : summands_) {
+      momenta_.push_back(derivation_.by_velocity({{term, 1}}));
+      partials.push_back(derivation_.by_position({{term, 1}}));
+      rates.push_back(turning_force(derivation_, momenta_.back()));
+    }
+    std::vector<Vector> dissipation;
+    for (const ex& term : derivation_.lagrangian.dissipation) {
+      dissipation.push_back(derivation_.by_velocity({{term, 1}}));
+    }
     const Vector force = applied_force(derivation_, InputForces::acting);
     for (std::size_t i = 0; i < derivation_.size(); ++i) {
-      const ex rate = derivation_.motion(momentum_[i]) + turning[i];
+      Terms rate;
+      for (std::size_t k = 0; k < summands_.size(); ++k) {
+        rate.push_back(derivation_.motion(momenta_[k][i]) + rates[k][i]);
+      }
       add(derivation_.lagrangian.leaves.v[i],
-          {scalar("momentum", momentum_[i]), scalar("momentum_rate", rate),
-           scalar("partial", partial[i]), scalar("dissipation", dissipation[i]),
-           scalar("force", force[i]), scalar("left", rate - partial[i] + dissipation[i])});
+          {field_of("momentum", row(momenta_, i)), field_of("momentum_rate", std::move(rate)),
+           field_of("partial", row(partials, i)), field_of("dissipation", row(dissipation, i)),
+           field_of("force", {force[i]})});
     }
   }
 
+  [[nodiscard]] static Terms row(const std::vector<Vector>& all, std::size_t i) {
+    Terms result;
+    for (const Vector& each : all) result.push_back(each[i]);
+    return result;
+  }
+
   void add_invariants() {
-    ex energy = -lagrangian_;
-    for (std::size_t i = 0; i < derivation_.size(); ++i) {
-      energy += derivation_.symbols.v[i] * momentum_[i];
+    Terms energies;
+    Terms by_time;
+    for (std::size_t k = 0; k < summands_.size(); ++k) {
+      ex energy = -summands_[k];
+      for (std::size_t i = 0; i < derivation_.size(); ++i) {
+        energy += derivation_.symbols.v[i] * momenta_[k][i];
+      }
+      energies.push_back(energy);
+      by_time.push_back(derivation_.passing(summands_[k]));
     }
-    const ex by_time = derivation_.passing(lagrangian_);
-    add("invariants", {scalar("E", energy), scalar("L_by_t", by_time)});
+    add("invariants", {field_of("E", std::move(energies)), field_of("L_by_t", std::move(by_time))});
   }
 
   Derivation derivation_;
   bool is_whole_;
-  ex lagrangian_;
-  Vector momentum_;
+  Terms summands_ = {};               ///< of L
+  std::vector<Vector> momenta_ = {};  ///< of each summand
   Steps steps_;
 };
 

@@ -112,6 +112,7 @@ class Formulation {
       }
       add_rotation(body, origin);
     }
+    lagrangian_.kinetic_of_bodies = lagrangian_.kinetic.size();
   }
 
   /// 1/2 w.I w, with I = [xx xy xz; xy yy yz; xz yz zz] in the axes of w.

@@ -8,6 +8,7 @@
 #include "elgen/integrate.hpp"
 #include "elgen/lower.hpp"
 #include "elgen/steps.hpp"
+#include "elgen/typeset.hpp"
 #include "evaluate/subject.hpp"
 
 namespace elgen {
@@ -121,10 +122,7 @@ Result<ReadableSteps> readable_steps(const Lagrangian& lagrangian, const Checked
   Result<Program> lowered = lower(derived->equations, derived->requests, limits);
   if (!lowered) return lowered.diagnostics;
   const Program recursive = cancel(std::move(*lowered));
-  Result<Choice> choice =
-      choose(recursive, present(recursive), domain_of(checked.model, checked.scene, recursive), {});
-  if (!choice) return choice.diagnostics;
-  ReadableSteps result{std::move(choice->program), {}};
+  ReadableSteps result{typeset_steps(checked, present(recursive), recursive), {}};
   for (const Entity& mass : derived->masses) {
     result.masses.push_back(name_of(checked.model, mass));
   }

@@ -108,15 +108,19 @@ FunctionEquations equations(const Program& program, const Function& function,
   return result;
 }
 
+/// Over the leaves and what a book form has names for.
 FunctionEquations written_out(const Program& program, const Function& function,
                               const Vocabulary& vocabulary) {
-  const std::vector<std::string> no_names(function.instructions.size());
-  const FunctionFormulas over_leaves(program, function, vocabulary, no_names);
+  const std::vector<std::string> names = vocabulary.definitions(function.names);
+  const FunctionFormulas formulas(program, function, vocabulary, names);
   FunctionEquations result;
+  for (std::uint32_t at = 0; at < names.size(); ++at) {
+    if (!names[at].empty())
+      result.definitions.push_back({names[at], formulas.definition(at).text()});
+  }
   for (const Field& field : function.fields) {
     std::vector<std::string>& texts = result.entries.emplace_back();
-    for (const std::uint32_t entry : field.entries)
-      texts.push_back(over_leaves.entry(entry).text());
+    for (const std::uint32_t entry : field.entries) texts.push_back(formulas.entry(entry).text());
   }
   return result;
 }

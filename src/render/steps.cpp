@@ -7,6 +7,7 @@
 #include <array>
 
 #include "elgen/render.hpp"
+#include "elgen/typeset.hpp"
 #include "render/symbols.hpp"
 
 namespace elgen {
@@ -89,7 +90,8 @@ class Outline {
       places_.push_back(symbols_.distinct(place).text());
     }
     for (std::size_t i = 0; i < steps.program.functions.size(); ++i) {
-      entries_.push_back(readable_equations(steps.program, i).entries);
+      text_.push_back(readable_equations(steps.program, i));
+      latex_.push_back(latex_equations(model, steps.program, i));
     }
   }
 
@@ -102,18 +104,32 @@ class Outline {
       function += 2;
     }
     add_energies(function++);
+    const std::size_t first = function;
     for (const Velocity& velocity : model_.velocities) add_velocity(function++, velocity);
     add_invariants(function);
+    add_equations(first);
     return std::move(outline_);
   }
 
-  [[nodiscard]] const std::vector<std::string>& entries(const StepEquation& e) const {
-    return entries_[e.function][e.field];
+  [[nodiscard]] const FunctionEquations& text_of(std::size_t function) const {
+    return text_[function];
+  }
+  [[nodiscard]] const FunctionEquations& latex_of(std::size_t function) const {
+    return latex_[function];
   }
 
  private:
   [[nodiscard]] bool is_zero(std::size_t function, std::size_t field) const {
-    return entries_[function][field] == std::vector<std::string>{"0"};
+    const Function& read = has_book_form(function) ? steps_.program.readable[function]
+                                                   : steps_.program.functions[function];
+    return loads_zero(steps_.program, read.instructions[read.fields[field].entries.front()]);
+  }
+  [[nodiscard]] bool is_zero(std::size_t function, BookLine line) const {
+    return is_zero(function, field_of(line));
+  }
+
+  [[nodiscard]] bool has_book_form(std::size_t function) const {
+    return !steps_.program.readable[function].fields.empty();
   }
 
   /// Models in a plane are written with two components.
@@ -165,7 +181,9 @@ class Outline {
     outline_.push_back(std::move(step));
   }
 
-  enum FieldOf : std::size_t { momentum, momentum_rate, partial, dissipation, force, left };
+  [[nodiscard]] static std::size_t field_of(BookLine line) {
+    return static_cast<std::size_t>(line);
+  }
 
   void add_velocity(std::size_t function, const Velocity& velocity) {
     const std::string& q = velocity.name;
@@ -176,33 +194,54 @@ class Outline {
     const std::string slope = fmt::format("\\frac{{\\partial L}}{{\\partial {}}}", rate);
     DerivationStep step{
         fmt::format("Equation of {}", q), is_angular ? std::string(turning_doc) : "", {}, {}};
-    if (!is_angular && is_zero(function, partial)) {
+    if (!is_angular && is_zero(function, BookLine::partial)) {
       step.lines.push_back(
           conservation(function, {fmt::format("dL/d(dot({}))", q), slope}, {q, symbol.text()}));
     }
-    step.equations = {
-        {fmt::format("dL/d(dot({}))", q), slope, function, momentum},
-        {fmt::format("d/dt dL/d(dot({}))", q), "\\frac{d}{dt} " + slope, function, momentum_rate},
-        {fmt::format("dL/d{}", q),
-         fmt::format("\\frac{{\\partial L}}{{\\partial {}}}", symbol.text()), function, partial}};
-    std::string text = fmt::format("d/dt dL/d(dot({0})) - dL/d{0}", q);
-    std::string latex = fmt::format("\\frac{{d}}{{dt}} {} - {}", slope, step.equations[2].latex);
-    if (!is_zero(function, dissipation)) {
-      const std::string damping = fmt::format("\\frac{{\\partial D}}{{\\partial {}}}", rate);
-      step.equations.push_back({fmt::format("dD/d(dot({}))", q), damping, function, dissipation});
-      text += fmt::format(" + dD/d(dot({}))", q);
-      latex += " + " + damping;
+    const auto add = [&](const std::string& text, const std::string& latex, BookLine line) {
+      step.equations.push_back({text, latex, function, field_of(line)});
+    };
+    add(fmt::format("dL/d(dot({}))", q), slope, BookLine::momentum);
+    add(fmt::format("d/dt dL/d(dot({}))", q), "\\frac{d}{dt} " + slope, BookLine::momentum_rate);
+    add(fmt::format("dL/d{}", q),
+        fmt::format("\\frac{{\\partial L}}{{\\partial {}}}", symbol.text()), BookLine::partial);
+    if (!is_zero(function, BookLine::dissipation)) {
+      add(fmt::format("dD/d(dot({}))", q),
+          fmt::format("\\frac{{\\partial D}}{{\\partial {}}}", rate), BookLine::dissipation);
     }
-    step.equations.push_back({text, latex, function, left});
-    const std::string load = fmt::format("Q_{{{}}}", symbol.text());
-    step.equations.push_back({text + " = Q_" + q, latex + " = " + load, function, force});
+    if (!is_zero(function, BookLine::force)) {
+      add("Q_" + q, fmt::format("Q_{{{}}}", symbol.text()), BookLine::force);
+    }
+    step.equations.push_back(row(function));
+    outline_.push_back(std::move(step));
+  }
+
+  /// d/dt dL/dv - dL/dq + dD/dv = Q, written out.
+  [[nodiscard]] StepEquation row(std::size_t function) const {
+    const std::size_t left = field_of(BookLine::left);
+    return {text_[function].entries[left].front(), latex_[function].entries[left].front(), function,
+            field_of(BookLine::force)};
+  }
+
+  /// The rows of all velocities, and what they are solved for.
+  void add_equations(std::size_t first) {
+    DerivationStep step{"Equations of motion", "", {}, {}};
+    const std::size_t count = model_.velocities.size();
+    for (std::size_t i = 0; i < count; ++i) step.equations.push_back(row(first + i));
+    const std::size_t accelerations = first + count + 1;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if (text_[accelerations].entries[i].empty()) continue;
+      step.equations.push_back(
+          {leaf_text(model_, Opcode::acceleration, i), symbols_.leaves().a[i], accelerations, i});
+    }
     outline_.push_back(std::move(step));
   }
 
   /// Noether's line of a cyclic coordinate.
   [[nodiscard]] StepLine conservation(std::size_t function, const StepLine& slope,
                                       const StepLine& q) const {
-    const bool is_free = is_zero(function, force) && is_zero(function, dissipation);
+    const bool is_free =
+        is_zero(function, BookLine::force) && is_zero(function, BookLine::dissipation);
     const char* condition = is_free ? "" : " wherever no force and no dissipation act on it";
     return {fmt::format("L does not contain {0}, so p_{0} = {1} is conserved{2}", q.text,
                         slope.text, condition),
@@ -242,8 +281,9 @@ class Outline {
   const Model& model_;
   const ReadableSteps& steps_;
   ModelSymbols symbols_;
-  std::vector<std::string> places_ = {};  ///< of masses
-  std::vector<std::vector<std::vector<std::string>>> entries_;
+  std::vector<std::string> places_ = {};      ///< of masses
+  std::vector<FunctionEquations> text_ = {};  ///< of each function
+  std::vector<FunctionEquations> latex_ = {};
   std::vector<DerivationStep> outline_;
 };
 
@@ -252,6 +292,16 @@ std::string tuple(const std::vector<std::string>& entries, std::uint32_t rows) {
   if (rows == 1) return entries.front();
   const auto end = entries.begin() + rows;
   return fmt::format("({})", fmt::join(entries.begin(), end, ", "));
+}
+
+/// The functions of a step whose lines refer to definitions, each once.
+std::vector<std::size_t> functions_of(const DerivationStep& step) {
+  std::vector<std::size_t> functions;
+  for (const StepEquation& equation : step.equations) {
+    if (std::ranges::count(functions, equation.function) > 0) continue;
+    functions.push_back(equation.function);
+  }
+  return functions;
 }
 
 }  // namespace
@@ -265,8 +315,13 @@ std::string steps_text(const Model& model, const ReadableSteps& steps, std::stri
     if (!step.doc.empty()) text += fmt::format("  {}\n", step.doc);
     for (const StepLine& line : step.lines) text += fmt::format("  {}\n", line.text);
     for (const StepEquation& equation : step.equations) {
-      text += fmt::format("  {} = {}\n", equation.text,
-                          tuple(outline.entries(equation), equation.rows));
+      const auto& entries = outline.text_of(equation.function).entries[equation.field];
+      text += fmt::format("  {} = {}\n", equation.text, tuple(entries, equation.rows));
+    }
+    for (const std::size_t function : functions_of(step)) {
+      for (const EquationLine& line : outline.text_of(function).definitions) {
+        text += fmt::format("  {} = {}\n", line.name, line.value);
+      }
     }
   }
   return text;
@@ -283,9 +338,14 @@ Sheet steps_sheet(const Model& model, const Scene& scene, const ReadableSteps& s
     for (const StepLine& line : step.lines) section.lines.push_back(line.latex);
     for (const StepEquation& equation : step.equations) {
       std::vector<std::string> entries =
-          latex_equations(model, steps.program, equation.function).entries[equation.field];
+          outline.latex_of(equation.function).entries[equation.field];
       entries.resize(equation.rows);
       section.equations.push_back({equation.latex, equation.rows, 1, std::move(entries)});
+    }
+    for (const std::size_t function : functions_of(step)) {
+      for (const EquationLine& line : outline.latex_of(function).definitions) {
+        section.equations.push_back({line.name, 1, 1, {line.value}});
+      }
     }
     result.outputs.push_back(std::move(section));
   }

@@ -52,10 +52,15 @@ GiNaC::exvector kinetic_terms(Derivation& derivation) {
 
 }  // namespace
 
-ex full_potential_energy(Derivation& derivation) {
+ex kinetic_energy_of_masses(Derivation& derivation) {
+  GiNaC::exvector terms;
+  append_squares(terms, derivation, derivation.coasting, 1);
+  return GiNaC::add(terms);
+}
+
+ex weight_of_masses(Derivation& derivation) {
   GiNaC::exvector terms;
   append_weights(terms, derivation);
-  append(terms, derivation.lagrangian.potential, 1);
   return GiNaC::add(terms);
 }
 

@@ -60,8 +60,11 @@ enum class Bodies : unsigned char { all, without_frames };
 /// V0, the potential energy at zero rates. L quadratic in v.
 [[nodiscard]] GiNaC::ex potential_energy(Derivation& derivation);
 
-/// V as given, with its part linear in v.
-[[nodiscard]] GiNaC::ex full_potential_energy(Derivation& derivation);
+/// T of the point masses and of the bodies in frames, without further terms.
+[[nodiscard]] GiNaC::ex kinetic_energy_of_masses(Derivation& derivation);
+
+/// V of the same: -m gravity.p of each.
+[[nodiscard]] GiNaC::ex weight_of_masses(Derivation& derivation);
 
 /// T + V = T + V0 + V1.v. L quadratic in v.
 [[nodiscard]] GiNaC::ex total_energy(Derivation& derivation);

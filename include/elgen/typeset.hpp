@@ -1,0 +1,42 @@
+// typeset: closed forms -> functions written as books write them, for people: pages and `show`.
+// Code, its comments and the sidecar have the forms of choose, which do not change with the way in
+// which an energy is typed.
+//
+//     V = 1/2*k*x1^2 + 1/2*kc*(x2 - x1)^2    each summand of an energy as typed
+//     m*l^2*a + m*g*l*sin(x) = 0             accelerations first, one coefficient each; products of
+//                                            rates, each once; dD/dv; then V, summand by summand
+//
+// Factors: a number, parameters as typed, sums, coordinates, rates, accelerations, functions.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "elgen/closed_forms.hpp"
+#include "elgen/model.hpp"
+#include "elgen/program.hpp"
+#include "elgen/scene.hpp"
+
+namespace elgen {
+
+/// The functions of a program, in its order; without fields where a closed form is missing or too
+/// long. New constants are appended to those of the program.
+[[nodiscard]] std::vector<Function> typeset(const CheckedModel& checked, const ClosedForms& forms,
+                                            Program& program);
+
+/// The program of elgen/steps.hpp with one entry for every sum of summands: `functions` over the
+/// definitions of the derivation, `readable` as books write them. Of a velocity there are the
+/// fields of BookLine. One more function, the last, has a field for each acceleration: without rows
+/// where its equation holds two others, or one whose equation holds a third, or has no closed form.
+[[nodiscard]] Program typeset_steps(const CheckedModel& checked, const ClosedForms& forms,
+                                    Program derived);
+
+/// The fields of the function of a velocity: those of StepField, and d/dt dL/dv - dL/dq + dD/dv.
+enum class BookLine : std::uint8_t { momentum, momentum_rate, partial, dissipation, force, left };
+
+/// One value, as the only entry of a function.
+[[nodiscard]] Function typeset_value(const Model& model, const FixedParameters& fixed,
+                                     const Algebra& algebra, const Fraction& form,
+                                     Program& program);
+
+}  // namespace elgen

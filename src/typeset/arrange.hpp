@@ -1,0 +1,88 @@
+// arrange: closed forms -> sums of products as books write them.
+//
+//     in front    1/2 m r'^2 + 1/2 m r^2 phi'^2   ->   1/2 m (r'^2 + r^2 phi'^2)
+//     spread      nothing stands in front; what multiplies one product of rates stands together,
+//                 accelerations first
+//
+// Sums stay together as the model has them: k (r - l0)^2. What multiplies one product of parameters
+// has its sines and cosines written in the shortest way for itself, so that A sin^2 + C cos^2 is
+// not C + (A - C) sin^2.
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+
+#include "choose/real_terms.hpp"
+#include "typeset/book_sum.hpp"
+#include "typeset/typed.hpp"
+
+namespace elgen {
+
+/// Thrown where a sum has more terms than anybody reads.
+struct TooLongForABook : std::length_error {
+  TooLongForABook() : std::length_error("a sum of too many terms") {}
+};
+
+/// A sum, and the sum that divides it where there is one.
+struct BookQuotient {
+  BookSum value;
+  std::optional<BookSum> divisor;
+};
+
+class Arranger {
+ public:
+  Arranger(const Algebra& algebra, const TypedForms& typed) : algebra_(algebra), typed_(typed) {}
+
+  [[nodiscard]] BookSum in_front(const Fraction& form);
+  /// `own` is the velocity whose acceleration comes first.
+  [[nodiscard]] BookSum spread(const Fraction& form, std::optional<std::uint32_t> own = {});
+  /// above / below: the terms of `above` over one divisor, powers that both have gone.
+  [[nodiscard]] BookQuotient quotient(const Fraction& above, const Fraction& below);
+  /// Whether a form is written without sums.
+  [[nodiscard]] bool is_one_product(const Fraction& form);
+
+ private:
+  /// One term of a sum whose sines and cosines are real.
+  struct Mixed {
+    cln::cl_RA number = 1;
+    Monomial powers = {};  ///< of all atoms that are no exponentials
+    std::vector<CircularPower> circular = {};
+  };
+  using MixedSum = std::vector<Mixed>;
+
+  /// front * rest.
+  struct Taken {
+    BookProduct front;
+    Polynomial rest = {};
+  };
+
+  [[nodiscard]] Taken taken(Polynomial sum);
+  void take_monomial(Polynomial& sum, BookProduct& front) const;
+  bool take_typed(Polynomial& sum, BookProduct& front);
+  [[nodiscard]] BookFactor typed_factor(std::size_t typed);
+
+  [[nodiscard]] BookProduct product(const Polynomial& sum);
+  [[nodiscard]] BookProduct product(const Taken& taken);
+  [[nodiscard]] BookProduct product(const Fraction& form);
+  void divide(BookProduct& product, const Fraction& form);
+  void divide(BookProduct& product, const Polynomial& factor, std::int32_t exponent);
+
+  [[nodiscard]] BookSum terms(const Polynomial& sum, std::optional<std::uint32_t> own = {});
+  [[nodiscard]] BookSum terms_without_rates(const Polynomial& sum);
+  [[nodiscard]] MixedSum mixed(const Polynomial& sum);
+  [[nodiscard]] BookSum collected(const MixedSum& sum);
+  [[nodiscard]] BookSum by_kinds(const MixedSum& sum);
+  [[nodiscard]] std::optional<BookSum> by_shared_parameter(const MixedSum& sum);
+  [[nodiscard]] BookProduct product(MixedSum sum);
+  [[nodiscard]] BookProduct product(const Mixed& term) const;
+
+  void multiply(BookProduct& product, const Monomial& powers) const;
+  void multiply(BookProduct& product, BookSum sum) const;
+  [[nodiscard]] BookFactor atom_factor(const AtomPower& power) const;
+
+  const Algebra& algebra_;
+  const TypedForms& typed_;
+  std::size_t work_ = 1'000'000;  ///< term products that divisions may take
+};
+
+}  // namespace elgen

@@ -1,0 +1,67 @@
+// BookSum: a value as a book writes it, a sum of products in the order in which they are read.
+//
+//     1/2 m (r'^2 + r^2 phi'^2)     one product: 1/2, m, and a sum of two products
+//
+// Places order the factors of a product: parameters, sums of more than parameters, coordinates,
+// rates, accelerations, inputs, functions; within a group by rank.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+#include "elgen/closed_forms.hpp"
+
+namespace elgen {
+
+enum class FactorGroup : std::uint8_t {
+  parameter,
+  sum,
+  coordinate,
+  rate,
+  acceleration,
+  input,
+  function
+};
+
+struct FactorPlace {
+  FactorGroup group = FactorGroup::parameter;
+  std::uint32_t rank = 0;
+  friend auto operator<=>(const FactorPlace&, const FactorPlace&) = default;
+};
+
+struct BookFactor;
+
+/// number * product of the factors, each to its exponent; those with negative ones stand below.
+struct BookProduct {
+  cln::cl_RA number = 1;
+  std::vector<BookFactor> factors;  // no initializer: BookFactor is incomplete here
+};
+
+/// No terms: 0.
+struct BookSum {
+  std::vector<BookProduct> terms;
+};
+
+enum class BookFactorKind : std::uint8_t {
+  atom,    ///< of the algebra: a leaf, pi, a root, a call
+  sine,    ///< of `angle`
+  cosine,  ///< likewise
+  sum,     ///< in brackets
+  name     ///< a definition of the model, whose value is `sum`
+};
+
+struct BookFactor {
+  FactorPlace place = {};
+  BookFactorKind kind = BookFactorKind::atom;
+  std::int32_t exponent = 1;
+  AtomId atom = 0;
+  Monomial angle = {};
+  BookSum sum;
+  std::uint32_t definition = 0;  ///< of a name, in Model::definitions
+};
+
+/// Factors that a reader sees, those in sums too.
+[[nodiscard]] std::size_t written_factors(const BookSum& sum);
+
+}  // namespace elgen

@@ -1,0 +1,33 @@
+// factors: where the factors of a product stand, and which of them are one.
+#pragma once
+
+#include "choose/real_terms.hpp"
+#include "typeset/book_sum.hpp"
+#include "typeset/typed.hpp"
+
+namespace elgen {
+
+[[nodiscard]] FactorPlace place_of(const Atom& atom, const std::vector<std::uint32_t>& places);
+
+/// Velocities, momenta, accelerations and inputs.
+[[nodiscard]] bool is_moving(const Atom& atom);
+
+/// A number, a parameter, or what is made of these.
+[[nodiscard]] bool is_of_parameters(const Algebra& algebra, const Polynomial& sum);
+
+/// In the order of their places, equal ones as one power.
+void add_factor(BookProduct& product, BookFactor factor);
+
+void multiply(BookProduct& product, const BookProduct& by);
+
+/// The sine and the cosine of an angle, to their exponents.
+void multiply(BookProduct& product, const Algebra& algebra, const CircularPower& power);
+
+/// Takes the greatest number out of all terms that leaves whole numbers, with the sign of the
+/// first.
+[[nodiscard]] cln::cl_RA take_number(BookSum& sum);
+
+/// By the factors of the terms; a positive one comes first.
+void sort_terms(BookSum& sum);
+
+}  // namespace elgen

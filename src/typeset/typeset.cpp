@@ -1,0 +1,264 @@
+// typeset: see elgen/typeset.hpp. Sums are arranged (arrange.hpp) and written as instructions
+// (write.hpp); here is what stands in which sum.
+#include "elgen/typeset.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "lower/graph/prune.hpp"
+#include "present/arithmetic.hpp"
+#include "typeset/equations.hpp"
+#include "typeset/write.hpp"
+
+namespace elgen {
+namespace {
+
+/// The function with other entries; none where one has no form that can be read.
+template <class Write>
+Function written(const Function& like, const Write& write) {
+  Function result{.kind = like.kind, .user = like.user, .name = like.name};
+  result.form = Form::closed;
+  try {
+    write(result);
+  } catch (const TooLongForABook&) {
+    result.fields.clear();
+    result.instructions.clear();
+    result.names.clear();
+    return result;
+  }
+  return pruned(result);
+}
+
+const Fraction& readable_form(const std::optional<Fraction>& form) {
+  if (!form) throw TooLongForABook();
+  return *form;
+}
+
+/// Sums of forces are read like an equation: nothing stands in front of them.
+bool is_sum_of_forces(OutputKind kind) {
+  switch (kind) {
+    case OutputKind::velocity_force:
+    case OutputKind::gravity:
+    case OutputKind::drift:
+    case OutputKind::dissipation:
+    case OutputKind::applied_force:
+    case OutputKind::bias:
+    case OutputKind::inverse_dynamics:
+    case OutputKind::momentum:
+    case OutputKind::position_gradient:
+      return true;
+    default:
+      return false;
+  }
+}
+
+class Typesetting {
+ public:
+  Typesetting(const CheckedModel& checked, const ClosedForms& forms, Program& program)
+      : model_(checked.model),
+        forms_(forms),
+        program_(program),
+        algebra_(forms.algebra),
+        typed_(typed_forms(algebra_, model_, checked.scene.specialisation.fixed)) {}
+
+  Function output(std::size_t index) {
+    const Function& function = program_.functions[index];
+    const std::vector<ClosedField>& fields = forms_.functions[index].fields;
+    return written(function, [&](Function& result) {
+      Arranger arranger(algebra_, typed_);
+      BookWriter write(model_, algebra_, arranger, program_, result);
+      for (std::size_t f = 0; f < fields.size(); ++f) {
+        Field& field = result.fields.emplace_back(function.fields[f]);
+        for (std::size_t i = 0; i < field.entries.size(); ++i) {
+          const Fraction& form = readable_form(fields[f].entries[i]);
+          const bool is_spread = is_sum_of_forces(function.kind);
+          field.entries[i] = write(is_spread ? arranger.spread(form, static_cast<std::uint32_t>(i))
+                                             : arranger.in_front(form));
+        }
+      }
+    });
+  }
+
+  Function energies(std::size_t index) {
+    return written(program_.functions[index], [&](Function& result) {
+      Arranger arranger(algebra_, typed_);
+      BookWriter write(model_, algebra_, arranger, program_, result);
+      const std::vector<ClosedField>& fields = forms_.functions[index].fields;
+      BookSum whole;
+      for (const ClosedField& field : fields) {
+        BookSum sum = each_in_front(arranger, summands(field));
+        add_scalar(result, field.name, write(sum));
+        for (BookProduct& term : sum.terms) {
+          if (field.name == "V") term.number = -term.number;
+          whole.terms.push_back(std::move(term));
+        }
+      }
+      if (fields.size() > 1) add_scalar(result, "L", write(whole));
+    });
+  }
+
+  /// The lines of a velocity: see BookLine.
+  Function equation(std::size_t index, std::uint32_t velocity) {
+    return written(program_.functions[index], [&](Function& result) {
+      Arranger arranger(algebra_, typed_);
+      Equations equations(algebra_, arranger);
+      BookWriter write(model_, algebra_, arranger, program_, result);
+      for (const ClosedField& field : forms_.functions[index].fields) {
+        add_scalar(result, field.name, write(equations.arranged(summands(field), velocity)));
+      }
+      const auto rows = rows_around(equations, index - velocity);
+      if (!rows[velocity]) throw TooLongForABook();
+      add_scalar(result, "left", write(equations.left(*rows[velocity], velocity)));
+    });
+  }
+
+  Function accelerations(std::size_t first) {
+    Function like;
+    like.kind = OutputKind::user_value;
+    like.name = "accelerations";
+    return written(like, [&](Function& result) {
+      Arranger arranger(algebra_, typed_);
+      Equations equations(algebra_, arranger);
+      BookWriter write(model_, algebra_, arranger, program_, result);
+      const auto rows = rows_around(equations, first);
+      std::vector<std::uint32_t> divisors;
+      for (std::uint32_t i = 0; i < rows.size(); ++i) {
+        Field& field = result.fields.emplace_back(Field{model_.velocities[i].name, 0, 1, {}});
+        const std::optional<BookQuotient> solution = equations.solved(rows, i);
+        if (!solution) continue;
+        field.rows = 1;
+        field.entries = {write(solution->value)};
+        if (!solution->divisor) continue;
+        const std::uint32_t divisor = write(*solution->divisor);
+        if (std::ranges::count(divisors, divisor) == 0) divisors.push_back(divisor);
+      }
+      for (std::size_t i = 0; i < divisors.size(); ++i) {
+        const bool is_only = divisors.size() == 1;
+        write.name(divisors[i], is_only ? "Delta" : fmt::format("Delta_{}", i + 1));
+      }
+    });
+  }
+
+  Function invariants(std::size_t index) {
+    return written(program_.functions[index], [&](Function& result) {
+      Arranger arranger(algebra_, typed_);
+      BookWriter write(model_, algebra_, arranger, program_, result);
+      for (const ClosedField& field : forms_.functions[index].fields) {
+        add_scalar(result, field.name, write(each_in_front(arranger, summands(field))));
+      }
+    });
+  }
+
+ private:
+  static std::vector<Fraction> summands(const ClosedField& field) {
+    std::vector<Fraction> result;
+    for (const std::optional<Fraction>& entry : field.entries) {
+      result.push_back(readable_form(entry));
+    }
+    return result;
+  }
+
+  [[nodiscard]] std::vector<std::optional<EquationRow>> rows_around(Equations& equations,
+                                                                    std::size_t first) const {
+    std::vector<std::optional<EquationRow>> rows;
+    for (std::size_t i = 0; i < model_.velocities.size(); ++i) {
+      rows.push_back(equations.row(forms_.functions[first + i]));
+    }
+    return rows;
+  }
+
+  static void add_scalar(Function& function, const std::string& name, std::uint32_t entry) {
+    function.fields.push_back({name, 1, 1, {entry}});
+  }
+
+  const Model& model_;
+  const ClosedForms& forms_;
+  Program& program_;
+  Algebra algebra_;
+  TypedForms typed_;
+};
+
+}  // namespace
+
+std::vector<Function> typeset(const CheckedModel& checked, const ClosedForms& forms,
+                              Program& program) {
+  Typesetting typesetting(checked, forms, program);
+  std::vector<Function> result;
+  for (std::size_t i = 0; i < program.functions.size(); ++i) {
+    result.push_back(typesetting.output(i));
+  }
+  return result;
+}
+
+namespace {
+
+/// A function of the derivation with its summands added up, over the definitions of the derivation:
+/// read where there is no closed form.
+Function added_up(const Program& program, Function function, bool is_velocity) {
+  Instructions instructions(function);
+  const auto zero = [&] {
+    const auto known = std::ranges::find_if(program.constants,
+                                            [](const Constant& c) { return cln::zerop(c.value); });
+    return instructions.add(Opcode::constant,
+                            static_cast<std::uint32_t>(known - program.constants.begin()));
+  };
+  for (Field& field : function.fields) {
+    std::uint32_t total = field.entries.empty() ? zero() : field.entries.front();
+    for (std::size_t i = 1; i < field.entries.size(); ++i) {
+      total = instructions.add(Opcode::add, total, field.entries[i]);
+    }
+    field = {field.name, 1, 1, {total}};
+  }
+  const auto entry = [&function](std::size_t field) { return function.fields[field].entries[0]; };
+  if (is_velocity) {
+    const auto of = [&entry](BookLine line) { return entry(static_cast<std::size_t>(line)); };
+    const std::uint32_t inertia =
+        instructions.add(Opcode::subtract, of(BookLine::momentum_rate), of(BookLine::partial));
+    const std::uint32_t left = instructions.add(Opcode::add, inertia, of(BookLine::dissipation));
+    function.fields.push_back({"left", 1, 1, {left}});
+  } else if (function.fields.size() == 2 && function.fields[1].name == "V") {
+    const std::uint32_t whole = instructions.add(Opcode::subtract, entry(0), entry(1));
+    function.fields.push_back({"L", 1, 1, {whole}});
+  }
+  return pruned(function);
+}
+
+}  // namespace
+
+Program typeset_steps(const CheckedModel& checked, const ClosedForms& forms, Program derived) {
+  (void)position_of(rational_constant(0), derived.constants);
+  Typesetting typesetting(checked, forms, derived);
+  const std::size_t count = derived.functions.size();
+  const std::size_t velocities = checked.model.velocities.size();
+  const std::size_t first = count - 1 - velocities;
+  for (std::size_t i = 0; i + 1 < first; ++i) derived.readable.push_back(typesetting.output(i));
+  derived.readable.push_back(typesetting.energies(first - 1));
+  for (std::size_t i = 0; i < velocities; ++i) {
+    derived.readable.push_back(typesetting.equation(first + i, static_cast<std::uint32_t>(i)));
+  }
+  derived.readable.push_back(typesetting.invariants(count - 1));
+  derived.readable.push_back(typesetting.accelerations(first));
+  for (std::size_t i = first - 1; i < count; ++i) {
+    derived.functions[i] =
+        added_up(derived, std::move(derived.functions[i]), i >= first && i + 1 < count);
+  }
+  Function unsolved = derived.readable.back();
+  if (unsolved.fields.empty()) unsolved.fields.resize(velocities, Field{"", 0, 1, {}});
+  derived.functions.push_back(std::move(unsolved));
+  return derived;
+}
+
+Function typeset_value(const Model& model, const FixedParameters& fixed, const Algebra& algebra,
+                       const Fraction& form, Program& program) {
+  Algebra own = algebra;
+  const TypedForms typed = typed_forms(own, model, fixed);
+  return written({}, [&](Function& result) {
+    Arranger arranger(own, typed);
+    BookWriter write(model, own, arranger, program, result);
+    result.fields = {Field{"", 1, 1, {write(arranger.in_front(form))}}};
+  });
+}
+
+}  // namespace elgen

@@ -1,0 +1,148 @@
+// write: see write.hpp. Rates and functions stand behind a quotient, g/l sin x, unless there is
+// nothing else to stand above or a function stands below.
+#include "typeset/write.hpp"
+
+#include <algorithm>
+
+namespace elgen {
+namespace {
+
+using cln::cl_RA;
+
+/// The operands of a quotient, and what stands behind it.
+struct Sides {
+  cl_RA number_above = 1;
+  cl_RA number_below = 1;
+  std::vector<BookFactor> above;
+  std::vector<BookFactor> below;
+  std::vector<BookFactor> behind;
+};
+
+bool is_behind(const BookFactor& factor) { return factor.place.group >= FactorGroup::rate; }
+
+Sides sides_of(const BookProduct& product) {
+  Sides sides;
+  const cl_RA number = cln::abs(product.number);
+  for (BookFactor factor : product.factors) {
+    const bool is_above = factor.exponent > 0;
+    factor.exponent = std::abs(factor.exponent);
+    (is_above ? sides.above : sides.below).push_back(std::move(factor));
+  }
+  sides.number_above = number;
+  if (sides.below.empty()) return sides;
+  sides.number_above = cln::numerator(number);
+  sides.number_below = cln::denominator(number);
+  if (std::ranges::any_of(sides.below, is_behind)) return sides;
+  const bool has_other = sides.number_above != 1 || !std::ranges::all_of(sides.above, is_behind);
+  if (!has_other) return sides;
+  const auto first = std::ranges::stable_partition(
+      sides.above, [](const BookFactor& factor) { return !is_behind(factor); });
+  sides.behind.assign(first.begin(), first.end());
+  sides.above.erase(first.begin(), first.end());
+  return sides;
+}
+
+}  // namespace
+
+std::uint32_t BookWriter::operator()(const BookSum& sum) {
+  if (sum.terms.empty()) return number(0);
+  std::uint32_t total = product(sum.terms.front());
+  if (cln::minusp(sum.terms.front().number)) total = instructions_.add(Opcode::negate, total);
+  for (std::size_t i = 1; i < sum.terms.size(); ++i) {
+    const bool is_negative = cln::minusp(sum.terms[i].number);
+    total = instructions_.add(is_negative ? Opcode::subtract : Opcode::add, total,
+                              product(sum.terms[i]));
+  }
+  return total;
+}
+
+void BookWriter::name(std::uint32_t instruction, const std::string& name) {
+  function_.names[instruction] = name;
+}
+
+/// Without its sign.
+std::uint32_t BookWriter::product(const BookProduct& product) {
+  if (cln::zerop(product.number)) return number(0);
+  const Sides sides = sides_of(product);
+  const auto multiplied = [this](std::optional<std::uint32_t> result,
+                                 const std::vector<BookFactor>& factors) {
+    for (const BookFactor& each : factors) {
+      const std::uint32_t base = factor(each);
+      for (std::int32_t i = 0; i < each.exponent; ++i) {
+        result = result ? instructions_.add(Opcode::multiply, *result, base) : base;
+      }
+    }
+    return result;
+  };
+  const auto of_number = [this](const cl_RA& value) -> std::optional<std::uint32_t> {
+    if (value == 1) return std::nullopt;
+    return number(value);
+  };
+  std::optional<std::uint32_t> result = multiplied(of_number(sides.number_above), sides.above);
+  const std::optional<std::uint32_t> below = multiplied(of_number(sides.number_below), sides.below);
+  if (below) result = instructions_.add(Opcode::divide, result ? *result : number(1), *below);
+  result = multiplied(result, sides.behind);
+  return result ? *result : number(1);
+}
+
+std::uint32_t BookWriter::factor(const BookFactor& factor) {
+  switch (factor.kind) {
+    case BookFactorKind::atom:
+      return atom(factor.atom);
+    case BookFactorKind::sine:
+    case BookFactorKind::cosine: {
+      const bool is_sine = factor.kind == BookFactorKind::sine;
+      return instructions_.add({.opcode = Opcode::call,
+                                .function = is_sine ? FunctionId::sin : FunctionId::cos,
+                                .a = angle(factor.angle)});
+    }
+    case BookFactorKind::sum:
+      return (*this)(factor.sum);
+    case BookFactorKind::name: {
+      const std::uint32_t value = (*this)(factor.sum);
+      name(value, model_.definitions[factor.definition].identifier);
+      return value;
+    }
+  }
+  return 0;
+}
+
+/// The sum of exponent/divisor * argument.
+std::uint32_t BookWriter::angle(const Monomial& parts) {
+  BookSum sum;
+  for (const AtomPower& part : parts) {
+    const Atom& wave = algebra_.atoms[part.atom];
+    for (BookProduct& term : arranger_.in_front(wave.arguments[0]).terms) {
+      term.number = term.number * part.exponent / wave.divisor;
+      sum.terms.push_back(std::move(term));
+    }
+  }
+  const auto positive = std::ranges::find_if(
+      sum.terms, [](const BookProduct& term) { return cln::plusp(term.number); });
+  if (positive != sum.terms.end()) std::rotate(sum.terms.begin(), positive, positive + 1);
+  return (*this)(sum);
+}
+
+std::uint32_t BookWriter::atom(AtomId id) {
+  const Atom& atom = algebra_.atoms[id];
+  if (atom.kind == AtomKind::leaf) return instructions_.add(atom.leaf, atom.index);
+  if (atom.kind == AtomKind::pi) {
+    const std::optional<Constant> pi = constant_of({ConstantKind::pi, 0, {}, {}});
+    return instructions_.add(Opcode::constant, position_of(*pi, program_.constants));
+  }
+  std::vector<std::uint32_t> arguments;
+  for (const Fraction& argument : atom.arguments) {
+    arguments.push_back((*this)(arranger_.in_front(argument)));
+  }
+  if (atom.kind == AtomKind::root) return instructions_.add(Opcode::square_root, arguments[0]);
+  Instruction call{.opcode = Opcode::call, .function = atom.function, .a = arguments[0]};
+  if (arguments.size() > 1) call.b = arguments[1];
+  return instructions_.add(call);
+}
+
+std::uint32_t BookWriter::number(const cl_RA& value) {
+  return instructions_.add(Opcode::constant,
+                           position_of(rational_constant(value), program_.constants));
+}
+
+}  // namespace elgen

@@ -1,0 +1,42 @@
+// write: sums of products -> instructions that a reader's languages print in this very order.
+#pragma once
+
+#include "elgen/program.hpp"
+#include "lower/network/instructions.hpp"
+#include "typeset/arrange.hpp"
+
+namespace elgen {
+
+/// Writes into a function of a program, whose constants grow. What the model names has that name
+/// among the names of the function.
+class BookWriter {
+ public:
+  BookWriter(const Model& model, const Algebra& algebra, Arranger& arranger, Program& program,
+             Function& function)
+      : model_(model),
+        algebra_(algebra),
+        arranger_(arranger),
+        program_(program),
+        function_(function),
+        instructions_(function) {}
+
+  [[nodiscard]] std::uint32_t operator()(const BookSum& sum);
+  /// Known by this name where others refer to it.
+  void name(std::uint32_t instruction, const std::string& name);
+
+ private:
+  [[nodiscard]] std::uint32_t product(const BookProduct& product);
+  [[nodiscard]] std::uint32_t factor(const BookFactor& factor);
+  [[nodiscard]] std::uint32_t angle(const Monomial& parts);
+  [[nodiscard]] std::uint32_t atom(AtomId id);
+  [[nodiscard]] std::uint32_t number(const cln::cl_RA& value);
+
+  const Model& model_;
+  const Algebra& algebra_;
+  Arranger& arranger_;
+  Program& program_;
+  Function& function_;
+  Instructions instructions_;
+};
+
+}  // namespace elgen
