@@ -8,7 +8,7 @@
 #include "elgen/pipeline.hpp"
 #include "elgen/render.hpp"
 #include "random/generator.hpp"
-#include "support/shell.hpp"
+#include "support/inputs.hpp"
 #include "support/systems.hpp"
 #include "texts/readers.hpp"
 
@@ -18,19 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path models = fs::path(ELGEN_SOURCE_DIR) / "models";
-
-std::vector<fs::path> inputs_in(const fs::path& folder, const std::string& ending) {
-  std::vector<fs::path> paths;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().string().ends_with(ending)) paths.push_back(entry.path());
-  }
-  std::ranges::sort(paths);
-  return paths;
-}
-
-SourcePointer source_of(const fs::path& path) {
-  return make_source(path.string(), test::read_text(path));
-}
 
 /// The model that the second line of a scene names.
 fs::path model_of(const SourcePointer& scene) {
@@ -152,13 +139,15 @@ std::size_t expect_changes_seen(Read read, const std::string& text,
 }  // namespace
 
 TEST_CASE("equations of all committed models are read as they were derived") {
-  for (const fs::path& path : inputs_in(models, ".toml")) expect_right({source_of(path), nullptr});
+  for (const fs::path& path : test::inputs_in(models, ".toml")) {
+    expect_right({test::source_of(path), nullptr});
+  }
 }
 
 TEST_CASE("equations of all committed scenes are read as they were derived") {
-  for (const fs::path& path : inputs_in(models / "scenes", ".scene.toml")) {
-    const SourcePointer scene = source_of(path);
-    expect_right({source_of(model_of(scene)), scene});
+  for (const fs::path& path : test::inputs_in(models / "scenes", ".scene.toml")) {
+    const SourcePointer scene = test::source_of(path);
+    expect_right({test::source_of(model_of(scene)), scene});
   }
 }
 

@@ -107,8 +107,8 @@ std::string WrittenEquations::number(const cln::cl_R& value, const std::string& 
   return is_right ? "" : fmt::format("{} is not {}", in_backticks(text), exact_text(value));
 }
 
-std::string WrittenEquations::compare(std::uint32_t instruction, const std::string& text) {
-  const Known& known = known_[index_];
+std::string WrittenEquations::values(const std::vector<Real>& derived,
+                                     const std::vector<Real>& largest, const std::string& text) {
   const Evaluated& written = evaluated(text);
   if (!written.problem.empty()) return written.problem;
   for (const std::string& name : written.used) {
@@ -116,15 +116,23 @@ std::string WrittenEquations::compare(std::uint32_t instruction, const std::stri
   }
   const Real relative(power_of_ten(-agreeing_digits));
   for (std::size_t i = 0; i < states_.size(); ++i) {
-    const Real& derived = known.instructions[i][instruction];
-    if (!derived.is_defined()) continue;
-    const Real difference = abs(written.values[i] - derived);
-    const Real tolerance = known.largest[i] * relative;
+    if (!derived[i].is_defined()) continue;
+    const Real difference = abs(written.values[i] - derived[i]);
+    const Real tolerance = largest[i] * relative;
     if (difference.is_defined() && difference.value() <= tolerance.value()) continue;
     return fmt::format("{} is {} where {} was derived", in_backticks(text),
-                       short_value(written.values[i]), short_value(derived));
+                       short_value(written.values[i]), short_value(derived[i]));
   }
   return {};
+}
+
+std::string WrittenEquations::compare(std::uint32_t instruction, const std::string& text) {
+  const Known& known = known_[index_];
+  std::vector<Real> derived;
+  for (const std::vector<Real>& at_state : known.instructions) {
+    derived.push_back(at_state[instruction]);
+  }
+  return values(derived, known.largest, text);
 }
 
 const WrittenEquations::Evaluated& WrittenEquations::evaluated(const std::string& text) {

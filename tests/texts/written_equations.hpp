@@ -38,6 +38,12 @@ class WrittenEquations {
   [[nodiscard]] std::string definition(const std::string& name, const std::string& text);
   [[nodiscard]] std::string entry(std::uint32_t instruction, const std::string& text);
   [[nodiscard]] std::string number(const cln::cl_R& value, const std::string& text);
+  /// Of a text that has these values, one for each of the states(), whose terms are so large.
+  [[nodiscard]] std::string values(const std::vector<Real>& derived,
+                                   const std::vector<Real>& largest, const std::string& text);
+
+  /// Where equations are compared.
+  [[nodiscard]] const std::vector<Arguments<Real>>& states() const { return states_; }
 
   [[nodiscard]] const Function& function() const { return origin_.program.functions[index_]; }
 

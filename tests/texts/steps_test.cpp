@@ -1,0 +1,219 @@
+// Equations of motion as a derivation prints them: each is read by the parser of models, and is its
+// row, M a + bias - B u of the definition of the equations, by value. So are those solved for the
+// acceleration.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "elgen/oracle.hpp"
+#include "elgen/pipeline.hpp"
+#include "elgen/render.hpp"
+#include "random/generator.hpp"
+#include "support/inputs.hpp"
+#include "texts/fold_expression.hpp"
+#include "texts/written_equations.hpp"
+
+namespace elgen::texts {
+namespace {
+
+constexpr std::string_view motion_title = "Equations of motion";
+
+/// An equation as printed; a definition below the equations likewise.
+struct PrintedEquation {
+  std::string left;
+  std::string right;
+};
+
+bool is_expression(const std::string& text) {
+  return static_cast<bool>(parse_expression(make_source("", text), written_limits()));
+}
+
+/// The lines of the section, without their margin.
+std::vector<std::string> motion_lines(const std::string& text) {
+  const std::string margin = "  ";
+  std::vector<std::string> lines;
+  bool is_inside = false;
+  std::istringstream page(text);
+  for (std::string line; std::getline(page, line);) {
+    if (!line.starts_with(margin)) is_inside = line == motion_title;
+    if (is_inside && line.starts_with(margin)) lines.push_back(line.substr(margin.size()));
+  }
+  return lines;
+}
+
+/// Definitions, "where b = m*l", are filled in: the last one first, which may use those before it.
+std::vector<PrintedEquation> motion_equations(const std::string& text) {
+  const std::string mark = "where ";
+  std::vector<PrintedEquation> equations;
+  std::vector<PrintedEquation> definitions;
+  for (const std::string& line : motion_lines(text)) {
+    const bool is_definition = line.starts_with(mark);
+    const std::size_t start = is_definition ? mark.size() : 0;
+    const std::size_t equal = line.find(" = ");
+    if (equal == std::string::npos) continue;
+    const PrintedEquation equation{line.substr(start, equal - start), line.substr(equal + 3)};
+    if (!is_expression(equation.left) || !is_expression(equation.right)) continue;
+    (is_definition ? definitions : equations).push_back(equation);
+  }
+  for (auto known = definitions.rbegin(); known != definitions.rend(); ++known) {
+    const std::regex name("\\b" + known->left + "\\b");
+    for (PrintedEquation& equation : equations) {
+      equation.left = std::regex_replace(equation.left, name, "(" + known->right + ")");
+      equation.right = std::regex_replace(equation.right, name, "(" + known->right + ")");
+    }
+  }
+  return equations;
+}
+
+/// What is to come out at each state, and how large its terms are; not defined where a model has no
+/// value.
+struct DefinedRow {
+  std::vector<Real> values = {};
+  std::vector<Real> sizes = {};
+
+  void add(const Real& value, const Real& size) {
+    values.push_back(value);
+    sizes.push_back(max(size, Real(cln::cl_R(1))));
+  }
+};
+
+State exact_leaves(const Arguments<Real>& state) {
+  return map_leaves([](const Real& value) -> cln::cl_R { return value.value(); }, state);
+}
+
+/// M a + bias - B u of each velocity.
+std::vector<DefinedRow> defined_rows(const Model& model,
+                                     const std::vector<Arguments<Real>>& states) {
+  std::vector<DefinedRow> rows(model.velocities.size());
+  const std::size_t inputs = model.inputs.size();
+  for (const Arguments<Real>& at : states) {
+    const State state = exact_leaves(at);
+    const OracleValues force = oracle_values(model, {.kind = OutputKind::inverse_dynamics}, state);
+    const OracleValues matrix =
+        inputs == 0 ? force : oracle_values(model, {.kind = OutputKind::input_matrix}, state);
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      if (!force || !matrix) {
+        rows[row].add(Real::undefined(), Real());
+        continue;
+      }
+      Real total((*force)[row]);
+      Real size = abs(total);
+      for (std::size_t u = 0; u < inputs; ++u) {
+        const Real term = Real((*matrix)[row * inputs + u]) * at.u[u];
+        total = total - term;
+        size = max(size, abs(term));
+      }
+      rows[row].add(total, size);
+    }
+  }
+  return rows;
+}
+
+/// The acceleration of the one velocity.
+DefinedRow defined_acceleration(const Model& model, const std::vector<Arguments<Real>>& states) {
+  DefinedRow row;
+  for (const Arguments<Real>& at : states) {
+    const OracleValues solved =
+        oracle_values(model, {.kind = OutputKind::forward_dynamics}, exact_leaves(at));
+    const Real value = solved ? Real(solved->front()) : Real::undefined();
+    row.add(value, solved ? abs(value) : Real());
+  }
+  return row;
+}
+
+/// Whether a model has values at all.
+bool is_compared(const DefinedRow& row) {
+  return std::ranges::any_of(row.values, [](const Real& value) { return value.is_defined(); });
+}
+
+void expect_solved(const Model& model, const PrintedEquation& equation,
+                   WrittenEquations& equations) {
+  const DefinedRow solved = defined_acceleration(model, equations.states());
+  const std::string wrong = equations.values(solved.values, solved.sizes, equation.right);
+  INFO(wrong);
+  CHECK(wrong.empty());
+  CHECK(equation.left == "dot(dot(" + model.velocities[0].name + "))");
+}
+
+/// The equation of every velocity in order, then, where there is one velocity, the solved one.
+bool expect_rows(const SourcePointer& source) {
+  PipelineOptions options;
+  options.goals = {Goal::steps};
+  const Products products = run_pipeline({source, nullptr}, options);
+  INFO(source->path << "\n" << source->text << "\n" << format(products.diagnostics));
+  REQUIRE(products.steps);
+  const Model& model = products.checked->model;
+  const std::string text = steps_text(model, *products.steps);
+  INFO(text);
+  const std::vector<PrintedEquation> equations = motion_equations(text);
+  const std::size_t count = model.velocities.size();
+  REQUIRE(equations.size() >= count);
+  WrittenEquations written({model, products.checked->scene, products.steps->program});
+  const std::vector<DefinedRow> rows = defined_rows(model, written.states());
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string row = "(" + equations[i].left + ") - (" + equations[i].right + ")";
+    const std::string wrong = written.values(rows[i].values, rows[i].sizes, row);
+    INFO(wrong);
+    CHECK(wrong.empty());
+  }
+  if (count == 1 && equations.size() > count) {
+    expect_solved(model, equations[1], written);
+  }
+  return is_compared(rows.front());
+}
+
+}  // namespace
+
+TEST_CASE("equations of motion of all committed models are read as their rows") {
+  // Of so many terms that the page shows them by parts.
+  const std::set<std::string> large{"panda7.toml", "ur5.toml"};
+  const std::filesystem::path root(ELGEN_SOURCE_DIR);
+  for (const auto& folder : {root / "models", root / "tests/render/books"}) {
+    for (const std::filesystem::path& path : test::inputs_in(folder, ".toml")) {
+      if (large.count(path.filename().string()) != 0) continue;
+      CHECK(expect_rows(test::source_of(path)));
+    }
+  }
+}
+
+TEST_CASE("equations of motion of random models are read as their rows") {
+  constexpr std::uint64_t seeds = 300;
+  std::uint64_t compared = 0;
+  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+    const random::System system = random::Generator(seed).system();
+    if (expect_rows(make_source("model.toml", text_of(system.model)))) ++compared;
+  }
+  // A few have no value at the states that are drawn.
+  CHECK(compared > seeds * 9 / 10);
+}
+
+TEST_CASE("a definition below the equations is filled in, the last one first") {
+  const std::string text =
+      "Energies\n  T = 0\n\nEquations of motion\n  One a coordinate.\n  b*x + ab = c\n"
+      "  where c = 2*m\n  where b = c + 1\n\nEnergy function\n  E = 0\n";
+  const std::vector<PrintedEquation> equations = motion_equations(text);
+  REQUIRE(equations.size() == 1);
+  CHECK(equations[0].left == "((2*m) + 1)*x + ab");
+  CHECK(equations[0].right == "(2*m)");
+}
+
+TEST_CASE("an equation of motion with a changed sign is seen") {
+  const std::filesystem::path path =
+      std::filesystem::path(ELGEN_SOURCE_DIR) / "tests/render/books/cart_pole.toml";
+  PipelineOptions options;
+  options.goals = {Goal::steps};
+  const Products products = run_pipeline({test::source_of(path), nullptr}, options);
+  REQUIRE(products.steps);
+  const Model& model = products.checked->model;
+  WrittenEquations written({model, products.checked->scene, products.steps->program});
+  const DefinedRow row = defined_rows(model, written.states())[0];
+  const std::string right = "(M + m)*dot(dot(x)) + m*l*dot(dot(theta))*cos(theta) - u";
+  const std::string centrifugal = "m*l*dot(theta)^2*sin(theta)";
+  CHECK(written.values(row.values, row.sizes, right + " - " + centrifugal).empty());
+  CHECK_FALSE(written.values(row.values, row.sizes, right + " + " + centrifugal).empty());
+}
+
+}  // namespace elgen::texts
