@@ -46,9 +46,10 @@ struct ConservedDrift {
 
 /// A number of every row.
 struct TrajectoryColumn {
-  std::string name = {};   ///< as in models: "theta", "dot(theta)"
-  std::string unit = {};   ///< "" where none is given
-  std::string panel = {};  ///< of the picture that shows it; "" where none does
+  std::string name = {};    ///< as in models: "theta", "dot(theta)"
+  std::string unit = {};    ///< "" where none is given
+  std::string panel = {};   ///< of the picture that shows it; "" where none does
+  bool from_start = false;  ///< the picture shows how far it went from its first value
 };
 
 struct Trajectory {
@@ -101,7 +102,7 @@ struct ReferenceRun {
 /// The rows, each number in the fewest digits that read back as it.
 [[nodiscard]] std::string to_csv(const Trajectory& trajectory);
 [[nodiscard]] std::string to_json(const Trajectory& trajectory);
-/// Coordinates, inputs and E over time, each in a panel of its own; rates are their slopes.
+/// Coordinates, inputs and E - E0 over time, each in a panel of its own; rates are their slopes.
 [[nodiscard]] std::string to_svg(const Trajectory& trajectory);
 
 }  // namespace elgen

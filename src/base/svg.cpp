@@ -16,12 +16,13 @@ std::string escaped(const std::string& text) {
 
 }  // namespace
 
-std::string svg_start(double width, double height) {
+std::string svg_start(double width, double height, const std::string& title) {
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
       "viewBox=\"0 0 {0} {1}\" font-family=\"sans-serif\" font-size=\"12\">\n"
-      "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
-      width, height);
+      "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
+      "<text x=\"14\" y=\"22\" font-size=\"14\" font-weight=\"bold\">{2}</text>\n",
+      width, height, escaped(title));
 }
 
 std::string svg_grid_line(double x1, double y1, double x2, double y2) {

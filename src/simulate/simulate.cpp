@@ -167,7 +167,9 @@ std::vector<TrajectoryColumn> columns_of(const Model& model, const LeafNames& le
   for (const Input& input : model.inputs) {
     if (input.law) columns.push_back({input.name, input.unit_text, input.name});
   }
-  columns.push_back({"E", "", "E"});
+  const bool has_units = std::ranges::any_of(
+      model.velocities, [](const Velocity& velocity) { return velocity.unit.has_value(); });
+  columns.push_back({"E", has_units ? "J" : "", "E − E₀", true});
   return columns;
 }
 

@@ -1,5 +1,6 @@
-// A trajectory as SVG: a panel for each coordinate, input and E, one black line in each, so that
-// it reads in print too; the four components of a rotation share a panel, in four kinds of line.
+// A trajectory as SVG: a panel for each coordinate, each input and E - E0, one black line in each,
+// so that it reads in print too; the four components of a rotation share a panel, in four kinds of
+// line. Of E only the difference is drawn: beside E itself a drift of 1e-9 J could not be seen.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +17,7 @@ constexpr double left = 92;
 constexpr double panel_width = 620;
 constexpr double panel_height = 110;
 constexpr double panel_distance = 138;
-constexpr double top = 34;
+constexpr double top = 60;
 constexpr double bottom = 46;
 constexpr double right = 20;
 
@@ -51,6 +52,17 @@ std::vector<double> ticks(const AxisRange& range) {
   return result;
 }
 
+int decade_of(double number) { return static_cast<int>(std::floor(std::log10(number))); }
+
+/// In as many digits as tell the ticks of a range apart, and `more`.
+std::string tick_label(double value, const AxisRange& range, int more) {
+  const int last = decade_of(tick_distance(range)) - more;
+  const double largest = std::max(std::abs(range.low), std::abs(range.high));
+  if (value == 0) return "0";
+  if (largest > 1e-3 && largest < 1e6) return fmt::format("{:.{}f}", value, std::max(0, -last));
+  return fmt::format("{:.{}e}", value, std::max(0, decade_of(largest) - last));
+}
+
 /// Columns that share axes.
 struct PicturePanel {
   std::string name;
@@ -68,8 +80,10 @@ class TrajectoryPicture {
 
   [[nodiscard]] std::string text() const {
     const double panels = panel_distance * static_cast<double>(panels_.size());
-    std::string svg = svg_start(left + panel_width + right,
-                                top + panels - panel_distance + panel_height + bottom);
+    std::string svg =
+        svg_start(left + panel_width + right, top + panels - panel_distance + panel_height + bottom,
+                  fmt::format("{} by {}: {} steps to t = {:.10g} s", trajectory_.model,
+                              trajectory_.method, trajectory_.steps, time_.high));
     double y = top;
     for (const PicturePanel& panel : panels_) {
       svg += drawn(panel, y);
@@ -88,13 +102,18 @@ class TrajectoryPicture {
     panels_.back().columns.push_back(i);
   }
 
+  [[nodiscard]] double shown(const std::vector<double>& row, std::size_t column) const {
+    const bool from_start = trajectory_.columns[column].from_start;
+    return row[column] - (from_start ? trajectory_.rows.front()[column] : 0);
+  }
+
   /// With a margin; what does not move is a line in the middle.
   [[nodiscard]] AxisRange range_of(const PicturePanel& panel) const {
     AxisRange range{INFINITY, -INFINITY};
     for (const auto& row : trajectory_.rows) {
       for (const std::size_t column : panel.columns) {
-        range.low = std::min(range.low, row[column]);
-        range.high = std::max(range.high, row[column]);
+        range.low = std::min(range.low, shown(row, column));
+        range.high = std::max(range.high, shown(row, column));
       }
     }
     const double width = range.high - range.low;
@@ -125,10 +144,12 @@ class TrajectoryPicture {
     const auto y_of = [&](double value) {
       return y + panel_height * (range.high - value) / (range.high - range.low);
     };
+    // A difference is looked at for its size, of which the ticks alone say one digit.
+    const int more = trajectory_.columns[panel.columns.front()].from_start ? 1 : 0;
     std::string svg = svg_title(left, y - 7, title(panel));
     for (const double value : ticks(range)) {
       svg += svg_grid_line(left, y_of(value), left + panel_width, y_of(value));
-      svg += svg_label(left - 6, y_of(value) + 4, "end", fmt::format("{:.6g}", value));
+      svg += svg_label(left - 6, y_of(value) + 4, "end", tick_label(value, range, more));
     }
     for (const double t : ticks(time_)) svg += svg_grid_line(x_of(t), y, x_of(t), y + panel_height);
     svg += fmt::format(
@@ -152,7 +173,7 @@ class TrajectoryPicture {
     for (const auto& row : trajectory_.rows) {
       const bool jumps = is_angle && std::abs(row[column] - before) > 3.15;
       result += fmt::format("{}{:.1f} {:.1f}", result.empty() || jumps ? "M" : "L", x_of(row[0]),
-                            y_of(row[column]));
+                            y_of(shown(row, column)));
       before = row[column];
     }
     return result;
@@ -161,7 +182,7 @@ class TrajectoryPicture {
   [[nodiscard]] std::string time_axis(double y) const {
     std::string svg = svg_label(left + panel_width / 2, y + 34, "middle", "t [s]");
     for (const double t : ticks(time_)) {
-      svg += svg_label(x_of(t), y + 16, "middle", fmt::format("{:.6g}", t));
+      svg += svg_label(x_of(t), y + 16, "middle", tick_label(t, time_, 0));
     }
     return svg;
   }

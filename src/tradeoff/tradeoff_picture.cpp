@@ -1,5 +1,6 @@
 // A table as SVG: worst errors over costs, both logarithmic. Shapes say the value of the first
-// dimension, numbers which design it is; the front is filled and joined by a staircase.
+// dimension, numbers which design it is; the front is filled and joined by a staircase. Lines below
+// the list of designs say so to who has the picture alone.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,12 +14,12 @@ namespace elgen {
 namespace {
 
 constexpr double left = 70;
-constexpr double top = 40;
+constexpr double top = 66;
 constexpr double plot_width = 520;
 constexpr double plot_height = 420;
 constexpr double bottom = 50;
 constexpr double legend_left = left + plot_width + 30;
-constexpr double legend_width = 330;
+constexpr double legend_width = 380;
 constexpr double line_height = 18;
 constexpr double radius = 5;
 
@@ -71,16 +72,15 @@ class TradeoffPicture {
   }
 
   [[nodiscard]] std::string text() const {
-    const double legend = top + line_height * static_cast<double>(rows_.size());
-    std::string svg = svg_start(legend_left + legend_width,
-                                std::max(top + plot_height + bottom, legend + line_height));
-    svg +=
-        svg_title(left, top - 14,
-                  fmt::format("{}, {}: {}, the worst", table_.model, table_.subject, table_.error));
-    svg += grid() + front();
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
+    std::string svg =
+        svg_start(legend_left + legend_width,
+                  std::max(top + plot_height + bottom, legend_y(rows_.size() + 5)),
+                  fmt::format("{}, {}: {}", table_.model, table_.subject, table_.error));
+    svg += grid() + front() + legend();
+    // The front, which comes first where costs are equal, is drawn last, so that nothing covers it.
+    for (std::size_t i = rows_.size(); i-- > 0;) {
       const TradeoffRow& row = *rows_[i];
-      svg += symbol(row, x_of(row), y_of(row)) + number(i) + legend_line(i);
+      svg += symbol(row, x_of(row), y_of(row)) + number(i);
     }
     return svg + "</svg>\n";
   }
@@ -117,7 +117,9 @@ class TradeoffPicture {
       svg += svg_grid_line(left, y_at(k), left + plot_width, y_at(k));
       svg += svg_label(left - 6, y_at(k) + 4, "end", fmt::format("1e{}", k));
     }
-    return svg + svg_label(left + plot_width / 2, top + plot_height + 36, "middle", table_.cost);
+    return svg + svg_label(14, top - 14, "start", "worst error, relative") +
+           svg_label(left + plot_width / 2, top + plot_height + 36, "middle",
+                     fmt::format("cost [{}]", table_.cost));
   }
 
   /// Along the front costs go up and errors down; between two costs the cheaper design is the best.
@@ -132,9 +134,10 @@ class TradeoffPicture {
   }
 
   [[nodiscard]] std::string symbol(const TradeoffRow& row, double x, double y) const {
+    const char* const fill = row.is_on_front ? "black" : row.is_below_reference ? "#bbb" : "white";
     return fmt::format(
         "<path d=\"{}\" transform=\"translate({:.1f} {:.1f})\" fill=\"{}\" stroke=\"black\"/>\n",
-        outline_of(row), x, y, row.is_on_front ? "black" : "white");
+        outline_of(row), x, y, fill);
   }
 
   [[nodiscard]] const char* outline_of(const TradeoffRow& row) const {
@@ -149,18 +152,44 @@ class TradeoffPicture {
     return outlines[static_cast<std::size_t>(at) % outlines.size()];
   }
 
-  /// Neighbours in cost are often close: their numbers are on different sides.
+  /// Neighbours in cost are often close: their numbers are on different sides, and neither is on
+  /// the line of the front.
   [[nodiscard]] std::string number(std::size_t i) const {
     const bool is_left = i % 2 == 0;
-    return svg_label(x_of(*rows_[i]) + (is_left ? -radius - 3 : radius + 3), y_of(*rows_[i]) + 4,
-                     is_left ? "end" : "start", std::to_string(i + 1));
+    return svg_label(x_of(*rows_[i]) + (is_left ? -radius : radius),
+                     y_of(*rows_[i]) + (is_left ? -radius : radius + 9), is_left ? "end" : "start",
+                     std::to_string(i + 1));
   }
 
-  [[nodiscard]] std::string legend_line(std::size_t i) const {
-    const double y = top + line_height * (static_cast<double>(i) + 0.5);
-    return symbol(*rows_[i], legend_left, y) +
-           svg_label(legend_left + 14, y + 4, "start",
-                     fmt::format("{}  {}", i + 1, name_of(*rows_[i])));
+  [[nodiscard]] static double legend_y(std::size_t line) {
+    return top + line_height * (static_cast<double>(line) + 0.5);
+  }
+
+  /// What the values of a design are, the designs, and what marks and line mean.
+  [[nodiscard]] std::string legend() const {
+    std::string svg = svg_title(legend_left + 14, legend_y(0) + 4,
+                                fmt::format("{}", fmt::join(table_.dimensions, ", ")));
+    std::size_t line = 1;
+    for (; line <= rows_.size(); ++line) svg += legend_line(line);
+    std::vector<std::string> notes{"black: the front; nothing as cheap is as accurate",
+                                   "line: the error on the front at each cost"};
+    if (std::ranges::any_of(table_.rows, &TradeoffRow::is_below_reference)) {
+      notes.emplace_back("grey: not to be told from the reference");
+    }
+    for (const std::string& note : notes) {
+      svg += svg_label(legend_left + 14, legend_y(++line), "start", note);
+    }
+    return svg;
+  }
+
+  [[nodiscard]] std::string legend_line(std::size_t line) const {
+    const TradeoffRow& row = *rows_[line - 1];
+    std::vector<std::string> values = row.values;
+    std::replace(values.begin(), values.end(), std::string("one"),
+                 std::string("one state at a time"));
+    return symbol(row, legend_left, legend_y(line)) +
+           svg_label(legend_left + 14, legend_y(line) + 4, "start",
+                     fmt::format("{}  {}", line, fmt::join(values, ", ")));
   }
 
   const TradeoffTable& table_;

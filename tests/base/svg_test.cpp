@@ -5,10 +5,12 @@
 
 using namespace elgen;
 
-TEST_CASE("a picture starts with its size and a white ground") {
-  CHECK(svg_start(300, 200).starts_with(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"300\" height=\"200\" "
-      "viewBox=\"0 0 300 200\""));
+TEST_CASE("a picture starts with its size, a white ground and its title") {
+  const std::string svg = svg_start(300, 200, "a<b");
+  CHECK(
+      svg.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"300\" height=\"200\" "
+                      "viewBox=\"0 0 300 200\""));
+  CHECK(svg.ends_with(" font-weight=\"bold\">a&lt;b</text>\n"));
 }
 
 TEST_CASE("texts are escaped, positions have a tenth of a pixel") {

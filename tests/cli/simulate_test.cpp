@@ -48,6 +48,7 @@ TEST_CASE("rows are written as the ending of the file says, and nothing is overw
   const auto object = nlohmann::json::parse(workspace.read("x.json"));
   CHECK(object["rows"].size() == 1001);
   CHECK(object["model"] == "cart_pole");
+  CHECK(object["columns"].back()["unit"] == "J");
   REQUIRE(run("-o x.svg").status == 0);
   CHECK(starts_with(workspace.read("x.svg"), "<svg "));
 }

@@ -75,6 +75,7 @@ TEST_CASE("rows stand at their times, the start and the end among them") {
   CHECK(run.steps == 3 * 8 + 3);
   CHECK(run.columns.size() == 4);
   CHECK(run.columns[2].name == "dot(q)");
+  CHECK(run.columns[3].unit.empty());
   CHECK(pendulum.trajectory(steps_of("rk4", 0.1, 1)).rows.empty());
 }
 

@@ -28,12 +28,12 @@ Trajectory two_columns() {
 
 Trajectory seven_columns() {
   Trajectory trajectory;
-  trajectory.columns = {{"t", "s", ""},   {"phi", "rad", "phi"}, {"e_w", "", "e"},
-                        {"e_x", "", "e"}, {"dot(phi)", "", ""},  {"x<y", "m", "x<y"},
-                        {"E", "", "E"}};
+  trajectory.columns = {
+      {"t", "s", ""},       {"phi", "rad", "phi"}, {"e_w", "", "e"},          {"e_x", "", "e"},
+      {"dot(phi)", "", ""}, {"x<y", "m", "x<y"},   {"E", "J", "E − E₀", true}};
   for (int i = 0; i <= 10; ++i) {
     const double t = i;
-    trajectory.rows.push_back({t, std::remainder(t, 2 * M_PI), 1, 0, 1, t * t, 3});
+    trajectory.rows.push_back({t, std::remainder(t, 2 * M_PI), 1, 0, 1, t * t, 3 + 1e-9 * t});
   }
   return trajectory;
 }
@@ -84,12 +84,36 @@ TEST_CASE("a picture is XML with a panel for each name, and a curve for each col
   const std::string svg = to_svg(seven_columns());
   tinyxml2::XMLDocument document;
   REQUIRE(document.Parse(svg.c_str()) == tinyxml2::XML_SUCCESS);
-  CHECK(count(svg, "font-weight") == 4);
+  CHECK(count(svg, "font-weight") == 1 + 4);
   CHECK(count(svg, "<path") == 5);
   CHECK(mentions(svg, "phi [rad]"));
   CHECK(mentions(svg, "x&lt;y [m]"));
   CHECK_FALSE(mentions(svg, "dot(phi)"));
   CHECK_FALSE(mentions(svg, "nan"));
+}
+
+TEST_CASE("a picture says whose run it is, and by what") {
+  CHECK(mentions(to_svg(two_columns()), ">top by rk4: 0 steps to t = 1 s<"));
+}
+
+TEST_CASE("of E the way from its start is drawn, in a digit more than tells ticks apart") {
+  const std::string svg = to_svg(seven_columns());
+  CHECK(mentions(svg, ">E − E₀ [J]<"));
+  CHECK(mentions(svg, ">2.00e-09<"));
+  CHECK(mentions(svg, ">1.00e-08<"));
+  // The curve fills its panel, but for the margins, from corner to corner.
+  const std::size_t path = svg.rfind("<path");
+  CHECK(mentions(svg.substr(path), "d=\"M92.0 579.9"));
+  CHECK(mentions(svg.substr(path), "L712.0 478.1\""));
+}
+
+TEST_CASE("ticks are told apart however near each other they are") {
+  Trajectory trajectory;
+  trajectory.columns = {{"t", "s", ""}, {"x", "m", "x"}};
+  trajectory.rows = {{0, 1}, {1, 1 + 1e-7}};
+  const std::string svg = to_svg(trajectory);
+  CHECK(mentions(svg, ">1.00000002<"));
+  CHECK(mentions(svg, ">1.00000004<"));
 }
 
 TEST_CASE("curves of one panel differ in their dashes, and wrapped angles are interrupted") {

@@ -232,9 +232,31 @@ TEST_CASE("a picture is XML with every design that has numbers, and the front is
   CHECK(count(svg, "fill=\"black\"") == 2 * 3);
   CHECK(count(svg, "transform=") == 2 * 4);
   CHECK(mentions(svg, ">1  float, packs<"));
-  CHECK(mentions(svg, "<path d=\"M226.5 69.4H304.8V447.4H486.5V460.0\" fill=\"none\""));
+  CHECK(mentions(svg, "<path d=\"M226.5 95.4H304.8V473.4H486.5V486.0\" fill=\"none\""));
   CHECK(mentions(svg, "arm, gravity"));
   CHECK_FALSE(mentions(svg, "E709"));
+}
+
+TEST_CASE("a picture names its axes, the dimensions, and what marks and line mean") {
+  TradeoffTable table = sample_table();
+  const std::string svg = to_svg(judged(table));
+  for (const char* const text :
+       {">arm, gravity: errors, relative<", ">worst error, relative<", ">cost [ns per state]<",
+        ">scalar, batch<", ">3  double, one state at a time<", ">black: the front", ">line: "}) {
+    INFO(text);
+    CHECK(mentions(svg, text));
+  }
+  CHECK_FALSE(mentions(svg, ">grey: "));
+  table.rows[1].is_below_reference = true;
+  const std::string with_grey = to_svg(judged(table));
+  CHECK(mentions(with_grey, ">grey: "));
+  CHECK(count(with_grey, "fill=\"#bbb\"") == 2);
+}
+
+TEST_CASE("marks of the front are drawn last, so that none of theirs is covered") {
+  const std::string svg = to_svg(
+      judged({.dimensions = {"name"}, .rows = {row_of({"a"}, 10, 1e-7), row_of({"b"}, 10, 1e-7)}}));
+  CHECK(svg.rfind("fill=\"black\"") > svg.rfind("fill=\"white\""));
 }
 
 TEST_CASE("shapes tell the values of the first dimension apart") {
