@@ -343,6 +343,11 @@ struct Model {
   bool may_drift = false;
 };
 
+/// rad is the unit 1, so what is written tells angles from pure numbers.
+[[nodiscard]] inline bool is_angle(const Coordinate& coordinate) {
+  return coordinate.unit_text == "rad";
+}
+
 /// Adds a coordinate with its rate; its index.
 std::uint32_t append_coordinate(Model& model, Coordinate coordinate);
 

@@ -41,4 +41,7 @@ struct UnitRow {
 /// Shortest known spelling, for messages and documentation: "N*m", "kg*m^2/s", "1".
 [[nodiscard]] std::string to_string(const Unit& unit);
 
+/// The same of a force: J is of energies, and a generalized force on an angle is in N*m.
+[[nodiscard]] std::string force_unit_text(const Unit& unit);
+
 }  // namespace elgen

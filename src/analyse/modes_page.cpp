@@ -308,7 +308,7 @@ class ModesPage {
       line.latex += fmt::format("{}{} = {} \\text{{{}}}", comma, symbols.v[velocity].latex,
                                 value.latex, unit);
     }
-    const bool turns = moving.coordinates[moving.cyclic[0].coordinate].unit_text == "rad";
+    const bool turns = is_angle(moving.coordinates[moving.cyclic[0].coordinate]);
     if (turns && have_one_period(motions.modes, *rates)) {
       const char* const closed = ", of the same period: orbits close";
       line = {line.text + closed, line.latex + prose(closed).latex};

@@ -67,8 +67,7 @@ std::vector<std::string> latex_of(const std::vector<Printed>& formulas) {
 /// " N m s", " N s": that of a force, times s.
 Printed unit_of_momentum(const Parameter& momentum) {
   if (!momentum.unit) return {};
-  const Unit force = *momentum.unit / *find_unit("s");
-  std::string text = force == *find_unit("J") ? "N m" : to_string(force);
+  std::string text = force_unit_text(*momentum.unit / *find_unit("s"));
   std::ranges::replace(text, '*', ' ');
   return {fmt::format(" {} s", text), fmt::format("\\text{{ {} s}}", text)};
 }

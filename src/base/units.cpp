@@ -96,6 +96,14 @@ bool is_spelled_by_name(const UnitRow& row) {
   return row.name != "Hz" && row.name != "rad" && row.name != "1";
 }
 
+/// At most one factor or divisor, and not kg, which is in the derived unit: N/s, J*m.
+bool stands_beside_derived(const Unit& rest) {
+  constexpr std::size_t kilogram = 1;
+  std::int64_t count = 0;
+  for (const Exponent& exponent : rest.powers) count += std::abs(exponent.numerator);
+  return count <= 1 && rest.powers[kilogram].numerator == 0;
+}
+
 }  // namespace
 
 const std::vector<UnitRow>& unit_table() {
@@ -149,18 +157,17 @@ std::optional<Unit> find_unit(std::string_view name) {
 std::string to_string(const Unit& unit) {
   UnitSpelling best = spell("", unit);
   for (const UnitRow& row : unit_table()) {
-    if (!is_spelled_by_name(row)) {
-      continue;
-    }
-    if (row.unit == unit) {
-      return std::string(row.name);
-    }
-    UnitSpelling candidate = spell(row.name, unit / row.unit);
-    if (candidate.cost < best.cost) {
-      best = std::move(candidate);
-    }
+    const Unit rest = unit / row.unit;
+    if (!is_spelled_by_name(row) || !stands_beside_derived(rest)) continue;
+    if (rest == Unit{}) return std::string(row.name);
+    UnitSpelling candidate = spell(row.name, rest);
+    if (candidate.cost < best.cost) best = std::move(candidate);
   }
   return best.text;
+}
+
+std::string force_unit_text(const Unit& unit) {
+  return unit == *find_unit("J") ? "N*m" : to_string(unit);
 }
 
 }  // namespace elgen

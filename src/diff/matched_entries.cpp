@@ -80,10 +80,9 @@ std::vector<Labelled> labelled(const Model& model, const Function& function,
     for (std::size_t i = 0; i < field.entries.size(); ++i) {
       const std::size_t r = i / field.columns;
       const std::size_t c = i % field.columns;
-      const auto unit = unit_of_entry(model, {function.kind, field.name, r, c});
       all.push_back({{field.name, rows[r], columns[c]},
                      name + index_text(field, i),
-                     unit ? to_string(*unit) : ""});
+                     unit_text_of_entry(model, {function.kind, field.name, r, c})});
     }
   }
   return all;

@@ -35,8 +35,6 @@ Range range_or(const std::optional<Interval>& interval, double otherwise) {
 constexpr double default_rate = 10;
 constexpr Range steps{0, 0.1};  ///< in s: a rate of 10 moves by 1 in the longest one
 
-bool is_angle(const Coordinate& coordinate) { return coordinate.unit_text == "rad"; }
-
 using Ranges = LeafValues<Range>;
 
 Arguments<double> values_of(const Subject& subject) {

@@ -25,7 +25,7 @@ bool contains(const std::optional<Interval>& range, const cl_R& value) {
 
 std::vector<SpecialValue> special_values(const Coordinate& coordinate) {
   std::vector<SpecialValue> values{{"0", 0}};
-  if (coordinate.unit_text == "rad") {
+  if (is_angle(coordinate)) {
     // The digits of pi leave sin(pi) below 1e-50, as null_space() asks.
     const cl_R pi = cln::pi(cln::float_format(80));
     values.insert(values.end(), {{"pi/2", pi / 2}, {"-pi/2", -pi / 2}, {"pi", pi}});

@@ -52,10 +52,6 @@ cl_R within(const Interval& range, Random& random) {
   return range.low + (range.high - range.low) * cln::abs(random.rational());
 }
 
-bool is_angle(const Model& model, Opcode kind, std::uint32_t number) {
-  return kind == Opcode::coordinate && model.coordinates[number].unit_text == "rad";
-}
-
 }  // namespace
 
 State nominal_state(const Model& model, const Scene& scene) {
@@ -94,7 +90,8 @@ void draw_motion(const Model& model, Random& random, std::size_t turn, State& st
     if (const auto range = declared_range(model, kind, number)) {
       value = within(*range, random);
     } else {
-      value = random.rational() * (is_angle(model, kind, number) ? half_turn : scale);
+      const bool turns = kind == Opcode::coordinate && is_angle(model.coordinates[number]);
+      value = random.rational() * (turns ? half_turn : scale);
     }
   };
   for_each_leaf(draw, state);

@@ -65,10 +65,20 @@ TEST_CASE("units are spelled as mechanics says them") {
       {unit("J") / unit("A"), "Wb"},
       {Unit{} / (unit("m") * second), "1/(m*s)"},
       {power(unit("m"), {1, 2}), "m^(1/2)"},
+      {unit("J") * unit("m"), "J*m"},
+      {unit("W") / second, "W/s"},
+      {power(unit("N") * second, {2, 1}), "kg^2*m^2/s^2"},
+      {power(unit("J") * unit("m"), {2, 1}), "kg^2*m^6/s^4"},
   };
   for (const auto& [value, spelling] : rows) {
     CHECK(to_string(value) == spelling);
   }
+}
+
+TEST_CASE("a force that is an energy by its unit is a torque") {
+  CHECK(force_unit_text(unit("J")) == "N*m");
+  CHECK(force_unit_text(unit("N")) == "N");
+  CHECK(force_unit_text(unit("J") * unit("s")) == to_string(unit("J") * unit("s")));
 }
 
 TEST_CASE("every row of the unit table has a name of its own") {

@@ -58,6 +58,10 @@ J = { value = 1, unit = "kg*m^2" }
   const Coordinate& q = model.coordinates.front();
   CHECK(q.unit == Unit{});
   CHECK(q.unit_text == "rad");
+  CHECK(is_angle(q));
+  Coordinate pure = q;
+  pure.unit_text = "1";
+  CHECK_FALSE(is_angle(pure));
   const Velocity& rate = model.velocities[q.velocity];
   CHECK(rate.name == "q");
   CHECK(rate.unit == power(*find_unit("s"), {-1, 1}));
@@ -76,7 +80,7 @@ J = { value = 1, unit = "kg*m^2" }
 TEST_CASE("what variables may not say") {
   const Rows rows{
       {"[[input]]\nname = \"u\"\nunit = \"N*m\"\non = \"x\"\n",
-       "E403 14:9 `u` is in J, but a force on `x` is in N\n"},
+       "E403 14:9 `u` is in N*m, but a force on `x` is in N\n"},
       {"[[input]]\nname = \"u\"\nunit = \"N\"\non = \"xx\"\n",
        "E201 15:7 unknown coordinate `xx` | did you mean `x`? (coordinate, line 5)\n"},
       {"[[input]]\nname = \"u\"\nunit = \"N\"\nlimits = [1, 1]\n",

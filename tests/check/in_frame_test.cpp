@@ -213,7 +213,7 @@ TEST_CASE("what may not be in a frame", "[frames]") {
       {"[[force]]\nvalue = [\"0\", \"0\", \"0\"]\n",
        "E112 25:1 none of `on`, `at` and `frame` says where the force acts\n"},
       {"[[force]]\nframe = \"f\"\nvalue = [\"m\", \"0\", \"0\"]\n",
-       "E403 27:11 `m` is in kg, but a torque is in J\n"},
+       "E403 27:11 `m` is in kg, but a torque is in N*m\n"},
       {"[[output]]\nname = \"o\"\n", "E112 25:1 an output has one of `value` and `frame`\n"},
       {"[[output]]\nname = \"o\"\nvalue = \"q\"\nframe = \"f\"\n",
        "E112 25:1 an output has one of `value` and `frame`\n"},

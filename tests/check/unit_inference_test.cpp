@@ -163,6 +163,25 @@ TEST_CASE("a value that names nothing is in the unit of its key") {
         "expression: give it a name and a unit in `[parameters]`\n");
 }
 
+TEST_CASE("what acts on an angle is in N*m, and so are its parts") {
+  const std::string turning = block(
+      "[parameters.J]\nvalue = 1\nunit = \"kg*m^2\"\n[[coordinate]]\nname = \"q\"\n"
+      "unit = \"rad\"\narmature = \"J\"\n");
+  const std::string force = "[[force]]\non = \"q\"\nvalue = ";
+  const std::string expected = "[[expect]]\n";
+  const Rows rows{
+      {force + "\"k*x\"\n", "E403 21:10 `k*x` is in N, but a force is in N*m\n"},
+      {force + "\"k*x^2 + k*x\"\n", "E401 21:18 `k*x` is in N, but the sum is in N*m\n"},
+      {force + "\"5\"\n",
+       "E405 21:10 `5` names nothing, so it is in N*m, the SI unit of its key\n"},
+      {expected + "gravity = [\"0\", \"k*x\"]\n",
+       "E403 20:18 `k*x` is in N, but a closed form is in N*m\n"},
+      {expected + "potential_energy = \"k*x\"\n",
+       "E403 20:21 `k*x` is in N, but a closed form is in J\n"},
+  };
+  check_rows(rows, [&](const std::string& entries) { return messages(turning + entries); });
+}
+
 TEST_CASE("products, quotients and powers are read from left to right") {
   const Rows rows{
       {"1", "1"},          {"rad", "1"},          {"kg*m^2/s^2", "J"},

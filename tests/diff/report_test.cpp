@@ -95,7 +95,7 @@ TEST_CASE("one sign is told in a dozen lines, its cause first") {
         "follows      14 of 74 entries differ, 0 rewritten\n"
         "for one      gravity[2] = -m*l*g*sin(theta) -> m*l*g*sin(theta), difference "
         "2*m*l*g*sin(theta)\n"
-        "             at theta = 1.68: -0.488 -> 0.488 J, 2 of the largest\n"
+        "             at theta = 1.68: -0.488 -> 0.488 N*m, 2 of the largest\n"
         "interface    unchanged\n"
         "different    the equations differ\n");
 }

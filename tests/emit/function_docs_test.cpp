@@ -125,6 +125,7 @@ TEST_CASE("rows are separated by semicolons, equal units are one") {
   const Model model = cart_pole_model();
   CHECK(units_text(model, OutputKind::mass_matrix, {"", 2, 2, {}}) == "kg, kg*m; kg*m, kg*m^2");
   CHECK(units_text(model, OutputKind::forward_dynamics, {"relative_pivots", 2, 1, {}}) == "1");
+  CHECK(units_text(model, OutputKind::gravity, {"", 2, 1, {}}) == "N, N*m");
   CHECK(units_text(model, OutputKind::kinetic_energy, {"", 1, 1, {}}) == "J");
 }
 

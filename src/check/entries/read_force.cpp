@@ -9,8 +9,8 @@
 namespace elgen {
 namespace {
 
-constexpr Place force_place{"a force", place::of_force};
-constexpr Place torque_place{"a torque", place::of_force};
+constexpr Place force_place{"a force", place::of_force, Code::E319, true};
+constexpr Place torque_place{"a torque", place::of_force, Code::E319, true};
 
 void read_generalized_force(ValueReader& values, const KeySyntax& on, const KeySyntax& value,
                             Force& force) {

@@ -100,9 +100,9 @@ void check_input_unit(Context& context, const Input& input, const ValueSyntax& u
   const std::optional<Unit> expected = force_unit(velocity);
   if (input.unit && expected && *input.unit != *expected) {
     context.report.add(Code::E403, unit.span,
-                       in_backticks(input.name) + " is in " + to_string(*input.unit) +
+                       in_backticks(input.name) + " is in " + input.unit_text +
                            ", but a force on " + in_backticks(velocity.name) + " is in " +
-                           to_string(*expected));
+                           force_unit_text(*expected));
   }
 }
 

@@ -74,7 +74,7 @@ class UnitInference {
     if (root.unit && !root.misplaced && inferred.known == Known::yes &&
         inferred.unit != *root.unit) {
       refuse(Code::E403, root.value, inferred.unit,
-             std::string(root.place.noun) + " is in " + to_string(*root.unit),
+             std::string(root.place.noun) + " is in " + unit_text_in(root.place, *root.unit),
              inferred.unit == Unit{} ? unnamed_number_hint(model_, root.value) : "");
     }
   }
@@ -198,7 +198,7 @@ class UnitInference {
       }
       if (term.known == Known::yes && term.unit != result.unit) {
         refuse(Code::E401, unsigned_term(operand), term.unit,
-               std::string(what) + " is in " + to_string(result.unit),
+               std::string(what) + " is in " + text_at(operand, result.unit),
                hint_on_pure({operand, term.unit}, {first, result.unit}));
         return {};
       }
@@ -261,11 +261,18 @@ class UnitInference {
     return b.unit == Unit{} ? unnamed_number_hint(model_, b.id) : "";
   }
 
+  [[nodiscard]] std::string text_at(ExpressionId id, const Unit& unit) const {
+    const auto found = std::ranges::find_if(context_.roots, [id](const WrittenExpression& root) {
+      return root.first <= id && id <= root.value;
+    });
+    return unit_text_in(found == context_.roots.end() ? Place{} : found->place, unit);
+  }
+
   void refuse(Code code, ExpressionId id, const Unit& observed, const std::string& expected,
               const std::string& hint = {}) {
     const Span& span = model_.expressions[id].span;
     Diagnostic diagnostic{
-        code, span, in_backticks(span) + " is in " + to_string(observed) + ", but " + expected,
+        code, span, in_backticks(span) + " is in " + text_at(id, observed) + ", but " + expected,
         hint};
     if (const auto declared = unit_declaration(model_, id)) {
       diagnostic.related = declared->span;

@@ -62,6 +62,10 @@ std::optional<UnitDeclaration> variable_declaration(const Model& model, const Ex
 
 }  // namespace
 
+std::string unit_text_in(const Place& place, const Unit& unit) {
+  return place.is_force ? force_unit_text(unit) : to_string(unit);
+}
+
 std::string unnamed_number_hint(const Model& model, ExpressionId expression) {
   for (const ExpressionId id : written_parts(model, expression)) {
     const Expression& node = model.expressions[id];
@@ -102,8 +106,9 @@ void note_plain_numbers(Context& context) {
   std::string others;
   if (count > 1) others = "; the same goes for " + counted(count - 1, "other value");
   context.report.add(Code::E405, span,
-                     in_backticks(span) + " names nothing, so it is in " + to_string(*first->unit) +
-                         ", the SI unit of its key" + others);
+                     in_backticks(span) + " names nothing, so it is in " +
+                         unit_text_in(first->place, *first->unit) + ", the SI unit of its key" +
+                         others);
 }
 
 void note_missing_units(Context& context) {

@@ -10,6 +10,9 @@
 
 namespace elgen {
 
+/// A unit of what stands in a place, or in a part of it.
+[[nodiscard]] std::string unit_text_in(const Place& place, const Unit& unit);
+
 /// "" unless a number stands in the expression, beside names, that should have a unit.
 [[nodiscard]] std::string unnamed_number_hint(const Model& model, ExpressionId expression);
 

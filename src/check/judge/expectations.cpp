@@ -21,9 +21,11 @@ constexpr Place closed_form_of_momenta{"a closed form", place::anything | uses_m
 constexpr Place conserved_form{"a conserved quantity",
                                place::anything | uses_momentum | uses_energy};
 
-const Place& place_for(const OutputRequest& request) {
+Place place_for(const OutputRequest& request) {
   const bool takes_momenta = output_row(request.kind).takes.has_any(Opcode::momentum);
-  return takes_momenta ? closed_form_of_momenta : closed_form;
+  Place place = takes_momenta ? closed_form_of_momenta : closed_form;
+  place.is_force = field_row(request.kind, "").unit == UnitRule::power;
+  return place;
 }
 
 std::string shape(std::size_t rows, std::size_t columns) {

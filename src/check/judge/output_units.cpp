@@ -63,10 +63,15 @@ MaybeUnit unit_of_entry(const Model& model, const EntryPlace& place) {
   return std::nullopt;
 }
 
+std::string unit_text_of_entry(const Model& model, const EntryPlace& place) {
+  const MaybeUnit unit = unit_of_entry(model, place);
+  if (!unit) return "";
+  const bool is_force = field_row(place.kind, place.field).unit == UnitRule::power;
+  return is_force ? force_unit_text(*unit) : to_string(*unit);
+}
+
 std::string velocity_unit(const Model& model, const Velocity& velocity) {
-  const bool is_angle =
-      velocity.rotation || model.coordinates[velocity.coordinate].unit_text == "rad";
-  if (is_angle) return "rad/s";
+  if (velocity.rotation || is_angle(model.coordinates[velocity.coordinate])) return "rad/s";
   return velocity.unit ? to_string(*velocity.unit) : "";
 }
 

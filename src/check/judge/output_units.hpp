@@ -23,6 +23,9 @@ struct EntryPlace {
 /// where a unit is not declared or not known, and for outputs of the model's own.
 [[nodiscard]] std::optional<Unit> unit_of_entry(const Model& model, const EntryPlace& place);
 
+/// As text, N*m of torques. Empty where there is none.
+[[nodiscard]] std::string unit_text_of_entry(const Model& model, const EntryPlace& place);
+
 /// The unit of a velocity as text: angles per second stay "rad/s". Empty where it has none.
 [[nodiscard]] std::string velocity_unit(const Model& model, const Velocity& velocity);
 

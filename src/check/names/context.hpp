@@ -40,6 +40,7 @@ struct Place {
   std::string_view noun;  ///< "a position"
   Ingredients allowed = 0;
   Code otherwise = Code::E319;
+  bool is_force = false;  ///< messages say N*m, not J
 };
 
 /// One expression of the file in the arena: the nodes [first, value], its place and its unit. Nodes

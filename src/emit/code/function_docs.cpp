@@ -143,9 +143,8 @@ std::string units_text(const Model& model, OutputKind kind, const Field& field) 
   std::set<std::string> different;
   for (std::size_t i = 0; i < field.rows; ++i) {
     for (std::size_t j = 0; j < field.columns; ++j) {
-      const std::optional<Unit> unit = unit_of_entry(model, {kind, field.name, i, j});
-      if (!unit) return "";
-      const std::string text = to_string(*unit);
+      const std::string text = unit_text_of_entry(model, {kind, field.name, i, j});
+      if (text.empty()) return "";
       different.insert(text);
       if (i + j > 0) list += j == 0 && field.columns > 1 ? "; " : ", ";
       list += text;

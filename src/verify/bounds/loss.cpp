@@ -113,8 +113,8 @@ Real Losses::conditioning(const FieldPlace& place, std::size_t entry) {
 bool Losses::knows_angles() const {
   static const Real known(cln::cl_RA(1) / 1000);
   for (std::size_t i = 0; i < state_.q.size(); ++i) {
-    const bool is_angle = subject_.model.coordinates[i].unit_text == "rad";
-    if (is_angle && exceeds(abs(Real(state_.q[i])) * rounding_.roundoff, known)) return false;
+    const bool turns = is_angle(subject_.model.coordinates[i]);
+    if (turns && exceeds(abs(Real(state_.q[i])) * rounding_.roundoff, known)) return false;
   }
   return true;
 }
