@@ -111,6 +111,12 @@ bool is_variation(const LatexTree& part) {
   return is_group && (part.parts[0].text == "δ" || part.parts[0].text == "d");
 }
 
+/// \mathrm{elbow}, on none of whose letters an accent would be that of the word.
+bool is_word(const LatexTree& tree) {
+  if (tree.kind == LatexKind::row && tree.parts.size() == 1) return is_word(tree.parts[0]);
+  return tree.kind == LatexKind::word && columns_of(tree.text) > 1;
+}
+
 bool is_closing_bracket(const LatexTree& part) {
   const LatexTree& base = base_of(part);
   const bool is_bracket = base.kind == LatexKind::bracket || base.kind == LatexKind::tall;
@@ -166,11 +172,16 @@ class Drawer {
     return name.empty() ? text : std::string(name);
   }
 
-  /// The accent of the first letter.
+  /// Whether dots are written as models write them: dot(theta1).
+  [[nodiscard]] bool has_called_accent(const LatexTree& tree) const {
+    return tree.kind == LatexKind::accent && (!is_unicode() || is_word(tree.parts[0]));
+  }
+
+  /// Dots stand over the first letter: that of a symbol.
   [[nodiscard]] std::string accented(const LatexTree& tree, const std::string& base) const {
     if (base.empty()) return base;
     const bool is_double = tree.text == "¨";
-    if (!is_unicode()) return is_double ? "ddot(" + base + ")" : "dot(" + base + ")";
+    if (has_called_accent(tree)) return is_double ? "ddot(" + base + ")" : "dot(" + base + ")";
     const std::size_t first = std::max<std::size_t>(1, code_point_at(base, 0).bytes);
     return base.substr(0, first) + (is_double ? "\u0308" : "\u0307") + base.substr(first);
   }
@@ -218,7 +229,7 @@ class Drawer {
     return beside(beside(left, inside), bracket_drawing(close, inside, alphabet_));
   }
 
-  /// "₁₂" of "1, 2"; "_cart"
+  /// "₁₂" of "1, 2"; "_cart"; "_left_hip" of "left, hip", as in names
   [[nodiscard]] std::string index(const LatexTree& tree) const {
     if (tree.parts.empty() && tree.text.empty()) return "";
     std::string text = text_of_line(tree);
@@ -228,9 +239,13 @@ class Drawer {
     const bool is_digits = std::ranges::all_of(without_commas, [](char c) { return is_digit(c); });
     const bool is_short = without_commas.size() * 2 == text.size() + 1;
     if (is_digits && is_short) text = without_commas;
-    if (!is_unicode()) return is_digits ? text : "_" + text;
-    const auto small = made_small(text, &SmallGlyph::below);
-    return small ? *small : "_" + text;
+    const bool is_long = without_commas.size() < text.size() || columns_of(text) > 4;
+    const bool is_name = is_long && !is_digits;  // hard to read in small letters
+    if (is_name) std::ranges::replace(text, ',', '_');
+    const bool is_small = is_unicode() && !is_name;
+    const auto small = is_small ? made_small(text, &SmallGlyph::below) : std::nullopt;
+    if (small) return *small;
+    return is_digits ? text : "_" + text;
   }
 
   [[nodiscard]] std::string exponent(const LatexTree& tree) const {
@@ -241,10 +256,10 @@ class Drawer {
     return columns_of(text) == 1 ? "^" + text : "^(" + text + ")";
   }
 
-  /// In ASCII the index is part of what has an accent: dot(theta1).
+  /// The index is part of what is called: dot(theta1).
   [[nodiscard]] Block scripts(const LatexTree& tree) const {
     const LatexTree& base = tree.parts[0];
-    if (is_unicode() || base.kind != LatexKind::accent) return with_scripts(draw(base), tree);
+    if (!has_called_accent(base)) return with_scripts(draw(base), tree);
     LatexTree exponent_alone = tree;
     exponent_alone.parts[1] = {};
     const std::string inside = text_of_line(base.parts[0]) + index(tree.parts[1]);

@@ -43,6 +43,17 @@ std::string word(std::string_view text) {
   return fmt::format(fmt::runtime(is_greek ? "\\{}" : "\\mathrm{{{}}}"), text);
 }
 
+/// "xx" of I_{xx}: axes.
+bool is_axes(std::string_view text) {
+  return !text.empty() && text.size() <= 2 && text.find_first_not_of("xyz") == std::string::npos;
+}
+
+/// A word below the line, where axes are slanted: xx and 3xx.
+std::string script(std::string_view text) {
+  const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
+  return is_axes(text.substr(digits)) ? std::string(text) : word(text);
+}
+
 std::string subscripts(const std::vector<std::string>& parts) {
   return parts.empty() ? "" : fmt::format("_{{{}}}", fmt::join(parts, ", "));
 }
@@ -69,16 +80,21 @@ std::size_t scripts_of(std::string_view key) {
   return key.size();
 }
 
+/// Axes behind one letter stand below the line, as what follows an underscore: Ixx is I_{xx}.
 SymbolText named_symbol(std::string_view name) {
-  const std::size_t end = static_cast<std::size_t>(
+  const std::size_t letters = static_cast<std::size_t>(
       std::find_if_not(name.begin(), name.end(), is_letter) - name.begin());
+  const bool has_axes =
+      letters > 1 && !is_axes(name.substr(0, 1)) && is_axes(name.substr(1, letters - 1));
+  const std::size_t base = has_axes ? 1 : letters;
   std::vector<std::string> parts;
-  for (std::size_t at = end; at < name.size();) {
+  if (has_axes) parts.push_back(script(name.substr(base, letters - base)));
+  for (std::size_t at = letters; at < name.size();) {
     const std::size_t stop = std::min(name.find('_', at), name.size());
-    if (stop > at) parts.push_back(word(name.substr(at, stop - at)));
+    if (stop > at) parts.push_back(script(name.substr(at, stop - at)));
     at = stop + 1;
   }
-  return {word(name.substr(0, end)), subscripts(parts)};
+  return {word(name.substr(0, base)), subscripts(parts)};
 }
 
 /// "e_{w}" of a rotation with `latex = "e"`; empty where it has no key.
@@ -100,6 +116,18 @@ SymbolText spin_symbol(const Model& model, const Velocity& velocity) {
     parts.insert(parts.begin(), latex_symbol(rotation.name, rotation.latex).text());
   }
   return {"\\omega", subscripts(parts)};
+}
+
+/// `tau_elbow` on the coordinate `elbow` with `latex = "q_2"`: \tau_2.
+SymbolText input_symbol(const Model& model, const Input& input) {
+  SymbolText symbol = latex_symbol(input.name);
+  if (!input.on || model.velocities[*input.on].rotation) return symbol;
+  const Coordinate& on = model.coordinates[model.velocities[*input.on].coordinate];
+  const auto end = std::find_if_not(input.name.begin(), input.name.end(), is_letter);
+  const bool is_called_so = std::string(end, input.name.end()) == "_" + on.name;
+  const std::string scripts = symbol_of(model, on).scripts;
+  if (is_called_so && !on.latex.empty() && !scripts.empty()) symbol.scripts = scripts;
+  return symbol;
 }
 
 /// Without the marks of upright letters, which are hard to tell from slanted ones.
@@ -236,7 +264,7 @@ ModelSymbols::ModelSymbols(const Model& model) {
     }
   }
   for (const Input& input : model.inputs) {
-    leaves_.u.push_back(distinct(latex_symbol(input.name)).text());
+    leaves_.u.push_back(distinct(input_symbol(model, input)).text());
   }
   leaves_.t = leaf_row(Opcode::time).symbol;
   leaves_.h = leaf_row(Opcode::step).symbol;

@@ -1,7 +1,7 @@
 // symbols: names of a model -> symbols of formulas.
 //
-//     theta   theta1       l[2]    x_cart              mass
-//     \theta  \theta_{1}   l_{2}   x_{\mathrm{cart}}   \mathrm{mass}
+//     theta   theta1       l[2]    x_cart              mass            Ixx_arm
+//     \theta  \theta_{1}   l_{2}   x_{\mathrm{cart}}   \mathrm{mass}   I_{xx, \mathrm{arm}}
 #pragma once
 
 #include <set>

@@ -127,7 +127,8 @@ std::string model_text(const Robot& robot, const LinkTree& tree) {
   Draft draft{robot, tree, Glossary(robot, tree)};
   for (const Branch& branch : tree.branches) {
     draft.glossary.open_group(fmt::format("{}, on {}", robot.links[branch.child].name.text,
-                                          robot.joints[branch.joint].name.text));
+                                          robot.joints[branch.joint].name.text),
+                              branch);
     const JointMotion motion = draft_joint(draft, branch);
     draft_frames(draft, branch, motion);
     if (branch.moves) draft_body(draft, branch.child);

@@ -61,15 +61,16 @@ class JointDrafter {
     return coupling;
   }
 
-  /// `range` and `rates` are lists of TOML, or empty.
-  void add_coordinate(const std::string& name, std::string_view unit, const std::string& range,
-                      const std::string& rates = {}) {
+  /// `range` and `rates` are lists of TOML, or empty; so may be the symbol.
+  void add_coordinate(const std::string& name, std::string_view unit, const std::string& symbol,
+                      const std::string& range, const std::string& rates = {}) {
     TomlTable table("[[coordinate]]");
     table.add("name", toml_string(name));
     table.add(unit.empty() ? "kind" : "unit", toml_string(unit.empty() ? "rotation" : unit));
     if (!range.empty()) table.add("range", range);
     if (!rates.empty()) table.add("rate_range", rates);
     if (range == full_turn) table.add("wrap", "true");
+    if (!symbol.empty()) table.add("latex", "'" + symbol + "'");
     table.add("doc", toml_string(doc()));
     draft_.coordinates.push_back({branch_.joint, std::move(table)});
   }
@@ -84,7 +85,8 @@ class JointDrafter {
     } else if (low.value < high.value) {
       range = toml_list({low.text, high.text});
     }
-    add_coordinate(name_, units_of(joint_.type).position, range, symmetric_range(limit.velocity));
+    add_coordinate(name_, units_of(joint_.type).position, glossary_.symbol(branch_.joint), range,
+                   symmetric_range(limit.velocity));
   }
 
   /// A torque or force on a coordinate.
@@ -139,18 +141,21 @@ class JointDrafter {
     return square == 1 ? "1" : "sqrt(" + terms + ")";
   }
 
-  /// A coordinate called NAME_end.
-  std::string draft_free(const std::string& end, const std::string& unit) {
+  /// A coordinate called NAME_end, in formulas as that of a body alone.
+  std::string draft_free(const std::string& end, const std::string& unit,
+                         const std::string& symbol) {
     const std::string name = glossary_.claim(name_ + "_" + end, "joint");
-    add_coordinate(name, unit, std::string(unit == "rad" ? full_turn : ""));
+    add_coordinate(name, unit, symbol, std::string(unit == "rad" ? full_turn : ""));
     return name;
   }
 
   JointMotion draft_floating() {
     JointMotion motion;
     if (joint_.welded) return motion;
-    for (std::size_t i = 0; i < 3; ++i) motion.translate[i] = draft_free(axis_letter(i), "m");
-    motion.attitude = draft_free("attitude", "");
+    for (std::size_t i = 0; i < 3; ++i) {
+      motion.translate[i] = draft_free(axis_letter(i), "m", axis_letter(i));
+    }
+    motion.attitude = draft_free("attitude", "", "e");
     return motion;
   }
 
@@ -159,12 +164,12 @@ class JointDrafter {
     JointMotion motion;
     if (joint_.welded) return motion;
     for (const std::size_t i : {(normal + 1) % 3, (normal + 2) % 3}) {
-      const std::string name = draft_free(axis_letter(i), "m");
+      const std::string name = draft_free(axis_letter(i), "m", axis_letter(i));
       motion.translate[i] = name;
       add_input(name, false);
     }
     if (joint_.is_angle_welded) return motion;
-    const std::string angle = draft_free("angle", "rad");
+    const std::string angle = draft_free("angle", "rad", "\\varphi");
     add_input(angle, true);
     motion.turn = turn_by(angle);
     return motion;

@@ -25,6 +25,14 @@ bool is_reserved(const std::string& name) {
              names_of_headers.end();
 }
 
+/// "q", "q1" and "q_1" are symbols as they are.
+bool is_long(const std::string& name) { return name.size() > 1 && is_letter(name[1]); }
+
+/// m_1 or I_{xx,1}
+std::string with_script(std::string_view base, const std::string& script) {
+  return fmt::format(fmt::runtime(script.size() == 1 ? "{}_{}" : "{}_{{{}}}"), base, script);
+}
+
 }  // namespace
 
 std::string well_formed(std::string_view text) {
@@ -58,7 +66,8 @@ std::string model_name(std::string_view robot) {
 }
 
 Glossary::Glossary(const Robot& robot, const LinkTree& tree)
-    : frames_(robot.links.size()), joints_(robot.joints.size()) {
+    : frames_(robot.links.size()), joints_(robot.joints.size()), numbers_(robot.joints.size()) {
+  std::vector<std::size_t> coordinates;
   for (const char* own : {"g", "world"}) names_.claim(own, "");
   for (const Branch& branch : tree.branches) {
     const Joint& joint = robot.joints[branch.joint];
@@ -66,6 +75,7 @@ Glossary::Glossary(const Robot& robot, const LinkTree& tree)
     const bool is_coordinate =
         has_one_coordinate(joint.type) && joint.moves() && !tree.mimicked[branch.joint];
     joints_[branch.joint] = is_coordinate ? names_.claim(name, "joint") : well_formed(name);
+    if (is_coordinate) coordinates.push_back(branch.joint);
     note_change(name, joints_[branch.joint]);
   }
   frames_[tree.root] = "world";
@@ -74,6 +84,34 @@ Glossary::Glossary(const Robot& robot, const LinkTree& tree)
     frames_[branch.child] = names_.claim(name, "link");
     note_change(name, frames_[branch.child]);
   }
+  number_joints(robot, std::move(coordinates));
+}
+
+void Glossary::number_joints(const Robot& robot, std::vector<std::size_t> coordinates) {
+  const auto name = [this](std::size_t joint) { return joints_[joint]; };
+  if (std::ranges::none_of(coordinates, is_long, name)) return;
+  const auto rank = [&](std::size_t joint) { return robot.joints[joint].rank; };
+  std::ranges::stable_sort(coordinates, {}, rank);
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    numbers_[coordinates[i]] = std::to_string(i + 1);
+  }
+}
+
+std::string Glossary::symbol(std::size_t joint) const {
+  return numbers_[joint].empty() ? "" : with_script("q", numbers_[joint]);
+}
+
+/// Of "Ixx_elbow" I_{xx,2}, of "damping_elbow" \mathrm{damping}_2; empty of names not made so.
+std::string Glossary::parameter_symbol(const std::string& name) const {
+  const std::string& number = numbers_[open_.joint];
+  const std::string& joint = joints_[open_.joint];
+  if (number.empty()) return {};
+  if (name == joint + "_stiction_rate") return with_script("\\mathrm{stiction}", number);
+  const std::string stem = name.substr(0, name.find('_'));
+  const std::string owner = name.substr(std::min(stem.size() + 1, name.size()));
+  if (owner != joint && owner != frames_[open_.child]) return {};
+  if (stem.size() > 3) return with_script("\\mathrm{" + stem + "}", number);
+  return with_script(stem.substr(0, 1), stem.size() > 1 ? stem.substr(1) + "," + number : number);
 }
 
 void Glossary::note_change(const std::string& from, const std::string& to) {
@@ -82,18 +120,24 @@ void Glossary::note_change(const std::string& from, const std::string& to) {
   if (from != to && !is_known) renamed_.push_back(change);
 }
 
-void Glossary::open_group(std::string title) { groups_.push_back({std::move(title), {}}); }
+void Glossary::open_group(std::string title, const Branch& branch) {
+  groups_.push_back({std::move(title), {}});
+  open_ = branch;
+}
 
 std::string Glossary::parameter(const std::string& name, const FileNumber& number,
                                 const std::string& unit, const std::string& more) {
   if (number.is_zero()) return "0";
   const std::string claimed = names_.claim(name, "parameter");
   const bool is_negative = number.text.front() == '-';  // then what `more` assumes is not so
-  const bool has_more = !more.empty() && !is_negative;
+  std::vector<std::string> last;
+  if (!more.empty() && !is_negative) last.push_back(more);
+  const std::string symbol = parameter_symbol(name);
+  if (!symbol.empty()) last.push_back(fmt::format("latex = '{}'", symbol));
   std::vector<std::string> row{
       claimed, fmt::format(" = {{ value = {}, ", toml_number(number.text)),
-      fmt::format("unit = {}{}", toml_string(unit), has_more ? ", " : " }")};
-  if (has_more) row.push_back(more + " }");
+      fmt::format("unit = {}{}", toml_string(unit), last.empty() ? " }" : ", ")};
+  if (!last.empty()) row.push_back(fmt::format("{} }}", fmt::join(last, ", ")));
   groups_.back().rows.push_back(std::move(row));
   return claimed;
 }

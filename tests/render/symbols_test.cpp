@@ -9,8 +9,20 @@ using namespace elgen;
 
 TEST_CASE("names become symbols") {
   const std::vector<std::pair<std::string, std::string>> rows{
-      {"x", "x"},        {"theta", "\\theta"}, {"theta1", "\\theta_{1}"},
-      {"l[2]", "l_{2}"}, {"Omega", "\\Omega"}, {"mass", "\\mathrm{mass}"},
+      {"x", "x"},
+      {"theta", "\\theta"},
+      {"theta1", "\\theta_{1}"},
+      {"l[2]", "l_{2}"},
+      {"Omega", "\\Omega"},
+      {"mass", "\\mathrm{mass}"},
+      {"m_cart", "m_{\\mathrm{cart}}"},
+      {"q_hip_left", "q_{\\mathrm{hip}, \\mathrm{left}}"},
+      {"joint_4_stiction", "\\mathrm{joint}_{4, \\mathrm{stiction}}"},
+      {"Ixx_link03", "I_{xx, \\mathrm{link03}}"},
+      {"I3yz", "I_{3yz}"},
+      {"Jz2", "J_{z, 2}"},
+      {"xi_xy", "\\xi_{xy}"},
+      {"xy", "\\mathrm{xy}"},
   };
   for (const auto& [name, expected] : rows) {
     INFO(name);
@@ -32,6 +44,33 @@ TEST_CASE("a symbol that draws nothing is drawn by its name") {
 TEST_CASE("Greek letters by their command") {
   CHECK(greek_letter("theta") == "θ");
   CHECK(greek_letter("cart").empty());
+}
+
+TEST_CASE("an input called by its coordinate has the scripts of its symbol") {
+  const CheckedModel checked =
+      test::checked_model(test::model_text("driven",
+                                           "[[coordinate]]\nname = \"elbow\"\nlatex = 'q_2'\n"
+                                           "[[coordinate]]\nname = \"wrist\"\n[parameters]\nm = 1\n"
+                                           "[energy]\nT = \"m*(dot(elbow)^2 + dot(wrist)^2)\"\n"
+                                           "[[input]]\nname = \"tau_elbow\"\non = \"elbow\"\n"
+                                           "[[input]]\nname = \"tau_wrist\"\non = \"wrist\"\n"
+                                           "[[input]]\nname = \"u_tau_elbow\"\non = \"elbow\"\n"));
+  CHECK(
+      ModelSymbols(checked.model).leaves().u ==
+      std::vector<std::string>{"\\tau_2", "\\tau_{\\mathrm{wrist}}", "u_{\\tau, \\mathrm{elbow}}"});
+}
+
+TEST_CASE("two long names that would get one symbol do not") {
+  const CheckedModel checked = test::checked_model(test::model_text(
+      "alike",
+      "[[coordinate]]\nname = \"left_hip\"\n[[coordinate]]\nname = \"left_hip_\"\n[parameters]\n"
+      "Ixx_hip = 1\nI_xx_hip = 2\n[energy]\n"
+      "T = \"Ixx_hip*dot(left_hip)^2 + I_xx_hip*dot(left_hip_)^2\"\n"));
+  const LeafValues<std::string> symbols = ModelSymbols(checked.model).leaves();
+  CHECK(symbols.v == std::vector<std::string>{"\\dot{\\mathrm{left}}_{\\mathrm{hip}}",
+                                              "\\dot{\\mathrm{left}}_{\\mathrm{hip}}'"});
+  CHECK(symbols.parameters ==
+        std::vector<std::string>{"I_{xx, \\mathrm{hip}}", "I_{xx, \\mathrm{hip}}'"});
 }
 
 TEST_CASE("two quantities never share a symbol") {

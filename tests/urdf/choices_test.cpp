@@ -60,7 +60,9 @@ const std::string flying_body =
 
 TEST_CASE("the joints that were named move, in the order given") {
   const std::string model = imported(crane(), keeping("bc,ab"));
-  CHECK(model.find("name = \"bc\"") < model.find("name = \"ab\""));
+  CHECK_THAT(model, Contains("name  = \"bc\"\nunit  = \"m\"\nlatex = 'q_1'\n"));
+  CHECK_THAT(model, Contains("name  = \"ab\"\nunit  = \"rad\"\nlatex = 'q_2'\n"));
+  CHECK(model.find("name  = \"bc\"") < model.find("name  = \"ab\""));
   CHECK(model.find("\"f_bc\"") < model.find("\"tau_ab\""));
   CHECK(count(model, "[[coordinate]]") == 2);
 }
@@ -157,8 +159,8 @@ TEST_CASE("a robot of one link is a body that flies") {
   const std::string model = imported(text);
   CHECK(after(model, "#   world    ") == "the world");
   CHECK(after(model, "#     drone  ") == "base, floating");
-  CHECK_THAT(model, Contains("name = \"base_x\"\nunit = \"m\"\n"));
-  CHECK_THAT(model, Contains("name = \"base_attitude\"\nkind = \"rotation\"\n"));
+  CHECK_THAT(model, Contains("name  = \"base_x\"\nunit  = \"m\"\n"));
+  CHECK_THAT(model, Contains("name  = \"base_attitude\"\nkind  = \"rotation\"\n"));
   CHECK_THAT(model,
              Contains("parent    = \"world\"\ntranslate = [\"base_x\", \"base_y\", \"base_z\"]\n"
                       "rotation  = \"base_attitude\"\n"));

@@ -86,8 +86,8 @@ TEST_CASE("all of what slides along an oblique axis is divided by its length") {
 
 TEST_CASE("a floating joint has three lengths and an attitude, and nothing drives it") {
   const std::string model = imported(arm_on("floating", ""));
-  CHECK_THAT(model, Contains("name = \"j_x\"\nunit = \"m\"\n"));
-  CHECK_THAT(model, Contains("name = \"j_attitude\"\nkind = \"rotation\"\n"));
+  CHECK_THAT(model, Contains("name  = \"j_x\"\nunit  = \"m\"\nlatex = 'x'\n"));
+  CHECK_THAT(model, Contains("name  = \"j_attitude\"\nkind  = \"rotation\"\nlatex = 'e'\n"));
   CHECK_THAT(model, !Contains("[[input]]"));
   CHECK_THAT(model, Contains("translate = [\"j_x\", \"j_y\", \"j_z\"]\n"
                              "rotation  = \"j_attitude\"\n"));
@@ -95,9 +95,9 @@ TEST_CASE("a floating joint has three lengths and an attitude, and nothing drive
 
 TEST_CASE("a planar joint has two lengths in its plane and an angle about its normal") {
   const std::string model = imported(arm_on("planar", "<axis xyz=\"0 1 0\"/>"));
-  CHECK(model.find("name = \"j_z\"") < model.find("name = \"j_x\""));
+  CHECK(model.find("name  = \"j_z\"") < model.find("name  = \"j_x\""));
   CHECK_THAT(model, Contains("name  = \"j_angle\"\nunit  = \"rad\"\n"
-                             "range = [\"-pi\", \"pi\"]\nwrap  = true\n"));
+                             "range = [\"-pi\", \"pi\"]\nwrap  = true\nlatex = '\\varphi'\n"));
   CHECK_THAT(model, Contains("translate = [\"j_x\", \"0\", \"j_z\"]\n"
                              "rotate    = [[\"y\", \"j_angle\"]]\n"));
   CHECK_THAT(model, Contains("name = \"f_j_z\"\nunit = \"N\"\non   = \"j_z\"\n"

@@ -113,7 +113,7 @@ TEST_CASE("oblique turns, attitudes and changed names") {
       "<joint name=\"j\" type=\"floating\"><parent link=\"base\"/><child link=\"arm\"/></joint>"
       "<joint name=\"k\" type=\"revolute\"><parent link=\"arm\"/><child link=\"left-leg\"/>"
       "<axis xyz=\"1 2 0\"/></joint>"));
-  CHECK(after(model, "kind ") == "= \"rotation\"");
+  CHECK(after(model, "kind  ") == "= \"rotation\"");
   CHECK(after(model, "rotation  ") == "= \"j_attitude\"");
   CHECK(after(model, "rotate ") == "= [[[\"1\", \"2\", \"0\"], \"k\"]]");
   CHECK(after(model, "# `left-leg` ") == "is called left_leg");
@@ -162,7 +162,7 @@ TEST_CASE("an imported model is a model file, in which every number is as writte
   INFO(format(syntax.diagnostics));
   CHECK(syntax);
   CHECK(after(model, "m_panda_link1 ") ==
-        "  = { value = 4.970684,  unit = \"kg\",     assume = \"positive\" }");
+        "  = { value = 4.970684,  unit = \"kg\",     assume = \"positive\", latex = 'm_1' }");
 }
 
 TEST_CASE("all mistakes of a file are told in one run, in its order") {

@@ -36,7 +36,7 @@ TEST_CASE("a joint keeps its name before a link, the root link is the world") {
 TEST_CASE("a number is a parameter of the open group, a zero is none") {
   const urdf::Robot robot = same_names();
   urdf::Glossary glossary(robot, tree_of(robot));
-  glossary.open_group("knee");
+  glossary.open_group("knee", {});
   CHECK(glossary.parameter("m", urdf::decimal_of(0), "kg") == "0");
   CHECK(glossary.parameter("g", urdf::decimal_of(2), "kg") == "parameter_g");
   CHECK(glossary.parameter("m", urdf::decimal_of(-2), "kg", "assume") == "m");
@@ -45,6 +45,37 @@ TEST_CASE("a number is a parameter of the open group, a zero is none") {
   using Rows = std::vector<std::vector<std::string>>;
   CHECK(groups[0].rows == Rows{{"parameter_g", " = { value = 2, ", "unit = \"kg\" }"},
                                {"m", " = { value = -2, ", "unit = \"kg\" }"}});
+}
+
+TEST_CASE("joints of long names are numbered in the order of the coordinates, and what is theirs") {
+  urdf::Robot robot = robot_of(
+      "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/><link "
+      "name=\"c\"/>" +
+      joint("ab") + joint("bc", "prismatic") + "</robot>");
+  robot.joints[0].rank = 2;
+  robot.joints[1].rank = 1;
+  const urdf::LinkTree tree = tree_of(robot);
+  urdf::Glossary glossary(robot, tree);
+  CHECK(glossary.symbol(0) == "q_2");
+  CHECK(glossary.symbol(1) == "q_1");
+  glossary.open_group("b", tree.branches[0]);
+  const std::vector<std::pair<std::string, std::string>> rows{
+      {"m_b", "m_2"},
+      {"Ixx_b", "I_{xx,2}"},
+      {"z_ab", "z_2"},
+      {"damping_ab", "\\mathrm{damping}_2"},
+      {"ab_stiction_rate", "\\mathrm{stiction}_2"}};
+  for (const auto& [name, symbol] : rows) {
+    glossary.parameter(name, urdf::decimal_of(-1), "1", "assume = \"positive\"");
+    CHECK(glossary.groups()[0].rows.back().back() == "latex = '" + symbol + "' }");
+  }
+  glossary.parameter("ratio_bc", urdf::decimal_of(1), "1");
+  CHECK(glossary.groups()[0].rows.back().back() == "unit = \"1\" }");
+}
+
+TEST_CASE("joints of short names have no symbols but their names") {
+  const urdf::Robot robot = robot_of(arm_on("revolute", ""));
+  CHECK(urdf::Glossary(robot, tree_of(robot)).symbol(0).empty());
 }
 
 TEST_CASE("a name is letters, digits and single underscores") {
