@@ -1,7 +1,7 @@
 // The order of the stages, and the only place that knows it:
 //
 //     parse -> check -> inspect -> formulate -> specialise -> derive -> lower -> cancel -> present
-//     -> choose -> emit -> self-check
+//     -> choose -> typeset -> emit -> self-check
 //
 //     specialise -> steps    the derivation as a student writes it
 //     cancel -> parts        what solutions are judged by
@@ -94,6 +94,7 @@ class Compilation {
     if (choice_.product) out.costs = std::move(choice_.product->costs);
     if (parts_.product) out.parts = std::move(*parts_.product);
     out.steps = std::move(steps_.product);
+    out.book = std::move(book_.product);
     out.equilibria = std::move(equilibria_.product);
     out.motions = std::move(motions_.product);
     out.symmetries = std::move(symmetries_.product);
@@ -178,9 +179,11 @@ class Compilation {
   Stage<std::vector<JudgedEquilibrium>> claims_{run_, Goal::claims, std::tie(lagrangian_, checked_),
                                                 claims};
 
-  Stage<EmittedFiles> files_{run_, Goal::emit, std::tie(checked_, choice_),
-                             [](const CheckedModel& c, const Choice& chosen) {
-                               return emit(c.model, c.scene, chosen.program);
+  Stage<Book> book_{run_, Goal::typeset, std::tie(lagrangian_, forms_, choice_, checked_), book_of};
+
+  Stage<EmittedFiles> files_{run_, Goal::emit, std::tie(checked_, choice_, book_),
+                             [](const CheckedModel& c, const Choice& chosen, const Book& book) {
+                               return emit(c.model, c.scene, chosen.program, book);
                              }};
 
   Stage<Program> parts_{run_, Goal::parts, std::tie(lagrangian_, checked_, recursive_), parts};

@@ -9,6 +9,7 @@
 #include "elgen/diagnostic.hpp"
 #include "elgen/model.hpp"
 #include "elgen/program.hpp"
+#include "elgen/render.hpp"
 #include "elgen/scene.hpp"
 
 namespace elgen {
@@ -20,10 +21,10 @@ struct EmittedFiles {
   std::map<std::string, std::string> files = {};  ///< "cart_pole/cart_pole.hpp" -> text, UTF-8, LF
 };
 
-/// The artifacts of the scene. Errors: E7xx (a name C++ cannot take, a parameter that overflows in
-/// a requested scalar).
+/// The artifacts of the scene; `book` is for its page, if it has one. Errors: E7xx (a name C++
+/// cannot take, a parameter that overflows in a requested scalar).
 [[nodiscard]] Result<EmittedFiles> emit(const Model& model, const Scene& scene,
-                                        const Program& program);
+                                        const Program& program, const Book& book);
 
 /// The body hash a generated text states, and the one its content has: they differ after a hand
 /// edit.

@@ -46,14 +46,15 @@ enum class Goal : std::uint8_t {
   modes,
   symmetries,
   claims,
+  typeset,
   emit,
   parts,
   self_check,
 };
-inline constexpr std::array<std::string_view, 18> goal_names{
-    "parse",  "check",      "inspect", "formulate", "specialise", "steps",
-    "derive", "lower",      "cancel",  "present",   "choose",     "equilibria",
-    "modes",  "symmetries", "claims",  "emit",      "parts",      "self-check"};
+inline constexpr std::array<std::string_view, 19> goal_names{
+    "parse",  "check",   "inspect", "formulate", "specialise", "steps", "derive",
+    "lower",  "cancel",  "present", "choose",    "equilibria", "modes", "symmetries",
+    "claims", "typeset", "emit",    "parts",     "self-check"};
 
 [[nodiscard]] constexpr std::string_view name_of(Goal goal) {
   return goal_names[static_cast<std::size_t>(goal)];
@@ -90,6 +91,7 @@ struct Products {
   Program parts = {};
   std::vector<FormCosts> costs = {};
   std::optional<ReadableSteps> steps = {};
+  std::optional<Book> book = {};
   std::optional<Equilibria> equilibria = {};
   std::optional<std::vector<LinearMotions>> motions = {};
   std::optional<Symmetries> symmetries = {};

@@ -118,10 +118,23 @@ struct Sheet {
   std::string title_latex = {};  ///< the title with its formulas, for a screen; may be empty
 };
 
+/// A derivation step by step, as it is read.
+struct ReadableSteps {
+  Program program = {};                  ///< the functions of elgen/steps.hpp
+  std::vector<std::string> masses = {};  ///< the names of the fields of "positions"
+};
+
+/// The content of pages.
+struct Book {
+  Program program = {};  ///< that of the code; its `readable` is written as books do
+  std::optional<ReadableSteps> steps = {};  ///< none where the derivation is too long to be read
+};
+
 /// Which functions of a program a page shows. `dynamics` repeats the others and is never shown.
 struct PageOptions {
-  bool zeros = false;                   ///< functions whose entries are all 0
-  std::size_t most_entries = SIZE_MAX;  ///< longer outputs are named, without their equations
+  bool zeros = false;                      ///< functions whose entries are all 0
+  std::size_t most_entries = SIZE_MAX;     ///< longer outputs are named, without their equations
+  const ReadableSteps* opening = nullptr;  ///< its equations of motion come first
 };
 
 /// The contents of a scene beyond a choice of outputs, in sentences: its purpose, what it fixes,
@@ -131,18 +144,18 @@ struct PageOptions {
 [[nodiscard]] Sheet sheet(const Model& model, const Scene& scene, const Program& program,
                           const PageOptions& options = {});
 
-/// A derivation step by step, as it is read.
-struct ReadableSteps {
-  Program program = {};                  ///< the functions of elgen/steps.hpp
-  std::vector<std::string> masses = {};  ///< the names of the fields of "positions"
-};
-
 /// The action, positions, velocities, energies, Lagrange's equation of every coordinate, and what
-/// is conserved under which condition: one section per step.
-[[nodiscard]] Sheet steps_sheet(const Model& model, const Scene& scene, const ReadableSteps& steps);
+/// is conserved under which condition, and the rows once more: one section per step, or the one of
+/// a title.
+[[nodiscard]] std::vector<SheetOutput> steps_sections(const Model& model,
+                                                      const ReadableSteps& steps,
+                                                      std::string_view title = {});
+[[nodiscard]] Sheet steps_sheet(const Model& model, const Scene& scene, const ReadableSteps& steps,
+                                std::string_view title = {});
 
-/// The section of T, V and L.
+/// The sections of T, V and L, and of the rows with what they are solved for.
 inline constexpr std::string_view energies_title = "Energies";
+inline constexpr std::string_view equations_title = "Equations of motion";
 
 /// The same in the model language; of one section where its title is given.
 [[nodiscard]] std::string steps_text(const Model& model, const ReadableSteps& steps,

@@ -19,10 +19,13 @@
 
 namespace elgen {
 
-/// The functions of a program, in its order; without fields where a closed form is missing or too
-/// long. New constants are appended to those of the program.
-[[nodiscard]] std::vector<Function> typeset(const CheckedModel& checked, const ClosedForms& forms,
-                                            Program& program);
+/// The program with its `readable` functions written as in books, but for those of which a closed
+/// form is missing or too long.
+[[nodiscard]] Program typeset(const CheckedModel& checked, const ClosedForms& forms,
+                              Program program);
+
+/// Whether every entry has a closed form that is short enough.
+[[nodiscard]] bool is_readable(const ClosedFunction& function);
 
 /// The program of elgen/steps.hpp with one entry for every sum of summands: `functions` over the
 /// definitions of the derivation, `readable` as books write them. Of a velocity there are the

@@ -189,7 +189,7 @@ class DesignBench {
     }
     if (scene.numerics.scalars.empty()) scene.numerics.scalars = {timing.variants.front().scalar};
     const Model& model = products.checked->model;
-    const Result<EmittedFiles> files = emit(model, scene, *products.program);
+    const Result<EmittedFiles> files = emit(model, scene, *products.program, {});
     if (!files) return files.diagnostics;
     return compile_timed(*files, model, scene, *products.program, timing);
   }

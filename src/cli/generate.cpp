@@ -206,7 +206,7 @@ void tell_what_became(const GlobalOptions& global, const GenerateOptions& option
                       const std::vector<std::string>& written) {
   const auto& [model, scene] = *job.products.checked;
   if (global.verbose) {
-    tell(global, overview(sheet(model, scene, *job.products.program), screen_of(stderr)));
+    tell(global, overview(sheet(model, scene, job.products.book->program), screen_of(stderr)));
   }
   for (const OutputFile& file : files_in(options.output_directory, *job.products.files)) {
     const bool is_new = std::find(written.begin(), written.end(), file.path) != written.end();

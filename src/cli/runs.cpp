@@ -134,9 +134,9 @@ class RunBench {
   [[nodiscard]] Result<StepLoops> compiled(const Products& products) const {
     const auto& [model, scene] = *products.checked;
     Scene plain = scene;
-    plain.emission = {.name_space = scene.emission.name_space, .batch = true};
+    plain.emission = {.name_space = scene.emission.name_space, .batch = true, .page = false};
     plain.numerics = {};
-    const Result<EmittedFiles> files = emit(model, plain, *products.program);
+    const Result<EmittedFiles> files = emit(model, plain, *products.program, {});
     if (!files) return files.diagnostics;
     return compile_steps(*files, model, plain, *products.program, limits_);
   }

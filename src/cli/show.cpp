@@ -162,7 +162,7 @@ std::string generation_costs(const Inputs& inputs, const PipelineOptions& option
 
 Sheet sheet_of(const Products& products, ShownSubject subject, const PageOptions& options) {
   const auto& [model, scene] = *products.checked;
-  if (subject == ShownSubject::outputs) return sheet(model, scene, *products.program, options);
+  if (subject == ShownSubject::outputs) return sheet(model, scene, products.book->program, options);
   if (subject == ShownSubject::equilibria) {
     return equilibria_sheet(*products.checked, *products.equilibria);
   }
@@ -172,18 +172,15 @@ Sheet sheet_of(const Products& products, ShownSubject subject, const PageOptions
   if (subject == ShownSubject::symmetries) {
     return symmetries_sheet(*products.checked, *products.symmetries);
   }
-  Sheet steps = steps_sheet(model, scene, *products.steps);
-  if (subject == ShownSubject::steps) return steps;
-  std::erase_if(steps.outputs,
-                [](const SheetOutput& step) { return step.title != energies_title; });
-  return steps;
+  const bool is_all = subject == ShownSubject::steps;
+  return steps_sheet(model, scene, *products.steps, is_all ? "" : energies_title);
 }
 
 std::string text_of(const Products& products, ShownSubject subject, const PageOptions& options) {
   const auto& [model, scene] = *products.checked;
   switch (subject) {
     case ShownSubject::outputs:
-      return text_page(model, scene, *products.program, options);
+      return text_page(model, scene, products.book->program, options);
     case ShownSubject::lagrangian:
       return steps_text(model, *products.steps, energies_title);
     case ShownSubject::steps:
@@ -201,7 +198,9 @@ std::string text_of(const Products& products, ShownSubject subject, const PageOp
 }
 
 std::string page(const Products& products, ShownSubject subject, const ShowOptions& wanted) {
-  const PageOptions options{!wanted.what.empty()};  // what is asked for by name is shown
+  PageOptions options{!wanted.what.empty()};  // outputs that are asked for by name are shown
+  const bool opens = wanted.what.empty() && products.book && products.book->steps;
+  if (opens) options.opening = &*products.book->steps;
   if (wanted.as == "unicode" && row_of(subject).has_formulas) {
     return screen_page(sheet_of(products, subject, options),
                        {screen_of(stdout).columns, Alphabet::unicode});

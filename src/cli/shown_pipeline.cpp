@@ -44,9 +44,9 @@ Products derived_for_run(const std::string& path, const Inputs& inputs, Pipeline
 Result<CompiledHeaders> compiled_for_run(const Products& products, const Limits& limits) {
   const auto& [model, scene] = *products.checked;
   Scene plain = scene;
-  plain.emission = {.name_space = scene.emission.name_space};
+  plain.emission = {.name_space = scene.emission.name_space, .page = false};
   plain.numerics = {};
-  const Result<EmittedFiles> files = emit(model, plain, *products.program);
+  const Result<EmittedFiles> files = emit(model, plain, *products.program, {});
   if (!files) return files.diagnostics;
   return compile(*files, model, plain, *products.program, {limits});
 }

@@ -121,7 +121,7 @@ ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& opt
   }
   if (global.verbose) {
     const auto& [model, scene] = *products.checked;
-    tell(global, overview(sheet(model, scene, *products.program), screen_of(stderr)));
+    tell(global, overview(sheet(model, scene, products.book->program), screen_of(stderr)));
   }
   const auto verification = compared(path, inputs, products, options.verify, global.limits);
   tell_times(global, products);

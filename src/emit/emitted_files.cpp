@@ -28,7 +28,8 @@ constexpr PerArtifact<Writer> writers{.cpp = {&cpp_header, &cpp_check_names},
 
 }  // namespace
 
-Result<EmittedFiles> emit(const Model& model, const Scene& scene, const Program& program) {
+Result<EmittedFiles> emit(const Model& model, const Scene& scene, const Program& program,
+                          const Book& book) {
   const std::vector<Artifact> wanted = artifacts_of(scene);
   Diagnostics diagnostics;
   for (const Artifact& artifact : wanted) {
@@ -40,7 +41,7 @@ Result<EmittedFiles> emit(const Model& model, const Scene& scene, const Program&
   const Diagnostics ranges = check_scalar_range(model, scene, program);
   diagnostics.insert(diagnostics.end(), ranges.begin(), ranges.end());
   if (has_errors(diagnostics)) return diagnostics;
-  const EmissionInput input = emission_input(model, scene, program);
+  const EmissionInput input = emission_input(model, scene, program, book);
   EmittedFiles emitted;
   for (const auto& [id, path] : wanted) emitted.files[path] = writers[id].text(input);
   return emitted;

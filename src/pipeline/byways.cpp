@@ -129,4 +129,30 @@ Result<ReadableSteps> readable_steps(const Lagrangian& lagrangian, const Checked
   return result;
 }
 
+namespace {
+
+/// Whether the terms of the equation of motion are short enough to be read, those that the scene
+/// has.
+bool has_readable_equation(const Program& program, const ClosedForms& forms) {
+  for (std::size_t i = 0; i < forms.functions.size(); ++i) {
+    const OutputKind kind = program.functions[i].kind;
+    const bool is_term = kind == OutputKind::mass_matrix || kind == OutputKind::bias ||
+                         kind == OutputKind::gravity || kind == OutputKind::inverse_dynamics;
+    if (is_term && !is_readable(forms.functions[i])) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<Book> book_of(const Lagrangian& lagrangian, const ClosedForms& forms, const Choice& choice,
+                     const CheckedModel& checked, const Limits& limits) {
+  Book book;
+  if (!checked.scene.emission.page) return book;
+  book.program = typeset(checked, forms, choice.program);
+  if (!has_readable_equation(choice.program, forms)) return book;
+  book.steps = readable_steps(lagrangian, checked, limits).value;
+  return book;
+}
+
 }  // namespace elgen

@@ -46,6 +46,11 @@ namespace elgen {
                                                             const CheckedModel& checked,
                                                             const Limits& limits);
 
+/// The content of pages; that of a scene without a page has no functions.
+[[nodiscard]] Result<Book> book_of(const Lagrangian& lagrangian, const ClosedForms& forms,
+                                   const Choice& choice, const CheckedModel& checked,
+                                   const Limits& limits);
+
 /// A derivation step by step, as it is read. The steps go the way of every output: lowered,
 /// presented, and read in their closed forms.
 [[nodiscard]] Result<ReadableSteps> readable_steps(const Lagrangian& lagrangian,

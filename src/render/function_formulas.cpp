@@ -96,11 +96,20 @@ class FunctionFormulas::Rules {
       if (std::find(all.begin(), factor, *factor) != factor) continue;
       Formula base = all_.entry(*factor);
       if (base.binding == Binding::negation) base = at_least(spelling_, base, Binding::product);
+      // 3/4*g/l: behind a number a quotient is read as it is.
+      const bool is_behind_number =
+          factor == all.begin() + 1 && opcode_of(all[0]) == Opcode::constant &&
+          opcode_of(*factor) == Opcode::divide && !spelling_.is_two_dimensional;
+      if (is_behind_number) base.binding = Binding::power;
       const long exponent = std::count(all.begin(), all.end(), *factor);
       different.push_back(exponent == 1 ? base
                                         : power(spelling_, base, number(spelling_, exponent)));
     }
     return product(spelling_, different);
+  }
+
+  [[nodiscard]] Opcode opcode_of(std::uint32_t at) const {
+    return all_.function_.instructions[at].opcode;
   }
 
   const FunctionFormulas& all_;

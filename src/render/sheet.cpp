@@ -123,6 +123,9 @@ Sheet sheet(const Model& model, const Scene& scene, const Program& program,
   result.inputs = inputs(model);
   result.functions = functions(model);
   result.parameters = parameters(model, scene);
+  if (options.opening != nullptr) {
+    result.outputs = steps_sections(model, *options.opening, equations_title);
+  }
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     const Function& function = program.functions[i];
     const OutputRow& row = output_row(function.kind);

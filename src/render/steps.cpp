@@ -225,7 +225,7 @@ class Outline {
 
   /// The rows of all velocities, and what they are solved for.
   void add_equations(std::size_t first) {
-    DerivationStep step{"Equations of motion", "", {}, {}};
+    DerivationStep step{std::string(equations_title), "", {}, {}};
     const std::size_t count = model_.velocities.size();
     for (std::size_t i = 0; i < count; ++i) step.equations.push_back(row(first + i));
     const std::size_t accelerations = first + count + 1;
@@ -327,13 +327,12 @@ std::string steps_text(const Model& model, const ReadableSteps& steps, std::stri
   return text;
 }
 
-Sheet steps_sheet(const Model& model, const Scene& scene, const ReadableSteps& steps) {
-  Sheet result = sheet(model, scene, {});
-  result.equation_of_motion =
-      "\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot{q}} - \\frac{\\partial L}{\\partial q} + "
-      "\\frac{\\partial D}{\\partial \\dot{q}} = Q";
+std::vector<SheetOutput> steps_sections(const Model& model, const ReadableSteps& steps,
+                                        std::string_view title) {
+  std::vector<SheetOutput> sections;
   Outline outline(model, steps);
   for (const DerivationStep& step : outline()) {
+    if (!title.empty() && step.title != title) continue;
     SheetOutput section{.title = step.title, .doc = step.doc};
     for (const StepLine& line : step.lines) section.lines.push_back(line.latex);
     for (const StepEquation& equation : step.equations) {
@@ -347,8 +346,18 @@ Sheet steps_sheet(const Model& model, const Scene& scene, const ReadableSteps& s
         section.equations.push_back({line.name, 1, 1, {line.value}});
       }
     }
-    result.outputs.push_back(std::move(section));
+    sections.push_back(std::move(section));
   }
+  return sections;
+}
+
+Sheet steps_sheet(const Model& model, const Scene& scene, const ReadableSteps& steps,
+                  std::string_view title) {
+  Sheet result = sheet(model, scene, {});
+  result.equation_of_motion =
+      "\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot{q}} - \\frac{\\partial L}{\\partial q} + "
+      "\\frac{\\partial D}{\\partial \\dot{q}} = Q";
+  result.outputs = steps_sections(model, steps, title);
   return result;
 }
 

@@ -38,6 +38,9 @@ std::string text_page(const Model& model, const Scene& scene, const Program& pro
   for (const std::string& note : scene_notes(model, scene)) text += note + "\n";
   text += fmt::format("\n  {}\n\n", equation_of_motion(model, program).text);
   for (const std::string& line : variable_lines(model, program)) text += "  " + line + "\n";
+  if (options.opening != nullptr) {
+    text += "\n" + steps_text(model, *options.opening, equations_title);
+  }
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     const Function& function = program.functions[i];
     const OutputRow& row = output_row(function.kind);

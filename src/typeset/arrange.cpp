@@ -12,6 +12,9 @@
 namespace elgen {
 namespace {
 
+/// Of longer sums nobody sees what their terms share.
+constexpr std::size_t longest_collected = 40;
+
 /// Longer sums get a name where the model has one for them.
 constexpr std::size_t longest_filled_in = 12;
 
@@ -130,6 +133,15 @@ bool is_root_of(const Algebra& algebra, const BookFactor& factor, const Polynomi
          sum(radicand, scaled(atom.arguments[0].numerator, {-1, 0})).empty();
 }
 
+/// Sums that no model has typed have this rank.
+constexpr std::uint32_t untyped = 10'000;
+
+bool holds_typed_sum(const BookProduct& product) {
+  return std::ranges::any_of(product.factors, [](const BookFactor& factor) {
+    return factor.place.group == FactorGroup::sum && factor.place.rank < untyped;
+  });
+}
+
 bool same_waves(const std::vector<CircularPower>& x, const std::vector<CircularPower>& y) {
   return std::ranges::equal(x, y, [](const CircularPower& a, const CircularPower& b) {
     return a.angle == b.angle && a.cosine == b.cosine && a.sine == b.sine;
@@ -164,7 +176,7 @@ void Arranger::multiply(BookProduct& product, BookSum sum) const {
   product.number = product.number * take_number(sum);
   BookFactor factor;
   factor.kind = BookFactorKind::sum;
-  factor.place = {FactorGroup::sum, 10'000};
+  factor.place = {FactorGroup::sum, untyped};
   bool is_of_parameters = true;
   std::uint32_t first = UINT32_MAX;
   for (const BookProduct& term : sum.terms) {
@@ -208,9 +220,12 @@ BookFactor Arranger::typed_factor(std::size_t typed) {
   BookFactor factor;
   factor.kind = BookFactorKind::sum;
   factor.place = {FactorGroup::sum, static_cast<std::uint32_t>(typed)};
+  // The terms hold shorter sums only, so that this ends.
+  const std::size_t outer = std::exchange(first_typed_, typed + 1);
   for (const Fraction& term : sum.terms) {
     for (BookProduct& part : in_front(term).terms) factor.sum.terms.push_back(std::move(part));
   }
+  first_typed_ = outer;
   const bool of_parameters = is_of_parameters(algebra_, sum.value);
   if (of_parameters) {
     std::uint32_t first = UINT32_MAX;
@@ -229,7 +244,9 @@ BookFactor Arranger::typed_factor(std::size_t typed) {
 
 bool Arranger::take_typed(Polynomial& sum, BookProduct& front) {
   bool is_taken = false;
-  for (std::size_t i = 0; i < typed_.sums.size() && sum.size() > 1; ++i) {
+  const std::vector<AtomId> atoms = atoms_of(sum);
+  for (std::size_t i = first_typed_; i < typed_.sums.size() && sum.size() > 1; ++i) {
+    if (!std::ranges::includes(atoms, typed_.sums[i].atoms)) continue;
     std::int32_t exponent = 0;
     while (sum.size() > 1) {
       auto divided = elgen::quotient(sum, typed_.sums[i].value, work_);
@@ -367,6 +384,14 @@ BookProduct Arranger::product(MixedSum sum) {
   return result;
 }
 
+bool Arranger::share_a_factor(const MixedSum& sum) const {
+  Polynomial powers;
+  for (const Mixed& term : sum) powers.emplace(term.powers, Gaussian{1, 0});
+  BookProduct front;
+  take_monomial(powers, front);
+  return !front.factors.empty();
+}
+
 /// One product for all terms with the same coordinates, sines and cosines.
 BookSum Arranger::by_kinds(const MixedSum& sum) {
   struct Kind {
@@ -390,7 +415,8 @@ BookSum Arranger::by_kinds(const MixedSum& sum) {
   }
   BookSum result;
   for (const auto& [shared, of_parameters] : kinds) {
-    const bool stands_alone = shared.powers.empty() && shared.circular.empty();
+    const bool stands_alone =
+        shared.powers.empty() && shared.circular.empty() && !share_a_factor(of_parameters);
     if (stands_alone || of_parameters.size() == 1) {
       for (const Mixed& term : of_parameters) {
         result.terms.push_back(product(term));
@@ -427,15 +453,32 @@ std::optional<BookSum> Arranger::by_shared_parameter(const MixedSum& sum) {
     (has_it ? with : without).push_back(term);
   }
   BookSum result = collected(without);
-  result.terms.push_back(product(std::move(with)));
+  BookProduct whole = product(with);
+  for (Mixed& term : with) {
+    term.powers = elgen::product(term.powers, Monomial{{most.first, -1}});
+  }
+  BookSum rest = collected(with);
+  if (holds_typed_sum(whole) || rest.terms.size() == 1) {
+    result.terms.push_back(std::move(whole));
+    return result;
+  }
+  BookProduct group;
+  multiply(group, Monomial{{most.first, 1}});
+  multiply(group, std::move(rest));
+  result.terms.push_back(std::move(group));
   return result;
 }
 
+/// The shorter way; one with a sum as typed, where they are as long.
 BookSum Arranger::collected(const MixedSum& sum) {
   BookSum best = by_kinds(sum);
-  if (sum.size() > 2) {
+  if (sum.size() > 2 && sum.size() <= longest_collected) {
     std::optional<BookSum> other = by_shared_parameter(sum);
-    if (other && written_factors(*other) < written_factors(best)) best = std::move(*other);
+    const bool is_typed = other && std::ranges::any_of(other->terms, holds_typed_sum);
+    const std::size_t margin = is_typed ? 1 : 0;
+    if (other && written_factors(*other) < written_factors(best) + margin) {
+      best = std::move(*other);
+    }
   }
   sort_terms(best);
   return best;
@@ -478,12 +521,38 @@ bool hides_leading_factors(const BookProduct& product) {
 
 }  // namespace
 
+/// The parts of a fraction by rates, each over what does not divide it.
+BookSum Arranger::parts(const Fraction& form, std::optional<std::uint32_t> own) {
+  BookSum result;
+  for (auto& [rates, rest] : rate_groups(algebra_, form.numerator, own)) {
+    Fraction part{std::move(rest), form.denominator};
+    divide_out(part, algebra_, work_);
+    result.terms.push_back(product(part));
+    multiply(result.terms.back(), rates);
+  }
+  return result;
+}
+
 BookSum Arranger::in_front(const Fraction& form) {
   if (form.numerator.empty()) return {};
   Taken whole = taken(form.numerator);
-  if (form.denominator.empty() && whole.front.factors.empty()) return terms(whole.rest);
+  if (form.denominator.empty()) {
+    if (whole.front.factors.empty()) return terms(whole.rest);
+    BookProduct product = this->product(whole);
+    if (hides_leading_factors(product)) return terms(form.numerator);
+    return {{std::move(product)}};
+  }
+  BookSum sum = parts({whole.rest, form.denominator});
+  const auto divided = std::ranges::count_if(sum.terms, [](const BookProduct& term) {
+    return std::ranges::any_of(term.factors,
+                               [](const BookFactor& factor) { return factor.exponent < 0; });
+  });
+  if (sum.terms.size() > 1 && divided < 2) {
+    if (whole.front.factors.empty()) return sum;
+    multiply(whole.front, std::move(sum));
+    return {{std::move(whole.front)}};
+  }
   BookProduct product = this->product(whole);
-  if (form.denominator.empty() && hides_leading_factors(product)) return terms(form.numerator);
   divide(product, form);
   return {{std::move(product)}};
 }
@@ -491,14 +560,7 @@ BookSum Arranger::in_front(const Fraction& form) {
 BookSum Arranger::spread(const Fraction& form, std::optional<std::uint32_t> own) {
   const Polynomial numerator = by_hyperbolic_squares(algebra_, form.numerator);
   if (form.denominator.empty()) return terms(numerator, own);
-  BookSum result;
-  for (auto& [rates, rest] : rate_groups(algebra_, numerator, own)) {
-    Fraction part{std::move(rest), form.denominator};
-    divide_out(part, algebra_, work_);
-    result.terms.push_back(product(part));
-    multiply(result.terms.back(), rates);
-  }
-  return result;
+  return parts({numerator, form.denominator}, own);
 }
 
 bool Arranger::is_one_product(const Fraction& form) {

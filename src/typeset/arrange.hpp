@@ -67,10 +67,12 @@ class Arranger {
   void divide(BookProduct& product, const Fraction& form);
   void divide(BookProduct& product, const Polynomial& factor, std::int32_t exponent);
 
+  [[nodiscard]] BookSum parts(const Fraction& form, std::optional<std::uint32_t> own = {});
   [[nodiscard]] BookSum terms(const Polynomial& sum, std::optional<std::uint32_t> own = {});
   [[nodiscard]] BookSum terms_without_rates(const Polynomial& sum);
   [[nodiscard]] MixedSum mixed(const Polynomial& sum);
   [[nodiscard]] BookSum collected(const MixedSum& sum);
+  [[nodiscard]] bool share_a_factor(const MixedSum& sum) const;
   [[nodiscard]] BookSum by_kinds(const MixedSum& sum);
   [[nodiscard]] std::optional<BookSum> by_shared_parameter(const MixedSum& sum);
   [[nodiscard]] BookProduct product(MixedSum sum);
@@ -82,6 +84,7 @@ class Arranger {
 
   const Algebra& algebra_;
   const TypedForms& typed_;
+  std::size_t first_typed_ = 0;  ///< of the typed sums that are looked for
   std::size_t work_ = 1'000'000;  ///< term products that divisions may take
 };
 

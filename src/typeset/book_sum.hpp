@@ -47,8 +47,9 @@ enum class BookFactorKind : std::uint8_t {
   atom,    ///< of the algebra: a leaf, pi, a root, a call
   sine,    ///< of `angle`
   cosine,  ///< likewise
-  sum,     ///< in brackets
-  name     ///< a definition of the model, whose value is `sum`
+  tangent,
+  sum,  ///< in brackets
+  name  ///< a definition of the model, whose value is `sum`
 };
 
 struct BookFactor {

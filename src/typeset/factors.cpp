@@ -10,6 +10,9 @@
 namespace elgen {
 namespace {
 
+/// Calls and roots stand behind sines and cosines; sinh in front of cosh.
+constexpr std::uint32_t rank_of_functions = 1'000'000;
+
 FactorGroup group_of(const Atom& atom) {
   if (atom.kind == AtomKind::pi) return FactorGroup::parameter;
   if (atom.kind != AtomKind::leaf) return FactorGroup::function;
@@ -42,8 +45,23 @@ std::vector<std::pair<FactorPlace, std::int32_t>> key_of(const BookProduct& prod
   return key;
 }
 
-/// Functions stand in the order in which their arguments were met.
-constexpr std::uint32_t rank_of_waves = 1000;
+/// The first coordinate in an angle, counted from 1; 0 where there is none.
+std::uint32_t rank_of_angle(const Algebra& algebra, const Monomial& angle) {
+  std::uint32_t rank = UINT32_MAX / 4;
+  for (const AtomPower& part : angle) {
+    for (const Fraction& argument : algebra.atoms[part.atom].arguments) {
+      for (const auto& [monomial, coefficient] : argument.numerator) {
+        for (const AtomPower& power : monomial) {
+          const Atom& atom = algebra.atoms[power.atom];
+          if (group_of(atom) == FactorGroup::coordinate && atom.leaf == Opcode::coordinate) {
+            rank = std::min(rank, 1 + atom.index);
+          }
+        }
+      }
+    }
+  }
+  return rank == UINT32_MAX / 4 ? 0 : rank;
+}
 
 }  // namespace
 
@@ -53,7 +71,8 @@ FactorPlace place_of(const Atom& atom, const std::vector<std::uint32_t>& places)
     return {group, 1 + places[atom.index]};
   }
   if (group == FactorGroup::coordinate && atom.leaf != Opcode::coordinate) return {group, 10'000};
-  return {group, atom.kind == AtomKind::leaf ? atom.index : 0};
+  if (atom.kind == AtomKind::leaf) return {group, atom.index};
+  return {group, rank_of_functions + (atom.function == FunctionId::cosh ? 1U : 0U)};
 }
 
 bool is_moving(const Atom& atom) {
@@ -101,13 +120,7 @@ void multiply(BookProduct& product, const BookProduct& by) {
 }
 
 void multiply(BookProduct& product, const Algebra& algebra, const CircularPower& power) {
-  const Atom& first = algebra.atoms[power.angle.front().atom];
-  std::uint32_t rank = rank_of_waves + 2 * power.angle.front().atom;
-  for (const Fraction& argument : first.arguments) {
-    if (argument.numerator.size() != 1 || argument.numerator.begin()->first.empty()) continue;
-    const Atom& leaf = algebra.atoms[argument.numerator.begin()->first.front().atom];
-    if (leaf.leaf == Opcode::coordinate) rank = 2 * leaf.index;
-  }
+  const std::uint32_t rank = 2 * rank_of_angle(algebra, power.angle);
   const auto add = [&](BookFactorKind kind, std::int32_t exponent, std::uint32_t place) {
     if (exponent == 0) return;
     BookFactor factor;

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t most_sums = 200;
 constexpr std::size_t most_terms_of_a_sum = 12;
 
-/// Energies, forces, places, inertias and definitions.
+/// Energies, forces, places, inertias and definitions; not what elgen writes for bodies in frames.
 std::vector<ExpressionId> roots_of(const Model& model) {
   std::vector<ExpressionId> roots;
   const auto add = [&roots](const auto& list) {
@@ -24,13 +24,15 @@ std::vector<ExpressionId> roots_of(const Model& model) {
   }
   for (const NamedExpression& definition : model.definitions) roots.push_back(definition.value);
   for (const Point& point : model.points) {
-    add(point.at);
+    if (!point.local) add(point.at);
     if (point.mass) roots.push_back(*point.mass);
   }
   for (const Body& body : model.bodies) {
-    add(body.com);
-    add(body.inertia);
-    add(body.spin);
+    if (!body.local) {
+      add(body.com);
+      add(body.inertia);
+      add(body.spin);
+    }
     if (body.mass) roots.push_back(*body.mass);
   }
   for (const Force& force : model.forces) add(force.value);
@@ -65,12 +67,13 @@ std::optional<TypedSum> typed_sum(ClosedForms& forms, const Model& model,
                                   const FixedParameters& fixed, ExpressionId id) {
   const std::optional<Fraction> whole = closed_form(forms, model, fixed, id);
   if (!whole || !whole->denominator.empty() || whole->numerator.size() < 2) return std::nullopt;
-  TypedSum sum{whole->numerator};
+  TypedSum sum{whole->numerator, atoms_of(whole->numerator)};
   for (const ExpressionId operand : model.expressions[id].operands) {
     std::optional<Fraction> term = closed_form(forms, model, fixed, operand);
     if (!term) return std::nullopt;
     if (!term->numerator.empty()) sum.terms.push_back(std::move(*term));
   }
+  if (sum.terms.size() < 2) return std::nullopt;
   const auto named =
       std::ranges::find(model.definitions, id, [](const NamedExpression& d) { return d.value; });
   if (named != model.definitions.end()) {
@@ -152,6 +155,17 @@ class ProductOrder {
 };
 
 }  // namespace
+
+std::vector<AtomId> atoms_of(const Polynomial& sum) {
+  std::vector<AtomId> atoms;
+  for (const auto& [monomial, coefficient] : sum) {
+    for (const AtomPower& power : monomial) atoms.push_back(power.atom);
+  }
+  std::ranges::sort(atoms);
+  const auto same = std::ranges::unique(atoms);
+  atoms.erase(same.begin(), same.end());
+  return atoms;
+}
 
 TypedForms typed_forms(Algebra& algebra, const Model& model, const FixedParameters& fixed) {
   const std::vector<ExpressionId> all = reached(model, roots_of(model));

@@ -13,6 +13,7 @@ namespace elgen {
 /// A sum of the energies, forces, points or definitions: r - l0.
 struct TypedSum {
   Polynomial value = {};
+  std::vector<AtomId> atoms = {};    ///< of the value, ascending
   std::vector<Fraction> terms = {};  ///< as typed, with their signs
   /// The definition whose value it is, in Model::definitions.
   std::optional<std::uint32_t> definition = {};
@@ -24,6 +25,9 @@ struct TypedForms {
   /// else as declared, gravity behind the masses (m g l).
   std::vector<std::uint32_t> places = {};
 };
+
+/// Ascending, each once.
+[[nodiscard]] std::vector<AtomId> atoms_of(const Polynomial& sum);
 
 /// Cost: one closed form per typed sum; models of more than 200 sums, which are robots, have none.
 [[nodiscard]] TypedForms typed_forms(Algebra& algebra, const Model& model,

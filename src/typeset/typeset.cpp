@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "lower/graph/prune.hpp"
@@ -31,8 +32,12 @@ Function written(const Function& like, const Write& write) {
   return pruned(result);
 }
 
+/// Terms over exponentials, about twice as many as are read. Longer entries, as accelerations of
+/// arms and their derivatives are, keep the form that choose found to be the shortest.
+constexpr std::size_t longest_form = 120;
+
 const Fraction& readable_form(const std::optional<Fraction>& form) {
-  if (!form) throw TooLongForABook();
+  if (!form || form->numerator.size() > longest_form) throw TooLongForABook();
   return *form;
 }
 
@@ -54,6 +59,9 @@ bool is_sum_of_forces(OutputKind kind) {
   }
 }
 
+/// Longer accelerations are no easier to read than the rows themselves.
+constexpr std::size_t longest_solution = 40;
+
 class Typesetting {
  public:
   Typesetting(const CheckedModel& checked, const ClosedForms& forms, Program& program)
@@ -69,10 +77,12 @@ class Typesetting {
     return written(function, [&](Function& result) {
       Arranger arranger(algebra_, typed_);
       BookWriter write(model_, algebra_, arranger, program_, result);
-      for (std::size_t f = 0; f < fields.size(); ++f) {
-        Field& field = result.fields.emplace_back(function.fields[f]);
+      for (const Field& like : function.fields) {
+        const auto closed = std::ranges::find(fields, like.name, &ClosedField::name);
+        if (closed == fields.end()) throw TooLongForABook();
+        Field& field = result.fields.emplace_back(like);
         for (std::size_t i = 0; i < field.entries.size(); ++i) {
-          const Fraction& form = readable_form(fields[f].entries[i]);
+          const Fraction& form = readable_form(closed->entries[i]);
           const bool is_spread = is_sum_of_forces(function.kind);
           field.entries[i] = write(is_spread ? arranger.spread(form, static_cast<std::uint32_t>(i))
                                              : arranger.in_front(form));
@@ -123,20 +133,20 @@ class Typesetting {
       Equations equations(algebra_, arranger);
       BookWriter write(model_, algebra_, arranger, program_, result);
       const auto rows = rows_around(equations, first);
-      std::vector<std::uint32_t> divisors;
+      std::map<std::uint32_t, std::size_t> divisors;  // and how often each divides
       for (std::uint32_t i = 0; i < rows.size(); ++i) {
         Field& field = result.fields.emplace_back(Field{model_.velocities[i].name, 0, 1, {}});
         const std::optional<BookQuotient> solution = equations.solved(rows, i);
-        if (!solution) continue;
+        if (!solution || written_factors(solution->value) > longest_solution) continue;
         field.rows = 1;
         field.entries = {write(solution->value)};
-        if (!solution->divisor) continue;
-        const std::uint32_t divisor = write(*solution->divisor);
-        if (std::ranges::count(divisors, divisor) == 0) divisors.push_back(divisor);
+        if (solution->divisor) ++divisors[write(*solution->divisor)];
       }
-      for (std::size_t i = 0; i < divisors.size(); ++i) {
+      std::erase_if(divisors, [](const auto& divisor) { return divisor.second < 2; });
+      std::size_t number = 0;
+      for (const auto& [divisor, count] : divisors) {
         const bool is_only = divisors.size() == 1;
-        write.name(divisors[i], is_only ? "Delta" : fmt::format("Delta_{}", i + 1));
+        write.name(divisor, is_only ? "Delta" : fmt::format("Delta_{}", ++number));
       }
     });
   }
@@ -182,14 +192,22 @@ class Typesetting {
 
 }  // namespace
 
-std::vector<Function> typeset(const CheckedModel& checked, const ClosedForms& forms,
-                              Program& program) {
+bool is_readable(const ClosedFunction& function) {
+  return std::ranges::all_of(function.fields, [](const ClosedField& field) {
+    return std::ranges::all_of(field.entries, [](const std::optional<Fraction>& form) {
+      return form && form->numerator.size() <= longest_form;
+    });
+  });
+}
+
+Program typeset(const CheckedModel& checked, const ClosedForms& forms, Program program) {
   Typesetting typesetting(checked, forms, program);
-  std::vector<Function> result;
-  for (std::size_t i = 0; i < program.functions.size(); ++i) {
-    result.push_back(typesetting.output(i));
+  program.readable.resize(program.functions.size());
+  for (std::size_t i = 0; i < forms.functions.size(); ++i) {
+    Function read = typesetting.output(i);
+    if (!read.fields.empty()) program.readable[i] = std::move(read);
   }
-  return result;
+  return program;
 }
 
 namespace {

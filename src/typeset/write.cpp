@@ -11,6 +11,7 @@ using cln::cl_RA;
 
 /// The operands of a quotient, and what stands behind it.
 struct Sides {
+  cl_RA number = 1;  ///< in front of the quotient
   cl_RA number_above = 1;
   cl_RA number_below = 1;
   std::vector<BookFactor> above;
@@ -20,16 +21,32 @@ struct Sides {
 
 bool is_behind(const BookFactor& factor) { return factor.place.group >= FactorGroup::rate; }
 
+/// sin x / cos x as tan x, cos x / sin x as 1/tan x.
+std::vector<BookFactor> with_tangents(std::vector<BookFactor> factors) {
+  for (std::size_t i = 0; i + 1 < factors.size(); ++i) {
+    BookFactor& sine = factors[i];
+    const BookFactor& cosine = factors[i + 1];
+    const bool are_opposite = sine.kind == BookFactorKind::sine &&
+                              cosine.kind == BookFactorKind::cosine && sine.angle == cosine.angle &&
+                              sine.exponent == -cosine.exponent;
+    if (!are_opposite) continue;
+    sine.kind = BookFactorKind::tangent;
+    factors.erase(factors.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+  }
+  return factors;
+}
+
 Sides sides_of(const BookProduct& product) {
   Sides sides;
   const cl_RA number = cln::abs(product.number);
-  for (BookFactor factor : product.factors) {
+  for (BookFactor factor : with_tangents(product.factors)) {
     const bool is_above = factor.exponent > 0;
     factor.exponent = std::abs(factor.exponent);
     (is_above ? sides.above : sides.below).push_back(std::move(factor));
   }
-  sides.number_above = number;
+  sides.number = number;
   if (sides.below.empty()) return sides;
+  sides.number = 1;
   sides.number_above = cln::numerator(number);
   sides.number_below = cln::denominator(number);
   if (std::ranges::any_of(sides.below, is_behind)) return sides;
@@ -39,6 +56,11 @@ Sides sides_of(const BookProduct& product) {
       sides.above, [](const BookFactor& factor) { return !is_behind(factor); });
   sides.behind.assign(first.begin(), first.end());
   sides.above.erase(first.begin(), first.end());
+  if (!sides.behind.empty() && !sides.above.empty() && sides.number_below != 1) {
+    sides.number_above = 1;
+    sides.number_below = 1;
+    sides.number = number;
+  }
   return sides;
 }
 
@@ -81,6 +103,8 @@ std::uint32_t BookWriter::product(const BookProduct& product) {
   std::optional<std::uint32_t> result = multiplied(of_number(sides.number_above), sides.above);
   const std::optional<std::uint32_t> below = multiplied(of_number(sides.number_below), sides.below);
   if (below) result = instructions_.add(Opcode::divide, result ? *result : number(1), *below);
+  const std::optional<std::uint32_t> front = of_number(sides.number);
+  if (front) result = result ? instructions_.add(Opcode::multiply, *front, *result) : *front;
   result = multiplied(result, sides.behind);
   return result ? *result : number(1);
 }
@@ -90,12 +114,11 @@ std::uint32_t BookWriter::factor(const BookFactor& factor) {
     case BookFactorKind::atom:
       return atom(factor.atom);
     case BookFactorKind::sine:
-    case BookFactorKind::cosine: {
-      const bool is_sine = factor.kind == BookFactorKind::sine;
-      return instructions_.add({.opcode = Opcode::call,
-                                .function = is_sine ? FunctionId::sin : FunctionId::cos,
-                                .a = angle(factor.angle)});
-    }
+      return wave(FunctionId::sin, factor.angle);
+    case BookFactorKind::cosine:
+      return wave(FunctionId::cos, factor.angle);
+    case BookFactorKind::tangent:
+      return wave(FunctionId::tan, factor.angle);
     case BookFactorKind::sum:
       return (*this)(factor.sum);
     case BookFactorKind::name: {
@@ -105,6 +128,10 @@ std::uint32_t BookWriter::factor(const BookFactor& factor) {
     }
   }
   return 0;
+}
+
+std::uint32_t BookWriter::wave(FunctionId function, const Monomial& angle) {
+  return instructions_.add({.opcode = Opcode::call, .function = function, .a = this->angle(angle)});
 }
 
 /// The sum of exponent/divisor * argument.

@@ -1,5 +1,6 @@
 // A derivation as text and as a sheet.
 #include "elgen/steps.hpp"
+#include "elgen/typeset.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -17,9 +18,7 @@ struct Derivation {
   explicit Derivation(const std::string& text) : checked(checked_model(text)) {
     const auto derived = derive_steps(*formulate(checked.model));
     const auto recursive = lower(derived->equations, derived->requests, {});
-    steps.program =
-        choose(*recursive, present(*recursive), domain_of(checked.model, {}, *recursive), {})
-            ->program;
+    steps.program = typeset_steps(checked, present(*recursive), *recursive);
     steps.masses.assign(derived->masses.size(), "mass");
   }
 

@@ -23,7 +23,9 @@ std::string markdown(const EmissionInput& input) {
   const std::string stamp =
       fmt::format("<!-- {}\nmodel {} scene {} body {} -->\n\n", input.generated, input.model_hash,
                   input.scene_hash, blank_hash());
-  const Sheet page = sheet(input.model, input.scene, input.program, {false, most_entries});
+  const ReadableSteps* const opening = input.book.steps ? &*input.book.steps : nullptr;
+  const Sheet page =
+      sheet(input.model, input.scene, input.book.program, {false, most_entries, opening});
   return stamped(stamp + markdown_page(page) + "\n" + operations(input.program));
 }
 

@@ -18,7 +18,8 @@ std::string sources(const SourcePaths& paths) {
 
 }  // namespace
 
-EmissionInput emission_input(const Model& model, const Scene& scene, const Program& program) {
+EmissionInput emission_input(const Model& model, const Scene& scene, const Program& program,
+                             const Book& book) {
   std::vector<FunctionEquations> printed;
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     printed.push_back(readable_equations(program, i));
@@ -26,6 +27,7 @@ EmissionInput emission_input(const Model& model, const Scene& scene, const Progr
   return {model,
           scene,
           program,
+          book,
           std::move(printed),
           fmt::format("{} from {}. DO NOT EDIT.", generated_marker, sources(scene.paths)),
           content_hash(model.canonical),
