@@ -60,9 +60,9 @@ enum class Requirement : std::uint8_t {
   jacobian,
 };
 
-/// A symbol or an equation as text and in LaTeX, where `<v>` and `<a>` stand for the velocities and
-/// accelerations (dq/dt and d^2q/dt^2 except where rotations turn) and `<N>` for the factor N of
-/// dq/dt = N v, if it is not 1.
+/// A symbol or an equation as text and in LaTeX, where `<q>` is a vector. `<v>` and `<a>` stand for
+/// the velocities and accelerations (dq/dt and d^2q/dt^2 except where rotations turn) and `<N>` for
+/// the factor N of dq/dt = N v, if it is not 1.
 struct Notation {
   std::string_view text = {};   ///< "M"; "g = dV0/dq"
   std::string_view latex = {};  ///< may be empty

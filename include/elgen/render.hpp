@@ -91,16 +91,20 @@ struct SheetTable {
   std::vector<std::string> cells = {};
 };
 
+/// In titles, lines and cells \text{…} outside of braces is prose, and all else is formulas.
 struct SheetOutput {
   std::string title = {};     ///< "Mass matrix"; may be empty
-  std::string function = {};  ///< in code: "mass_matrix"; empty where no function is meant
+  std::string function = {};  ///< in code: "mass_matrix"; shown where it is the title
   std::optional<OutputKind> kind = {};
   std::string doc = {};         ///< what it is, in a sentence
   std::string definition = {};  ///< LaTeX: how it is defined; may be empty
   std::vector<SheetEquation> equations = {};
   std::vector<std::string> lines = {};  ///< LaTeX, a formula or a sentence each, before equations
   SheetTable table = {};
-  bool is_row = false;  ///< equations stand side by side where the screen is wide enough
+  bool is_row = false;           ///< equations stand side by side where the screen is wide enough
+  std::string title_latex = {};  ///< the title with its formulas; may be empty
+  /// Equations, and those lines that are some, stand below each other, aligned at their signs.
+  bool is_aligned = false;
 };
 
 /// The contents of a page: everything that is worth reading of a model.
@@ -115,7 +119,7 @@ struct Sheet {
   std::vector<SheetVariable> functions = {};  ///< left open
   std::vector<SheetVariable> parameters = {};
   std::vector<SheetOutput> outputs = {};
-  std::string title_latex = {};  ///< the title with its formulas, for a screen; may be empty
+  std::string title_latex = {};  ///< the title with its formulas; may be empty
 };
 
 /// A derivation step by step, as it is read.

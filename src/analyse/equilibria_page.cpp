@@ -84,7 +84,7 @@ class EquilibriaPage {
   }
 
   [[nodiscard]] Printed residual_name() const {
-    if (!model_.inputs.empty()) return {"bias - B u", "\\text{bias} - B u"};
+    if (!model_.inputs.empty()) return {"bias - B u", "\\mathrm{bias} - B u"};
     if (model_.may_drift || !model_.forces.empty()) return prose("bias");
     return {"g", "g"};
   }
@@ -220,8 +220,8 @@ class EquilibriaPage {
     const Printed rest = rest_energy();
     const Printed equation{
         fmt::format("{} = {}*{}^{} + ...", rest.text, coefficient.text, shift.text, term.order),
-        fmt::format("{} = {} \\thinspace {}^{{{}}} + \\text{{…}}", rest.latex, coefficient.latex,
-                    shift.latex, term.order)};
+        fmt::format("{} = {} {}^{{{}}} + \\text{{…}}", rest.latex, coefficient.latex, shift.latex,
+                    term.order)};
     return equation + prose(fmt::format("has a strict minimum, of order {}", term.order));
   }
 

@@ -9,6 +9,7 @@
 #include "elgen/leaf_names.hpp"
 #include "evaluate/subject.hpp"
 #include "present/arithmetic.hpp"
+#include "render/headings.hpp"
 #include "render/symbols.hpp"
 
 namespace elgen {
@@ -122,7 +123,7 @@ LeafValues<Printed> symbols_of(const Model& model) {
 
 Printed titled(const CheckedModel& checked, const std::string& subject) {
   const Model& model = checked.model;
-  const std::string title = model.title.empty() ? model.name : model.title;
+  const std::string title = page_title(model);
   if (!model.moving) return prose(fmt::format("{}: {}", title, subject));
   const LeafValues<Printed> symbols = symbols_of(model);
   const State nominal = nominal_state(model, checked.scene);

@@ -4,13 +4,16 @@
 #include <cln/integer.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/ascii.hpp"
 #include "base/number_text.hpp"
 
 namespace elgen {
 namespace {
 
-/// The LaTeX command of a function: `\name`, unless LaTeX spells it differently.
+/// The LaTeX command of a function: `\name`, unless LaTeX spells it differently. \operatorname is
+/// not known wherever formulas are shown.
 std::string latex_head(FunctionId function) {
   switch (function) {
     case FunctionId::asin:
@@ -21,11 +24,11 @@ std::string latex_head(FunctionId function) {
       return "\\arctan";
     case FunctionId::atan2:
     case FunctionId::stumpff:
-      return fmt::format("\\operatorname{{{}}}", function_row(function).name);
+      return fmt::format("\\mathrm{{{}}}", function_row(function).name);
     case FunctionId::log:
       return "\\ln";
     case FunctionId::sign:
-      return "\\operatorname{sgn}";
+      return "\\mathrm{sgn}";
     default:
       return fmt::format("\\{}", function_row(function).name);
   }
@@ -40,9 +43,16 @@ std::string in_brackets(const Spelling& spelling, const std::string& text) {
 
 /// Side by side, factors keep apart where one could be read into the other.
 std::string side_by_side(const Formula& before, const std::string& after) {
-  if (is_digit(after.front())) return " \\cdot ";
   const bool is_word = before.head.starts_with("\\mathrm") || after.starts_with("\\mathrm");
-  return is_word || !before.tail.empty() ? " \\thinspace " : " ";
+  return is_word || is_digit(after.front()) ? " \\cdot " : " ";
+}
+
+bool is_no_call(const Formula& factor) { return factor.tail.empty(); }
+
+/// So that no factor is read as a part of their arguments.
+std::vector<Formula> functions_last(std::vector<Formula> factors) {
+  std::stable_partition(factors.begin(), factors.end(), is_no_call);
+  return factors;
 }
 
 /// How a product holds together, by its first operand.
@@ -56,9 +66,13 @@ std::string joined(const std::vector<Formula>& arguments) {
   return list;
 }
 
-/// 9.81, but not 1/2: a denominator with a factor 5 is one of a decimal number.
+/// 9.81, but not 1/2 and 2/5: numbers too long for a fraction, of which the denominator has the
+/// factor 5 of a decimal number.
 bool is_decimal(const cln::cl_RA& value) {
-  return cln::zerop(cln::mod(cln::denominator(value), 5)) && exact_decimal(value) &&
+  constexpr int longest = 16;
+  const cln::cl_I denominator = cln::denominator(value);
+  const bool is_short = cln::numerator(value) <= longest && denominator <= longest;
+  return !is_short && cln::zerop(cln::mod(denominator, 5)) && exact_decimal(value) &&
          exact_text(value).find('e') == std::string::npos;
 }
 
@@ -123,6 +137,10 @@ Formula sum(const Spelling& spelling, const std::vector<Summand>& terms) {
 
 Formula product(const Spelling& spelling, const std::vector<Formula>& factors) {
   if (factors.size() == 1) return factors.front();
+  if (spelling.is_two_dimensional &&
+      !std::is_partitioned(factors.begin(), factors.end(), is_no_call)) {
+    return product(spelling, functions_last(factors));
+  }
   // Only the first factor may be a quotient, or carry a sign, without brackets.
   std::string text = at_least(spelling, factors.front(), Binding::negation).text();
   for (std::size_t i = 1; i < factors.size(); ++i) {
@@ -173,7 +191,7 @@ Formula call(const Spelling& spelling, FunctionId function, const std::vector<Fo
                               function == FunctionId::hypot;
   if (is_written_out) return as_read(spelling, function, arguments);
   if (!own.empty()) {
-    return {fmt::format("\\operatorname{{{}}}", own), Binding::power,
+    return {fmt::format("\\mathrm{{{}}}", own), Binding::power,
             in_brackets(spelling, arguments.front().text())};
   }
   const std::string list = joined(arguments);
@@ -181,7 +199,8 @@ Formula call(const Spelling& spelling, FunctionId function, const std::vector<Fo
   const Formula& first = arguments.front();
   const bool is_alone = first.binding == Binding::atom && first.tail.empty();
   const bool is_fraction = first.binding == Binding::power && list.starts_with("\\frac");
-  const bool stands_free = arguments.size() == 1 && (is_alone || is_fraction);
+  const bool is_command = function != FunctionId::sign;
+  const bool stands_free = is_command && arguments.size() == 1 && (is_alone || is_fraction);
   return {latex_head(function), Binding::power,
           stands_free ? " " + list : in_brackets(spelling, list)};
 }

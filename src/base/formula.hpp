@@ -59,6 +59,7 @@ struct Spelling {
 
 [[nodiscard]] Formula negated(const Spelling& spelling, const Formula& operand);
 [[nodiscard]] Formula sum(const Spelling& spelling, const std::vector<Summand>& terms);
+/// In LaTeX functions stand last: sin(x) (a + b) is written (a + b) \sin x.
 [[nodiscard]] Formula product(const Spelling& spelling, const std::vector<Formula>& factors);
 [[nodiscard]] Formula quotient(const Spelling& spelling, const Formula& above,
                                const Formula& below);
@@ -71,7 +72,7 @@ struct Spelling {
 /// "f(x, y)", whatever the language.
 [[nodiscard]] Formula called(std::string_view name, const std::vector<Formula>& arguments);
 
-/// 3, -1/2: a quotient of integers; stacked ones are decimals where they can be.
+/// 3, -1/2: a quotient of integers; stacked long ones are decimals where they can be.
 [[nodiscard]] Formula number(const Spelling& spelling, const cln::cl_RA& value);
 
 }  // namespace elgen

@@ -40,20 +40,22 @@ constexpr OutputRow coriolis_matrix{
     .equation = {"C_ij = 1/2 sum_k (dM_ij/dq_k + dM_ik/dq_j - dM_jk/dq_i) v_k",
                  R"(C_{ij} = \frac{1}{2} \sum_{k} \left( \frac{\partial M_{ij}}{\partial q_{k}} + )"
                  R"(\frac{\partial M_{ik}}{\partial q_{j}} - )"
-                 R"(\frac{\partial M_{jk}}{\partial q_{i}} \right) <v>_{k})"},
-    .turning_equation = {"C_ij = 1/2 d(C v)_i/dv_j + 1/2 (M [w]x)_ij",
-                         R"(C_{ij} = \frac{1}{2} \frac{\partial (C v)_{i}}{\partial v_{j}} + )"
-                         R"(\frac{1}{2} \left( M [\omega]_{\times} \right)_{ij})"},
+                 R"(\frac{\partial M_{jk}}{\partial q_{i}} \right) \dot{q}_{k})"},
+    .turning_equation =
+        {"C_ij = 1/2 d(C v)_i/dv_j + 1/2 (M [w]x)_ij",
+         R"(C_{ij} = \frac{1}{2} \frac{\partial (C <v>)_{i}}{\partial v_{j}} + \frac{1}{2} \left( )"
+         R"(M [<omega>]_{\times} \right)_{ij})"},
     .doc = "Coriolis matrix of Christoffel symbols: (dM/dq dq/dt) - 2 C is skew.",
     .requirement = R::quadratic};
 
 constexpr std::array per_input{
     FieldRow{"", E::velocities, E::inputs, U::power, "InputMatrix<Scalar>"}};
-constexpr OutputRow input_matrix{.symbol = {"B", "B"},
-                                 .fields = per_input,
-                                 .equation = {"B = dQ/du", R"(B = \frac{\partial Q}{\partial u})"},
-                                 .doc = "Generalized force per unit of each input.",
-                                 .requirement = R::inputs};
+constexpr OutputRow input_matrix{
+    .symbol = {"B", "B"},
+    .fields = per_input,
+    .equation = {"B = dQ/du", R"(B = \frac{\partial <Q>}{\partial <u>})"},
+    .doc = "Generalized force per unit of each input.",
+    .requirement = R::inputs};
 
 // Forces, and the momentum.
 
@@ -65,28 +67,28 @@ constexpr OutputRow velocity_force{.symbol = {"C v", "C <v>"},
                                    .requirement = R::quadratic};
 
 constexpr OutputRow gravity{
-    .symbol = {"g", "g"},
+    .symbol = {"g", "<g>"},
     .fields = force,
-    .equation = {"g = dV0/dq", R"(g = \frac{\partial V_{0}}{\partial q})"},
-    .turning_equation = {"g = N^T dV0/dq", R"(g = N^{\top} \frac{\partial V_{0}}{\partial q})"},
+    .equation = {"g = dV0/dq", R"(<g> = \frac{\partial V_{0}}{\partial <q>})"},
+    .turning_equation = {"g = N^T dV0/dq", R"(<g> = N^{\top} \frac{\partial V_{0}}{\partial <q>})"},
     .doc = "Gradient of the potential energy.",
     .requirement = R::quadratic};
 
 constexpr OutputRow drift{
-    .symbol = {"drift", R"(\mathrm{drift})"},
+    .symbol = {"drift", "<drift>"},
     .takes = Opcode::velocity,
     .fields = force,
     .equation = {"dM/dt v + (db/dq - (db/dq)^T) v + db/dt - dT0/dq",
-                 R"(\mathrm{drift} = \frac{\partial M}{\partial t} <v> + \left( )"
-                 R"(\frac{\partial b}{\partial q} - \frac{\partial b}{\partial q}^{\top} )"
-                 R"(\right) <v> + \frac{\partial b}{\partial t} - )"
-                 R"(\frac{\partial T_{0}}{\partial q})"},
-    .turning_equation =
-        {"dM/dt v + (db/dq N - (db/dq N)^T) v + db/dt + [w]x b - N^T dT0/dq",
-         R"(\mathrm{drift} = \frac{\partial M}{\partial t} v + \left( )"
-         R"(\frac{\partial b}{\partial q} N - \left( \frac{\partial b}{\partial q} N )"
-         R"(\right)^{\top} \right) v + \frac{\partial b}{\partial t} + )"
-         R"([\omega]_{\times} b - N^{\top} \frac{\partial T_{0}}{\partial q})"},
+                 R"(<drift> = \frac{\partial M}{\partial t} <v> + \left( )"
+                 R"(\frac{\partial <b>}{\partial <q>} - \frac{\partial <b>}{\partial <q>}^{\top} )"
+                 R"(\right) <v> + \frac{\partial <b>}{\partial t} - )"
+                 R"(\frac{\partial T_{0}}{\partial <q>})"},
+    .turning_equation = {"dM/dt v + (db/dq N - (db/dq N)^T) v + db/dt + [w]x b - N^T dT0/dq",
+                         R"(<drift> = \frac{\partial M}{\partial t} <v> + \left( )"
+                         R"(\frac{\partial <b>}{\partial <q>} N - \left( )"
+                         R"(\frac{\partial <b>}{\partial <q>} N \right)^{\top} \right) <v> + )"
+                         R"(\frac{\partial <b>}{\partial t} + [<omega>]_{\times} <b> - )"
+                         R"(N^{\top} \frac{\partial T_{0}}{\partial <q>})"},
     .doc = "Forces of explicit time and of terms linear in the rates.",
     .requirement = R::quadratic};
 
@@ -97,69 +99,69 @@ constexpr OutputRow dissipation{.symbol = {"dD/dv", R"(\frac{\partial D}{\partia
                                 .doc = "Gradient of the Rayleigh function D."};
 
 constexpr OutputRow applied_force{
-    .symbol = {"Q", "Q"},
+    .symbol = {"Q", "<Q>"},
     .takes = Opcode::velocity,
     .fields = force,
     .equation = {"Q(q, v) = total generalized force at u = 0", ""},
     .doc = "Non-conservative generalized forces without inputs and without D."};
 
 constexpr OutputRow bias{
-    .symbol = {"bias", R"(\mathrm{bias})"},
+    .symbol = {"bias", "<bias>"},
     .takes = Opcode::velocity,
     .fields = force,
-    .equation =
-        {"bias = C v + drift + g + dD/dv - Q",
-         R"(\mathrm{bias} = C <v> + \mathrm{drift} + g + \frac{\partial D}{\partial <v>} - Q)"},
+    .equation = {"bias = C v + drift + g + dD/dv - Q",
+                 R"(<bias> = C <v> + <drift> + <g> + \frac{\partial D}{\partial <v>} - <Q>)"},
     .doc = "Everything in the equation of motion that needs neither a nor u."};
 
-constexpr OutputRow inverse_dynamics{
-    .symbol = {"tau", R"(\tau)"},
-    .takes = Opcode::velocity | Opcode::acceleration,
-    .fields = force,
-    .equation = {"tau = M a + bias", R"(\tau = M <a> + \mathrm{bias})"},
-    .doc = "Generalized force that gives the acceleration a."};
+constexpr OutputRow inverse_dynamics{.symbol = {"tau", "<tau>"},
+                                     .takes = Opcode::velocity | Opcode::acceleration,
+                                     .fields = force,
+                                     .equation = {"tau = M a + bias", R"(<tau> = M <a> + <bias>)"},
+                                     .doc = "Generalized force that gives the acceleration a."};
 
 constexpr std::array held{FieldRow{"", E::held, E::one, U::power, entries}};
 constexpr OutputRow reaction{
-    .symbol = {"r", "r"},
+    .symbol = {"r", "<r>"},
     .takes = Opcode::velocity | Opcode::acceleration | Opcode::input,
     .fields = held,
     .equation = {"r = (d/dt dL/dv - dL/dq + dD/dv - Q - B u) of what is locked",
-                 R"(r = \left[ \frac{d}{dt} \frac{\partial L}{\partial <v>} - )"
-                 R"(\frac{\partial L}{\partial q} + \frac{\partial D}{\partial <v>} - Q - B u )"
-                 R"(\right]_{\mathrm{locked}})"},
+                 R"(<r> = \left[ \frac{d}{dt} \frac{\partial L}{\partial <v>} - )"
+                 R"(\frac{\partial L}{\partial <q>} + \frac{\partial D}{\partial <v>} - <Q> - )"
+                 R"(B <u> \right]_{\mathrm{locked}})"},
     .turning_equation =
         {"r = (d/dt dL/dv + [w]x dL/dv - N^T dL/dq + dD/dv - Q - B u) of what is locked",
-         R"(r = \left[ \frac{d}{dt} \frac{\partial L}{\partial v} + [\omega]_{\times} )"
-         R"(\frac{\partial L}{\partial v} - N^{\top} \frac{\partial L}{\partial q} + )"
-         R"(\frac{\partial D}{\partial v} - Q - B u \right]_{\mathrm{locked}})"},
+         R"(<r> = \left[ \frac{d}{dt} \frac{\partial L}{\partial <v>} + )"
+         R"([<omega>]_{\times} \frac{\partial L}{\partial <v>} - )"
+         R"(N^{\top} \frac{\partial L}{\partial <q>} + \frac{\partial D}{\partial <v>} - <Q> - )"
+         R"(B <u> \right]_{\mathrm{locked}})"},
     .doc = "Generalized force, beside the inputs, that holds the locked coordinates.",
     .requirement = R::held};
 
 constexpr std::array impulse{FieldRow{"", E::velocities, E::one, U::energy, forces}};
-constexpr OutputRow momentum{.symbol = {"p", "p"},
+constexpr OutputRow momentum{.symbol = {"p", "<p>"},
                              .takes = Opcode::velocity,
                              .fields = impulse,
-                             .equation = {"p = dL/dv", R"(p = \frac{\partial L}{\partial <v>})"},
+                             .equation = {"p = dL/dv", R"(<p> = \frac{\partial L}{\partial <v>})"},
                              .doc = "Generalized momentum."};
 
 constexpr OutputRow position_gradient{
-    .symbol = {"dL/dq", R"(\frac{\partial L}{\partial q})"},
+    .symbol = {"dL/dq", R"(\frac{\partial L}{\partial <q>})"},
     .takes = Opcode::velocity,
     .fields = force,
     .equation = {"dL/dq = dp/dt + dD/dv - Q - B u",
-                 R"(\frac{\partial L}{\partial q} = \frac{d p}{d t} + )"
-                 R"(\frac{\partial D}{\partial <v>} - Q - B u)"},
-    .turning_equation = {"N^T dL/dq = dp/dt + [w]x p + dD/dv - Q - B u",
-                         R"(N^{\top} \frac{\partial L}{\partial q} = \frac{d p}{d t} + )"
-                         R"([\omega]_{\times} p + \frac{\partial D}{\partial v} - Q - B u)"},
+                 R"(\frac{\partial L}{\partial <q>} = \frac{d<p>}{dt} + )"
+                 R"(\frac{\partial D}{\partial <v>} - <Q> - B <u>)"},
+    .turning_equation =
+        {"N^T dL/dq = dp/dt + [w]x p + dD/dv - Q - B u",
+         R"(N^{\top} \frac{\partial L}{\partial <q>} = \frac{d<p>}{dt} + [<omega>]_{\times} <p> + )"
+         R"(\frac{\partial D}{\partial <v>} - <Q> - B <u>)"},
     .doc = "Gradient of the Lagrangian by the coordinates."};
 
 // Energies.
 
 constexpr OutputRow potential_energy{.symbol = {"V0", "V_{0}"},
                                      .fields = energy,
-                                     .equation = {"V0 = V(q, v = 0)", "V_{0} = V(q, <v> = 0)"},
+                                     .equation = {"V0 = V(q, v = 0)", "V_{0} = V(<q>, <v> = <0>)"},
                                      .doc = "Potential energy at rest.",
                                      .requirement = R::quadratic};
 
@@ -174,7 +176,7 @@ constexpr OutputRow total_energy{
     .symbol = {"T + V", "T + V"},
     .takes = Opcode::velocity,
     .fields = energy,
-    .equation = {"T + V0 + V1.v", R"(T + V = T + V_{0} + V_{1}^{\top} <v>)"},
+    .equation = {"T + V0 + V1.v", R"(T + V = T + V_{0} + <V>_{1}^{\top} <v>)"},
     .doc = "Kinetic and potential energy.",
     .requirement = R::energies};
 
@@ -196,7 +198,7 @@ constexpr OutputRow forward_dynamics{
     .symbol = {"a", "<a>"},
     .takes = Opcode::velocity | Opcode::input,
     .fields = solution,
-    .equation = {"M a = B u - bias", R"(M <a> = B u - \mathrm{bias})"},
+    .equation = {"M a = B u - bias", R"(M <a> = B <u> - <bias>)"},
     .doc =
         "Acceleration, and the pivots D_i/M_ii of M = L D L^T: near 0, or no number where M_ii "
         "is 0, M is singular.",
@@ -209,44 +211,44 @@ constexpr std::array of_states{
     FieldRow{"B", E::states, E::inputs, U::none,
              "std::array<Scalar, 2 * velocity_count * input_count>", "B"}};
 constexpr OutputRow linearization{
-    .symbol = {"d(dx)/dt", R"(\delta\dot{x})"},
+    .symbol = {"d(dx)/dt", R"(\delta\dot{<x>})"},
     .takes = Opcode::velocity | Opcode::input,
     .fields = of_states,
     .equation = {"d(dx)/dt = A dx + B du, x = (q, v)",
-                 R"(\delta\dot{x} = A \, \delta x + B \, \delta u)"},
+                 R"(\delta\dot{<x>} = A \delta<x> + B \delta<u>)"},
     .doc = "Linear equations of motion about the state and inputs given.",
     .solves = true,
     .differentiates = true};
 
 constexpr std::array of_inverse{FieldRow{"by_position", E::velocities, E::velocities, U::none,
-                                         square, R"(\frac{\partial \tau}{\partial q})"},
+                                         square, R"(\frac{\partial <tau>}{\partial <q>})"},
                                 FieldRow{"by_velocity", E::velocities, E::velocities, U::none,
-                                         square, R"(\frac{\partial \tau}{\partial <v>})"}};
+                                         square, R"(\frac{\partial <tau>}{\partial <v>})"}};
 constexpr OutputRow inverse_dynamics_derivatives{
-    .symbol = {"d tau", R"(\delta\tau)"},
+    .symbol = {"d tau", R"(\delta<tau>)"},
     .takes = Opcode::velocity | Opcode::acceleration,
     .fields = of_inverse,
     .equation = {"d tau = (dtau/dq) dq + (dtau/dv) dv + M da",
-                 R"(\delta\tau = \frac{\partial \tau}{\partial q} \delta q + )"
-                 R"(\frac{\partial \tau}{\partial <v>} \delta <v> + M \delta <a>)"},
+                 R"(\delta<tau> = \frac{\partial <tau>}{\partial <q>} \delta<q> + )"
+                 R"(\frac{\partial <tau>}{\partial <v>} \delta<v> + M \delta<a>)"},
     .doc = "Derivatives of the inverse dynamics.",
     .differentiates = true};
 
 constexpr std::array of_forward{
     FieldRow{"by_position", E::velocities, E::velocities, U::none, square,
-             R"(\frac{\partial <a>}{\partial q})"},
+             R"(\frac{\partial <a>}{\partial <q>})"},
     FieldRow{"by_velocity", E::velocities, E::velocities, U::none, square,
              R"(\frac{\partial <a>}{\partial <v>})"},
     FieldRow{"by_input", E::velocities, E::inputs, U::none, "InputMatrix<Scalar>",
-             R"(\frac{\partial <a>}{\partial u})"}};
+             R"(\frac{\partial <a>}{\partial <u>})"}};
 constexpr OutputRow forward_dynamics_derivatives{
-    .symbol = {"da", R"(\delta <a>)"},
+    .symbol = {"da", R"(\delta<a>)"},
     .takes = Opcode::velocity | Opcode::input,
     .fields = of_forward,
     .equation = {"da = (da/dq) dq + (da/dv) dv + (da/du) du",
-                 R"(\delta <a> = \frac{\partial <a>}{\partial q} \delta q + )"
-                 R"(\frac{\partial <a>}{\partial <v>} \delta <v> + )"
-                 R"(\frac{\partial <a>}{\partial u} \delta u)"},
+                 R"(\delta<a> = \frac{\partial <a>}{\partial <q>} \delta<q> + )"
+                 R"(\frac{\partial <a>}{\partial <v>} \delta<v> + )"
+                 R"(\frac{\partial <a>}{\partial <u>} \delta<u>)"},
     .doc = "Derivatives of the forward dynamics.",
     .solves = true,
     .differentiates = true};
@@ -258,7 +260,7 @@ constexpr OutputRow hamiltonian{
     .takes = Opcode::momentum,
     .fields = energy,
     .equation = {"H = p.v - L, v = M^-1 (p - b)",
-                 R"(H = p^{\top} <v> - L, \quad <v> = M^{-1} (p - b))"},
+                 R"(H = <p>^{\top} <v> - L, \quad <v> = M^{-1} (<p> - <b>))"},
     .doc = "Hamiltonian: the energy function of coordinates and momenta.",
     .requirement = R::quadratic};
 
@@ -267,27 +269,27 @@ constexpr OutputRow velocities_of_momenta{
     .symbol = {"v", "<v>"},
     .takes = Opcode::momentum,
     .fields = velocity,
-    .equation = {"v = M^-1 (p - b)", R"(<v> = M^{-1} (p - b))"},
+    .equation = {"v = M^-1 (p - b)", R"(<v> = M^{-1} (<p> - <b>))"},
     .doc = "Velocities of which the momenta are those given: dH/dp.",
     .requirement = R::quadratic};
 
 constexpr std::array canonical_rates{
     FieldRow{"coordinate_rates", E::coordinates, E::one, U::row_per_second, "Coordinates<Scalar>",
-             R"(\dot{q})"},
-    FieldRow{"momentum_rates", E::velocities, E::one, U::power, forces, R"(\dot{p})"}};
+             R"(\dot{<q>})"},
+    FieldRow{"momentum_rates", E::velocities, E::one, U::power, forces, R"(\dot{<p>})"}};
 constexpr OutputRow hamilton_equations{
-    .symbol = {"d(q, p)/dt", R"((\dot{q}, \dot{p}))"},
+    .symbol = {"d(q, p)/dt", R"((\dot{<q>}, \dot{<p>}))"},
     .takes = Opcode::momentum | Opcode::input,
     .fields = canonical_rates,
     .equation = {"dq/dt = dH/dp, dp/dt = -dH/dq + B u + Q - dD/dv",
-                 R"(\dot{q} = \frac{\partial H}{\partial p}, \quad \dot{p} = )"
-                 R"(-\frac{\partial H}{\partial q} + B u + Q - )"
+                 R"(\dot{<q>} = \frac{\partial H}{\partial <p>}, \quad \dot{<p>} = )"
+                 R"(-\frac{\partial H}{\partial <q>} + B <u> + <Q> - )"
                  R"(\frac{\partial D}{\partial <v>})"},
     .turning_equation =
         {"dq/dt = N dH/dp, dp/dt = -N^T dH/dq - [w]x p + B u + Q - dD/dv",
-         R"(\dot{q} = N \frac{\partial H}{\partial p}, \quad \dot{p} = )"
-         R"(-N^{\top} \frac{\partial H}{\partial q} - [\omega]_{\times} p + B u + Q - )"
-         R"(\frac{\partial D}{\partial v})"},
+         R"(\dot{<q>} = N \frac{\partial H}{\partial <p>}, \quad \dot{<p>} = )"
+         R"(-N^{\top} \frac{\partial H}{\partial <q>} - [<omega>]_{\times} <p> + B <u> + <Q> - )"
+         R"(\frac{\partial D}{\partial <v>})"},
     .doc = "Hamilton's equations: rates of coordinates and momenta.",
     .requirement = R::quadratic};
 
@@ -296,16 +298,16 @@ constexpr OutputRow hamilton_equations{
 constexpr std::array rate_of_coordinate{
     FieldRow{"", E::coordinates, E::one, U::row_per_second, "Coordinates<Scalar>"}};
 constexpr OutputRow coordinate_rates{
-    .symbol = {"dq/dt", R"(\dot{q})"},
+    .symbol = {"dq/dt", R"(\dot{<q>})"},
     .takes = Opcode::velocity,
     .fields = rate_of_coordinate,
-    .equation = {"dq/dt = N(q) v", R"(\dot{q} = N(q) v)"},
+    .equation = {"dq/dt = N(q) v", R"(\dot{<q>} = N(<q>) <v>)"},
     .doc = "Rates of the coordinates: of a rotation 1/2 q w, w in the axes of the body.",
     .requirement = R::rotations};
 
 constexpr std::array coordinate{
     FieldRow{"", E::coordinates, E::one, U::row, "Coordinates<Scalar>"}};
-constexpr OutputRow normalized{.symbol = {"q", "q"},
+constexpr OutputRow normalized{.symbol = {"q", "<q>"},
                                .fields = coordinate,
                                .equation = {"q with every quaternion divided by its length", ""},
                                .doc = "Coordinates with their quaternions scaled back to length 1.",
@@ -313,12 +315,12 @@ constexpr OutputRow normalized{.symbol = {"q", "q"},
 
 constexpr std::array rate_taken_out{FieldRow{"", E::cyclic, E::one, U::row, entries}};
 constexpr OutputRow cyclic_rates{
-    .symbol = {"v_c", "v_{c}"},
+    .symbol = {"v_c", R"(<v>_{c})"},
     .takes = Opcode::velocity,
     .fields = rate_taken_out,
-    .equation =
-        {"M_cc v_c = p - dL/dv_c at v_c = 0",
-         R"(M_{cc} v_{c} = p - \left[ \frac{\partial L}{\partial v_{c}} \right]_{v_{c} = 0})"},
+    .equation = {"M_cc v_c = p - dL/dv_c at v_c = 0",
+                 R"(M_{cc} <v>_{c} = <p> - )"
+                 R"(\left[ \frac{\partial L}{\partial <v>_{c}} \right]_{<v>_{c} = <0>})"},
     .doc = "Rates of the cyclic coordinates that were taken out, at their momenta.",
     .requirement = R::cyclic};
 
@@ -334,7 +336,7 @@ constexpr OutputRow user_value{.symbol = {"y", "<y>"},
 
 constexpr std::array per_velocity{
     FieldRow{"", E::user, E::velocities, U::none, "std::array<Scalar, {0} * velocity_count>"}};
-constexpr OutputRow user_jacobian{.symbol = {"J", R"(\frac{\partial <y>}{\partial q}<N>)"},
+constexpr OutputRow user_jacobian{.symbol = {"J", R"(\frac{\partial <y>}{\partial <q>}<N>)"},
                                   .fields = per_velocity,
                                   .equation = {"J = dy/dq", ""},
                                   .turning_equation = {"J = dy/dq N", ""},
@@ -344,11 +346,11 @@ constexpr OutputRow user_jacobian{.symbol = {"J", R"(\frac{\partial <y>}{\partia
                                   .suffix = "_jacobian"};
 
 constexpr OutputRow user_bias{
-    .symbol = {"bias of y", R"(\mathrm{bias}_{<y>})"},
+    .symbol = {"bias of y", R"(<bias>_{<y>})"},
     .takes = Opcode::velocity,
     .fields = value,
     .equation = {"d^2 y/dt^2 = J a + bias",
-                 R"(<y''> = \frac{\partial <y>}{\partial q}<N> <a> + \mathrm{bias}_{<y>})"},
+                 R"(<y''> = \frac{\partial <y>}{\partial <q>}<N> <a> + <bias>_{<y>})"},
     .doc = "Bias of the second rate of output",
     .requirement = R::jacobian,
     .of_user = true,
@@ -361,15 +363,15 @@ constexpr OutputRow dynamics{
     .repeats = true};
 
 constexpr std::array next_state{
-    FieldRow{"coordinates", E::coordinates, E::one, U::row, "Coordinates<Scalar>", "q"},
+    FieldRow{"coordinates", E::coordinates, E::one, U::row, "Coordinates<Scalar>", "<q>"},
     FieldRow{"rates", E::velocities, E::one, U::row, "Velocities<Scalar>", "<v>"},
     FieldRow{.name = "residual",
              .rows = E::velocities,
              .unit = U::energy,
              .type = forces,
-             .latex = "r",
+             .latex = "<r>",
              .is_remainder = true}};
-constexpr OutputRow step{.symbol = {"(q, v)(t + h)", "(q, <v>)(t + h)"},
+constexpr OutputRow step{.symbol = {"(q, v)(t + h)", R"((<q>, <v>)(t + h))"},
                          .takes = Opcode::velocity | Opcode::input | Opcode::step,
                          .fields = next_state,
                          .equation = {"(q, v)(t + h), u stays", ""},

@@ -6,8 +6,9 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
-#include "render/latex_tree.hpp"
+#include "render/latex_text.hpp"
 
 namespace elgen {
 namespace {
@@ -19,82 +20,78 @@ double measured(const std::string& latex, const PageShape& shape) {
   return shape.measured(read_latex(latex));
 }
 
-double matrix_width(const SheetEquation& equation, const PageShape& shape) {
-  std::vector<double> widths(equation.columns, 0);
-  for (std::size_t i = 0; i < equation.entries.size(); ++i) {
-    double& column = widths[i % equation.columns];
-    column = std::max(column, measured(equation.entries[i], shape));
+/// With its sign.
+double left_width(const std::string& left, const PageShape& shape) {
+  return std::max(shape.left, shape.left_measured(read_latex(left))) + 3;
+}
+
+double columns_width(const std::vector<std::string>& entries, std::uint32_t columns,
+                     const PageShape& shape) {
+  std::vector<double> widths(columns, shape.between_columns);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    double& column = widths[i % columns];
+    column = std::max(column, measured(entries[i], shape) + shape.between_columns);
   }
-  double sum = measured(equation.left, shape) + 5;
-  for (const double column : widths) sum += column + shape.between_columns;
+  double sum = 2;
+  for (const double column : widths) sum += column;
   return sum;
 }
 
+double matrix_width(const SheetEquation& equation, const PageShape& shape) {
+  return left_width(equation.left, shape) +
+         columns_width(equation.entries, equation.columns, shape);
+}
+
+/// A left side that takes most of a line is broken, too.
 Display lines_display(const std::string& left, const std::string& right, const PageShape& shape) {
-  const double first = measured(left, shape) + 3;
+  const double first = left_width(left, shape);
+  if (first > shape.width / 2 && first + measured(right, shape) > shape.width) {
+    const std::string whole = fmt::format("{} = {}", left, right);
+    return {"", 0, latex_lines(whole, shape.width - indent, shape.measured)};
+  }
   return {left, 0, latex_lines(right, shape.width - std::max(first, indent), shape.measured)};
 }
 
-/// Where the brace that opens at `open` closes.
-std::size_t closing_brace(const std::string& latex, std::size_t open) {
-  int depth = 0;
-  for (std::size_t i = open; i < latex.size(); ++i) {
-    depth += (latex[i] == '{') - (latex[i] == '}');
-    if (depth == 0) return i;
-  }
-  return std::string::npos;
-}
-
-/// A formula with a fraction outside of braces, and what stands around that.
-struct WideFraction {
-  std::string before = {};
-  std::string numerator = {};
-  std::string denominator = {};
-  std::string after = {};
-};
-
 /// The first fraction that is, with its sign, wider than `widest`.
-std::optional<WideFraction> wide_fraction(const std::string& latex, double widest,
-                                          const PageShape& shape) {
-  const std::string command = "\\frac";
-  std::size_t end = 0;
-  for (std::size_t open = latex.find('{'); open != std::string::npos; open = latex.find('{', end)) {
-    const std::size_t begin = open < command.size() ? open : open - command.size();
-    const bool is_fraction = latex.substr(begin, open - begin) == command;
-    const std::size_t above = closing_brace(latex, open);
-    end = is_fraction && above != std::string::npos ? closing_brace(latex, above + 1) : above;
-    if (end == std::string::npos) return std::nullopt;
-    const std::string sign = begin > 1 ? "-" : latex.substr(0, begin);
-    if (is_fraction && measured(sign + latex.substr(begin, end + 1 - begin), shape) > widest) {
-      return WideFraction{latex.substr(0, begin), latex.substr(open + 1, above - open - 1),
-                          latex.substr(above + 2, end - above - 2), latex.substr(end + 1)};
-    }
+std::optional<FractionPlace> wide_fraction(const std::string& latex, double widest,
+                                           const PageShape& shape) {
+  for (FractionPlace& fraction : fractions(latex)) {
+    const std::string sign = fraction.begin > 1 ? "-" : latex.substr(0, fraction.begin);
+    const std::string text = sign + latex.substr(fraction.begin, fraction.end - fraction.begin);
+    const bool is_wide = fraction.above != "1" && measured(text, shape) > widest;
+    if (is_wide) return std::move(fraction);
   }
   return std::nullopt;
 }
 
-/// One display, or three where a fraction is too wide: it, its numerator, its denominator.
-std::vector<Display> number_displays(const std::string& left, const std::string& right,
-                                     const PageShape& shape) {
-  const auto fraction = wide_fraction(right, shape.width - measured(left, shape) - 3, shape);
-  if (!fraction) return {lines_display(left, right, shape)};
-  const std::string numerator = "\\mathrm{numerator}";
-  const std::string denominator = "\\mathrm{denominator}";
-  const std::string named = fmt::format("{}\\frac{{{}}}{{{}}}{}", fraction->before, numerator,
-                                        denominator, fraction->after);
-  return {lines_display(left, named, shape), lines_display(numerator, fraction->numerator, shape),
-          lines_display(denominator, fraction->denominator, shape)};
+/// N/D -> 1/D (N), of which lines can be made; g (N)/D -> g/D (N).
+std::string taken_apart(const FractionPlace& fraction) {
+  const std::string& above = fraction.above;
+  if (is_sum(above)) {
+    return fmt::format("\\frac{{1}}{{{}}} \\left( {} \\right)", fraction.below, above);
+  }
+  const std::size_t bracket = last_bracket(above);
+  return fmt::format("\\frac{{{}}}{{{}}} {}", bracket == 0 ? "1" : above.substr(0, bracket - 1),
+                     fraction.below, above.substr(bracket));
 }
 
-void append(std::vector<Display>& to, const std::vector<Display>& from) {
-  to.insert(to.end(), from.begin(), from.end());
+/// Fractions too wide for a line stand in front of their numerators.
+Display number_display(const std::string& left, const std::string& right, const PageShape& shape) {
+  const double widest = std::max(shape.width / 2, shape.width - left_width(left, shape));
+  std::string text = right;
+  for (auto wide = wide_fraction(text, widest, shape); wide;
+       wide = wide_fraction(text, widest, shape)) {
+    text.replace(wide->begin, wide->end - wide->begin, taken_apart(*wide));
+  }
+  return lines_display(left, text, shape);
 }
 
 bool needs_brackets(const std::string& symbol) {
   return symbol.find(' ') != std::string::npos || symbol.find("\\frac") != std::string::npos;
 }
 
-/// M_{1, 2}; "(C \dot{q})_{1}"; the name of a fraction D_i/M_ii is not indexed again.
+/// M_{1, 2}; g_{1} of \mathbf{g}; "(C \dot{q})_{1}"; the name of a fraction D_i/M_ii is not indexed
+/// again.
 std::string indexed(const SheetEquation& equation, std::size_t entry) {
   const std::size_t row = entry / equation.columns + 1;
   const std::string index = equation.columns > 1
@@ -102,9 +99,10 @@ std::string indexed(const SheetEquation& equation, std::size_t entry) {
                                 : std::to_string(row);
   const std::string& left = equation.left;
   const bool has_index = left.back() == '}' && left.find("_{") != std::string::npos;
-  const bool is_open = !needs_brackets(left) && !has_index;
-  return fmt::format(fmt::runtime(is_open ? "{}_{{{}}}" : "\\left( {} \\right)_{{{}}}"), left,
-                     index);
+  if (needs_brackets(left) || has_index) {
+    return fmt::format("\\left( {} \\right)_{{{}}}", left, index);
+  }
+  return fmt::format("{}_{{{}}}", without_bold(left), index);
 }
 
 bool is_symmetric(const SheetEquation& equation) {
@@ -129,9 +127,48 @@ std::vector<Display> entry_displays(const SheetEquation& equation, const PageSha
     if (is_half && row < column) {
       left += " = " + indexed(equation, column * equation.columns + row);
     }
-    append(all, number_displays(left, equation.entries[i], shape));
+    all.push_back(number_display(left, equation.entries[i], shape));
   }
   return all;
+}
+
+/// The widths of both sides of displays.
+struct Sides {
+  double left = 0;
+  double right = 0;
+};
+
+Sides wider_of(const Sides& x, const Sides& y) {
+  return {std::max(x.left, y.left), std::max(x.right, y.right)};
+}
+
+/// Lines that are continued take the whole page, and so does a left side that is broken.
+Sides sides_of(const SheetEquation& equation, const PageShape& shape) {
+  Sides sides;
+  for (const Display& display : displays(equation, shape)) {
+    Sides own{shape.width, shape.width};
+    if (!display.left.empty()) own.left = left_width(display.left, shape);
+    if (display.columns > 0) {
+      own.right = columns_width(display.texts, display.columns, shape);
+    } else if (display.texts.size() == 1) {
+      own.right = measured(display.texts.front(), shape);
+    }
+    sides = wider_of(sides, own);
+  }
+  return sides;
+}
+
+/// The right sides of a display, line by line.
+std::vector<std::string> latex_right_sides(const Display& display) {
+  const std::vector<std::string>& texts = display.texts;
+  if (display.columns == 0) return texts;
+  std::string text = "\\begin{pmatrix}\n";
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const bool ends_row = (i + 1) % display.columns == 0;
+    const char* end = i + 1 == texts.size() ? "\n" : ends_row ? " \\\\\n" : " & ";
+    text += texts[i] + end;
+  }
+  return {text + "\\end{pmatrix}"};
 }
 
 }  // namespace
@@ -150,7 +187,10 @@ bool leaves_out_zeros(const SheetEquation& equation, const PageShape& shape) {
 
 std::vector<Display> displays(const SheetEquation& equation, const PageShape& shape) {
   if (equation.entries.size() == 1) {
-    return number_displays(equation.left, equation.entries.front(), shape);
+    // A definition of its own keeps its vectors; the symbol of one number is none.
+    const bool is_defined = equation.left.find(" = ") != std::string::npos;
+    return {number_display(is_defined ? equation.left : without_bold(equation.left),
+                           equation.entries.front(), shape)};
   }
   if (fits_as_matrix(equation, shape)) {
     return {{equation.left, equation.columns, equation.entries}};
@@ -176,23 +216,48 @@ NamedEntries named_entries(const SheetEquation& equation, const PageShape& shape
   return result;
 }
 
-std::string latex_block(const Display& display) {
-  const std::vector<std::string>& texts = display.texts;
-  if (display.columns == 0) {
-    if (texts.size() == 1) return fmt::format("{} = {}", display.left, texts.front());
-    std::string text = fmt::format("\\begin{{aligned}}\n{} &= {}", display.left, texts.front());
-    for (std::size_t i = 1; i < texts.size(); ++i) {
-      text += fmt::format(" \\\\\n&\\quad {}", texts[i]);
+std::vector<DisplayBlock> aligned_blocks(const std::vector<SheetEquation>& equations,
+                                         const PageShape& shape) {
+  std::vector<DisplayBlock> blocks;
+  const auto stand_together = [&shape](const Sides& sides) {
+    return sides.left <= shape.width / 3 || sides.left + sides.right <= shape.width;
+  };
+  for (auto first = equations.begin(); first != equations.end();) {
+    Sides sides = sides_of(*first, shape);
+    auto end = first + 1;
+    for (; end != equations.end(); ++end) {
+      const Sides wider = wider_of(sides, sides_of(*end, shape));
+      if (!stand_together(wider)) break;
+      sides = wider;
     }
-    return text + "\n\\end{aligned}";
+    PageShape aligned = shape;
+    if (end - first > 1) aligned.left = sides.left - 3;
+    DisplayBlock& block = blocks.emplace_back();
+    for (; first != end; ++first) {
+      for (Display& display : displays(*first, aligned)) block.push_back(std::move(display));
+    }
   }
-  std::string text = fmt::format("{} = \\begin{{pmatrix}}\n", display.left);
-  for (std::size_t i = 0; i < texts.size(); ++i) {
-    const bool ends_row = (i + 1) % display.columns == 0;
-    const char* end = i + 1 == texts.size() ? "\n" : ends_row ? " \\\\\n" : " & ";
-    text += texts[i] + end;
+  return blocks;
+}
+
+std::size_t line_count(const DisplayBlock& block) {
+  std::size_t count = 0;
+  for (const Display& display : block) count += display.columns > 0 ? 1 : display.texts.size();
+  return count;
+}
+
+std::string latex_block(const DisplayBlock& block) {
+  const bool is_one_line = line_count(block) == 1;
+  std::string text;
+  for (const Display& display : block) {
+    const std::vector<std::string> rights = latex_right_sides(display);
+    const bool is_whole = display.left.empty();
+    if (is_one_line && !is_whole) return fmt::format("{} = {}", display.left, rights.front());
+    text += text.empty() ? "" : " \\\\\n";
+    text += is_whole ? "& " : display.left + " &= ";
+    text += fmt::format("{}", fmt::join(rights, " \\\\\n&\\quad "));
   }
-  return text + "\\end{pmatrix}";
+  return fmt::format("\\begin{{aligned}}\n{}\n\\end{{aligned}}", text);
 }
 
 }  // namespace elgen

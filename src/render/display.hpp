@@ -2,7 +2,9 @@
 //
 //     M = ( 2 x 2 )        where the columns fit side by side
 //     M_{1 2} = …          entry by entry where they do not; zeros are left out
-//     a = b - numerator/denominator, each of which follows, where a fraction is too wide
+//     a = b - 1/Δ (…       where a fraction is too wide: in front of the lines of its numerator
+//
+// Aligned equations are blocks, of which the left sides end in one place.
 #pragma once
 
 #include <string>
@@ -17,11 +19,13 @@ namespace elgen {
 struct PageShape {
   double width = 78;
   double (*measured)(const LatexTree&) = &elgen::width;  ///< in letters, unless told otherwise
+  double (*left_measured)(const LatexTree&) = &elgen::width;
   double between_columns = 2.5;
+  double left = 0;  ///< the least width of left sides
 };
 
-/// `left` = a matrix of columns, or (columns 0) lines that continue each other. Without `left`, the
-/// lines stand alone.
+/// `left` = a matrix of columns, or (columns 0) lines that continue each other. Without `left` the
+/// lines are both sides of a long equation.
 struct Display {
   std::string left = {};
   std::uint32_t columns = 0;
@@ -30,6 +34,14 @@ struct Display {
 
 [[nodiscard]] std::vector<Display> displays(const SheetEquation& equation,
                                             const PageShape& shape = {});
+
+/// Displays below each other, their signs in one column.
+using DisplayBlock = std::vector<Display>;
+
+/// As few blocks as hold all of them: long left sides, beside which too little room is left for the
+/// others' lines, stand alone.
+[[nodiscard]] std::vector<DisplayBlock> aligned_blocks(const std::vector<SheetEquation>& equations,
+                                                       const PageShape& shape = {});
 
 /// Whether a pmatrix of all entries fits.
 [[nodiscard]] bool fits_as_matrix(const SheetEquation& equation, const PageShape& shape);
@@ -48,7 +60,10 @@ struct NamedEntries {
 };
 [[nodiscard]] NamedEntries named_entries(const SheetEquation& equation, const PageShape& shape);
 
+/// Lines of the block, of which a matrix is one.
+[[nodiscard]] std::size_t line_count(const DisplayBlock& block);
+
 /// The LaTeX between \[ and \]: aligned or pmatrix.
-[[nodiscard]] std::string latex_block(const Display& display);
+[[nodiscard]] std::string latex_block(const DisplayBlock& block);
 
 }  // namespace elgen

@@ -7,6 +7,7 @@
 
 #include "base/ascii.hpp"
 #include "base/utf8.hpp"
+#include "render/latex_text.hpp"
 #include "render/symbols.hpp"
 
 namespace elgen {
@@ -28,7 +29,8 @@ constexpr std::array small_glyphs{
     SmallGlyph{'k', "ₖ", "ᵏ"}, SmallGlyph{'l', "ₗ", "ˡ"}, SmallGlyph{'m', "ₘ", "ᵐ"},
     SmallGlyph{'n', "ₙ", "ⁿ"}, SmallGlyph{'o', "ₒ", "ᵒ"}, SmallGlyph{'p', "ₚ", "ᵖ"},
     SmallGlyph{'r', "ᵣ", "ʳ"}, SmallGlyph{'s', "ₛ", "ˢ"}, SmallGlyph{'t', "ₜ", "ᵗ"},
-    SmallGlyph{'u', "ᵤ", "ᵘ"}, SmallGlyph{'v', "ᵥ", "ᵛ"}, SmallGlyph{'x', "ₓ", "ˣ"}};
+    SmallGlyph{'u', "ᵤ", "ᵘ"}, SmallGlyph{'v', "ᵥ", "ᵛ"}, SmallGlyph{'x', "ₓ", "ˣ"},
+    SmallGlyph{U'⊤', "", "ᵀ"}};
 
 /// Every character made small; nothing where one of them cannot be.
 std::optional<std::string> made_small(std::string_view text, std::string_view SmallGlyph::*place) {
@@ -36,7 +38,7 @@ std::optional<std::string> made_small(std::string_view text, std::string_view Sm
   for (std::size_t at = 0; at < text.size();) {
     const CodePoint point = code_point_at(text, at);
     const auto row = std::ranges::find(small_glyphs, point.value, &SmallGlyph::value);
-    if (row == small_glyphs.end()) return std::nullopt;
+    if (row == small_glyphs.end() || ((*row).*place).empty()) return std::nullopt;
     result += (*row).*place;
     at += std::max<std::size_t>(1, point.bytes);
   }
@@ -61,9 +63,10 @@ struct AsciiWord {
 };
 
 /// The words for characters that are no Greek letters.
-constexpr std::array ascii_words{AsciiWord{"⋅", "*"},  AsciiWord{"∂", "d"},  AsciiWord{"∑", "sum"},
-                                 AsciiWord{"⊤", "T"},  AsciiWord{"′", "'"},  AsciiWord{"±", "+-"},
-                                 AsciiWord{"∓", "-+"}, AsciiWord{"∫", "int"}};
+constexpr std::array ascii_words{AsciiWord{"⋅", "*"},  AsciiWord{"∂", "d"},   AsciiWord{"∑", "sum"},
+                                 AsciiWord{"⊤", "T"},  AsciiWord{"′", "'"},   AsciiWord{"±", "+-"},
+                                 AsciiWord{"∓", "-+"}, AsciiWord{"∫", "int"}, AsciiWord{"ℓ", "ell"},
+                                 AsciiWord{"×", "x"}};
 
 struct BracketRow {
   std::string_view bracket;
@@ -85,15 +88,8 @@ Block bracket_drawing(std::string_view bracket, const Block& inside, Alphabet al
 
 Block line_of(std::string text) { return {{std::move(text)}, 0}; }
 
-/// Pieces of a row get their own blanks.
-std::string without_outer_blanks(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(' ');
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(' ') + 1 - first);
-}
-
 /// The role of a piece for the piece behind it.
-enum class Role : std::uint8_t { none, operand, function, sign, comma, space, prefix, prose };
+enum class Role : std::uint8_t { none, operand, function, sign, comma, prefix, prose };
 
 /// `(1, 2)` where brackets close behind the row's parts [open, close].
 bool is_open_bracket(const LatexTree& part) {
@@ -105,10 +101,9 @@ const LatexTree& base_of(const LatexTree& part) {
   return part.kind == LatexKind::scripts ? part.parts[0] : part;
 }
 
-/// {\delta} q and {d} t, groups of their own: a variation and a differential, not factors.
+/// {\delta} q, with a group of its own: a variation, not a factor.
 bool is_variation(const LatexTree& part) {
-  const bool is_group = part.kind == LatexKind::row && part.parts.size() == 1;
-  return is_group && (part.parts[0].text == "δ" || part.parts[0].text == "d");
+  return part.kind == LatexKind::row && part.parts.size() == 1 && part.parts[0].text == "δ";
 }
 
 /// \mathrm{elbow}, on none of whose letters an accent would be that of the word.
@@ -150,7 +145,7 @@ class Drawer {
         return scripts(tree);
       case LatexKind::space:
         return line_of("");
-      case LatexKind::text:
+      case LatexKind::text:  // pieces of a row get their own blanks
         return line_of(without_outer_blanks(tree.text));
       default:
         return line_of(letter(tree.text));
@@ -203,11 +198,8 @@ class Drawer {
     }
     if (fractions_ == Fractions::in_line) {
       const bool is_sum = has_sign(tree.parts[0]);
-      const bool is_product = std::ranges::count_if(tree.parts[1].parts, [](const LatexTree& part) {
-                                return role_of(part) != Role::prefix;
-                              }) > 1;
       return beside(beside(is_sum ? in_brackets("(", above, ")") : above, line_of("/")),
-                    is_product ? in_brackets("(", below, ")") : below);
+                    is_product(tree.parts[1]) ? in_brackets("(", below, ")") : below);
     }
     return stacked(above, below, is_unicode() ? "─" : "-");
   }
@@ -216,6 +208,16 @@ class Drawer {
   static bool has_sign(const LatexTree& tree) {
     return std::ranges::any_of(tree.parts,
                                [](const LatexTree& part) { return role_of(part) == Role::sign; });
+  }
+
+  /// Whether a row has several factors: dt and ∂q are one.
+  static bool is_product(const LatexTree& tree) {
+    std::size_t factors = 0;
+    for (const LatexTree& part : tree.parts) {
+      const bool begins = factors == 0 || part.is_apart;
+      if (begins && role_of(part) != Role::prefix) ++factors;
+    }
+    return factors > 1;
   }
 
   [[nodiscard]] Block root(const LatexTree& tree) const {
@@ -283,24 +285,20 @@ class Drawer {
   static Role role_of(const LatexTree& part) {
     const LatexTree& base = base_of(part);
     if (base.kind == LatexKind::function) return Role::function;
-    if (base.kind == LatexKind::space) return Role::space;
     if (base.kind == LatexKind::text) return Role::prose;
     if (base.text == "∂" || base.text == "±" || is_variation(base)) return Role::prefix;
     if (base.kind != LatexKind::sign || base.text == "∫") return Role::operand;
     return base.text == "," ? Role::comma : Role::sign;
   }
 
-  /// The text between two pieces: nothing, a blank, or a sign of multiplication.
+  /// The text between two pieces: nothing, or a blank.
   [[nodiscard]] std::string between(Role left, const LatexTree& part) const {
     if (base_of(part).text == "′") return "";
     if (part.kind == LatexKind::text && part.text.find_first_of(";:,") == 0) return "";
     const Role right = role_of(part);
     const bool is_bracket = is_open_bracket(part);
     if (left == Role::none || left == Role::prefix || right == Role::comma) return "";
-    if (left == Role::space) {
-      if (right == Role::function || is_bracket || right == Role::sign) return " ";
-      return is_unicode() ? " ⋅ " : "*";
-    }
+    if (left == Role::operand && right == Role::operand && !part.is_apart) return "";
     const bool is_argument = is_bracket && (left == Role::function || !part.is_apart);
     return is_argument && left != Role::sign && left != Role::comma ? "" : " ";
   }
@@ -311,10 +309,9 @@ class Drawer {
     bool is_in_bars = false;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const Role role = role_of(parts[i]);
-      if (role == Role::space) {
+      if (base_of(parts[i]).kind == LatexKind::space) {
         const bool is_quad = base_of(parts[i]).text == "1";
         if (is_quad && last != Role::none) result = beside(result, line_of("  "));
-        if (last == Role::operand) last = Role::space;
         continue;
       }
       const bool is_unary = role == Role::sign && (last == Role::none || last == Role::comma ||
@@ -369,18 +366,8 @@ Block drawing(const LatexTree& tree, Alphabet alphabet, Fractions fractions) {
   return Drawer(alphabet, fractions).draw(tree);
 }
 
-std::string with_small_exponents(const std::string& text) {
-  const auto is_part = [](char c) { return is_digit(c) || c == '-'; };
-  std::string result;
-  bool is_small = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool begins = text[i] == '^' && i + 1 < text.size() && is_part(text[i + 1]);
-    is_small = begins || (is_small && is_part(text[i]));
-    if (begins) continue;
-    const std::string one(1, text[i]);
-    result += is_small ? made_small(one, &SmallGlyph::above).value_or(one) : one;
-  }
-  return result;
+std::string small_exponent(const std::string& exponent) {
+  return made_small(exponent, &SmallGlyph::above).value_or("^(" + exponent + ")");
 }
 
 Block matrix_drawing(const std::vector<Block>& entries, std::size_t columns, Alphabet alphabet) {

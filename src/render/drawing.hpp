@@ -12,8 +12,8 @@ enum class Fractions : std::uint8_t { stacked, in_line };
 [[nodiscard]] Block drawing(const LatexTree& tree, Alphabet alphabet,
                             Fractions fractions = Fractions::stacked);
 
-/// "m/s^2" -> "m/s²"
-[[nodiscard]] std::string with_small_exponents(const std::string& text);
+/// "2" -> "²"; "1/2", which has no small characters, "^(1/2)".
+[[nodiscard]] std::string small_exponent(const std::string& exponent);
 
 /// Square brackets around a grid.
 [[nodiscard]] Block matrix_drawing(const std::vector<Block>& entries, std::size_t columns,

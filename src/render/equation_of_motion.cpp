@@ -19,21 +19,21 @@ namespace {
 /// A term in both notations; `{}` is where `,t` stands in models with explicit time.
 using Term = Notation;
 
-constexpr Term mass{"M(q{}) a", "M(q{}) <a>"};
-constexpr Term mass_of_rates{"M(q,v{}) a", "M(q, <v>{}) <a>"};
-constexpr Term rest{"bias(q,v{})", "\\mathrm{{bias}}(q, <v>{})"};
-constexpr Term coriolis{"C(q,v{}) v", "C(q, <v>{}) <v>"};
-constexpr Term drift{"drift(q,v{})", "\\mathrm{{drift}}(q, <v>{})"};
-constexpr Term gravity{"g(q{})", "g(q{})"};
+constexpr Term mass{"M(q{}) a", "M(<q>{}) <a>"};
+constexpr Term mass_of_rates{"M(q,v{}) a", "M(<q>, <v>{}) <a>"};
+constexpr Term rest{"bias(q,v{})", "<bias>(<q>, <v>{})"};
+constexpr Term coriolis{"C(q,v{}) v", "C(<q>, <v>{}) <v>"};
+constexpr Term drift{"drift(q,v{})", "<drift>(<q>, <v>{})"};
+constexpr Term gravity{"g(q{})", "<g>(<q>{})"};
 constexpr Term dissipation{"dD/dv", "\\frac{{\\partial D}}{{\\partial <v>}}"};
-constexpr Term input{"B(q{}) u", "B(q{}) u"};
-constexpr Term force{"Q(q,v{})", "Q(q, <v>{})"};
-constexpr Term nothing{"0", "0"};
+constexpr Term input{"B(q{}) u", "B(<q>{}) <u>"};
+constexpr Term force{"Q(q,v{})", "<Q>(<q>, <v>{})"};
+constexpr Term nothing{"0", "<0>"};
 
-constexpr Term drift_at_rest{"drift(q,0{})", "\\mathrm{{drift}}(q, 0{})"};
+constexpr Term drift_at_rest{"drift(q,0{})", "<drift>(<q>, <0>{})"};
 constexpr Term dissipation_at_rest{"dD/dv(q,0{})",
-                                   "\\frac{{\\partial D}}{{\\partial <v>}}(q, 0{})"};
-constexpr Term force_at_rest{"Q(q,0{})", "Q(q, 0{})"};
+                                   "\\frac{{\\partial D}}{{\\partial <v>}}(<q>, <0>{})"};
+constexpr Term force_at_rest{"Q(q,0{})", "<Q>(<q>, <0>{})"};
 
 /// False where the program has the output and every entry of it is 0.
 bool may_be_nonzero(const Program& program, OutputKind kind) {

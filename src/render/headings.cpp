@@ -3,19 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "base/ascii.hpp"
 #include "elgen/step_methods.hpp"
+#include "render/latex_text.hpp"
 #include "render/symbols.hpp"
 
 namespace elgen {
 namespace {
-
-std::string replaced(std::string text, std::string_view from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at)) {
-    text.replace(at, from.size(), to);
-    at += to.size();
-  }
-  return text;
-}
 
 std::string sentence(const std::string& text) {
   const bool has_end = !text.empty() && (text.back() == '.' || text.back() == '!');
@@ -24,28 +20,46 @@ std::string sentence(const std::string& text) {
 
 }  // namespace
 
+std::string as_title(std::string name) {
+  std::ranges::replace(name, '_', ' ');
+  if (!name.empty()) name[0] = in_upper_case(name[0]);
+  return name;
+}
+
+std::string page_title(const Model& model) {
+  return model.title.empty() ? as_title(model.name) : model.title;
+}
+
 std::string latex_of(const Model& model, std::string_view latex) {
   const bool turns = !model.rotations.empty();
-  std::string text = replaced(std::string(latex), "<v>", turns ? "v" : "\\dot{q}");
-  text = replaced(text, "<a>", turns ? "a" : "\\ddot{q}");
-  return replaced(text, "<N>", turns ? " N" : "");
+  std::string text = replaced(std::string(latex), "<N>", turns ? " N" : "");
+  if (!turns) text = replaced(replaced(text, "<v>", "\\dot{<q>}"), "<a>", "\\ddot{<q>}");
+  for (std::size_t open = text.find('<'); open != std::string::npos; open = text.find('<')) {
+    const std::size_t close = text.find('>', open);
+    const std::string name = text.substr(open + 1, close - open - 1);
+    const bool is_greek = !greek_letter(name).empty();
+    text.replace(
+        open, close + 1 - open,
+        is_greek ? fmt::format("\\boldsymbol{{\\{}}}", name) : fmt::format("\\mathbf{{{}}}", name));
+  }
+  return text;
 }
 
 Heading heading(const Model& model, const Function& function) {
   const OutputRow& row = output_row(function.kind);
-  const Notation& equation = equation_of(row, !model.rotations.empty());
-  Heading result{latex_of(model, row.symbol.latex), latex_of(model, equation.latex)};
-  if (!row.of_user) return result;
-  ModelSymbols symbols(model);
-  SymbolText y;
-  for (std::uint32_t i = 0; i <= function.user; ++i) {
-    y = symbols.distinct(latex_symbol(model.outputs[i].name));
+  Heading result{std::string(row.symbol.latex),
+                 std::string(equation_of(row, !model.rotations.empty()).latex)};
+  if (row.of_user) {
+    ModelSymbols symbols(model);
+    SymbolText y;
+    for (std::uint32_t i = 0; i <= function.user; ++i) {
+      y = symbols.distinct(latex_symbol(model.outputs[i].name));
+    }
+    const std::string second = fmt::format("\\ddot{{{}}}{}", y.base, y.scripts);
+    result.symbol = replaced(result.symbol, "<y>", y.text());
+    result.definition = replaced(replaced(result.definition, "<y>", y.text()), "<y''>", second);
   }
-  result.symbol = replaced(result.symbol, "<y>", y.text());
-  result.definition = replaced(result.definition, "<y>", y.text());
-  const std::string second = fmt::format("\\ddot{{{}}}{}", y.base, y.scripts);
-  result.definition = replaced(result.definition, "<y''>", second);
-  return result;
+  return {latex_of(model, result.symbol), latex_of(model, result.definition)};
 }
 
 std::string field_symbol(const Model& model, OutputKind kind, const Field& field) {

@@ -1,4 +1,4 @@
-// headings: what outputs are called and how they are defined, in LaTeX.
+// headings: what models and outputs are called, and how outputs are defined, in LaTeX.
 #pragma once
 
 #include <string>
@@ -13,8 +13,14 @@ struct Heading {
   std::string definition = {};  ///< "M = \frac{\partial^2 L}{\partial \dot{q}^2}"; may be empty
 };
 
-/// LaTeX of the output table in the model's symbols: where rotations turn the rates are velocities
-/// of their own.
+/// "mass_matrix" -> "Mass matrix"
+[[nodiscard]] std::string as_title(std::string name);
+
+/// The title of a model, else its name as one.
+[[nodiscard]] std::string page_title(const Model& model);
+
+/// LaTeX of the output table in the model's symbols, vectors in bold: where rotations turn the
+/// rates are velocities of their own.
 [[nodiscard]] std::string latex_of(const Model& model, std::string_view latex);
 
 [[nodiscard]] Heading heading(const Model& model, const Function& function);

@@ -8,6 +8,7 @@
 #include "base/ascii.hpp"
 #include "base/utf8.hpp"
 #include "elgen/functions.hpp"
+#include "render/latex_text.hpp"
 #include "render/symbols.hpp"
 
 namespace elgen {
@@ -26,7 +27,8 @@ constexpr std::array command_table{
     CommandRow{"int", LatexKind::sign, "∫"},   CommandRow{"thinspace", LatexKind::space, "0.17"},
     CommandRow{"quad", LatexKind::space, "1"}, CommandRow{"prime", LatexKind::letter, "′"},
     CommandRow{"pm", LatexKind::letter, "±"},  CommandRow{"mp", LatexKind::sign, "∓"},
-    CommandRow{"le", LatexKind::sign, "<="},
+    CommandRow{"le", LatexKind::sign, "<="},   CommandRow{"times", LatexKind::sign, "×"},
+    CommandRow{"ell", LatexKind::letter, "ℓ"},
 };
 
 /// \sin, \arctan, \ln
@@ -40,6 +42,13 @@ LatexTree with_parts(LatexKind kind, std::string_view text, Parts... parts) {
   LatexTree tree{kind, std::string(text), {}};
   (tree.parts.push_back(std::move(parts)), ...);
   return tree;
+}
+
+/// Of all parts, one after the other.
+std::string letters_of(const LatexTree& tree) {
+  std::string text = tree.text;
+  for (const LatexTree& part : tree.parts) text += letters_of(part);
+  return text;
 }
 
 /// Nobody reads deeper formulas; what is inside them is left out.
@@ -75,7 +84,7 @@ class LatexReader {
     LatexTree& base = row.parts.back();
     if (base.kind != LatexKind::scripts) {
       LatexTree bare = std::move(base);
-      base = {LatexKind::scripts, "", {}};
+      base = {LatexKind::scripts, "", {}, bare.is_apart};
       base.parts.resize(3);
       base.parts[0] = std::move(bare);
     }
@@ -156,6 +165,9 @@ class LatexReader {
     if (name == "sqrt") return with_parts(LatexKind::root, "", argument());
     if (name == "dot") return with_parts(LatexKind::accent, "˙", argument());
     if (name == "ddot") return with_parts(LatexKind::accent, "¨", argument());
+    if (name == "mathbf" || name == "boldsymbol" || name == "bm") {
+      return {LatexKind::bold, letters_of(argument())};
+    }
     if (name == "text") return {LatexKind::text, raw_argument()};
     if (name == "mathrm" || name == "operatorname") {
       return {name == "operatorname" ? LatexKind::function : LatexKind::word, raw_argument()};
@@ -211,7 +223,7 @@ std::vector<Segment> segments(const std::string& latex, double (*measured)(const
   int brackets = 0;
   int tall = 0;
   for (std::size_t i = 0; i < latex.size(); ++i) {
-    const bool is_break = braces == 0 && (stands_at(latex, i, " + ") || stands_at(latex, i, " - "));
+    const bool is_break = braces == 0 && separates_terms(std::string_view(latex).substr(i));
     if (is_break) all.push_back({"", brackets, tall});
     tall += stands_at(latex, i, "\\left") ? 1 : stands_at(latex, i, "\\right") ? -1 : 0;
     braces += (latex[i] == '{') - (latex[i] == '}');
@@ -258,6 +270,7 @@ double width(const LatexTree& tree) {
     case LatexKind::number:
       return 0.95 * static_cast<double>(tree.text.size());
     case LatexKind::word:
+    case LatexKind::bold:
     case LatexKind::text:
     case LatexKind::function:
       return 0.9 * static_cast<double>(tree.text.size()) + 0.6;

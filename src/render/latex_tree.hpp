@@ -15,6 +15,7 @@ enum class LatexKind : std::uint8_t {
   row,       ///< parts, side by side
   letter,    ///< x, \theta: text is the character
   word,      ///< \mathrm{cart}, and commands unknown
+  bold,      ///< \mathbf{q}, \boldsymbol{\tau}: a vector
   text,      ///< \text{stable: }: prose inside of a formula, with its blanks
   function,  ///< \sin, \operatorname{sgn}
   number,    ///< 12, 9.81
@@ -32,7 +33,7 @@ struct LatexTree {
   LatexKind kind = LatexKind::row;
   std::string text = {};
   std::vector<LatexTree> parts = {};
-  bool is_apart = false;  ///< a blank stands in front of it: M (q) is a product, M(q) is not
+  bool is_apart = false;  ///< a blank stands in front of it: M (q) and d t are products, dt is not
 };
 
 /// A row. Brackets need not match: a formula may be broken inside of them.
@@ -47,7 +48,7 @@ struct LatexTree {
 /// Text between the tags of XML and HTML.
 [[nodiscard]] std::string xml_text(const std::string& text);
 
-/// Breaks a long formula before + and -, at the outermost bracket that fits; `\left` and `\right`
+/// Breaks a long formula before its signs, at the outermost bracket that fits; `\left` and `\right`
 /// are completed on both sides. Every line is at most about `widest` letters wide, if it can be.
 [[nodiscard]] std::vector<std::string> latex_lines(const std::string& latex, double widest,
                                                    double (*measured)(const LatexTree&) = &width);

@@ -1,6 +1,10 @@
 // mathml: a LatexTree -> MathML Core, one element per piece.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
+#include "base/utf8.hpp"
 #include "render/fill_template.hpp"
 #include "render/latex_tree.hpp"
 
@@ -63,6 +67,31 @@ std::string with_fixed_blanks(std::string text) {
   return text;
 }
 
+/// Letters and the bold ones, which Unicode has for mathematics, and MathML no attribute.
+struct BoldLetters {
+  char32_t first;
+  char32_t last;
+  char32_t bold;
+};
+constexpr std::array bold_table{BoldLetters{U'A', U'Z', 0x1D400}, BoldLetters{U'a', U'z', 0x1D41A},
+                                BoldLetters{U'0', U'9', 0x1D7CE},
+                                BoldLetters{0x391, 0x3A9, 0x1D6A8},
+                                BoldLetters{0x3B1, 0x3C9, 0x1D6C2}};
+
+std::string bold(const std::string& text) {
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    const CodePoint point = code_point_at(text, at);
+    const auto range = std::ranges::find_if(bold_table, [&point](const BoldLetters& letters) {
+      return letters.first <= point.value && point.value <= letters.last;
+    });
+    const bool has_bold = range != bold_table.end();
+    append_utf8(result, has_bold ? range->bold + (point.value - range->first) : point.value);
+    at += std::max<std::size_t>(1, point.bytes);
+  }
+  return result;
+}
+
 std::string sign(const std::string& text) {
   return fmt::format("<mo>{}</mo>", text == "-" ? "−" : xml_text(text));
 }
@@ -84,6 +113,8 @@ std::string mathml(const LatexTree& tree) {
       const char* upright = tree.text.size() == 1 ? R"( mathvariant="normal")" : "";
       return fmt::format("<mi{}>{}</mi>", upright, xml_text(tree.text));
     }
+    case LatexKind::bold:
+      return fmt::format("<mi>{}</mi>", bold(tree.text));
     case LatexKind::text:
       return fmt::format("<mtext>{}</mtext>", with_fixed_blanks(xml_text(tree.text)));
     case LatexKind::number:

@@ -7,32 +7,38 @@
 #include "elgen/render.hpp"
 #include "render/display.hpp"
 #include "render/drawing.hpp"
+#include "render/unit_text.hpp"
 
 namespace elgen {
 namespace {
 
 constexpr std::string_view page_indent = "  ";
 
-template <Alphabet alphabet>
+template <Alphabet alphabet, Fractions fractions>
 double drawn_width(const LatexTree& tree) {
-  return static_cast<double>(drawing(tree, alphabet).width());
+  return static_cast<double>(drawing(tree, alphabet, fractions).width());
+}
+
+template <Alphabet alphabet>
+PageShape shape_of(const Screen& screen) {
+  return {static_cast<double>(screen.columns - page_indent.size()),
+          &drawn_width<alphabet, Fractions::stacked>, &drawn_width<alphabet, Fractions::in_line>,
+          3};
 }
 
 class ScreenPage {
  public:
   explicit ScreenPage(const Screen& screen)
       : alphabet_(screen.alphabet),
-        shape_{static_cast<double>(screen.columns - page_indent.size()),
-               screen.alphabet == Alphabet::unicode ? &drawn_width<Alphabet::unicode>
-                                                    : &drawn_width<Alphabet::ascii>,
-               3} {}
+        shape_(screen.alphabet == Alphabet::unicode ? shape_of<Alphabet::unicode>(screen)
+                                                    : shape_of<Alphabet::ascii>(screen)) {}
 
   [[nodiscard]] std::string formula(const std::string& latex) const {
     return text_of(draw(latex), page_indent);
   }
 
-  [[nodiscard]] std::string title(const std::string& latex) const {
-    return text_of(draw(latex, Fractions::in_line), "");
+  [[nodiscard]] std::string title(const std::string& title, const std::string& latex) const {
+    return latex.empty() ? title + "\n" : text_of(draw(latex, Fractions::in_line), "");
   }
 
   [[nodiscard]] std::string line(const std::string& latex) const {
@@ -44,10 +50,10 @@ class ScreenPage {
     std::vector<Block> cells;
     for (const SheetVariable& v : list) {
       const std::string value = v.value.empty() ? "" : "= " + v.value;
-      const std::string unit = v.unit == "1" ? "" : unit_text(v.unit);
-      const char* const between = value.empty() || unit.empty() ? "" : " ";
+      const std::string in_unit = v.unit == "1" ? "" : unit(v.unit);
+      const char* const between = value.empty() || in_unit.empty() ? "" : " ";
       cells.push_back(draw(v.symbol));
-      cells.push_back({{fmt::format("{}{}{}", value, between, unit)}, 0});
+      cells.push_back({{fmt::format("{}{}{}", value, between, in_unit)}, 0});
       cells.push_back({{v.doc}, 0});
     }
     return text_of(grid(cells, 3, Alignment::left), page_indent);
@@ -71,11 +77,73 @@ class ScreenPage {
     std::string text;
     for (const SheetVariable& v : list) {
       const Block symbol = draw(v.symbol);
-      text += fmt::format(
-          "{}{}{}", text.empty() ? "" : ", ", symbol.lines[symbol.base],
-          v.unit == "1" || v.unit.empty() ? "" : fmt::format(" [{}]", unit_text(v.unit)));
+      text +=
+          fmt::format("{}{}{}", text.empty() ? "" : ", ", symbol.lines[symbol.base],
+                      v.unit == "1" || v.unit.empty() ? "" : fmt::format(" [{}]", unit(v.unit)));
     }
     return fmt::format("{} = ({})", name, text);
+  }
+
+  [[nodiscard]] std::string equations(const SheetOutput& output) const {
+    const bool is_row = output.is_row && !output.equations.empty();
+    std::string text = is_row ? row(output.equations) : "";
+    if (!text.empty()) return text;
+    const std::vector<SheetEquation>& all = output.equations;
+    if (!output.is_aligned) {
+      for (const SheetEquation& each : all) text += equation(each);
+      return text;
+    }
+    for (const DisplayBlock& block : aligned_blocks(all, shape_)) text += aligned(block);
+    return text;
+  }
+
+  /// The matrix on one screen: its widest entries are folded until it fits, and all of it where
+  /// that is not enough.
+  [[nodiscard]] std::string folded(const SheetEquation& equation) const {
+    std::vector<Block> cells;
+    for (const std::string& entry : equation.entries) cells.push_back(draw(entry));
+    for (std::size_t folds = 0; folds <= cells.size(); ++folds) {
+      const Block drawn = equated(equation.left, matrix_of(equation, cells));
+      if (fits(drawn)) return text_of(drawn, page_indent);
+      Block& widest = *std::ranges::max_element(cells, {}, &Block::width);
+      widest = {{fmt::format("{}{}", is_unicode() ? "…" : "...", widest.width())}, 0};
+    }
+    const auto zeros = std::ranges::count(equation.entries, "0");
+    const std::string size =
+        fmt::format("{} x {} entries, {} of them 0", equation.rows, equation.columns, zeros);
+    return text_of(equated(equation.left, {{size}, 0}), page_indent);
+  }
+
+ private:
+  static constexpr std::size_t most_lines = 9;  ///< of one matrix on the first screen
+
+  [[nodiscard]] bool is_unicode() const { return alphabet_ == Alphabet::unicode; }
+
+  /// "kg*m^2" -> "kg m²"
+  [[nodiscard]] std::string unit(const std::string& text) const {
+    return is_unicode() ? unit_text(text, " ", small_exponent) : text;
+  }
+
+  [[nodiscard]] bool fits(const Block& drawn) const {
+    return static_cast<double>(drawn.width()) <= shape_.width && drawn.lines.size() <= most_lines;
+  }
+
+  [[nodiscard]] Block equated(const std::string& left, const Block& right,
+                              std::size_t least = 0) const {
+    const Block drawn = draw(left, Fractions::in_line);
+    const std::size_t missing = least - std::min(least, drawn.width());
+    return beside(beside({{std::string(missing, ' ')}, 0}, beside(drawn, {{" = "}, 0})), right);
+  }
+
+  [[nodiscard]] Block draw(const std::string& latex,
+                           Fractions fractions = Fractions::stacked) const {
+    return drawing(read_latex(latex), alphabet_, fractions);
+  }
+
+  [[nodiscard]] Block matrix_of(const SheetEquation& equation,
+                                const std::vector<Block>& cells) const {
+    if (cells.size() == 1) return cells.front();
+    return matrix_drawing(cells, equation.columns, alphabet_);
   }
 
   [[nodiscard]] std::string equation(const SheetEquation& equation) const {
@@ -104,75 +172,41 @@ class ScreenPage {
     return fits(all) ? text_of(all, page_indent) : "";
   }
 
-  /// The matrix on one screen: its widest entries are folded until it fits, and all of it where
-  /// that is not enough.
-  [[nodiscard]] std::string folded(const SheetEquation& equation) const {
-    std::vector<Block> cells;
-    for (const std::string& entry : equation.entries) cells.push_back(draw(entry));
-    for (std::size_t folds = 0; folds <= cells.size(); ++folds) {
-      const Block drawn = equated(equation.left, matrix_of(equation, cells));
-      if (fits(drawn)) return text_of(drawn, page_indent);
-      Block& widest = *std::ranges::max_element(cells, {}, &Block::width);
-      widest = {{fmt::format("{}{}", is_unicode() ? "…" : "...", widest.width())}, 0};
-    }
-    const auto zeros = std::ranges::count(equation.entries, "0");
-    const std::string size =
-        fmt::format("{} x {} entries, {} of them 0", equation.rows, equation.columns, zeros);
-    return text_of(equated(equation.left, {{size}, 0}), page_indent);
-  }
-
- private:
-  static constexpr std::size_t most_lines = 9;  ///< of one matrix on the first screen
-
-  [[nodiscard]] bool is_unicode() const { return alphabet_ == Alphabet::unicode; }
-
-  /// "kg*m^2" -> "kg m²"
-  [[nodiscard]] std::string unit_text(std::string unit) const {
-    if (!is_unicode()) return unit;
-    std::ranges::replace(unit, '*', ' ');
-    return with_small_exponents(unit);
-  }
-
-  [[nodiscard]] bool fits(const Block& drawn) const {
-    return static_cast<double>(drawn.width()) <= shape_.width && drawn.lines.size() <= most_lines;
-  }
-
-  [[nodiscard]] Block equated(const std::string& left, const Block& right) const {
-    return beside(beside(draw(left, Fractions::in_line), {{" = "}, 0}), right);
-  }
-
-  [[nodiscard]] Block draw(const std::string& latex,
-                           Fractions fractions = Fractions::stacked) const {
-    return drawing(read_latex(latex), alphabet_, fractions);
-  }
-
-  [[nodiscard]] Block matrix_of(const SheetEquation& equation,
-                                const std::vector<Block>& cells) const {
-    if (cells.size() == 1) return cells.front();
-    return matrix_drawing(cells, equation.columns, alphabet_);
-  }
-
   [[nodiscard]] std::string list(const SheetEquation& equation) const {
     std::string text;
     for (const Display& part : displays(equation, shape_)) text += display(part);
     return text;
   }
 
-  [[nodiscard]] std::string display(const Display& part,
-                                    Fractions fractions = Fractions::stacked) const {
-    if (part.columns > 0) {
-      std::vector<Block> cells;
-      for (const std::string& latex : part.texts) cells.push_back(draw(latex, fractions));
-      return text_of(equated(part.left, matrix_drawing(cells, part.columns, alphabet_)),
-                     page_indent);
+  /// `left` are the columns of the longest left side of a block; lines go on behind it.
+  [[nodiscard]] std::string display(const Display& part, Fractions fractions = Fractions::stacked,
+                                    std::size_t left = 0) const {
+    std::vector<Block> rights;
+    for (const std::string& latex : part.texts) {
+      const bool continues = part.columns == 0 && !rights.empty();
+      rights.push_back(draw(continues ? "{} " + latex : latex, fractions));
+    }
+    if (part.columns > 0) rights = {matrix_drawing(rights, part.columns, alphabet_)};
+    std::string text;
+    for (const Block& right : rights) {
+      const bool is_first = text.empty();
+      const bool is_alone = is_first && part.left.empty();
+      const Block behind{{std::string(left + 3, ' ')}, 0};
+      text += text_of(is_alone   ? right
+                      : is_first ? equated(part.left, right, left)
+                                 : beside(behind, right),
+                      page_indent);
+    }
+    return text;
+  }
+
+  [[nodiscard]] std::string aligned(const DisplayBlock& block) const {
+    std::size_t left = 0;
+    for (const Display& part : block) {
+      left = std::max(left, draw(part.left, Fractions::in_line).width());
     }
     std::string text;
-    for (const std::string& latex : part.texts) {
-      const bool is_first = text.empty();
-      const Block line =
-          is_first ? equated(part.left, draw(latex)) : beside({{"   "}, 0}, draw("{} " + latex));
-      text += text_of(line, page_indent);
-    }
+    for (const Display& part : block) text += display(part, Fractions::stacked, left);
     return text;
   }
 
@@ -203,7 +237,7 @@ std::vector<const SheetOutput*> shown_first(const Sheet& sheet) {
 
 std::string screen_page(const Sheet& sheet, const Screen& screen) {
   const ScreenPage page(screen);
-  std::string text = sheet.title_latex.empty() ? sheet.title + "\n" : page.title(sheet.title_latex);
+  std::string text = page.title(sheet.title, sheet.title_latex);
   for (const std::string& note : sheet.notes) text += note + "\n";
   if (!sheet.equation_of_motion.empty()) text += "\n" + page.formula(sheet.equation_of_motion);
   for (const auto* const list :
@@ -211,20 +245,11 @@ std::string screen_page(const Sheet& sheet, const Screen& screen) {
     if (!list->empty()) text += "\n" + page.variables(*list);
   }
   for (const SheetOutput& output : sheet.outputs) {
-    const std::string& function = output.function;
     text += "\n";
-    if (!output.title.empty()) {
-      text += fmt::format("{}{}\n", output.title, function.empty() ? "" : ": " + function);
-    }
+    if (!output.title.empty()) text += page.title(output.title, output.title_latex);
     if (!output.doc.empty()) text += fmt::format("  {}\n", output.doc);
     for (const std::string& line : output.lines) text += page.line(line);
-    const bool is_row = output.is_row && !output.equations.empty();
-    const std::string row = is_row ? page.row(output.equations) : "";
-    text += row;
-    for (const SheetEquation& equation : output.equations) {
-      if (row.empty()) text += page.equation(equation);
-    }
-    text += page.table(output.table);
+    text += page.equations(output) + page.table(output.table);
   }
   return text;
 }

@@ -1,10 +1,8 @@
 // sheet: Model, Scene, Program -> what a page shows.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 
-#include "base/ascii.hpp"
 #include "base/number_text.hpp"
 #include "elgen/render.hpp"
 #include "render/headings.hpp"
@@ -87,11 +85,7 @@ std::vector<SheetVariable> parameters(const Model& model, const Scene& scene) {
 
 /// "Mass matrix"; the names of a user's own outputs are left as they are.
 std::string title_of(const Function& function) {
-  std::string title = function.name;
-  if (output_row(function.kind).of_user) return title;
-  std::ranges::replace(title, '_', ' ');
-  title[0] = in_upper_case(title[0]);
-  return title;
+  return output_row(function.kind).of_user ? function.name : as_title(function.name);
 }
 
 SheetOutput output(const Model& model, const Program& program, std::size_t index) {
@@ -116,7 +110,7 @@ SheetOutput output(const Model& model, const Program& program, std::size_t index
 
 Sheet sheet(const Model& model, const Scene& scene, const Program& program,
             const PageOptions& options) {
-  Sheet result{model.title.empty() ? model.name : model.title, model.description, model.reference};
+  Sheet result{page_title(model), model.description, model.reference};
   result.notes = scene_notes(model, scene);
   result.equation_of_motion = equation_of_motion(model, program).latex;
   result.coordinates = coordinates(model);

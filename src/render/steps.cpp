@@ -8,6 +8,7 @@
 
 #include "elgen/render.hpp"
 #include "elgen/typeset.hpp"
+#include "render/headings.hpp"
 #include "render/symbols.hpp"
 
 namespace elgen {
@@ -30,6 +31,7 @@ struct StepLine {
 
 struct DerivationStep {
   std::string title = {};
+  std::string title_latex = {};  ///< as SheetOutput has it
   std::string doc = {};
   std::vector<StepEquation> equations = {};
   std::vector<StepLine> lines = {};  ///< before the equations
@@ -46,35 +48,38 @@ struct FixedLine {
   const char* latex;
 };
 
-/// S, its variation, the integration by parts, and its boundary terms.
+/// S, its variation, the integration by parts, and its boundary terms; `<q>` is a vector.
 constexpr std::array<FixedLine, 4> variation_lines{{
-    {"S = int L dt", R"(S = \int L {d} t)"},
+    {"S = int L dt", R"(S = \int L dt)"},
     {"delta S = int (dL/dq delta q + dL/dv d(delta q)/dt) dt",
-     R"({\delta} S = \int \left( \frac{\partial L}{\partial q} \cdot {\delta} q + )"
-     R"(\frac{\partial L}{\partial \dot{q}} \cdot \frac{d}{dt} {\delta} q \right) {d} t)"},
+     R"({\delta} S = \int \left( \frac{\partial L}{\partial <q>} \cdot {\delta} <q> + )"
+     R"(\frac{\partial L}{\partial \dot{<q>}} \cdot \frac{d}{dt} {\delta} <q> \right) dt)"},
     {"delta S = int (dL/dq - d/dt dL/dv) delta q dt + [dL/dv delta q] by parts",
-     R"({\delta} S = \int \left( \frac{\partial L}{\partial q} - )"
-     R"(\frac{d}{dt} \frac{\partial L}{\partial \dot{q}} \right) \cdot {\delta} q {d} t + )"
-     R"(\left[ \frac{\partial L}{\partial \dot{q}} \cdot {\delta} q \right] \text{ by parts})"},
+     R"({\delta} S = \int \left( \frac{\partial L}{\partial <q>} - )"
+     R"(\frac{d}{dt} \frac{\partial L}{\partial \dot{<q>}} \right) \cdot {\delta} <q> dt + )"
+     R"(\left[ \frac{\partial L}{\partial \dot{<q>}} \cdot {\delta} <q> \right] \text{ by parts})"},
     {"[dL/dv delta q] = 0, as delta q = 0 at both ends",
-     R"(\left[ \frac{\partial L}{\partial \dot{q}} \cdot {\delta} q \right] = 0 )"
-     R"(\text{, as } {\delta} q = 0 \text{ at both ends})"},
+     R"(\left[ \frac{\partial L}{\partial \dot{<q>}} \cdot {\delta} <q> \right] = 0 )"
+     R"(\text{, as } {\delta} <q> = <0> \text{ at both ends})"},
 }};
 
 /// Hamilton's principle, and d'Alembert's where forces work.
-constexpr FixedLine stationary{
-    "delta S = 0 for every delta q, so d/dt dL/dv - dL/dq = 0",
-    R"({\delta} S = 0 \text{ for every } {\delta} q \text{, so } )"
-    R"(\frac{d}{dt} \frac{\partial L}{\partial \dot{q}} - \frac{\partial L}{\partial q} = 0)"};
+constexpr FixedLine stationary{"delta S = 0 for every delta q, so d/dt dL/dv - dL/dq = 0",
+                               R"({\delta} S = 0 \text{ for every } {\delta} <q> \text{, so } )"
+                               R"(\frac{d}{dt} \frac{\partial L}{\partial \dot{<q>}} - )"
+                               R"(\frac{\partial L}{\partial <q>} = <0>)"};
 constexpr FixedLine virtual_work{
     "delta W = (Q - dD/dv) delta q is the virtual work of forces (d'Alembert)",
-    R"({\delta} W = \left( Q - \frac{\partial D}{\partial \dot{q}} \right) \cdot {\delta} q )"
+    R"({\delta} W = \left( <Q> - \frac{\partial D}{\partial \dot{<q>}} \right) \cdot {\delta} <q> )"
     R"(\text{ is the virtual work of forces (d'Alembert)})"};
 constexpr FixedLine balanced{
     "delta S + int delta W dt = 0 for every delta q, so d/dt dL/dv - dL/dq + dD/dv = Q",
-    R"({\delta} S + \int {\delta} W {d} t = 0 \text{ for every } {\delta} q \text{, so } )"
-    R"(\frac{d}{dt} \frac{\partial L}{\partial \dot{q}} - \frac{\partial L}{\partial q} + )"
-    R"(\frac{\partial D}{\partial \dot{q}} = Q)"};
+    R"({\delta} S + \int {\delta} W dt = 0 \text{ for every } {\delta} <q> \text{, so } )"
+    R"(\frac{d}{dt} \frac{\partial L}{\partial \dot{<q>}} - \frac{\partial L}{\partial <q>} + )"
+    R"(\frac{\partial D}{\partial \dot{<q>}} = <Q>)"};
+constexpr std::string_view lagrange =
+    R"(\frac{d}{dt} \frac{\partial L}{\partial \dot{<q>}} - \frac{\partial L}{\partial <q>} + )"
+    R"(\frac{\partial D}{\partial \dot{<q>}} = <Q>)";
 
 constexpr std::string_view turning_doc =
     "An angular velocity: d/dt is the rate seen from the world, with [w]x dL/dw, and the slope of "
@@ -86,7 +91,7 @@ class Outline {
   Outline(const Model& model, const ReadableSteps& steps)
       : model_(model), steps_(steps), symbols_(model) {
     for (const std::string& name : steps.masses) {
-      const SymbolText place{"r", "_{" + latex_symbol(name).text() + "}"};
+      const SymbolText place{"\\mathbf{r}", "_{" + latex_symbol(name).text() + "}"};
       places_.push_back(symbols_.distinct(place).text());
     }
     for (std::size_t i = 0; i < steps.program.functions.size(); ++i) {
@@ -144,10 +149,10 @@ class Outline {
   }
 
   void add_action() {
-    DerivationStep step{"Action", std::string(action_doc), {}, {}};
+    DerivationStep step{"Action", "", std::string(action_doc), {}, {}};
     if (!model_.rotations.empty()) step.doc += turning_variation;
-    const auto add = [&step](const FixedLine& line) {
-      step.lines.push_back({line.text, line.latex});
+    const auto add = [&](const FixedLine& line) {
+      step.lines.push_back({line.text, latex_of(model_, line.latex)});
     };
     std::ranges::for_each(variation_lines, add);
     if (!is_free()) add(virtual_work);
@@ -156,7 +161,7 @@ class Outline {
   }
 
   void add_motions(std::size_t function, const char* title, const char* doc, bool are_rates) {
-    DerivationStep step{title, doc, {}, {}};
+    DerivationStep step{title, "", doc, {}, {}};
     for (std::size_t i = 0; i < steps_.masses.size(); ++i) {
       const std::string& name = steps_.masses[i];
       const std::string& place = places_[i];
@@ -172,7 +177,7 @@ class Outline {
     const char* doc = model_.moving ? "Routh's function, with the momenta of cyclic coordinates."
                       : is_whole    ? "The Lagrangian as given."
                                     : "Kinetic and potential energy, L = T - V.";
-    DerivationStep step{std::string(energies_title), doc, {}, {}};
+    DerivationStep step{std::string(energies_title), "", doc, {}, {}};
     const std::vector<std::string> names =
         is_whole ? std::vector<std::string>{"L"} : std::vector<std::string>{"T", "V", "L"};
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -192,8 +197,11 @@ class Outline {
         is_angular ? latex_symbol(q) : symbols_.coordinates()[velocity.coordinate];
     const std::string rate = fmt::format("\\dot{{{}}}{}", symbol.base, symbol.scripts);
     const std::string slope = fmt::format("\\frac{{\\partial L}}{{\\partial {}}}", rate);
-    DerivationStep step{
-        fmt::format("Equation of {}", q), is_angular ? std::string(turning_doc) : "", {}, {}};
+    DerivationStep step{fmt::format("Equation of {}", q),
+                        fmt::format("\\text{{Equation of }}{}", symbol.text()),
+                        is_angular ? std::string(turning_doc) : "",
+                        {},
+                        {}};
     if (!is_angular && is_zero(function, BookLine::partial)) {
       step.lines.push_back(
           conservation(function, {fmt::format("dL/d(dot({}))", q), slope}, {q, symbol.text()}));
@@ -225,7 +233,7 @@ class Outline {
 
   /// The rows of all velocities, and what they are solved for.
   void add_equations(std::size_t first) {
-    DerivationStep step{std::string(equations_title), "", {}, {}};
+    DerivationStep step{std::string(equations_title), "", "", {}, {}};
     const std::size_t count = model_.velocities.size();
     for (std::size_t i = 0; i < count; ++i) step.equations.push_back(row(first + i));
     const std::size_t accelerations = first + count + 1;
@@ -257,6 +265,7 @@ class Outline {
   void add_invariants(std::size_t function) {
     const bool is_autonomous = is_zero(function, 1);
     DerivationStep step{"Energy function",
+                        "",
                         is_free() ? "dE/dt = -dL/dt at fixed q and v."
                                   : "dE/dt = v (Q - dD/dv) - dL/dt, the last at fixed q and v.",
                         {},
@@ -268,9 +277,10 @@ class Outline {
     step.lines = {
         {fmt::format("L {} t, so E {}", contains, verdict),
          fmt::format("L \\text{{ {} }} t \\text{{, so }} E \\text{{ {}}}", contains, verdict)}};
-    step.equations.push_back({"E = sum of v dL/dv - L",
-                              "E = \\dot{q}^{\\top} \\frac{\\partial L}{\\partial \\dot{q}} - L",
-                              function, 0});
+    step.equations.push_back(
+        {"E = sum of v dL/dv - L",
+         latex_of(model_, R"(E = \dot{<q>}^{\top} \frac{\partial L}{\partial \dot{<q>}} - L)"),
+         function, 0});
     if (!is_autonomous) {
       step.equations.push_back(
           {"dL/dt at fixed q and v", "\\frac{\\partial L}{\\partial t}", function, 1});
@@ -333,7 +343,8 @@ std::vector<SheetOutput> steps_sections(const Model& model, const ReadableSteps&
   Outline outline(model, steps);
   for (const DerivationStep& step : outline()) {
     if (!title.empty() && step.title != title) continue;
-    SheetOutput section{.title = step.title, .doc = step.doc};
+    SheetOutput section{
+        .title = step.title, .doc = step.doc, .title_latex = step.title_latex, .is_aligned = true};
     for (const StepLine& line : step.lines) section.lines.push_back(line.latex);
     for (const StepEquation& equation : step.equations) {
       std::vector<std::string> entries =
@@ -354,9 +365,7 @@ std::vector<SheetOutput> steps_sections(const Model& model, const ReadableSteps&
 Sheet steps_sheet(const Model& model, const Scene& scene, const ReadableSteps& steps,
                   std::string_view title) {
   Sheet result = sheet(model, scene, {});
-  result.equation_of_motion =
-      "\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot{q}} - \\frac{\\partial L}{\\partial q} + "
-      "\\frac{\\partial D}{\\partial \\dot{q}} = Q";
+  result.equation_of_motion = latex_of(model, lagrange);
   result.outputs = steps_sections(model, steps, title);
   return result;
 }

@@ -33,8 +33,7 @@ std::string function_text(const Program& program, std::size_t index) {
 
 std::string text_page(const Model& model, const Scene& scene, const Program& program,
                       const PageOptions& options) {
-  std::string text = model.title.empty() ? model.name : model.title;
-  text += "\n";
+  std::string text = page_title(model) + "\n";
   for (const std::string& note : scene_notes(model, scene)) text += note + "\n";
   text += fmt::format("\n  {}\n\n", equation_of_motion(model, program).text);
   for (const std::string& line : variable_lines(model, program)) text += "  " + line + "\n";

@@ -571,7 +571,7 @@ bool Arranger::is_one_product(const Fraction& form) {
          });
 }
 
-BookQuotient Arranger::quotient(const Fraction& above, const Fraction& below) {
+BookSum Arranger::quotient(const Fraction& above, const Fraction& below) {
   if (above.numerator.empty()) return {};
   if (above.denominator != below.denominator) throw TooLongForABook();
   Taken numerator{{1, {}}, by_hyperbolic_squares(algebra_, above.numerator)};
@@ -587,22 +587,21 @@ BookQuotient Arranger::quotient(const Fraction& above, const Fraction& below) {
   sort_terms(divisor);
   front.number = front.number / take_number(divisor);
   BookSum dividend = terms(numerator.rest);
-  BookQuotient result;
+  BookSum result;
   if (divisor.terms.size() > 1) {
     BookFactor factor;
     factor.kind = BookFactorKind::sum;
     factor.place = {FactorGroup::sum, UINT32_MAX};
     factor.exponent = -1;
-    factor.sum = divisor;
+    factor.sum = std::move(divisor);
     add_factor(front, std::move(factor));
-    result.divisor = std::move(divisor);
     front.number = front.number * take_number(dividend);
     if (dividend.terms.size() == 1) {
       elgen::multiply(front, dividend.terms.front());
     } else {
       multiply(front, std::move(dividend));
     }
-    result.value.terms.push_back(std::move(front));
+    result.terms.push_back(std::move(front));
     return result;
   }
   for (BookFactor factor : divisor.terms.front().factors) {
@@ -611,7 +610,7 @@ BookQuotient Arranger::quotient(const Fraction& above, const Fraction& below) {
   }
   for (BookProduct& term : dividend.terms) {
     elgen::multiply(term, front);
-    result.value.terms.push_back(std::move(term));
+    result.terms.push_back(std::move(term));
   }
   return result;
 }

@@ -23,12 +23,6 @@ struct TooLongForABook : std::length_error {
   TooLongForABook() : std::length_error("a sum of too many terms") {}
 };
 
-/// A sum, and the sum that divides it where there is one.
-struct BookQuotient {
-  BookSum value;
-  std::optional<BookSum> divisor;
-};
-
 class Arranger {
  public:
   Arranger(const Algebra& algebra, const TypedForms& typed) : algebra_(algebra), typed_(typed) {}
@@ -37,7 +31,7 @@ class Arranger {
   /// `own` is the velocity whose acceleration comes first.
   [[nodiscard]] BookSum spread(const Fraction& form, std::optional<std::uint32_t> own = {});
   /// above / below: the terms of `above` over one divisor, powers that both have gone.
-  [[nodiscard]] BookQuotient quotient(const Fraction& above, const Fraction& below);
+  [[nodiscard]] BookSum quotient(const Fraction& above, const Fraction& below);
   /// Whether a form is written without sums.
   [[nodiscard]] bool is_one_product(const Fraction& form);
 
@@ -84,7 +78,7 @@ class Arranger {
 
   const Algebra& algebra_;
   const TypedForms& typed_;
-  std::size_t first_typed_ = 0;  ///< of the typed sums that are looked for
+  std::size_t first_typed_ = 0;   ///< of the typed sums that are looked for
   std::size_t work_ = 1'000'000;  ///< term products that divisions may take
 };
 

@@ -162,14 +162,14 @@ BookSum Equations::divided_terms(const EquationRow& row, const Fraction& inertia
   return result;
 }
 
-std::optional<BookQuotient> Equations::solved(const std::vector<std::optional<EquationRow>>& rows,
-                                              std::uint32_t own) {
+std::optional<BookSum> Equations::solved(const std::vector<std::optional<EquationRow>>& rows,
+                                         std::uint32_t own) {
   const std::optional<Linear> first = linear(rows[own]);
   if (!first || first->inertia.count(own) == 0 || first->inertia.size() > 2) return std::nullopt;
   const Fraction& inertia = first->inertia.at(own);
   if (first->inertia.size() == 1) {
     const bool is_product = arranger_.is_one_product(inertia);
-    if (is_product) return BookQuotient{divided_terms(*rows[own], inertia, own), {}};
+    if (is_product) return divided_terms(*rows[own], inertia, own);
     return arranger_.quotient(first->rest, inertia);
   }
   const std::uint32_t other = first->inertia.begin()->first == own

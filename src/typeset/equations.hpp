@@ -40,8 +40,8 @@ class Equations {
   [[nodiscard]] BookSum left(const EquationRow& row, std::uint32_t own);
 
   /// The acceleration where its row holds no other, or one other whose row holds no third.
-  [[nodiscard]] std::optional<BookQuotient> solved(
-      const std::vector<std::optional<EquationRow>>& rows, std::uint32_t own);
+  [[nodiscard]] std::optional<BookSum> solved(const std::vector<std::optional<EquationRow>>& rows,
+                                              std::uint32_t own);
 
  private:
   /// M a = rest of a row.

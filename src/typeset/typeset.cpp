@@ -2,10 +2,7 @@
 // (write.hpp); here is what stands in which sum.
 #include "elgen/typeset.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "lower/graph/prune.hpp"
@@ -88,6 +85,7 @@ class Typesetting {
                                              : arranger.in_front(form));
         }
       }
+      write.name_shared_divisors();
     });
   }
 
@@ -133,21 +131,14 @@ class Typesetting {
       Equations equations(algebra_, arranger);
       BookWriter write(model_, algebra_, arranger, program_, result);
       const auto rows = rows_around(equations, first);
-      std::map<std::uint32_t, std::size_t> divisors;  // and how often each divides
       for (std::uint32_t i = 0; i < rows.size(); ++i) {
         Field& field = result.fields.emplace_back(Field{model_.velocities[i].name, 0, 1, {}});
-        const std::optional<BookQuotient> solution = equations.solved(rows, i);
-        if (!solution || written_factors(solution->value) > longest_solution) continue;
+        const std::optional<BookSum> solution = equations.solved(rows, i);
+        if (!solution || written_factors(*solution) > longest_solution) continue;
         field.rows = 1;
-        field.entries = {write(solution->value)};
-        if (solution->divisor) ++divisors[write(*solution->divisor)];
+        field.entries = {write(*solution)};
       }
-      std::erase_if(divisors, [](const auto& divisor) { return divisor.second < 2; });
-      std::size_t number = 0;
-      for (const auto& [divisor, count] : divisors) {
-        const bool is_only = divisors.size() == 1;
-        write.name(divisor, is_only ? "Delta" : fmt::format("Delta_{}", ++number));
-      }
+      write.name_shared_divisors();
     });
   }
 

@@ -2,12 +2,17 @@
 // nothing else to stand above or a function stands below.
 #include "typeset/write.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace elgen {
 namespace {
 
 using cln::cl_RA;
+
+/// Factors of a sum that is not written twice.
+constexpr std::size_t shortest_shared = 3;
 
 /// The operands of a quotient, and what stands behind it.
 struct Sides {
@@ -78,8 +83,12 @@ std::uint32_t BookWriter::operator()(const BookSum& sum) {
   return total;
 }
 
-void BookWriter::name(std::uint32_t instruction, const std::string& name) {
-  function_.names[instruction] = name;
+void BookWriter::name_shared_divisors() {
+  std::erase_if(divisors_, [](const auto& divisor) { return divisor.second < 2; });
+  std::size_t number = 0;
+  for (const auto& [divisor, count] : divisors_) {
+    function_.names[divisor] = divisors_.size() == 1 ? "Delta" : fmt::format("Delta_{}", ++number);
+  }
 }
 
 /// Without its sign.
@@ -102,6 +111,10 @@ std::uint32_t BookWriter::product(const BookProduct& product) {
   };
   std::optional<std::uint32_t> result = multiplied(of_number(sides.number_above), sides.above);
   const std::optional<std::uint32_t> below = multiplied(of_number(sides.number_below), sides.below);
+  for (const BookFactor& each : sides.below) {
+    if (each.kind != BookFactorKind::sum || written_factors(each.sum) < shortest_shared) continue;
+    ++divisors_[factor(each)];
+  }
   if (below) result = instructions_.add(Opcode::divide, result ? *result : number(1), *below);
   const std::optional<std::uint32_t> front = of_number(sides.number);
   if (front) result = result ? instructions_.add(Opcode::multiply, *front, *result) : *front;
@@ -123,7 +136,7 @@ std::uint32_t BookWriter::factor(const BookFactor& factor) {
       return (*this)(factor.sum);
     case BookFactorKind::name: {
       const std::uint32_t value = (*this)(factor.sum);
-      name(value, model_.definitions[factor.definition].identifier);
+      function_.names[value] = model_.definitions[factor.definition].identifier;
       return value;
     }
   }

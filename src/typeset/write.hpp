@@ -1,6 +1,8 @@
 // write: sums of products -> instructions that a reader's languages print in this very order.
 #pragma once
 
+#include <map>
+
 #include "elgen/program.hpp"
 #include "lower/network/instructions.hpp"
 #include "typeset/arrange.hpp"
@@ -21,8 +23,8 @@ class BookWriter {
         instructions_(function) {}
 
   [[nodiscard]] std::uint32_t operator()(const BookSum& sum);
-  /// Known by this name where others refer to it.
-  void name(std::uint32_t instruction, const std::string& name);
+  /// Names what divides two or more products of those written: Delta, or Delta_1, …
+  void name_shared_divisors();
 
  private:
   [[nodiscard]] std::uint32_t product(const BookProduct& product);
@@ -38,6 +40,7 @@ class BookWriter {
   Program& program_;
   Function& function_;
   Instructions instructions_;
+  std::map<std::uint32_t, std::size_t> divisors_ = {};  ///< sums, and how often each divides
 };
 
 }  // namespace elgen

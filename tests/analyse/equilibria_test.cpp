@@ -88,9 +88,9 @@ TEST_CASE("systems without equilibria say why, and what is cyclic") {
 TEST_CASE("coordinates that balance beside exact angles have closed forms") {
   CHECK(page("elastic_pendulum") == R"(Elastic pendulum: equilibria (v = 0)
 
-  r                       θ
-  ell₀ - m g/k = 0.4365   π   unstable: 4.7407 1/s
-  ell₀ + m g/k = 0.7635   0   stable: V₀ has a strict minimum
+  r                     θ
+  ℓ₀ - m g/k = 0.4365   π   unstable: 4.7407 1/s
+  ℓ₀ + m g/k = 0.7635   0   stable: V₀ has a strict minimum
 
   exact for all values of the parameters; r in [0.2, 2]; θ modulo 2 π
   these are all (proved)

@@ -68,12 +68,10 @@ TEST_CASE("the double pendulum has two modes, by a formula") {
   M = ⎡ l₁² (m₁ + m₂)   m₂ l₁ l₂ ⎤  K = ⎡ l₁ g (m₁ + m₂)      0    ⎤
       ⎣   m₂ l₁ l₂       m₂ l₂²  ⎦      ⎣       0          m₂ l₂ g ⎦
 
-        numerator
-  ω² = ───────────
-       denominator
-  numerator = g ((m₁ + m₂) (l₁
-        + l₂ ) ∓ √(m₂² (l₁ (l₁ + 2 l₂) + l₂²) - m₁ (2 (m₁ l₁ l₂ - m₂ (l₁² + l₂²)) - m₁ (l₁² + l₂²))) )
-  denominator = 2 m₁ l₁ l₂
+           g
+  ω² = ────────── ((m₁ + m₂) (l₁ + l₂)
+       2 m₁ l₁ l₂
+        ∓ √(m₂² (l₁ (l₁ + 2 l₂) + l₂²) - m₁ (2 (m₁ l₁ l₂ - m₂ (l₁² + l₂²)) - m₁ (l₁² + l₂²))) )
 
   mode   ω² [1/s²]   f [Hz]     θ₁          θ₂
   1      13.0399     0.574721   0.704612    1

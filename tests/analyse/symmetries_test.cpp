@@ -231,7 +231,7 @@ TEST_CASE("pages say what moves, what is claimed, and how it was found") {
   conserved = [
 )");
   CHECK(page_frame("unequal_at_special_values") ==
-        R"(unequal_at_special_values: symmetries of L, dq = A q + b + c t, dt constant: 1
+        R"(Unequal at special values: symmetries of L, dq = A q + b + c t, dt constant: 1
 
   time   E
 
@@ -241,7 +241,7 @@ TEST_CASE("pages say what moves, what is claimed, and how it was found") {
   conserved = [
 )");
   CHECK(page_frame("shaken_lift") ==
-        R"(shaken_lift: symmetries of L, dq = A q + b + c t, dt constant: 0
+        R"(Shaken lift: symmetries of L, dq = A q + b + c t, dt constant: 0
 
   there are none of this form (4 unknowns, exactly)
 )");

@@ -37,16 +37,26 @@ TEST_CASE("LaTeX stacks fractions and puts exponents on functions") {
   CHECK(square_root(n, a).text() == "\\sqrt{a}");
 }
 
+TEST_CASE("in LaTeX functions stand last, so that no factor is read as a part of an argument") {
+  const Formula sine = call(latex_spelling(), FunctionId::sin, {a});
+  const Formula bracket = sum(latex_spelling(), {{b}, {c}});
+  CHECK(product(latex_spelling(), {sine, bracket, c}).text() == "(b + c) c \\sin a");
+  CHECK(product(latex_spelling(), {two, sine, sine}).text() == "2 \\sin a \\sin a");
+  CHECK(product(latex_spelling(), {sine, negated(latex_spelling(), b)}).text() == "-b \\sin a");
+  CHECK(product(code_spelling(), {call(code_spelling(), FunctionId::sin, {a}), b}).text() ==
+        "sin(a) * b");
+}
+
 TEST_CASE("log1p, expm1, hypot and Stumpff's functions are read as fields write them") {
   const Spelling& n = latex_spelling();
   CHECK(call(n, FunctionId::log1p, {a}).text() == "\\ln(1 + a)");
   CHECK(call(n, FunctionId::expm1, {sum(n, {{a}, {b}})}).text() == "\\exp(a + b) - 1");
   CHECK(call(n, FunctionId::hypot, {a, sum(n, {{b}, {c}})}).text() ==
         "\\sqrt{a^{2} + (b + c)^{2}}");
-  CHECK(call(n, FunctionId::stumpff, {a, {"1"}}).text() == "\\operatorname{sinc}(a)");
-  CHECK(call(n, FunctionId::stumpff, {a, {"3"}}).text() == "\\operatorname{stumpff}(a, 3)");
-  CHECK(power(n, call(n, FunctionId::stumpff, {a, two}), two).text() ==
-        "\\operatorname{cosc}^{2}(a)");
+  CHECK(call(n, FunctionId::stumpff, {a, {"1"}}).text() == "\\mathrm{sinc}(a)");
+  CHECK(call(n, FunctionId::stumpff, {a, {"3"}}).text() == "\\mathrm{stumpff}(a, 3)");
+  CHECK(power(n, call(n, FunctionId::stumpff, {a, two}), two).text() == "\\mathrm{cosc}^{2}(a)");
+  CHECK(call(n, FunctionId::sign, {a}).text() == "\\mathrm{sgn}(a)");
   CHECK(call(model_spelling(), FunctionId::hypot, {a, b}).text() == "hypot(a, b)");
   CHECK(call(model_spelling(), FunctionId::stumpff, {a, two}).text() == "cosc(a)");
 }
@@ -65,6 +75,9 @@ TEST_CASE("numbers are exact") {
   CHECK(number(model_spelling(), -weight).text() == "-981/100");
   CHECK(number(latex_spelling(), weight).text() == "9.81");
   CHECK(number(latex_spelling(), cln::cl_RA(1) / 2).text() == "\\frac{1}{2}");
+  CHECK(number(latex_spelling(), cln::cl_RA(2) / 5).text() == "\\frac{2}{5}");
+  CHECK(number(latex_spelling(), cln::cl_RA(17) / 20).text() == "0.85");
+  CHECK(number(latex_spelling(), cln::cl_RA(1) / 120).text() == "\\frac{1}{120}");
 }
 
 TEST_CASE("a string is escaped") {

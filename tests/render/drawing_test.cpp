@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "render/unit_text.hpp"
+
 using namespace elgen;
 
 namespace {
@@ -20,10 +22,9 @@ TEST_CASE("a formula of one line, in Unicode and in ASCII") {
       {"m l^{2}", "m l²", "m l^2"},
       {"\\frac{1}{2} m \\dot{\\theta}_{1}^{2}", "½ m θ̇₁²", "1/2 m dot(theta1)^2"},
       {"\\ddot{q}", "q̈", "ddot(q)"},
-      {"-m l \\sin \\theta \\thinspace \\dot{\\theta}", "-m l sin θ ⋅ θ̇",
-       "-m l sin theta*dot(theta)"},
-      {"\\sin \\theta \\thinspace \\cos \\theta", "sin θ cos θ", "sin theta cos theta"},
-      {"\\sin^{2} \\theta \\thinspace (A - C)", "sin² θ (A - C)", "sin^2 theta (A - C)"},
+      {"-m l \\dot{\\theta} \\sin \\theta", "-m l θ̇ sin θ", "-m l dot(theta) sin theta"},
+      {"\\sin \\theta \\cos \\theta", "sin θ cos θ", "sin theta cos theta"},
+      {"(A - C) \\sin^{2} \\theta", "(A - C) sin² θ", "(A - C) sin^2 theta"},
       {"\\sin \\left( a + b \\right)", "sin(a + b)", "sin(a + b)"},
       {"M(q) \\ddot{q} + g(q)", "M(q) q̈ + g(q)", "M(q) ddot(q) + g(q)"},
       {"l \\left( a - b \\right)^{2}", "l (a - b)²", "l (a - b)^2"},
@@ -38,7 +39,10 @@ TEST_CASE("a formula of one line, in Unicode and in ASCII") {
        "ddot(elbow) + ddot(ell)"},
       {"\\sqrt{x}", "√(x)", "sqrt(x)"},
       {"a \\cdot b", "a ⋅ b", "a * b"},
-      {"S = \\int L dt", "S = ∫ L d t", "S = int L d t"},
+      {"S = \\int L dt", "S = ∫ L dt", "S = int L dt"},
+      {"{\\delta} \\mathbf{q} = \\mathbf{0}", "δq = 0", "deltaq = 0"},
+      {"\\dot{\\mathbf{q}}^{\\top} \\boldsymbol{\\tau}", "q̇ᵀ τ", "dot(q)^T tau"},
+      {"m_{1} l_{2}", "m₁ l₂", "m1 l2"},
       {"\\theta \\text{, so } p", "θ, so p", "theta, so p"},
       {"\\frac{\\partial L}{\\partial q}", "∂L\n──\n∂q", "dL\n--\ndq"},
   };
@@ -57,11 +61,13 @@ TEST_CASE("brackets grow with the fraction inside them") {
 TEST_CASE("a fraction is drawn in line where that is asked") {
   const LatexTree tree = read_latex("\\frac{\\partial \\tau}{\\partial q}");
   CHECK(text_of(drawing(tree, Alphabet::unicode, Fractions::in_line), "") == "∂τ/∂q\n");
+  const LatexTree rate = read_latex("\\frac{d}{dt} x + \\frac{a}{m l}");
+  CHECK(text_of(drawing(rate, Alphabet::unicode, Fractions::in_line), "") == "d/dt x + a/(m l)\n");
 }
 
 TEST_CASE("brackets that do not match are drawn as they stand") {
   CHECK(drawn("a + (b", Alphabet::unicode) == "a + (b\n");
-  CHECK(drawn("b) c", Alphabet::unicode) == "b ) c\n");
+  CHECK(drawn("b) c", Alphabet::unicode) == "b) c\n");
 }
 
 TEST_CASE("a matrix has square brackets") {
@@ -71,6 +77,7 @@ TEST_CASE("a matrix has square brackets") {
 }
 
 TEST_CASE("exponents of units are small") {
-  CHECK(with_small_exponents("kg m^2/s^-1") == "kg m²/s⁻¹");
-  CHECK(with_small_exponents("kg^(1/2)") == "kg^(1/2)");
+  CHECK(unit_text("kg*m^2/s^-1", " ", small_exponent) == "kg m²/s⁻¹");
+  CHECK(unit_text("kg^(1/2) * m", " ", small_exponent) == "kg^(1/2) m");
+  CHECK(unit_text("", " ", small_exponent).empty());
 }

@@ -33,7 +33,10 @@ TEST_CASE("terms that are zero, or that a model cannot have, are left out") {
   const Chosen c = chosen(cart_pole_text());
   const EquationOfMotion equation = equation_of_motion(c.checked.model, c.choice.program);
   CHECK(equation.text == "M(q) a + C(q,v) v + g(q) = B(q) u");
-  CHECK(equation.latex == "M(q) \\ddot{q} + C(q, \\dot{q}) \\dot{q} + g(q) = B(q) u");
+  CHECK(equation.latex ==
+        "M(\\mathbf{q}) \\ddot{\\mathbf{q}} + C(\\mathbf{q}, \\dot{\\mathbf{q}}) "
+        "\\dot{\\mathbf{q}} + "
+        "\\mathbf{g}(\\mathbf{q}) = B(\\mathbf{q}) \\mathbf{u}");
 }
 
 TEST_CASE("where nothing moves, the equation is that at rest") {
@@ -49,7 +52,8 @@ TEST_CASE("where nothing moves, the equation is that at rest") {
 TEST_CASE("where rotations turn the rates are v") {
   const Chosen c = chosen(tumbler_text());
   CHECK(equation_of_motion(c.checked.model, c.choice.program).latex ==
-        "M(q) a + C(q, v) v = B(q) u");
+        "M(\\mathbf{q}) \\mathbf{a} + C(\\mathbf{q}, \\mathbf{v}) \\mathbf{v} = B(\\mathbf{q}) "
+        "\\mathbf{u}");
 }
 
 TEST_CASE("a term nothing is known of stays") {
@@ -117,6 +121,14 @@ TEST_CASE("every output of the table has a symbol and a sentence") {
   }
 }
 
+TEST_CASE("a model without a title has its name as one") {
+  Model model;
+  model.name = "double_pendulum";
+  CHECK(page_title(model) == "Double pendulum");
+  model.title = "two rods";
+  CHECK(page_title(model) == "two rods");
+}
+
 TEST_CASE("where rotations turn the rates are v, and the equations those of v") {
   const auto definition_of = [](const std::string& text, OutputKind kind) {
     const Chosen c = chosen(text);
@@ -127,12 +139,14 @@ TEST_CASE("where rotations turn the rates are v, and the equations those of v") 
     return std::string();
   };
   const std::string plain = everything_text();
-  CHECK(definition_of(plain, OutputKind::gravity) == "g = \\frac{\\partial V_{0}}{\\partial q}");
+  CHECK(definition_of(plain, OutputKind::gravity) ==
+        "\\mathbf{g} = \\frac{\\partial V_{0}}{\\partial \\mathbf{q}}");
   CHECK(definition_of(plain, OutputKind::inverse_dynamics) ==
-        "\\tau = M \\ddot{q} + \\mathrm{bias}");
+        "\\boldsymbol{\\tau} = M \\ddot{\\mathbf{q}} + \\mathbf{bias}");
   const std::string body = tumbler_text();
   CHECK(definition_of(body, OutputKind::gravity) ==
-        "g = N^{\\top} \\frac{\\partial V_{0}}{\\partial q}");
-  CHECK(definition_of(body, OutputKind::inverse_dynamics) == "\\tau = M a + \\mathrm{bias}");
-  CHECK(has(definition_of(body, OutputKind::coriolis_matrix), "[\\omega]_{\\times}"));
+        "\\mathbf{g} = N^{\\top} \\frac{\\partial V_{0}}{\\partial \\mathbf{q}}");
+  CHECK(definition_of(body, OutputKind::inverse_dynamics) ==
+        "\\boldsymbol{\\tau} = M \\mathbf{a} + \\mathbf{bias}");
+  CHECK(has(definition_of(body, OutputKind::coriolis_matrix), "[\\boldsymbol{\\omega}]_{\\times}"));
 }

@@ -76,6 +76,9 @@ TEST_CASE("LaTeX becomes MathML") {
       {"\\theta", "<mi>θ</mi>"},
       {"\u03b8_{1}", "<msub><mi>\u03b8</mi><mn>1</mn></msub>"},
       {"q_{1}", "<msub><mi>q</mi><mn>1</mn></msub>"},
+      {"\\mathbf{q}", "<mi>𝐪</mi>"},
+      {"\\mathbf{bias}", "<mi>𝐛𝐢𝐚𝐬</mi>"},
+      {"\\boldsymbol{\\tau}", "<mi>𝛕</mi>"},
   };
   for (const auto& [latex, expected] : rows) {
     INFO(latex);

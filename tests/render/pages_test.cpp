@@ -32,7 +32,8 @@ TEST_CASE("text is escaped in every language, vectors are columns") {
       {html_page, "<mtr><mtd><mrow><mn>0</mn></mrow></mtd></mtr>"},
       {latex_document, "A \\& B\\_1"},
       {latex_document, "100 \\% of x \\textless{} y"},
-      {latex_document, "$m_{1}$ & \\texttt{m1} & 0.5 & kg & mass \\textbar{} of *one* \\\\\n"},
+      {latex_document,
+       "$m_{1}$ & \\texttt{m1} & 0.5 & $\\mathrm{kg}$ & mass \\textbar{} of *one* \\\\\n"},
       {latex_document, "\\end{document}\n"},
       {markdown_page, "# A \\& B\\_1\n"},
       {markdown_page, "100 % of x \\< y\n"},
@@ -45,7 +46,7 @@ TEST_CASE("text is escaped in every language, vectors are columns") {
 
 TEST_CASE("sections of what is empty are absent") {
   const std::string page = markdown_page(small_sheet());
-  CHECK(has(page, "`gravity`"));
+  CHECK(has(page, "\n## Gravity\n"));
   CHECK(has(page, "M \\ddot{q} = 0"));
   Sheet sheet = small_sheet();
   sheet.parameters.clear();
@@ -56,6 +57,60 @@ TEST_CASE("text of several lines, with dollars and back-ticks, stays in its row"
   Sheet sheet = small_sheet();
   sheet.parameters.front().doc = "one\ntwo for $5 and `six`";
   CHECK(has(markdown_page(sheet), "| kg | one two for \\$5 and \\`six\\` |\n"));
+}
+
+TEST_CASE("units, titles with formulas and lines of prose and formulas") {
+  Sheet sheet = small_sheet();
+  sheet.parameters.front().unit = "kg*m^2/s^(1/2)";
+  const SheetOutput equation{.title = "Equation of theta1",
+                             .lines = {"L \\text{ lacks } x_1"},
+                             .title_latex = "\\text{Equation of }\\theta_1"};
+  const SheetOutput of_user{.title = "tip", .function = "tip"};
+  sheet.outputs = {equation, of_user};
+  sheet.title_latex = "\\text{A & B at }x = 1";
+  struct PageParts {
+    std::string (*page)(const Sheet& sheet);
+    std::vector<std::string> parts;
+  };
+  const std::vector<PageParts> rows{
+      {markdown_page,
+       {"# A \\& B at $x = 1$\n", "| kg m²/s^(1/2) |", "\n## Equation of $\\theta_1$\n",
+        "\n$L$ lacks $x_1$\n", "\n## `tip`\n"}},
+      {latex_document,
+       {"A \\& B at $x = 1$}", "& $\\mathrm{kg\\,m^{2}/s^{1/2}}$ &",
+        "\\section*{Equation of $\\theta_1$}", "\n$L$ lacks $x_1$\n",
+        "\\section*{\\normalfont\\texttt{tip}}"}},
+      {html_page,
+       {"<title>A &amp; B_1</title>", "<td>kg m<sup>2</sup>/s<sup>1/2</sup></td>",
+        "<h2>Equation of <math>", "</math> lacks <math>", "<h2><code>tip</code></h2>"}}};
+  for (const PageParts& row : rows) {
+    const std::string page = row.page(sheet);
+    INFO(page);
+    for (const std::string& part : row.parts) CHECK(has(page, part));
+  }
+}
+
+TEST_CASE("aligned equations and lines that are some are one block in every language") {
+  Sheet sheet = small_sheet();
+  SheetOutput output{.title = "Action", .is_aligned = true};
+  output.equations.push_back({"T", 1, 1, {"b"}});
+  output.lines = {"S = \\int L dt", "L \\text{ lacks } t"};
+  sheet.outputs = {output};
+  const std::string aligned = "S &= \\int L dt \\\\\nT &= b\n\\end{aligned}\n";
+  CHECK(has(markdown_page(sheet), "$$\n\\begin{aligned}\n" + aligned + "$$"));
+  CHECK(has(latex_document(sheet), "\\[\n\\begin{aligned}\n" + aligned + "\\]"));
+  const std::string html = html_page(sheet);
+  CHECK(has(html,
+            "<mtable class=\"lines\" displaystyle=\"true\">\n<mtr><mtd><mrow><mrow><mi>S</mi>"));
+  CHECK(has(html, "<mi>T</mi></mrow><mo>=</mo></mrow></mtd><mtd><mrow><mrow><mi>b</mi>"));
+}
+
+TEST_CASE("blocks of many lines break across pages") {
+  Sheet sheet = small_sheet();
+  SheetOutput output{.title = "Many", .is_aligned = true};
+  for (int i = 0; i < 12; ++i) output.equations.push_back({"a", 1, 1, {"b"}});
+  sheet.outputs = {output};
+  CHECK(has(latex_document(sheet), "\\begin{align*}\na &= b \\\\\na &= b"));
 }
 
 TEST_CASE("links and images of titles are text") {

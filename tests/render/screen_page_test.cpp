@@ -40,7 +40,7 @@ std::size_t widest_line(const std::string& page) {
 
 TEST_CASE("a screen shows variables and matrices") {
   CHECK(screen_page(small_sheet(), {80, Alphabet::unicode}) ==
-        "A & B_1\n\n  M q̈ = 0\n\n  m₁   = 0.5 kg   mass | of *one*\n\nGravity: gravity\n  Slope.\n"
+        "A & B_1\n\n  M q̈ = 0\n\n  m₁   = 0.5 kg   mass | of *one*\n\nGravity\n  Slope.\n"
         "  g = ⎡  0   ⎤\n      ⎣ m₁ g ⎦\n");
 }
 
@@ -49,6 +49,23 @@ TEST_CASE("a matrix too wide gives names to what is wider than a name") {
   CHECK(has(page, "  M = ⎡ M₁₁   b ⎤\n      ⎣  b    1 ⎦\n  M₁₁ = m₁ l + m₂ l"));
   CHECK(has(page, "  g₁ = m₁ l + m₂ l"));
   CHECK(has(page, "  all other entries are 0\n"));
+}
+
+TEST_CASE("signs of aligned equations stand below each other, titles have formulas") {
+  SheetOutput output{.title = "Equation of theta1",
+                     .title_latex = "\\text{Equation of }\\theta_{1}",
+                     .is_aligned = true};
+  output.equations = {{"\\frac{\\partial L}{\\partial \\dot{\\theta}_{1}}", 1, 1, {"a"}},
+                      {"V", 1, 1, {"b"}},
+                      {"\\mathbf{r}", 2, 1, {"x", "y"}}};
+  Sheet sheet;
+  sheet.outputs = {output};
+  CHECK(screen_page(sheet, {80, Alphabet::unicode}) ==
+        "\n\nEquation of θ₁\n"
+        "  ∂L/∂θ̇₁ = a\n"
+        "       V = b\n"
+        "       r = ⎡ x ⎤\n"
+        "           ⎣ y ⎦\n");
 }
 
 TEST_CASE("no screen is exceeded") {

@@ -56,6 +56,7 @@ TEST_CASE("the sheet has one section per step") {
   const Sheet sheet = steps_sheet(d.checked.model, d.checked.scene, d.steps);
   REQUIRE(sheet.outputs.size() == 7);
   CHECK(sheet.outputs[0].title == "Action");
+  CHECK(sheet.outputs[5].title_latex == "\\text{Equation of }\\theta");
   CHECK(sheet.outputs[1].equations.at(0).rows == 2);
   CHECK(sheet.outputs[5].equations.at(0).left == "\\frac{\\partial L}{\\partial \\dot{\\theta}}");
 }
@@ -92,7 +93,7 @@ TEST_CASE("what L does not contain has a line of Noether's, in symbols on a shee
   CHECK(sheet.outputs[5].lines.empty());
   const std::string screen = screen_page(sheet, {120, Alphabet::unicode});
   CHECK(has(screen, "  S = ∫ L dt\n"));
-  CHECK(has(screen, "  δS = ∫ (∂L/∂q - d/(d t) ∂L/∂q̇) ⋅ δq dt + [∂L/∂q̇ ⋅ δq] by parts\n"));
+  CHECK(has(screen, "  δS = ∫ (∂L/∂q - d/dt ∂L/∂q̇) ⋅ δq dt + [∂L/∂q̇ ⋅ δq] by parts\n"));
   CHECK(has(screen, "  L does not contain x, so pₓ = ∂L/∂ẋ is conserved wherever"));
   CHECK(has(screen, "  L does not contain t, so E is conserved wherever no force"));
 }

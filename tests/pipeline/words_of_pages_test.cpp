@@ -1,0 +1,165 @@
+// No page of any model has what no book prints: names of the generator, formulas that are not
+// simplified, macros that pandoc or GitHub lack, units as they are typed.
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+
+#include "pipeline/pipeline_testing.hpp"
+
+namespace elgen::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Texts that are nowhere on a page.
+constexpr std::array forbidden{std::to_array<std::string_view>({
+    // macros
+    "\\operatorname",
+    "\\thinspace",
+    // names in the place of what they stand for
+    "numerator",
+    "denominator",
+    // the rate of something is d/dt
+    "d/(d t)",
+    "d/d t",
+    "{d t}",
+    "{d} t",
+    // half angles, and functions of numbers
+    "sin\\left( \\frac{1}{2}",
+    "cos\\left( \\frac{1}{2}",
+    "sin^{2}\\left( \\frac{1}{2}",
+    "cos^{2}\\left( \\frac{1}{2}",
+    "sin(½",
+    "cos(½",
+    "sin²(½",
+    "cos²(½",
+    "sin(π/6)",
+    "\\sin \\frac{\\pi}{6}",
+    "1 + \\sinh^{2}",
+    "1 + sinh²",
+    // units
+    "m/s^2",
+    "kg*m",
+    "N*m",
+    "\\textasciicircum{}2",
+    // what a heading says already, and names of the model in it
+    "(`bias`)",
+    "Bias: bias",
+})};
+
+bool is_hex(char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); }
+
+/// t_4f2a, t_{\mathrm{4f2a}}, t_{12345}: the name that a definition has in code.
+bool has_hash_name(const std::string& text) {
+  for (std::size_t at = text.find("t_"); at != std::string::npos; at = text.find("t_", at + 1)) {
+    if (at > 0 && std::isalpha(static_cast<unsigned char>(text[at - 1])) != 0) continue;
+    std::string_view rest = std::string_view(text).substr(at + 2);
+    for (const std::string_view open : {"{", "\\mathrm{"}) {
+      if (rest.starts_with(open)) rest.remove_prefix(open.size());
+    }
+    const auto digits = std::ranges::find_if_not(rest, is_hex) - rest.begin();
+    if (digits >= 4) return true;
+  }
+  return false;
+}
+
+/// "φ̇) φ̇)": a rate is a factor of a bracket that ends with it.
+bool has_doubled_rate(const std::string& text) {
+  for (std::size_t at = text.find(") "); at != std::string::npos; at = text.find(") ", at + 1)) {
+    const std::size_t begin = text.find_last_of(" (", at) + 1;
+    const std::string factor = text.substr(begin, at - begin);
+    const bool is_rate =
+        factor.find("\u0307") != std::string::npos || factor.find("\\dot{") != std::string::npos;
+    if (is_rate && text.compare(at + 2, factor.size() + 1, factor + ")") == 0) return true;
+  }
+  return false;
+}
+
+/// "2 \frac{1}{a}": a number beside a fraction, which would be a part of it.
+bool has_number_beside_fraction(const std::string& text) {
+  const std::string fraction = " \\frac{1}{";
+  for (std::size_t at = text.find(fraction); at != std::string::npos;
+       at = text.find(fraction, at + 1)) {
+    const std::size_t last = at == 0 ? at : text.find_last_not_of("0123456789", at - 1);
+    const std::size_t begin = last == std::string::npos ? 0 : last + 1;
+    const bool stands_alone = begin == 0 || text[begin - 1] == ' ' || text[begin - 1] == '(';
+    if (begin < at && stands_alone) return true;
+  }
+  return false;
+}
+
+/// Everything that a page should not have.
+std::vector<std::string> found_on(const std::string& page) {
+  std::vector<std::string> found;
+  for (const std::string_view text : forbidden) {
+    const std::size_t at = page.find(text);
+    if (at == std::string::npos) continue;
+    const std::size_t begin = page.rfind('\n', at) + 1;
+    found.push_back(std::string(text) + " in: " + page.substr(begin, page.find('\n', at) - begin));
+  }
+  if (has_hash_name(page)) found.emplace_back("the name of a definition");
+  if (has_doubled_rate(page)) found.emplace_back("a rate twice");
+  if (has_number_beside_fraction(page)) found.emplace_back("a number beside a fraction");
+  return found;
+}
+
+std::string unicode_page(const Sheet& sheet) { return screen_page(sheet, {80, Alphabet::unicode}); }
+
+void check_words(const Sheet& sheet) {
+  for (const auto page : {markdown_page, latex_document, html_page, unicode_page}) {
+    CHECK(found_on(page(sheet)) == std::vector<std::string>{});
+  }
+}
+
+Products products_for(const SourcePointer& model, Goal goal) {
+  PipelineOptions options;
+  options.goals = {goal};
+  return run_pipeline({model, nullptr}, options);
+}
+
+}  // namespace
+
+TEST_CASE("no page of any model has what no book prints") {
+  for (const auto& file : fs::directory_iterator(std::string(ELGEN_SOURCE_DIR) + "/models")) {
+    if (file.path().extension() != ".toml") continue;
+    INFO(file.path());
+    const SourcePointer model = make_source(file.path().string(), read_text(file.path()));
+    const Products chosen = products_for(model, Goal::choose);
+    REQUIRE(chosen.program);
+    check_words(sheet(chosen.checked->model, chosen.checked->scene, *chosen.program));
+    const Products derived = products_for(model, Goal::steps);
+    REQUIRE(derived.steps);
+    check_words(steps_sheet(derived.checked->model, derived.checked->scene, *derived.steps));
+  }
+}
+
+TEST_CASE("no page of an analysis has it either") {
+  for (const char* const name : {"double_pendulum", "rotating_hoop", "elastic_pendulum"}) {
+    INFO(name);
+    const SourcePointer model = make_source("model.toml", model_file(name));
+    const Products motions = products_for(model, Goal::modes);
+    REQUIRE(motions.motions);
+    check_words(equilibria_sheet(*motions.checked, *motions.equilibria));
+    check_words(modes_sheet(*motions.checked, *motions.equilibria, *motions.motions));
+    const Products found = products_for(model, Goal::symmetries);
+    REQUIRE(found.symmetries);
+    check_words(symmetries_sheet(*found.checked, *found.symmetries));
+  }
+}
+
+TEST_CASE("what no book prints is found") {
+  for (const char* const text :
+       {"t_4f2a0", "t_{\\mathrm{da04d}}", "t_{71571}", "(ψ̇ + φ̇) φ̇)",
+        "(a + \\dot{\\varphi}) \\dot{\\varphi})", "2 \\frac{1}{a} x", "c = (3 \\frac{1}{a})"}) {
+    INFO(text);
+    CHECK(found_on(text).size() == 1);
+  }
+  for (const char* const text : {"t_{1}", "\\theta_2 \\frac{1}{a}", "x^{2} \\frac{1}{2}",
+                                 "(a + \\dot{x}) \\dot{y}", "(a + b) b)", "\\frac{1}{2} x"}) {
+    INFO(text);
+    CHECK(found_on(text).empty());
+  }
+}
+
+}  // namespace elgen::test
