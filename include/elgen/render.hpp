@@ -33,6 +33,9 @@ struct FunctionEquations {
 /// written out where it is used. An entry of at most 12 operations is written out over the leaves;
 /// only definitions that other entries need are listed.
 [[nodiscard]] FunctionEquations equations(const Program& program, const Function& function);
+/// The same with other names than temporary_names: "" where something is written out.
+[[nodiscard]] FunctionEquations equations(const Program& program, const Function& function,
+                                          const std::vector<std::string>& names);
 
 /// The closed form of functions[index] with every entry written out over the leaves, where there is
 /// one to read; else what `equations` gives.
@@ -41,6 +44,10 @@ struct FunctionEquations {
 /// The same in LaTeX.
 [[nodiscard]] FunctionEquations latex_equations(const Model& model, const Program& program,
                                                 std::size_t index);
+/// Of a function whose definitions have these names.
+[[nodiscard]] FunctionEquations latex_equations(const Model& model, const Program& program,
+                                                const Function& function,
+                                                const std::vector<std::string>& names);
 
 /// "M(q) a + C(q,v) v + g(q) = B(q) u" and the same in LaTeX: a term is left out where the model
 /// cannot have it, or where the function that would hold it is there and is zero. Where no function
@@ -136,8 +143,8 @@ struct Book {
 
 /// Which functions of a program a page shows. `dynamics` repeats the others and is never shown.
 struct PageOptions {
-  bool zeros = false;                      ///< functions whose entries are all 0
-  std::size_t most_entries = SIZE_MAX;     ///< longer outputs are named, without their equations
+  bool zeros = false;              ///< functions whose entries are all 0
+  std::size_t most_entries = 200;  ///< of a sheet: longer outputs stand by their definition alone
   const ReadableSteps* opening = nullptr;  ///< its equations of motion come first
 };
 

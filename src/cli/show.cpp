@@ -198,7 +198,9 @@ std::string text_of(const Products& products, ShownSubject subject, const PageOp
 }
 
 std::string page(const Products& products, ShownSubject subject, const ShowOptions& wanted) {
-  PageOptions options{!wanted.what.empty()};  // outputs that are asked for by name are shown
+  PageOptions options;
+  options.zeros = !wanted.what.empty();  // what is asked for by name is shown
+  if (options.zeros) options.most_entries = SIZE_MAX;
   const bool opens = wanted.what.empty() && products.book && products.book->steps;
   if (opens) options.opening = &*products.book->steps;
   if (wanted.as == "unicode" && row_of(subject).has_formulas) {

@@ -1,16 +1,18 @@
 // Prints expressions of a Model in the model language, with as few brackets as keep the tree:
 //
 //     multiply(1/2, add(a, negate(b)))   ->   1/2*(a - b)
-#include "base/formula.hpp"
+#include "model/print.hpp"
+
 #include "elgen/leaf_names.hpp"
-#include "elgen/model.hpp"
 
 namespace elgen {
 namespace {
 
 class Printer {
  public:
-  explicit Printer(const Model& model) : model_(model) {}
+  Printer(const Model& model, const Spelling& spelling,
+          const std::function<Formula(ExpressionId)>& name)
+      : model_(model), spelling_(spelling), name_(name) {}
 
   [[nodiscard]] Formula print(ExpressionId id) const {
     const Expression& node = model_.expressions[id];
@@ -26,45 +28,18 @@ class Printer {
       case ExpressionKind::divide:
         return quotient(spelling_, print(node.operands[0]), print(node.operands[1]));
       case ExpressionKind::power:
-        if (node.number == cln::cl_RA(1) / 2) return called("sqrt", operands(node));
+        if (node.number == cln::cl_RA(1) / 2) {
+          return square_root(spelling_, print(node.operands[0]));
+        }
         return power(spelling_, print(node.operands[0]), number(spelling_, node.number));
       case ExpressionKind::function:
         return call(spelling_, node.function, operands(node));
-      case ExpressionKind::time_derivative:
-        return called("dot", operands(node));
       default:
-        return {leaf(node)};
+        return name_(id);
     }
   }
 
  private:
-  [[nodiscard]] std::string leaf(const Expression& node) const {
-    switch (node.kind) {
-      case ExpressionKind::pi:
-        return "pi";
-      case ExpressionKind::prescribed:
-        return model_.prescribed[node.index].name;
-      case ExpressionKind::definition:
-        return model_.definitions[node.index].name;
-      case ExpressionKind::point_component:
-        return std::string(1, "xyz"[node.index % 3]) + "(" + model_.points[node.index / 3].name +
-               ")";
-      case ExpressionKind::frame_component:
-        return frame_component(node.index);
-      default:
-        return leaf_text(model_, node.leaf, node.index);
-    }
-  }
-
-  /// A model does not write them.
-  [[nodiscard]] std::string frame_component(std::uint32_t index) const {
-    const std::string& name = model_.frames[index / components_per_frame].name;
-    const std::uint32_t k = index % components_per_frame;
-    return k < 9 ? "R(" + name + ")[" + std::to_string(k / 3 + 1) + "," +
-                       std::to_string(k % 3 + 1) + "]"
-                 : std::string(1, "xyz"[k - 9]) + "(" + name + ")";
-  }
-
   [[nodiscard]] std::vector<Formula> operands(const Expression& node) const {
     std::vector<Formula> all;
     for (const ExpressionId operand : node.operands) all.push_back(print(operand));
@@ -88,10 +63,44 @@ class Printer {
   }
 
   const Model& model_;
-  const Spelling& spelling_ = model_spelling();
+  const Spelling& spelling_;
+  const std::function<Formula(ExpressionId)>& name_;
 };
 
+/// A model does not write them.
+std::string name_of_component(const Model& model, std::uint32_t index) {
+  const std::string& name = model.frames[index / components_per_frame].name;
+  const std::uint32_t k = index % components_per_frame;
+  return k < 9 ? "R(" + name + ")[" + std::to_string(k / 3 + 1) + "," + std::to_string(k % 3 + 1) +
+                     "]"
+               : std::string(1, "xyz"[k - 9]) + "(" + name + ")";
+}
+
+std::string name_in_model(const Model& model, const Expression& node) {
+  switch (node.kind) {
+    case ExpressionKind::pi:
+      return "pi";
+    case ExpressionKind::prescribed:
+      return model.prescribed[node.index].name;
+    case ExpressionKind::definition:
+      return model.definitions[node.index].name;
+    case ExpressionKind::point_component:
+      return std::string(1, "xyz"[node.index % 3]) + "(" + model.points[node.index / 3].name + ")";
+    case ExpressionKind::frame_component:
+      return name_of_component(model, node.index);
+    case ExpressionKind::time_derivative:
+      return "dot(" + to_string(model, node.operands[0]) + ")";
+    default:
+      return leaf_text(model, node.leaf, node.index);
+  }
+}
+
 }  // namespace
+
+Formula formula_of(const Model& model, ExpressionId expression, const Spelling& spelling,
+                   const std::function<Formula(ExpressionId)>& name) {
+  return Printer(model, spelling, name).print(expression);
+}
 
 bool eliminates_last_first(const Model& model) {
   std::vector<bool> carries(model.frames.size(), false);
@@ -110,7 +119,10 @@ ExpressionId component_of_frame(const Model& model, std::uint32_t index) {
 }
 
 std::string to_string(const Model& model, ExpressionId expression) {
-  return Printer(model).print(expression).text();
+  const auto name = [&model](ExpressionId id) {
+    return Formula{name_in_model(model, model.expressions[id])};
+  };
+  return formula_of(model, expression, model_spelling(), name).text();
 }
 
 }  // namespace elgen

@@ -11,6 +11,7 @@
 #include "elgen/render.hpp"
 #include "lower/graph/prune.hpp"
 #include "render/function_formulas.hpp"
+#include "render/named_parts.hpp"
 #include "render/symbols.hpp"
 
 namespace elgen {
@@ -72,11 +73,10 @@ std::vector<std::uint32_t> long_entries(const Function& function,
 }
 
 /// In formulas, short definitions are easier to read where they are used than where they are made.
-std::vector<std::string> definition_names(const Program& program, const Function& function,
+std::vector<std::string> definition_names(std::vector<std::string> names,
                                           const Vocabulary& vocabulary,
                                           const std::vector<std::size_t>& sizes) {
   constexpr std::size_t short_definition = 3;
-  std::vector<std::string> names = temporary_names(program, function);
   if (!vocabulary.spelling().is_two_dimensional) return names;
   for (std::size_t at = 0; at < names.size(); ++at) {
     if (sizes[at] <= short_definition) names[at].clear();
@@ -85,9 +85,9 @@ std::vector<std::string> definition_names(const Program& program, const Function
 }
 
 FunctionEquations equations(const Program& program, const Function& function,
-                            const Vocabulary& vocabulary) {
+                            const Vocabulary& vocabulary, const std::vector<std::string>& told) {
   const std::vector<std::size_t> sizes = written_out_sizes(function);
-  const std::vector<std::string> names = definition_names(program, function, vocabulary, sizes);
+  const std::vector<std::string> names = definition_names(told, vocabulary, sizes);
   const std::vector<std::string> no_names(names.size());
   const FunctionFormulas with_names(program, function, vocabulary, names);
   const FunctionFormulas over_leaves(program, function, vocabulary, no_names);
@@ -127,15 +127,26 @@ FunctionEquations written_out(const Program& program, const Function& function,
 
 FunctionEquations readable(const Program& program, std::size_t index,
                            const Vocabulary& vocabulary) {
-  const bool is_closed = index < program.readable.size() && !program.readable[index].fields.empty();
-  return is_closed ? written_out(program, program.readable[index], vocabulary)
-                   : equations(program, program.functions[index], vocabulary);
+  if (has_readable_form(program, index)) {
+    return written_out(program, program.readable[index], vocabulary);
+  }
+  const Function& function = program.functions[index];
+  return equations(program, function, vocabulary, temporary_names(program, function));
 }
 
 }  // namespace
 
+bool has_readable_form(const Program& program, std::size_t index) {
+  return index < program.readable.size() && !program.readable[index].fields.empty();
+}
+
 FunctionEquations equations(const Program& program, const Function& function) {
-  return equations(program, function, ModelLanguage(program.leaves));
+  return equations(program, function, temporary_names(program, function));
+}
+
+FunctionEquations equations(const Program& program, const Function& function,
+                            const std::vector<std::string>& names) {
+  return equations(program, function, ModelLanguage(program.leaves), names);
 }
 
 FunctionEquations readable_equations(const Program& program, std::size_t index) {
@@ -144,6 +155,11 @@ FunctionEquations readable_equations(const Program& program, std::size_t index) 
 
 FunctionEquations latex_equations(const Model& model, const Program& program, std::size_t index) {
   return readable(program, index, Latex(model));
+}
+
+FunctionEquations latex_equations(const Model& model, const Program& program,
+                                  const Function& function, const std::vector<std::string>& names) {
+  return equations(program, function, Latex(model), names);
 }
 
 }  // namespace elgen

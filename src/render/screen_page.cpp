@@ -223,7 +223,8 @@ std::vector<const SheetOutput*> shown_first(const Sheet& sheet) {
   std::vector<const SheetOutput*> shown;
   for (const OutputKind kind : overview_outputs) {
     for (const SheetOutput& output : sheet.outputs) {
-      if (output.kind == kind && !output.equations.empty()) shown.push_back(&output);
+      const bool says = !output.equations.empty() || !output.definition.empty();
+      if (output.kind == kind && says) shown.push_back(&output);
     }
   }
   if (!shown.empty()) return shown;
@@ -248,6 +249,8 @@ std::string screen_page(const Sheet& sheet, const Screen& screen) {
     text += "\n";
     if (!output.title.empty()) text += page.title(output.title, output.title_latex);
     if (!output.doc.empty()) text += fmt::format("  {}\n", output.doc);
+    const bool is_defined_alone = output.equations.empty() && !output.definition.empty();
+    if (is_defined_alone) text += page.formula(output.definition);
     for (const std::string& line : output.lines) text += page.line(line);
     text += page.equations(output) + page.table(output.table);
   }
@@ -261,6 +264,7 @@ std::string overview(const Sheet& sheet, const Screen& screen) {
   if (!sheet.inputs.empty()) text += fmt::format("  {}\n", page.tuple("u", sheet.inputs));
   for (const SheetOutput* const output : shown_first(sheet)) {
     text += "\n";
+    if (output->equations.empty()) text += page.formula(output->definition);
     for (const SheetEquation& equation : output->equations) text += page.folded(equation);
   }
   return text;

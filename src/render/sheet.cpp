@@ -6,6 +6,7 @@
 #include "base/number_text.hpp"
 #include "elgen/render.hpp"
 #include "render/headings.hpp"
+#include "render/named_parts.hpp"
 #include "render/symbols.hpp"
 
 namespace elgen {
@@ -88,12 +89,21 @@ std::string title_of(const Function& function) {
   return output_row(function.kind).of_user ? function.name : as_title(function.name);
 }
 
-SheetOutput output(const Model& model, const Program& program, std::size_t index) {
+SheetOutput by_definition(const Model& model, const Function& function) {
+  return {title_of(function), function.name, function.kind, output_doc(model, function),
+          definition_by_others(model, function)};
+}
+
+SheetOutput with_equations(const Model& model, const Scene& scene, const Program& program,
+                           std::size_t index) {
   const Function& function = program.functions[index];
   const Heading heading = elgen::heading(model, function);
-  SheetOutput result{title_of(function), function.name, function.kind, output_doc(model, function),
-                     heading.definition};
-  const FunctionEquations equations = latex_equations(model, program, index);
+  SheetOutput result = by_definition(model, function);
+  result.definition = heading.definition;
+  const FunctionEquations equations =
+      has_readable_form(program, index)
+          ? latex_equations(model, program, index)
+          : latex_equations(model, program, function, part_names(model, scene, program, function));
   for (const EquationLine& line : equations.definitions) {
     result.equations.push_back({line.name, 1, 1, {line.value}});
   }
@@ -104,6 +114,26 @@ SheetOutput output(const Model& model, const Program& program, std::size_t index
     result.equations.push_back({symbol, field.rows, field.columns, equations.entries[f]});
   }
   return result;
+}
+
+/// Whether all of it is about a sheet, or more.
+bool fills_sheet(const SheetOutput& output) {
+  constexpr std::size_t longest = 6000;
+  std::size_t letters = 0;
+  for (const SheetEquation& equation : output.equations) {
+    for (const std::string& entry : equation.entries) letters += entry.size();
+  }
+  return letters > longest;
+}
+
+/// By its definition where that says more than equations would, which then has none.
+SheetOutput readable_output(const Model& model, const Scene& scene, const Program& program,
+                            std::size_t index) {
+  SheetOutput defined = by_definition(model, program.functions[index]);
+  const bool is_defined = !defined.definition.empty();
+  if (is_defined && !has_readable_form(program, index)) return defined;
+  SheetOutput result = with_equations(model, scene, program, index);
+  return is_defined && moves_in_frames(model) && fills_sheet(result) ? defined : result;
 }
 
 }  // namespace
@@ -120,6 +150,7 @@ Sheet sheet(const Model& model, const Scene& scene, const Program& program,
   if (options.opening != nullptr) {
     result.outputs = steps_sections(model, *options.opening, equations_title);
   }
+  bool needs_parts = false;
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     const Function& function = program.functions[i];
     const OutputRow& row = output_row(function.kind);
@@ -130,13 +161,17 @@ Sheet sheet(const Model& model, const Scene& scene, const Program& program,
     if (!has_equations(row)) continue;
     if (!options.zeros && is_zero(program, function)) continue;
     if (entry_count(function) <= options.most_entries) {
-      result.outputs.push_back(output(model, program, i));
+      result.outputs.push_back(readable_output(model, scene, program, i));
+      const bool is_basic = !divides_by_mass(row) && !row.differentiates && !row.of_user;
+      needs_parts = needs_parts || (is_basic && result.outputs.back().equations.empty());
     } else {
-      const std::string doc =
-          fmt::format("{} {} entries.", output_doc(model, function), entry_count(function));
-      result.outputs.push_back({title_of(function), function.name, function.kind, doc,
-                                elgen::heading(model, function).definition});
+      result.outputs.push_back(by_definition(model, function));
+      result.outputs.back().doc += fmt::format(" {} entries.", entry_count(function));
     }
+  }
+  if (needs_parts && moves_in_frames(model)) {
+    const std::vector<SheetOutput> parts = named_parts(model);
+    result.outputs.insert(result.outputs.begin(), parts.begin(), parts.end());
   }
   SheetOutput conserved{.title = "Conserved", .doc = "Constant along every motion."};
   for (const ConservedQuantity& quantity : conserved_quantities(model, program)) {

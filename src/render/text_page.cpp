@@ -8,25 +8,35 @@
 #include "elgen/scalars.hpp"
 #include "lower/code_interface.hpp"
 #include "render/headings.hpp"
+#include "render/named_parts.hpp"
 
 namespace elgen {
 namespace {
 
-std::string function_text(const Program& program, std::size_t index) {
-  const Function& function = program.functions[index];
-  const FunctionEquations equations = readable_equations(program, index);
+using FieldTexts = std::vector<std::vector<std::string>>;
+
+/// The entries of what has no closed form, and the parts they are made of, each once.
+FunctionEquations parts_of(const Model& model, const Scene& scene, const Program& program,
+                           const std::vector<std::size_t>& functions) {
+  const Function all = united(program, functions);
+  return equations(program, all, part_names(model, scene, program, all));
+}
+
+std::string function_text(const Function& function, FieldTexts::const_iterator entries) {
   std::string text;
-  for (const EquationLine& line : equations.definitions) {
-    text += fmt::format("  {} = {}\n", line.name, line.value);
-  }
-  for (std::size_t f = 0; f < function.fields.size(); ++f) {
-    const Field& field = function.fields[f];
+  for (const Field& field : function.fields) {
     const std::string& name = field.name.empty() ? function.name : field.name;
     for (std::size_t i = 0; i < field.entries.size(); ++i) {
-      text += fmt::format("  {}{} = {}\n", name, index_text(field, i), equations.entries[f][i]);
+      text += fmt::format("  {}{} = {}\n", name, index_text(field, i), (*entries)[i]);
     }
+    ++entries;
   }
   return text;
+}
+
+/// Whether a page shows the equations of a function.
+bool is_shown(const Program& program, const Function& function, const PageOptions& options) {
+  return has_equations(output_row(function.kind)) && (options.zeros || !is_zero(program, function));
 }
 
 }  // namespace
@@ -40,13 +50,29 @@ std::string text_page(const Model& model, const Scene& scene, const Program& pro
   if (options.opening != nullptr) {
     text += "\n" + steps_text(model, *options.opening, equations_title);
   }
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < program.functions.size(); ++i) {
+    const bool is_closed = has_readable_form(program, i);
+    if (!is_closed && is_shown(program, program.functions[i], options)) open.push_back(i);
+  }
+  const FunctionEquations parts = parts_of(model, scene, program, open);
+  if (!parts.definitions.empty()) text += "\nnamed parts\n";
+  for (const EquationLine& line : parts.definitions) {
+    text += fmt::format("  {} = {}\n", line.name, line.value);
+  }
+  FieldTexts::const_iterator next = parts.entries.begin();
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     const Function& function = program.functions[i];
-    const OutputRow& row = output_row(function.kind);
-    if (row.steps) text += fmt::format("\n{}\n  {}\n", function.name, output_doc(model, function));
-    if (!has_equations(row)) continue;
-    if (!options.zeros && is_zero(program, function)) continue;
-    text += fmt::format("\n{}\n{}", function.name, function_text(program, i));
+    const bool is_step = output_row(function.kind).steps;
+    if (is_step) text += fmt::format("\n{}\n  {}\n", function.name, output_doc(model, function));
+    if (!is_shown(program, function, options)) continue;
+    text += fmt::format("\n{}\n", function.name);
+    if (has_readable_form(program, i)) {
+      text += function_text(function, readable_equations(program, i).entries.begin());
+    } else {
+      text += function_text(function, next);
+      next += static_cast<std::ptrdiff_t>(function.fields.size());
+    }
   }
   std::string conserved;
   for (const ConservedQuantity& quantity : conserved_quantities(model, program)) {

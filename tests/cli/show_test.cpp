@@ -1,6 +1,7 @@
 // elgen show: what comes out in each notation. Costs of generation, output by output.
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <regex>
 #include <string>
 #include <utility>
 
@@ -172,6 +173,29 @@ TEST_CASE("pdflatex takes the page of every model, without overfull lines") {
       CHECK(outcome.status == 0);
       CHECK_FALSE(mentions(outcome.output, "Overfull"));
     }
+  }
+}
+
+TEST_CASE("robots stand on eight sheets, and nothing on them is called by a hash") {
+  REQUIRE(has_program("pdflatex"));
+  const Workspace workspace;
+  const std::string quadruped = std::string(ELGEN_SOURCE_DIR) + "/tests/urdf/golden/quadruped.toml";
+  for (const std::string& robot : {model("panda7"), quadruped}) {
+    INFO(robot);
+    const Outcome outcome = workspace.run("elgen show -q " + robot +
+                                          " --as latex > page.tex && "
+                                          "pdflatex -interaction=nonstopmode page.tex");
+    CHECK(outcome.status == 0);
+    CHECK_FALSE(mentions(outcome.output, "Overfull"));
+    std::smatch pages;
+    REQUIRE(std::regex_search(outcome.output, pages, std::regex("page.pdf \\(([0-9]+) pages")));
+    CHECK(std::stoi(pages[1]) <= 8);
+    const std::string latex = workspace.read("page.tex");
+    CHECK(mentions(latex, "{Named parts}"));
+    CHECK_FALSE(mentions(latex, "t_{"));
+    const std::string text = show("-q " + robot + " --as text").output;
+    CHECK(mentions(text, "\nnamed parts\n"));
+    CHECK_FALSE(mentions(text, "\n  t_"));
   }
 }
 

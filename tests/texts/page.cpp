@@ -1,4 +1,5 @@
-// read_page: a section is the name of a function behind a blank line, and one equation a line.
+// read_page: a section is the name of a function behind a blank line, and one equation a line. What
+// functions share stands before them, line by line over what stands above.
 #include <fmt/format.h>
 
 #include <vector>
@@ -18,6 +19,7 @@ class PageReader {
       : text_(text), origin_(equations.origin()), equations_(equations) {}
 
   void read() {
+    read_parts();
     for (std::size_t i = 0; i < origin_.program.functions.size(); ++i) {
       const Function& function = origin_.program.functions[i];
       if (!has_equations(output_row(function.kind))) continue;
@@ -37,6 +39,20 @@ class PageReader {
   [[nodiscard]] std::string_view line() const {
     const std::string_view rest = std::string_view(text_).substr(at_);
     return rest.substr(0, rest.find('\n'));
+  }
+
+  void read_parts() {
+    equations_.forget_parts();
+    const std::string heading = "\n\nnamed parts\n";
+    const std::size_t start = text_.find(heading);
+    if (start == std::string::npos) return;
+    for (at_ = start + heading.size(); line().starts_with(table_margin); at_ += line().size() + 1) {
+      const std::size_t equal = line().find(" = ");
+      if (equal == std::string_view::npos) throw Mistake(std::string(line()) + ": no equation");
+      const std::string name(line().substr(table_margin.size(), equal - table_margin.size()));
+      const std::string problem = equations_.part(name, std::string(line().substr(equal + 3)));
+      if (!problem.empty()) throw Mistake(in_backticks(name) + ": " + problem);
+    }
   }
 
   [[noreturn]] void fail(const Function& function, const std::string& problem) const {
@@ -61,21 +77,15 @@ class PageReader {
     if (line().starts_with(table_margin)) fail(function, "one line too many");
   }
 
-  /// The definitions before it, and the entry of this name.
+  /// The entry of this name.
   void entry(const Function& function, const std::string& name, std::uint32_t instruction) {
-    for (bool is_entry = false; !is_entry;) {
-      const std::string_view text = line();
-      const std::size_t equal = text.find(" = ");
-      const bool is_equation = text.starts_with(table_margin) && equal != std::string_view::npos;
-      if (!is_equation) fail(function, in_backticks(name) + " is missing");
-      const std::string left(text.substr(table_margin.size(), equal - table_margin.size()));
-      const std::string right(text.substr(equal + 3));
-      is_entry = left == name;
-      const std::string problem =
-          is_entry ? equations_.entry(instruction, right) : equations_.definition(left, right);
-      if (!problem.empty()) fail(function, problem);
-      at_ += text.size() + 1;
-    }
+    const std::string_view text = line();
+    const std::string left = fmt::format("{}{} = ", table_margin, name);
+    if (!text.starts_with(left)) fail(function, in_backticks(name) + " is missing");
+    const std::string right(text.substr(left.size()));
+    const std::string problem = equations_.entry(instruction, right);
+    if (!problem.empty()) fail(function, problem);
+    at_ += text.size() + 1;
   }
 
   const std::string& text_;

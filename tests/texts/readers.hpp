@@ -22,6 +22,9 @@ void read_sidecar(const std::string& json, WrittenEquations& equations);
 
 /// The page that `show` prints as text; a function without a section has no entry but 0.
 ///
+///     named parts
+///       cos_theta = cos(theta)
+///
 ///     gravity
 ///       gravity[1] = 0
 ///       gravity[2] = -m*l*g*sin(theta)

@@ -210,7 +210,7 @@ TEST_CASE("comments, JSON and pages that lack something are refused") {
            {read_sidecar, json, "\"name\": \"g\"", "9.81", "9.82", "`9.82` is not 9.81"},
            {read_sidecar, json, "\"name\": \"theta\"", "theta", "phi", "instead of"},
            {read_sidecar, json, "\"gravity\"", "\"gravity\"", "\"weight\"", "is missing"},
-           {read_page, page, "\nmass_matrix\n", "[1,2]", "[2,1]", "no definition"},
+           {read_page, page, "\nmass_matrix\n", "[1,2]", "[2,1]", "is missing"},
            {read_page, page, "\ngravity\n", "gravity\n", "weight\n", "is missing"},
            {read_page, page, "\nkinetic_energy\n", "\n\n", "\n  more = 1\n\n", "too many"}}) {
     std::string text = change.text;

@@ -66,6 +66,23 @@ WrittenEquations::WrittenEquations(const Origin& origin)
   for (const Arguments<Real>& state : states_) {
     leaves_.push_back(leaves_at(origin.program.leaves, state));
   }
+  forget_parts();
+}
+
+void WrittenEquations::forget_parts() {
+  parts_ = std::vector<std::unordered_map<std::string, Real>>(states_.size());
+  for (Known& known : known_) known.texts.clear();
+}
+
+std::string WrittenEquations::part(const std::string& name, const std::string& text) {
+  const Evaluated& written = evaluated(text);
+  if (!written.problem.empty()) return written.problem;
+  if (!written.used.empty()) return in_backticks(*written.used.begin()) + " is not defined here";
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    const bool is_new = parts_[i].emplace(name, written.values[i]).second;
+    if (!is_new) return in_backticks(name) + " is defined twice";
+  }
+  return {};
 }
 
 void WrittenEquations::start(std::size_t index) {
@@ -181,6 +198,8 @@ Real WrittenEquations::value(const ExpressionSyntax& e, Evaluated& result) const
 Real WrittenEquations::named(const std::string& name, Evaluated& result) const {
   const auto leaf = leaves_[state_].find(name);
   if (leaf != leaves_[state_].end()) return leaf->second;
+  const auto part = parts_[state_].find(name);
+  if (part != parts_[state_].end()) return part->second;
   const Known& known = known_[index_];
   const auto definition = known.named.find(name);
   if (definition == known.named.end()) {

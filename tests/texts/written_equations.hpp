@@ -33,7 +33,12 @@ class WrittenEquations {
   /// From now on equations are those of functions[index], and no definition is known.
   void start(std::size_t index);
 
+  /// No part is known from now on, nor the value of any text.
+  void forget_parts();
+
   // The mistake in an equation; empty where there is none.
+  /// "force_link7_3 = m7*…", over leaves and earlier parts: all functions may use it.
+  [[nodiscard]] std::string part(const std::string& name, const std::string& text);
   /// "t_1 = m*l": a named instruction, which later equations may use.
   [[nodiscard]] std::string definition(const std::string& name, const std::string& text);
   [[nodiscard]] std::string entry(std::uint32_t instruction, const std::string& text);
@@ -73,6 +78,7 @@ class WrittenEquations {
   Origin origin_;
   std::vector<Arguments<Real>> states_;
   std::vector<std::unordered_map<std::string, Real>> leaves_ = {};  ///< by state
+  std::vector<std::unordered_map<std::string, Real>> parts_ = {};   ///< likewise
   std::vector<Known> known_;
   std::set<std::string> defined_ = {};
   std::size_t index_ = 0;
