@@ -8,15 +8,14 @@
 // dL/dv is.
 #pragma once
 
-#include <cstdint>
-
 #include "elgen/equations_of_motion.hpp"
 
 namespace elgen {
 
 /// The functions of the equations in order: "positions" and "velocities" (one field of 3 rows per
 /// mass), "energies" (fields T, V, or L where it is given whole), one per velocity named like it
-/// (fields as in StepField), "invariants" (fields E, L_by_t).
+/// (fields momentum, momentum_rate, partial, dissipation, force: dL/dv, d/dt dL/dv, dL/dq, dD/dv,
+/// Q + B u), "invariants" (fields E, L_by_t).
 ///
 /// Every field but those of the masses has a row for each summand, as it was typed: those of T and
 /// then those of -V, or those of L; of dD/dv those of D. Points and bodies together are one of
@@ -26,9 +25,6 @@ struct Steps {
   std::vector<OutputRequest> requests = {};  ///< of the functions, for lower()
   std::vector<Entity> masses = {};           ///< the point or body of each field of the positions
 };
-
-/// The fields of the function of a velocity: dL/dv, d/dt dL/dv, dL/dq, dD/dv, Q + B u.
-enum class StepField : std::uint8_t { momentum, momentum_rate, partial, dissipation, force };
 
 [[nodiscard]] Result<Steps> derive_steps(const Lagrangian& lagrangian);
 

@@ -19,8 +19,9 @@
 
 namespace elgen {
 
-/// The program with its `readable` functions written as in books, but for those of which a closed
-/// form is missing or too long.
+/// The program with its `readable` functions written as in books, but for entries of which the
+/// closed form is missing or too long. Equations that a scene expands, and those of Routh's
+/// function, stay as they are.
 [[nodiscard]] Program typeset(const CheckedModel& checked, const ClosedForms& forms,
                               Program program);
 
@@ -34,10 +35,12 @@ namespace elgen {
 [[nodiscard]] Program typeset_steps(const CheckedModel& checked, const ClosedForms& forms,
                                     Program derived);
 
-/// The fields of the function of a velocity: those of StepField, and d/dt dL/dv - dL/dq + dD/dv.
+/// The fields of the function of a velocity: those of elgen/steps.hpp, and d/dt dL/dv - dL/dq
+/// + dD/dv.
 enum class BookLine : std::uint8_t { momentum, momentum_rate, partial, dissipation, force, left };
 
-/// One value, as the only entry of a function.
+/// One value, as the only entry of a function, over the leaves: definitions are filled in. Without
+/// fields where it is too long.
 [[nodiscard]] Function typeset_value(const Model& model, const FixedParameters& fixed,
                                      const Algebra& algebra, const Fraction& form,
                                      Program& program);

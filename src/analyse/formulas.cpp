@@ -1,5 +1,5 @@
-// A closed form goes the way of the entry of an output: written in its shortest way, made a
-// function, and printed as one.
+// A closed form goes the way of the entry of an output: written as in a book, or where it is long
+// in its shortest way, made a function, and printed as one.
 #include "analyse/formulas.hpp"
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include "choose/closed_graph.hpp"
 #include "choose/entries.hpp"
 #include "elgen/render.hpp"
+#include "elgen/typeset.hpp"
 #include "lower/network/linearise.hpp"
 
 namespace elgen {
@@ -19,12 +20,15 @@ std::optional<Printed> printed(const Model& model, const Algebra& algebra,
   LeafNames leaves = leaf_names(model);
   leaves.momenta = leaves.v;
   leaves.E = energy_name(model);
-  const std::optional<ReadableForm> readable =
-      shortest(algebra, *form, nullptr, mixed_points(leaves));
-  if (!readable) return std::nullopt;
-  const Function shape{.fields = {Field{"", 1, 1, {0}}}};
   Program program{leaves};
-  Function function = lowered_one_by_one({readable}, shape, program);
+  Function function = typeset_value(model, {}, algebra, *form, program);
+  if (function.fields.empty()) {
+    const std::optional<ReadableForm> readable =
+        shortest(algebra, *form, nullptr, mixed_points(leaves));
+    if (!readable) return std::nullopt;
+    const Function shape{.fields = {Field{"", 1, 1, {0}}}};
+    function = lowered_one_by_one({readable}, shape, program);
+  }
   program.functions = {function};
   program.readable = {std::move(function)};
   return Printed{readable_equations(program, 0).entries[0][0],

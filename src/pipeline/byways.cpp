@@ -150,7 +150,8 @@ Result<Book> book_of(const Lagrangian& lagrangian, const ClosedForms& forms, con
   Book book;
   if (!checked.scene.emission.page) return book;
   book.program = typeset(checked, forms, choice.program);
-  if (!has_readable_equation(choice.program, forms)) return book;
+  const bool is_exact = !checked.model.approximation;
+  if (!is_exact || !has_readable_equation(choice.program, forms)) return book;
   book.steps = readable_steps(lagrangian, checked, limits).value;
   return book;
 }

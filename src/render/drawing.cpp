@@ -204,10 +204,13 @@ class Drawer {
     return stacked(above, below, is_unicode() ? "─" : "-");
   }
 
-  /// Whether a row is a sum.
+  /// Whether a row is a sum: signs in brackets are not its own.
   static bool has_sign(const LatexTree& tree) {
-    return std::ranges::any_of(tree.parts,
-                               [](const LatexTree& part) { return role_of(part) == Role::sign; });
+    for (std::size_t i = 0; i < tree.parts.size(); ++i) {
+      if (role_of(tree.parts[i]) == Role::sign) return true;
+      if (is_open_bracket(tree.parts[i])) i = closing(tree.parts, i);
+    }
+    return false;
   }
 
   /// Whether a row has several factors: dt and ∂q are one.

@@ -6,6 +6,8 @@
 // An entry of at most 12 operations is written out over the leaves alone; definitions are those the
 // others need.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "elgen/render.hpp"
@@ -72,11 +74,13 @@ std::vector<std::uint32_t> long_entries(const Function& function,
   return entries;
 }
 
-/// In formulas, short definitions are easier to read where they are used than where they are made.
+/// In formulas, definitions of no more operations are easier to read where they are used than where
+/// they are made.
+constexpr std::size_t short_definition = 3;
+
 std::vector<std::string> definition_names(std::vector<std::string> names,
                                           const Vocabulary& vocabulary,
                                           const std::vector<std::size_t>& sizes) {
-  constexpr std::size_t short_definition = 3;
   if (!vocabulary.spelling().is_two_dimensional) return names;
   for (std::size_t at = 0; at < names.size(); ++at) {
     if (sizes[at] <= short_definition) names[at].clear();
@@ -125,13 +129,28 @@ FunctionEquations written_out(const Program& program, const Function& function,
   return result;
 }
 
+/// In formulas, names that only a hash of the content gives are xi_1, xi_2, ….
+std::vector<std::string> read_names(const Program& program, const Function& function,
+                                    const Vocabulary& vocabulary) {
+  std::vector<std::string> names = temporary_names(program, function);
+  if (!vocabulary.spelling().is_two_dimensional) return names;
+  const std::vector<std::string> told = told_names(program, function);
+  const std::vector<std::size_t> sizes = written_out_sizes(function);
+  std::size_t number = 0;
+  for (std::size_t at = 0; at < names.size(); ++at) {
+    const bool is_shown = !names[at].empty() && sizes[at] > short_definition;
+    if (is_shown && told[at].empty()) names[at] = fmt::format("xi_{}", ++number);
+  }
+  return names;
+}
+
 FunctionEquations readable(const Program& program, std::size_t index,
                            const Vocabulary& vocabulary) {
   if (has_readable_form(program, index)) {
     return written_out(program, program.readable[index], vocabulary);
   }
   const Function& function = program.functions[index];
-  return equations(program, function, vocabulary, temporary_names(program, function));
+  return equations(program, function, vocabulary, read_names(program, function, vocabulary));
 }
 
 }  // namespace

@@ -43,8 +43,17 @@ class FunctionFormulas::Rules {
   [[nodiscard]] Formula subtract(std::uint32_t x, std::uint32_t y) const {
     return sum(spelling_, {{all_.entry(x)}, {all_.entry(y), true}});
   }
+  /// Stacked, a fraction of integers stands in front: 3/4 g/l.
   [[nodiscard]] Formula divide(std::uint32_t x, std::uint32_t y) const {
-    return quotient(spelling_, all_.entry(x), all_.entry(y));
+    std::vector<std::uint32_t> above;
+    if (spelling_.is_two_dimensional) collect_factors(x, above);
+    if (above.size() < 2 || !is_fraction(above.front())) {
+      return quotient(spelling_, all_.entry(x), all_.entry(y));
+    }
+    const std::uint32_t number = above.front();
+    above.erase(above.begin());
+    const Formula rest = quotient(spelling_, product_of_powers(above), all_.entry(y));
+    return product(spelling_, {all_.entry(number), rest});
   }
   [[nodiscard]] Formula square_root(std::uint32_t x) const {
     return vocabulary_.square_root(all_.entry(x));
@@ -79,6 +88,13 @@ class FunctionFormulas::Rules {
   }
 
  private:
+  [[nodiscard]] bool is_fraction(std::uint32_t at) const {
+    const Instruction& i = all_.function_.instructions[at];
+    if (i.opcode != Opcode::constant) return false;
+    const Constant& constant = all_.program_.constants[i.a];
+    return is_rational(constant) && cln::denominator(cln::rational(constant.value)) != 1;
+  }
+
   /// The factors of nested products that are written out, left to right.
   void collect_factors(std::uint32_t at, std::vector<std::uint32_t>& factors) const {
     const Instruction& i = all_.function_.instructions[at];
@@ -96,20 +112,11 @@ class FunctionFormulas::Rules {
       if (std::find(all.begin(), factor, *factor) != factor) continue;
       Formula base = all_.entry(*factor);
       if (base.binding == Binding::negation) base = at_least(spelling_, base, Binding::product);
-      // 3/4*g/l: behind a number a quotient is read as it is.
-      const bool is_behind_number =
-          factor == all.begin() + 1 && opcode_of(all[0]) == Opcode::constant &&
-          opcode_of(*factor) == Opcode::divide && !spelling_.is_two_dimensional;
-      if (is_behind_number) base.binding = Binding::power;
       const long exponent = std::count(all.begin(), all.end(), *factor);
       different.push_back(exponent == 1 ? base
                                         : power(spelling_, base, number(spelling_, exponent)));
     }
     return product(spelling_, different);
-  }
-
-  [[nodiscard]] Opcode opcode_of(std::uint32_t at) const {
-    return all_.function_.instructions[at].opcode;
   }
 
   const FunctionFormulas& all_;

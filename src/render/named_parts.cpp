@@ -133,7 +133,7 @@ class FramesWriter {
     std::string product;
     for (const FrameStep& step : frame.steps) {
       const std::string next = motion(step);
-      product += (product.empty() || next.empty() ? "" : " \\thinspace ") + next;
+      product += (product.empty() || next.empty() ? "" : " ") + next;
     }
     return product.empty() ? "1" : product;
   }

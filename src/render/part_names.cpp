@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint32_t no_frame = UINT32_MAX;
 
 /// What a value is made of, as far as it tells whose part it is.
-struct Making {
+struct PartOrigin {
   std::uint32_t carrier = no_frame;
   std::uint32_t outermost = 0;
   bool moves = false;  ///< by rates, accelerations, inputs or gravity
@@ -46,9 +46,10 @@ class PartNames {
     if (model.gravity) mark({model.gravity->begin(), model.gravity->end()}, {.moves = true});
   }
 
-  [[nodiscard]] Making making(const Instruction& i, const std::vector<Making>& known) const {
+  [[nodiscard]] PartOrigin making(const Instruction& i,
+                                  const std::vector<PartOrigin>& known) const {
     const std::size_t operands = operand_count(i);
-    Making result;
+    PartOrigin result;
     if (operands > 0) result = operands > 1 ? joined(known[i.a], known[i.b]) : known[i.a];
     if (i.opcode == Opcode::divide) result.divides = true;
     if (i.opcode == Opcode::parameter) result = parameters_[i.a];
@@ -60,7 +61,7 @@ class PartNames {
   }
 
   /// "force_link7"; nothing tells a force from a motion where masses are numbers.
-  [[nodiscard]] std::string word(const Making& of) const {
+  [[nodiscard]] std::string word(const PartOrigin& of) const {
     if (of.divides) return "solution";
     const bool is_carried = of.carrier != no_frame;
     const std::uint32_t frame = is_carried ? of.carrier : of.outermost;
@@ -71,12 +72,12 @@ class PartNames {
   }
 
  private:
-  void mark(const std::vector<ExpressionId>& roots, const Making& by) {
+  void mark(const std::vector<ExpressionId>& roots, const PartOrigin& by) {
     for (const ExpressionId id : reached(model_, roots)) {
       const Expression& e = model_.expressions[id];
       const bool is_parameter = is_leaf(e, Opcode::parameter);
       if (!is_parameter && !is_leaf(e, Opcode::coordinate)) continue;
-      Making& known = is_parameter ? parameters_[e.index] : coordinates_[e.index];
+      PartOrigin& known = is_parameter ? parameters_[e.index] : coordinates_[e.index];
       known = joined(known, by);
     }
   }
@@ -89,9 +90,9 @@ class PartNames {
     if (mass) tells_masses_ = tells_masses_ && holds_leaf(model_, *mass, Opcode::parameter);
   }
 
-  [[nodiscard]] Making joined(const Making& a, const Making& b) const {
-    Making result{std::min(a.carrier, b.carrier), std::max(a.outermost, b.outermost),
-                  a.moves || b.moves, a.divides || b.divides};
+  [[nodiscard]] PartOrigin joined(const PartOrigin& a, const PartOrigin& b) const {
+    PartOrigin result{std::min(a.carrier, b.carrier), std::max(a.outermost, b.outermost),
+                      a.moves || b.moves, a.divides || b.divides};
     const bool are_carried = a.carrier != no_frame && b.carrier != no_frame;
     if (are_carried) result.carrier = common(a.carrier, b.carrier);
     return result;
@@ -108,8 +109,8 @@ class PartNames {
   }
 
   const Model& model_;
-  std::vector<Making> parameters_;
-  std::vector<Making> coordinates_;
+  std::vector<PartOrigin> parameters_;
+  std::vector<PartOrigin> coordinates_;
   bool tells_masses_;
 };
 
@@ -146,7 +147,7 @@ std::vector<std::string> part_names(const Model& model, const Scene& scene, cons
                          const std::string& leaf) { taken.insert(identifier_of(leaf)); },
                 program.leaves);
   const PartNames parts(model, scene);
-  std::vector<Making> makings;
+  std::vector<PartOrigin> makings;
   std::map<std::string, int> numbers;
   for (std::size_t at = 0; at < names.size(); ++at) {
     makings.push_back(parts.making(function.instructions[at], makings));

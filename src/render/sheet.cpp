@@ -116,9 +116,9 @@ SheetOutput with_equations(const Model& model, const Scene& scene, const Program
   return result;
 }
 
-/// Whether all of it is about a sheet, or more.
+/// Whether all of it is about half a sheet, or more: nobody reads that.
 bool fills_sheet(const SheetOutput& output) {
-  constexpr std::size_t longest = 6000;
+  constexpr std::size_t longest = 3000;
   std::size_t letters = 0;
   for (const SheetEquation& equation : output.equations) {
     for (const std::string& entry : equation.entries) letters += entry.size();
@@ -128,12 +128,12 @@ bool fills_sheet(const SheetOutput& output) {
 
 /// By its definition where that says more than equations would, which then has none.
 SheetOutput readable_output(const Model& model, const Scene& scene, const Program& program,
-                            std::size_t index) {
+                            std::size_t index, bool is_asked_for) {
   SheetOutput defined = by_definition(model, program.functions[index]);
   const bool is_defined = !defined.definition.empty();
   if (is_defined && !has_readable_form(program, index)) return defined;
   SheetOutput result = with_equations(model, scene, program, index);
-  return is_defined && moves_in_frames(model) && fills_sheet(result) ? defined : result;
+  return is_defined && !is_asked_for && fills_sheet(result) ? defined : result;
 }
 
 }  // namespace
@@ -161,7 +161,8 @@ Sheet sheet(const Model& model, const Scene& scene, const Program& program,
     if (!has_equations(row)) continue;
     if (!options.zeros && is_zero(program, function)) continue;
     if (entry_count(function) <= options.most_entries) {
-      result.outputs.push_back(readable_output(model, scene, program, i));
+      const bool is_asked_for = options.most_entries == SIZE_MAX;
+      result.outputs.push_back(readable_output(model, scene, program, i, is_asked_for));
       const bool is_basic = !divides_by_mass(row) && !row.differentiates && !row.of_user;
       needs_parts = needs_parts || (is_basic && result.outputs.back().equations.empty());
     } else {

@@ -116,10 +116,10 @@ class Outline {
     return std::move(outline_);
   }
 
-  [[nodiscard]] const FunctionEquations& text_of(std::size_t function) const {
+  [[nodiscard]] const FunctionEquations& text_equations_of(std::size_t function) const {
     return text_[function];
   }
-  [[nodiscard]] const FunctionEquations& latex_of(std::size_t function) const {
+  [[nodiscard]] const FunctionEquations& latex_equations_of(std::size_t function) const {
     return latex_[function];
   }
 
@@ -235,14 +235,17 @@ class Outline {
   void add_equations(std::size_t first) {
     DerivationStep step{std::string(equations_title), "", "", {}, {}};
     const std::size_t count = model_.velocities.size();
-    for (std::size_t i = 0; i < count; ++i) step.equations.push_back(row(first + i));
+    for (std::size_t i = 0; i < count; ++i) {
+      // Definitions of several derivations may have one name: such a row stands in its own section.
+      if (has_book_form(first + i)) step.equations.push_back(row(first + i));
+    }
     const std::size_t accelerations = first + count + 1;
     for (std::uint32_t i = 0; i < count; ++i) {
       if (text_[accelerations].entries[i].empty()) continue;
       step.equations.push_back(
           {leaf_text(model_, Opcode::acceleration, i), symbols_.leaves().a[i], accelerations, i});
     }
-    outline_.push_back(std::move(step));
+    if (!step.equations.empty()) outline_.push_back(std::move(step));
   }
 
   /// Noether's line of a cyclic coordinate.
@@ -304,14 +307,17 @@ std::string tuple(const std::vector<std::string>& entries, std::uint32_t rows) {
   return fmt::format("({})", fmt::join(entries.begin(), end, ", "));
 }
 
-/// The functions of a step whose lines refer to definitions, each once.
-std::vector<std::size_t> functions_of(const DerivationStep& step) {
-  std::vector<std::size_t> functions;
+/// The definitions that the lines of a step refer to, each once.
+template <class EquationsOf>
+std::vector<EquationLine> definitions_of(const DerivationStep& step, const EquationsOf& equations) {
+  std::vector<EquationLine> lines;
   for (const StepEquation& equation : step.equations) {
-    if (std::ranges::count(functions, equation.function) > 0) continue;
-    functions.push_back(equation.function);
+    for (const EquationLine& line : equations(equation.function).definitions) {
+      const bool is_known = std::ranges::count(lines, line.name, &EquationLine::name) > 0;
+      if (!is_known) lines.push_back(line);
+    }
   }
-  return functions;
+  return lines;
 }
 
 }  // namespace
@@ -325,13 +331,14 @@ std::string steps_text(const Model& model, const ReadableSteps& steps, std::stri
     if (!step.doc.empty()) text += fmt::format("  {}\n", step.doc);
     for (const StepLine& line : step.lines) text += fmt::format("  {}\n", line.text);
     for (const StepEquation& equation : step.equations) {
-      const auto& entries = outline.text_of(equation.function).entries[equation.field];
+      const auto& entries = outline.text_equations_of(equation.function).entries[equation.field];
       text += fmt::format("  {} = {}\n", equation.text, tuple(entries, equation.rows));
     }
-    for (const std::size_t function : functions_of(step)) {
-      for (const EquationLine& line : outline.text_of(function).definitions) {
-        text += fmt::format("  {} = {}\n", line.name, line.value);
-      }
+    const auto equations = [&outline](std::size_t function) -> const FunctionEquations& {
+      return outline.text_equations_of(function);
+    };
+    for (const EquationLine& line : definitions_of(step, equations)) {
+      text += fmt::format("  where {} = {}\n", line.name, line.value);
     }
   }
   return text;
@@ -348,14 +355,15 @@ std::vector<SheetOutput> steps_sections(const Model& model, const ReadableSteps&
     for (const StepLine& line : step.lines) section.lines.push_back(line.latex);
     for (const StepEquation& equation : step.equations) {
       std::vector<std::string> entries =
-          outline.latex_of(equation.function).entries[equation.field];
+          outline.latex_equations_of(equation.function).entries[equation.field];
       entries.resize(equation.rows);
       section.equations.push_back({equation.latex, equation.rows, 1, std::move(entries)});
     }
-    for (const std::size_t function : functions_of(step)) {
-      for (const EquationLine& line : outline.latex_of(function).definitions) {
-        section.equations.push_back({line.name, 1, 1, {line.value}});
-      }
+    const auto equations = [&outline](std::size_t function) -> const FunctionEquations& {
+      return outline.latex_equations_of(function);
+    };
+    for (const EquationLine& line : definitions_of(step, equations)) {
+      section.equations.push_back({line.name, 1, 1, {line.value}});
     }
     sections.push_back(std::move(section));
   }

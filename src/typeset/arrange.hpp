@@ -23,13 +23,23 @@ struct TooLongForABook : std::length_error {
   TooLongForABook() : std::length_error("a sum of too many terms") {}
 };
 
+/// The rank of sums that no model has typed.
+inline constexpr std::uint32_t untyped = 10'000;
+
+/// Terms of a sum; of longer ones nobody sees what their terms share.
+inline constexpr std::size_t longest_collected = 40;
+
 class Arranger {
  public:
   Arranger(const Algebra& algebra, const TypedForms& typed) : algebra_(algebra), typed_(typed) {}
 
   [[nodiscard]] BookSum in_front(const Fraction& form);
+  /// The same of the terms with rates or momenta, and of those without: T and V of one energy.
+  [[nodiscard]] BookSum by_motion(const Fraction& form);
   /// `own` is the velocity whose acceleration comes first.
   [[nodiscard]] BookSum spread(const Fraction& form, std::optional<std::uint32_t> own = {});
+  /// One product where a sum that was typed divides the form, else spread.
+  [[nodiscard]] BookSum summand(const Fraction& form, std::uint32_t own);
   /// above / below: the terms of `above` over one divisor, powers that both have gone.
   [[nodiscard]] BookSum quotient(const Fraction& above, const Fraction& below);
   /// Whether a form is written without sums.
@@ -53,14 +63,18 @@ class Arranger {
   [[nodiscard]] Taken taken(Polynomial sum);
   void take_monomial(Polynomial& sum, BookProduct& front) const;
   bool take_typed(Polynomial& sum, BookProduct& front);
+  void take_square(Taken& taken);
+  bool take_coefficient(Taken& taken);
   [[nodiscard]] BookFactor typed_factor(std::size_t typed);
 
+  [[nodiscard]] BookSum in_front_of_typed(const Fraction& form);
   [[nodiscard]] BookProduct product(const Polynomial& sum);
   [[nodiscard]] BookProduct product(const Taken& taken);
   [[nodiscard]] BookProduct product(const Fraction& form);
   void divide(BookProduct& product, const Fraction& form);
   void divide(BookProduct& product, const Polynomial& factor, std::int32_t exponent);
 
+  [[nodiscard]] std::vector<Fraction> by_roots(const Fraction& form);
   [[nodiscard]] BookSum parts(const Fraction& form, std::optional<std::uint32_t> own = {});
   [[nodiscard]] BookSum terms(const Polynomial& sum, std::optional<std::uint32_t> own = {});
   [[nodiscard]] BookSum terms_without_rates(const Polynomial& sum);
@@ -73,7 +87,8 @@ class Arranger {
   [[nodiscard]] BookProduct product(const Mixed& term) const;
 
   void multiply(BookProduct& product, const Monomial& powers) const;
-  void multiply(BookProduct& product, BookSum sum) const;
+  void multiply(BookProduct& product, BookSum sum, std::int32_t exponent) const;
+  [[nodiscard]] FactorPlace place_of_sum(const BookSum& sum, std::uint32_t rank) const;
   [[nodiscard]] BookFactor atom_factor(const AtomPower& power) const;
 
   const Algebra& algebra_;

@@ -62,7 +62,7 @@ struct BookFactor {
   std::uint32_t definition = 0;  ///< of a name, in Model::definitions
 };
 
-/// Factors that a reader sees, those in sums too.
+/// Factors that a reader sees, those in sums too; 1 is none.
 [[nodiscard]] std::size_t written_factors(const BookSum& sum);
 
 }  // namespace elgen

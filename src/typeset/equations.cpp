@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "elgen/steps.hpp"
+#include "elgen/typeset.hpp"
 #include "present/polynomial.hpp"
 #include "typeset/factors.hpp"
 
@@ -39,13 +39,9 @@ std::vector<Fraction> uncancelled(std::vector<Fraction> summands) {
   return summands;
 }
 
-void append(BookSum& to, BookSum from) {
-  for (BookProduct& term : from.terms) to.terms.push_back(std::move(term));
-}
-
 }  // namespace
 
-BookSum each_in_front(Arranger& arranger, std::vector<Fraction> summands) {
+BookSum each_in_front(Arranger& arranger, const std::vector<Fraction>& summands) {
   BookSum result;
   for (const Fraction& form : summands) append(result, arranger.in_front(form));
   return result;
@@ -60,21 +56,21 @@ Fraction Equations::total(const std::vector<Fraction>& summands) {
 
 std::optional<EquationRow> Equations::row(const ClosedFunction& function) {
   EquationRow result;
-  const auto forms = [&](StepField field) {
+  const auto forms = [&](BookLine field) {
     return function.fields[static_cast<std::size_t>(field)].entries;
   };
-  const auto rates = forms(StepField::momentum_rate);
-  const auto partials = forms(StepField::partial);
+  const auto rates = forms(BookLine::momentum_rate);
+  const auto partials = forms(BookLine::partial);
   for (std::size_t k = 0; k < rates.size(); ++k) {
     const Value part = arithmetic_.subtract(rates[k], partials[k]);
     if (!part) return std::nullopt;
     result.inertia.push_back(*part);
   }
-  for (const std::optional<Fraction>& form : forms(StepField::dissipation)) {
+  for (const std::optional<Fraction>& form : forms(BookLine::dissipation)) {
     if (!form) return std::nullopt;
     result.dissipation.push_back(*form);
   }
-  const std::optional<Fraction> force = forms(StepField::force).front();
+  const std::optional<Fraction> force = forms(BookLine::force).front();
   if (!force) return std::nullopt;
   result.force = *force;
   return result;
@@ -86,7 +82,7 @@ BookSum Equations::arranged(std::vector<Fraction> summands, std::uint32_t own) {
                             [&](const Fraction& form) { return moves(algebra_, form); });
   BookSum result = arranger_.spread(total({summands.begin(), resting}), own);
   for (const Fraction& form : uncancelled({resting, summands.end()})) {
-    append(result, arranger_.spread(form, own));
+    append(result, arranger_.summand(form, own));
   }
   return result;
 }
@@ -97,10 +93,10 @@ BookSum Equations::left(const EquationRow& row, std::uint32_t own) {
                                            [&](const Fraction& f) { return moves(algebra_, f); });
   BookSum result = arranger_.spread(total({resting.begin(), first}), own);
   for (const Fraction& form : uncancelled(row.dissipation)) {
-    append(result, arranger_.spread(form, own));
+    append(result, arranger_.summand(form, own));
   }
   for (const Fraction& form : uncancelled({first, resting.end()})) {
-    append(result, arranger_.spread(form, own));
+    append(result, arranger_.summand(form, own));
   }
   return result;
 }
@@ -157,7 +153,7 @@ BookSum Equations::divided_terms(const EquationRow& row, const Fraction& inertia
   for (const Fraction& part : parts) {
     const Value divided = arithmetic_.divide(part, inertia);
     if (!divided) throw TooLongForABook();
-    append(result, arranger_.spread(*divided, own));
+    append(result, arranger_.summand(*divided, own));
   }
   return result;
 }

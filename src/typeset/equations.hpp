@@ -16,7 +16,7 @@
 namespace elgen {
 
 /// Each summand for itself, what its terms share in front.
-[[nodiscard]] BookSum each_in_front(Arranger& arranger, std::vector<Fraction> summands);
+[[nodiscard]] BookSum each_in_front(Arranger& arranger, const std::vector<Fraction>& summands);
 
 /// The row of a velocity, from its function (elgen/steps.hpp).
 struct EquationRow {

@@ -4,6 +4,7 @@
 #include <cln/integer.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "present/polynomial.hpp"
 
@@ -33,34 +34,61 @@ FactorGroup group_of(const Atom& atom) {
   }
 }
 
-bool is_same(const BookFactor& x, const BookFactor& y) {
-  return x.place == y.place && x.kind == y.kind && x.atom == y.atom && x.angle == y.angle &&
-         x.definition == y.definition && x.kind != BookFactorKind::sum;
+bool is_same(const BookFactor& x, const BookFactor& y);
+
+bool are_same(const BookSum& x, const BookSum& y) {
+  const auto same_power = [](const BookFactor& a, const BookFactor& b) {
+    return a.exponent == b.exponent && is_same(a, b);
+  };
+  return std::ranges::equal(x.terms, y.terms, [&](const BookProduct& a, const BookProduct& b) {
+    return a.number == b.number && std::ranges::equal(a.factors, b.factors, same_power);
+  });
 }
 
-/// What orders the terms of a sum: the places of their factors, one after the other.
-std::vector<std::pair<FactorPlace, std::int32_t>> key_of(const BookProduct& product) {
-  std::vector<std::pair<FactorPlace, std::int32_t>> key;
-  for (const BookFactor& factor : product.factors) key.emplace_back(factor.place, -factor.exponent);
+/// Whatever their exponents are.
+bool is_same(const BookFactor& x, const BookFactor& y) {
+  return x.kind == y.kind && x.atom == y.atom && x.angle == y.angle &&
+         x.definition == y.definition && are_same(x.sum, y.sum);
+}
+
+/// The order of terms: by their last group of factors (l1^2 + l2^2 + 2 l1 l2 cos x), by how many
+/// factors they have, and by the places of these.
+struct TermKey {
+  std::optional<FactorGroup> last = {};
+  std::size_t count = 0;
+  std::vector<std::pair<FactorPlace, std::int32_t>> factors = {};
+  friend auto operator<=>(const TermKey&, const TermKey&) = default;
+};
+
+TermKey key_of(const BookProduct& product) {
+  TermKey key;
+  if (!product.factors.empty()) key.last = product.factors.back().place.group;
+  key.count = product.factors.size();
+  for (const BookFactor& factor : product.factors) {
+    key.factors.emplace_back(factor.place, -factor.exponent);
+  }
   return key;
 }
 
-/// The first coordinate in an angle, counted from 1; 0 where there is none.
-std::uint32_t rank_of_angle(const Algebra& algebra, const Monomial& angle) {
-  std::uint32_t rank = UINT32_MAX / 4;
-  for (const AtomPower& part : angle) {
-    for (const Fraction& argument : algebra.atoms[part.atom].arguments) {
-      for (const auto& [monomial, coefficient] : argument.numerator) {
-        for (const AtomPower& power : monomial) {
-          const Atom& atom = algebra.atoms[power.atom];
-          if (group_of(atom) == FactorGroup::coordinate && atom.leaf == Opcode::coordinate) {
-            rank = std::min(rank, 1 + atom.index);
-          }
-        }
-      }
-    }
+/// The first coordinate in a sum, counted from 1; 0 where there is none.
+std::uint32_t first_coordinate(const Algebra& algebra, const Polynomial& sum) {
+  std::uint32_t first = 0;
+  for (const AtomId id : atoms_of(sum)) {
+    const Atom& atom = algebra.atoms[id];
+    const bool is_coordinate = atom.kind == AtomKind::leaf && atom.leaf == Opcode::coordinate;
+    if (is_coordinate && (first == 0 || atom.index + 1 < first)) first = atom.index + 1;
   }
-  return rank == UINT32_MAX / 4 ? 0 : rank;
+  return first;
+}
+
+std::uint32_t rank_of_angle(const Algebra& algebra, const Monomial& angle) {
+  std::uint32_t rank = 0;
+  for (const AtomPower& part : angle) {
+    const Polynomial& argument = algebra.atoms[part.atom].arguments[0].numerator;
+    const std::uint32_t first = first_coordinate(algebra, argument);
+    if (first > 0 && (rank == 0 || first < rank)) rank = first;
+  }
+  return rank;
 }
 
 }  // namespace
@@ -72,7 +100,15 @@ FactorPlace place_of(const Atom& atom, const std::vector<std::uint32_t>& places)
   }
   if (group == FactorGroup::coordinate && atom.leaf != Opcode::coordinate) return {group, 10'000};
   if (atom.kind == AtomKind::leaf) return {group, atom.index};
+  if (is_number(atom)) return {FactorGroup::parameter, 0};
   return {group, rank_of_functions + (atom.function == FunctionId::cosh ? 1U : 0U)};
+}
+
+bool is_number(const Atom& atom) {
+  return atom.kind != AtomKind::leaf &&
+         std::ranges::all_of(atom.arguments, [](const Fraction& argument) {
+           return argument.denominator.empty() && rational_value(argument.numerator);
+         });
 }
 
 bool is_moving(const Atom& atom) {
@@ -93,7 +129,6 @@ std::size_t written_factors(const BookSum& sum) {
   std::size_t count = 0;
   for (const BookProduct& product : sum.terms) {
     count += product.number == 1 || product.number == -1 ? 0 : 1;
-    if (product.factors.empty()) ++count;
     for (const BookFactor& factor : product.factors) {
       count += factor.kind == BookFactorKind::sum ? written_factors(factor.sum) : 1;
     }
@@ -134,6 +169,10 @@ void multiply(BookProduct& product, const Algebra& algebra, const CircularPower&
   add(BookFactorKind::cosine, power.cosine, rank + 1);
 }
 
+void append(BookSum& to, BookSum from) {
+  for (BookProduct& term : from.terms) to.terms.push_back(std::move(term));
+}
+
 cln::cl_RA take_number(BookSum& sum) {
   cln::cl_I above = 0;
   cln::cl_I below = 1;
@@ -147,13 +186,31 @@ cln::cl_RA take_number(BookSum& sum) {
   return number;
 }
 
+std::vector<BookFactor> take_waves(BookSum& sum) {
+  std::vector<BookFactor> common;
+  for (BookFactor wave : sum.terms.front().factors) {
+    const bool is_wave = wave.kind == BookFactorKind::sine || wave.kind == BookFactorKind::cosine;
+    for (const BookProduct& term : sum.terms) {
+      const auto own = std::ranges::find_if(
+          term.factors, [&](const BookFactor& factor) { return is_same(factor, wave); });
+      wave.exponent = own == term.factors.end() ? 0 : std::min(wave.exponent, own->exponent);
+    }
+    if (is_wave && wave.exponent > 0) common.push_back(std::move(wave));
+  }
+  for (const BookFactor& wave : common) {
+    for (BookProduct& term : sum.terms) {
+      BookFactor inverse = wave;
+      inverse.exponent = -wave.exponent;
+      add_factor(term, std::move(inverse));
+    }
+  }
+  return common;
+}
+
 void sort_terms(BookSum& sum) {
   std::ranges::stable_sort(sum.terms, {}, key_of);
-  const auto positive = std::ranges::find_if(
-      sum.terms, [](const BookProduct& term) { return cln::plusp(term.number); });
-  if (positive != sum.terms.end()) {
-    std::rotate(sum.terms.begin(), positive, positive + 1);
-  }
+  std::stable_partition(sum.terms.begin(), sum.terms.end(),
+                        [](const BookProduct& term) { return cln::plusp(term.number); });
 }
 
 }  // namespace elgen

@@ -5,12 +5,14 @@
 #include <utility>
 
 #include "elgen/references.hpp"
+#include "present/arithmetic.hpp"
+#include "typeset/factors.hpp"
 
 namespace elgen {
 namespace {
 
 constexpr std::size_t most_sums = 200;
-constexpr std::size_t most_terms_of_a_sum = 12;
+constexpr std::size_t most_terms_of_a_sum = 30;
 
 /// Energies, forces, places, inertias and definitions; not what elgen writes for bodies in frames.
 std::vector<ExpressionId> roots_of(const Model& model) {
@@ -73,7 +75,16 @@ std::optional<TypedSum> typed_sum(ClosedForms& forms, const Model& model,
     if (!term) return std::nullopt;
     if (!term->numerator.empty()) sum.terms.push_back(std::move(*term));
   }
-  if (sum.terms.size() < 2) return std::nullopt;
+  const bool is_number = std::ranges::all_of(
+      sum.atoms, [&forms](AtomId atom) { return elgen::is_number(forms.algebra.atoms[atom]); });
+  if (sum.terms.size() < 2 || is_number) return std::nullopt;  // numbers are added up
+  const bool holds_root = std::ranges::any_of(sum.atoms, [&forms](AtomId atom) {
+    return forms.algebra.atoms[atom].kind == AtomKind::root;
+  });
+  if (holds_root) {
+    const Value square = Arithmetic(forms.algebra).multiply(*whole, *whole);
+    if (square && square->denominator.empty()) sum.square = square->numerator;
+  }
   const auto named =
       std::ranges::find(model.definitions, id, [](const NamedExpression& d) { return d.value; });
   if (named != model.definitions.end()) {
@@ -82,35 +93,68 @@ std::optional<TypedSum> typed_sum(ClosedForms& forms, const Model& model,
   return sum;
 }
 
-/// As declared; gravity stands behind the last mass.
-std::vector<std::uint32_t> declared_order(const Model& model) {
-  static const Unit kilogram = *find_unit("kg");
+/// Whether each parameter has this unit, or is a leaf of one of the expressions.
+std::vector<bool> marked(const Model& model, const Unit& unit,
+                         const std::vector<ExpressionId>& expressions) {
+  std::vector<bool> result;
+  for (const Parameter& parameter : model.parameters) {
+    result.push_back(parameter.unit && *parameter.unit == unit);
+  }
+  for (const ExpressionId id : reached(model, expressions)) {
+    const Expression& e = model.expressions[id];
+    if (is_leaf(e, Opcode::parameter)) result[e.index] = true;
+  }
+  return result;
+}
+
+/// g, and other accelerations.
+std::vector<bool> accelerations(const Model& model) {
   static const Unit second = *find_unit("s");
-  static const Unit weight = *find_unit("m") / (second * second);
+  std::vector<ExpressionId> gravity;
+  if (model.gravity) gravity.assign(model.gravity->begin(), model.gravity->end());
+  return marked(model, *find_unit("m") / (second * second), gravity);
+}
+
+std::vector<bool> masses(const Model& model) {
+  std::vector<ExpressionId> given;
+  for (const Point& point : model.points) {
+    if (point.mass) given.push_back(*point.mass);
+  }
+  for (const Body& body : model.bodies) {
+    if (body.mass) given.push_back(*body.mass);
+  }
+  return marked(model, *find_unit("kg"), given);
+}
+
+/// As declared; g stands behind the last mass.
+std::vector<std::uint32_t> declared_order(const Model& model,
+                                          const std::vector<bool>& are_accelerations) {
+  const std::vector<bool> are_masses = masses(model);
   std::vector<std::uint32_t> order;
-  std::vector<std::uint32_t> accelerations;
+  std::vector<std::uint32_t> weights;
   std::size_t behind_masses = 0;
   for (std::uint32_t i = 0; i < model.parameters.size(); ++i) {
-    const std::optional<Unit>& unit = model.parameters[i].unit;
-    if (unit && *unit == weight) {
-      accelerations.push_back(i);
+    if (are_accelerations[i]) {
+      weights.push_back(i);
       continue;
     }
     order.push_back(i);
-    if (unit && *unit == kilogram) behind_masses = order.size();
+    if (are_masses[i]) behind_masses = order.size();
   }
-  order.insert(order.begin() + static_cast<std::ptrdiff_t>(behind_masses), accelerations.begin(),
-               accelerations.end());
+  order.insert(order.begin() + static_cast<std::ptrdiff_t>(behind_masses), weights.begin(),
+               weights.end());
   return order;
 }
 
-/// The parameters that are factors of a typed product, in its order.
-std::vector<std::uint32_t> factors_of(const Model& model, const Expression& product) {
-  std::vector<std::uint32_t> factors;
+/// The parameters in each factor of a typed product: k and l of k*(x - l)^2.
+std::vector<std::vector<std::uint32_t>> factors_of(const Model& model, const Expression& product) {
+  std::vector<std::vector<std::uint32_t>> factors;
   for (const ExpressionId operand : product.operands) {
-    const Expression* factor = &model.expressions[operand];
-    if (factor->kind == ExpressionKind::power) factor = &model.expressions[factor->operands[0]];
-    if (is_leaf(*factor, Opcode::parameter)) factors.push_back(factor->index);
+    std::vector<std::uint32_t>& parameters = factors.emplace_back();
+    for (const ExpressionId id : reached(model, {operand})) {
+      const Expression& e = model.expressions[id];
+      if (is_leaf(e, Opcode::parameter)) parameters.push_back(e.index);
+    }
   }
   return factors;
 }
@@ -118,12 +162,16 @@ std::vector<std::uint32_t> factors_of(const Model& model, const Expression& prod
 /// Moves what a product has in another order; the first product that says so decides.
 class ProductOrder {
  public:
-  explicit ProductOrder(const Model& model)
-      : order_(declared_order(model)), is_known_(order_.size() * order_.size()) {}
+  explicit ProductOrder(std::vector<std::uint32_t> declared)
+      : order_(std::move(declared)), is_known_(order_.size() * order_.size()) {}
 
-  void follow(const std::vector<std::uint32_t>& factors) {
+  void follow(const std::vector<std::vector<std::uint32_t>>& factors) {
     for (std::size_t i = 0; i + 1 < factors.size(); ++i) {
-      for (std::size_t k = i + 1; k < factors.size(); ++k) put_before(factors[i], factors[k]);
+      for (std::size_t k = i + 1; k < factors.size(); ++k) {
+        for (const std::uint32_t first : factors[i]) {
+          for (const std::uint32_t second : factors[k]) put_before(first, second);
+        }
+      }
     }
   }
 
@@ -162,8 +210,7 @@ std::vector<AtomId> atoms_of(const Polynomial& sum) {
     for (const AtomPower& power : monomial) atoms.push_back(power.atom);
   }
   std::ranges::sort(atoms);
-  const auto same = std::ranges::unique(atoms);
-  atoms.erase(same.begin(), same.end());
+  atoms.erase(std::unique(atoms.begin(), atoms.end()), atoms.end());
   return atoms;
 }
 
@@ -171,11 +218,12 @@ TypedForms typed_forms(Algebra& algebra, const Model& model, const FixedParamete
   const std::vector<ExpressionId> all = reached(model, roots_of(model));
   const std::vector<ExpressionId> ids = sums_of(model, all);
   TypedForms result;
+  result.are_accelerations = accelerations(model);
+  ProductOrder order(declared_order(model, result.are_accelerations));
   if (ids.size() > most_sums) {
-    result.places = ProductOrder(model).places();
+    result.places = order.places();
     return result;
   }
-  ProductOrder order(model);
   for (const ExpressionId id : all) {
     const Expression& e = model.expressions[id];
     if (e.kind == ExpressionKind::multiply) order.follow(factors_of(model, e));
@@ -191,8 +239,8 @@ TypedForms typed_forms(Algebra& algebra, const Model& model, const FixedParamete
     const auto known = std::ranges::find_if(result.sums, is_same);
     if (known == result.sums.end()) {
       result.sums.push_back(std::move(*sum));
-    } else if (!known->definition) {
-      known->definition = sum->definition;
+    } else if (sum->definition && !known->definition) {
+      *known = std::move(*sum);  // its name stands for its own value
     }
   }
   algebra = std::move(forms.algebra);

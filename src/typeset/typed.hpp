@@ -14,6 +14,7 @@ namespace elgen {
 struct TypedSum {
   Polynomial value = {};
   std::vector<AtomId> atoms = {};    ///< of the value, ascending
+  Polynomial square = {};            ///< where roots disappear from it: of sqrt(x^2 + y^2) - l
   std::vector<Fraction> terms = {};  ///< as typed, with their signs
   /// The definition whose value it is, in Model::definitions.
   std::optional<std::uint32_t> definition = {};
@@ -24,6 +25,7 @@ struct TypedForms {
   /// The place of each parameter among the factors of a product: as typed in products of the model,
   /// else as declared, gravity behind the masses (m g l).
   std::vector<std::uint32_t> places = {};
+  std::vector<bool> are_accelerations = {};  ///< of the parameters; g
 };
 
 /// Ascending, each once.

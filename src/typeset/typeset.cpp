@@ -13,6 +13,23 @@
 namespace elgen {
 namespace {
 
+/// Operations that an entry may have as it is written out. Functions of functions are short as they
+/// are shared, and double with every level as they are written.
+constexpr std::size_t longest_entry_of_a_book = 5'000;
+
+bool is_written_out(const Function& function) {
+  std::vector<std::size_t> sizes;
+  for (const Instruction& i : function.instructions) {
+    const std::size_t operands = operand_count(i);
+    std::size_t size = operands > 0 ? 1 + sizes[i.a] : 0;
+    if (operands > 1) size += sizes[i.b];
+    sizes.push_back(std::min(size, longest_entry_of_a_book + 1));
+  }
+  return std::ranges::all_of(entries_of(function), [&sizes](std::uint32_t entry) {
+    return sizes[entry] <= longest_entry_of_a_book;
+  });
+}
+
 /// The function with other entries; none where one has no form that can be read.
 template <class Write>
 Function written(const Function& like, const Write& write) {
@@ -20,6 +37,7 @@ Function written(const Function& like, const Write& write) {
   result.form = Form::closed;
   try {
     write(result);
+    if (!is_written_out(result)) throw TooLongForABook();
   } catch (const TooLongForABook&) {
     result.fields.clear();
     result.instructions.clear();
@@ -33,8 +51,12 @@ Function written(const Function& like, const Write& write) {
 /// arms and their derivatives are, keep the form that choose found to be the shortest.
 constexpr std::size_t longest_form = 120;
 
+bool is_short(const std::optional<Fraction>& form) {
+  return form && form->numerator.size() <= longest_form;
+}
+
 const Fraction& readable_form(const std::optional<Fraction>& form) {
-  if (!form || form->numerator.size() > longest_form) throw TooLongForABook();
+  if (!is_short(form)) throw TooLongForABook();
   return *form;
 }
 
@@ -68,21 +90,23 @@ class Typesetting {
         algebra_(forms.algebra),
         typed_(typed_forms(algebra_, model_, checked.scene.specialisation.fixed)) {}
 
+  /// Entries that are too long keep the form that they have for readers.
   Function output(std::size_t index) {
     const Function& function = program_.functions[index];
+    const bool is_read =
+        index < program_.readable.size() && !program_.readable[index].fields.empty();
     const std::vector<ClosedField>& fields = forms_.functions[index].fields;
     return written(function, [&](Function& result) {
       Arranger arranger(algebra_, typed_);
       BookWriter write(model_, algebra_, arranger, program_, result);
-      for (const Field& like : function.fields) {
-        const auto closed = std::ranges::find(fields, like.name, &ClosedField::name);
-        if (closed == fields.end()) throw TooLongForABook();
-        Field& field = result.fields.emplace_back(like);
-        for (std::size_t i = 0; i < field.entries.size(); ++i) {
-          const Fraction& form = readable_form(closed->entries[i]);
-          const bool is_spread = is_sum_of_forces(function.kind);
-          field.entries[i] = write(is_spread ? arranger.spread(form, static_cast<std::uint32_t>(i))
-                                             : arranger.in_front(form));
+      for (std::size_t f = 0; f < function.fields.size(); ++f) {
+        Field& field = result.fields.emplace_back(function.fields[f]);
+        const ClosedField& closed = closed_field(fields, f, field.name);
+        for (std::uint32_t i = 0; i < field.entries.size(); ++i) {
+          const std::optional<std::uint32_t> entry =
+              entry_of({arranger, write}, closed.entries[i], function.kind, i);
+          if (!entry && !is_read) throw TooLongForABook();
+          field.entries[i] = entry ? *entry : copied(write, index, f, i);
         }
       }
       write.name_shared_divisors();
@@ -133,6 +157,7 @@ class Typesetting {
       const auto rows = rows_around(equations, first);
       for (std::uint32_t i = 0; i < rows.size(); ++i) {
         Field& field = result.fields.emplace_back(Field{model_.velocities[i].name, 0, 1, {}});
+        if (model_.approximation) continue;  // what is left out counts in a quotient
         const std::optional<BookSum> solution = equations.solved(rows, i);
         if (!solution || written_factors(*solution) > longest_solution) continue;
         field.rows = 1;
@@ -153,6 +178,39 @@ class Typesetting {
   }
 
  private:
+  /// Fields that readers do not see are not in the function; some have no names.
+  static const ClosedField& closed_field(const std::vector<ClosedField>& fields, std::size_t place,
+                                         const std::string& name) {
+    if (place < fields.size() && fields[place].name == name) return fields[place];
+    const auto found = std::ranges::find(fields, name, &ClosedField::name);
+    if (found == fields.end()) throw TooLongForABook();
+    return *found;
+  }
+
+  [[nodiscard]] std::uint32_t copied(BookWriter& write, std::size_t index, std::size_t field,
+                                     std::size_t entry) const {
+    const Function& known = program_.readable[index];
+    return write.copied(known, known.fields[field].entries[entry]);
+  }
+
+  struct Hands {
+    Arranger& arranger;
+    BookWriter& write;
+  };
+
+  /// None of an entry that is too long.
+  static std::optional<std::uint32_t> entry_of(const Hands& hands,
+                                               const std::optional<Fraction>& form, OutputKind kind,
+                                               std::uint32_t row) {
+    if (!is_short(form)) return std::nullopt;
+    try {
+      return hands.write(is_sum_of_forces(kind) ? hands.arranger.spread(*form, row)
+                                                : hands.arranger.by_motion(*form));
+    } catch (const TooLongForABook&) {
+      return std::nullopt;
+    }
+  }
+
   static std::vector<Fraction> summands(const ClosedField& field) {
     std::vector<Fraction> result;
     for (const std::optional<Fraction>& entry : field.entries) {
@@ -185,13 +243,12 @@ class Typesetting {
 
 bool is_readable(const ClosedFunction& function) {
   return std::ranges::all_of(function.fields, [](const ClosedField& field) {
-    return std::ranges::all_of(field.entries, [](const std::optional<Fraction>& form) {
-      return form && form->numerator.size() <= longest_form;
-    });
+    return std::ranges::all_of(field.entries, is_short);
   });
 }
 
 Program typeset(const CheckedModel& checked, const ClosedForms& forms, Program program) {
+  if (checked.model.approximation || checked.model.moving) return program;
   Typesetting typesetting(checked, forms, program);
   program.readable.resize(program.functions.size());
   for (std::size_t i = 0; i < forms.functions.size(); ++i) {
@@ -205,20 +262,16 @@ namespace {
 
 /// A function of the derivation with its summands added up, over the definitions of the derivation:
 /// read where there is no closed form.
-Function added_up(const Program& program, Function function, bool is_velocity) {
+Function added_up(Program& program, Function function, bool is_velocity) {
   Instructions instructions(function);
-  const auto zero = [&] {
-    const auto known = std::ranges::find_if(program.constants,
-                                            [](const Constant& c) { return cln::zerop(c.value); });
-    return instructions.add(Opcode::constant,
-                            static_cast<std::uint32_t>(known - program.constants.begin()));
-  };
+  const auto zero = position_of(rational_constant(0), program.constants);
   for (Field& field : function.fields) {
-    std::uint32_t total = field.entries.empty() ? zero() : field.entries.front();
-    for (std::size_t i = 1; i < field.entries.size(); ++i) {
-      total = instructions.add(Opcode::add, total, field.entries[i]);
+    std::optional<std::uint32_t> total;
+    for (const std::uint32_t term : field.entries) {
+      if (loads_zero(program, function.instructions[term])) continue;
+      total = total ? instructions.add(Opcode::add, *total, term) : term;
     }
-    field = {field.name, 1, 1, {total}};
+    field = {field.name, 1, 1, {total ? *total : instructions.add(Opcode::constant, zero)}};
   }
   const auto entry = [&function](std::size_t field) { return function.fields[field].entries[0]; };
   if (is_velocity) {
@@ -237,7 +290,6 @@ Function added_up(const Program& program, Function function, bool is_velocity) {
 }  // namespace
 
 Program typeset_steps(const CheckedModel& checked, const ClosedForms& forms, Program derived) {
-  (void)position_of(rational_constant(0), derived.constants);
   Typesetting typesetting(checked, forms, derived);
   const std::size_t count = derived.functions.size();
   const std::size_t velocities = checked.model.velocities.size();
@@ -262,11 +314,12 @@ Program typeset_steps(const CheckedModel& checked, const ClosedForms& forms, Pro
 Function typeset_value(const Model& model, const FixedParameters& fixed, const Algebra& algebra,
                        const Fraction& form, Program& program) {
   Algebra own = algebra;
-  const TypedForms typed = typed_forms(own, model, fixed);
+  TypedForms typed = typed_forms(own, model, fixed);
+  for (TypedSum& sum : typed.sums) sum.definition.reset();
   return written({}, [&](Function& result) {
     Arranger arranger(own, typed);
     BookWriter write(model, own, arranger, program, result);
-    result.fields = {Field{"", 1, 1, {write(arranger.in_front(form))}}};
+    result.fields = {Field{"", 1, 1, {write(arranger.by_motion(form))}}};
   });
 }
 

@@ -6,16 +6,21 @@
 
 #include <algorithm>
 
+#include "lower/graph/prune.hpp"
+
 namespace elgen {
 namespace {
 
 using cln::cl_RA;
 
+/// Powers are repeated factors, and nobody reads higher ones.
+constexpr std::int32_t highest_exponent = 1000;
+
 /// Factors of a sum that is not written twice.
 constexpr std::size_t shortest_shared = 3;
 
 /// The operands of a quotient, and what stands behind it.
-struct Sides {
+struct QuotientSides {
   cl_RA number = 1;  ///< in front of the quotient
   cl_RA number_above = 1;
   cl_RA number_below = 1;
@@ -41,8 +46,8 @@ std::vector<BookFactor> with_tangents(std::vector<BookFactor> factors) {
   return factors;
 }
 
-Sides sides_of(const BookProduct& product) {
-  Sides sides;
+QuotientSides sides_of(const BookProduct& product) {
+  QuotientSides sides;
   const cl_RA number = cln::abs(product.number);
   for (BookFactor factor : with_tangents(product.factors)) {
     const bool is_above = factor.exponent > 0;
@@ -57,10 +62,11 @@ Sides sides_of(const BookProduct& product) {
   if (std::ranges::any_of(sides.below, is_behind)) return sides;
   const bool has_other = sides.number_above != 1 || !std::ranges::all_of(sides.above, is_behind);
   if (!has_other) return sides;
-  const auto first = std::ranges::stable_partition(
-      sides.above, [](const BookFactor& factor) { return !is_behind(factor); });
-  sides.behind.assign(first.begin(), first.end());
-  sides.above.erase(first.begin(), first.end());
+  const auto first =
+      std::stable_partition(sides.above.begin(), sides.above.end(),
+                            [](const BookFactor& factor) { return !is_behind(factor); });
+  sides.behind.assign(first, sides.above.end());
+  sides.above.erase(first, sides.above.end());
   if (!sides.behind.empty() && !sides.above.empty() && sides.number_below != 1) {
     sides.number_above = 1;
     sides.number_below = 1;
@@ -83,21 +89,43 @@ std::uint32_t BookWriter::operator()(const BookSum& sum) {
   return total;
 }
 
+std::uint32_t BookWriter::copied(const Function& function, std::uint32_t instruction) {
+  std::vector<std::uint32_t> copies(function.instructions.size());
+  const std::vector<bool> needed = needed_for(function, {instruction});
+  for (std::uint32_t at = 0; at <= instruction; ++at) {
+    if (!needed[at]) continue;
+    Instruction copy = function.instructions[at];
+    const std::size_t operands = operand_count(copy);
+    if (operands > 0) copy.a = copies[copy.a];
+    if (operands > 1) copy.b = copies[copy.b];
+    copies[at] = instructions_.add(copy);
+  }
+  return copies[instruction];
+}
+
 void BookWriter::name_shared_divisors() {
   std::erase_if(divisors_, [](const auto& divisor) { return divisor.second < 2; });
+  std::string letter = "Delta";
+  while (std::ranges::count(program_.leaves.parameters, letter) +
+             std::ranges::count(program_.leaves.q, letter) >
+         0) {
+    letter += "_";
+  }
   std::size_t number = 0;
   for (const auto& [divisor, count] : divisors_) {
-    function_.names[divisor] = divisors_.size() == 1 ? "Delta" : fmt::format("Delta_{}", ++number);
+    function_.names[divisor] =
+        divisors_.size() == 1 ? letter : fmt::format("{}_{}", letter, ++number);
   }
 }
 
 /// Without its sign.
 std::uint32_t BookWriter::product(const BookProduct& product) {
   if (cln::zerop(product.number)) return number(0);
-  const Sides sides = sides_of(product);
+  const QuotientSides sides = sides_of(product);
   const auto multiplied = [this](std::optional<std::uint32_t> result,
                                  const std::vector<BookFactor>& factors) {
     for (const BookFactor& each : factors) {
+      if (each.exponent > highest_exponent) throw TooLongForABook();
       const std::uint32_t base = factor(each);
       for (std::int32_t i = 0; i < each.exponent; ++i) {
         result = result ? instructions_.add(Opcode::multiply, *result, base) : base;
@@ -109,15 +137,14 @@ std::uint32_t BookWriter::product(const BookProduct& product) {
     if (value == 1) return std::nullopt;
     return number(value);
   };
-  std::optional<std::uint32_t> result = multiplied(of_number(sides.number_above), sides.above);
+  const cl_RA above = sides.number * sides.number_above;
+  std::optional<std::uint32_t> result = multiplied(of_number(above), sides.above);
   const std::optional<std::uint32_t> below = multiplied(of_number(sides.number_below), sides.below);
   for (const BookFactor& each : sides.below) {
     if (each.kind != BookFactorKind::sum || written_factors(each.sum) < shortest_shared) continue;
     ++divisors_[factor(each)];
   }
   if (below) result = instructions_.add(Opcode::divide, result ? *result : number(1), *below);
-  const std::optional<std::uint32_t> front = of_number(sides.number);
-  if (front) result = result ? instructions_.add(Opcode::multiply, *front, *result) : *front;
   result = multiplied(result, sides.behind);
   return result ? *result : number(1);
 }
@@ -149,6 +176,8 @@ std::uint32_t BookWriter::wave(FunctionId function, const Monomial& angle) {
 
 /// The sum of exponent/divisor * argument.
 std::uint32_t BookWriter::angle(const Monomial& parts) {
+  const auto known = angles_.find(parts);
+  if (known != angles_.end()) return known->second;
   BookSum sum;
   for (const AtomPower& part : parts) {
     const Atom& wave = algebra_.atoms[part.atom];
@@ -160,10 +189,16 @@ std::uint32_t BookWriter::angle(const Monomial& parts) {
   const auto positive = std::ranges::find_if(
       sum.terms, [](const BookProduct& term) { return cln::plusp(term.number); });
   if (positive != sum.terms.end()) std::rotate(sum.terms.begin(), positive, positive + 1);
-  return (*this)(sum);
+  return angles_.emplace(parts, (*this)(sum)).first->second;
 }
 
 std::uint32_t BookWriter::atom(AtomId id) {
+  const auto known = atoms_.find(id);
+  if (known != atoms_.end()) return known->second;
+  return atoms_.emplace(id, new_atom(id)).first->second;
+}
+
+std::uint32_t BookWriter::new_atom(AtomId id) {
   const Atom& atom = algebra_.atoms[id];
   if (atom.kind == AtomKind::leaf) return instructions_.add(atom.leaf, atom.index);
   if (atom.kind == AtomKind::pi) {

@@ -23,6 +23,8 @@ class BookWriter {
         instructions_(function) {}
 
   [[nodiscard]] std::uint32_t operator()(const BookSum& sum);
+  /// An instruction of another function of the program, with what it needs.
+  [[nodiscard]] std::uint32_t copied(const Function& function, std::uint32_t instruction);
   /// Names what divides two or more products of those written: Delta, or Delta_1, …
   void name_shared_divisors();
 
@@ -32,6 +34,7 @@ class BookWriter {
   [[nodiscard]] std::uint32_t wave(FunctionId function, const Monomial& angle);
   [[nodiscard]] std::uint32_t angle(const Monomial& parts);
   [[nodiscard]] std::uint32_t atom(AtomId id);
+  [[nodiscard]] std::uint32_t new_atom(AtomId id);
   [[nodiscard]] std::uint32_t number(const cln::cl_RA& value);
 
   const Model& model_;
@@ -40,6 +43,8 @@ class BookWriter {
   Program& program_;
   Function& function_;
   Instructions instructions_;
+  std::map<AtomId, std::uint32_t> atoms_ = {};                   ///< written before: arguments nest
+  std::map<Monomial, std::uint32_t, MonomialLess> angles_ = {};  ///< likewise
   std::map<std::uint32_t, std::size_t> divisors_ = {};  ///< sums, and how often each divides
 };
 

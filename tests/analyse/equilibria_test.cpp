@@ -37,12 +37,12 @@ TEST_CASE("the bead leaves the bottom of a fast hoop") {
   CHECK(page("rotating_hoop") ==
         R"(Bead on a hoop turned about its vertical diameter: equilibria (v = 0)
 
-  K = m R (g cos θ - R Ω² (1 - 2 sin² θ))
+  K = m R (R Ω² (2 sin² θ - 1) + g cos θ)
 
   θ                               K
   0                               m R (g - R Ω²)      unstable: 3.86652 1/s
   π                               -m R (g + R Ω²)     unstable: 10.6325 1/s
-  ±arccos(g/(R Ω²)) = ±0.697569   m (R² Ω² - g²/Ω²)   stable: V₀ - T₀ has a strict minimum
+  ±arccos(g/(R Ω²)) = ±0.697569   m (R² Ω⁴ - g²)/Ω²   stable: V₀ - T₀ has a strict minimum
 
   the last two exist where |g| <= R Ω²; stability at the parameters' values; θ modulo 2 π
   these are all (proved)
@@ -53,7 +53,7 @@ TEST_CASE("the bead stays at the bottom of a slow hoop, and just so at the criti
   CHECK(page("rotating_hoop", {.fixed = {"Omega=2"}}) ==
         R"(Bead on a hoop turned about its vertical diameter: equilibria (v = 0)
 
-  K = m R (g cos θ - R (4 - 8 sin² θ))
+  K = m R (4 R (2 sin² θ - 1) + g cos θ)
 
   θ   K
   0   m R (g - 4 R)    stable: V₀ - T₀ has a strict minimum
@@ -75,12 +75,12 @@ TEST_CASE("the bead stays at the bottom of a slow hoop, and just so at the criti
 TEST_CASE("systems without equilibria say why, and what is cyclic") {
   CHECK(page("kepler_polar") == R"(Kepler problem in polar coordinates: equilibria (v = 0)
 
-  none: g = (m μ/r², 0) is not 0 for r in [0.3, 3] (proved)
+  none: g = (μ m/r², 0) is not 0 for r in [0.3, 3] (proved)
   φ is cyclic: with its momentum held (scene: [routh] phi = true) there are steady motions
 )");
   CHECK(page("heavy_top") == R"(Heavy symmetric top: equilibria (v = 0)
 
-  none: g = (0, -m h g sin θ, 0) is not 0 for θ in [0.1, 3.04159] (proved)
+  none: g = (0, -m g h sin θ, 0) is not 0 for θ in [0.1, 3.04159] (proved)
   φ and ψ are cyclic: with their momenta held (scene: [routh]) there are steady motions
 )");
 }

@@ -79,11 +79,13 @@ TEST_CASE("the steps of a derivation are those of a textbook") {
   const Outcome outcome = show(model("simple_pendulum") + " --what steps");
   CHECK(outcome.status == 0);
   for (const char* line :
-       {"Positions\n", "  d(bob)/dt = (l*cos(theta)*dot(theta), l*sin(theta)*dot(theta))\n",
-        "  T = 1/2*m*l^2*dot(theta)^2\n", "  V = -m*l*g*cos(theta)\n",
+       {"Positions\n", "  d(bob)/dt = (l*dot(theta)*cos(theta), l*dot(theta)*sin(theta))\n",
+        "  T = 1/2*m*l^2*dot(theta)^2\n", "  V = -m*g*l*cos(theta)\n",
         "  dL/d(dot(theta)) = m*l^2*dot(theta)\n",
-        "  d/dt dL/d(dot(theta)) = m*l^2*dot(dot(theta))\n", "  dL/dtheta = -m*l*g*sin(theta)\n",
-        "L does not contain t, so E is conserved\n"}) {
+        "  d/dt dL/d(dot(theta)) = m*l^2*dot(dot(theta))\n", "  dL/dtheta = -m*g*l*sin(theta)\n",
+        "L does not contain t, so E is conserved\n",
+        "Equations of motion\n  m*l^2*dot(dot(theta)) + m*g*l*sin(theta) = 0\n"
+        "  dot(dot(theta)) = -g/l*sin(theta)\n"}) {
     INFO(line);
     CHECK(mentions(outcome.output, line));
   }

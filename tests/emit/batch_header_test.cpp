@@ -11,7 +11,8 @@ using elgen::testing::Subject;
 namespace {
 
 std::string batch_text(const Subject& subject) {
-  return batch_header(emission_input(subject.model, subject.scene, subject.program));
+  return batch_header(
+      emission_input(subject.model, subject.scene, subject.program, {subject.program}));
 }
 
 }  // namespace

@@ -152,7 +152,8 @@ std::string driver(const std::vector<Header>& headers) {
 std::vector<Header> all_headers(const fs::path& folder, bool is_exhaustive) {
   testing::Subject subject = testing::cart_pole();
   subject.scene.emission.name_space = "own_cart_pole";  // generated/ has a cart_pole too
-  const Result<EmittedFiles> files = emit(subject.model, subject.scene, subject.program);
+  const Result<EmittedFiles> files =
+      emit(subject.model, subject.scene, subject.program, {subject.program});
   REQUIRE(files);
   for (const auto& [path, text] : files->files) {
     test::write_text(folder / "own" / path, text);

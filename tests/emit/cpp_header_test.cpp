@@ -12,11 +12,13 @@ using elgen::testing::Subject;
 namespace {
 
 std::string cpp_text(const Subject& subject) {
-  return cpp_header(emission_input(subject.model, subject.scene, subject.program));
+  return cpp_header(
+      emission_input(subject.model, subject.scene, subject.program, {subject.program}));
 }
 
 std::string eigen_text(const Subject& subject) {
-  return eigen_header(emission_input(subject.model, subject.scene, subject.program));
+  return eigen_header(
+      emission_input(subject.model, subject.scene, subject.program, {subject.program}));
 }
 
 }  // namespace

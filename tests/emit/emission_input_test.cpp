@@ -18,7 +18,7 @@ using elgen::testing::Subject;
 namespace {
 
 EmissionInput input_of(const Subject& subject) {
-  return emission_input(subject.model, subject.scene, subject.program);
+  return emission_input(subject.model, subject.scene, subject.program, {subject.program});
 }
 
 }  // namespace
@@ -63,7 +63,8 @@ TEST_CASE("leaves are members of what holds the parameters") {
 
 TEST_CASE("sections for pivots and kinks, one item per function") {
   const Subject subject = cart_pole();
-  const EmissionInput input = emission_input(subject.model, subject.scene, subject.program);
+  const EmissionInput input =
+      emission_input(subject.model, subject.scene, subject.program, {subject.program});
   const TemplateData data = header_data(input, *cpp_dialect(subject.model, subject.program));
   CHECK(data.get("regular")->list_value().size() == 1);
   CHECK(data.get("kinks")->list_value().empty());

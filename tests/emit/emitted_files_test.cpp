@@ -20,7 +20,8 @@ using elgen::testing::Subject;
 namespace {
 
 EmittedFiles emitted(const Subject& subject) {
-  const Result<EmittedFiles> files = emit(subject.model, subject.scene, subject.program);
+  const Result<EmittedFiles> files =
+      emit(subject.model, subject.scene, subject.program, {subject.program});
   REQUIRE(files);
   return *files;
 }
@@ -98,7 +99,8 @@ TEST_CASE("names and numbers that do not fit are errors, and nothing is emitted"
   subject.program.functions[1].name = "constant";
   elgen::testing::add_parameter(subject.model, "tiny", cln::expt(cln::cl_RA(10), -400), "m");
   elgen::testing::read_parameter(subject, "tiny");
-  const Result<EmittedFiles> files = emit(subject.model, subject.scene, subject.program);
+  const Result<EmittedFiles> files =
+      emit(subject.model, subject.scene, subject.program, {subject.program});
   REQUIRE_FALSE(files);
   REQUIRE(files.diagnostics.size() == 2);
   CHECK(files.diagnostics[0].code == Code::E701);

@@ -64,7 +64,8 @@ TEST_CASE("one row per function, columns aligned") {
 
 TEST_CASE("the page ends with the operations of every function") {
   const Subject subject = cart_pole();
-  const std::string page = markdown(emission_input(subject.model, subject.scene, subject.program));
+  const std::string page =
+      markdown(emission_input(subject.model, subject.scene, subject.program, {subject.program}));
   const std::size_t operations = page.find("\n## Operations\n");
   REQUIRE(operations != std::string::npos);
   for (const Function& function : subject.program.functions) {
@@ -75,7 +76,8 @@ TEST_CASE("the page ends with the operations of every function") {
 TEST_CASE("the page says what is left out") {
   Subject subject = cart_pole();
   subject.scene.left_out = {{LeftOutReason::too_many_entries, {"linearization"}}};
-  const std::string page = markdown(emission_input(subject.model, subject.scene, subject.program));
+  const std::string page =
+      markdown(emission_input(subject.model, subject.scene, subject.program, {subject.program}));
   CHECK(page.find("\n\nLeft out, with more than 4096 entries: linearization. A scene or --outputs "
                   "that names an output gets it.\n\n") != std::string::npos);
 }

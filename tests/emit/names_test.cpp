@@ -72,7 +72,7 @@ TEST_CASE("without parameters there is still a struct, because C has no empty on
   subject.program = elgen::testing::read_program(
       "coordinates x theta\nfunction gravity\n  0 = coordinate x\n  result 2 1 = 0 0\n");
   const std::string text =
-      c99_header(emission_input(subject.model, subject.scene, subject.program));
+      c99_header(emission_input(subject.model, subject.scene, subject.program, {subject.program}));
   CHECK(text.find("  char none;") != std::string::npos);
 }
 

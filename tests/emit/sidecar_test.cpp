@@ -12,7 +12,7 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 std::string text_of(const Subject& subject) {
-  return sidecar(emission_input(subject.model, subject.scene, subject.program));
+  return sidecar(emission_input(subject.model, subject.scene, subject.program, {subject.program}));
 }
 
 }  // namespace
@@ -46,7 +46,8 @@ TEST_CASE("outputs") {
 
 TEST_CASE("definitions are listed in order, before the entries that use them") {
   const Subject subject = cart_pole();
-  EmissionInput input = emission_input(subject.model, subject.scene, subject.program);
+  EmissionInput input =
+      emission_input(subject.model, subject.scene, subject.program, {subject.program});
   input.equations[1] = {{{"sum", "x + y"}, {"square", "sum^2"}}, {{"square", "0"}}};
   const Json json = Json::parse(sidecar(input));
   const Json& output = json["outputs"]["gravity"];

@@ -22,7 +22,7 @@ namespace {
 /// Up to 30 links closed forms are kept, which have n^2 terms; beyond, the budget of `present`
 /// ends.
 double excess_of(const std::string& stage, int links) {
-  const bool is_closed = stage == "present" || stage == "choose";
+  const bool is_closed = stage == "present" || stage == "choose" || stage == "typeset";
   return is_closed && links <= 30 ? 1 : 0;
 }
 

@@ -125,9 +125,12 @@ TEST_CASE("no page of any model has what no book prints") {
     if (file.path().extension() != ".toml") continue;
     INFO(file.path());
     const SourcePointer model = make_source(file.path().string(), read_text(file.path()));
-    const Products chosen = products_for(model, Goal::choose);
-    REQUIRE(chosen.program);
-    check_words(sheet(chosen.checked->model, chosen.checked->scene, *chosen.program));
+    const Products typeset = products_for(model, Goal::typeset);
+    REQUIRE(typeset.book);
+    PageOptions options;
+    if (typeset.book->steps) options.opening = &*typeset.book->steps;
+    check_words(
+        sheet(typeset.checked->model, typeset.checked->scene, typeset.book->program, options));
     const Products derived = products_for(model, Goal::steps);
     REQUIRE(derived.steps);
     check_words(steps_sheet(derived.checked->model, derived.checked->scene, *derived.steps));

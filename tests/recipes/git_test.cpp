@@ -32,15 +32,15 @@ TEST_CASE("git diff shows equations, and the values that they do not show") {
   repository.run("sed -i 's/\"-g\"/\"g\"/;s/value = 9.81/value = 9.8/' models/cart_pole.toml");
   const Outcome outcome = repository.outcome("git diff");
   CHECK(outcome.status == 0);
-  CHECK(mentions(outcome.output, "\n-  gravity[2] = -m*l*g*sin(theta)\n"));
-  CHECK(mentions(outcome.output, "\n+  gravity[2] = m*l*g*sin(theta)\n"));
+  CHECK(mentions(outcome.output, "\n-  gravity[2] = -m*g*l*sin(theta)\n"));
+  CHECK(mentions(outcome.output, "\n+  gravity[2] = m*g*l*sin(theta)\n"));
   CHECK(mentions(outcome.output, "\n-g = { value = 9.81, unit"));
   CHECK_FALSE(mentions(outcome.output, "vector"));
   CHECK_FALSE(mentions(outcome.output, "\n-M = "));
   CHECK(
       mentions(repository.outcome("git diff --no-textconv").output, "\n+vector = [\"0\", \"g\"]"));
   repository.run("git commit -q -a -m edited");
-  CHECK(mentions(repository.outcome("git log -p -1").output, "+  gravity[2] = m*l*g*sin(theta)\n"));
+  CHECK(mentions(repository.outcome("git log -p -1").output, "+  gravity[2] = m*g*l*sin(theta)\n"));
 }
 
 TEST_CASE("git diff shows the text of a model with an error, and says which it is") {
@@ -135,7 +135,7 @@ TEST_CASE("an installed elgen brings its recipes along") {
       "sed -i 's/\"-g\"/\"g\"/' models/cart_pole.toml");
   const Outcome outcome =
       repository.outcome("PATH=\"$PWD/home/usr/bin:/usr/bin:/bin\"\ngit diff models");
-  CHECK(mentions(outcome.output, "+  gravity[2] = m*l*g*sin(theta)\n"));
+  CHECK(mentions(outcome.output, "+  gravity[2] = m*g*l*sin(theta)\n"));
 }
 
 TEST_CASE("this project is set up as its recipe says") {

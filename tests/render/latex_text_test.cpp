@@ -39,13 +39,6 @@ TEST_CASE("a sum has a sign outside of brackets, or in front") {
   }
 }
 
-TEST_CASE("the sums of a product are its brackets, not the arguments of functions") {
-  CHECK(sums_of("a + b") == Texts{"a + b"});
-  CHECK(sums_of("l (a + b)^{2} \\cos(c + d)") == Texts{"a + b"});
-  CHECK(sums_of("\\left( a + (b - c) d \\right) (e f)") == Texts{"a + (b - c) d"});
-  CHECK(sums_of("m l^{2}").empty());
-}
-
 TEST_CASE("the last factor of a product in brackets") {
   CHECK(last_bracket("g l (a + b)") == 4);
   CHECK(last_bracket("g \\left( a (b + c) \\right)") == 2);

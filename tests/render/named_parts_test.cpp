@@ -152,13 +152,13 @@ TEST_CASE("what has no form to read stands by its definition, below the frames")
   for (const SheetOutput& output : page.outputs) {
     if (output.kind != OutputKind::mass_matrix) continue;
     CHECK(output.equations.empty());
-    CHECK(output.definition == "M = \\frac{\\partial^{2} L}{\\partial \\dot{q}^{2}}");
+    CHECK(output.definition == "M = \\frac{\\partial^{2} L}{\\partial \\dot{\\mathbf{q}}^{2}}");
   }
   const SheetTable& frames = section(page, "pose H").table;
   REQUIRE(frames.cells.size() == 8);
-  CHECK(frames.cells[3].starts_with("\\mathrm{Rot}_{z}(q_{1}) \\thinspace \\mathrm{Rot}_{x}("));
+  CHECK(frames.cells[3].starts_with("\\mathrm{Rot}_{z}(q_{1}) \\mathrm{Rot}_{x}("));
   CHECK(frames.cells[6] == "1");
-  CHECK(frames.cells[7] == "\\mathrm{Trans}(l, 0, 0) \\thinspace \\mathrm{Rot}_{z}(q_{2})");
+  CHECK(frames.cells[7] == "\\mathrm{Trans}(l, 0, 0) \\mathrm{Rot}_{z}(q_{2})");
   CHECK(section(page, "Body b").table.cells ==
         std::vector<std::string>{"1", "m_{1}", "(c_{1}, 0, 0)", "0", "2", "m_{2}",
                                  "(c_{2}, d_{2}, 0)", "(A, B, C)", "", "", "",

@@ -78,8 +78,8 @@ TEST_CASE("units, titles with formulas and lines of prose and formulas") {
         "\n$L$ lacks $x_1$\n", "\n## `tip`\n"}},
       {latex_document,
        {"A \\& B at $x = 1$}", "& $\\mathrm{kg\\,m^{2}/s^{1/2}}$ &",
-        "\\section*{Equation of $\\theta_1$}", "\n$L$ lacks $x_1$\n",
-        "\\section*{\\normalfont\\texttt{tip}}"}},
+        "\\subsection*{Equation of $\\theta_1$}", "\n$L$ lacks $x_1$\n",
+        "\\subsection*{\\normalfont\\texttt{tip}}"}},
       {html_page,
        {"<title>A &amp; B_1</title>", "<td>kg m<sup>2</sup>/s<sup>1/2</sup></td>",
         "<h2>Equation of <math>", "</math> lacks <math>", "<h2><code>tip</code></h2>"}}};

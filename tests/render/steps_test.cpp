@@ -1,10 +1,10 @@
 // A derivation as text and as a sheet.
 #include "elgen/steps.hpp"
-#include "elgen/typeset.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "choose/chosen.hpp"
+#include "elgen/typeset.hpp"
 #include "render/small_sheet.hpp"
 #include "support/systems.hpp"
 
@@ -32,15 +32,18 @@ TEST_CASE("the order of a textbook") {
   const Derivation d(cart_pole_text());
   const std::string text = steps_text(d.checked.model, d.steps);
   std::size_t last = 0;
-  for (const char* title : {"Action\n", "\nPositions\n", "\nVelocities\n", "\nEnergies\n",
-                            "\nEquation of x\n", "\nEquation of theta\n", "\nEnergy function\n"}) {
+  for (const char* title :
+       {"Action\n", "\nPositions\n", "\nVelocities\n", "\nEnergies\n", "\nEquation of x\n",
+        "\nEquation of theta\n", "\nEnergy function\n", "\nEquations of motion\n"}) {
     INFO(title);
     const std::size_t at = text.find(title, last);
     REQUIRE(at != std::string::npos);
     last = at;
   }
-  CHECK(has(text, "  dL/dtheta = m*l*sin(theta)*(g - dot(x)*dot(theta))\n"));
-  CHECK(has(steps_text(d.checked.model, d.steps, energies_title), "  V = m*l*g*cos(theta)\n"));
+  CHECK(has(text, " = (x, 0)\n"));
+  CHECK(has(text, " = (x + l*sin(theta), l*cos(theta))\n"));
+  CHECK(has(text, "  dL/dtheta = -m*l*dot(x)*dot(theta)*sin(theta) + m*g*l*sin(theta)\n"));
+  CHECK(has(steps_text(d.checked.model, d.steps, energies_title), "  V = m*g*l*cos(theta)\n"));
 }
 
 TEST_CASE("dissipation, forces and explicit time are steps of their own") {
@@ -54,7 +57,7 @@ TEST_CASE("dissipation, forces and explicit time are steps of their own") {
 TEST_CASE("the sheet has one section per step") {
   const Derivation d(cart_pole_text());
   const Sheet sheet = steps_sheet(d.checked.model, d.checked.scene, d.steps);
-  REQUIRE(sheet.outputs.size() == 7);
+  REQUIRE(sheet.outputs.size() == 8);
   CHECK(sheet.outputs[0].title == "Action");
   CHECK(sheet.outputs[5].title_latex == "\\text{Equation of }\\theta");
   CHECK(sheet.outputs[1].equations.at(0).rows == 2);
