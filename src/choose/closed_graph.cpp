@@ -21,32 +21,11 @@ class ClosedGraph {
 
   Ref fraction(const Fraction& form) {
     std::vector<Ref> parts;
-    for (const Fraction& part : by_roots(form)) parts.push_back(part_of_fraction(part));
+    for (const Fraction& part : by_roots(algebra_, form)) parts.push_back(part_of_fraction(part));
     return graph_.sum(parts);
   }
 
  private:
-  /// The parts of a sum by the roots in their terms, each over its own denominator:
-  /// (a sqrt(r) + b r)/r^2 = a sqrt(r)/r^2 + b/r.
-  [[nodiscard]] std::vector<Fraction> by_roots(const Fraction& form) const {
-    std::map<Monomial, Fraction, MonomialLess> parts;
-    for (const auto& [monomial, coefficient] : form.numerator) {
-      Monomial roots;
-      for (const AtomPower& power : monomial) {
-        if (algebra_.atoms[power.atom].kind == AtomKind::root) roots.push_back(power);
-      }
-      parts[roots].numerator.emplace(monomial, coefficient);
-    }
-    std::vector<Fraction> result;
-    for (auto& [roots, part] : parts) {
-      std::size_t work = 100'000;
-      part.denominator = form.denominator;
-      if (parts.size() > 1) divide_out(part, algebra_, work);
-      result.push_back(std::move(part));
-    }
-    return result;
-  }
-
   Ref part_of_fraction(Fraction form) {
     std::vector<Power> factors;
     take_root(form, factors);
@@ -251,6 +230,25 @@ class ClosedGraph {
 };
 
 }  // namespace
+
+std::vector<Fraction> by_roots(const Algebra& algebra, const Fraction& form) {
+  std::map<Monomial, Fraction, MonomialLess> parts;
+  for (const auto& [monomial, coefficient] : form.numerator) {
+    Monomial roots;
+    for (const AtomPower& power : monomial) {
+      if (algebra.atoms[power.atom].kind == AtomKind::root) roots.push_back(power);
+    }
+    parts[roots].numerator.emplace(monomial, coefficient);
+  }
+  std::vector<Fraction> result;
+  for (auto& [roots, part] : parts) {
+    std::size_t work = 100'000;
+    part.denominator = form.denominator;
+    if (parts.size() > 1) divide_out(part, algebra, work);
+    result.push_back(std::move(part));
+  }
+  return result;
+}
 
 bool is_rate(const Atom& atom) {
   constexpr LeafSet others = Opcode::parameter | Opcode::coordinate | Opcode::time;

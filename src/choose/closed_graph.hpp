@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "choose/real_terms.hpp"
 #include "lower/graph/graph.hpp"
@@ -26,6 +27,10 @@ struct Layout {
 [[nodiscard]] bool is_rate(const Atom& atom);
 /// Parameters and numbers.
 [[nodiscard]] bool is_parameter(const Atom& atom);
+
+/// The parts of a sum by the roots in their terms, each over its own denominator:
+/// (a sqrt(r) + b r)/r^2 = a sqrt(r)/r^2 + b/r.
+[[nodiscard]] std::vector<Fraction> by_roots(const Algebra& algebra, const Fraction& form);
 
 /// None where the form has more than `most` terms.
 [[nodiscard]] std::optional<Ref> closed_graph(Graph& graph, const Algebra& algebra,

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "choose/closed_graph.hpp"
 #include "present/polynomial.hpp"
 #include "typeset/factors.hpp"
 #include "typeset/polynomials.hpp"
@@ -113,26 +114,6 @@ BookSum Arranger::terms(const Polynomial& sum, std::optional<std::uint32_t> own)
   return result;
 }
 
-/// The parts of a sum by the roots in their terms, each over what does not divide it:
-/// (a sqrt(r) + b r)/r = a/sqrt(r) + b.
-std::vector<Fraction> Arranger::by_roots(const Fraction& form) {
-  std::map<Monomial, Fraction, MonomialLess> parts;
-  for (const auto& [monomial, coefficient] : form.numerator) {
-    Monomial roots;
-    for (const AtomPower& power : monomial) {
-      if (algebra_.atoms[power.atom].kind == AtomKind::root) roots.push_back(power);
-    }
-    parts[roots].numerator.emplace(monomial, coefficient);
-  }
-  std::vector<Fraction> result;
-  for (auto& [roots, part] : parts) {
-    part.denominator = form.denominator;
-    divide_out(part, algebra_, work_);
-    result.push_back(std::move(part));
-  }
-  return result;
-}
-
 /// The parts of a fraction by rates, each over what does not divide it.
 BookSum Arranger::parts(const Fraction& form, std::optional<std::uint32_t> own) {
   BookSum result;
@@ -149,9 +130,7 @@ BookSum Arranger::by_motion(const Fraction& form) {
   Fraction moving{{}, form.denominator};
   Fraction resting{{}, form.denominator};
   for (const auto& [monomial, coefficient] : form.numerator) {
-    const bool moves = std::ranges::any_of(
-        monomial, [&](const AtomPower& power) { return is_moving(algebra_.atoms[power.atom]); });
-    (moves ? moving : resting).numerator.emplace(monomial, coefficient);
+    (moves(algebra_, monomial) ? moving : resting).numerator.emplace(monomial, coefficient);
   }
   if (moving.numerator.empty() || resting.numerator.empty()) return in_front(form);
   BookSum typed = in_front_of_typed(form);
@@ -181,7 +160,7 @@ BookSum Arranger::in_front(const Fraction& form) {
     if (hides_leading_factors(product)) return terms(form.numerator);
     return {{std::move(product)}};
   }
-  const std::vector<Fraction> roots = by_roots(form);
+  const std::vector<Fraction> roots = by_roots(algebra_, form);
   if (roots.size() > 1) {
     BookSum result;
     for (const Fraction& part : roots) append(result, in_front(part));
@@ -217,7 +196,7 @@ BookSum Arranger::summand(const Fraction& form, std::uint32_t own) {
 BookSum Arranger::spread(const Fraction& form, std::optional<std::uint32_t> own) {
   const Polynomial numerator = by_hyperbolic_squares(algebra_, form.numerator);
   if (form.denominator.empty()) return terms(numerator, own);
-  const std::vector<Fraction> roots = by_roots({numerator, form.denominator});
+  const std::vector<Fraction> roots = by_roots(algebra_, {numerator, form.denominator});
   if (roots.size() == 1) return parts(roots.front(), own);
   BookSum result;
   for (const Fraction& part : roots) append(result, spread(part, own));

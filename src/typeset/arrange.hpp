@@ -74,7 +74,6 @@ class Arranger {
   void divide(BookProduct& product, const Fraction& form);
   void divide(BookProduct& product, const Polynomial& factor, std::int32_t exponent);
 
-  [[nodiscard]] std::vector<Fraction> by_roots(const Fraction& form);
   [[nodiscard]] BookSum parts(const Fraction& form, std::optional<std::uint32_t> own = {});
   [[nodiscard]] BookSum terms(const Polynomial& sum, std::optional<std::uint32_t> own = {});
   [[nodiscard]] BookSum terms_without_rates(const Polynomial& sum);

@@ -12,9 +12,15 @@ namespace elgen {
 namespace {
 
 bool moves(const Algebra& algebra, const Fraction& form) {
-  return std::ranges::any_of(form.numerator, [&](const auto& term) {
-    return std::ranges::any_of(
-        term.first, [&](const AtomPower& power) { return is_moving(algebra.atoms[power.atom]); });
+  return std::ranges::any_of(form.numerator,
+                             [&](const auto& term) { return elgen::moves(algebra, term.first); });
+}
+
+/// The acceleration that a term has, at most one; else the end.
+Monomial::const_iterator acceleration_in(const Algebra& algebra, const Monomial& term) {
+  return std::ranges::find_if(term, [&](const AtomPower& power) {
+    const Atom& atom = algebra.atoms[power.atom];
+    return atom.kind == AtomKind::leaf && atom.leaf == Opcode::acceleration;
   });
 }
 
@@ -115,10 +121,7 @@ std::optional<Equations::Linear> Equations::linear(const std::optional<EquationR
   Linear result;
   result.rest.denominator = whole.denominator;
   for (const auto& [monomial, coefficient] : whole.numerator) {
-    const auto at = std::ranges::find_if(monomial, [&](const AtomPower& power) {
-      const Atom& atom = algebra_.atoms[power.atom];
-      return atom.kind == AtomKind::leaf && atom.leaf == Opcode::acceleration;
-    });
+    const auto at = acceleration_in(algebra_, monomial);
     if (at == monomial.end()) {
       add_term(result.rest.numerator, monomial, {-coefficient.real, -coefficient.imaginary});
       continue;
@@ -140,10 +143,7 @@ BookSum Equations::divided_terms(const EquationRow& row, const Fraction& inertia
   }
   Fraction whole = total(moving);
   std::erase_if(whole.numerator, [&](const auto& term) {
-    return std::ranges::any_of(term.first, [&](const AtomPower& power) {
-      const Atom& atom = algebra_.atoms[power.atom];
-      return atom.kind == AtomKind::leaf && atom.leaf == Opcode::acceleration;
-    });
+    return acceleration_in(algebra_, term.first) != term.first.end();
   });
   std::vector<Fraction> parts = uncancelled(resting);
   parts.insert(parts.begin(), std::move(whole));

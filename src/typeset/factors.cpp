@@ -117,6 +117,11 @@ bool is_moving(const Atom& atom) {
          group == FactorGroup::input;
 }
 
+bool moves(const Algebra& algebra, const Monomial& term) {
+  return std::ranges::any_of(
+      term, [&](const AtomPower& power) { return is_moving(algebra.atoms[power.atom]); });
+}
+
 bool is_of_parameters(const Algebra& algebra, const Polynomial& sum) {
   return std::ranges::all_of(sum, [&](const auto& term) {
     return std::ranges::all_of(term.first, [&](const AtomPower& power) {

@@ -12,6 +12,9 @@ namespace elgen {
 /// Velocities, momenta, accelerations and inputs.
 [[nodiscard]] bool is_moving(const Atom& atom);
 
+/// Whether a term has such a factor.
+[[nodiscard]] bool moves(const Algebra& algebra, const Monomial& term);
+
 /// pi, or a root or function of a rational number.
 [[nodiscard]] bool is_number(const Atom& atom);
 

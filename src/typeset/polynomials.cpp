@@ -22,7 +22,7 @@ bool same_arguments(const Atom& x, const Atom& y) {
   });
 }
 
-/// Every square of `atom` as `one` + `sign` * the square of `other`.
+/// Every square of `atom` as `one` + the square of `other`.
 Polynomial without_squares(const Polynomial& sum, AtomId atom, AtomId other, int one) {
   Polynomial result;
   for (const auto& [monomial, coefficient] : sum) {
