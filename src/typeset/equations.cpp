@@ -53,6 +53,18 @@ BookSum each_in_front(Arranger& arranger, const std::vector<Fraction>& summands)
   return result;
 }
 
+BookSum Equations::each(const std::vector<Fraction>& summands) {
+  return each_in_front(arranger_, settled(summands));
+}
+
+/// None where all of them together are 0: V = a*x + b*x - (a + b)*x has no force either.
+std::vector<Fraction> Equations::settled(const std::vector<Fraction>& summands) {
+  Value sum = Fraction{};
+  for (const Fraction& form : summands) sum = arithmetic_.add(sum, form);
+  if (sum && sum->numerator.empty()) return {};
+  return uncancelled(summands);
+}
+
 Fraction Equations::total(const std::vector<Fraction>& summands) {
   Value sum = Fraction{};
   for (const Fraction& form : summands) sum = arithmetic_.add(sum, form);
@@ -87,7 +99,7 @@ BookSum Equations::arranged(std::vector<Fraction> summands, std::uint32_t own) {
       std::stable_partition(summands.begin(), summands.end(),
                             [&](const Fraction& form) { return moves(algebra_, form); });
   BookSum result = arranger_.spread(total({summands.begin(), resting}), own);
-  for (const Fraction& form : uncancelled({resting, summands.end()})) {
+  for (const Fraction& form : settled({resting, summands.end()})) {
     append(result, arranger_.summand(form, own));
   }
   return result;
@@ -98,10 +110,10 @@ BookSum Equations::left(const EquationRow& row, std::uint32_t own) {
   const auto first = std::stable_partition(resting.begin(), resting.end(),
                                            [&](const Fraction& f) { return moves(algebra_, f); });
   BookSum result = arranger_.spread(total({resting.begin(), first}), own);
-  for (const Fraction& form : uncancelled(row.dissipation)) {
+  for (const Fraction& form : settled(row.dissipation)) {
     append(result, arranger_.summand(form, own));
   }
-  for (const Fraction& form : uncancelled({first, resting.end()})) {
+  for (const Fraction& form : settled({first, resting.end()})) {
     append(result, arranger_.summand(form, own));
   }
   return result;
@@ -145,9 +157,9 @@ BookSum Equations::divided_terms(const EquationRow& row, const Fraction& inertia
   std::erase_if(whole.numerator, [&](const auto& term) {
     return acceleration_in(algebra_, term.first) != term.first.end();
   });
-  std::vector<Fraction> parts = uncancelled(resting);
+  std::vector<Fraction> parts = settled(resting);
   parts.insert(parts.begin(), std::move(whole));
-  for (const Fraction& form : uncancelled(row.dissipation)) parts.push_back(opposite(form));
+  for (const Fraction& form : settled(row.dissipation)) parts.push_back(opposite(form));
   parts.push_back(row.force);
   BookSum result;
   for (const Fraction& part : parts) {

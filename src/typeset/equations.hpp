@@ -34,6 +34,8 @@ class Equations {
   /// None where a form is missing.
   [[nodiscard]] std::optional<EquationRow> row(const ClosedFunction& function);
 
+  /// Each summand for itself; nothing where they are 0 together.
+  [[nodiscard]] BookSum each(const std::vector<Fraction>& summands);
   /// In the order of a row; `own` is its velocity.
   [[nodiscard]] BookSum arranged(std::vector<Fraction> summands, std::uint32_t own);
   /// d/dt dL/dv - dL/dq + dD/dv.
@@ -47,6 +49,7 @@ class Equations {
   /// M a = rest of a row.
   struct Linear;
 
+  [[nodiscard]] std::vector<Fraction> settled(const std::vector<Fraction>& summands);
   [[nodiscard]] Fraction total(const std::vector<Fraction>& summands);
   [[nodiscard]] std::optional<Linear> linear(const std::optional<EquationRow>& row);
   [[nodiscard]] BookSum divided_terms(const EquationRow& row, const Fraction& inertia,

@@ -170,9 +170,10 @@ class Typesetting {
   Function invariants(std::size_t index) {
     return written(program_.functions[index], [&](Function& result) {
       Arranger arranger(algebra_, typed_);
+      Equations equations(algebra_, arranger);
       BookWriter write(model_, algebra_, arranger, program_, result);
       for (const ClosedField& field : forms_.functions[index].fields) {
-        add_scalar(result, field.name, write(each_in_front(arranger, summands(field))));
+        add_scalar(result, field.name, write(equations.each(summands(field))));
       }
     });
   }

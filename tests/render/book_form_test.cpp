@@ -82,6 +82,14 @@ TEST_CASE("what cancels in a sum is typed, and has no force") {
   CHECK(has(text, "  m*dot(dot(x)) = 0\n"));
 }
 
+TEST_CASE("what is 0 as a whole has no force and no rate, pair by pair or not") {
+  const std::string text = with_potential("a*x + k*l*x - (a + k*l)*x");
+  CHECK(has(text, "  L does not contain x, so p_x"));
+  CHECK(has(text, "  m*dot(dot(x)) = 0\n"));
+  const std::string turned = with_potential("1/2*k*(x*cos(c*t))^2 + 1/2*k*(x*sin(c*t))^2");
+  CHECK(has(turned, "  L does not contain t, so E is conserved\n"));
+}
+
 TEST_CASE("a sum that is typed in two orders is written in the first") {
   const std::string text = with_potential("1/2*k*(x - l)^2 + 1/4*k*(l - x)^2");
   CHECK(has(text, "  V = 1/2*k*(x - l)^2 + 1/4*k*(x - l)^2\n"));
