@@ -60,6 +60,12 @@ const Fraction& readable_form(const std::optional<Fraction>& form) {
   return *form;
 }
 
+bool has_short_entry(const ClosedFunction& function) {
+  return std::ranges::any_of(function.fields, [](const ClosedField& field) {
+    return std::ranges::any_of(field.entries, is_short);
+  });
+}
+
 /// Sums of forces are read like an equation: nothing stands in front of them.
 bool is_sum_of_forces(OutputKind kind) {
   switch (kind) {
@@ -250,6 +256,7 @@ bool is_readable(const ClosedFunction& function) {
 
 Program typeset(const CheckedModel& checked, const ClosedForms& forms, Program program) {
   if (checked.model.approximation || checked.model.moving) return program;
+  if (std::ranges::none_of(forms.functions, has_short_entry)) return program;
   Typesetting typesetting(checked, forms, program);
   program.readable.resize(program.functions.size());
   for (std::size_t i = 0; i < forms.functions.size(); ++i) {
