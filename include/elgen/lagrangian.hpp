@@ -42,6 +42,7 @@ enum class EntityKind : std::uint8_t {
   coordinate,
   energy,
   force,
+  constraint,
   output
 };
 
@@ -174,6 +175,16 @@ struct NamedOutput {
   std::optional<TwistOutput> twist = {};
 };
 
+/// f(q, t) = 0, or phi(q, v, t) = 0 affine in v; along the motion its second rate, or its rate, is
+/// -damping r - stiffness f (see Constraint).
+struct ConstraintEquation {
+  GiNaC::ex value;
+  bool is_position = true;
+  GiNaC::ex damping = 0;    ///< 2 zeta omega
+  GiNaC::ex stiffness = 0;  ///< omega^2, of a position
+  Entity origin = {};
+};
+
 /// A variable that is held at functions of time: s(t), or the four of a unit quaternion.
 struct LockedVariable : Held {
   std::vector<GiNaC::ex> values = {};
@@ -222,6 +233,7 @@ struct Lagrangian {
   std::vector<GiNaC::ex> forces = {};  ///< generalized force on each velocity, inputs included
   std::vector<PointForce> point_forces = {};
   FrameTree tree = {};  ///< of an expansion or R it carries nothing but outputs
+  std::vector<ConstraintEquation> constraints = {};
   std::vector<NamedOutput> outputs = {};
   std::vector<LockedVariable> locked = {};   ///< until specialise takes them out
   std::vector<CyclicVariable> cyclic = {};   ///< likewise

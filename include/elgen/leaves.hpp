@@ -105,11 +105,15 @@ template <class T>
   return list != nullptr ? list->size() : 1;
 }
 
+/// Leaves that no emitted function takes: the energy stands in what is conserved, multipliers in
+/// derivations.
+inline constexpr LeafSet never_passed = Opcode::energy | Opcode::multiplier;
+
 /// Whether emitted functions may take the kind: open values only where there are some, momenta
-/// where a function of theirs has given them names, the energy nowhere.
+/// where a function of theirs has given them names.
 template <class T>
 [[nodiscard]] bool is_passed(const LeafValues<T>& leaves, Opcode kind) {
-  return kind != Opcode::energy && (!is_optional(kind) || leaf_count(leaves, kind) > 0);
+  return !never_passed.has_any(kind) && (!is_optional(kind) || leaf_count(leaves, kind) > 0);
 }
 
 }  // namespace elgen

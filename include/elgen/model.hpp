@@ -18,10 +18,12 @@
 #include <string>
 #include <vector>
 
+#include "elgen/constraint.hpp"
 #include "elgen/diagnostic.hpp"
 #include "elgen/expression.hpp"
 #include "elgen/held.hpp"
 #include "elgen/open_functions.hpp"
+#include "elgen/outputs.hpp"
 #include "elgen/source_text.hpp"
 #include "elgen/units.hpp"
 
@@ -233,10 +235,12 @@ struct UserOutput {
   Span span = {};
 };
 
-/// One [[expect]] line: the closed form of every entry of an output, row-major. Sized entries are
-/// expanded.
+/// One [[expect]] line: the closed form of every entry of a field of an output, row-major. Sized
+/// entries are expanded.
 struct Expectation {
-  std::string output;  ///< "mass_matrix", "forward_dynamics", a user output, or "conserved"
+  std::string output;       ///< "mass_matrix", "forward_dynamics", a user output, or "conserved"
+  std::string field = {};   ///< "multipliers", which the file names instead; else the first one
+  std::uint32_t first = 0;  ///< where it begins among the entries of the output
   std::uint32_t rows = 0;
   std::uint32_t columns = 0;
   std::vector<ExpressionId> entries = {};
@@ -320,6 +324,7 @@ struct Model {
   Energies energies = {};
   std::vector<Input> inputs = {};
   std::vector<Force> forces = {};
+  std::vector<Constraint> constraints = {};
   std::vector<UserOutput> outputs = {};
   std::vector<Equilibrium> equilibria = {};
   std::vector<Expectation> expectations = {};
@@ -362,6 +367,11 @@ std::uint32_t append_rotation(Model& model, Rotation rotation);
 /// Whether the Lagrangian is one function, which has no T and V: L as given, or R.
 [[nodiscard]] inline bool has_whole_lagrangian(const Model& model) {
   return model.energies.L.has_value() || model.moving != nullptr;
+}
+
+/// What the equations of outputs depend on.
+[[nodiscard]] inline EquationSetting setting_of(const Model& model) {
+  return {!model.rotations.empty(), !model.constraints.empty()};
 }
 
 /// The order in which M is eliminated: where a frame carries two or more others, the last velocity

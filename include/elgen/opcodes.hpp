@@ -38,6 +38,7 @@ enum class LeafOwner : std::uint8_t {
   open_values,
   coordinates,
   velocities,
+  constraints,
   inputs
 };
 

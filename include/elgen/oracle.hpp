@@ -52,8 +52,7 @@ void draw_motion(const Model& model, Random& random, std::size_t turn, State& st
 /// empty where an intermediate left the domain (sqrt(-1), 1/0).
 using OracleValues = std::optional<std::vector<cln::cl_R>>;
 
-/// All entries of an output. forward_dynamics: the acceleration, then the relative pivots; step: q,
-/// then v; hamilton_equations: dq/dt, then dp/dt.
+/// All entries of an output, field by field as in the output table.
 [[nodiscard]] OracleValues oracle_values(const Model& model, const OutputRequest& output,
                                          const State& state);
 
@@ -73,8 +72,8 @@ struct Contraction {
 };
 
 /// The contraction of any field of any output, at the cost of a few directional derivatives instead
-/// of all entries (energies, forward_dynamics and user outputs: of all entries; only the first
-/// field of forward_dynamics). For self-checks of large models.
+/// of all entries (energies, forward_dynamics, constraints and user outputs: of all entries). For
+/// self-checks of large models.
 [[nodiscard]] std::optional<cln::cl_R> oracle_contraction(const Model& model,
                                                           const OutputRequest& output,
                                                           const State& state,
@@ -83,6 +82,11 @@ struct Contraction {
 /// |E| and the magnitudes of the terms that V sums, in J, in whose rounding what cancels drowns.
 [[nodiscard]] std::optional<cln::cl_R> oracle_energy_magnitude(const Model& model,
                                                                const State& state);
+
+/// The state moved onto the constraints by Newton's method, as `projected` steps: |f| below 1e-40 of
+/// the size of its terms, then the rates there. None where it does not get there. Without
+/// constraints the state itself.
+[[nodiscard]] std::optional<State> oracle_assembled(const Model& model, State state);
 
 /// D_i / M_ii of a symmetric n x n matrix M = L D L^T, eliminated from the first row to the last.
 /// Empty where a pivot is lost.

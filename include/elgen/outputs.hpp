@@ -33,7 +33,10 @@ enum class Extent : std::uint8_t {
   states,
   inputs,
   held,
-  cyclic,  ///< the coordinates that [routh] takes out
+  cyclic,       ///< the coordinates that [routh] takes out
+  constraints,  ///< a row stands for the rate of its equation
+  positions,    ///< the constraints on positions; a row stands for its equation
+  pivots,       ///< of the velocities, then of the constraints
   user
 };
 
@@ -44,6 +47,7 @@ enum class UnitRule : std::uint8_t {
   number,
   row,
   row_per_second,
+  ratio,   ///< that of the row over that of the column
   energy,  ///< J over the units of row and column
   power,   ///< W over them
 };
@@ -57,6 +61,8 @@ enum class Requirement : std::uint8_t {
   rotations,
   held,
   cyclic,
+  constraints,
+  constrained_inputs,  ///< constraints, and inputs that they leave free
   jacobian,
 };
 
@@ -89,12 +95,15 @@ struct OutputRow {
   LeafSet takes = {};  ///< arguments beside parameters and q (and t where t occurs)
   std::span<const FieldRow> fields = {};
   Notation equation = {};
-  Notation turning_equation = {};  ///< with rotations, where it is another
-  std::string_view doc = {};       ///< one sentence
+  Notation turning_equation = {};      ///< with rotations, where it is another
+  Notation constrained_equation = {};  ///< with constraints, where it is another
+  std::string_view doc = {};           ///< one sentence
   Requirement requirement = Requirement::nothing;
   bool solves = false;           ///< M x = b
   bool differentiates = false;   ///< the equations of motion
   bool gives_pivots = false;     ///< of M = L D L^T, beside what it solves for
+  bool is_constrained = false;   ///< solves with S = A M^-1 A^T where the model has constraints
+  bool by_name = false;          ///< given only where it is named
   bool of_user = false;          ///< one for every [[output]] of a model
   std::string_view suffix = {};  ///< its name is that of the [[output]] and this
   bool repeats = false;          ///< every chosen output that takes neither a nor u
@@ -109,7 +118,7 @@ struct OutputRow {
 /// Whether it is given only where it is named: a scene says how to step, and functions of momenta
 /// stand in the place of those of velocities.
 [[nodiscard]] constexpr bool is_named_only(const OutputRow& output) {
-  return output.steps || output.takes.has_any(Opcode::momentum);
+  return output.steps || output.by_name || output.takes.has_any(Opcode::momentum);
 }
 
 /// Whether it divides by the pivots of M = L D L^T.
@@ -117,8 +126,12 @@ struct OutputRow {
   return output.solves || output.steps || output.takes.has_any(Opcode::momentum);
 }
 
-/// The equation that holds in a model with or without rotations.
-[[nodiscard]] const Notation& equation_of(const OutputRow& output, bool has_rotations);
+/// The equation that holds in a model with or without rotations or constraints.
+struct EquationSetting {
+  bool has_rotations = false;
+  bool has_constraints = false;
+};
+[[nodiscard]] const Notation& equation_of(const OutputRow& output, const EquationSetting& setting);
 
 [[nodiscard]] std::span<const OutputRow> output_table();
 [[nodiscard]] const OutputRow& output_row(OutputKind kind);

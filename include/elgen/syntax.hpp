@@ -99,6 +99,8 @@ enum class KeyType : std::uint8_t {
                      ///< `index` (a name), `low` and `high` (expressions)
   condition,         ///< "a > b", one of > >= < <=: a table with the entries `left`, `right`
                      ///< (expressions) and `sign` (a text)
+  equations,         ///< "a = b" or a list of such: always a list of tables with the entries
+                     ///< `left` and `right` (expressions)
   integer,           ///< bare integer: a number expression
   boolean,           ///< ValueKind::boolean
   range,             ///< [low, high]: list of two expressions

@@ -21,8 +21,11 @@ const FieldRow& field_row(OutputKind kind, std::string_view name) {
   return fields.empty() ? number : fields.front();
 }
 
-const Notation& equation_of(const OutputRow& output, bool has_rotations) {
-  const bool is_another = has_rotations && !output.turning_equation.text.empty();
+const Notation& equation_of(const OutputRow& output, const EquationSetting& setting) {
+  if (setting.has_constraints && !output.constrained_equation.text.empty()) {
+    return output.constrained_equation;
+  }
+  const bool is_another = setting.has_rotations && !output.turning_equation.text.empty();
   return is_another ? output.turning_equation : output.equation;
 }
 

@@ -189,21 +189,7 @@ constexpr OutputRow energy_function{
 
 // The accelerations that M is solved for, and derivatives.
 
-constexpr std::array solution{
-    FieldRow{"acceleration", E::velocities, E::one, U::row_per_second, "Accelerations<Scalar>",
-             "<a>"},
-    FieldRow{"relative_pivots", E::velocities, E::one, U::number,
-             "std::array<Scalar, velocity_count>", R"(\frac{D_{i}}{M_{ii}})"}};
-constexpr OutputRow forward_dynamics{
-    .symbol = {"a", "<a>"},
-    .takes = Opcode::velocity | Opcode::input,
-    .fields = solution,
-    .equation = {"M a = B u - bias", R"(M <a> = B <u> - <bias>)"},
-    .doc =
-        "Acceleration, and the pivots D_i/M_ii of M = L D L^T: near 0, or no number where M_ii "
-        "is 0, M is singular.",
-    .solves = true,
-    .gives_pivots = true};
+#include "base/dynamics_rows.def"
 
 constexpr std::array of_states{
     FieldRow{"A", E::states, E::states, U::none,

@@ -71,6 +71,7 @@ void resolve_entries(Context& context, const FileSyntax& syntax) {
   for (const EntrySyntax& entry : syntax.entries) read_table(context, entry);
   read_entries(context, instances,
                {{"force", read_force}, {"output", read_output}, {"equilibrium", read_equilibrium}});
+  read_constraints(context, instances);
   check_plane(context);
   check_output_names(context.model, context.report);
 }
@@ -121,6 +122,7 @@ Result<CheckedModel> check(const FileSyntax& model, const FileSyntax* scene,
   if (context.report.errors() == 0) {
     reduce_model(context);
   }
+  if (context.report.errors() == 0) check_constraints(context);
   Scene checked_scene = read_scene(context, scene, options);
   read_values(context, checked_scene, options);
   if (context.report.errors() > 0) {

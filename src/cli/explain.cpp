@@ -17,7 +17,7 @@ namespace elgen::cli {
 namespace {
 
 /// In the order of KeyType.
-constexpr std::array<std::string_view, 21> kinds{"expression",
+constexpr std::array<std::string_view, 22> kinds{"expression",
                                                  "[expressions]",
                                                  "expression or list",
                                                  "expression or table",
@@ -29,6 +29,7 @@ constexpr std::array<std::string_view, 21> kinds{"expression",
                                                  "unit",
                                                  "\"i in 1..n\"",
                                                  "\"a > b\"",
+                                                 "\"a = b\", or list of such",
                                                  "integer",
                                                  "true or false",
                                                  "[low, high]",

@@ -40,12 +40,6 @@ Fields fields(const Derivation& derivation, const OutputRequest& request, const 
   return fields(derivation, request, Vector{entry});
 }
 
-Fields fields(const Derivation& d, const OutputRequest& /*request*/, const ForwardDynamics& x) {
-  return named(d.size(), {{"acceleration", x.acceleration},
-                          {"relative_pivots", x.relative_pivots},
-                          {"diagonal", x.diagonal}});
-}
-
 Fields fields(const Derivation& d, const OutputRequest& /*request*/, const InverseDerivatives& x) {
   return named(d.size(), {{"by_position", x.by_position}, {"by_velocity", x.by_velocity}});
 }
@@ -64,10 +58,39 @@ FieldEquations column(std::string name, const Vector& entries) {
   return {std::move(name), static_cast<std::uint32_t>(entries.size()), 1, entries};
 }
 
+/// Columns, of which one without entries is left out.
+Fields columns_of(std::vector<FieldEquations> columns) {
+  std::erase_if(columns, [](const FieldEquations& field) { return field.entries.empty(); });
+  return columns;
+}
+
+Fields fields(const Derivation& /*derivation*/, const OutputRequest& /*request*/,
+              const ForwardDynamics& x) {
+  return columns_of({column("acceleration", x.acceleration),
+                     column("relative_pivots", x.relative_pivots),
+                     column("multipliers", x.multipliers), column("diagonal", x.diagonal)});
+}
+
 Fields fields(const Derivation& /*derivation*/, const OutputRequest& /*request*/,
               const HamiltonEquations& x) {
-  return {column("coordinate_rates", x.coordinate_rates),
-          column("momentum_rates", x.momentum_rates)};
+  return columns_of(
+      {column("coordinate_rates", x.coordinate_rates), column("momentum_rates", x.momentum_rates)});
+}
+
+Fields fields(const Derivation& /*derivation*/, const OutputRequest& /*request*/,
+              const ConstraintResidual& x) {
+  return columns_of({column("position", x.position), column("rate", x.rate)});
+}
+
+Fields fields(const Derivation& /*derivation*/, const OutputRequest& /*request*/,
+              const ProjectedState& x) {
+  return columns_of({column("coordinates", x.coordinates), column("rates", x.rates)});
+}
+
+Fields fields(const Derivation& /*derivation*/, const OutputRequest& /*request*/,
+              const ConstrainedInverse& x) {
+  return columns_of({column("inputs", x.inputs), column("multipliers", x.multipliers),
+                     column("unbalanced", x.unbalanced)});
 }
 
 Vector user_value(Derivation& /*derivation*/, const NamedOutput& output) { return output.values; }
@@ -106,9 +129,16 @@ void define_entries(Derivation& derivation, std::vector<FieldEquations>& fields)
   }
 }
 
-Diagnostic singular_mass(const OutputRequest& request, const ZeroPivot& pivot,
-                         const LeafNames& names) {
-  const std::string& velocity = names.v[pivot.velocity];
+Diagnostic singular(const OutputRequest& request, const ZeroPivot& pivot, const LeafNames& names) {
+  switch (pivot.rows) {
+    case RowsOf::constraints:
+      return redundant_constraint(request, names.multipliers[pivot.row]);
+    case RowsOf::inputs:
+      return redundant_input(request, names.u[pivot.row]);
+    case RowsOf::velocities:
+      break;
+  }
+  const std::string& velocity = names.v[pivot.row];
   return pivot.is_diagonal ? no_kinetic_energy(request, velocity)
                            : singular_mass_matrix(request, velocity);
 }
@@ -126,7 +156,7 @@ Result<EquationsOfMotion> derive(const Lagrangian& lagrangian,
       define_entries(derivation, output.fields);
       equations.outputs.push_back(std::move(output));
     } catch (const ZeroPivot& pivot) {
-      return singular_mass(request, pivot, lagrangian.leaves);
+      return singular(request, pivot, lagrangian.leaves);
     } catch (const GiNaC::pole_error&) {
       return Diagnostic{
           Code::E313, request.span,

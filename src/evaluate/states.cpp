@@ -47,7 +47,7 @@ bool is_drawn(const Subject& subject, Opcode kind) {
   const LeafNames& leaves = subject.program.leaves;
   if (kind == Opcode::momentum) return !leaves.momenta.empty();
   if (kind == Opcode::step) return !leaves.h.empty();
-  return kind != Opcode::parameter && kind != Opcode::energy;
+  return kind != Opcode::parameter && !never_passed.has_any(kind);
 }
 
 /// From `values`: parameters stay.

@@ -66,7 +66,8 @@ class Formulation {
     using F = Formulation;
     for (void (F::*const add)() :
          {&F::add_gravity, &F::add_points, &F::add_bodies, &F::add_energies, &F::add_forces,
-          &F::add_outputs, &F::add_locks, &F::add_cyclic, &F::add_expansion, &F::add_tree}) {
+          &F::add_constraints, &F::add_outputs, &F::add_locks, &F::add_cyclic, &F::add_expansion,
+          &F::add_tree}) {
       (this->*add)();
       if (!translation_.errors().empty()) return translation_.errors();
     }
@@ -224,6 +225,21 @@ class Formulation {
       expansion.small.push_back({symbols.u[i], value ? translation_.value(*value) : ex(0)});
     }
     lagrangian_.expansion = std::move(expansion);
+  }
+
+  void add_constraints() {
+    for (std::uint32_t i = 0; i < model_.constraints.size(); ++i) {
+      const Constraint& constraint = model_.constraints[i];
+      const Entity origin{EntityKind::constraint, i};
+      const auto gain = [&](const std::optional<ExpressionId>& value) {
+        return value ? translation_.value(*value) : ex(0);
+      };
+      const ex omega = gain(constraint.omega);
+      const ex stiffness = constraint.is_position ? omega * omega : ex(0);
+      const ex value = translation_.named(constraint.value, constraint.identifier, origin);
+      lagrangian_.constraints.push_back(
+          {value, constraint.is_position, 2 * gain(constraint.zeta) * omega, stiffness, origin});
+    }
   }
 
   void add_outputs() {

@@ -30,4 +30,23 @@ namespace elgen {
           "too many coordinates, or a mass is missing"};
 }
 
+/// A pivot of A M^-1 A^T is 0: that of this constraint.
+[[nodiscard]] inline Diagnostic redundant_constraint(const OutputRequest& request,
+                                                     const std::string& constraint) {
+  return {Code::E537, request.span,
+          fmt::format("`{}` has no value: the constraint `{}` follows from those before it, "
+                      "whatever the state is",
+                      request.name, constraint),
+          "remove it: its multiplier is not determined"};
+}
+
+/// A pivot of B^T G B is 0: that of this input.
+[[nodiscard]] inline Diagnostic redundant_input(const OutputRequest& request,
+                                                const std::string& input) {
+  return {Code::E603, request.span,
+          fmt::format("`{}` has no value: the input `{}` moves nothing that the inputs before it "
+                      "do not move, whatever the state is",
+                      request.name, input)};
+}
+
 }  // namespace elgen

@@ -123,6 +123,10 @@ std::vector<DeclaredArray> declared_arrays(const Model& model) {
   list.push_back(texts("input_names", model.inputs, [](const Input& i) { return i.name; }));
   list.push_back(texts("input_units", model.inputs, [](const Input& i) { return i.unit_text; }));
   list.push_back(intervals("input_limits", model.inputs, [](const Input& i) { return i.limits; }));
+  if (!model.constraints.empty()) {
+    list.push_back(
+        texts("constraint_names", model.constraints, [](const Constraint& c) { return c.name; }));
+  }
   if (model.open_values.empty()) return list;
   using F = OpenValue;
   list.push_back(texts("open_value_names", model.open_values, [](const F& f) { return f.name; }));
@@ -216,10 +220,14 @@ bool is_scalar(const Program& program, const Function& function, const Field& fi
   return is_scalar(kind_of_field(program, function, field), field);
 }
 
-std::string field_type(OutputKind kind, const Field& field) {
+std::string_view pivot_count(const Model& model) {
+  return model.constraints.empty() ? "velocity_count" : "velocity_count + constraint_count";
+}
+
+std::string field_type(const Model& model, OutputKind kind, const Field& field) {
   if (is_scalar(kind, field)) return "Scalar";
   const auto type = fmt::runtime(field_row(kind, field.name).type);
-  return fmt::format(type, field.rows, field.rows * field.columns);
+  return fmt::format(type, field.rows, field.rows * field.columns, pivot_count(model));
 }
 
 std::string eigen_type(OutputKind kind, const Field& field) {

@@ -80,8 +80,11 @@ struct DeclaredArray {
 [[nodiscard]] bool is_scalar(OutputKind kind, const Field& field);
 [[nodiscard]] bool is_scalar(const Program& program, const Function& function, const Field& field);
 
+/// How many relative pivots there are, as C++ says it.
+[[nodiscard]] std::string_view pivot_count(const Model& model);
+
 /// "Forces<Scalar>", "Scalar", "std::array<Scalar, 3>": what holds it in C++.
-[[nodiscard]] std::string field_type(OutputKind kind, const Field& field);
+[[nodiscard]] std::string field_type(const Model& model, OutputKind kind, const Field& field);
 
 /// "Vector<Scalar, 3>", "Scalar": what holds it with Eigen.
 [[nodiscard]] std::string eigen_type(OutputKind kind, const Field& field);

@@ -53,6 +53,8 @@ std::string leaf_text(const Model& model, Opcode kind, std::uint32_t number) {
       return text(model.coordinates[number].name);
     case LeafOwner::velocities:
       return text(model.velocities[number].name);
+    case LeafOwner::constraints:
+      return text(model.constraints[number].name);
     case LeafOwner::inputs:
       return text(model.inputs[number].name);
   }
@@ -80,6 +82,8 @@ std::size_t leaf_count(const Model& model, Opcode kind) {
       return model.coordinates.size();
     case LeafOwner::velocities:
       return model.velocities.size();
+    case LeafOwner::constraints:
+      return model.constraints.size();
     case LeafOwner::inputs:
       return model.inputs.size();
   }

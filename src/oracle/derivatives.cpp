@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "oracle/constraints.hpp"
 #include "oracle/solved_dynamics.hpp"
 
 namespace elgen::oracle {
@@ -28,30 +29,64 @@ Values residual_derivatives(Mechanics& at, const Direction& a, const Direction& 
   return values;
 }
 
-/// Replaces a matrix of so many columns, which begins at an entry of `values`, by M^-1 times it.
-void solve_columns(Mechanics& at, const Values& mass, std::size_t columns,
-                   const Values::iterator& begin) {
-  const auto place = [&](std::size_t row, std::size_t column) {
-    return begin + static_cast<std::ptrdiff_t>(row * columns + column);
-  };
-  for (std::size_t j = 0; j < columns; ++j) {
-    Values column;
-    for (std::size_t i = 0; i < at.size(); ++i) column.push_back(*place(i, j));
-    const Values solution = solve_mass(at.model(), mass, column).x;
-    for (std::size_t i = 0; i < at.size(); ++i) *place(i, j) = solution[i];
+/// x of M x = r + A^T y, A x = s.
+ConstrainedMotion response(Mechanics& at, const ConstrainedSystem& system, const Values& r,
+                           const Values& s) {
+  if (s.empty()) return {solve_mass(at.model(), system.mass, r).x, {}};
+  return solve_constrained(system, r, s);
+}
+
+/// Slope of M a + bias - B u - A^T lambda, by velocity, along a displacement.
+Values force_slopes(Mechanics& at, const ConstrainedMotion& motion, const Displacement& along) {
+  Values values;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const Direction w = at.unit(i);
+    values.push_back(at.residual_slope(w, along, motion.x, at.state().u) -
+                     held_slope(at.model(), at.state(), w, along.x, motion.y));
   }
+  return values;
 }
 
-/// w.(da/dx) along a displacement: z.(-dr) with M z = w.
+Values negative_of(Values values) {
+  for (cl_R& value : values) value = -value;
+  return values;
+}
+
+/// Puts a column, of as many rows as it is long, into a matrix of so many columns.
+void put_column(const Values& column, std::size_t j, std::size_t columns, Values& matrix) {
+  for (std::size_t i = 0; i < column.size(); ++i) matrix[i * columns + j] = column[i];
+}
+
+/// da/dq, or da/dv.
+Values state_derivatives(Mechanics& at, const ConstrainedSystem& system,
+                         const ConstrainedMotion& motion, std::size_t field) {
+  const std::size_t n = at.size();
+  Values matrix(n * n);
+  for (std::size_t j = 0; j < n; ++j) {
+    const Displacement along = displacement(at, field, at.unit(j));
+    const Values forces = negative_of(force_slopes(at, motion, along));
+    const Values shortage = negative_of(stabilised_slope(at.model(), at.state(), along, motion.x));
+    put_column(response(at, system, forces, shortage).x, j, n, matrix);
+  }
+  return matrix;
+}
+
+/// w.(da/dx) along a displacement: y.dc - z.dr with M z = w + A^T y, A z = 0.
 cl_R along_acceleration(Mechanics& at, const Direction& w, const Displacement& along) {
-  const Values mass = mass_matrix_values(at);
-  const Direction z = solve_mass(at.model(), mass, w).x;
-  return -at.residual_slope(z, along, solved_dynamics(at, mass).x, at.state().u);
+  const ConstrainedSystem system = constrained_system(at);
+  const ConstrainedMotion motion = constrained_motion(at, system);
+  const ConstrainedMotion z = response(at, system, w, Values(motion.y.size()));
+  cl_R sum = held_slope(at.model(), at.state(), z.x, along.x, motion.y) -
+             at.residual_slope(z.x, along, motion.x, at.state().u);
+  const Values slopes = stabilised_slope(at.model(), at.state(), along, motion.x);
+  for (std::size_t k = 0; k < slopes.size(); ++k) sum = sum + z.y[k] * slopes[k];
+  return sum;
 }
 
-/// w.(da/du) y: z.B y with M z = w.
+/// w.(da/du) y: z.B y with M z = w + A^T y', A z = 0.
 cl_R along_inputs(Mechanics& at, const Direction& w, const Direction& y) {
-  return at.input_force(solve_mass(at.model(), mass_matrix_values(at), w).x, y);
+  const Values still(at.model().constraints.size());
+  return at.input_force(response(at, constrained_system(at), w, still).x, y);
 }
 
 cl_R dot(const Direction& a, const Direction& b) {
@@ -86,17 +121,22 @@ cl_R inverse_contraction(Mechanics& at, const Contraction& by) {
 }
 
 Values forward_derivatives(Mechanics& at) {
-  const Values mass = mass_matrix_values(at);
-  Values values = residual_derivatives(at, solved_dynamics(at, mass).x, at.state().u);
-  for (cl_R& value : values) value = -value;
-  const Values inputs = input_entries(at);
-  values.insert(values.end(), inputs.begin(), inputs.end());
-  const std::size_t n = at.size();
-  auto begin = values.begin();
-  for (const std::size_t columns : {n, n, at.state().u.size()}) {
-    solve_columns(at, mass, columns, begin);
-    begin += static_cast<std::ptrdiff_t>(n * columns);
+  const ConstrainedSystem system = constrained_system(at);
+  const ConstrainedMotion motion = constrained_motion(at, system);
+  Values values;
+  for (const std::size_t field : {0, 1}) {
+    const Values matrix = state_derivatives(at, system, motion, field);
+    values.insert(values.end(), matrix.begin(), matrix.end());
   }
+  const std::size_t inputs = at.state().u.size();
+  const Values of_inputs = input_entries(at);
+  Values matrix(of_inputs.size());
+  for (std::size_t j = 0; j < inputs; ++j) {
+    Values column;
+    for (std::size_t i = 0; i < at.size(); ++i) column.push_back(of_inputs[i * inputs + j]);
+    put_column(response(at, system, column, Values(motion.y.size())).x, j, inputs, matrix);
+  }
+  values.insert(values.end(), matrix.begin(), matrix.end());
   return values;
 }
 

@@ -83,7 +83,8 @@ void draw_parameters(const Model& model, const FixedParameters& fixed, Random& r
 }
 
 void draw_motion(const Model& model, Random& random, std::size_t turn, State& state) {
-  constexpr LeafSet undrawn = Opcode::parameter | Opcode::step | Opcode::momentum | Opcode::energy;
+  constexpr LeafSet undrawn =
+      Opcode::parameter | Opcode::step | Opcode::momentum | Opcode::energy | Opcode::multiplier;
   const cln::cl_RA& scale = scales()[turn % scales().size()];
   const auto draw = [&](Opcode kind, std::uint32_t number, cl_R& value) {
     if (undrawn.has_any(kind)) return;

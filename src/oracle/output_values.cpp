@@ -4,7 +4,9 @@
 
 #include <functional>
 
+#include "check/names/requests.hpp"
 #include "elgen/oracle.hpp"
+#include "oracle/constraints.hpp"
 #include "oracle/derivatives.hpp"
 #include "oracle/mechanics.hpp"
 #include "oracle/momenta.hpp"
@@ -115,11 +117,15 @@ Values coriolis_entries(Mechanics& at) {
 
 cl_R total_energy_of(Mechanics& at) { return at.kinetic_energy() + at.potential_energy(); }
 
-/// M a = B u - bias: a, then the relative pivots.
+/// a, the relative pivots of M and of S, and the multipliers.
 Values solved(Mechanics& at) {
-  const Solution solution = solved_dynamics(at, mass_matrix_values(at));
-  Values values = solution.x;
-  values.insert(values.end(), solution.relative_pivots.begin(), solution.relative_pivots.end());
+  const ConstrainedSystem system = constrained_system(at);
+  const ConstrainedMotion motion = constrained_motion(at, system);
+  Values values = motion.x;
+  for (const Values& more : {solve_mass(at.model(), system.mass, Values(at.size())).relative_pivots,
+                             pivots_of_constraints(at.model(), system), motion.y}) {
+    values.insert(values.end(), more.begin(), more.end());
+  }
   return values;
 }
 
@@ -192,12 +198,14 @@ Values canonical_rates(const Question& of) {
   return values;
 }
 
-/// w.x of one field, where the first has an entry per coordinate and the others one per velocity.
+/// w.x of one field of columns.
 template <Values (*values)(const Question&)>
 cl_R contracted_field(const Question& of, const Contraction& by) {
   const Values all = values(of);
-  const std::size_t n = of.state.v.size();
-  const std::size_t first = by.field == 0 ? 0 : of.state.q.size() + (by.field - 1) * n;
+  std::size_t first = 0;
+  for (std::size_t field = 0; field < by.field; ++field) {
+    first += extent_of(of.model, output_row(of.output.kind).fields[field].rows);
+  }
   cl_R sum = 0;
   for (std::size_t i = 0; i < by.w.size(); ++i) sum = sum + by.w[i] * all[first + i];
   return sum;
@@ -270,7 +278,7 @@ constexpr OracleRow kinetic_energy{entries<&Mechanics::kinetic_energy>};
 constexpr OracleRow total_energy{entries<total_energy_of>};
 constexpr OracleRow energy_function{entries<&Mechanics::energy_function>};
 
-constexpr OracleRow forward_dynamics{entries<solved>};
+constexpr OracleRow forward_dynamics{entries<solved>, contracted_field<entries<solved>>};
 constexpr OracleRow linearization{entries<state_matrices>, contracted<state_contraction>};
 constexpr OracleRow inverse_dynamics_derivatives{entries<inverse_derivatives>,
                                                  contracted<inverse_contraction>};
@@ -288,6 +296,22 @@ constexpr OracleRow normalized{
     [](const Question& of) { return oracle::normalized(of.model, of.state.q); }};
 
 constexpr OracleRow cyclic_rates{rates_taken_out};
+
+template <Values (*values)(const Model&, const State&)>
+Values of_constraints(const Question& of) {
+  return values(of.model, of.state);
+}
+
+template <Values (*values)(const Model&, const State&)>
+constexpr OracleRow columns_of_constraints{of_constraints<values>,
+                                           contracted_field<of_constraints<values>>};
+
+constexpr OracleRow constraint_residual = columns_of_constraints<oracle::constraint_residual>;
+constexpr OracleRow constraint_jacobian{of_constraints<oracle::constraint_jacobian>};
+constexpr OracleRow constraint_bias = columns_of_constraints<oracle::constraint_bias>;
+constexpr OracleRow projected = columns_of_constraints<oracle::projected>;
+constexpr OracleRow constrained_inverse_dynamics =
+    columns_of_constraints<oracle::constrained_inverse>;
 
 constexpr OracleRow user_value{values_of_user};
 constexpr OracleRow user_jacobian{jacobian_of_user};

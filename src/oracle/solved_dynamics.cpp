@@ -79,13 +79,13 @@ Solution solve_mass(const Model& model, std::vector<cl_R> mass,
   return solution;
 }
 
-Solution solved_dynamics(Mechanics& at, const std::vector<cl_R>& mass) {
-  std::vector<cl_R> right_side;
+std::vector<cl_R> moving_forces(Mechanics& at) {
+  std::vector<cl_R> forces;
   for (std::size_t i = 0; i < at.size(); ++i) {
     const Direction w = at.unit(i);
-    right_side.push_back(at.input_force(w, at.state().u) - bias(at, w));
+    forces.push_back(at.input_force(w, at.state().u) - bias(at, w));
   }
-  return solve_mass(at.model(), mass, right_side);
+  return forces;
 }
 
 }  // namespace elgen::oracle

@@ -29,7 +29,7 @@ struct Solution {
 [[nodiscard]] Solution solve_mass(const Model& model, std::vector<cln::cl_R> mass,
                                   const std::vector<cln::cl_R>& right_side);
 
-/// The acceleration and the relative pivots, each of one entry per velocity.
-[[nodiscard]] Solution solved_dynamics(Mechanics& at, const std::vector<cln::cl_R>& mass);
+/// B u - bias.
+[[nodiscard]] std::vector<cln::cl_R> moving_forces(Mechanics& at);
 
 }  // namespace elgen::oracle

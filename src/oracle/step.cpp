@@ -2,6 +2,7 @@
 #include "oracle/step.hpp"
 
 #include "elgen/step_methods.hpp"
+#include "oracle/constraints.hpp"
 #include "oracle/momenta.hpp"
 #include "oracle/rotations.hpp"
 #include "oracle/solved_dynamics.hpp"
@@ -114,7 +115,7 @@ class Stepping {
     for (const Jet& rate : coordinate_rates(model_, motion.q, motion.v)) {
       rates.q.push_back(rate.real());
     }
-    rates.v = solved_dynamics(at, mass_matrix_values(at)).x;
+    rates.v = constrained_motion(at, constrained_system(at)).x;
     return rates;
   }
 

@@ -152,6 +152,7 @@ Json schema_of(const KeyRow& row) {
       return words_schema(row);
     case KeyType::choice_list:
       return some_words_schema(row);
+    case KeyType::equations:
     case KeyType::repetition:
       return choice_schema({text, list_schema(text)});
     case KeyType::integer:

@@ -110,6 +110,39 @@ ValueSyntax read_condition(const TomlValue& value, FileReading& reading) {
   return result;
 }
 
+// Equations: "a = b" to { left = a, right = b }
+
+ValueSyntax read_equation(const TomlValue& value, FileReading& reading) {
+  ValueSyntax result = empty_value(value, ValueKind::table);
+  if (value.kind != TomlKind::string) {
+    report_wrong_type(value, "an equation (a string)", reading);
+    return result;
+  }
+  const std::string& text = value.text.text;
+  const std::size_t sign = text.find('=');
+  const bool has_one = sign != std::string::npos && text.find('=', sign + 1) == std::string::npos;
+  if (!has_one) {
+    reading.report(Code::E321, value.text.whole, in_backticks(text) + " is no equation",
+                   "an equation is written `left = right`, with one `=`");
+    return result;
+  }
+  result.entries.push_back(part_entry("left", {0, sign}, value.text, reading));
+  result.entries.push_back(part_entry("right", {sign + 1, text.size()}, value.text, reading));
+  return result;
+}
+
+/// A list of tables {left, right}, also where the file has a single string. E104; E321 no equation;
+/// errors of the sides.
+ValueSyntax read_equations(const TomlValue& value, FileReading& reading) {
+  ValueSyntax result = empty_value(value, ValueKind::list);
+  if (value.kind != TomlKind::array) {
+    result.items.push_back(read_equation(value, reading));
+    return result;
+  }
+  for (const TomlValue& item : value.items) result.items.push_back(read_equation(item, reading));
+  return result;
+}
+
 const KeyRow* find_row(std::string_view entry, std::string_view key) {
   const KeyRow* any = nullptr;
   for (const KeyRow& row : key_table()) {
@@ -220,6 +253,8 @@ ValueSyntax read_by_type(const TomlEntry& key, const KeyRow& row, FileReading& r
       return read_repetition(value, reading);
     case KeyType::condition:
       return read_condition(value, reading);
+    case KeyType::equations:
+      return read_equations(value, reading);
     case KeyType::integer:
       return read_integer(value, reading);
     case KeyType::boolean:

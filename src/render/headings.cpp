@@ -48,7 +48,7 @@ std::string latex_of(const Model& model, std::string_view latex) {
 Heading heading(const Model& model, const Function& function) {
   const OutputRow& row = output_row(function.kind);
   Heading result{std::string(row.symbol.latex),
-                 std::string(equation_of(row, !model.rotations.empty()).latex)};
+                 std::string(equation_of(row, setting_of(model)).latex)};
   if (row.of_user) {
     ModelSymbols symbols(model);
     SymbolText y;

@@ -266,6 +266,10 @@ ModelSymbols::ModelSymbols(const Model& model) {
   for (const Input& input : model.inputs) {
     leaves_.u.push_back(distinct(input_symbol(model, input)).text());
   }
+  for (std::uint32_t i = 0; i < model.constraints.size(); ++i) {
+    const std::string name = leaf_text(model, Opcode::multiplier, i);
+    leaves_.multipliers.push_back(distinct(latex_symbol(name, "")).text());
+  }
   leaves_.t = leaf_row(Opcode::time).symbol;
   leaves_.h = leaf_row(Opcode::step).symbol;
   leaves_.E = leaf_row(Opcode::energy).symbol;

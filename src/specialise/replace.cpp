@@ -39,6 +39,11 @@ class Replacing {
     (*this)(wrench.force);
     (*this)(wrench.moment);
   }
+  void operator()(ConstraintEquation& constraint) {
+    (*this)(constraint.value);
+    (*this)(constraint.damping);
+    (*this)(constraint.stiffness);
+  }
   void operator()(NamedOutput& output) { (*this)(output.values); }
   void operator()(LockedVariable& locked) { (*this)(locked.values); }
   void operator()(CyclicVariable& cyclic) { (*this)(cyclic.momentum); }
@@ -63,6 +68,7 @@ void replace(Lagrangian& lagrangian, const Seeds& values) {
   replacing(lagrangian.tree.steps);
   replacing(lagrangian.tree.bodies);
   replacing(lagrangian.tree.wrenches);
+  replacing(lagrangian.constraints);
   replacing(lagrangian.outputs);
   replacing(lagrangian.locked);
   replacing(lagrangian.cyclic);

@@ -31,7 +31,7 @@ std::vector<std::string> narrow(const Model& model, const NamedRange& narrowed,
                                 LeafValues<Range>& ranges) {
   std::vector<std::string> names;
   const auto visit = [&](Opcode kind, std::uint32_t i, Range& range) {
-    if (kind == Opcode::parameter || kind == Opcode::energy) return;
+    if (kind == Opcode::parameter || never_passed.has_any(kind)) return;
     names.push_back(leaf_text(model, kind, i));
     if (names.back() == narrowed.name) range = {narrowed.low, narrowed.high};
   };

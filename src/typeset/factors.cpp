@@ -26,6 +26,7 @@ FactorGroup group_of(const Atom& atom) {
     case Opcode::acceleration:
       return FactorGroup::acceleration;
     case Opcode::input:
+    case Opcode::multiplier:
       return FactorGroup::input;
     case Opcode::open_value:
       return FactorGroup::function;

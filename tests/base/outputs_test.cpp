@@ -33,6 +33,12 @@ std::size_t size_of(Extent extent) {
       return 11;
     case Extent::cyclic:
       return 17;
+    case Extent::constraints:
+      return 2;
+    case Extent::positions:
+      return 19;
+    case Extent::pivots:
+      return 23;
     case Extent::user:
       return 13;
   }
@@ -50,6 +56,8 @@ std::size_t size_of(const std::string& type) {
                                                         {"velocity_count", 5},
                                                         {"coordinate_count", 7},
                                                         {"input_count", 3},
+                                                        {"constraint_count", 2},
+                                                        {"pivots", 23},
                                                         {"SquareMatrix<Scalar>", 25},
                                                         {"InputMatrix<Scalar>", 15}};
   const std::string array = "std::array<Scalar, ";
@@ -93,7 +101,7 @@ TEST_CASE("arguments and shapes follow the equations") {
   CHECK(inverse.takes == (Opcode::velocity | Opcode::acceleration));
   const OutputRow& forward = output_row(OutputKind::forward_dynamics);
   CHECK(forward.takes == (Opcode::velocity | Opcode::input));
-  REQUIRE(forward.fields.size() == 2);
+  REQUIRE(forward.fields.size() == 3);
   CHECK(forward.fields[1].name == "relative_pivots");
   CHECK(output_row(OutputKind::input_matrix).fields.front().columns == Extent::inputs);
 }
@@ -116,7 +124,7 @@ TEST_CASE("types hold as many numbers as their fields have entries") {
       const std::size_t entries = rows * size_of(field.columns);
       if (entries == 1) continue;
       INFO(output.name << "." << field.name);
-      CHECK(size_of(fmt::format(fmt::runtime(field.type), rows, entries)) == entries);
+      CHECK(size_of(fmt::format(fmt::runtime(field.type), rows, entries, "pivots")) == entries);
     }
   }
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "check/names/requests.hpp"
 #include "derived.hpp"
 #include "elgen/equations_of_motion.hpp"
 #include "elgen/specialise.hpp"
@@ -24,11 +25,11 @@ const OutputRequest& request(const CheckedModel& checked, OutputKind kind) {
   throw std::runtime_error("not an output of this model");
 }
 
-/// Fields by inputs are left out where there are none; the diagonal of M comes with the pivots.
+/// Fields without entries are left out; the diagonal of M comes with the pivots.
 std::size_t fields_of(OutputKind kind, const Model& model) {
   const std::span<const FieldRow> fields = output_row(kind).fields;
   const auto is_there = [&](const FieldRow& field) {
-    return field.columns != Extent::inputs || !model.inputs.empty();
+    return extent_of(model, field.rows) > 0 && extent_of(model, field.columns) > 0;
   };
   const std::size_t more = output_row(kind).gives_pivots ? 1 : 0;
   return more + static_cast<std::size_t>(std::count_if(fields.begin(), fields.end(), is_there));

@@ -17,13 +17,17 @@ Lagrangian in_order(const std::string& text, bool last_first) {
   return lagrangian;
 }
 
+SymmetricSolve solve_of(Derivation& derivation, const Vector& mass) {
+  return {derivation.definitions, mass, order_of_velocities(derivation), RowsOf::velocities};
+}
+
 /// Definitions that the factorisation and one solution add to M.
 std::size_t cost(const std::string& text, bool last_first) {
   Derivation derivation(in_order(text, last_first));
   Vector mass = mass_matrix(derivation);
   for (GiNaC::ex& entry : mass) entry = define(derivation.definitions, entry);
   const std::size_t before = derivation.definitions.list.size();
-  SymmetricSolve solve(derivation, mass);
+  SymmetricSolve solve = solve_of(derivation, mass);
   (void)solve.solve(derivation.symbols.a);
   return derivation.definitions.list.size() - before;
 }
@@ -59,7 +63,7 @@ TEST_CASE("M x = r in both orders of elimination", "[frames]") {
       Derivation derivation(in_order(text, last_first));
       const std::size_t n = derivation.size();
       const Vector mass = mass_matrix(derivation);
-      SymmetricSolve solve(derivation, mass);
+      SymmetricSolve solve = solve_of(derivation, mass);
       const Vector x = solve.solve(derivation.symbols.a);
       Vector products(n, 0);
       for (std::size_t i = 0; i < n * n; ++i) products[i / n] += mass[i] * x[i % n];
@@ -74,7 +78,7 @@ TEST_CASE("the first pivot is the entry itself, the others are what is left", "[
   for (const bool last_first : {false, true}) {
     Derivation derivation(in_order(two_turns_text(), last_first));
     const Vector mass = mass_matrix(derivation);
-    const Vector pivots = SymmetricSolve(derivation, mass).relative_pivots();
+    const Vector pivots = solve_of(derivation, mass).relative_pivots();
     const std::size_t first = last_first ? 1 : 0;
     CHECK(pivots[first].is_equal(1));
     const GiNaC::ex expected = 1 - mass[1] * mass[1] / (mass[0] * mass[3]);

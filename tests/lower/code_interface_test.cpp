@@ -47,6 +47,7 @@ TEST_CASE("one unnamed field is no struct") {
 
 TEST_CASE("an energy is a number, the force of one coordinate an array of one") {
   const Field one{"", 1, 1, {0}};
+  Model model;
   CHECK(is_scalar(OutputKind::kinetic_energy, one));
   CHECK(is_scalar(OutputKind::user_value, one));
   CHECK_FALSE(is_scalar(OutputKind::gravity, one));
@@ -79,14 +80,21 @@ TEST_CASE("what would not fit a stack is not returned") {
 TEST_CASE("types of fields") {
   const Field vector{"", 2, 1, {0, 0}};
   const Field one{"", 1, 1, {0}};
-  CHECK(field_type(OutputKind::coriolis_matrix, {"", 2, 2, {}}) == "SquareMatrix<Scalar>");
-  CHECK(field_type(OutputKind::bias, vector) == "Forces<Scalar>");
-  CHECK(field_type(OutputKind::bias, one) == "Forces<Scalar>");  // of one coordinate
-  CHECK(field_type(OutputKind::total_energy, one) == "Scalar");
-  CHECK(field_type(OutputKind::user_value, vector) == "std::array<Scalar, 2>");
-  CHECK(field_type(OutputKind::user_value, one) == "Scalar");
-  CHECK(field_type(OutputKind::user_jacobian, {"", 3, 2, {}}) ==
+  Model model;
+  CHECK(field_type(model, OutputKind::coriolis_matrix, {"", 2, 2, {}}) == "SquareMatrix<Scalar>");
+  CHECK(field_type(model, OutputKind::bias, vector) == "Forces<Scalar>");
+  CHECK(field_type(model, OutputKind::bias, one) == "Forces<Scalar>");  // of one coordinate
+  CHECK(field_type(model, OutputKind::total_energy, one) == "Scalar");
+  CHECK(field_type(model, OutputKind::user_value, vector) == "std::array<Scalar, 2>");
+  CHECK(field_type(model, OutputKind::user_value, one) == "Scalar");
+  CHECK(field_type(model, OutputKind::user_jacobian, {"", 3, 2, {}}) ==
         "std::array<Scalar, 3 * velocity_count>");
+  const Field pivots{"relative_pivots", 2, 1, {0, 0}};
+  CHECK(field_type(model, OutputKind::forward_dynamics, pivots) ==
+        "std::array<Scalar, velocity_count>");
+  model.constraints.resize(1);
+  CHECK(field_type(model, OutputKind::forward_dynamics, pivots) ==
+        "std::array<Scalar, velocity_count + constraint_count>");
 }
 
 TEST_CASE("types of fields with Eigen") {

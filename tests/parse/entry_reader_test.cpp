@@ -43,8 +43,6 @@ TEST_CASE("tables of the wrong kind are told the right one", "[parse]") {
 }
 
 TEST_CASE("entries that come later say so", "[parse]") {
-  const std::string base = head + "[[coordinate]]\nname = \"x\"\n";
-  CHECK(model_answer(base + "[[constraint]]\nname = \"F\"\n[[constraint]]\n") == "E108 6:1");
   const std::string scene = "format = 1\nmodel = \"m\"\nname = \"s\"\n";
   CHECK(scene_answer(scene + "[numeric]\ncheck = {}\n") == "E108 5:1");
 }

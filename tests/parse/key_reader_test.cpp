@@ -105,7 +105,8 @@ std::vector<std::string> accepted_by(KeyType type) {
     case KeyType::turns:
       return {};  // no sample is a list of pairs
     case KeyType::condition:
-      return {};  // no sample is a comparison
+    case KeyType::equations:
+      return {};  // no sample is a comparison or an equation
   }
   return {};
 }

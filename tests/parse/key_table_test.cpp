@@ -65,6 +65,8 @@ std::string value_of(const KeyRow& row, std::size_t which) {
       return "[" + words_of(row).at(which) + "]";
     case KeyType::repetition:
       return either("\"i in 1..2\"", "\"i in 1..3\"");
+    case KeyType::equations:
+      return either("\"x = 1\"", "[\"x = 1\", \"y = 2\"]");
     case KeyType::condition:
       return either("\"x > 1\"", "\"x < 1\"");
     case KeyType::boolean:

@@ -58,7 +58,7 @@ TEST_CASE("files with carriage returns have the same places", "[parse]") {
 TEST_CASE("all independent errors of a file come in one run, in order", "[parse]") {
   CHECK(model_answer("format = 1\n[model]\ntitle = 3\n[[coordinate]]\nname = \"x\"\nunti = \"m\"\n"
                      "[energy]\nT = \"2x\"\nV = \"(x\"\n[[constraint]]\n[extra]\n") ==
-        "E105 2:1\nE104 3:9\nE103 6:1\nE303 8:7\nE304 9:8\nE108 10:1\nE106 11:1");
+        "E105 2:1\nE104 3:9\nE103 6:1\nE303 8:7\nE304 9:8\nE105 10:1\nE106 11:1");
 }
 
 TEST_CASE("the format is 1", "[parse]") {

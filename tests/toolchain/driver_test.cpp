@@ -272,7 +272,7 @@ TEST_CASE("in packs, the header of batches does all of it") {
                       "q, v, a, result);"));
   CHECK_THAT(
       text,
-      Contains("in_packs<double>(count, parameters, f, q, v, momenta, a, u, t, h, E, result);"));
+      Contains("in_packs<double>(count, parameters, f, q, v, momenta, a, multipliers, u, t, h, E, result);"));
 }
 
 TEST_CASE("a step is called in loops, with the time where the model knows it") {
@@ -299,5 +299,5 @@ TEST_CASE("a call for each state has the numbers of one state side by side") {
                             "gathered<emitted::Coordinates<Scalar>>(q, i, count).data(),"));
   CHECK_THAT(
       text,
-      Contains("one_per_call<float>(count, parameters, f, q, v, momenta, a, u, t, h, E, result);"));
+      Contains("one_per_call<float>(count, parameters, f, q, v, momenta, a, multipliers, u, t, h, E, result);"));
 }

@@ -27,6 +27,8 @@ void read_body(ValueReader& values, const EntrySyntax& entry, std::uint32_t targ
 
 /// Needs the units of velocities.
 void read_force(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
+/// Replaces the entries of the Model by their equations, in the order of the file.
+void read_constraints(Context& context, const std::vector<Instance>& instances);
 void read_output(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 
 /// Needs the units of coordinates and inputs. E201, E517, E612.

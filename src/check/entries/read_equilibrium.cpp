@@ -17,21 +17,6 @@ constexpr PointTable inputs_there{
 constexpr Place condition_place{"a condition", place::parameters_only};
 constexpr Place frequency_place{"a squared frequency", place::parameters_only};
 
-/// larger - smaller: the units of the two are compared as those of a sum.
-ExpressionSyntax difference(const ExpressionSyntax& larger, const ExpressionSyntax& smaller,
-                            const Span& span) {
-  ExpressionSyntax negated;
-  negated.kind = SyntaxKind::negate;
-  negated.operands.push_back(smaller);
-  negated.span = negated.token = smaller.span;
-  ExpressionSyntax sum;
-  sum.kind = SyntaxKind::add;
-  sum.operands.push_back(larger);
-  sum.operands.push_back(std::move(negated));
-  sum.span = sum.token = span;
-  return sum;
-}
-
 /// { left, sign, right } as the parser gives it.
 Condition read_condition(ValueReader& values, const ValueSyntax& value) {
   const ExpressionSyntax& left = value.find("left")->value.expression;

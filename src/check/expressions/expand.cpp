@@ -36,7 +36,7 @@ std::uint32_t append(std::vector<Row>& rows, const NewName& name) {
   return static_cast<std::uint32_t>(rows.size() - 1);
 }
 
-constexpr std::array<EntryKind, 10> entry_kinds{{
+constexpr std::array<EntryKind, 11> entry_kinds{{
     {"coordinate", SymbolKind::coordinate,
      [](Model& model, const NewName& name) {
        return append_coordinate(model, named<Coordinate>(name));
@@ -56,6 +56,8 @@ constexpr std::array<EntryKind, 10> entry_kinds{{
      [](Model& model, const NewName& name) { return append(model.forces, name); }},
     {"output", SymbolKind::output,
      [](Model& model, const NewName& name) { return append(model.outputs, name); }},
+    {"constraint", SymbolKind::constraint,
+     [](Model& model, const NewName& name) { return append(model.constraints, name); }},
     {"equilibrium", SymbolKind::equilibrium,
      [](Model& model, const NewName& name) { return append(model.equilibria, name); }},
 }};

@@ -58,6 +58,10 @@ class UnitInference {
       value.unit = unit.unit;
       value.unit_text = to_string(unit.unit);
     }
+    for (Constraint& constraint : context_.model.constraints) {
+      const auto& [is_known, unit] = units_[constraint.value];
+      if (is_known == Known::yes) constraint.unit = unit;
+    }
     for (Expectation& expectation : context_.model.expectations) keep_units(expectation);
   }
 

@@ -183,6 +183,20 @@ std::array<const KeySyntax*, 2> first_two(const EntrySyntax& entry,
   return found;
 }
 
+ExpressionSyntax difference(const ExpressionSyntax& larger, const ExpressionSyntax& smaller,
+                            const Span& span) {
+  ExpressionSyntax negated;
+  negated.kind = SyntaxKind::negate;
+  negated.operands.push_back(smaller);
+  negated.span = negated.token = smaller.span;
+  ExpressionSyntax sum;
+  sum.kind = SyntaxKind::add;
+  sum.operands.push_back(larger);
+  sum.operands.push_back(std::move(negated));
+  sum.span = sum.token = span;
+  return sum;
+}
+
 const EntrySyntax* find_entry(const FileSyntax* file, std::string_view name) {
   if (file == nullptr) return nullptr;
   const auto found = std::ranges::find(file->entries, name, &EntrySyntax::name);

@@ -95,6 +95,10 @@ template <class Table>
 [[nodiscard]] std::array<const KeySyntax*, 2> first_two(const EntrySyntax& entry,
                                                         std::span<const std::string_view> keys);
 
+/// larger - smaller: the units of the two are compared as those of a sum.
+[[nodiscard]] ExpressionSyntax difference(const ExpressionSyntax& larger,
+                                          const ExpressionSyntax& smaller, const Span& span);
+
 /// An entry that is not repeated, and a key of it, or null; its keys, or none. `file` may be null.
 [[nodiscard]] const EntrySyntax* find_entry(const FileSyntax* file, std::string_view name);
 [[nodiscard]] const KeySyntax* find_key(const FileSyntax* file, std::string_view entry,

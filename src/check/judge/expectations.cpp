@@ -16,15 +16,25 @@ namespace elgen {
 namespace {
 
 constexpr std::string_view entry_suffix = "_entry";
+/// The field of forward_dynamics that a file names as if it were an output.
+constexpr std::string_view multipliers = "multipliers";
 constexpr Place closed_form{"a closed form", place::anything};
 constexpr Place closed_form_of_momenta{"a closed form", place::anything | uses_momentum};
 constexpr Place conserved_form{"a conserved quantity",
                                place::anything | uses_momentum | uses_energy};
 
-Place place_for(const OutputRequest& request) {
-  const bool takes_momenta = output_row(request.kind).takes.has_any(Opcode::momentum);
+/// A field of an output: the first one, or `multipliers`.
+struct ExpectedField {
+  OutputRequest request = {};
+  std::string field = {};
+  std::uint32_t first = 0;
+};
+
+Place place_for(const ExpectedField& expected) {
+  const OutputKind kind = expected.request.kind;
+  const bool takes_momenta = output_row(kind).takes.has_any(Opcode::momentum);
   Place place = takes_momenta ? closed_form_of_momenta : closed_form;
-  place.is_force = field_row(request.kind, "").unit == UnitRule::power;
+  place.is_force = field_row(kind, expected.field).unit == UnitRule::power;
   return place;
 }
 
@@ -79,18 +89,29 @@ class ExpectationReader {
       read_conserved(key);
     } else if (key.value.kind == ValueKind::table) {
       read_sized(key);
-    } else if (const auto request = require(key.key, key.key_span)) {
-      read_matrix(key, *request);
+    } else if (const auto expected = require(key.key, key.key_span)) {
+      read_matrix(key, *expected);
     }
   }
 
  private:
-  std::optional<OutputRequest> require(std::string_view name, const Span& span) {
-    return require_request(context_.model, name, span, context_.report);
+  std::optional<ExpectedField> require(std::string_view name, const Span& span) {
+    const Model& model = context_.model;
+    const bool is_field = name == multipliers && !model.constraints.empty();
+    auto request =
+        require_request(model, is_field ? "forward_dynamics" : name, span, context_.report);
+    if (!request) return std::nullopt;
+    if (!is_field) return ExpectedField{std::move(*request)};
+    ExpectedField expected{std::move(*request), std::string(name)};
+    expected.first = expected.request.rows + extent_of(model, Extent::pivots);
+    expected.request.rows = extent_of(model, Extent::constraints);
+    return expected;
   }
 
   void read_conserved(const KeySyntax& key) {
-    Expectation expectation = blank(key.key, key.key_span);
+    Expectation expectation;
+    expectation.output = key.key;
+    expectation.span = key.key_span;
     for (const ValueSyntax& item : key.value.items) {
       expectation.entries.push_back(values_.root(item, {conserved_form}));
       expectation.spans.push_back(item.span);
@@ -100,18 +121,18 @@ class ExpectationReader {
     keep(std::move(expectation));
   }
 
-  void read_matrix(const KeySyntax& key, const OutputRequest& request) {
+  void read_matrix(const KeySyntax& key, const ExpectedField& expected) {
+    const OutputRequest& request = expected.request;
     const auto rows = rows_of(key.value);
-    Expectation expectation = blank(key.key, key.key_span);
-    expectation.rows = request.rows;
-    expectation.columns = request.columns;
+    Expectation expectation = blank(expected, key.key_span);
     const bool lacks_rows = is_matrix(request) && !is_nested(key.value);
     bool fits = rows.size() == request.rows && !lacks_rows;
     for (std::uint32_t i = 0; fits && i < rows.size(); ++i) {
       fits = rows[i].size() == request.columns;
       for (std::uint32_t j = 0; fits && j < rows[i].size(); ++j) {
         add_entry(expectation, *rows[i][j],
-                  {place_for(request), unit_of_entry(context_.model, {request.kind, "", i, j})});
+                  {place_for(expected),
+                   unit_of_entry(context_.model, {request.kind, expected.field, i, j})});
       }
     }
     if (!fits) {
@@ -144,37 +165,38 @@ class ExpectationReader {
                           "did you mean `" + key.key + std::string(entry_suffix) + "`?");
       return;
     }
-    const auto request = require(name.substr(0, name.size() - entry_suffix.size()), key.key_span);
+    const auto expected = require(name.substr(0, name.size() - entry_suffix.size()), key.key_span);
     const KeySyntax* repetition = key.value.find("for");
     const KeySyntax* value = key.value.find("value");
-    if (!request || repetition == nullptr || value == nullptr) {
+    if (!expected || repetition == nullptr || value == nullptr) {
       return;
     }
+    const OutputRequest& request = expected->request;
     const std::vector<RangeSyntax> ranges = read_repetition(repetition->value);
-    const std::size_t indices = is_matrix(*request) ? 2 : 1;
+    const std::size_t indices = is_matrix(request) ? 2 : 1;
     if (ranges.size() != indices) {
       context_.report.add(Code::E517, repetition->value.span,
                           std::to_string(ranges.size()) + " indices, but an entry of " +
-                              in_backticks(request->name) + " has " + std::to_string(indices));
+                              in_backticks(request.name) + " has " + std::to_string(indices));
       return;
     }
-    expand(*request, ranges, *value, key.key_span);
+    expand(*expected, ranges, *value, key.key_span);
   }
 
-  void expand(const OutputRequest& request, const std::vector<RangeSyntax>& ranges,
+  void expand(const ExpectedField& expected, const std::vector<RangeSyntax>& ranges,
               const KeySyntax& value, const Span& span) {
-    Expectation expectation = blank(request.name, span);
-    expectation.rows = request.rows;
-    expectation.columns = request.columns;
+    const OutputRequest& request = expected.request;
+    Expectation expectation = blank(expected, span);
     Scope scope(context_.sizes);
     const auto add = [&] {
       const auto at = position(request, ranges, scope, value.value.span);
       if (!at) {
         return false;
       }
-      const auto unit = unit_of_entry(context_.model, {request.kind, "", at->row, at->column});
+      const auto unit =
+          unit_of_entry(context_.model, {request.kind, expected.field, at->row, at->column});
       const ExpressionId entry =
-          ValueReader(context_, scope).root(value.value, {place_for(request), unit});
+          ValueReader(context_, scope).root(value.value, {place_for(expected), unit});
       const std::size_t index = at->row * std::size_t{request.columns} + at->column;
       // Grown as needed: a form beyond the limit of nodes ends long before its last entry.
       expectation.entries.resize(std::max(expectation.entries.size(), index + 1), no_expression);
@@ -225,9 +247,13 @@ class ExpectationReader {
     return false;
   }
 
-  static Expectation blank(const std::string& output, const Span& span) {
+  static Expectation blank(const ExpectedField& expected, const Span& span) {
     Expectation expectation;
-    expectation.output = output;
+    expectation.output = expected.request.name;
+    expectation.field = expected.field;
+    expectation.first = expected.first;
+    expectation.rows = expected.request.rows;
+    expectation.columns = expected.request.columns;
     expectation.span = span;
     return expectation;
   }

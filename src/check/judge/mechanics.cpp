@@ -147,6 +147,8 @@ class MechanicsCheck {
            std::any_of(model_.points.begin(), model_.points.end(), point) ||
            std::any_of(model_.bodies.begin(), model_.bodies.end(), body) ||
            std::any_of(model_.forces.begin(), model_.forces.end(), force) ||
+           std::ranges::any_of(model_.constraints,
+                               [&](const Constraint& c) { return has_time(c.value); }) ||
            std::any_of(model_.outputs.begin(), model_.outputs.end(), output);
   }
 
@@ -230,6 +232,72 @@ std::vector<bool> moving_velocities(const Model& model) {
     if (coordinate.armature) mark(coordinate);
   }
   return moving;
+}
+
+namespace {
+
+/// What cannot be right of an equation, whatever the state is.
+void check_equation(Context& context, const Constraint& constraint, const Traits& traits) {
+  const Span& span = constraint.equation_span;
+  if ((traits.ingredients & (uses_coordinate | uses_rate)) == 0) {
+    context.report.add(Code::E536, span, in_backticks(span) + " holds nothing that moves");
+  } else if (!constraint.is_position && traits.rate_degree > 1) {
+    context.report.add(Code::E535, span, in_backticks(span) + " is not affine in the rates");
+  } else if (!constraint.is_position && traits.rate_degree == 0) {
+    context.report.add(Code::E535, span, in_backticks(span) + " holds no rate",
+                       "without `kind = \"velocity\"` it is a constraint on positions");
+  }
+}
+
+/// A part of the model or of the scene that knows of no constraints.
+void refuse_beside_constraints(Context& context, const Span& span, const std::string& what,
+                               const std::string& instead) {
+  context.report.add({Code::E539, span, what + " does not go with constraints", instead,
+                      context.model.constraints.front().span, "constrained here"});
+}
+
+void check_company(Context& context) {
+  const Model& model = context.model;
+  if (!model.quadratic) {
+    refuse_beside_constraints(context, model.expressions[*model.energies.L].span,
+                              "a Lagrangian that is not quadratic in the rates",
+                              "choose coordinates that respect the constraint");
+  }
+  if (model.approximation) {
+    refuse_beside_constraints(context, model.approximation->span, "`[approximate]`",
+                              "`linearization` is of the constrained equations");
+  }
+  if (model.moving) {
+    refuse_beside_constraints(context, model.moving->cyclic.front().span, "`[routh]`",
+                              "choose coordinates that respect the constraint");
+  }
+  if (!held_velocities(model).empty()) {
+    refuse_beside_constraints(context, model.unlocked->locks.front().span, "`reaction = true`",
+                              "write the lock as a constraint: its multiplier is the reaction");
+  }
+  const Model& whole = model.unlocked ? *model.unlocked : model;
+  for (const Equilibrium& equilibrium : whole.equilibria) {
+    refuse_beside_constraints(context, equilibrium.span, "an `[[equilibrium]]`",
+                              "choose coordinates that respect the constraint");
+  }
+}
+
+}  // namespace
+
+void check_constraints(Context& context) {
+  const Model& model = context.model;
+  if (model.constraints.empty()) return;
+  const std::vector<Traits> traits = find_traits(model);
+  for (const Constraint& constraint : model.constraints) {
+    check_equation(context, constraint, traits[constraint.value]);
+  }
+  const std::size_t velocities = model.velocities.size();
+  if (model.constraints.size() > velocities) {
+    context.report.add(Code::E535, model.constraints[velocities].span,
+                       counted(model.constraints.size(), "equation") + ", but " +
+                           std::to_string(velocities) + " velocities");
+  }
+  check_company(context);
 }
 
 }  // namespace elgen

@@ -14,4 +14,7 @@ void check_mechanics(Context& context, const std::vector<Traits>& traits);
 /// Which velocities are in some energy: T, L, or the motion of a point or body with mass.
 [[nodiscard]] std::vector<bool> moving_velocities(const Model& model);
 
+/// E535, E536, E539 of the constraints of a model that is reduced.
+void check_constraints(Context& context);
+
 }  // namespace elgen

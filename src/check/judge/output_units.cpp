@@ -15,6 +15,14 @@ MaybeUnit unit_in(const List& list, std::size_t i) {
   return i < list.size() ? list[i].unit : std::nullopt;
 }
 
+/// Of the i-th constraint on positions.
+MaybeUnit unit_of_position(const Model& model, std::size_t i) {
+  for (const Constraint& constraint : model.constraints) {
+    if (constraint.is_position && i-- == 0) return constraint.unit;
+  }
+  return std::nullopt;
+}
+
 /// The unit that the i-th row or column stands for; none where the model does not say.
 MaybeUnit unit_along(const Model& model, Extent extent, std::size_t i) {
   switch (extent) {
@@ -33,6 +41,12 @@ MaybeUnit unit_along(const Model& model, Extent extent, std::size_t i) {
     case Extent::cyclic:
       return model.moving ? unit_in(model.moving->velocities, model.moving->cyclic[i].velocity)
                           : std::nullopt;
+    case Extent::constraints:
+      return model.constraints[i].is_position ? over(unit_in(model.constraints, i), find_unit("s"))
+                                              : unit_in(model.constraints, i);
+    case Extent::positions:
+      return unit_of_position(model, i);
+    case Extent::pivots:
     case Extent::states:
     case Extent::user:
       break;
@@ -55,6 +69,8 @@ MaybeUnit unit_of_entry(const Model& model, const EntryPlace& place) {
       return row;
     case UnitRule::row_per_second:
       return over(row, find_unit("s"));
+    case UnitRule::ratio:
+      return over(row, column);
     case UnitRule::energy:
       return over(over(find_unit("J"), row), column);
     case UnitRule::power:

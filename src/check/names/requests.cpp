@@ -23,28 +23,6 @@ const OutputRequest* find_request(const Scene& scene, std::string_view name) {
 namespace elgen {
 namespace {
 
-std::uint32_t extent(const Model& model, Extent kind, std::uint32_t user) {
-  switch (kind) {
-    case Extent::coordinates:
-      return static_cast<std::uint32_t>(model.coordinates.size());
-    case Extent::velocities:
-      return static_cast<std::uint32_t>(model.velocities.size());
-    case Extent::states:
-      return static_cast<std::uint32_t>(2 * model.velocities.size());
-    case Extent::inputs:
-      return static_cast<std::uint32_t>(model.inputs.size());
-    case Extent::held:
-      return static_cast<std::uint32_t>(held_velocities(model).size());
-    case Extent::cyclic:
-      return model.moving ? static_cast<std::uint32_t>(model.moving->cyclic.size()) : 0;
-    case Extent::user:
-      return static_cast<std::uint32_t>(model.outputs[user].values.size());
-    case Extent::one:
-      break;
-  }
-  return 1;
-}
-
 /// Why the model lacks what the output needs.
 struct Lack {
   Code code;
@@ -62,6 +40,29 @@ const Cyclic* taken_out_of(const Model& moving, std::uint32_t user) {
   const auto found = std::ranges::find_if(
       moving.cyclic, [&](const Cyclic& cyclic) { return is_reached(moving, roots, cyclic); });
   return found == moving.cyclic.end() ? nullptr : &*found;
+}
+
+std::optional<Lack> lack_of_constraints(const Model& model, const OutputRequest& request) {
+  const OutputRow& row = output_row(request.kind);
+  const std::size_t count = model.constraints.size();
+  const bool is_for_inputs = row.requirement == Requirement::constrained_inputs;
+  if (count == 0) {
+    const bool needs_some = is_for_inputs || row.requirement == Requirement::constraints;
+    return needs_some ? std::optional(lacking("needs a `[[constraint]]`, and the model has none"))
+                      : std::nullopt;
+  }
+  const Span& span = model.constraints.front().span;
+  if (row.takes.has_any(Opcode::momentum)) {
+    return Lack{Code::E539, "does not know of constraints", span, "constrained here"};
+  }
+  if (!is_for_inputs) return std::nullopt;
+  if (model.inputs.empty()) return lacking("needs inputs, and the model has none");
+  const std::size_t freedoms = model.velocities.size() - std::min(count, model.velocities.size());
+  if (model.inputs.size() <= freedoms) return std::nullopt;
+  return Lack{Code::E603,
+              "needs inputs that the motion determines: the model has " +
+                  counted(model.inputs.size(), "input") + " for " + counted(freedoms, "freedom"),
+              span, "constrained here"};
 }
 
 std::optional<Lack> lack_of(const Model& model, const OutputRequest& request) {
@@ -96,6 +97,7 @@ std::optional<Lack> lack_of(const Model& model, const OutputRequest& request) {
   if (requirement == Requirement::cyclic && !model.moving && model.cyclic.empty()) {
     return lacking("needs a coordinate in `[routh]`");
   }
+  if (const std::optional<Lack> lack = lack_of_constraints(model, request)) return lack;
   if (output_row(request.kind).of_user && model.moving) {
     if (const Cyclic* const cyclic = taken_out_of(*model.moving, request.user)) {
       return Lack{Code::E603,
@@ -163,6 +165,35 @@ bool is_kink(const Expression& node) {
 
 }  // namespace
 
+std::uint32_t extent_of(const Model& model, Extent kind, std::uint32_t user) {
+  switch (kind) {
+    case Extent::coordinates:
+      return static_cast<std::uint32_t>(model.coordinates.size());
+    case Extent::velocities:
+      return static_cast<std::uint32_t>(model.velocities.size());
+    case Extent::states:
+      return static_cast<std::uint32_t>(2 * model.velocities.size());
+    case Extent::inputs:
+      return static_cast<std::uint32_t>(model.inputs.size());
+    case Extent::held:
+      return static_cast<std::uint32_t>(held_velocities(model).size());
+    case Extent::cyclic:
+      return model.moving ? static_cast<std::uint32_t>(model.moving->cyclic.size()) : 0;
+    case Extent::constraints:
+      return static_cast<std::uint32_t>(model.constraints.size());
+    case Extent::positions:
+      return static_cast<std::uint32_t>(
+          std::ranges::count(model.constraints, true, &Constraint::is_position));
+    case Extent::pivots:
+      return static_cast<std::uint32_t>(model.velocities.size() + model.constraints.size());
+    case Extent::user:
+      return static_cast<std::uint32_t>(model.outputs[user].values.size());
+    case Extent::one:
+      break;
+  }
+  return 1;
+}
+
 OutputRequest request_of(const Model& model, OutputKind kind, std::uint32_t user) {
   const OutputRow& row = output_row(kind);
   OutputRequest request;
@@ -171,8 +202,8 @@ OutputRequest request_of(const Model& model, OutputKind kind, std::uint32_t user
   request.name =
       row.of_user ? model.outputs[user].name + std::string(row.suffix) : std::string(row.name);
   if (!row.fields.empty()) {
-    request.rows = extent(model, row.fields.front().rows, user);
-    request.columns = extent(model, row.fields.front().columns, user);
+    request.rows = extent_of(model, row.fields.front().rows, user);
+    request.columns = extent_of(model, row.fields.front().columns, user);
   }
   if (row.of_user && model.outputs[user].frame) {
     const bool is_pose = kind == OutputKind::user_value;

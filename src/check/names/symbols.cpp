@@ -10,7 +10,7 @@ namespace elgen {
 namespace {
 
 /// In the order of SymbolKind.
-constexpr std::array<std::string_view, 17> nouns{"coordinate",
+constexpr std::array<std::string_view, 18> nouns{"coordinate",
                                                  "rotation",
                                                  "component of a rotation",
                                                  "parameter",
@@ -25,6 +25,7 @@ constexpr std::array<std::string_view, 17> nouns{"coordinate",
                                                  "input",
                                                  "force",
                                                  "output",
+                                                 "constraint",
                                                  "equilibrium",
                                                  "size"};
 static_assert(nouns[static_cast<std::size_t>(SymbolKind::size)] == "size");

@@ -28,6 +28,7 @@ enum class SymbolKind : std::uint8_t {
   input,
   force,
   output,
+  constraint,
   equilibrium,
   size,
 };

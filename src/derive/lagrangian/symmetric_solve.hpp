@@ -3,35 +3,50 @@
 //     W_ij = M_ij - sum_{k<j} L_jk W_ik,   D_j = W_jj,   L_ij = W_ij / D_j
 //     z = L^-1 r,   x = L^-T D^-1 z
 //
-// in the order of elimination. Where frames branch that is from the last velocity to the first, so
-// that a limb is eliminated before what carries it, and no entry between two limbs fills in.
-// n^3/6 operations for a dense M. Golub, Van Loan, Matrix Computations, 4th ed., sec. 4.1.2;
-// Featherstone, Rigid Body Dynamics Algorithms (2008), sec. 6.5.
+// in an order of elimination. n^3/6 operations for a dense M. Golub, Van Loan, Matrix Computations,
+// 4th ed., sec. 4.1.2; Featherstone, Rigid Body Dynamics Algorithms (2008), sec. 6.5.
 #pragma once
 
+#include <cstdint>
 #include <stdexcept>
+#include <vector>
 
 #include "derive/lagrangian/derivation.hpp"
 
 namespace elgen {
 
-/// Thrown where M cannot be factorised whatever the state is: by the elimination of this velocity.
+/// What the rows of a symmetric system stand for.
+enum class RowsOf : std::uint8_t { velocities, constraints, inputs };
+
+/// Thrown where a matrix cannot be factorised whatever the state is: by the elimination of this
+/// row.
 struct ZeroPivot : std::domain_error {
-  ZeroPivot(std::size_t the_velocity, bool diagonal)
-      : std::domain_error("zero pivot"), velocity(the_velocity), is_diagonal(diagonal) {}
-  std::size_t velocity;
+  ZeroPivot(RowsOf the_rows, std::size_t the_row, bool diagonal)
+      : std::domain_error("zero pivot"), rows(the_rows), row(the_row), is_diagonal(diagonal) {}
+  RowsOf rows;
+  std::size_t row;
   bool is_diagonal;  ///< M_ii itself is 0, not only what the elimination leaves of it
 };
 
 class SymmetricSolve {
  public:
-  /// `matrix` is n x n, row-major. Without pivoting: M is positive definite. Throws ZeroPivot.
-  SymmetricSolve(Derivation& derivation, const Vector& matrix);
+  /// `matrix` is n x n, row-major, for the n rows of `order`. Without pivoting: it is positive
+  /// definite. Throws ZeroPivot.
+  SymmetricSolve(Definitions& definitions, const Vector& matrix, std::vector<std::size_t> order,
+                 RowsOf rows);
 
   /// x with M x = r; entries are definitions.
-  [[nodiscard]] Vector solve(const Vector& right_side);
+  [[nodiscard]] Vector solve(const Vector& right_side) { return backward(forward(right_side)); }
 
-  /// D_i / M_ii by velocity: 1 where decoupled, <= 0 or about epsilon where M is singular.
+  /// L^-1 r, in the order of elimination; entries are definitions.
+  [[nodiscard]] Vector forward(const Vector& right_side);
+  /// L^-T D^-1 z by row; z is in the order of elimination.
+  [[nodiscard]] Vector backward(const Vector& z);
+
+  /// 1 / D, in the order of elimination.
+  [[nodiscard]] const Vector& reciprocal_pivots() const { return reciprocals_; }
+
+  /// D_i / M_ii by row: 1 where decoupled, <= 0 or about epsilon where M is singular.
   [[nodiscard]] Vector relative_pivots() const;
   [[nodiscard]] Vector diagonal() const;
 
@@ -48,12 +63,20 @@ class SymmetricSolve {
   }
 
   Definitions& definitions_;
-  std::vector<std::size_t> order_;  ///< velocities in the order of elimination
-  Vector matrix_;                   ///< by velocities
+  std::vector<std::size_t> order_;  ///< rows in the order of elimination
+  Vector matrix_;                   ///< by rows
   Vector lower_;                    ///< L, unit diagonal not stored; from here on by order
   Vector unscaled_;                 ///< W = L D
   Vector pivots_;                   ///< D
   Vector reciprocals_;              ///< 1 / D
 };
+
+/// 0 … size - 1.
+[[nodiscard]] std::vector<std::size_t> in_order(std::size_t size);
+
+/// The velocities in the order in which M is eliminated. Where frames branch that is from the last
+/// to the first, so that a limb is eliminated before what carries it, and no entry between two
+/// limbs fills in.
+[[nodiscard]] std::vector<std::size_t> order_of_velocities(const Derivation& derivation);
 
 }  // namespace elgen

@@ -1,6 +1,9 @@
-// Forward dynamics: the mass matrix, the bias with the inputs acting, and the solution.
+// Forward dynamics: the mass matrix, the constraints, the bias with the inputs acting, and the
+// solution.
 // Derivatives: columns of the frames, forward passes over the rest.
-#include "derive/lagrangian/symmetric_solve.hpp"
+#include <utility>
+
+#include "derive/lagrangian/constrained_solve.hpp"
 #include "derive/outputs/outputs.hpp"
 #include "derive/tree/tree_matrices.hpp"
 
@@ -10,17 +13,60 @@ using GiNaC::ex;
 
 namespace {
 
-/// By a factorisation of M. They are named "acceleration_theta": the velocities bear the
-/// identifiers of their coordinates.
-Vector acceleration(Derivation& derivation, SymmetricSolve& mass) {
-  Vector right_side = bias(derivation, InputForces::acting);
-  for (ex& entry : right_side) entry = -entry;
-  Vector result = mass.solve(right_side);
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    name(derivation.definitions, result[i], "acceleration_" + derivation.velocity_identifier(i));
+/// By factorisations of M and of S = A M^-1 A^T.
+class Dynamics {
+ public:
+  explicit Dynamics(Derivation& derivation)
+      : derivation_(derivation),
+        solve_(derivation, mass_matrix(derivation), constraint_jacobian(derivation)) {}
+
+  /// Accelerations are named "acceleration_theta": the velocities bear the identifiers of their
+  /// coordinates.
+  [[nodiscard]] ConstrainedSolve::Solution motion() {
+    const Vector bias_of_constraints = stabilised(derivation_, constraint_bias(derivation_));
+    ConstrainedSolve::Solution result = solve_.solve(
+        negative(bias(derivation_, InputForces::acting)), negative(bias_of_constraints));
+    for (std::size_t i = 0; i < result.x.size(); ++i) {
+      name(derivation_.definitions, result.x[i],
+           "acceleration_" + derivation_.velocity_identifier(i));
+    }
+    for (std::size_t i = 0; i < result.y.size(); ++i) {
+      name(derivation_.definitions, result.y[i],
+           "multiplier_" + identifier_of(derivation_.lagrangian.leaves.multipliers[i]));
+    }
+    return result;
   }
-  return result;
-}
+
+  /// Accelerations for each column of forces, row-major, and of what A a is short of.
+  [[nodiscard]] Vector responses(const Vector& forces, const Vector& shortage,
+                                 std::size_t columns) {
+    const std::size_t n = derivation_.size();
+    Vector result(n * columns);
+    for (std::size_t j = 0; j < columns; ++j) {
+      const Vector x =
+          solve_.solve(column_of(forces, j, columns), column_of(shortage, j, columns)).x;
+      for (std::size_t i = 0; i < n; ++i) result[i * columns + j] = x[i];
+    }
+    return result;
+  }
+
+  [[nodiscard]] const ConstrainedSolve& solve() const { return solve_; }
+
+ private:
+  static Vector negative(Vector values) {
+    for (ex& value : values) value = -value;
+    return values;
+  }
+
+  static Vector column_of(const Vector& matrix, std::size_t column, std::size_t columns) {
+    Vector result;
+    for (std::size_t k = column; k < matrix.size(); k += columns) result.push_back(matrix[k]);
+    return result;
+  }
+
+  Derivation& derivation_;
+  ConstrainedSolve solve_;
+};
 
 /// d values/d(direction) for every direction, as columns.
 template <class Direction>
@@ -34,10 +80,14 @@ Vector columns(Derivation& derivation, const Vector& values, const Direction& di
   return entries;
 }
 
-/// d(M a + bias - B u)/dq and /dv; B u only where the inputs act.
+/// d(M a + bias - B u - A^T lambda)/dq and /dv; B u and A^T lambda only where the inputs act.
 InverseDerivatives residual_derivatives(Derivation& derivation, InputForces inputs) {
   const bool by_columns = has_linear_variables(tree_of(derivation));
   Vector rest = residual(derivation, inputs, by_columns ? Bodies::without_frames : Bodies::all);
+  if (inputs == InputForces::acting) {
+    const Vector held = constraint_force(derivation, derivation.symbols.multipliers);
+    for (std::size_t i = 0; i < rest.size(); ++i) rest[i] -= held[i];
+  }
   for (ex& entry : rest) entry = define(derivation.definitions, entry);
   InverseDerivatives result;
   result.by_position =
@@ -51,17 +101,16 @@ InverseDerivatives residual_derivatives(Derivation& derivation, InputForces inpu
   return result;
 }
 
-/// -M^-1 X, column by column.
-Vector negative_solutions(SymmetricSolve& mass, const Vector& x, std::size_t columns) {
-  Vector result(x.size());
-  const std::size_t rows = columns == 0 ? 0 : x.size() / columns;
-  for (std::size_t j = 0; j < columns; ++j) {
-    Vector column;
-    for (std::size_t i = 0; i < rows; ++i) column.push_back(-x[i * columns + j]);
-    const Vector solution = mass.solve(column);
-    for (std::size_t i = 0; i < rows; ++i) result[i * columns + j] = solution[i];
-  }
-  return result;
+/// d(A a + gamma + 2 zeta omega r + omega^2 f)/dq and /dv.
+InverseDerivatives constraint_derivatives(Derivation& derivation) {
+  Vector second_rates = constraint_rates(derivation);
+  for (ex& entry : second_rates) entry = derivation.motion(entry);
+  second_rates = stabilised(derivation, std::move(second_rates));
+  for (ex& entry : second_rates) entry = define(derivation.definitions, entry);
+  return {
+      columns(derivation, second_rates, [&](std::size_t j) { return derivation.displacement(j); }),
+      columns(derivation, second_rates,
+              [&](std::size_t j) { return derivation.unit_velocity(j); })};
 }
 
 /// -[w]x in the upper left block of A.
@@ -77,12 +126,9 @@ void add_turning_of_displacement(const Symbols& symbols, const RotationPlace& ro
 }  // namespace
 
 ForwardDynamics forward_dynamics(Derivation& derivation) {
-  SymmetricSolve mass(derivation, mass_matrix(derivation));
-  ForwardDynamics result;
-  result.acceleration = acceleration(derivation, mass);
-  result.relative_pivots = mass.relative_pivots();
-  result.diagonal = mass.diagonal();
-  return result;
+  Dynamics dynamics(derivation);
+  const ConstrainedSolve::Solution motion = dynamics.motion();
+  return {motion.x, dynamics.solve().relative_pivots(), motion.y, dynamics.solve().diagonal()};
 }
 
 InverseDerivatives inverse_dynamics_derivatives(Derivation& derivation) {
@@ -90,23 +136,31 @@ InverseDerivatives inverse_dynamics_derivatives(Derivation& derivation) {
 }
 
 ForwardDerivatives forward_dynamics_derivatives(Derivation& derivation) {
-  SymmetricSolve mass(derivation, mass_matrix(derivation));
-  const Vector solved = acceleration(derivation, mass);
-  InverseDerivatives of_residual = residual_derivatives(derivation, InputForces::acting);
-  Seeds accelerations;
-  for (std::size_t i = 0; i < solved.size(); ++i) {
-    accelerations.emplace(derivation.symbols.a[i], solved[i]);
+  Dynamics dynamics(derivation);
+  const ConstrainedSolve::Solution motion = dynamics.motion();
+  InverseDerivatives of_forces = residual_derivatives(derivation, InputForces::acting);
+  InverseDerivatives of_constraints = constraint_derivatives(derivation);
+  Seeds seeds;
+  for (std::size_t i = 0; i < motion.x.size(); ++i) {
+    seeds.emplace(derivation.symbols.a[i], motion.x[i]);
   }
-  Substitution at_acceleration(derivation.definitions, accelerations);
-  for (ex& entry : of_residual.by_position) entry = at_acceleration(entry);
-  for (ex& entry : of_residual.by_velocity) entry = at_acceleration(entry);
-  Vector inputs = input_matrix(derivation);
-  for (ex& entry : inputs) entry = -entry;
+  for (std::size_t i = 0; i < motion.y.size(); ++i) {
+    seeds.emplace(derivation.symbols.multipliers[i], motion.y[i]);
+  }
+  Substitution at_motion(derivation.definitions, seeds);
+  for (InverseDerivatives* const derivatives : {&of_forces, &of_constraints}) {
+    for (Vector* const entries : {&derivatives->by_position, &derivatives->by_velocity}) {
+      for (ex& entry : *entries) entry = -at_motion(entry);
+    }
+  }
+  const Vector forces_of_inputs = input_matrix(derivation);
   const std::size_t n = derivation.size();
+  const std::size_t inputs = derivation.symbols.u.size();
+  const Vector at_rest(derivation.lagrangian.constraints.size() * inputs, 0);
   ForwardDerivatives result;
-  result.by_position = negative_solutions(mass, of_residual.by_position, n);
-  result.by_velocity = negative_solutions(mass, of_residual.by_velocity, n);
-  result.by_input = negative_solutions(mass, inputs, derivation.symbols.u.size());
+  result.by_position = dynamics.responses(of_forces.by_position, of_constraints.by_position, n);
+  result.by_velocity = dynamics.responses(of_forces.by_velocity, of_constraints.by_velocity, n);
+  result.by_input = dynamics.responses(forces_of_inputs, at_rest, inputs);
   return result;
 }
 

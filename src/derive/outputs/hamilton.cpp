@@ -28,7 +28,8 @@ Vector momenta_of_motion(Derivation& derivation) {
 
 /// M^-1 r. They are named "velocity_theta".
 Vector solved_velocities(Derivation& derivation, const Vector& right_side) {
-  SymmetricSolve mass(derivation, mass_matrix(derivation));
+  SymmetricSolve mass(derivation.definitions, mass_matrix(derivation),
+                      order_of_velocities(derivation), RowsOf::velocities);
   Vector result = mass.solve(right_side);
   for (std::size_t i = 0; i < result.size(); ++i) {
     name(derivation.definitions, result[i], "velocity_" + derivation.velocity_identifier(i));

@@ -99,7 +99,52 @@ enum class Bodies : unsigned char { all, without_frames };
 [[nodiscard]] Vector twist_jacobian(Derivation& derivation, const TwistOutput& output);
 [[nodiscard]] Vector twist_bias(Derivation& derivation, const TwistOutput& output);
 
-// Forward dynamics a = M^-1 (B u - bias), and derivatives of the dynamics.
+// Constraints f(q, t) = 0 with r = df/dt, and phi(q, v, t) = 0 with r = phi (elgen/outputs.hpp).
+
+/// r, by constraint; entries are definitions.
+[[nodiscard]] Vector constraint_rates(Derivation& derivation);
+
+/// f of positions, and r of all.
+struct ConstraintResidual {
+  Vector position;
+  Vector rate;
+};
+[[nodiscard]] ConstraintResidual constraint_residual(Derivation& derivation);
+
+/// A = dr/dv, n_c x n_v: df/dq along velocities of positions.
+[[nodiscard]] Vector constraint_jacobian(Derivation& derivation);
+
+/// gamma = dr/dt at a = 0.
+[[nodiscard]] Vector constraint_bias(Derivation& derivation);
+
+/// A^T lambda.
+[[nodiscard]] Vector constraint_force(Derivation& derivation, const Vector& multipliers);
+
+/// The rates of r, or gamma, and 2 zeta omega r + omega^2 f: 0, or -A a, along the motion.
+[[nodiscard]] Vector stabilised(Derivation& derivation, Vector rates_of_rates);
+
+/// q - N M^-1 A^T S^-1 f with S = A M^-1 A^T of positions, and there v - M^-1 A^T S^-1 r of all.
+/// Throws ZeroPivot.
+struct ProjectedState {
+  Vector coordinates;
+  Vector rates;
+};
+[[nodiscard]] ProjectedState projected(Derivation& derivation);
+
+/// u = (B^T G B)^-1 B^T G tau with G = M^-1 - M^-1 A^T S^-1 A M^-1 and tau = M a + bias, lambda =
+/// S^-1 A M^-1 (tau - B u), and tau - B u - A^T lambda. Throws ZeroPivot.
+struct ConstrainedInverse {
+  Vector inputs;
+  Vector multipliers;
+  Vector unbalanced;
+};
+[[nodiscard]] ConstrainedInverse constrained_inverse_dynamics(Derivation& derivation);
+
+// Forward dynamics M a = B u - bias + A^T lambda, A a = -gamma - 2 zeta omega r - omega^2 f, and
+// derivatives of the dynamics. With constraints they are those of these equations, in all (q, v),
+// lambda among what changes:
+//
+//     M da = A^T dlambda - d(M a + bias - B u - A^T lambda),   A da = -d(A a + gamma + …)
 //
 //     inverse    tau = M a + bias:            d tau/dq, d tau/dv
 //     forward    M a = B u - bias:            da/dq = -M^-1 d(M a + bias - B u)/dq at that a,
@@ -115,8 +160,9 @@ enum class Bodies : unsigned char { all, without_frames };
 
 struct ForwardDynamics {
   Vector acceleration;
-  Vector relative_pivots;
-  Vector diagonal;  ///< of M: pivots mean nothing where it is 0
+  Vector relative_pivots;  ///< of M, then of S = A M^-1 A^T
+  Vector multipliers;
+  Vector diagonal;  ///< of M and S: pivots mean nothing where it is 0
 };
 [[nodiscard]] ForwardDynamics forward_dynamics(Derivation& derivation);
 

@@ -31,7 +31,7 @@ std::string shape_text(const Field& field, Storage storage) {
 }
 
 std::string equation_text(const OutputRow& row, const Model& model) {
-  const std::string_view equation = equation_of(row, !model.rotations.empty()).text;
+  const std::string_view equation = equation_of(row, setting_of(model)).text;
   const bool is_whole = equation.find(" = ") != std::string_view::npos;
   if (is_whole || equation == row.symbol.text) return std::string(equation);
   return fmt::format("{} = {}", row.symbol.text, equation);

@@ -82,6 +82,13 @@ void set_counts(TemplateData& data, const EmissionInput& input) {
   data.set("coordinate_count", std::to_string(input.model.coordinates.size()));
   data.set("velocity_count", std::to_string(input.model.velocities.size()));
   data.set("input_count", std::to_string(input.model.inputs.size()));
+  const std::size_t constraints = input.model.constraints.size();
+  data.set("constraints", section_if(constraints > 0));
+  data.set("constraint_count", std::to_string(constraints));
+  data.set("pivots", std::string(pivot_count(input.model)));
+  data.set("pivot_count", std::to_string(input.model.velocities.size() + constraints));
+  data.set("what_is_regular",
+           std::string(constraints > 0 ? "and A M^-1 A^T are regular" : "is regular"));
   const std::size_t open_values = input.model.open_values.size();
   data.set("open_values", section_if(open_values > 0));
   data.set("open_value_count", std::to_string(open_values));

@@ -172,7 +172,7 @@ class CppDialect : public Dialect {
 
   /// "SquareMatrix<Scalar>", "const Coordinates<Scalar>&"
   virtual std::string type_of_field(OutputKind kind, const Field& field) const {
-    return field_type(kind, field);
+    return field_type(model(), kind, field);
   }
   virtual std::string type_of_argument(Opcode argument) const {
     // That of t is not deduced, so that t may be a number of another type.

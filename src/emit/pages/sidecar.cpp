@@ -177,6 +177,11 @@ std::string sidecar(const EmissionInput& input) {
         input.model.velocities, [&](const Velocity& v) { return velocity_unit(input.model, v); });
   }
   json["inputs"] = variables(input.model.inputs, unit);
+  if (!input.model.constraints.empty()) {
+    json["constraints"] = variables(input.model.constraints, [](const Constraint& constraint) {
+      return constraint.unit ? to_string(*constraint.unit) : std::string();
+    });
+  }
   if (!input.model.functions.empty()) {
     json["functions"] = open_functions(input.model);
     json["open_values"] = open_values(input.model);

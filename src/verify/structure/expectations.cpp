@@ -65,18 +65,23 @@ struct Entry {
   [[nodiscard]] Span span() const { return index < of.spans.size() ? of.spans[index] : of.span; }
 };
 
+/// As the file calls it.
+const std::string& written_name(const Expectation& expectation) {
+  return expectation.field.empty() ? expectation.output : expectation.field;
+}
+
 std::string name_of(const Entry& entry) {
+  const std::string& name = written_name(entry.of);
   const std::size_t columns = std::max<std::size_t>(entry.of.columns, 1);
-  if (entry.of.entries.size() == 1) return entry.of.output;
-  if (columns == 1) return fmt::format("{}[{}]", entry.of.output, entry.index + 1);
-  return fmt::format("{}[{},{}]", entry.of.output, entry.index / columns + 1,
-                     entry.index % columns + 1);
+  if (entry.of.entries.size() == 1) return name;
+  if (columns == 1) return fmt::format("{}[{}]", name, entry.index + 1);
+  return fmt::format("{}[{},{}]", name, entry.index / columns + 1, entry.index % columns + 1);
 }
 
 CertificateRow row_of(const Entry& entry) {
   CertificateRow row;
   row.check = "[[expect]]";
-  row.output = row.check + " " + entry.of.output;
+  row.output = row.check + " " + written_name(entry.of);
   row.subject = name_of(entry);
   row.formula = to_string(entry.subject.model, entry.expression());
   if (entry.of.is_conserved()) row.formula = fmt::format("d/dt ({}) = 0 at u = 0", row.formula);
@@ -141,10 +146,10 @@ SampledPoint derived_at(const Model& model, const OutputRequest& request, const 
 
 std::optional<Sample> value_sample(const Entry& entry, const SampledPoint& derived) {
   const auto written = oracle_expression(entry.subject.model, entry.expression(), derived.state);
-  const bool is_there = derived.entries && entry.index < derived.entries->size();
+  const std::size_t index = entry.of.first + entry.index;
+  const bool is_there = derived.entries && index < derived.entries->size();
   if (!written || !is_there) return std::nullopt;
-  return Sample{*written, (*derived.entries)[entry.index],
-                cln::max(derived.scale, cln::abs(*written))};
+  return Sample{*written, (*derived.entries)[index], cln::max(derived.scale, cln::abs(*written))};
 }
 
 /// The state at rest of inputs, with the acceleration, the momenta and the energy that it then has;
@@ -280,9 +285,10 @@ std::optional<Fraction> Proofs::written(const Expectation& expectation, std::siz
 bool Proofs::equal(const Expectation& expectation, std::size_t entry) {
   const auto request = find_request(subject_.model, expectation.output);
   const ClosedFunction* function = request ? derived(request->kind, request->user) : nullptr;
-  const std::optional<Fraction>* form = function == nullptr ? nullptr : entry_of(*function, entry);
+  const std::size_t place = expectation.first + entry;
+  const std::optional<Fraction>* form = function == nullptr ? nullptr : entry_of(*function, place);
   if (form == nullptr || !form->has_value()) return false;
-  if (rests_on_samples(subject_.program, request->kind, request->user, entry)) return false;
+  if (rests_on_samples(subject_.program, request->kind, request->user, place)) return false;
   const auto own = written(expectation, entry);
   return own && proved_equal(*forms_, *own, **form);
 }

@@ -1,0 +1,175 @@
+// Constraints: their rates, Jacobian and bias; the step of Newton back to them; and the inputs that
+// give a motion they allow.
+#include "derive/lagrangian/constrained_solve.hpp"
+#include "derive/lagrangian/turning.hpp"
+#include "derive/outputs/outputs.hpp"
+
+namespace elgen {
+
+using GiNaC::ex;
+
+namespace {
+
+/// f of positions, in their order.
+Vector residuals(const Derivation& derivation) {
+  Vector result;
+  for (const ConstraintEquation& constraint : derivation.lagrangian.constraints) {
+    if (constraint.is_position) result.push_back(constraint.value);
+  }
+  return result;
+}
+
+Vector row_of(Derivation& derivation, const ConstraintEquation& constraint) {
+  const std::vector<Weighted> sum{{constraint.value, 1}};
+  if (constraint.is_position) return derivation.by_position(sum);
+  return gradient(derivation.definitions, sum, derivation.symbols.v);
+}
+
+Vector negative(Vector values) {
+  for (ex& value : values) value = -value;
+  return values;
+}
+
+Vector substituted(Substitution& substitution, Definitions& definitions, const Vector& values) {
+  Vector result;
+  for (const ex& value : values) {
+    const ex entry = define(definitions, value);
+    result.push_back(substitution(entry));
+  }
+  return result;
+}
+
+/// q + N dq, quaternions scaled back to length 1, with M dq = A^T y and A dq = -f.
+Vector projected_coordinates(Derivation& derivation, const Vector& mass) {
+  Definitions& definitions = derivation.definitions;
+  Vector jacobian;
+  for (const ConstraintEquation& constraint : derivation.lagrangian.constraints) {
+    if (!constraint.is_position) continue;
+    const Vector row = row_of(derivation, constraint);
+    jacobian.insert(jacobian.end(), row.begin(), row.end());
+  }
+  ConstrainedSolve solve(derivation, mass, jacobian);
+  const Vector change =
+      solve.solve(Vector(derivation.size(), 0), negative(residuals(derivation))).x;
+  Seeds seeds;
+  for (std::size_t i = 0; i < change.size(); ++i) {
+    seeds.emplace(derivation.symbols.v[i], change[i]);
+  }
+  Substitution changing(definitions, std::move(seeds));
+  Seeds moved;
+  for (std::size_t i = 0; i < derivation.symbols.q.size(); ++i) {
+    const ex& q = derivation.symbols.q[i];
+    const ex rate = changing(define(definitions, derivation.symbols.q_rates[i]));
+    moved.emplace(q, define(definitions, q + rate));
+  }
+  Substitution moving(definitions, std::move(moved));
+  return substituted(moving, definitions, normalized(derivation));
+}
+
+}  // namespace
+
+Vector constraint_rates(Derivation& derivation) {
+  Vector result;
+  for (const ConstraintEquation& constraint : derivation.lagrangian.constraints) {
+    result.push_back(constraint.is_position
+                         ? define(derivation.definitions, derivation.coasting(constraint.value))
+                         : constraint.value);
+  }
+  return result;
+}
+
+ConstraintResidual constraint_residual(Derivation& derivation) {
+  return {residuals(derivation), constraint_rates(derivation)};
+}
+
+Vector constraint_jacobian(Derivation& derivation) {
+  Vector entries;
+  for (const ConstraintEquation& constraint : derivation.lagrangian.constraints) {
+    const Vector row = row_of(derivation, constraint);
+    entries.insert(entries.end(), row.begin(), row.end());
+  }
+  return entries;
+}
+
+Vector constraint_bias(Derivation& derivation) {
+  Vector result = constraint_rates(derivation);
+  for (ex& entry : result) entry = derivation.coasting(entry);
+  return result;
+}
+
+Vector constraint_force(Derivation& derivation, const Vector& multipliers) {
+  const std::size_t n = derivation.size();
+  const Vector jacobian = constraint_jacobian(derivation);
+  Vector result(n, 0);
+  for (std::size_t k = 0; k < jacobian.size(); ++k) {
+    result[k % n] += jacobian[k] * multipliers[k / n];
+  }
+  return result;
+}
+
+Vector stabilised(Derivation& derivation, Vector rates_of_rates) {
+  const Vector rates = constraint_rates(derivation);
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    const ConstraintEquation& constraint = derivation.lagrangian.constraints[i];
+    rates_of_rates[i] += constraint.damping * rates[i] + constraint.stiffness * constraint.value;
+  }
+  return rates_of_rates;
+}
+
+ProjectedState projected(Derivation& derivation) {
+  Definitions& definitions = derivation.definitions;
+  const Vector mass = mass_matrix(derivation);
+  ProjectedState result;
+  result.coordinates = projected_coordinates(derivation, mass);
+  Seeds seeds;
+  for (std::size_t i = 0; i < result.coordinates.size(); ++i) {
+    result.coordinates[i] = define(definitions, result.coordinates[i]);
+    seeds.emplace(derivation.symbols.q[i], result.coordinates[i]);
+  }
+  Substitution there(definitions, std::move(seeds));
+  ConstrainedSolve solve(derivation, substituted(there, definitions, mass),
+                         substituted(there, definitions, constraint_jacobian(derivation)));
+  const Vector rates = substituted(there, definitions, constraint_rates(derivation));
+  const Vector change = solve.solve(Vector(derivation.size(), 0), negative(rates)).x;
+  for (std::size_t i = 0; i < change.size(); ++i) {
+    result.rates.push_back(derivation.symbols.v[i] + change[i]);
+  }
+  return result;
+}
+
+ConstrainedInverse constrained_inverse_dynamics(Derivation& derivation) {
+  Definitions& definitions = derivation.definitions;
+  const std::size_t n = derivation.size();
+  const std::size_t inputs = derivation.symbols.u.size();
+  Vector force = inverse_dynamics(derivation);
+  for (ex& entry : force) entry = define(definitions, entry);
+  const Vector b = input_matrix(derivation);
+  ConstrainedSolve solve(derivation, mass_matrix(derivation), constraint_jacobian(derivation));
+  const Vector at_rest(derivation.lagrangian.constraints.size(), 0);
+  Vector matrix(inputs * inputs);
+  Vector right(inputs);
+  for (std::size_t j = 0; j < inputs; ++j) {
+    Vector column(n);
+    for (std::size_t k = 0; k < n; ++k) column[k] = b[k * inputs + j];
+    const Vector response = solve.solve(column, at_rest).x;  // G B e_j
+    for (std::size_t k = 0; k < n; ++k) {
+      right[j] += response[k] * force[k];
+      for (std::size_t i = 0; i < inputs; ++i) {
+        matrix[i * inputs + j] += b[k * inputs + i] * response[k];
+      }
+    }
+  }
+  ConstrainedInverse result;
+  result.inputs =
+      SymmetricSolve(definitions, matrix, in_order(inputs), RowsOf::inputs).solve(right);
+  for (std::size_t k = 0; k < n * inputs; ++k) {
+    force[k / inputs] -= b[k] * result.inputs[k % inputs];
+  }
+  for (ex& entry : force) entry = define(definitions, entry);
+  result.multipliers = negative(solve.solve(force, at_rest).y);
+  const Vector held = constraint_force(derivation, result.multipliers);
+  for (std::size_t k = 0; k < n; ++k) result.unbalanced.push_back(force[k] - held[k]);
+  return result;
+}
+
+}  // namespace elgen

@@ -1,0 +1,320 @@
+// Constraints: values and slopes by jets, systems by elimination with full rows.
+#include "oracle/constraints.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "oracle/derivatives.hpp"
+#include "oracle/real_functions.hpp"
+#include "oracle/solved_dynamics.hpp"
+
+namespace elgen::oracle {
+namespace {
+
+using cln::cl_R;
+using Values = std::vector<cl_R>;
+
+constexpr Generators pushing = generator(0);
+constexpr Generators changing = generator(1);
+
+Jet rate_of(Evaluation& at, const Constraint& constraint) {
+  return constraint.is_position ? at.rate(constraint.value) : at.value(constraint.value);
+}
+
+Jet rate_of_rate(Evaluation& at, const Constraint& constraint) {
+  return constraint.is_position ? at.second_rate(constraint.value) : at.rate(constraint.value);
+}
+
+/// dr/dt + 2 zeta omega r + omega^2 f with the acceleration of the motion.
+Jet stabilised(Evaluation& at, const Constraint& constraint) {
+  Jet result = rate_of_rate(at, constraint);
+  if (!constraint.omega) return result;
+  const Jet omega = at.value(*constraint.omega);
+  const Jet zeta = at.value(*constraint.zeta);
+  result = result + Jet(2) * zeta * omega * rate_of(at, constraint);
+  if (!constraint.is_position) return result;
+  return result + omega * omega * at.value(constraint.value);
+}
+
+/// The motion displaced along one unit virtual displacement or velocity: what A is the slope by.
+Motion pushed(const Model& model, const Constraint& constraint, Motion motion, const Direction& w) {
+  if (constraint.is_position) {
+    displace_position(model, motion, w, pushing);
+  } else {
+    displace(motion.v, w, pushing);
+  }
+  return motion;
+}
+
+/// w.A^T as a jet in what is left of the motion: of the k-th constraint.
+Jet along(const Model& model, const Constraint& constraint, const Motion& motion,
+          const Direction& w) {
+  const Motion moved = pushed(model, constraint, motion, w);
+  return Evaluation(model, moved).value(constraint.value).tangent(pushing);
+}
+
+Values negative(Values values) {
+  for (cl_R& value : values) value = -value;
+  return values;
+}
+
+Values difference(Values values, const Values& other) {
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = values[i] - other[i];
+  return values;
+}
+
+/// Row k of a matrix with so many columns, from another one.
+void subtract_row(Values& matrix, std::size_t columns, std::size_t from, std::size_t pivot) {
+  const cl_R factor = matrix[from * columns + pivot] / matrix[pivot * columns + pivot];
+  if (cln::zerop(factor)) return;
+  for (std::size_t j = pivot; j < columns; ++j) {
+    matrix[from * columns + j] = matrix[from * columns + j] - factor * matrix[pivot * columns + j];
+  }
+}
+
+/// Brings the largest entry of the column, relative to its row's `scales`, to the diagonal.
+void bring_pivot(Values& matrix, std::size_t columns, std::size_t at, Values& scales) {
+  const cl_R smallest = cln::expt(cl_R(10), -75);
+  const std::size_t rows = scales.size();
+  const auto share = [&](std::size_t row) {
+    return cln::abs(matrix[row * columns + at]) / scales[row];
+  };
+  std::size_t best = at;
+  for (std::size_t row = at + 1; row < rows; ++row) {
+    if (share(row) > share(best)) best = row;
+  }
+  if (share(best) < smallest) throw OutsideDomain("singular constraints");
+  for (std::size_t j = 0; j < columns; ++j) {
+    std::swap(matrix[at * columns + j], matrix[best * columns + j]);
+  }
+  std::swap(scales[at], scales[best]);
+}
+
+/// x of a square system, the last column its right side.
+Values eliminated(Values matrix, std::size_t rows) {
+  const std::size_t columns = rows + 1;
+  Values scales;
+  for (std::size_t i = 0; i < rows; ++i) {
+    cl_R largest = 0;
+    for (std::size_t j = 0; j < rows; ++j) {
+      largest = cln::max(largest, cln::abs(matrix[i * columns + j]));
+    }
+    if (cln::zerop(largest)) throw OutsideDomain("singular constraints");
+    scales.push_back(largest);
+  }
+  for (std::size_t k = 0; k < rows; ++k) {
+    bring_pivot(matrix, columns, k, scales);
+    for (std::size_t i = k + 1; i < rows; ++i) subtract_row(matrix, columns, i, k);
+  }
+  Values x(rows);
+  for (std::size_t i = rows; i-- > 0;) {
+    cl_R sum = matrix[i * columns + rows];
+    for (std::size_t j = i + 1; j < rows; ++j) sum = sum - matrix[i * columns + j] * x[j];
+    x[i] = sum / matrix[i * columns + i];
+  }
+  return x;
+}
+
+Values times(const Values& matrix, const Values& x) {
+  Values result(matrix.size() / x.size());
+  for (std::size_t k = 0; k < matrix.size(); ++k) {
+    result[k / x.size()] = result[k / x.size()] + matrix[k] * x[k % x.size()];
+  }
+  return result;
+}
+
+Values transposed_times(const Values& matrix, const Values& y, std::size_t columns) {
+  Values result(columns);
+  for (std::size_t k = 0; k < matrix.size(); ++k) {
+    result[k % columns] = result[k % columns] + matrix[k] * y[k / columns];
+  }
+  return result;
+}
+
+Values column_of(const Values& matrix, std::size_t column, std::size_t columns) {
+  Values result;
+  for (std::size_t k = column; k < matrix.size(); k += columns) result.push_back(matrix[k]);
+  return result;
+}
+
+}  // namespace
+
+Values constraint_residual(const Model& model, const State& state) {
+  const Motion motion = motion_of(state);
+  Evaluation at(model, motion);
+  Values values;
+  for (const Constraint& constraint : model.constraints) {
+    if (constraint.is_position) values.push_back(at.value(constraint.value).real());
+  }
+  for (const Constraint& constraint : model.constraints) {
+    values.push_back(rate_of(at, constraint).real());
+  }
+  return values;
+}
+
+Values constraint_jacobian(const Model& model, const State& state) {
+  const Motion motion = motion_of(state);
+  const std::size_t n = state.v.size();
+  Values values;
+  for (const Constraint& constraint : model.constraints) {
+    for (std::size_t j = 0; j < n; ++j) {
+      values.push_back(along(model, constraint, motion, unit_direction(n, j)).real());
+    }
+  }
+  return values;
+}
+
+Values constraint_bias(const Model& model, const State& state) {
+  Motion motion = motion_of(state);
+  motion.a.assign(state.v.size(), Jet());
+  Evaluation at(model, motion);
+  Values values;
+  for (const Constraint& constraint : model.constraints) {
+    values.push_back(rate_of_rate(at, constraint).real());
+  }
+  return values;
+}
+
+Values stabilised_bias(const Model& model, const State& state) {
+  Motion motion = motion_of(state);
+  motion.a.assign(state.v.size(), Jet());
+  Evaluation at(model, motion);
+  Values values;
+  for (const Constraint& constraint : model.constraints) {
+    values.push_back(stabilised(at, constraint).real());
+  }
+  return values;
+}
+
+Values stabilised_slope(const Model& model, const State& state, const Displacement& along,
+                        const Direction& a) {
+  Motion motion = motion_of(state);
+  motion.a.assign(a.begin(), a.end());
+  displace_position(model, motion, along.x, changing);
+  displace(motion.v, along.y, changing);
+  Evaluation at(model, motion);
+  Values values;
+  for (const Constraint& constraint : model.constraints) {
+    values.push_back(stabilised(at, constraint).coefficient(changing));
+  }
+  return values;
+}
+
+cl_R held_slope(const Model& model, const State& state, const Direction& w, const Direction& x,
+                const Values& multipliers) {
+  Motion motion = motion_of(state);
+  displace_position(model, motion, x, changing);
+  cl_R sum = 0;
+  for (std::size_t k = 0; k < multipliers.size(); ++k) {
+    const Jet row = along(model, model.constraints[k], motion, w);
+    sum = sum + multipliers[k] * row.coefficient(changing);
+  }
+  return sum;
+}
+
+ConstrainedMotion solve_constrained(const ConstrainedSystem& system, const Values& r,
+                                    const Values& s) {
+  const std::size_t n = r.size();
+  const std::size_t m = s.size();
+  const std::size_t columns = n + m + 1;
+  Values matrix((n + m) * columns);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) matrix[i * columns + j] = system.mass[i * n + j];
+    for (std::size_t k = 0; k < m; ++k) {
+      matrix[i * columns + n + k] = system.jacobian[k * n + i];
+      matrix[(n + k) * columns + i] = system.jacobian[k * n + i];
+    }
+    matrix[i * columns + n + m] = r[i];
+  }
+  for (std::size_t k = 0; k < m; ++k) matrix[(n + k) * columns + n + m] = s[k];
+  const Values all = eliminated(std::move(matrix), n + m);
+  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(n);
+  return {{all.begin(), middle}, negative({middle, all.end()})};
+}
+
+Values pivots_of_constraints(const Model& model, const ConstrainedSystem& system) {
+  const std::size_t m = model.constraints.size();
+  const std::size_t n = model.velocities.size();
+  Values matrix;
+  for (std::size_t i = 0; i < m; ++i) {
+    const auto begin = system.jacobian.begin() + static_cast<std::ptrdiff_t>(i * n);
+    const Values row(begin, begin + static_cast<std::ptrdiff_t>(n));
+    const Values column = times(system.jacobian, solve_mass(model, system.mass, row).x);
+    matrix.insert(matrix.end(), column.begin(), column.end());
+  }
+  return solve_symmetric(std::move(matrix), Values(m)).relative_pivots;
+}
+
+ConstrainedSystem constrained_system(Mechanics& at) {
+  return {mass_matrix_values(at), constraint_jacobian(at.model(), at.state())};
+}
+
+ConstrainedMotion constrained_motion(Mechanics& at, const ConstrainedSystem& system) {
+  if (at.model().constraints.empty()) {
+    return {solve_mass(at.model(), system.mass, moving_forces(at)).x, {}};
+  }
+  return solve_constrained(system, moving_forces(at),
+                           negative(stabilised_bias(at.model(), at.state())));
+}
+
+Values projected(const Model& model, const State& state) {
+  const std::size_t n = state.v.size();
+  State moved = state;
+  Mechanics at(model, state);
+  const Values all = constraint_residual(model, state);
+  ConstrainedSystem system{mass_matrix_values(at), {}};
+  const Values jacobian = constraint_jacobian(model, state);
+  Values shortage;
+  for (std::size_t k = 0; k < model.constraints.size(); ++k) {
+    if (!model.constraints[k].is_position) continue;
+    const auto begin = jacobian.begin() + static_cast<std::ptrdiff_t>(k * n);
+    system.jacobian.insert(system.jacobian.end(), begin, begin + static_cast<std::ptrdiff_t>(n));
+    shortage.push_back(-all[shortage.size()]);
+  }
+  if (!shortage.empty()) {
+    const Values change = solve_constrained(system, Values(n), shortage).x;
+    const Motion motion = motion_of(state);
+    const std::vector<Jet> moving(change.begin(), change.end());
+    const std::vector<Jet> rates = coordinate_rates(model, motion.q, moving);
+    for (std::size_t i = 0; i < moved.q.size(); ++i) moved.q[i] = moved.q[i] + rates[i].real();
+  }
+  moved.q = normalized(model, moved.q);
+  Mechanics there(model, moved);
+  const Values residual = constraint_residual(model, moved);
+  const Values rates(residual.begin() + static_cast<std::ptrdiff_t>(shortage.size()),
+                     residual.end());
+  const Values change = solve_constrained(constrained_system(there), Values(n), negative(rates)).x;
+  Values values = moved.q;
+  for (std::size_t i = 0; i < n; ++i) values.push_back(state.v[i] + change[i]);
+  return values;
+}
+
+/// u makes tau - B u as small as can be of what A leaves free, in the norm of M^-1: with P r = M x
+/// of M x = r + A^T y, A x = 0, that is B^T x = 0.
+Values constrained_inverse(const Model& model, const State& state) {
+  Mechanics at(model, state);
+  const ConstrainedSystem system = constrained_system(at);
+  const std::size_t n = state.v.size();
+  const std::size_t inputs = state.u.size();
+  const Values still(model.constraints.size());
+  const Values b = input_entries(at);
+  Values force;
+  for (std::size_t i = 0; i < n; ++i) force.push_back(inverse_dynamics(at, at.unit(i)));
+  const Values answer = solve_constrained(system, force, still).x;
+  Values matrix(inputs * (inputs + 1));
+  for (std::size_t j = 0; j <= inputs; ++j) {
+    const Values response =
+        j == inputs ? answer : solve_constrained(system, column_of(b, j, inputs), still).x;
+    const Values column = transposed_times(b, response, inputs);
+    for (std::size_t i = 0; i < inputs; ++i) matrix[i * (inputs + 1) + j] = column[i];
+  }
+  Values values = eliminated(std::move(matrix), inputs);
+  const Values rest = difference(force, times(b, values));
+  const Values multipliers = negative(solve_constrained(system, rest, still).y);
+  const Values unbalanced = difference(rest, transposed_times(system.jacobian, multipliers, n));
+  values.insert(values.end(), multipliers.begin(), multipliers.end());
+  values.insert(values.end(), unbalanced.begin(), unbalanced.end());
+  return values;
+}
+
+}  // namespace elgen::oracle
