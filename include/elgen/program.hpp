@@ -14,6 +14,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "elgen/constant.hpp"
@@ -74,6 +75,8 @@ inline constexpr std::size_t zero_points = 64;
 [[nodiscard]] std::size_t entry_count(const Function& function);
 /// Their instructions, field by field.
 [[nodiscard]] std::vector<std::uint32_t> entries_of(const Function& function);
+/// The number of the first entry of a field among them; that of all where there is no such field.
+[[nodiscard]] std::size_t first_entry_of(const Function& function, std::string_view field);
 
 struct Program {
   LeafNames leaves = {};

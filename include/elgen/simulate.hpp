@@ -25,6 +25,7 @@ struct SimulationOptions {
   std::optional<double> tolerance = {};  ///< 1e-9 where neither is given
   std::optional<double> every = {};      ///< between rows; none: no rows
   std::optional<double> hold = {};       ///< inputs keep their values so long; none: continuous
+  bool project = true;                   ///< after each step, back onto the constraints
 };
 
 /// How far what should stay has gone from where it was, relative to `scale`.
@@ -44,6 +45,27 @@ struct ConservedDrift {
   double drift = 0;  ///< the largest deviation from the start, in the unit
 };
 
+/// The largest |f| of the constraints on positions, and |r| of all, r = df/dt or phi.
+struct ConstraintOffset {
+  double position = 0;
+  double rate = 0;
+};
+
+/// By how much a coordinate or rate of the start was moved, to meet the constraints.
+struct StartMove {
+  std::string name = {};
+  std::string unit = {};
+  double by = 0;
+};
+
+/// How a run keeps to the constraints of its model.
+struct KeptConstraints {
+  ConstraintOffset largest = {};
+  std::optional<std::string> unit = {};  ///< of f, "" where not all have the same; none: no f
+  std::string rate_unit = {};            ///< of r, alike
+  std::vector<StartMove> start = {};     ///< what was moved by more than 1e-9 of it, or of 1
+};
+
 /// A number of every row.
 struct TrajectoryColumn {
   std::string name = {};    ///< as in models: "theta", "dot(theta)"
@@ -60,11 +82,13 @@ struct Trajectory {
   std::vector<std::vector<double>> rows = {};
   std::vector<double> last = {};  ///< the row of the end
   /// E - E0, relative to the largest |T| + |V| (of an L given whole |v.p| + |L|); where forces or
-  /// time act, less the work they did: E - E0 - int v.(B u + Q - dD/dv) dt + int dL/dt dt.
+  /// time act, less the work they did: E - E0 - int v.(B u + Q - dD/dv) dt + int dL/dt dt, and of
+  /// constraints that move by themselves - int v.A^T lambda dt.
   Drift energy = {};
-  std::vector<Drift> momenta = {};  ///< of coordinates that are cyclic and free of forces
+  std::vector<Drift> momenta = {};  ///< of what is cyclic, and free of forces and constraints
   /// Of the model's `conserved`, which speaks of u = 0; none of a scene that locks or expands.
   std::vector<ConservedDrift> conserved = {};
+  std::optional<KeptConstraints> constraints = {};  ///< of a model that has some
   std::uint64_t steps = 0;
   double nanoseconds = 0;  ///< per step
 };
@@ -78,9 +102,12 @@ struct Trajectory {
 /// The `step` whose program a run goes by, beside these outputs; none where it calls accelerations.
 [[nodiscard]] std::optional<ChosenStep> step_of_run(const SimulationOptions& options);
 
-/// Runs from the model's start, by what was compiled; where that is null, in the evaluator. E620,
-/// E621, E623, E624, E647. Cost: one step of the program, or a few calls of the equations of
-/// motion, per step, and of the energies for each.
+/// The model with a start that meets its constraints at a time, near its own one. E538.
+[[nodiscard]] Result<CheckedModel> assembled_model(const CheckedModel& checked, double t);
+
+/// Runs from the model's start, assembled, by what was compiled; where that is null, in the
+/// evaluator. E538, E620, E621, E623, E624, E647. Cost: one step of the program, or a few calls of
+/// the equations of motion, per step, and of the energies for each.
 [[nodiscard]] Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
                                           const CompiledModel* compiled,
                                           const SimulationOptions& options);
@@ -92,8 +119,8 @@ struct ReferenceRun {
   std::vector<double> largest = {};  ///< of each the largest magnitude on the way
 };
 
-/// By Fehlberg's method of order 8 from the model's start on, in the evaluator; laws of inputs at
-/// every stage. E623, E624.
+/// By Fehlberg's method of order 8 from the model's start on, assembled, in the evaluator; laws of
+/// inputs at every stage. E538, E623, E624.
 [[nodiscard]] Result<ReferenceRun> reference_run(const CheckedModel& checked,
                                                  const Program& program, double time);
 

@@ -58,6 +58,9 @@ class RunBench {
     if (!machine) return machine.diagnostics;
     exact_ = derived({});
     if (!exact_.program) return exact_.diagnostics;
+    const Result<CheckedModel> assembled = assembled_model(*exact_.checked, 0);
+    if (!assembled) return assembled.diagnostics;
+    exact_.checked = *assembled;
     if (Diagnostics wrong = refer(); !wrong.empty()) return wrong;
     table_ = {.model = exact_.checked->scene.base_name,
               .subject = fmt::format("{:g} s in time", request_.time),
@@ -110,7 +113,8 @@ class RunBench {
     Products products = derived(step);
     if (!products.program) {
       const Diagnostic& error = error_among(products.diagnostics);
-      return error.code == Code::E622 ? refused(error.message) : StepCode{.failure = error.message};
+      const bool is_for_others = error.code == Code::E622 || error.code == Code::E539;
+      return is_for_others ? refused(error.message) : StepCode{.failure = error.message};
     }
     keep_only(std::string(output_row(OutputKind::step).name), products);
     const Function& function = products.program->functions.front();

@@ -96,6 +96,11 @@ void add_numbers(CLI::App& command, SimulationOptions& run) {
   number("--tolerance", run.tolerance, "error of a step that chooses its length (1e-9)");
   number("--every", run.every, "time between rows (a thousandth of --time)");
   number("--hold", run.hold, "inputs keep their values so long");
+  command
+      .add_option_function<std::string>(
+          "--project", [&run](const std::string& given) { run.project = given == "on"; },
+          "after each step, back onto the constraints (on)")
+      ->check(CLI::IsMember({"on", "off"}));
 }
 
 }  // namespace

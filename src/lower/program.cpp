@@ -47,6 +47,15 @@ std::vector<std::uint32_t> entries_of(const Function& function) {
   return entries;
 }
 
+std::size_t first_entry_of(const Function& function, std::string_view field) {
+  std::size_t first = 0;
+  for (const Field& each : function.fields) {
+    if (each.name == field) break;
+    first += each.entries.size();
+  }
+  return first;
+}
+
 bool loads_zero(const Program& program, const Instruction& instruction) {
   return instruction.opcode == Opcode::constant &&
          cln::zerop(program.constants[instruction.a].value);

@@ -75,6 +75,7 @@ Diagnostics Recorder::add(const TrajectorySample& sample) {
   energy_.add(part, sample.after, deviation, system_.magnitude(q, v, sample.t));
   if (!of_momenta_.empty()) add_momenta(sample, part);
   add_conserved(sample);
+  add_offset(sample);
   if (sample.is_row) rows_.push_back(row(sample, energy));
   last_ = sample;
   return {};
@@ -99,6 +100,7 @@ void Recorder::finish(Trajectory& trajectory) && {
     trajectory.momenta.push_back(of_momenta_[i].drift(name, "sum |M v|"));
   }
   trajectory.conserved = std::move(conserved_);
+  if (!system_.model().constraints.empty()) trajectory.constraints.emplace().largest = offset_;
 }
 
 std::vector<double> Recorder::row(const TrajectorySample& sample, double energy) const {
@@ -133,6 +135,13 @@ void Recorder::add_conserved(const TrajectorySample& sample) {
     ConservedDrift& quantity = conserved_[i];
     quantity.drift = std::max(quantity.drift, std::abs(values[i] - quantity.start));
   }
+}
+
+void Recorder::add_offset(const TrajectorySample& sample) {
+  const ConstraintOffset offset =
+      system_.offset(sample.state.data(), system_.v_of(sample.state), sample.t);
+  offset_.position = std::max(offset_.position, offset.position);
+  offset_.rate = std::max(offset_.rate, offset.rate);
 }
 
 }  // namespace elgen

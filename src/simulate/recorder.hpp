@@ -66,6 +66,7 @@ class Recorder {
   [[nodiscard]] std::vector<double> row(const TrajectorySample& sample, double energy) const;
   void add_momenta(const TrajectorySample& sample, double part);
   void add_conserved(const TrajectorySample& sample);
+  void add_offset(const TrajectorySample& sample);
 
   System& system_;
   const SimulationOptions& options_;
@@ -73,6 +74,7 @@ class Recorder {
   Numbers momenta_at_start_;
   Numbers momenta_;
   std::vector<ConservedDrift> conserved_;
+  ConstraintOffset offset_ = {};
   DriftMeter energy_ = {};
   std::vector<DriftMeter> of_momenta_;
   std::vector<std::vector<double>> rows_ = {};

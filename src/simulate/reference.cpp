@@ -55,7 +55,7 @@ class ReferenceSystem {
     for (const Velocity& velocity : system_.model().velocities) {
       state.push_back(ScalarTraits<Scalar>::from_real(velocity.start_rate));
     }
-    normalize(state);
+    restore(state, 0);
     return state;
   }
 
@@ -69,17 +69,22 @@ class ReferenceSystem {
     }
     const Function* const turning = find_function(program_, OutputKind::coordinate_rates);
     const Values of_q = turning == nullptr ? at_.v : values_of(*turning);
-    const Values of_v = values_of(*find_function(program_, OutputKind::forward_dynamics));
+    const Function& dynamics = *find_function(program_, OutputKind::forward_dynamics);
+    const Values of_v = values_of(dynamics);
     const auto middle = std::copy(of_q.begin(), of_q.end(), rates.begin());
-    std::copy_n(of_v.begin(), system_.velocities(), middle);
+    std::copy_n(of_v.data() + first_entry_of(dynamics, "acceleration"), system_.velocities(),
+                middle);
   }
 
-  /// Quaternions to length 1.
-  void normalize(Values& state) {
-    const Function* const normalized = find_function(program_, OutputKind::normalized);
-    if (normalized == nullptr) return;
+  /// Quaternions to length 1, and back onto the constraints.
+  void restore(Values& state, Scalar t) {
+    const bool is_projected = !system_.model().constraints.empty();
+    const Function* const restored =
+        find_function(program_, is_projected ? OutputKind::projected : OutputKind::normalized);
+    if (restored == nullptr) return;
     move_to(state);
-    std::ranges::copy(values_of(*normalized), state.begin());
+    at_.t = t;
+    std::ranges::copy(values_of(*restored), state.begin());
   }
 
  private:
@@ -138,7 +143,7 @@ Result<ReferenceEnd> run_to(Scalar tolerance, Scalar time, ReferenceSystem<Scala
     length = is_made && is_last ? std::max(length, h) : h;
     if (!is_made) continue;
     if (is_last) t = time;
-    system.normalize(state);
+    system.restore(state, t);
     goes_on = take(state, end);
   }
   if (goes_on) return end;
@@ -150,14 +155,16 @@ Result<ReferenceEnd> run_to(Scalar tolerance, Scalar time, ReferenceSystem<Scala
 
 Result<ReferenceRun> reference_run(const CheckedModel& checked, const Program& program,
                                    double time) {
-  System system(checked, program, nullptr);
+  const Result<CheckedModel> assembled = assembled_model(checked, 0);
+  if (!assembled) return assembled.diagnostics;
+  System system(*assembled, program, nullptr);
   Diagnostics refused = refuse_start(system, system.start(), 0);
   if (!refused.empty()) return refused;
   const Result<ReferenceEnd> rougher =
-      run_to<double>(1e-12, time, ReferenceSystem<double>(system, checked, program));
+      run_to<double>(1e-12, time, ReferenceSystem<double>(system, *assembled, program));
   if (!rougher) return rougher.diagnostics;
   const Result<ReferenceEnd> finer =
-      run_to<long double>(1e-15L, time, ReferenceSystem<long double>(system, checked, program));
+      run_to<long double>(1e-15L, time, ReferenceSystem<long double>(system, *assembled, program));
   if (!finer) return finer.diagnostics;
   return ReferenceRun{finer->last, rougher->last, finer->largest};
 }

@@ -7,8 +7,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 
+#include "check/judge/output_units.hpp"
+#include "check/names/requests.hpp"
 #include "evaluate/subject.hpp"
 #include "simulate/recorder.hpp"
 #include "simulate/start.hpp"
@@ -138,14 +139,8 @@ class Run {
   std::chrono::duration<double> elapsed_ = {};
 };
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
-/// The sine of the double nearest to pi is 1e-16.
-constexpr double zero = 64 * epsilon;
-
-Diagnostic singular(std::string message) {
-  return {Code::E623, {}, std::move(message), "`--state` starts the run elsewhere"};
-}
+/// Less is not told: it would not be seen in what is printed of the start.
+constexpr double visible_move = 1e-9;
 
 std::vector<TrajectoryColumn> columns_of(const Model& model, const LeafNames& leaves) {
   std::vector<TrajectoryColumn> columns{{"t", "s", ""}};
@@ -173,32 +168,39 @@ std::vector<TrajectoryColumn> columns_of(const Model& model, const LeafNames& le
   return columns;
 }
 
-}  // namespace
-
-Diagnostics refuse_start(System& system, const Numbers& state, double t) {
-  const double* const q = state.data();
-  const double* const v = system.v_of(state);
-  const Model& model = system.model();
-  for (const Coordinate& coordinate : model.coordinates) {
-    if (!coordinate.singular) continue;
-    if (std::abs(system.value(*coordinate.singular, q, v, t)) > zero) continue;
-    const std::string_view factor = covered_text(model.expressions[*coordinate.singular].span);
-    return {singular(fmt::format("the chart of `{}` breaks at the start, where `{}` is zero",
-                                 coordinate.name, factor))};
+/// That of all rows of a field of the residual; "" where they differ, or are 1 or not known.
+std::string common_unit(const Model& model, std::string_view field, Extent rows) {
+  std::vector<std::optional<Unit>> units;
+  for (std::size_t row = 0; row < extent_of(model, rows); ++row) {
+    units.push_back(unit_of_entry(model, {OutputKind::constraint_residual, field, row, 0}));
   }
-  Numbers a(system.velocities());
-  system.acceleration(q, v, t, a.data());
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double pivot = system.relative_pivots()[i];
-    if (std::abs(pivot) > static_cast<double>(a.size()) * epsilon) continue;
-    const std::string name =
-        leaf_text(system.leaves(), Opcode::velocity, static_cast<std::uint32_t>(i));
-    const std::string value = std::isfinite(pivot) ? fmt::format("{:.1e}", pivot) : "no number";
-    return {singular(
-        fmt::format("M is singular at the start: the relative pivot of `{}` is {}", name, value))};
-  }
-  return {};
+  const auto other = std::ranges::find_if(
+      units, [&](const std::optional<Unit>& unit) { return unit != units.front(); });
+  const bool has_one = other == units.end() && units.front() && *units.front() != Unit{};
+  return has_one ? to_string(*units.front()) : "";
 }
+
+/// `columns`: of t, q and v.
+std::vector<StartMove> moves_of(const Model& model, const Model& assembled,
+                                const std::vector<TrajectoryColumn>& columns) {
+  const Numbers from = stated_start(model);
+  const Numbers to = stated_start(assembled);
+  std::vector<StartMove> moves;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const double by = to[i] - from[i];
+    if (std::abs(by) <= visible_move * std::max(1.0, std::abs(from[i]))) continue;
+    moves.push_back({columns[i + 1].name, columns[i + 1].unit, by});
+  }
+  return moves;
+}
+
+void add_units(KeptConstraints& kept, const Model& model) {
+  const bool has_positions = extent_of(model, Extent::positions) > 0;
+  if (has_positions) kept.unit = common_unit(model, "position", Extent::positions);
+  kept.rate_unit = common_unit(model, "rate", Extent::constraints);
+}
+
+}  // namespace
 
 std::string outputs_of_run(const Model& model) {
   std::string names =
@@ -207,6 +209,7 @@ std::string outputs_of_run(const Model& model) {
   if (!has_whole_lagrangian(model)) names += ",kinetic_energy,total_energy";
   if (!model.inputs.empty()) names += ",input_matrix";
   if (!model.rotations.empty()) names += ",coordinate_rates,normalized";
+  if (!model.constraints.empty()) names += ",constraint_residual,constraint_jacobian,projected";
   return names;
 }
 
@@ -216,7 +219,9 @@ Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
   if (!method) return method.diagnostics;
   const Result<StepRule> rule = step_rule(*method, options);
   if (!rule) return rule.diagnostics;
-  System system(checked, program, compiled);
+  const Result<CheckedModel> assembled = assembled_model(checked, options.from);
+  if (!assembled) return assembled.diagnostics;
+  System system(*assembled, program, compiled, options.project);
   Diagnostics refused = refuse_start(system, system.start(), options.from);
   if (!refused.empty()) return refused;
   const std::unique_ptr<Stepper> stepper = method->make(system, *rule);
@@ -229,6 +234,10 @@ Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
   }
   trajectory->from = options.from;
   trajectory->columns = columns_of(checked.model, program.leaves);
+  if (trajectory->constraints) {
+    trajectory->constraints->start = moves_of(checked.model, assembled->model, trajectory->columns);
+    add_units(*trajectory->constraints, checked.model);
+  }
   return trajectory;
 }
 

@@ -6,7 +6,7 @@
 namespace elgen {
 
 /// Whether the acceleration is determined where a run starts: charts by the factors that the model
-/// states, M by its relative pivots. E623.
+/// states, M and A M^-1 A^T by their relative pivots. E623.
 [[nodiscard]] Diagnostics refuse_start(System& system, const Numbers& state, double t);
 
 }  // namespace elgen

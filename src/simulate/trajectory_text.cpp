@@ -22,8 +22,11 @@ nlohmann::ordered_json json_of(const Drift& drift) {
           {"scale", drift.scale}};
 }
 
+/// " m", or nothing.
+std::string unit_after(const std::string& unit) { return unit.empty() ? "" : " " + unit; }
+
 std::string conserved_line(const ConservedDrift& quantity) {
-  const std::string unit = quantity.unit.empty() ? "" : " " + quantity.unit;
+  const std::string unit = unit_after(quantity.unit);
   return fmt::format("  {} = {:.10g}{} at the start, drift {:.3e}{}\n", quantity.text,
                      quantity.start, unit, quantity.drift, unit);
 }
@@ -35,6 +38,37 @@ nlohmann::ordered_json json_of(const ConservedDrift& quantity) {
           {"drift", quantity.drift}};
 }
 
+std::string start_line(const std::vector<StartMove>& moves) {
+  std::vector<std::string> parts;
+  for (const StartMove& move : moves) {
+    parts.push_back(fmt::format("{} by {:+.3e}{}", move.name, move.by, unit_after(move.unit)));
+  }
+  return parts.empty()
+             ? ""
+             : fmt::format("  start moved onto the constraints: {}\n", fmt::join(parts, ", "));
+}
+
+std::string constraints_line(const KeptConstraints& kept) {
+  const std::string rate = fmt::format("{:.3e}{}", kept.largest.rate, unit_after(kept.rate_unit));
+  if (!kept.unit) return fmt::format("  rates of the constraints: off by at most {}\n", rate);
+  return fmt::format("  constraints: off by at most {:.3e}{}, their rates by {}\n",
+                     kept.largest.position, unit_after(*kept.unit), rate);
+}
+
+nlohmann::ordered_json json_of(const KeptConstraints& kept) {
+  nlohmann::ordered_json object{{"rate", kept.largest.rate},
+                                {"rate_unit", kept.rate_unit},
+                                {"start_moved", nlohmann::ordered_json::array()}};
+  if (kept.unit) {
+    object["position"] = kept.largest.position;
+    object["unit"] = *kept.unit;
+  }
+  for (const auto& [name, unit, by] : kept.start) {
+    object["start_moved"].push_back({{"name", name}, {"unit", unit}, {"by", by}});
+  }
+  return object;
+}
+
 }  // namespace
 
 std::string to_text(const Trajectory& trajectory) {
@@ -44,14 +78,17 @@ std::string to_text(const Trajectory& trajectory) {
   for (const auto& column : trajectory.columns) width = std::max(width, column.name.size());
   for (std::size_t i = 1; i < trajectory.columns.size(); ++i) {
     const TrajectoryColumn& column = trajectory.columns[i];
-    text += fmt::format("  {:<{}} = {:.10g}{}{}\n", column.name, width, trajectory.last[i],
-                        column.unit.empty() ? "" : " ", column.unit);
+    text += fmt::format("  {:<{}} = {:.10g}{}\n", column.name, width, trajectory.last[i],
+                        unit_after(column.unit));
   }
   text += drift_line(trajectory.energy.name, trajectory.energy);
   for (const Drift& momentum : trajectory.momenta) {
     text += drift_line(fmt::format("momentum of {}", momentum.name), momentum);
   }
   for (const ConservedDrift& quantity : trajectory.conserved) text += conserved_line(quantity);
+  if (const auto& kept = trajectory.constraints) {
+    text += start_line(kept->start) + constraints_line(*kept);
+  }
   return text + fmt::format("  {:.0f} ns per step\n", trajectory.nanoseconds);
 }
 
@@ -78,6 +115,7 @@ std::string to_json(const Trajectory& trajectory) {
   for (const Drift& momentum : trajectory.momenta) object["momenta"].push_back(json_of(momentum));
   for (const ConservedDrift& each : trajectory.conserved)
     object["conserved"].push_back(json_of(each));
+  if (trajectory.constraints) object["constraints"] = json_of(*trajectory.constraints);
   for (const TrajectoryColumn& column : trajectory.columns) {
     object["columns"].push_back({{"name", column.name}, {"unit", column.unit}});
   }

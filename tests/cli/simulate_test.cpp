@@ -33,6 +33,20 @@ TEST_CASE("a run says how far the conserved quantities of the model went, in the
   CHECK(conserved[2]["unit"] == "m^3/s^2");
 }
 
+TEST_CASE("--project off leaves a run where its steps take it off the constraints") {
+  const std::string command = "elgen simulate -q --time 2 --method rk4 --step 0.05 --format json " +
+                              models + "/pendulum_xy.toml --project ";
+  const auto offset = [&](const std::string& word) {
+    const Outcome outcome = run(command + word);
+    INFO(outcome.errors);
+    REQUIRE(outcome.status == 0);
+    return nlohmann::json::parse(outcome.output)["constraints"]["position"].get<double>();
+  };
+  CHECK(offset("on") < 1e-12);
+  CHECK(offset("off") > 1e-9);
+  CHECK(run(command + "maybe").status != 0);
+}
+
 TEST_CASE("rows are written as the ending of the file says, and nothing is overwritten unasked") {
   const Workspace workspace;
   const auto run = [&](const std::string& rest) {

@@ -155,6 +155,7 @@ class SceneReader {
     std::stable_sort(scene_.outputs.begin(), scene_.outputs.end(), precedes);
     check_function_names();
     check_dynamics();
+    check_step();
   }
 
   /// A run goes by it.
@@ -186,6 +187,20 @@ class SceneReader {
                             "`dynamics` holds the chosen outputs that take neither a nor u, and "
                             "none is chosen");
       }
+    }
+  }
+
+  /// Symplectic methods know of no constraints.
+  void check_step() {
+    if (model_.constraints.empty()) return;
+    for (const OutputRequest& output : scene_.outputs) {
+      if (!output_row(output.kind).steps) continue;
+      const StepMethodRow& method = step_methods[output.user];
+      if (method.domain == StepDomain::any) continue;
+      context_.report.add({Code::E539, output.span,
+                           fmt::format("`{}` does not know of constraints", method.name),
+                           "`rk4`, with `projected` after each step, keeps to them",
+                           model_.constraints.front().span, "constrained here"});
     }
   }
 

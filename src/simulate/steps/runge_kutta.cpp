@@ -33,12 +33,12 @@ void forget(Steps& steps) {
   if constexpr (requires { steps.reset(); }) steps.reset();
 }
 
-/// To be called after a step. StateRates at quaternions of another length are those of another
-/// state.
+/// To be called after a step, at its end. StateRates at quaternions of another length, or off the
+/// constraints, are those of another state.
 template <class Steps>
-void back_to_length_one(System& system, Steps& steps, Numbers& state) {
-  if (system.model().rotations.empty()) return;
-  system.normalize(state.data());
+void put_back(System& system, Steps& steps, Numbers& state, double t) {
+  if (!system.is_restored()) return;
+  system.restore(state, t);
   forget(steps);
 }
 
@@ -51,7 +51,7 @@ class RungeKutta {
 
   bool step(Numbers& state, double t, double h) {
     steps_.do_step(StateRates{&system_}, state, t, h);
-    back_to_length_one(system_, steps_, state);
+    put_back(system_, steps_, state, t + h);
     return true;
   }
 
@@ -89,7 +89,7 @@ class AdaptedSteps final : public Stepper {
       // A step that the end made short says little of the length of the next one.
       length_ = is_last ? std::max(length_, h) : h;
       if (is_last) t_ = end_;
-      back_to_length_one(system_, steps_, state);
+      put_back(system_, steps_, state, t_);
       return t_;
     }
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "check/expressions/traits.hpp"
 #include "elgen/wording.hpp"
 #include "evaluate/subject.hpp"
 
@@ -32,6 +33,22 @@ std::vector<InputLaw> laws_of(const Model& model, const Arguments<double>& at) {
   return laws;
 }
 
+/// Of a result; 0 where there is no function.
+std::size_t result_size(const Function* function) {
+  return function == nullptr ? 0 : entry_count(*function);
+}
+
+/// Whether a constraint does work, by f_t or by what of phi is left at rest.
+bool are_moving(const Model& model) {
+  if (model.constraints.empty()) return false;
+  const std::vector<Traits> traits = find_traits(model);
+  return std::ranges::any_of(model.constraints, [&traits](const Constraint& constraint) {
+    const Traits& of = traits[constraint.value];
+    const bool is_left_at_rest = !constraint.is_position && of.lowest_rate_degree == 0;
+    return is_left_at_rest || (of.ingredients & uses_time) != 0;
+  });
+}
+
 /// In (-pi, pi].
 double wrapped(double angle) {
   const double turn = 2 * std::numbers::pi;
@@ -41,7 +58,8 @@ double wrapped(double angle) {
 
 }  // namespace
 
-System::System(const CheckedModel& checked, const Program& program, const CompiledModel* compiled)
+System::System(const CheckedModel& checked, const Program& program, const CompiledModel* compiled,
+               bool projects)
     : model_(checked.model),
       program_(program),
       compiled_(compiled),
@@ -59,9 +77,18 @@ System::System(const CheckedModel& checked, const Program& program, const Compil
       total_energy_(callee(OutputKind::total_energy)),
       normalized_(callee(OutputKind::normalized)),
       step_(callee(OutputKind::step)),
+      constraint_residual_(callee(OutputKind::constraint_residual)),
+      constraint_jacobian_(callee(OutputKind::constraint_jacobian)),
+      restored_(callee(projects && !model_.constraints.empty() ? OutputKind::projected
+                                                               : OutputKind::normalized)),
+      first_acceleration_(first_entry_of(*acceleration_.function, "acceleration")),
+      first_pivot_(first_entry_of(*acceleration_.function, "relative_pivots")),
+      first_multiplier_(first_entry_of(*acceleration_.function, "multipliers")),
       shown_(positions()),
-      solution_(2 * velocities()),
-      moved_(step_.function == nullptr ? 0 : entry_count(*step_.function)),
+      solution_(result_size(acceleration_.function)),
+      moved_(result_size(step_.function)),
+      residual_(result_size(constraint_residual_.function)),
+      jacobian_(result_size(constraint_jacobian_.function)),
       force_(velocities()),
       more_force_(velocities()),
       matrix_(velocities() * model_.inputs.size()),
@@ -73,9 +100,11 @@ System::System(const CheckedModel& checked, const Program& program, const Compil
   for (std::uint32_t i = 0; i < velocities(); ++i) {
     is_forced_ = is_forced_ || is_forced(i);
     const bool is_cyclic = vanishes(OutputKind::position_gradient, i) && !is_forced(i);
-    if (is_cyclic && !model_.velocities[i].rotation) cyclic_.push_back(i);
+    const bool is_free = is_cyclic && !is_constrained(i);
+    if (is_free && !model_.velocities[i].rotation) cyclic_.push_back(i);
   }
-  does_work_ = is_forced_ || has_explicit_time_;
+  has_moving_constraints_ = are_moving(model_);
+  does_work_ = is_forced_ || has_explicit_time_ || has_moving_constraints_;
   for (const Expectation& expectation : model_.expectations) add_conserved(expectation);
 }
 
@@ -110,22 +139,40 @@ bool System::vanishes(OutputKind kind, std::size_t row) const {
   });
 }
 
+/// Whether its column of A has an entry that is not the number 0.
+bool System::is_constrained(std::size_t velocity) const {
+  const Function* const function = constraint_jacobian_.function;
+  if (function == nullptr) return false;
+  const Field& field = function->fields.front();
+  for (std::size_t k = velocity; k < field.entries.size(); k += field.columns) {
+    if (!loads_zero(program_, function->instructions[field.entries[k]])) return true;
+  }
+  return false;
+}
+
 bool System::is_forced(std::size_t velocity) const {
   return !vanishes(OutputKind::applied_force, velocity) ||
          !vanishes(OutputKind::dissipation, velocity) ||
          (is_driven_ && !vanishes(OutputKind::input_matrix, velocity));
 }
 
+Numbers stated_start(const Model& model) {
+  Numbers start;
+  for (const Coordinate& coordinate : model.coordinates) {
+    start.push_back(ScalarTraits<double>::from_real(coordinate.start_value));
+  }
+  for (const Velocity& velocity : model.velocities) {
+    start.push_back(ScalarTraits<double>::from_real(velocity.start_rate));
+  }
+  return start;
+}
+
 Numbers System::start() {
-  Numbers state;
-  for (const Coordinate& coordinate : model_.coordinates) {
-    state.push_back(ScalarTraits<double>::from_real(coordinate.start_value));
-  }
-  for (const Velocity& velocity : model_.velocities) {
-    state.push_back(ScalarTraits<double>::from_real(velocity.start_rate));
-  }
+  Numbers state = stated_start(model_);
   state.push_back(0);
-  normalize(state.data());
+  if (normalized_.function != nullptr) {
+    call(normalized_, state.data(), v_of(state), 0, state.data());
+  }
   return state;
 }
 
@@ -178,7 +225,7 @@ const Numbers& System::stepped(const Numbers& state, double t, double h) {
 void System::acceleration(const double* q, const double* v, double t, double* a) {
   (void)inputs(q, v, t);
   call(acceleration_, q, v, t, solution_.data());
-  std::copy_n(solution_.begin(), velocities(), a);
+  std::copy_n(solution_.data() + first_acceleration_, velocities(), a);
 }
 
 void System::coordinate_rates(const double* q, const double* v, double* rates) {
@@ -193,11 +240,22 @@ void System::find_force(const double* q, const double* v, double t) {
   call(applied_force_, q, v, t, force_.data());
   call(dissipation_, q, v, t, more_force_.data());
   for (std::size_t i = 0; i < velocities(); ++i) force_[i] -= more_force_[i];
+  if (has_moving_constraints_) add_constraint_force(q, v, t);
   if (input_matrix_.function == nullptr) return;
   call(input_matrix_, q, v, t, matrix_.data());
   const Numbers& u = at_.u;
   for (std::size_t i = 0; i < velocities(); ++i) {
     for (std::size_t k = 0; k < u.size(); ++k) force_[i] += matrix_[i * u.size() + k] * u[k];
+  }
+}
+
+/// A^T lambda, by the inputs that were last asked for.
+void System::add_constraint_force(const double* q, const double* v, double t) {
+  const std::size_t n = velocities();
+  call(acceleration_, q, v, t, solution_.data());
+  call(constraint_jacobian_, q, v, t, jacobian_.data());
+  for (std::size_t k = 0; k < jacobian_.size(); ++k) {
+    force_[k % n] += jacobian_[k] * solution_[first_multiplier_ + k / n];
   }
 }
 
@@ -208,7 +266,7 @@ double System::power(const double* q, const double* v, double t) {
 
 double System::held_power(const double* q, const double* v, double t) {
   double sum = has_explicit_time_ ? explicit_power(q, v, t) : 0;
-  if (!is_forced_) return sum;
+  if (!is_forced_ && !has_moving_constraints_) return sum;
   find_force(q, v, t);
   for (std::size_t i = 0; i < velocities(); ++i) sum += v[i] * force_[i];
   return sum;
@@ -275,9 +333,20 @@ double System::magnitude(const double* q, const double* v, double t) {
   return std::abs(part) + std::abs(whole - part);
 }
 
-void System::normalize(double* q) {
-  // It reads no rate.
-  if (normalized_.function != nullptr) call(normalized_, q, solution_.data(), 0, q);
+ConstraintOffset System::offset(const double* q, const double* v, double t) {
+  ConstraintOffset result;
+  if (residual_.empty()) return result;
+  call(constraint_residual_, q, v, t, residual_.data());
+  const std::size_t first_rate = first_entry_of(*constraint_residual_.function, "rate");
+  for (std::size_t i = 0; i < residual_.size(); ++i) {
+    double& largest = i < first_rate ? result.position : result.rate;
+    largest = std::max(largest, std::abs(residual_[i]));
+  }
+  return result;
+}
+
+void System::restore(Numbers& state, double t) {
+  call(restored_, state.data(), v_of(state), t, state.data());
 }
 
 }  // namespace elgen

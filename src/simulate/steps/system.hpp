@@ -2,13 +2,16 @@
 //
 // A state lies in one list: q, then v, then the work that forces and time have done, with
 //
-//     dq/dt = N v,   M dv/dt = B u - bias,   dW/dt = v.F - dL/dt,   F = B u + Q - dD/dv
+//     dq/dt = N v,   M dv/dt = B u - bias + A^T lambda,   dW/dt = v.F - dL/dt,
+//     F = B u + Q - dD/dv + A^T lambda
 //
-// so that E - W is constant along the motion. W stays 0 where nothing does work.
+// so that E - W is constant along the motion. W stays 0 where nothing does work; constraints do
+// some where they move by themselves.
 #pragma once
 
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "elgen/program.hpp"
@@ -21,6 +24,9 @@ namespace elgen {
 
 using Numbers = std::vector<double>;
 
+/// q and v of a model's own start.
+[[nodiscard]] Numbers stated_start(const Model& model);
+
 /// The law of an input, and the limits at which it is cut off.
 struct InputLaw {
   std::optional<StateFunction> law = {};
@@ -30,8 +36,10 @@ struct InputLaw {
 
 class System {
  public:
-  /// Functions run as they were compiled; where `compiled` is null, in the evaluator.
-  System(const CheckedModel& checked, const Program& program, const CompiledModel* compiled);
+  /// Functions run as they were compiled; where `compiled` is null, in the evaluator. `projects`:
+  /// states are put back onto constraints.
+  System(const CheckedModel& checked, const Program& program, const CompiledModel* compiled,
+         bool projects = true);
   System(const System&) = delete;
   System& operator=(const System&) = delete;
 
@@ -68,8 +76,10 @@ class System {
   [[nodiscard]] const Numbers& stepped(const Numbers& state, double t, double h);
 
   void acceleration(const double* q, const double* v, double t, double* a);
-  /// D_i / M_ii of M = L D L^T, as the acceleration was last made.
-  [[nodiscard]] const double* relative_pivots() const { return solution_.data() + velocities(); }
+  /// D_i / M_ii of M = L D L^T, then those of A M^-1 A^T, as the acceleration was last made.
+  [[nodiscard]] std::span<const double> relative_pivots() const {
+    return {solution_.data() + first_pivot_, velocities() + model_.constraints.size()};
+  }
   void coordinate_rates(const double* q, const double* v, double* rates);
   /// v.F - dL/dt; 0 where no work is done.
   [[nodiscard]] double power(const double* q, const double* v, double t);
@@ -86,10 +96,14 @@ class System {
   [[nodiscard]] bool has_energies() const { return kinetic_energy_.function != nullptr; }
   /// |T| + |V|; |v.p| + |L| where only L is known.
   [[nodiscard]] double magnitude(const double* q, const double* v, double t);
-  /// Quaternions to length 1.
-  void normalize(double* q);
+  /// How far a state is off the constraints.
+  [[nodiscard]] ConstraintOffset offset(const double* q, const double* v, double t);
+  /// Whether a step may leave quaternions of another length, or a state off the constraints.
+  [[nodiscard]] bool is_restored() const { return restored_.function != nullptr; }
+  /// Quaternions to length 1, and by one step of Newton back onto the constraints.
+  void restore(Numbers& state, double t);
 
-  /// Whether forces or time do work.
+  /// Whether forces, time or constraints do work.
   [[nodiscard]] bool does_work() const { return does_work_; }
   /// The coordinates' velocities whose momentum nothing changes.
   [[nodiscard]] const std::vector<std::uint32_t>& cyclic() const { return cyclic_; }
@@ -104,9 +118,11 @@ class System {
   void add_conserved(const Expectation& expectation);
   [[nodiscard]] Callee callee(OutputKind kind) const;
   void call(const Callee& called, const double* q, const double* v, double t, double* result);
-  /// F = B u + Q - dD/dv, to `force_`.
+  /// F, to `force_`.
   void find_force(const double* q, const double* v, double t);
+  void add_constraint_force(const double* q, const double* v, double t);
   [[nodiscard]] bool vanishes(OutputKind kind, std::size_t row) const;
+  [[nodiscard]] bool is_constrained(std::size_t velocity) const;
   [[nodiscard]] bool is_forced(std::size_t velocity) const;
   [[nodiscard]] double explicit_power(const double* q, const double* v, double t) const;
 
@@ -118,17 +134,23 @@ class System {
   Arguments<double> at_;
   std::vector<InputLaw> laws_;
   Callee mass_matrix_, acceleration_, coordinate_rates_, input_matrix_, applied_force_,
-      dissipation_, momentum_, energy_, kinetic_energy_, total_energy_, normalized_, step_;
+      dissipation_, momentum_, energy_, kinetic_energy_, total_energy_, normalized_, step_,
+      constraint_residual_, constraint_jacobian_, restored_;
   bool is_held_ = false;
   bool is_driven_ = false;
   bool has_explicit_time_ = false;
   bool is_forced_ = false;
+  bool has_moving_constraints_ = false;
   bool does_work_ = false;
   std::vector<std::uint32_t> cyclic_ = {};
   std::vector<ConservedDrift> conserved_ = {};
   std::vector<StateFunction> conserved_functions_ = {};
   Numbers conserved_values_ = {};
-  Numbers shown_, solution_, moved_, force_, more_force_, matrix_, mass_, scales_;
+  std::size_t first_acceleration_ = 0;  ///< in `solution_`
+  std::size_t first_pivot_ = 0;
+  std::size_t first_multiplier_ = 0;
+  Numbers shown_, solution_, moved_, residual_, jacobian_, force_, more_force_, matrix_, mass_,
+      scales_;
 };
 
 }  // namespace elgen
