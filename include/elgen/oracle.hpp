@@ -32,6 +32,9 @@ using State = LeafValues<cln::cl_R>;
 /// else zero, sized for the model.
 [[nodiscard]] State nominal_state(const Model& model, const Scene& scene);
 
+/// The same at the `start` of coordinates and rates.
+[[nodiscard]] State start_state(const Model& model, const Scene& scene);
+
 /// Replaces every quaternion by a rational one of length 1, made of its last three components.
 void make_unit_quaternions(const Model& model, State& state);
 
@@ -83,9 +86,18 @@ struct Contraction {
 [[nodiscard]] std::optional<cln::cl_R> oracle_energy_magnitude(const Model& model,
                                                                const State& state);
 
-/// The state moved onto the constraints by Newton's method, as `projected` steps: |f| below 1e-40 of
-/// the size of its terms, then the rates there. None where it does not get there. Without
-/// constraints the state itself.
+/// Where Newton's method for the constraints ends.
+struct Assembly {
+  State state = {};
+  bool has_pose = false;   ///< f is 0 there, to 60 digits of the coordinates
+  bool has_rates = false;  ///< and the rates are consistent with it
+};
+
+/// From a state, by steps as in `projected` which are halved where they would lead away, then the
+/// rates. None where an equation has no value at the state.
+[[nodiscard]] std::optional<Assembly> oracle_assembly(const Model& model, const State& state);
+
+/// The state it ends at; none where the constraints do not hold there.
 [[nodiscard]] std::optional<State> oracle_assembled(const Model& model, State state);
 
 /// D_i / M_ii of a symmetric n x n matrix M = L D L^T, eliminated from the first row to the last.

@@ -27,6 +27,10 @@ inline constexpr std::size_t most_coordinates_searched = 3;
 /// E524: M is not positive definite at one.
 [[nodiscard]] Diagnostics inspect_mass_matrix(const Inspected& subject);
 
+/// E536: an equation that no motion changes. E537: one that follows from others wherever they hold.
+/// E538: no pose near the start.
+[[nodiscard]] Diagnostics inspect_constraints(const Inspected& subject);
+
 /// E507: a planar spin that is not the rate of an angle(q, t).
 [[nodiscard]] Diagnostics inspect_spins(const Inspected& subject);
 

@@ -20,12 +20,12 @@ struct Elimination {
 };
 
 Elimination scaled_rows(const Vector& matrix, const Vector& scales) {
-  const std::size_t n = scales.size();
+  const std::size_t columns = matrix.size() / scales.size();
   Elimination e;
-  for (std::size_t i = 0; i < n; ++i) {
-    Vector row(n, cl_R(0));
-    for (std::size_t j = 0; j < n && !cln::zerop(scales[i]); ++j) {
-      row[j] = matrix[i * n + j] / scales[i];
+  for (std::size_t i = 0; i < scales.size(); ++i) {
+    Vector row(columns, cl_R(0));
+    for (std::size_t j = 0; j < columns && !cln::zerop(scales[i]); ++j) {
+      row[j] = matrix[i * columns + j] / scales[i];
     }
     e.rows.push_back(row);
   }
@@ -80,17 +80,17 @@ Vector row_scales(const Vector& matrix, std::size_t n) {
 }
 
 std::vector<Vector> null_space(const Vector& matrix, const Vector& row_scales) {
-  const std::size_t n = row_scales.size();
+  const std::size_t columns = matrix.size() / row_scales.size();
   Elimination e = scaled_rows(matrix, row_scales);
   std::vector<std::size_t> free_columns;
-  for (std::size_t column = 0; column < n; ++column) {
+  for (std::size_t column = 0; column < columns; ++column) {
     const std::size_t rank = e.pivot_columns.size();
     eliminate(e, column);
     if (e.pivot_columns.size() == rank) free_columns.push_back(column);
   }
   std::vector<Vector> basis;
   for (const std::size_t column : free_columns) {
-    Vector x(n, cl_R(0));
+    Vector x(columns, cl_R(0));
     x[column] = 1;
     for (std::size_t i = 0; i < e.pivot_columns.size(); ++i) {
       x[e.pivot_columns[i]] = -e.rows[i][column];

@@ -1,4 +1,4 @@
-// Null space of a square matrix of 60-digit numbers, by Gauss-Jordan elimination.
+// Null space of a matrix of 60-digit numbers, by Gauss-Jordan elimination.
 #pragma once
 
 #include <cln/real.h>
@@ -19,7 +19,7 @@ using Vector = std::vector<cln::cl_R>;
 
 /// A basis of {x : A x = 0}. Entries below 1e-50 of their row's scale are what cancellation left of
 /// zero; a row whose scale is 0 is zero. Each basis vector has one entry 1 where all the others
-/// have 0.
+/// have 0; behind it is nothing.
 [[nodiscard]] std::vector<Vector> null_space(const Vector& matrix, const Vector& row_scales);
 
 }  // namespace elgen

@@ -33,6 +33,11 @@ std::vector<ExpressionId> equation_roots(const Model& model) {
     add(force.value);
     add(force.reaction);
   }
+  for (const Constraint& constraint : model.constraints) {
+    roots.push_back(constraint.value);
+    add_one(constraint.omega);
+    add_one(constraint.zeta);
+  }
   return roots;
 }
 

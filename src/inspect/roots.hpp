@@ -7,8 +7,8 @@
 
 namespace elgen {
 
-/// Of the equations of motion: energies, masses, points, bodies, frames and forces. Names in them
-/// are not followed.
+/// Of the equations of motion: energies, masses, points, bodies, frames, forces and constraints.
+/// Names in them are not followed.
 [[nodiscard]] std::vector<ExpressionId> equation_roots(const Model& model);
 
 /// Of an [[output]].

@@ -77,10 +77,8 @@ Diagnostics not_cyclic(const Inspected& subject) {
 /// The state at which a run starts, of the model in which cyclic coordinates move.
 State starting_state(const CheckedModel& checked) {
   const Model& moving = *checked.model.moving;
-  State state = nominal_state(moving, checked.scene);
+  State state = start_state(moving, checked.scene);
   state.parameters = nominal_state(checked.model, checked.scene).parameters;
-  for (std::size_t i = 0; i < state.q.size(); ++i) state.q[i] = moving.coordinates[i].start_value;
-  for (std::size_t i = 0; i < state.v.size(); ++i) state.v[i] = moving.velocities[i].start_rate;
   return state;
 }
 

@@ -53,6 +53,15 @@ Jet along(const Model& model, const Constraint& constraint, const Motion& motion
   return Evaluation(model, moved).value(constraint.value).tangent(pushing);
 }
 
+Direction jacobian_row(const Model& model, const Constraint& constraint, const Motion& motion) {
+  const std::size_t n = motion.v.size();
+  Direction row;
+  for (std::size_t j = 0; j < n; ++j) {
+    row.push_back(along(model, constraint, motion, unit_direction(n, j)).real());
+  }
+  return row;
+}
+
 Values negative(Values values) {
   for (cl_R& value : values) value = -value;
   return values;
@@ -154,12 +163,10 @@ Values constraint_residual(const Model& model, const State& state) {
 
 Values constraint_jacobian(const Model& model, const State& state) {
   const Motion motion = motion_of(state);
-  const std::size_t n = state.v.size();
   Values values;
   for (const Constraint& constraint : model.constraints) {
-    for (std::size_t j = 0; j < n; ++j) {
-      values.push_back(along(model, constraint, motion, unit_direction(n, j)).real());
-    }
+    const Direction row = jacobian_row(model, constraint, motion);
+    values.insert(values.end(), row.begin(), row.end());
   }
   return values;
 }
@@ -257,35 +264,54 @@ ConstrainedMotion constrained_motion(Mechanics& at, const ConstrainedSystem& sys
                            negative(stabilised_bias(at.model(), at.state())));
 }
 
-Values projected(const Model& model, const State& state) {
-  const std::size_t n = state.v.size();
-  State moved = state;
+Shortage position_shortage(const Model& model, const State& state) {
+  const Motion motion = motion_of(state);
+  Evaluation at(model, motion);
+  Shortage shortage;
+  for (const Constraint& constraint : model.constraints) {
+    if (!constraint.is_position) continue;
+    shortage.rows.push_back(jacobian_row(model, constraint, motion));
+    shortage.s.push_back(-at.value(constraint.value).real());
+  }
+  return shortage;
+}
+
+Shortage rate_shortage(const Model& model, const State& state) {
+  const Motion motion = motion_of(state);
+  Evaluation at(model, motion);
+  Shortage shortage;
+  for (const Constraint& constraint : model.constraints) {
+    shortage.rows.push_back(jacobian_row(model, constraint, motion));
+    shortage.s.push_back(-rate_of(at, constraint).real());
+  }
+  return shortage;
+}
+
+Direction correction(const Model& model, const State& state, const Shortage& shortage) {
+  const Values still(state.v.size());
+  if (shortage.rows.empty()) return still;
   Mechanics at(model, state);
-  const Values all = constraint_residual(model, state);
   ConstrainedSystem system{mass_matrix_values(at), {}};
-  const Values jacobian = constraint_jacobian(model, state);
-  Values shortage;
-  for (std::size_t k = 0; k < model.constraints.size(); ++k) {
-    if (!model.constraints[k].is_position) continue;
-    const auto begin = jacobian.begin() + static_cast<std::ptrdiff_t>(k * n);
-    system.jacobian.insert(system.jacobian.end(), begin, begin + static_cast<std::ptrdiff_t>(n));
-    shortage.push_back(-all[shortage.size()]);
+  for (const Direction& row : shortage.rows) {
+    system.jacobian.insert(system.jacobian.end(), row.begin(), row.end());
   }
-  if (!shortage.empty()) {
-    const Values change = solve_constrained(system, Values(n), shortage).x;
-    const Motion motion = motion_of(state);
-    const std::vector<Jet> moving(change.begin(), change.end());
-    const std::vector<Jet> rates = coordinate_rates(model, motion.q, moving);
-    for (std::size_t i = 0; i < moved.q.size(); ++i) moved.q[i] = moved.q[i] + rates[i].real();
-  }
-  moved.q = normalized(model, moved.q);
-  Mechanics there(model, moved);
-  const Values residual = constraint_residual(model, moved);
-  const Values rates(residual.begin() + static_cast<std::ptrdiff_t>(shortage.size()),
-                     residual.end());
-  const Values change = solve_constrained(constrained_system(there), Values(n), negative(rates)).x;
+  return solve_constrained(system, still, shortage.s).x;
+}
+
+State moved_by(const Model& model, State state, const Direction& x) {
+  const std::vector<Jet> moving(x.begin(), x.end());
+  const std::vector<Jet> rates = coordinate_rates(model, motion_of(state).q, moving);
+  for (std::size_t i = 0; i < rates.size(); ++i) state.q[i] = state.q[i] + rates[i].real();
+  state.q = normalized(model, std::move(state.q));
+  return state;
+}
+
+Values projected(const Model& model, const State& state) {
+  const Direction dq = correction(model, state, position_shortage(model, state));
+  const State moved = moved_by(model, state, dq);
+  const Direction dv = correction(model, moved, rate_shortage(model, moved));
   Values values = moved.q;
-  for (std::size_t i = 0; i < n; ++i) values.push_back(state.v[i] + change[i]);
+  for (std::size_t i = 0; i < dv.size(); ++i) values.push_back(state.v[i] + dv[i]);
   return values;
 }
 

@@ -58,8 +58,24 @@ struct ConstrainedSystem {
 /// a and lambda.
 [[nodiscard]] ConstrainedMotion constrained_motion(Mechanics& at, const ConstrainedSystem& system);
 
-/// Coordinates, then rates, after one step of Newton: q + N dq with M dq = A^T y, A dq = -f, then v
-/// + dv with M dv = A^T y, A dv = -r there.
+/// What constraints lack: a direction with A x = s makes f of positions, or r of all, 0 to first
+/// order.
+struct Shortage {
+  std::vector<Direction> rows = {};  ///< of A
+  std::vector<cln::cl_R> s = {};     ///< -f or -r
+};
+[[nodiscard]] Shortage position_shortage(const Model& model, const State& state);
+[[nodiscard]] Shortage rate_shortage(const Model& model, const State& state);
+
+/// x with M x = A^T y, A x = s: the change of least kinetic energy.
+[[nodiscard]] Direction correction(const Model& model, const State& state,
+                                   const Shortage& shortage);
+
+/// The state at q + N x, quaternions at length 1.
+[[nodiscard]] State moved_by(const Model& model, State state, const Direction& x);
+
+/// Coordinates, then rates, after one step of Newton: q + N dq, then v + dv there, both by
+/// correction().
 [[nodiscard]] std::vector<cln::cl_R> projected(const Model& model, const State& state);
 
 /// Inputs, multipliers, and tau - B u - A^T lambda.

@@ -1,44 +1,22 @@
 // The oracle's interface: turns every failure of the domain into an empty value.
 #include "elgen/oracle.hpp"
 
-#include <cln/exception.h>
-
 #include <array>
 
-#include "base/more_digits.hpp"
 #include "base/random.hpp"
 #include "elgen/leaf_names.hpp"
 #include "elgen/references.hpp"
+#include "oracle/guarded.hpp"
 #include "oracle/mechanics.hpp"
 #include "oracle/output_values.hpp"
-#include "oracle/real_functions.hpp"
 #include "oracle/solved_dynamics.hpp"
 
 namespace elgen {
 namespace {
 
 using cln::cl_R;
-
-/// CLN and the oracle throw where a value does not exist; callers get an empty optional.
-template <class Computation>
-auto attempt(const Computation& computation) -> std::optional<decltype(computation())> {
-  try {
-    return computation();
-  } catch (const cln::runtime_exception&) {
-    return std::nullopt;
-  } catch (const oracle::OutsideDomain&) {
-    return std::nullopt;
-  }
-}
-
-/// To as many digits as its angles ask for: without them a value may seem not to exist.
-template <class Computation>
-auto guarded(const Computation& computation) -> std::optional<decltype(computation())> {
-  MoreDigits digits;
-  auto value = attempt(computation);
-  while (digits.grow()) value = attempt(computation);
-  return value;
-}
+using oracle::attempt;
+using oracle::guarded;
 
 const cln::cl_RA half_turn = cln::cl_RA(355) / 113;  // rational, so that states are exact
 
@@ -63,6 +41,13 @@ State nominal_state(const Model& model, const Scene& scene) {
     state.parameters[i] = is_fixed ? fixed->second.number : model.parameters[i].value;
   }
   for (const Rotation& rotation : model.rotations) state.q[rotation.first_coordinate] = 1;
+  return state;
+}
+
+State start_state(const Model& model, const Scene& scene) {
+  State state = nominal_state(model, scene);
+  for (std::size_t i = 0; i < state.q.size(); ++i) state.q[i] = model.coordinates[i].start_value;
+  for (std::size_t i = 0; i < state.v.size(); ++i) state.v[i] = model.velocities[i].start_rate;
   return state;
 }
 

@@ -105,7 +105,11 @@ class MechanicsCheck {
         const Velocity& velocity = model_.velocities[i];
         context_.report.add(Code::E513, velocity.span,
                             "the rate of " + in_backticks(velocity.name) +
-                                " is in no energy, so nothing determines its motion");
+                                " is in no energy, so nothing determines its motion",
+                            model_.constraints.empty()
+                                ? ""
+                                : "give it a mass, also where a constraint holds it: M is inverted "
+                                  "by itself");
       }
     }
   }
@@ -240,7 +244,8 @@ namespace {
 void check_equation(Context& context, const Constraint& constraint, const Traits& traits) {
   const Span& span = constraint.equation_span;
   if ((traits.ingredients & (uses_coordinate | uses_rate)) == 0) {
-    context.report.add(Code::E536, span, in_backticks(span) + " holds nothing that moves");
+    context.report.add(Code::E536, span,
+                       in_backticks(constraint.name) + " holds nothing that moves");
   } else if (!constraint.is_position && traits.rate_degree > 1) {
     context.report.add(Code::E535, span, in_backticks(span) + " is not affine in the rates");
   } else if (!constraint.is_position && traits.rate_degree == 0) {

@@ -1,0 +1,198 @@
+// E536: an equation whose row of A = dr/dv is 0 at every sampled state. E538: Newton's method finds
+// no pose from the start. E537: equations that follow from others.
+//
+// A is looked at where the constraints hold, from the start and from places around it: a rod that
+// another one makes redundant may do so there only. A combination of rows that is 0 is a null
+// vector of A^T; where each pose has one, the equations depend on each other.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/exact_number.hpp"
+#include "check/judge/output_units.hpp"
+#include "inspect/checks.hpp"
+#include "inspect/null_space.hpp"
+#include "inspect/readable.hpp"
+#include "inspect/samples.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_R;
+
+constexpr std::size_t other_pose_count = 3;
+constexpr unsigned pose_draws = 8;
+
+/// What rounding leaves of zero, in any unit.
+bool is_nothing(const cl_R& x) { return cln::abs(x) < power_of_ten(-50); }
+
+/// Whether the row of A of each equation is 0 at every state that has one.
+std::vector<bool> without_effect(const Inspected& subject) {
+  const std::size_t n = subject.model.velocities.size();
+  std::vector<bool> marks(subject.model.constraints.size(), true);
+  for (unsigned seed = 0; seed < pose_draws; ++seed) {
+    const OracleValues a = oracle_values(subject.model, {.kind = OutputKind::constraint_jacobian},
+                                         sampled_state(subject, seed));
+    for (std::size_t k = 0; a && k < a->size(); ++k) {
+      if (!is_nothing((*a)[k])) marks[k / n] = false;
+    }
+  }
+  return marks;
+}
+
+Diagnostics without_effects(const Inspected& subject) {
+  Diagnostics errors;
+  const std::vector<bool> marks = without_effect(subject);
+  for (std::size_t k = 0; k < marks.size(); ++k) {
+    const Constraint& constraint = subject.model.constraints[k];
+    const auto value =
+        oracle_expression(subject.model, constraint.value, sampled_state(subject, 0));
+    if (!marks[k] || !value) continue;
+    errors.push_back({Code::E536, constraint.equation_span,
+                      fmt::format("`{}` constrains nothing: it is {} whatever the {} are",
+                                  constraint.name, is_nothing(*value) ? "0" : "the same",
+                                  constraint.is_position ? "coordinates" : "rates"),
+                      "remove it; two components are enough of points in a plane"});
+  }
+  return errors;
+}
+
+/// "0.5 m of `loop_x`, 0.1 m of `loop_y`": what f is, or where that is 0 what r is.
+std::string what_is_left(const Model& model, const Assembly& at) {
+  const OracleValues values =
+      oracle_values(model, {.kind = OutputKind::constraint_residual}, at.state);
+  if (!values) return "no value";
+  const std::size_t first = at.has_pose ? values->size() - model.constraints.size() : 0;
+  std::string text;
+  std::size_t row = 0;
+  for (const Constraint& constraint : model.constraints) {
+    if (!at.has_pose && !constraint.is_position) continue;
+    const std::string unit = unit_text_of_entry(
+        model, {OutputKind::constraint_residual, at.has_pose ? "rate" : "position", row});
+    const cl_R left = cln::abs((*values)[first + row++]);
+    text += fmt::format("{}{:.3g}{} of `{}`", text.empty() ? "" : ", ",
+                        is_nothing(left) ? 0.0 : cln::double_approx(left),
+                        unit.empty() || unit == "1" ? "" : " " + unit, constraint.name);
+  }
+  return text;
+}
+
+Diagnostic not_assembled(const Model& model, const std::optional<Assembly>& at) {
+  const std::string left = at ? what_is_left(model, *at) : "no value";
+  return {Code::E538, model.constraints.front().span,
+          fmt::format("no {} near the start meet the constraints: what is left is {}",
+                      at && at->has_pose ? "rates" : "coordinates", left),
+          "give the coordinates a `start` near a pose that exists"};
+}
+
+/// Where coordinates and rates start; open functions have any values.
+State full_start(const Inspected& subject) {
+  State state = start_state(subject.model, subject.scene);
+  state.f = sampled_state(subject, 0).f;
+  return state;
+}
+
+/// From anywhere, then from ever nearer to a pose, in turns with parameters of their own.
+std::vector<State> other_poses(const Inspected& subject, const State& start) {
+  constexpr unsigned turns = 3;  // every third draws lengths up to 1
+  std::vector<State> poses;
+  cl_R share = 1;
+  for (unsigned draw = 0; draw < pose_draws && poses.size() < other_pose_count; ++draw) {
+    State state = sampled_state(subject, turns * draw);
+    for (std::size_t i = 0; i < state.q.size(); ++i) {
+      state.q[i] = start.q[i] + (state.q[i] - start.q[i]) * share;
+    }
+    if (draw % 2 != 0) {
+      state.parameters = start.parameters;
+      share = share / 2;
+    }
+    if (auto pose = oracle_assembled(subject.model, std::move(state))) {
+      poses.push_back(std::move(*pose));
+    }
+  }
+  return poses;
+}
+
+using Combinations = std::vector<Vector>;
+
+/// The combinations of rows of A that are 0, each with an equation of factor 1 that no equation
+/// behind it takes part in; none where A has no value.
+Combinations zero_combinations(const Model& model, const State& pose) {
+  const OracleValues a = oracle_values(model, {.kind = OutputKind::constraint_jacobian}, pose);
+  if (!a) return {};
+  const std::size_t n = model.velocities.size();
+  const std::size_t m = model.constraints.size();
+  Vector columns(a->size());
+  Vector lengths;
+  for (std::size_t k = 0; k < m; ++k) {
+    cl_R largest = 0;
+    for (std::size_t j = 0; j < n; ++j) largest = cln::max(largest, cln::abs((*a)[k * n + j]));
+    lengths.push_back(is_nothing(largest) ? cl_R(1) : largest);
+    for (std::size_t j = 0; j < n; ++j) columns[j * m + k] = (*a)[k * n + j] / lengths[k];
+  }
+  Combinations all = null_space(columns, Vector(n, cl_R(1)));
+  for (Vector& factors : all) {
+    for (std::size_t k = 0; k < m; ++k) factors[k] = factors[k] / lengths[k];
+  }
+  return all;
+}
+
+std::size_t last_of(const Vector& factors) {
+  std::size_t last = factors.size() - 1;
+  while (last > 0 && readable(factors[last]) == "0") --last;
+  return last;
+}
+
+/// "2*rod - loop_x": what the last equation of a combination that is 0 equals.
+std::string sum_of_others(const Model& model, const Vector& factors) {
+  const std::size_t last = last_of(factors);
+  std::string text;
+  for (std::size_t k = 0; k < last; ++k) {
+    const cl_R factor = -factors[k] / factors[last];
+    const std::string size = readable(cln::abs(factor));
+    if (size == "0") continue;
+    if (!text.empty()) text += factor > 0 ? " + " : " - ";
+    if (text.empty() && factor < 0) text = "-";
+    text += (size == "1" ? "" : size + "*") + model.constraints[k].name;
+  }
+  return text.empty() ? "0" : text;
+}
+
+/// Of the pose that has fewest, whatever the others have more: there may be dead centres.
+Diagnostics redundant(const Model& model, const std::vector<Combinations>& at_poses) {
+  const auto fewest =
+      std::ranges::min_element(at_poses, {}, [](const Combinations& all) { return all.size(); });
+  Diagnostics errors;
+  for (std::size_t i = 0; i < fewest->size(); ++i) {
+    const Constraint& constraint = model.constraints[last_of((*fewest)[i])];
+    const std::string sum = sum_of_others(model, (*fewest)[i]);
+    const bool is_fixed = std::ranges::all_of(at_poses, [&](const Combinations& all) {
+      return all.size() != fewest->size() || sum_of_others(model, all[i]) == sum;
+    });
+    errors.push_back({Code::E537, constraint.span,
+                      fmt::format("`{}` follows from other constraints: its row of A is {}{}",
+                                  constraint.name, sum, is_fixed ? "" : " at one pose"),
+                      "remove it: its multiplier is not determined"});
+  }
+  return errors;
+}
+
+}  // namespace
+
+Diagnostics inspect_constraints(const Inspected& subject) {
+  const Model& model = subject.model;
+  if (model.constraints.empty() || model.velocities.size() > most_coordinates_sampled) return {};
+  Diagnostics errors = without_effects(subject);
+  if (!errors.empty()) return errors;
+  const std::optional<Assembly> start = oracle_assembly(model, full_start(subject));
+  if (!start || !start->has_rates) return {not_assembled(model, start)};
+  std::vector<Combinations> at_poses{zero_combinations(model, start->state)};
+  if (at_poses.front().empty()) return {};
+  for (const State& pose : other_poses(subject, start->state)) {
+    at_poses.push_back(zero_combinations(model, pose));
+    if (at_poses.back().empty()) return {};
+  }
+  return redundant(model, at_poses);
+}
+
+}  // namespace elgen

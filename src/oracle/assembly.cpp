@@ -1,0 +1,160 @@
+// Assembly: Newton's method from any state to one that meets the constraints.
+//
+//     q + N s x,   M x = A^T y,   A x = -f,   s = 1, 1/2, 1/4, ... until the errors shrink
+//
+// The error of an equation is f over the length of its row of A: how far off the coordinates are.
+// Rows that follow from those before them take no part, so that redundant equations that agree are
+// met like others. A step is as long as a float, since exact rationals double in length each time.
+#include <numeric>
+#include <utility>
+
+#include "base/exact_number.hpp"
+#include "elgen/oracle.hpp"
+#include "oracle/constraints.hpp"
+#include "oracle/guarded.hpp"
+#include "oracle/real_functions.hpp"
+
+namespace elgen::oracle {
+namespace {
+
+using cln::cl_R;
+
+constexpr unsigned most_newton_steps = 60;
+constexpr unsigned most_halvings = 10;
+
+/// What is left of a row, of its length, where it is taken to follow from others.
+const cl_R& dependent_share() {
+  static const cl_R share = power_of_ten(-12);
+  return share;
+}
+
+/// Of the coordinates, where the equations count as met.
+const cl_R& met_share() {
+  static const cl_R share = power_of_ten(-60);
+  return share;
+}
+
+cl_R length_of(const Direction& row) {
+  const cl_R square = std::inner_product(row.begin(), row.end(), row.begin(), cl_R(0));
+  return cln::zerop(square) ? cl_R(0) : real_power(square, cln::cl_RA(1) / 2);
+}
+
+/// The rows that do not follow from those before them, by Gram and Schmidt.
+Shortage independent(const Shortage& all) {
+  Shortage kept;
+  std::vector<Direction> basis;
+  for (std::size_t k = 0; k < all.rows.size(); ++k) {
+    Direction rest = all.rows[k];
+    for (const Direction& unit : basis) {
+      const cl_R share = std::inner_product(rest.begin(), rest.end(), unit.begin(), cl_R(0));
+      for (std::size_t j = 0; j < rest.size(); ++j) rest[j] = rest[j] - share * unit[j];
+    }
+    const cl_R length = length_of(rest);
+    if (length <= length_of(all.rows[k]) * dependent_share()) continue;
+    for (cl_R& entry : rest) entry = entry / length;
+    basis.push_back(std::move(rest));
+    kept.rows.push_back(all.rows[k]);
+    kept.s.push_back(all.s[k]);
+  }
+  return kept;
+}
+
+/// None where the system has no solution.
+std::optional<Direction> newton_step(const Model& model, const State& state,
+                                     const Shortage& shortage) {
+  std::optional<Direction> step =
+      attempt([&] { return correction(model, state, independent(shortage)); });
+  if (!step) return std::nullopt;
+  for (cl_R& entry : *step) {
+    if (!cln::zerop(entry)) entry = as_float(entry);
+  }
+  return step;
+}
+
+/// The length of each row; 1 of one that is 0.
+std::vector<cl_R> scales_of(const Shortage& shortage) {
+  std::vector<cl_R> lengths;
+  for (const Direction& row : shortage.rows) {
+    const cl_R length = length_of(row);
+    lengths.push_back(cln::zerop(length) ? cl_R(1) : length);
+  }
+  return lengths;
+}
+
+/// `at` are the coordinates, or the rates, that are to be determined.
+bool is_met(const Shortage& shortage, const std::vector<cl_R>& at) {
+  const std::vector<cl_R> lengths = scales_of(shortage);
+  const cl_R share = met_share() * (1 + largest_of(at));
+  for (std::size_t k = 0; k < lengths.size(); ++k) {
+    if (cln::abs(shortage.s[k]) > share * lengths[k]) return false;
+  }
+  return true;
+}
+
+/// The sum of squares of errors; `left` begins with an equation for each length.
+cl_R squared_error(const std::vector<cl_R>& left, const std::vector<cl_R>& lengths) {
+  cl_R sum = 0;
+  for (std::size_t k = 0; k < lengths.size(); ++k) {
+    const cl_R error = left[k] / lengths[k];
+    sum = sum + error * error;
+  }
+  return sum;
+}
+
+/// As far along a step as errors shrink; none where they do not.
+std::optional<State> nearer(const Model& model, const State& state, const Shortage& shortage) {
+  std::optional<Direction> step = newton_step(model, state, shortage);
+  const std::vector<cl_R> lengths = scales_of(shortage);
+  const cl_R now = squared_error(shortage.s, lengths);
+  for (unsigned halving = 0; step && halving <= most_halvings; ++halving) {
+    State next = moved_by(model, state, *step);
+    const auto error =
+        attempt([&] { return squared_error(constraint_residual(model, next), lengths); });
+    if (error && *error < now) return next;
+    for (cl_R& entry : *step) entry = entry / 2;
+  }
+  return std::nullopt;
+}
+
+/// Gives the state consistent rates, as far as there are any.
+void assemble_rates(const Model& model, Assembly& at) {
+  const Shortage shortage = rate_shortage(model, at.state);
+  if (!is_met(shortage, at.state.v)) {
+    const std::optional<Direction> step = newton_step(model, at.state, shortage);
+    if (!step) return;
+    for (std::size_t i = 0; i < step->size(); ++i) at.state.v[i] = at.state.v[i] + (*step)[i];
+  }
+  at.has_rates = is_met(rate_shortage(model, at.state), at.state.v);
+}
+
+Assembly assembled(const Model& model, State state) {
+  Assembly at{std::move(state)};
+  at.state.q = normalized(model, std::move(at.state.q));
+  for (unsigned step = 0; step <= most_newton_steps; ++step) {
+    const Shortage shortage = position_shortage(model, at.state);
+    at.has_pose = is_met(shortage, at.state.q);
+    if (at.has_pose) break;
+    std::optional<State> next = nearer(model, at.state, shortage);
+    if (!next) return at;
+    at.state = std::move(*next);
+  }
+  if (at.has_pose) assemble_rates(model, at);
+  return at;
+}
+
+}  // namespace
+}  // namespace elgen::oracle
+
+namespace elgen {
+
+std::optional<Assembly> oracle_assembly(const Model& model, const State& state) {
+  return oracle::guarded([&] { return oracle::assembled(model, state); });
+}
+
+std::optional<State> oracle_assembled(const Model& model, State state) {
+  if (model.constraints.empty()) return state;
+  std::optional<Assembly> at = oracle_assembly(model, state);
+  return at && at->has_rates ? std::optional(std::move(at->state)) : std::nullopt;
+}
+
+}  // namespace elgen
