@@ -74,7 +74,8 @@ struct Certificate {
 
 /// The outputs by which solutions M x = b of the scene are judged: M, bias, the input matrix, and
 /// where derivatives of accelerations are asked for, forward dynamics and the derivatives of
-/// inverse dynamics. Empty where nothing is solved. An expansion is judged by itself.
+/// inverse dynamics; under constraints instead of these their residual, Jacobian and bias. Empty
+/// where nothing is solved. An expansion is judged by itself.
 [[nodiscard]] std::vector<OutputRequest> needed_parts(const Model& model, const Scene& scene);
 
 struct VerifyOptions {

@@ -136,7 +136,8 @@ struct EquationSetting {
 [[nodiscard]] std::span<const OutputRow> output_table();
 [[nodiscard]] const OutputRow& output_row(OutputKind kind);
 
-/// Whether an output that repeats others holds this one: it takes nothing beside p, q, v and t.
+/// Whether an output that repeats others holds this one: it takes nothing beside p, q, v and t, and
+/// has one field.
 [[nodiscard]] bool is_repeated(OutputKind kind);
 
 /// The field of this name, or the first; a single number where the output has no fields.

@@ -3,7 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "check/judge/output_units.hpp"
+#include "check/names/requests.hpp"
 #include "diff/renamed.hpp"
 #include "lower/code_interface.hpp"
 
@@ -61,11 +65,12 @@ struct Labelled {
   std::string unit = {};
 };
 
-/// The pivots of M depend on the order in which it is eliminated.
+/// Pivots depend on the order in which M and A M^-1 A^T are eliminated.
 bool same_order(const Model& before, const Model& after, const Renames& renames) {
-  const auto count = static_cast<std::uint32_t>(before.velocities.size());
-  return Labelling(before, renames)(Extent::velocities, count) ==
-         Labelling(after, {})(Extent::velocities, count);
+  return std::ranges::all_of(std::array{Extent::velocities, Extent::constraints}, [&](Extent of) {
+    return Labelling(before, renames)(of, extent_of(before, of)) ==
+           Labelling(after, {})(of, extent_of(after, of));
+  });
 }
 
 std::vector<Labelled> labelled(const Model& model, const Function& function,
@@ -93,16 +98,20 @@ std::vector<Labelled> labelled(const Model& model, const Function& function,
 std::vector<MatchedEntry> matched_entries(const Model& old_model, const Function& before,
                                           const Model& new_model, const Function& after,
                                           const Renames& renames) {
-  std::vector<Labelled> olds = labelled(old_model, before, renames);
-  std::vector<Labelled> news = labelled(new_model, after, {});
-  if (output_row(after.kind).gives_pivots && !same_order(old_model, new_model, renames)) {
-    olds.resize(olds.size() - old_model.velocities.size());
-    news.resize(news.size() - new_model.velocities.size());
-  }
+  const std::vector<Labelled> olds = labelled(old_model, before, renames);
+  const std::vector<Labelled> news = labelled(new_model, after, {});
+  const bool has_pivots =
+      !output_row(after.kind).gives_pivots || same_order(old_model, new_model, renames);
+  const auto is_compared = [has_pivots](const Labelled& entry) {
+    return has_pivots || entry.key.field != "relative_pivots";
+  };
   std::map<EntryKey, std::size_t> known;
-  for (std::size_t i = 0; i < olds.size(); ++i) known.emplace(olds[i].key, i);
+  for (std::size_t i = 0; i < olds.size(); ++i) {
+    if (is_compared(olds[i])) known.emplace(olds[i].key, i);
+  }
   std::vector<MatchedEntry> matched;
   for (std::size_t i = 0; i < news.size(); ++i) {
+    if (!is_compared(news[i])) continue;
     MatchedEntry entry{{}, i, news[i].place, news[i].unit};
     if (const auto old = known.find(news[i].key); old != known.end()) {
       entry.before = old->second;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace elgen {
 namespace {
@@ -105,6 +106,24 @@ const Function* find_function(const Program& program, OutputKind kind, std::uint
       std::find_if(program.functions.begin(), program.functions.end(),
                    [&](const Function& f) { return f.kind == kind && f.user == user; });
   return found == program.functions.end() ? nullptr : &*found;
+}
+
+std::vector<Real> stabilising_terms(const Model& model, const State& state,
+                                    const std::vector<Real>& residual) {
+  const auto gain = [&](const std::optional<ExpressionId>& expression) {
+    if (!expression) return Real();
+    const std::optional<cl_R> value = oracle_expression(model, *expression, state);
+    return value ? Real(*value) : Real::undefined();
+  };
+  std::size_t position = 0;
+  std::size_t rate = residual.size() - model.constraints.size();
+  std::vector<Real> terms;
+  for (const Constraint& constraint : model.constraints) {
+    const Real omega = gain(constraint.omega);
+    Real& term = terms.emplace_back(Real(2) * gain(constraint.zeta) * omega * residual[rate++]);
+    if (constraint.is_position) term = term + omega * omega * residual[position++];
+  }
+  return terms;
 }
 
 std::string describe(const Subject& subject, const State& state) {

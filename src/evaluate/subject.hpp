@@ -38,6 +38,10 @@ template <class Scalar>
 [[nodiscard]] const Function* find_function(const Program& program, OutputKind kind,
                                             std::uint32_t user = 0);
 
+/// 2 zeta omega r + omega^2 f of each constraint, for the entries of a residual: f, then r.
+[[nodiscard]] std::vector<Real> stabilising_terms(const Model& model, const State& state,
+                                                  const std::vector<Real>& residual);
+
 /// "q = (0.1, 2), v = (3, -1), u = (0.5), t = 2"; parameters only where they are not at their
 /// value.
 [[nodiscard]] std::string describe(const Subject& subject, const State& state);

@@ -23,8 +23,8 @@ name = "y"
 T = "dot(x)^2 + dot(x)*dot(y) + 2*dot(y)^2"
 )toml");
 /// The same with x and y in the place of each other.
-std::string turned() {
-  std::string text = edited(plane, "name = \"x\"", "name = \"z\"");
+std::string turned(const std::string& given = plane) {
+  std::string text = edited(given, "name = \"x\"", "name = \"z\"");
   text = edited(text, "name = \"y\"", "name = \"x\"");
   return edited(text, "name = \"z\"", "name = \"y\"");
 }
@@ -75,6 +75,17 @@ TEST_CASE("renamed coordinates stay where they are") {
 TEST_CASE("pivots are compared in one order of coordinates only") {
   CHECK(matched(lowered(plane), lowered(plane), OutputKind::forward_dynamics).size() == 6);
   CHECK(matched(lowered(plane), lowered(turned()), OutputKind::forward_dynamics).size() == 4);
+}
+
+TEST_CASE("where pivots are left out, the multipliers behind them are compared all the same") {
+  const std::string held = plane + "[[constraint]]\nname = \"line\"\nequation = \"x + 2*y = 1\"\n";
+  const auto alike = matched(lowered(held), lowered(held), OutputKind::forward_dynamics);
+  const auto others = matched(lowered(held), lowered(turned(held)), OutputKind::forward_dynamics);
+  // Two accelerations, three pivots, a multiplier, and the diagonal that no program keeps.
+  CHECK(alike.size() == 9);
+  REQUIRE(others.size() == 6);
+  CHECK(others[2].before == 5U);
+  CHECK(others[2].after == 5U);
 }
 
 TEST_CASE("entries of an output that only one version has are on their own") {

@@ -1,10 +1,12 @@
 // Bounds along a program: regimes, and errors measured in them. Solutions are judged by the
-// condition of M, not by the code that solves.
+// condition of M, and of the whole under constraints, not by the code that solves.
 #include "verify/bounds/solution_bound.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "elgen/certificate.hpp"
 #include "verify/bounds/accuracy.hpp"
@@ -46,22 +48,61 @@ SampledState<double> state_with(const System& system, double c) {
   return states.front();
 }
 
-std::vector<SolvedColumn> columns_at(const System& system, double c) {
+/// The same pair, driven by b and d, with x held at 0: M is eliminated first, then A M^-1 A^T.
+System held_pair(const std::optional<std::pair<std::string, std::string>>& gains = {}) {
+  const std::string leaves =
+      "  0 = parameter one\n  1 = parameter c\n  2 = parameter b\n  3 = parameter d\n"
+      "  4 = constant 0\n  5 = constant 1\n";
+  // 6 r1  7 r2  8 L = c/1  10 D2  12 z2 = r2 - L r1  13 L/D2  16 S  19 w z2 - r1  20 lambda
+  const std::string body =
+      "  6 = negate 2\n  7 = negate 3\n  8 = divide 1 0\n  9 = multiply 8 1\n"
+      "  10 = subtract 0 9\n  11 = multiply 8 6\n  12 = subtract 7 11\n  13 = divide 8 10\n"
+      "  14 = multiply 8 13\n  15 = divide 5 0\n  16 = add 15 14\n  17 = multiply 13 12\n"
+      "  18 = divide 6 0\n  19 = subtract 17 18\n  20 = divide 19 16\n"
+      // 21 z1 + W1 lambda  23 z2 + W2 lambda  24 a2  27 a1  28 d2
+      "  21 = add 6 20\n  22 = multiply 8 20\n  23 = subtract 12 22\n  24 = divide 23 10\n"
+      "  25 = divide 21 0\n  26 = multiply 8 24\n  27 = subtract 25 26\n  28 = divide 10 0\n";
+  ModelBuilder builder;
+  builder.coordinate("x", "m").coordinate("y", "m");
+  builder.parameter("one", "1").parameter("c", "0.5").parameter("b", "3.1").parameter("d", "1.7");
+  builder.T("one*x_d^2/2 + c*x_d*y_d + one*y_d^2/2").V("b*x + d*y");
+  Constraint held;
+  held.name = held.identifier = "held";
+  held.value = builder.expression("x");
+  if (gains) held.omega = builder.expression(gains->first);
+  if (gains) held.zeta = builder.expression(gains->second);
+  builder.model.constraints.push_back(held);
+  return system_of(
+      builder.model,
+      "parameters one c b d\ncoordinates x y\n" +
+          function_text("mass_matrix", leaves, "  result 2 2 = 0 1 1 0\n") +
+          function_text("bias", leaves, "  result 2 1 = 2 3\n") +
+          function_text("forward_dynamics", leaves + body,
+                        "  result acceleration 2 1 = 27 24\n"
+                        "  result relative_pivots 3 1 = 5 28 5\n  result multipliers 1 1 = 20\n") +
+          function_text("constraint_residual", "  0 = coordinate x\n  1 = velocity x\n",
+                        "  result position 1 1 = 0\n  result rate 1 1 = 1\n") +
+          function_text("constraint_jacobian", leaves, "  result 1 2 = 5 4\n") +
+          function_text("constraint_bias", leaves, "  result 1 1 = 4\n"));
+}
+
+/// Of one field of forward_dynamics.
+std::vector<SolvedColumn> columns_at(const System& system, double c, std::size_t field = 0) {
   const Subject subject = system.subject();
   const SampledState<double> sample = state_with(system, c);
   const State state = exact_state(subject, sample.values);
-  SolutionBounds bounds(&system.program, state, rounding<double>());
-  const FieldPlace place = field_places(subject, 2).front();
+  SolutionBounds bounds(system.model, &system.program, state, rounding<double>());
+  const FieldPlace place = field_places(subject, 2)[field];
   const BoundedRun run = bounded_run(system.program, *place.function, state, rounding<double>());
-  return bounds.columns(place, {run.entries[0], run.entries[1]});
+  return bounds.columns(place, run.entries);
 }
 
-Finding finding_at(const System& system, double c, const Program* parts) {
+Finding finding_at(const System& system, double c, const Program* parts, std::size_t field = 0) {
   const Subject subject = system.subject();
   const SampledState<double> sample = state_with(system, c);
   Visit<double> visit(subject, sample, {Comparison::entries, parts});
   Random random(1);
-  return visit.look_at(field_places(subject, 2).front(), random);
+  return visit.look_at(field_places(subject, 2)[field], random);
 }
 
 /// x^2 / (x - y), then its square root.
@@ -143,13 +184,56 @@ TEST_CASE("a solution whose own bound says nothing is still judged, and found wr
   CHECK(finding.imprecision.find("times its error bound") != std::string::npos);
 }
 
+TEST_CASE("under constraints it is that of the whole system, times cond M") {
+  // K = [1 1/2 1; 1/2 1 0; 1 0 0] has the eigenvalues -0.6617, 0.8210 and 1.8407 with more digits;
+  // a = (0, -1.7) and lambda = 2.25.
+  const double condition = 3 * 2.781712822094902;
+  const double of_solution = (3 + std::sqrt(4.5)) * std::hypot(1.7, 2.25);
+  const auto accelerations = columns_at(held_pair(), 0.5);
+  const auto multipliers = columns_at(held_pair(), 0.5, 2);
+  REQUIRE(accelerations.size() == 1);
+  REQUIRE(multipliers.size() == 1);
+  const double expected = condition * (of_solution + std::hypot(3.1, 1.7));
+  CHECK(ScalarTraits<double>::from_real(accelerations[0].bound.value()) == Approx(expected));
+  CHECK(ScalarTraits<double>::from_real(multipliers[0].bound.value()) == Approx(expected));
+  CHECK(multipliers[0].entries == std::vector<std::size_t>{0});
+  CHECK(ScalarTraits<double>::from_real(multipliers[0].weights.at(0).value()) == Approx(1));
+  CHECK(columns_at(held_pair(), 0.5, 1).size() == 3);
+  // The side of the constraint is as uncertain as 2 zeta omega r and omega^2 f are.
+  const System stabilised = held_pair(std::pair("3", "0.5"));
+  const Arguments<double> at = state_with(stabilised, 0.5).values;
+  const double side = 3 * std::abs(at.v[0]) + 9 * std::abs(at.q[0]);
+  const double more = condition * (of_solution + std::hypot(3.1, 1.7, side));
+  const Real found = columns_at(stabilised, 0.5).at(0).bound;
+  CHECK(ScalarTraits<double>::from_real(found.value()) == Approx(more));
+}
+
+TEST_CASE("where M alone is ill-conditioned, digits are lost that the whole system would keep") {
+  const double c = 1 - 1e-9;
+  const System system = held_pair();
+  const Finding finding = finding_at(system, c, &system.program);
+  CHECK(finding.mistake.empty());
+  CHECK(finding.in_norm);
+  REQUIRE(finding.error);
+  CHECK(*finding.error <= promised_bounds);
+  const double condition_of_mass = (1 + c) / (1 - c);
+  CHECK(*finding.error * condition_of_mass > 1e6 * promised_bounds);
+  for (const std::size_t field : {1U, 2U}) {
+    const Finding other = finding_at(system, c, &system.program, field);
+    CHECK(other.mistake.empty());
+    CHECK(other.in_norm);
+    REQUIRE(other.error);
+    CHECK(*other.error <= promised_bounds);
+  }
+}
+
 TEST_CASE("without the parts there is no such bound") {
   const System system = symmetric_pair(solve, results);
   const Finding own = finding_at(system, 0.5, nullptr);
   CHECK(own.regime == Regime::regular);
   const Subject subject = system.subject();
   const State state = exact_state(subject, state_with(system, 0.5).values);
-  SolutionBounds none(nullptr, state, rounding<double>());
+  SolutionBounds none(system.model, nullptr, state, rounding<double>());
   CHECK(none.columns(field_places(subject, 2).front(), {}).empty());
 }
 
@@ -184,6 +268,10 @@ TEST_CASE("what solves names its parts") {
   CHECK(kinds().size() == 5);
   system.scene.outputs = {OutputRequest{.kind = OutputKind::inverse_dynamics}};
   CHECK(kinds().empty());
+  system = held_pair();
+  CHECK(kinds() == std::vector<OutputKind>{
+                       OutputKind::mass_matrix, OutputKind::bias, OutputKind::constraint_residual,
+                       OutputKind::constraint_jacobian, OutputKind::constraint_bias});
 }
 
 TEST_CASE("each regime is told") {

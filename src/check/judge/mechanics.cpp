@@ -300,7 +300,8 @@ void check_constraints(Context& context) {
   if (model.constraints.size() > velocities) {
     context.report.add(Code::E535, model.constraints[velocities].span,
                        counted(model.constraints.size(), "equation") + ", but " +
-                           std::to_string(velocities) + " velocities");
+                           std::to_string(velocities) +
+                           (velocities == 1 ? " velocity" : " velocities"));
   }
   check_company(context);
 }

@@ -29,6 +29,13 @@ constexpr const char* solution_reason =
     "x*| + |D^-1/2 B_b|) of M x = b, cond of D^-1/2 M D^-1/2; beyond the ranges the code's own "
     "bound does too, where it is below a tenth of x; skipped where neither does, u cond or "
     "8 u cond |D^-1/2 B_M D^-1/2| > 0.1";
+constexpr const char* constrained_reason =
+    "8 u B + N eta in the norm of W (a, lambda), W = D^1/2, D = diag M, then the lengths of the "
+    "rows "
+    "of A D^-1/2: B = cond ((n + |W^-1 B_K W^-1|) |W x*| + |W^-1 B_b|) of K x = b, K = [M A^T; A "
+    "0], cond of W^-1 K W^-1 times that of D^-1/2 M D^-1/2; beyond the ranges the code's own bound "
+    "does too, where it is below a tenth of x; skipped where neither does, u cond or 8 u cond "
+    "|W^-1 B_K W^-1| > 0.1";
 
 /// One field of a function, and what was found of it so far.
 struct FieldRecord {
@@ -83,13 +90,14 @@ std::vector<SkippedStates> skipped(const FieldRecord& record) {
 }
 
 /// By what judged, not by what was to.
-std::string reason_of(const FieldRecord& record) {
+std::string reason_of(const FieldRecord& record, const Model& model) {
   if (record.place.judge.is_closed_form) return closed_reason;
   if (output_row(record.place.request.kind).steps) return step_reason;
   if (record.in_norm == 0) return own_reason;
+  const char* const by_norm = model.constraints.empty() ? solution_reason : constrained_reason;
   const std::size_t others = record.compared - record.in_norm;
-  if (others == 0) return solution_reason;
-  return fmt::format("{}; at {} of the states {}", solution_reason, others, own_reason);
+  if (others == 0) return by_norm;
+  return fmt::format("{}; at {} of the states {}", by_norm, others, own_reason);
 }
 
 /// The subject of a comparison, in words: the field, and the scalar.
@@ -109,7 +117,7 @@ CertificateRow row_of(const Subject& subject, const FieldRecord& record, std::st
                     : "|x - x*| / (u B); x* by one random projection";
   row.samples = record.compared;
   row.skipped = skipped(record);
-  row.tolerance = reason_of(record);
+  row.tolerance = reason_of(record, subject.model);
   if (record.compared > 0) row.error = record.errors.worst();
   row.worst = figures(record);
   row.where = record.errors.where(subject);

@@ -1,6 +1,8 @@
 // The places of all fields, in the order of the program.
 #include "verify/bounds/field_place.hpp"
 
+#include <algorithm>
+
 namespace elgen {
 namespace {
 
@@ -13,6 +15,13 @@ OutputRequest request_of(const Subject& subject, const Function& function, const
   if (!output_row(function.kind).repeats) return request;
   const OutputRequest* member = find_request(subject.scene, field.name);
   return member != nullptr ? *member : request;
+}
+
+/// Of a field in the output table; 0 where the output has none of that name.
+std::size_t number_of_field(OutputKind kind, std::string_view name) {
+  const std::span<const FieldRow> fields = output_row(kind).fields;
+  const auto found = std::ranges::find(fields, name, &FieldRow::name);
+  return found == fields.end() ? 0 : static_cast<std::size_t>(found - fields.begin());
 }
 
 /// The judge of one field of functions[index], whose entries start at `first`.
@@ -47,7 +56,7 @@ std::vector<FieldPlace> field_places(const Subject& subject, std::size_t index) 
     place.first = first;
     place.judge = judge_of(subject.program, index, field, first);
     place.request = request_of(subject, function, field);
-    place.request_field = holds_others ? 0 : i;
+    place.request_field = number_of_field(place.request.kind, field.name);
     place.first_oracle = holds_others ? 0 : first;
     first += field.entries.size();
     places.push_back(std::move(place));

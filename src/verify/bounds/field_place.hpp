@@ -22,14 +22,13 @@ struct FieldPlace {
   std::size_t first = 0;  ///< of its entries among the function's
   Judge judge = {};
   OutputRequest request = {};     ///< the request to the oracle
-  std::size_t request_field = 0;  ///< of the field among the request's
+  std::size_t request_field = 0;  ///< of the field in the output table; a model may lack others
   std::size_t first_oracle = 0;   ///< of its entries among the oracle's
 
   [[nodiscard]] const Field& field() const { return function->fields[index]; }
+  [[nodiscard]] const FieldRow& row() const { return field_row(request.kind, field().name); }
   /// Whether all that is left of its terms is their rounding, so that it has no digits to lose.
-  [[nodiscard]] bool is_remainder() const {
-    return field_row(request.kind, field().name).is_remainder;
-  }
+  [[nodiscard]] bool is_remainder() const { return row().is_remainder; }
 };
 
 /// Of functions[index], one after another. `dynamics` holds other outputs under their names; every

@@ -65,7 +65,11 @@ bool OracleCache::solution_is_known() {
   const OracleValues& solution = values({.kind = OutputKind::forward_dynamics});
   const OracleValues& mass = values({.kind = OutputKind::mass_matrix});
   if (!solution || !mass) return false;
-  const std::size_t n = solution->size() / 2;
+  const std::size_t n = state_.v.size();
+  const std::size_t pivots = n + subject_.model.constraints.size();
+  for (std::size_t i = n; i < n + pivots; ++i) {
+    if (cln::abs((*solution)[i]) < least_pivot) return false;
+  }
   const cln::cl_R largest_force = force();
   cln::cl_R largest_mass = 0;
   cln::cl_R largest_acceleration = 0;
@@ -75,7 +79,7 @@ bool OracleCache::solution_is_known() {
   }
   for (std::size_t i = 0; i < n; ++i) {
     const cln::cl_R pivot = cln::abs((*solution)[n + i] * (*mass)[i * n + i]);
-    if (cln::abs((*solution)[n + i]) < least_pivot || cln::zerop(pivot)) return false;
+    if (cln::zerop(pivot)) return false;
     // An acceleration that cancels to 0 is known as well as forces of this size allow.
     const cln::cl_R scale = cln::max(largest_acceleration, largest_force / largest_mass);
     if (digits * largest_force > wanted * scale * pivot) return false;

@@ -36,7 +36,8 @@ class OracleCache {
 
   /// Whether the oracle's solution of M a = b is known to 50 digits. It is solved in 95, entry i of
   /// a with an error of 1e-95 F/(d_i M_ii), where F is the largest force and d_i the relative
-  /// pivot: near a singular chart, and where large forces cancel to almost nothing, less is left.
+  /// pivot: near a singular chart, where constraints almost depend on each other, and where large
+  /// forces cancel to almost nothing, less is left.
   [[nodiscard]] bool solves();
 
  private:

@@ -66,7 +66,7 @@ Visit<Scalar>::Visit(const Subject& subject, const SampledState<Scalar>& sample,
       sample_(sample),
       options_(options),
       oracle_(subject, exact_state(subject, sample.values)),
-      solutions_(options.parts, oracle_.state(), rounding<Scalar>()),
+      solutions_(subject.model, options.parts, oracle_.state(), rounding<Scalar>()),
       losses_(subject, oracle_.state(), rounding<Scalar>()) {}
 
 template <class Scalar>
@@ -96,9 +96,10 @@ auto Visit<Scalar>::judged(const FieldPlace& place) -> Judged {
     result.entries = slice(judge_run_.entries, place.judge.first, count);
     return result;
   }
-  const bool solves = output_row(place.request.kind).solves;
+  // A remainder cancels, and is known to the rounding of its terms.
+  const bool solves = output_row(place.request.kind).solves && !place.is_remainder();
   if (!solves || !has_values(result.regime)) return result;
-  result.columns = solutions_.columns(place, result.entries);
+  result.columns = solutions_.columns(place, exact_.entries);
   if (!result.columns.empty()) {
     result.regime = Regime::regular;
   } else if (!says_something(result.entries, rounding<Scalar>().roundoff)) {

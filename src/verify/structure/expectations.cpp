@@ -152,9 +152,26 @@ std::optional<Sample> value_sample(const Entry& entry, const SampledPoint& deriv
   return Sample{*written, (*derived.entries)[index], cln::max(derived.scale, cln::abs(*written))};
 }
 
+/// A state that keeps the constraints to all digits: one more step than a pose asks for. None where
+/// there is none near this one.
+std::optional<State> kept(const Model& model, const State& state) {
+  if (model.constraints.empty()) return state;
+  std::optional<State> there = oracle_assembled(model, state);
+  if (!there) return std::nullopt;
+  const OracleValues moved = oracle_values(model, {.kind = OutputKind::projected}, *there);
+  if (!moved) return std::nullopt;
+  const auto middle = moved->begin() + static_cast<std::ptrdiff_t>(there->q.size());
+  there->q.assign(moved->begin(), middle);
+  there->v.assign(middle, moved->end());
+  return there;
+}
+
 /// The state at rest of inputs, with the acceleration, the momenta and the energy that it then has;
-/// none where M is singular.
-std::optional<State> free_motion(const Model& model, State state) {
+/// none where M is singular, or the constraints cannot be kept.
+std::optional<State> free_motion(const Model& model, const State& start) {
+  std::optional<State> constrained = kept(model, start);
+  if (!constrained) return std::nullopt;
+  State& state = *constrained;
   for (cl_R& u : state.u) u = 0;
   const OracleValues solution = oracle_values(model, {.kind = OutputKind::forward_dynamics}, state);
   const OracleValues momenta = oracle_values(model, {.kind = OutputKind::momentum}, state);
@@ -163,7 +180,7 @@ std::optional<State> free_motion(const Model& model, State state) {
   for (std::size_t i = 0; i < state.a.size(); ++i) state.a[i] = (*solution)[i];
   state.momenta = *momenta;
   state.E = energy->front();
-  return state;
+  return constrained;
 }
 
 /// de/dt along the motion, judged by the size of its terms: |e|, the part without a, and the part

@@ -1,5 +1,6 @@
 // The identities, each a balance of 64-digit values and derivatives. Notation: q, v, a, u, t; M, C,
-// g, B; E = v.dL/dv - L; p = dL/dv; T, V0, V1 as in the table of outputs.
+// g, B; E = v.dL/dv - L; p = dL/dv; T, V0, V1, and A, gamma, lambda, f, r of constraints as in the
+// table of outputs.
 #include "verify/structure/identities.hpp"
 
 #include <optional>
@@ -65,6 +66,22 @@ Values input_force(ExactValues& at) {
   return force;
 }
 
+/// A^T lambda of forward dynamics, which the program has; zero without constraints.
+Values held_force(ExactValues& at) {
+  Values force(at.size());
+  const Subject& subject = at.subject();
+  if (subject.model.constraints.empty()) return force;
+  const Function& function = *find_function(subject.program, K::forward_dynamics);
+  const Values& solution = at.value(K::forward_dynamics);
+  const Values& jacobian = at.value(K::constraint_jacobian);
+  const std::size_t first = first_entry_of(function, "multipliers");
+  for (std::size_t k = 0; k < jacobian.size(); ++k) {
+    Real& sum = force[k % at.size()];
+    sum = sum + jacobian[k] * solution[first + k / at.size()];
+  }
+  return force;
+}
+
 /// N = (sum_k dM/dq_k v_k) - 2 C, N + N^T = 0
 Balance skew(ExactValues& at) {
   Arguments<Real> direction = at.at_rest();
@@ -94,7 +111,7 @@ void add_explicit_time(Balance& balance, ExactValues& at) {
   for (std::size_t i = 0; i < at.size(); ++i) balance.add(0, at.arguments().v[i] * p_rate[i]);
 }
 
-/// dE/dt - v.(B u + Q - dD/dv) + dL/dt
+/// dE/dt - v.(B u + Q - dD/dv + A^T lambda) + dL/dt
 Balance power(ExactValues& at) {
   Arguments<Real> motion = at.at_rest();
   motion.q = at.coordinate_rates(at.arguments().v);
@@ -104,11 +121,13 @@ Balance power(ExactValues& at) {
   balance.add(0, at.slopes(K::energy_function, motion)[0]);
   add_explicit_time(balance, at);
   const Values input = input_force(at);
+  const Values held = held_force(at);
   const Values applied = at.value(K::applied_force);
   const Values dissipation = at.value(K::dissipation);
   for (std::size_t i = 0; i < at.size(); ++i) {
     const Real& v = at.arguments().v[i];
     balance.add(0, -(v * input[i]));
+    balance.add(0, -(v * held[i]));
     balance.add(0, -(v * applied[i]));
     balance.add(0, v * dissipation[i]);
   }
@@ -121,6 +140,17 @@ Balance inverse_of_forward(ExactValues& at) {
   Balance balance(at.size());
   add_all(balance, at.value_at(K::inverse_dynamics, arguments), 1);
   add_all(balance, input_force(at), -1);
+  add_all(balance, held_force(at), -1);
+  return balance;
+}
+
+Balance constrained_motion(ExactValues& at) {
+  const Values& bias = at.value(K::constraint_bias);
+  Balance balance(bias.size());
+  add_product(balance, at.value(K::constraint_jacobian), acceleration(at), 1);
+  add_all(balance, bias, 1);
+  const Values& residual = at.value(K::constraint_residual);
+  add_all(balance, stabilising_terms(at.subject().model, at.state(), residual), 1);
   return balance;
 }
 
@@ -244,11 +274,17 @@ const std::vector<Identity>& identities() {
       {"power balance",
        "dE/dt = v.(B u + Q - dD/dv) - dL/dt",
        {K::energy_function, K::forward_dynamics, K::momentum},
-       power},
+       power,
+       "dE/dt = v.(B u + Q - dD/dv + A^T lambda) - dL/dt"},
       {"inverse of forward dynamics",
        "tau(q, v, a(q, v, u)) = B u",
        {K::forward_dynamics, K::inverse_dynamics},
-       inverse_of_forward},
+       inverse_of_forward,
+       "tau(q, v, a(q, v, u)) = B u + A^T lambda"},
+      {"constraints along the motion",
+       "A a + gamma = -2 zeta omega r - omega^2 f",
+       {K::forward_dynamics, K::constraint_residual, K::constraint_jacobian, K::constraint_bias},
+       constrained_motion},
       {"momentum gradient", "dp/dv = M", {K::momentum, K::mass_matrix}, momentum_gradient},
       {"energy gradient", "dE/dv = M v", {K::energy_function, K::mass_matrix}, energy_gradient},
       {"momentum from energies",

@@ -13,7 +13,8 @@ struct Identity {
   std::string_view formula;
   std::vector<OutputKind>
       functions;  ///< which the program must have; the first is the row's subject
-  Balance (*balance)(ExactValues& at);  ///< the left side less the right side
+  Balance (*balance)(ExactValues& at);        ///< the left side less the right side
+  std::string_view constrained_formula = {};  ///< with constraints, where it is another
 };
 
 [[nodiscard]] const std::vector<Identity>& identities();

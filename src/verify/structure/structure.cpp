@@ -55,12 +55,16 @@ bool has_all(const Program& program, const std::vector<OutputKind>& kinds) {
 }
 
 void add_identities(std::vector<CertificateRow>& rows, std::vector<ExactValues>& points) {
-  const Program& program = points.front().subject().program;
+  const Subject& subject = points.front().subject();
+  const Program& program = subject.program;
   for (const Identity& identity : identities()) {
     if (!has_all(program, identity.functions)) continue;
     const Function& function = *find_function(program, identity.functions.front());
+    const bool is_another =
+        !subject.model.constraints.empty() && !identity.constrained_formula.empty();
+    const auto formula = is_another ? identity.constrained_formula : identity.formula;
     rows.push_back(
-        identity_row(row_of(function, identity.check, identity.formula), points, identity.balance));
+        identity_row(row_of(function, identity.check, formula), points, identity.balance));
   }
 }
 

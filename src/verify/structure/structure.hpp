@@ -14,6 +14,7 @@ namespace elgen {
 ///
 ///     (sum_k dM/dq_k v_k) - 2 C skew         dE/dt = v.(B u + Q - dD/dv) - dL/dt
 ///     M a(q, v, u) + bias = B u              dp/dv = M,  dE/dv = M v,  p = 2 dT/dv - d(T + V)/dv
+///     both with B u + A^T lambda, and A a + gamma = -2 zeta omega r - omega^2 f, under constraints
 ///     g = dV0/dq                             C v, bias and tau from their parts
 ///     H(q, p) = E, dL/dv = p and (dq/dt, dp/dt) = d/dt (q, dL/dv) at v = M^-1 (p - b)
 ///     Jacobians and biases of [[output]]s from the derivatives of their values
