@@ -49,16 +49,18 @@ struct FunctionEquations {
                                                 const Function& function,
                                                 const std::vector<std::string>& names);
 
-/// "M(q) a + C(q,v) v + g(q) = B(q) u" and the same in LaTeX: a term is left out where the model
-/// cannot have it, or where the function that would hold it is there and is zero. Where no function
-/// knows of motion, the equation is that at rest: "g(q) = B(q) u".
+/// "M(q) a + C(q,v) v + g(q) = B(q) u", "+ A(q)^T lambda" where there are constraints, and the same
+/// in LaTeX: a term is left out where the model cannot have it, or where the function that would
+/// hold it is there and is zero. Where no function knows of motion, the equation is that at rest:
+/// "g(q) = B(q) u".
 struct EquationOfMotion {
   std::string text = {};
   std::string latex = {};
 };
 [[nodiscard]] EquationOfMotion equation_of_motion(const Model& model, const Program& program);
 
-/// "q = (x [m], theta [rad])", "v = dq/dt, a = dv/dt" or "at rest", "u = (F [N])": a line each.
+/// "q = (x [m], theta [rad])", "v = dq/dt, a = dv/dt" or "at rest", "u = (F [N])", "lambda =
+/// (lambda_rod [N])" and what the accelerations obey: a line each.
 [[nodiscard]] std::vector<std::string> variable_lines(const Model& model, const Program& program);
 
 /// A conserved quantity: "p(phi)", and in LaTeX what it is.
@@ -68,7 +70,7 @@ struct ConservedQuantity {
 };
 /// The energy function and the momenta of cyclic coordinates that are constant along every motion,
 /// as far as the outputs of the program prove it: L contains no t, or not the coordinate, and no
-/// input, force or dissipation acts. None of a scene that expands the equations.
+/// input, force, dissipation or constraint acts. None of a scene that expands the equations.
 [[nodiscard]] std::vector<ConservedQuantity> conserved_quantities(const Model& model,
                                                                   const Program& program);
 

@@ -31,7 +31,8 @@ namespace elgen {
 /// The program of elgen/steps.hpp with one entry for every sum of summands: `functions` over the
 /// definitions of the derivation, `readable` as books write them. Of a velocity there are the
 /// fields of BookLine. One more function, the last, has a field for each acceleration: without rows
-/// where its equation holds two others, or one whose equation holds a third, or has no closed form.
+/// where its equation holds two others, or one whose equation holds a third, or has no closed form,
+/// and where constraints act.
 [[nodiscard]] Program typeset_steps(const CheckedModel& checked, const ClosedForms& forms,
                                     Program derived);
 

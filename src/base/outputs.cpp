@@ -155,6 +155,7 @@ constexpr OutputRow position_gradient{
         {"N^T dL/dq = dp/dt + [w]x p + dD/dv - Q - B u",
          R"(N^{\top} \frac{\partial L}{\partial <q>} = \frac{d<p>}{dt} + [<omega>]_{\times} <p> + )"
          R"(\frac{\partial D}{\partial <v>} - <Q> - B <u>)"},
+    .constrained_equation = {"dL/dq", R"(\frac{\partial L}{\partial <q>})"},
     .doc = "Gradient of the Lagrangian by the coordinates."};
 
 // Energies.

@@ -29,6 +29,7 @@ class StepByStep {
 
   Steps operator()() {
     if (!derivation_.lagrangian.masses.empty()) add_motions();
+    if (!derivation_.lagrangian.constraints.empty()) add_constraints();
     add_energies();
     add_coordinates();
     add_invariants();
@@ -65,6 +66,17 @@ class StepByStep {
     }
     add("positions", std::move(positions));
     add("velocities", std::move(velocities));
+  }
+
+  /// What each equation says is 0, and 0.
+  void add_constraints() {
+    std::vector<FieldEquations> sides;
+    for (const ConstraintEquation& constraint : derivation_.lagrangian.constraints) {
+      sides.push_back(
+          field_of(derivation_.lagrangian.leaves.multipliers[sides.size()], {constraint.value}));
+    }
+    sides.push_back(field_of("", {ex(0)}));
+    add("constraints", std::move(sides));
   }
 
   /// Points and bodies come first, as one summand; a sum without terms is 0.
@@ -105,6 +117,7 @@ class StepByStep {
       dissipation.push_back(derivation_.by_velocity({{term, 1}}));
     }
     const Vector force = applied_force(derivation_, InputForces::acting);
+    const Vector held = constraint_force(derivation_, derivation_.symbols.multipliers);
     for (std::size_t i = 0; i < derivation_.size(); ++i) {
       Terms rate;
       for (std::size_t k = 0; k < summands_.size(); ++k) {
@@ -113,7 +126,7 @@ class StepByStep {
       add(derivation_.lagrangian.leaves.v[i],
           {field_of("momentum", row(momenta_, i)), field_of("momentum_rate", std::move(rate)),
            field_of("partial", row(partials, i)), field_of("dissipation", row(dissipation, i)),
-           field_of("force", {force[i]})});
+           field_of("force", {force[i] + held[i]})});
     }
   }
 

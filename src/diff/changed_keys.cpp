@@ -22,11 +22,17 @@ std::string text_of(const std::vector<KeySyntax>& keys) {
   return fmt::format("{{ {} }}", text);
 }
 
+/// Equations and repetitions are texts, which are read as tables and lists.
+bool is_one_text(const ValueSyntax& value) {
+  const bool has_parts = value.kind == ValueKind::list || value.kind == ValueKind::table;
+  return !has_parts || !value.text.empty();
+}
+
 /// As it is written, in one line.
 std::string text_of(const ValueSyntax& value) {
   if (value.kind == ValueKind::boolean) return value.boolean ? "true" : "false";
+  if (is_one_text(value)) return value.text;
   if (value.kind == ValueKind::table) return text_of(value.entries);
-  if (value.kind != ValueKind::list) return value.text;
   std::string text;
   for (const ValueSyntax& item : value.items) {
     text += (text.empty() ? "" : ", ") + text_of(item);
@@ -194,9 +200,10 @@ class KeyComparison {
 
   void compare(const ValueSyntax& old, const ValueSyntax& now, const Path& path) {
     if (is_same(old, now)) return;
-    const bool are_tables = old.kind == ValueKind::table && now.kind == ValueKind::table;
+    const bool have_parts = !is_one_text(old) && !is_one_text(now);
+    const bool are_tables = have_parts && old.kind == ValueKind::table && now.kind == old.kind;
     if (are_tables) return compare(old.entries, now.entries, path);
-    const bool are_lists = old.kind == ValueKind::list && now.kind == ValueKind::list;
+    const bool are_lists = have_parts && old.kind == ValueKind::list && now.kind == old.kind;
     if (are_lists && old.items.size() == now.items.size()) {
       for (std::size_t i = 0; i < now.items.size(); ++i) {
         compare(old.items[i], now.items[i], below(path, {"", i + 1}));
@@ -223,10 +230,10 @@ class KeyComparison {
     return false;
   }
 
-  /// q, u and the members of Parameters are in the order of the file.
+  /// q, u, multipliers and the members of Parameters are in the order of the file.
   void compare_orders(const IdentifiedEntries& olds, const IdentifiedEntries& news) {
     if (!prefix_.empty()) return;  // a scene only refers to them
-    for (const char* const kind : {"coordinate", "input"}) {
+    for (const char* const kind : {"coordinate", "input", "constraint"}) {
       place_ = {.table = kind, .entry = fmt::format("[[{}]]", kind), .is_order = true};
       compare_order(names_of(olds, kind), names_of(news, kind));
     }

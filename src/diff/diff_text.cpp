@@ -46,10 +46,10 @@ struct Part {
   std::string_view symbol;
   OutputKind kind;
 };
-constexpr std::array parts{Part{"T", OutputKind::kinetic_energy},
-                           Part{"V", OutputKind::potential_energy},
-                           Part{"D", OutputKind::dissipation}, Part{"Q", OutputKind::applied_force},
-                           Part{"B", OutputKind::input_matrix}};
+constexpr std::array parts{
+    Part{"T", OutputKind::kinetic_energy}, Part{"V", OutputKind::potential_energy},
+    Part{"D", OutputKind::dissipation},    Part{"Q", OutputKind::applied_force},
+    Part{"B", OutputKind::input_matrix},   Part{"A", OutputKind::constraint_jacobian}};
 
 /// "V = a -> b", "V differs", "B: 2 of 3 entries differ, 0 rewritten", "V is written differently"
 std::string part_text(std::string_view symbol, const OutputChange& output) {

@@ -25,11 +25,21 @@ struct KnownName {
 
 using Names = std::vector<KnownName>;
 
+template <class Entry>
+std::string unit_text_of(const Entry& entry) {
+  return entry.unit_text;
+}
+
+/// That of f or phi is not declared.
+std::string unit_text_of(const Constraint& constraint) {
+  return constraint.unit ? to_string(*constraint.unit) : "";
+}
+
 template <class List>
 Names members(const List& list, const Renames& renames) {
   Names all;
   for (const auto& entry : list) {
-    all.push_back({renamed(entry.name, renames), entry.unit_text});
+    all.push_back({renamed(entry.name, renames), unit_text_of(entry)});
     if constexpr (requires { entry.count; }) all.back().size = entry.count;
     if constexpr (requires { entry.unit; }) all.back().meant = entry.unit;
   }
@@ -75,6 +85,7 @@ class InterfaceComparison {
     compare_names();
     compare_lists("coordinate", members(old.coordinates, renames_), members(now.coordinates, {}));
     compare_lists("input", members(old.inputs, renames_), members(now.inputs, {}));
+    compare_lists("constraint", members(old.constraints, renames_), members(now.constraints, {}));
     compare_lists("open value", members(old.open_values, renames_), members(now.open_values, {}));
     compare_parameters();
     if (old.uses_time != now.uses_time) {
@@ -224,12 +235,15 @@ class InterfaceComparison {
     }
   }
 
-  /// Of the user's own outputs; the shapes of others follow from the lists above.
+  /// Of the user's own outputs, and of the constraints on positions; the shapes of others follow
+  /// from the lists above.
   void compare_shapes() {
     for (const Function& now : new_functions_) {
       const auto old = std::ranges::find(old_functions_, now.name, &Function::name);
-      const bool is_in_both = old != old_functions_.end() && output_row(now.kind).of_user;
-      if (!is_in_both || old->kind != now.kind || has_shape_of(*old, now)) continue;
+      const bool is_in_both = old != old_functions_.end() && old->kind == now.kind;
+      const bool is_told =
+          output_row(now.kind).of_user || now.kind == OutputKind::constraint_residual;
+      if (!is_in_both || !is_told || has_shape_of(*old, now)) continue;
       add(Impact::breaks,
           fmt::format("{} is {} where it was {}", in_backticks(now.name), shape(now), shape(*old)));
     }

@@ -1,7 +1,8 @@
 // equation_of_motion: the terms a model has. It is that of the whole model, also where a scene asks
 // for some of its terms only; where none of them knows of motion it is the one at rest. The
 // variables stand on a few lines; rates are named where some function knows of them. Conserved
-// quantities follow from the entries that are 0.
+// quantities follow from the entries that are 0. Where constraints hold, multipliers act beside the
+// inputs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include "elgen/references.hpp"
 #include "elgen/render.hpp"
 #include "evaluate/subject.hpp"
+#include "render/constraints.hpp"
 #include "render/headings.hpp"
 #include "render/symbols.hpp"
 
@@ -28,6 +30,7 @@ constexpr Term gravity{"g(q{})", "<g>(<q>{})"};
 constexpr Term dissipation{"dD/dv", "\\frac{{\\partial D}}{{\\partial <v>}}"};
 constexpr Term input{"B(q{}) u", "B(<q>{}) <u>"};
 constexpr Term force{"Q(q,v{})", "<Q>(<q>, <v>{})"};
+constexpr Term multipliers{"A(q{})^T lambda", "A(<q>{})^{{\\top}} <lambda>"};
 constexpr Term nothing{"0", "<0>"};
 
 constexpr Term drift_at_rest{"drift(q,0{})", "<drift>(<q>, <0>{})"};
@@ -65,6 +68,7 @@ std::vector<Term> right_side(const Model& model, const Program& program, bool is
   if (has_force && may_be_nonzero(program, OutputKind::applied_force)) {
     terms.push_back(is_at_rest ? force_at_rest : force);
   }
+  if (!model.constraints.empty()) terms.push_back(multipliers);
   if (terms.empty()) terms.push_back(nothing);
   return terms;
 }
@@ -102,14 +106,39 @@ Lines rates(const Model& model) {
   return names;
 }
 
+bool is_proved_zero(const Program& program, const Function& function, std::uint32_t entry) {
+  return std::ranges::count(function.sampled_zeros, entry) == 0 &&
+         loads_zero(program, function.instructions[function.fields.front().entries[entry]]);
+}
+
+/// "lambda_rod [N]"
+Lines multiplier_names(const Model& model) {
+  Lines names;
+  for (std::uint32_t i = 0; i < model.constraints.size(); ++i) {
+    names.push_back(with_unit(leaf_text(model, Opcode::multiplier, i), multiplier_unit(model, i)));
+  }
+  return names;
+}
+
 /// Whether a row of an output is 0, by proof; false of what the program does not have.
 bool is_proved_zero(const Program& program, OutputKind kind, std::uint32_t row) {
   const Function* const function = find_function(program, kind);
   if (function == nullptr) return false;
+  const std::uint32_t columns = function->fields.front().columns;
+  for (std::uint32_t i = row * columns; i < (row + 1) * columns; ++i) {
+    if (!is_proved_zero(program, *function, i)) return false;
+  }
+  return true;
+}
+
+/// Whether no multiplier acts along a velocity: a column of A is 0.
+bool is_unconstrained(const Model& model, const Program& program, std::uint32_t velocity) {
+  if (model.constraints.empty()) return true;
+  const Function* const function = find_function(program, OutputKind::constraint_jacobian);
+  if (function == nullptr) return false;
   const Field& field = function->fields.front();
-  for (std::uint32_t i = row * field.columns; i < (row + 1) * field.columns; ++i) {
-    if (std::ranges::count(function->sampled_zeros, i) > 0) return false;
-    if (!loads_zero(program, function->instructions[field.entries[i]])) return false;
+  for (std::uint32_t i = velocity; i < field.entries.size(); i += field.columns) {
+    if (!is_proved_zero(program, *function, i)) return false;
   }
   return true;
 }
@@ -131,6 +160,14 @@ bool contains_time(const Model& model, const Function& function) {
   });
 }
 
+/// Whether multipliers do no work along the motion: equations of positions that stand still.
+bool constraints_stand_still(const Model& model, const Program& program) {
+  if (model.constraints.empty()) return true;
+  const Function* const function = find_function(program, OutputKind::constraint_residual);
+  return function != nullptr && !contains_time(model, *function) &&
+         std::ranges::all_of(model.constraints, &Constraint::is_position);
+}
+
 }  // namespace
 
 std::vector<ConservedQuantity> conserved_quantities(const Model& model, const Program& program) {
@@ -146,11 +183,13 @@ std::vector<ConservedQuantity> conserved_quantities(const Model& model, const Pr
     is_all_free = is_all_free && moves_freely;
     const bool is_cyclic = is_proved_zero(program, OutputKind::position_gradient, i);
     if (!is_cyclic || !moves_freely || model.velocities[i].rotation) continue;
+    if (!is_unconstrained(model, program, i)) continue;
     result.push_back({leaf_text(model, Opcode::momentum, i),
                       fmt::format("{} = \\frac{{\\partial L}}{{\\partial {}}}", symbols.momenta[i],
                                   symbols.v[i])});
   }
   // L = v.p - E
+  is_all_free = is_all_free && constraints_stand_still(model, program);
   if (is_all_free && !contains_time(model, *energy) && !contains_time(model, *momentum)) {
     result.insert(result.begin(), ConservedQuantity{"E", heading(model, *energy).definition});
   }
@@ -201,6 +240,10 @@ Lines variable_lines(const Model& model, const Program& program) {
   }
   if (is_passed(program.leaves, Opcode::momentum)) lines.emplace_back("p = dL/dv: momenta");
   if (!inputs.empty()) lines.push_back("u = " + tuple(inputs));
+  if (!model.constraints.empty()) lines.push_back("lambda = " + tuple(multiplier_names(model)));
+  if (!model.constraints.empty() && knows_motion(model, program)) {
+    lines.push_back(constraint_equation(model).text + ", (f, r) = constraint_residual");
+  }
   Lines open_values;
   for (const OpenValue& f : model.open_values) {
     open_values.push_back(with_unit(f.name, f.unit_text));

@@ -75,7 +75,10 @@ std::string output_doc(const Model& model, const Function& function) {
                        fmt::format(fmt::runtime(method.doc),
                                    is_composed ? function.composed_order : method.order));
   }
-  if (!row.of_user) return std::string(row.doc);
+  if (!row.of_user) {
+    const std::string doc(row.doc);
+    return model.constraints.empty() ? doc : replaced(doc, "B u + Q", "B u + A^T lambda + Q");
+  }
   const UserOutput& output = model.outputs[function.user];
   return sentence(
       fmt::format("{} `{}`{}{}", row.doc, output.name, output.doc.empty() ? "" : ": ", output.doc));

@@ -5,6 +5,7 @@
 
 #include "base/number_text.hpp"
 #include "elgen/render.hpp"
+#include "render/constraints.hpp"
 #include "render/headings.hpp"
 #include "render/named_parts.hpp"
 #include "render/symbols.hpp"
@@ -111,7 +112,14 @@ SheetOutput with_equations(const Model& model, const Scene& scene, const Program
     const Field& field = function.fields[f];
     const std::string symbol =
         field.name.empty() ? heading.symbol : field_symbol(model, function.kind, field);
-    result.equations.push_back({symbol, field.rows, field.columns, equations.entries[f]});
+    if (field.name != "multipliers") {
+      result.equations.push_back({symbol, field.rows, field.columns, equations.entries[f]});
+      continue;
+    }
+    const std::vector<std::string> symbols = ModelSymbols(model).leaves().multipliers;
+    for (std::uint32_t i = 0; i < field.rows; ++i) {
+      result.equations.push_back({symbols[i], 1, 1, {equations.entries[f][i]}});
+    }
   }
   return result;
 }
@@ -150,6 +158,7 @@ Sheet sheet(const Model& model, const Scene& scene, const Program& program,
   if (options.opening != nullptr) {
     result.outputs = steps_sections(model, *options.opening, equations_title);
   }
+  if (!model.constraints.empty()) result.outputs.push_back(constraint_section(model));
   bool needs_parts = false;
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     const Function& function = program.functions[i];

@@ -1,14 +1,15 @@
 // steps: the functions of a derivation -> a page in LaTeX, or plain text, in the order of a
-// textbook: the action and what makes it stationary, positions, velocities, energies, then
-// Lagrange's equation of one coordinate after the other.
+// textbook: the action and what makes it stationary, positions, velocities, energies, constraints,
+// then Lagrange's equation of one coordinate after the other.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "elgen/render.hpp"
 #include "elgen/typeset.hpp"
+#include "lower/graph/prune.hpp"
 #include "render/headings.hpp"
+#include "render/step_words.hpp"
 #include "render/symbols.hpp"
 
 namespace elgen {
@@ -37,55 +38,6 @@ struct DerivationStep {
   std::vector<StepLine> lines = {};  ///< before the equations
 };
 
-constexpr std::string_view action_doc =
-    "Hamilton's principle: the motion between two fixed ends makes S stationary.";
-constexpr std::string_view turning_variation =
-    " Of an angular velocity delta q is a turn about the axes of the body, and d/dt is the rate "
-    "seen from the world.";
-
-struct FixedLine {
-  const char* text;
-  const char* latex;
-};
-
-/// S, its variation, the integration by parts, and its boundary terms; `<q>` is a vector.
-constexpr std::array<FixedLine, 4> variation_lines{{
-    {"S = int L dt", R"(S = \int L dt)"},
-    {"delta S = int (dL/dq delta q + dL/dv d(delta q)/dt) dt",
-     R"({\delta} S = \int \left( \frac{\partial L}{\partial <q>} \cdot {\delta} <q> + )"
-     R"(\frac{\partial L}{\partial \dot{<q>}} \cdot \frac{d}{dt} {\delta} <q> \right) dt)"},
-    {"delta S = int (dL/dq - d/dt dL/dv) delta q dt + [dL/dv delta q] by parts",
-     R"({\delta} S = \int \left( \frac{\partial L}{\partial <q>} - )"
-     R"(\frac{d}{dt} \frac{\partial L}{\partial \dot{<q>}} \right) \cdot {\delta} <q> dt + )"
-     R"(\left[ \frac{\partial L}{\partial \dot{<q>}} \cdot {\delta} <q> \right] \text{ by parts})"},
-    {"[dL/dv delta q] = 0, as delta q = 0 at both ends",
-     R"(\left[ \frac{\partial L}{\partial \dot{<q>}} \cdot {\delta} <q> \right] = 0 )"
-     R"(\text{, as } {\delta} <q> = <0> \text{ at both ends})"},
-}};
-
-/// Hamilton's principle, and d'Alembert's where forces work.
-constexpr FixedLine stationary{"delta S = 0 for every delta q, so d/dt dL/dv - dL/dq = 0",
-                               R"({\delta} S = 0 \text{ for every } {\delta} <q> \text{, so } )"
-                               R"(\frac{d}{dt} \frac{\partial L}{\partial \dot{<q>}} - )"
-                               R"(\frac{\partial L}{\partial <q>} = <0>)"};
-constexpr FixedLine virtual_work{
-    "delta W = (Q - dD/dv) delta q is the virtual work of forces (d'Alembert)",
-    R"({\delta} W = \left( <Q> - \frac{\partial D}{\partial \dot{<q>}} \right) \cdot {\delta} <q> )"
-    R"(\text{ is the virtual work of forces (d'Alembert)})"};
-constexpr FixedLine balanced{
-    "delta S + int delta W dt = 0 for every delta q, so d/dt dL/dv - dL/dq + dD/dv = Q",
-    R"({\delta} S + \int {\delta} W dt = 0 \text{ for every } {\delta} <q> \text{, so } )"
-    R"(\frac{d}{dt} \frac{\partial L}{\partial \dot{<q>}} - \frac{\partial L}{\partial <q>} + )"
-    R"(\frac{\partial D}{\partial \dot{<q>}} = <Q>)"};
-constexpr std::string_view lagrange =
-    R"(\frac{d}{dt} \frac{\partial L}{\partial \dot{<q>}} - \frac{\partial L}{\partial <q>} + )"
-    R"(\frac{\partial D}{\partial \dot{<q>}} = <Q>)";
-
-constexpr std::string_view turning_doc =
-    "An angular velocity: d/dt is the rate seen from the world, with [w]x dL/dw, and the slope of "
-    "L "
-    "is along a turn about the axis of the body.";
-
 class Outline {
  public:
   Outline(const Model& model, const ReadableSteps& steps)
@@ -108,11 +60,14 @@ class Outline {
       add_motions(function + 1, "Velocities", "Their rates, by the chain rule.", true);
       function += 2;
     }
+    const std::size_t constraints = function;
+    if (is_constrained()) ++function;
     add_energies(function++);
+    if (is_constrained()) add_constraints(constraints);
     const std::size_t first = function;
     for (const Velocity& velocity : model_.velocities) add_velocity(function++, velocity);
     add_invariants(function);
-    add_equations(first);
+    add_equations(first, constraints);
     return std::move(outline_);
   }
 
@@ -125,12 +80,27 @@ class Outline {
 
  private:
   [[nodiscard]] bool is_zero(std::size_t function, std::size_t field) const {
-    const Function& read = has_book_form(function) ? steps_.program.readable[function]
-                                                   : steps_.program.functions[function];
+    const Function& read = read_form(function);
     return loads_zero(steps_.program, read.instructions[read.fields[field].entries.front()]);
   }
   [[nodiscard]] bool is_zero(std::size_t function, BookLine line) const {
     return is_zero(function, field_of(line));
+  }
+
+  /// Whether a multiplier acts along the velocity of the function.
+  [[nodiscard]] bool has_multiplier(std::size_t function) const {
+    const Function& read = read_form(function);
+    const std::vector<bool> needed =
+        needed_for(read, read.fields[field_of(BookLine::force)].entries);
+    for (std::size_t at = 0; at < needed.size(); ++at) {
+      if (needed[at] && read.instructions[at].opcode == Opcode::multiplier) return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] const Function& read_form(std::size_t function) const {
+    return has_book_form(function) ? steps_.program.readable[function]
+                                   : steps_.program.functions[function];
   }
 
   [[nodiscard]] bool has_book_form(std::size_t function) const {
@@ -149,14 +119,18 @@ class Outline {
   }
 
   void add_action() {
-    DerivationStep step{"Action", "", std::string(action_doc), {}, {}};
-    if (!model_.rotations.empty()) step.doc += turning_variation;
-    const auto add = [&](const FixedLine& line) {
+    DerivationStep step{"Action", "", std::string(step_words::action_doc), {}, {}};
+    if (!model_.rotations.empty()) step.doc += step_words::turning_variation;
+    const auto add = [&](const step_words::FixedLine& line) {
       step.lines.push_back({line.text, latex_of(model_, line.latex)});
     };
-    std::ranges::for_each(variation_lines, add);
-    if (!is_free()) add(virtual_work);
-    add(is_free() ? stationary : balanced);
+    std::ranges::for_each(step_words::variation_lines, add);
+    if (!is_free()) add(is_constrained() ? step_words::constrained_work : step_words::virtual_work);
+    add(is_free() ? step_words::stationary : step_words::balanced);
+    if (is_constrained()) {
+      step.lines.back().text += step_words::constraint_forces.text;
+      step.lines.back().latex += latex_of(model_, step_words::constraint_forces.latex);
+    }
     outline_.push_back(std::move(step));
   }
 
@@ -186,6 +160,34 @@ class Outline {
     outline_.push_back(std::move(step));
   }
 
+  /// L + lambda f of positions, what velocities have instead, and f and phi.
+  void add_constraints(std::size_t function) {
+    DerivationStep step{"Constraints", "", std::string(step_words::constraints_doc), {}, {}};
+    StepLine sum{"L", "L"};
+    bool has_velocities = false;
+    for (std::uint32_t i = 0; i < model_.constraints.size(); ++i) {
+      const Constraint& constraint = model_.constraints[i];
+      const std::string name = (constraint.is_position ? "f_" : "phi_") + constraint.name;
+      const std::string symbol = latex_symbol(name).text();
+      step.equations.push_back({name, symbol, function, i});
+      has_velocities = has_velocities || !constraint.is_position;
+      if (!constraint.is_position) continue;
+      sum.text += fmt::format(" + {} {}", leaf_text(model_, Opcode::multiplier, i), name);
+      sum.latex += fmt::format(" + {} {}", symbols_.leaves().multipliers[i], symbol);
+    }
+    if (sum.text != "L") {
+      step.lines.push_back({sum.text + " in the place of L gives the same A^T lambda",
+                            sum.latex + latex_of(model_, R"(\text{ in the place of } L )"
+                                                         R"(\text{ gives the same } )"
+                                                         R"(A^{\top} <lambda>)")});
+    }
+    if (has_velocities) {
+      const auto& [text, latex] = step_words::of_velocities;
+      step.lines.push_back({text, latex_of(model_, latex)});
+    }
+    outline_.push_back(std::move(step));
+  }
+
   [[nodiscard]] static std::size_t field_of(BookLine line) {
     return static_cast<std::size_t>(line);
   }
@@ -199,10 +201,11 @@ class Outline {
     const std::string slope = fmt::format("\\frac{{\\partial L}}{{\\partial {}}}", rate);
     DerivationStep step{fmt::format("Equation of {}", q),
                         fmt::format("\\text{{Equation of }}{}", symbol.text()),
-                        is_angular ? std::string(turning_doc) : "",
+                        is_angular ? std::string(step_words::turning_doc) : "",
                         {},
                         {}};
-    if (!is_angular && is_zero(function, BookLine::partial)) {
+    const bool is_held = has_multiplier(function);
+    if (!is_angular && !is_held && is_zero(function, BookLine::partial)) {
       step.lines.push_back(
           conservation(function, {fmt::format("dL/d(dot({}))", q), slope}, {q, symbol.text()}));
     }
@@ -218,26 +221,36 @@ class Outline {
           fmt::format("\\frac{{\\partial D}}{{\\partial {}}}", rate), BookLine::dissipation);
     }
     if (!is_zero(function, BookLine::force)) {
-      add("Q_" + q, fmt::format("Q_{{{}}}", symbol.text()), BookLine::force);
+      const std::string force = fmt::format("Q_{{{}}}", symbol.text());
+      add(is_held ? fmt::format("Q_{0} + (A^T lambda)_{0}", q) : "Q_" + q,
+          is_held ? force + latex_of(model_,
+                                     fmt::format(" + (A^{{\\top}} <lambda>)_{{{}}}", symbol.text()))
+                  : force,
+          BookLine::force);
     }
     step.equations.push_back(row(function));
     outline_.push_back(std::move(step));
   }
 
-  /// d/dt dL/dv - dL/dq + dD/dv = Q, written out.
+  /// d/dt dL/dv - dL/dq + dD/dv = Q + A^T lambda, written out.
   [[nodiscard]] StepEquation row(std::size_t function) const {
     const std::size_t left = field_of(BookLine::left);
     return {text_[function].entries[left].front(), latex_[function].entries[left].front(), function,
             field_of(BookLine::force)};
   }
 
-  /// The rows of all velocities, and what they are solved for.
-  void add_equations(std::size_t first) {
+  /// The rows of all velocities, and what they are solved for, or the constraints.
+  void add_equations(std::size_t first, std::size_t constraints) {
     DerivationStep step{std::string(equations_title), "", "", {}, {}};
     const std::size_t count = model_.velocities.size();
     for (std::size_t i = 0; i < count; ++i) {
       // Definitions of several derivations may have one name: such a row stands in its own section.
       if (has_book_form(first + i)) step.equations.push_back(row(first + i));
+    }
+    for (std::size_t i = 0; i < model_.constraints.size() && has_book_form(constraints); ++i) {
+      step.equations.push_back({text_[constraints].entries[i].front(),
+                                latex_[constraints].entries[i].front(), constraints,
+                                model_.constraints.size()});
     }
     const std::size_t accelerations = first + count + 1;
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -262,21 +275,22 @@ class Outline {
   }
 
   [[nodiscard]] bool is_free() const {
-    return model_.forces.empty() && model_.inputs.empty() && !model_.energies.D;
+    return model_.forces.empty() && model_.inputs.empty() && !model_.energies.D &&
+           !is_constrained();
   }
+  [[nodiscard]] bool is_constrained() const { return !model_.constraints.empty(); }
 
   void add_invariants(std::size_t function) {
     const bool is_autonomous = is_zero(function, 1);
-    DerivationStep step{"Energy function",
-                        "",
-                        is_free() ? "dE/dt = -dL/dt at fixed q and v."
-                                  : "dE/dt = v (Q - dD/dv) - dL/dt, the last at fixed q and v.",
-                        {},
-                        {}};
+    const char* doc = is_free()          ? step_words::energy_of_free
+                      : is_constrained() ? step_words::energy_of_constrained
+                                         : step_words::energy_of_driven;
+    DerivationStep step{"Energy function", "", doc, {}, {}};
     const char* contains = is_autonomous ? "does not contain" : "contains";
-    const char* verdict = !is_autonomous ? "is not conserved"
-                          : is_free()    ? "is conserved"
-                                         : "is conserved wherever no force and no dissipation work";
+    const char* verdict = !is_autonomous     ? "is not conserved"
+                          : is_free()        ? "is conserved"
+                          : is_constrained() ? step_words::conserved_unless_constrained
+                                             : step_words::conserved_unless_driven;
     step.lines = {
         {fmt::format("L {} t, so E {}", contains, verdict),
          fmt::format("L \\text{{ {} }} t \\text{{, so }} E \\text{{ {}}}", contains, verdict)}};
@@ -373,7 +387,10 @@ std::vector<SheetOutput> steps_sections(const Model& model, const ReadableSteps&
 Sheet steps_sheet(const Model& model, const Scene& scene, const ReadableSteps& steps,
                   std::string_view title) {
   Sheet result = sheet(model, scene, {});
-  result.equation_of_motion = latex_of(model, lagrange);
+  result.equation_of_motion = latex_of(model, step_words::lagrange);
+  if (!model.constraints.empty()) {
+    result.equation_of_motion += latex_of(model, step_words::constraint_forces.latex);
+  }
   result.outputs = steps_sections(model, steps, title);
   return result;
 }

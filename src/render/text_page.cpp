@@ -7,6 +7,7 @@
 #include "elgen/render.hpp"
 #include "elgen/scalars.hpp"
 #include "lower/code_interface.hpp"
+#include "render/constraints.hpp"
 #include "render/headings.hpp"
 #include "render/named_parts.hpp"
 
@@ -47,6 +48,8 @@ std::string text_page(const Model& model, const Scene& scene, const Program& pro
   for (const std::string& note : scene_notes(model, scene)) text += note + "\n";
   text += fmt::format("\n  {}\n\n", equation_of_motion(model, program).text);
   for (const std::string& line : variable_lines(model, program)) text += "  " + line + "\n";
+  if (!model.constraints.empty()) text += "\nconstraints\n";
+  for (const std::string& line : constraint_lines(model)) text += "  " + line + "\n";
   if (options.opening != nullptr) {
     text += "\n" + steps_text(model, *options.opening, equations_title);
   }

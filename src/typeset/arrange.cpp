@@ -15,17 +15,20 @@ namespace elgen {
 namespace {
 
 /// Of the product of rates of a term, in the order of a book: accelerations, the row's own first;
-/// squares; other products; single rates; inputs; none.
+/// squares; other products; single rates; inputs; multipliers; none.
 int rank_of_rates(const Algebra& algebra, const Monomial& rates, std::optional<std::uint32_t> own) {
   std::int32_t degree = 0;
   bool is_input = false;
+  bool is_multiplier = false;
   for (const AtomPower& power : rates) {
     const Atom& atom = algebra.atoms[power.atom];
     if (atom.leaf == Opcode::acceleration) return own && atom.index == *own ? 0 : 1;
     is_input = is_input || atom.leaf == Opcode::input;
+    is_multiplier = is_multiplier || atom.leaf == Opcode::multiplier;
     degree += power.exponent;
   }
-  if (rates.empty()) return 6;
+  if (rates.empty()) return 7;
+  if (is_multiplier) return 6;
   if (is_input) return 5;
   if (degree < 2) return 4;
   return rates.size() == 1 ? 2 : 3;

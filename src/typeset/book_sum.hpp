@@ -2,8 +2,8 @@
 //
 //     1/2 m (r'^2 + r^2 phi'^2)     one product: 1/2, m, and a sum of two products
 //
-// Places order the factors of a product: parameters, sums of more than parameters, coordinates,
-// rates, accelerations, inputs, functions; within a group by rank.
+// Places order the factors of a product: multipliers, parameters, sums of more than parameters,
+// coordinates, rates, accelerations, inputs, functions; within a group by rank.
 #pragma once
 
 #include <compare>
@@ -15,6 +15,7 @@
 namespace elgen {
 
 enum class FactorGroup : std::uint8_t {
+  multiplier,
   parameter,
   sum,
   coordinate,

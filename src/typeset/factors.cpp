@@ -26,8 +26,9 @@ FactorGroup group_of(const Atom& atom) {
     case Opcode::acceleration:
       return FactorGroup::acceleration;
     case Opcode::input:
-    case Opcode::multiplier:
       return FactorGroup::input;
+    case Opcode::multiplier:
+      return FactorGroup::multiplier;
     case Opcode::open_value:
       return FactorGroup::function;
     default:
@@ -115,7 +116,7 @@ bool is_number(const Atom& atom) {
 bool is_moving(const Atom& atom) {
   const FactorGroup group = group_of(atom);
   return group == FactorGroup::rate || group == FactorGroup::acceleration ||
-         group == FactorGroup::input;
+         group == FactorGroup::input || group == FactorGroup::multiplier;
 }
 
 bool moves(const Algebra& algebra, const Monomial& term) {

@@ -9,7 +9,7 @@ namespace elgen {
 
 [[nodiscard]] FactorPlace place_of(const Atom& atom, const std::vector<std::uint32_t>& places);
 
-/// Velocities, momenta, accelerations and inputs.
+/// Velocities, momenta, accelerations, inputs and multipliers.
 [[nodiscard]] bool is_moving(const Atom& atom);
 
 /// Whether a term has such a factor.

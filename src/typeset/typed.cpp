@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t most_sums = 200;
 constexpr std::size_t most_terms_of_a_sum = 30;
 
-/// Energies, forces, constraints, places, inertias and definitions; not what elgen writes for
+/// Energies, forces, places, inertias, definitions and constraints; not what elgen writes for
 /// bodies in frames.
 std::vector<ExpressionId> roots_of(const Model& model) {
   std::vector<ExpressionId> roots;
@@ -39,6 +39,7 @@ std::vector<ExpressionId> roots_of(const Model& model) {
     if (body.mass) roots.push_back(*body.mass);
   }
   for (const Force& force : model.forces) add(force.value);
+  if (!model.frames.empty()) return roots;
   for (const Constraint& constraint : model.constraints) roots.push_back(constraint.value);
   return roots;
 }

@@ -163,7 +163,8 @@ class Typesetting {
       const auto rows = rows_around(equations, first);
       for (std::uint32_t i = 0; i < rows.size(); ++i) {
         Field& field = result.fields.emplace_back(Field{model_.velocities[i].name, 0, 1, {}});
-        if (model_.approximation) continue;  // what is left out counts in a quotient
+        // What an expansion leaves out counts in a quotient; multipliers are not known.
+        if (model_.approximation || !model_.constraints.empty()) continue;
         const std::optional<BookSum> solution = equations.solved(rows, i);
         if (!solution || written_factors(*solution) > longest_solution) continue;
         field.rows = 1;

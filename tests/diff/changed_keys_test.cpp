@@ -99,3 +99,17 @@ TEST_CASE("keys of a scene that are names change, too") {
   CHECK(now.entries.back().keys.front().key == "s");
   CHECK(now.entries.back().keys.front().value.entries.front().key == "value");
 }
+
+TEST_CASE("equations are told as they are written, and their order is told") {
+  const std::string one = held_plane(held_rod);
+  CHECK(key_changes(one, edited(one, "x^2 + y^2 = 1", "x^2 + 2*y^2 = 1")) ==
+        "[[constraint]] rod equation: x^2 + y^2 = 1 -> x^2 + 2*y^2 = 1\n");
+  CHECK(key_changes(one, edited(one, "x^2 + y^2 = 1", "x^2+y^2 = 1")).empty());
+  const std::string two = edited(one, "\"x^2 + y^2 = 1\"", "[\"x^2 + y^2 = 1\", \"z = y\"]");
+  CHECK(key_changes(two, edited(two, "z = y", "z = x")) ==
+        "[[constraint]] rod equation[2]: z = y -> z = x\n");
+  CHECK(key_changes(held_plane(""), one) ==
+        "[[constraint]] rod:  -> { name = rod, equation = x^2 + y^2 = 1 }\n");
+  CHECK(key_changes(held_plane(held_rod + held_slot), held_plane(held_slot + held_rod)) ==
+        "[[constraint]] order: rod, slot -> slot, rod\n");
+}

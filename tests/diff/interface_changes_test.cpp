@@ -163,3 +163,21 @@ TEST_CASE("open values are counted and ordered") {
         "W, W_1, W_11, V, V_1, V_11; " +
             silent);
 }
+
+TEST_CASE("a constraint that is new or gone does not compile") {
+  const std::string more = seen_by_callers(held_plane(""), held_plane(held_rod));
+  CHECK(mentions(more, "breaks: 1 constraint where there were 0:  -> rod\n"));
+  CHECK(mentions(more, "extended: there is a new function `constraint_jacobian`\n"));
+  const std::string fewer = seen_by_callers(held_plane(held_rod), held_plane(""));
+  CHECK(mentions(fewer, "breaks: 0 constraints where there were 1: rod -> \n"));
+  CHECK(mentions(fewer, "breaks: there is no function `constraint_jacobian` any more\n"));
+}
+
+TEST_CASE("constraints in another order mean something else, of another kind do not compile") {
+  CHECK(seen_by_callers(held_plane(held_rod + held_slot), held_plane(held_slot + held_rod)) ==
+        "breaks: constraints are other ones, or in another order: rod, slot -> slot, rod; " +
+            silent);
+  const std::string rates = edited(held_slot, "z = y", "dot(z) = dot(y)") + "kind = \"velocity\"\n";
+  CHECK(seen_by_callers(held_plane(held_rod + held_slot), held_plane(held_rod + rates)) ==
+        "breaks: `constraint_residual` is 1 x 1, 2 x 1 where it was 2 x 1, 2 x 1\n");
+}

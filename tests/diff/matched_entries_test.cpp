@@ -2,6 +2,7 @@
 // for.
 #include "diff/matched_entries.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "diff/joint_program.hpp"
@@ -86,6 +87,25 @@ TEST_CASE("where pivots are left out, the multipliers behind them are compared a
   REQUIRE(others.size() == 6);
   CHECK(others[2].before == 5U);
   CHECK(others[2].after == 5U);
+}
+
+TEST_CASE("rows of A, residuals and multipliers follow their constraints") {
+  const Lowered old = lowered(held_plane(held_rod + held_slot));
+  const Lowered now = lowered(held_plane(held_slot + held_rod));
+  const auto slopes = matched(old, now, OutputKind::constraint_jacobian);
+  REQUIRE(slopes.size() == 6);
+  CHECK(slopes[0].before == 3U);
+  CHECK(slopes[5].before == 2U);
+  const auto residuals = matched(old, now, OutputKind::constraint_residual);
+  REQUIRE(residuals.size() == 4);
+  CHECK(residuals[0].before == 1U);
+  CHECK(residuals[3].before == 2U);
+  const auto entries = matched(old, now, OutputKind::forward_dynamics);
+  const auto tension =
+      std::ranges::find(entries, "forward_dynamics.multipliers[2]", &MatchedEntry::place);
+  REQUIRE(tension != entries.end());
+  REQUIRE(tension->before);
+  CHECK(*tension->before + 1 == *tension->after);
 }
 
 TEST_CASE("entries of an output that only one version has are on their own") {

@@ -90,6 +90,24 @@ inline bool breaks_silently(const SystemChange& system) {
          std::ranges::count(system.interface, true, &InterfaceChange::is_silent) > 0;
 }
 
+/// Three coordinates that [[constraint]] entries hold.
+inline std::string held_plane(const std::string& constraints) {
+  return model_text("held_plane", R"toml([[coordinate]]
+name = "x"
+start = { value = 1 }
+[[coordinate]]
+name = "y"
+[[coordinate]]
+name = "z"
+[energy]
+T = "dot(x)^2 + 2*dot(y)^2 + 3*dot(z)^2"
+)toml" + constraints);
+}
+
+inline const std::string held_rod =
+    "[[constraint]]\nname = \"rod\"\nequation = \"x^2 + y^2 = 1\"\n";
+inline const std::string held_slot = "[[constraint]]\nname = \"slot\"\nequation = \"z = y\"\n";
+
 /// A mass m on a spring k at x.
 inline std::string spring(const std::string& potential = "1/2*k*x^2") {
   return model_text("spring", R"toml([[coordinate]]

@@ -3,6 +3,7 @@
 
 #include "choose/chosen.hpp"
 #include "emit/fixture.hpp"
+#include "render/constrained.hpp"
 #include "render/headings.hpp"
 #include "render/small_sheet.hpp"
 #include "support/frame_systems.hpp"
@@ -86,6 +87,41 @@ TEST_CASE("an L that is not quadratic has a bias only") {
   Subject subject = cart_pole();
   subject.model.quadratic = false;
   CHECK(equation(subject) == "M(q,v) a + bias(q,v) = B(q) u");
+}
+
+TEST_CASE("multipliers act beside the inputs") {
+  const Chosen rod = chosen(rod_text());
+  const EquationOfMotion equation = equation_of_motion(rod.checked.model, rod.choice.program);
+  CHECK(equation.text == "M(q) a + g(q) = A(q)^T lambda");
+  CHECK(has(equation.latex, "= A(\\mathbf{q})^{\\top} \\boldsymbol{\\lambda}"));
+  const Chosen disc = chosen(disc_text());
+  CHECK(equation_of_motion(disc.checked.model, disc.choice.program).text ==
+        "M(q) a = B(q) u + A(q)^T lambda");
+  CHECK(lines_of(disc_text()) == Lines{"q = (x, y, phi, psi)", "v = dq/dt, a = dv/dt", "u = (tau)",
+                                       "lambda = (lambda_roll_1, lambda_roll_2)",
+                                       "A a = -gamma, (f, r) = constraint_residual"});
+}
+
+TEST_CASE("constraints that stand still keep E, and momenta along which none acts") {
+  const auto conserved = [](const std::string& text) {
+    const Chosen c = chosen(text);
+    Lines names;
+    for (const auto& each : conserved_quantities(c.checked.model, c.choice.program)) {
+      names.push_back(each.name);
+    }
+    return names;
+  };
+  const std::string rod = rod_text();
+  CHECK(conserved(rod) == Lines{"E"});
+  const auto with_equation = [&rod](const std::string& equation) {
+    const std::string typed = "(x^2 + y^2)/2 = l^2/2";
+    return std::string(rod).replace(rod.find(typed), typed.size(), equation);
+  };
+  CHECK(conserved(with_equation("y = l")) == Lines{"E", "p(x)"});
+  CHECK(conserved(with_equation("y = omega*l*t")) == Lines{"p(x)"});
+  const std::string disc = disc_text();
+  const std::string input = "[[input]]\nname = \"tau\"\non = \"phi\"\n";
+  CHECK(conserved(std::string(disc).erase(disc.find(input), input.size())) == Lines{"p(psi)"});
 }
 
 TEST_CASE("coordinates, velocities as their rates, inputs") {

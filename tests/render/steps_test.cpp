@@ -5,6 +5,7 @@
 
 #include "choose/chosen.hpp"
 #include "elgen/typeset.hpp"
+#include "render/constrained.hpp"
 #include "render/small_sheet.hpp"
 #include "support/systems.hpp"
 
@@ -99,4 +100,48 @@ TEST_CASE("what L does not contain has a line of Noether's, in symbols on a shee
   CHECK(has(screen, "  δS = ∫ (∂L/∂q - d/dt ∂L/∂q̇) ⋅ δq dt + [∂L/∂q̇ ⋅ δq] by parts\n"));
   CHECK(has(screen, "  L does not contain x, so pₓ = ∂L/∂ẋ is conserved wherever"));
   CHECK(has(screen, "  L does not contain t, so E is conserved wherever no force"));
+}
+
+TEST_CASE("a multiplier joins L, and acts where the slope of its equation is") {
+  const Derivation d(rod_text());
+  const std::string text = steps_text(d.checked.model, d.steps);
+  INFO(text);
+  CHECK(has(text, "so d/dt dL/dv - dL/dq + dD/dv = Q + A^T lambda\n"));
+  CHECK(has(text, "\nConstraints\n"));
+  CHECK(has(text, "  L + lambda_rod f_rod in the place of L gives the same A^T lambda\n"));
+  CHECK(has(text, "  f_rod = 1/2*(x^2 + y^2) - 1/2*l^2\n"));
+  CHECK(has(text, "  Q_x + (A^T lambda)_x = lambda_rod*x\n  m*dot(dot(x)) = lambda_rod*x\n"));
+  CHECK_FALSE(has(text, "p_x = dL/d(dot(x)) is conserved"));
+  CHECK(has(text, "E is conserved wherever no force, no dissipation and no constraint works\n"));
+  CHECK(has(text,
+            "\nEquations of motion\n"
+            "  m*dot(dot(x)) = lambda_rod*x\n"
+            "  m*dot(dot(y)) + m*g = lambda_rod*y\n"
+            "  1/2*(x^2 + y^2) - 1/2*l^2 = 0\n"));
+  CHECK_FALSE(has(text, "  dot(dot(x)) = "));
+}
+
+TEST_CASE("constraints on velocities do virtual work, and leave L as it is") {
+  const Derivation d(disc_text());
+  const std::string text = steps_text(d.checked.model, d.steps);
+  INFO(text);
+  CHECK(has(text, "  nothing is added to L for velocities: delta q A^T lambda is virtual work"));
+  CHECK_FALSE(has(text, "in the place of L"));
+  CHECK(has(text, "  phi_roll_2 = dot(y) - R*dot(phi)*sin(psi)\n"));
+  CHECK(has(text, "L does not contain psi, so p_psi = dL/d(dot(psi)) is conserved\n"));
+  CHECK_FALSE(has(text, "L does not contain phi, so"));
+  CHECK(has(text,
+            "\nEquations of motion\n"
+            "  m*dot(dot(x)) = lambda_roll_1\n"
+            "  m*dot(dot(y)) = lambda_roll_2\n"
+            "  A*dot(dot(phi)) = tau - lambda_roll_1*R*cos(psi) - lambda_roll_2*R*sin(psi)\n"
+            "  J*dot(dot(psi)) = 0\n"
+            "  dot(x) - R*dot(phi)*cos(psi) = 0\n"));
+}
+
+TEST_CASE("multipliers have their symbols on a sheet of steps, and its heading has them") {
+  const Derivation d(rod_text());
+  const Sheet sheet = steps_sheet(d.checked.model, d.checked.scene, d.steps);
+  CHECK(has(sheet.equation_of_motion, "= \\mathbf{Q} + A^{\\top} \\boldsymbol{\\lambda}"));
+  CHECK(sheet.outputs.back().equations.at(0).entries.at(0) == "\\lambda_{\\mathrm{rod}} x");
 }

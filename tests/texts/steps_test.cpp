@@ -1,6 +1,6 @@
 // Equations of motion as a derivation prints them: each is read by the parser of models, and is its
-// row, M a + bias - B u of the definition of the equations, by value. So are those solved for the
-// acceleration.
+// row, M a + bias - B u - A^T lambda of the definition of the equations, by value. So are those
+// solved for the acceleration, and those of constraints.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "check/names/requests.hpp"
 #include "elgen/oracle.hpp"
 #include "elgen/pipeline.hpp"
 #include "elgen/render.hpp"
@@ -84,29 +85,54 @@ State exact_leaves(const Arguments<Real>& state) {
   return map_leaves([](const Real& value) -> cln::cl_R { return value.value(); }, state);
 }
 
-/// M a + bias - B u of each velocity.
+/// An output at a state, row by row; of none entries it is not asked for.
+OracleValues matrix_at(const Model& model, OutputKind kind, std::size_t count, const State& state) {
+  if (count == 0) return std::vector<cln::cl_R>{};
+  return oracle_values(model, request_of(model, kind, 0), state);
+}
+
+/// M a + bias - B u - A^T lambda of each velocity.
 std::vector<DefinedRow> defined_rows(const Model& model,
                                      const std::vector<Arguments<Real>>& states) {
   std::vector<DefinedRow> rows(model.velocities.size());
   const std::size_t inputs = model.inputs.size();
+  const std::size_t constraints = model.constraints.size();
   for (const Arguments<Real>& at : states) {
     const State state = exact_leaves(at);
     const OracleValues force = oracle_values(model, {.kind = OutputKind::inverse_dynamics}, state);
-    const OracleValues matrix =
-        inputs == 0 ? force : oracle_values(model, {.kind = OutputKind::input_matrix}, state);
+    const OracleValues matrix = matrix_at(model, OutputKind::input_matrix, inputs, state);
+    const OracleValues slopes =
+        matrix_at(model, OutputKind::constraint_jacobian, constraints, state);
     for (std::size_t row = 0; row < rows.size(); ++row) {
-      if (!force || !matrix) {
+      if (!force || !matrix || !slopes) {
         rows[row].add(Real::undefined(), Real());
         continue;
       }
       Real total((*force)[row]);
       Real size = abs(total);
-      for (std::size_t u = 0; u < inputs; ++u) {
-        const Real term = Real((*matrix)[row * inputs + u]) * at.u[u];
+      const auto subtract = [&total, &size](const cln::cl_R& slope, const Real& by) {
+        const Real term = Real(slope) * by;
         total = total - term;
         size = max(size, abs(term));
+      };
+      for (std::size_t u = 0; u < inputs; ++u) subtract((*matrix)[row * inputs + u], at.u[u]);
+      for (std::size_t i = 0; i < constraints; ++i) {
+        subtract((*slopes)[i * rows.size() + row], at.multipliers[i]);
       }
       rows[row].add(total, size);
+    }
+  }
+  return rows;
+}
+
+/// f or phi of each constraint, whose velocity has its rate.
+std::vector<DefinedRow> defined_constraints(const Model& model,
+                                            const std::vector<Arguments<Real>>& states) {
+  std::vector<DefinedRow> rows(model.constraints.size());
+  for (const Arguments<Real>& at : states) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const auto value = oracle_expression(model, model.constraints[i].value, exact_leaves(at));
+      rows[i].add(value ? Real(*value) : Real::undefined(), value ? abs(Real(*value)) : Real());
     }
   }
   return rows;
@@ -147,7 +173,8 @@ bool are_all_read(const ReadableSteps& steps, std::size_t velocities) {
                      [](const Function& row) { return !row.fields.empty(); });
 }
 
-/// The equation of every velocity in order, then, where there is one velocity, the solved one.
+/// The equation of every velocity in order, then those of constraints, or, where there is one
+/// velocity, the solved one.
 bool expect_rows(const SourcePointer& source) {
   PipelineOptions options;
   options.goals = {Goal::steps};
@@ -162,14 +189,17 @@ bool expect_rows(const SourcePointer& source) {
   if (!are_all_read(*products.steps, count)) return false;  // other rows stand by themselves
   REQUIRE(equations.size() >= count);
   WrittenEquations written({model, products.checked->scene, products.steps->program});
-  const std::vector<DefinedRow> rows = defined_rows(model, written.states());
-  for (std::size_t i = 0; i < count; ++i) {
+  std::vector<DefinedRow> rows = defined_rows(model, written.states());
+  const std::vector<DefinedRow> others = defined_constraints(model, written.states());
+  rows.insert(rows.end(), others.begin(), others.end());
+  REQUIRE(equations.size() >= rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::string row = "(" + equations[i].left + ") - (" + equations[i].right + ")";
     const std::string wrong = written.values(rows[i].values, rows[i].sizes, row);
     INFO(wrong);
     CHECK(wrong.empty());
   }
-  if (count == 1 && equations.size() > count) {
+  if (count == 1 && equations.size() > rows.size()) {
     expect_solved(model, equations[1], written);
   }
   return is_compared(rows.front());

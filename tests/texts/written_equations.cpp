@@ -23,7 +23,8 @@ std::unordered_map<std::string, Real> leaves_at(const LeafNames& names,
                                                 const Arguments<Real>& state) {
   std::unordered_map<std::string, Real> leaves;
   const auto add = [&](Opcode kind, std::uint32_t number, const Real& value) {
-    if (is_passed(names, kind)) leaves.emplace(leaf_text(names, kind, number), value);
+    const bool is_written = is_passed(names, kind) || kind == Opcode::multiplier;
+    if (is_written) leaves.emplace(leaf_text(names, kind, number), value);
   };
   for_each_leaf(add, state);
   leaves.emplace("pi", Real(cln::pi(Real::format())));
@@ -37,13 +38,14 @@ std::string short_value(const Real& value) {
   return literal_text(rounded_decimal(value.value(), digits));
 }
 
-/// Parameters at their values, everything else somewhere inside its range.
+/// Parameters at their values, everything else somewhere inside its range, multipliers anywhere.
 std::vector<Arguments<Real>> comparison_states(const Model& model) {
   std::vector<Arguments<Real>> states;
   Random random(1);
   while (states.size() < state_count) {
     State state = nominal_state(model, {});
     draw_motion(model, random, 0, state);
+    for (cln::cl_R& multiplier : state.multipliers) multiplier = random.rational();
     states.push_back(map_leaves([](const cln::cl_R& value) { return Real(value); }, state));
   }
   return states;
