@@ -11,7 +11,10 @@
 //     specialise -> symmetries            likewise
 #include "elgen/pipeline.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "elgen/cancel.hpp"
@@ -47,13 +50,37 @@ Result<Syntaxes> parse(const Inputs& inputs, const Limits& limits) {
   return {{std::move(*model), std::move(scene.value)}, std::move(all)};
 }
 
+/// An analysis that knows of no constraints.
+struct FreeAnalysis {
+  Goal goal;
+  std::string_view instead;
+};
+constexpr std::string_view other_coordinates = "choose coordinates that respect the constraint";
+constexpr std::array free_analyses{
+    FreeAnalysis{Goal::equilibria, other_coordinates},
+    FreeAnalysis{Goal::modes, "`linearization` is of the constrained equations"},
+    FreeAnalysis{Goal::symmetries, other_coordinates}};
+
+/// E539 of every analysis among the goals.
+Diagnostics refused_analyses(const Model& model, const std::vector<Goal>& goals) {
+  Diagnostics errors;
+  if (model.constraints.empty()) return errors;
+  for (const FreeAnalysis& row : free_analyses) {
+    if (std::ranges::find(goals, row.goal) == goals.end()) continue;
+    errors.push_back({Code::E539, model.constraints.front().span,
+                      fmt::format("`{}` does not know of constraints", name_of(row.goal)),
+                      std::string(row.instead)});
+  }
+  return errors;
+}
+
 /// Momenta of `[routh]` are numbers that the oracle knows, and check does not.
-Result<CheckedModel> resolved(const Syntaxes& syntaxes, const SceneOptions& options,
-                              const Limits& limits) {
-  Result<CheckedModel> result =
-      check(syntaxes.model, syntaxes.scene ? &*syntaxes.scene : nullptr, options, limits);
+Result<CheckedModel> resolved(const Syntaxes& syntaxes, const PipelineOptions& options) {
+  Result<CheckedModel> result = check(syntaxes.model, syntaxes.scene ? &*syntaxes.scene : nullptr,
+                                      options.scene, options.limits);
   if (!result) return result;
-  const Diagnostics errors = find_momenta(*result);
+  Diagnostics errors = find_momenta(*result);
+  if (errors.empty()) errors = refused_analyses(result->model, options.goals);
   Diagnostics all = std::move(result.diagnostics);
   all.insert(all.end(), errors.begin(), errors.end());
   if (!errors.empty()) return all;
@@ -117,9 +144,7 @@ class Compilation {
                             [this](const Limits& limits) { return parse(inputs_, limits); }};
 
   Stage<CheckedModel> checked_{run_, Goal::check, std::tie(syntaxes_),
-                               [this](const Syntaxes& s, const Limits& limits) {
-                                 return resolved(s, options_.scene, limits);
-                               }};
+                               [this](const Syntaxes& s) { return resolved(s, options_); }};
 
   Stage<Inspection> inspection_{run_, Goal::inspect, std::tie(checked_),
                                 [this](const CheckedModel& c) {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "check/judge/output_units.hpp"
 #include "check/names/requests.hpp"

@@ -52,21 +52,36 @@ Display lines_display(const std::string& left, const std::string& right, const P
   return {left, 0, latex_lines(right, shape.width - std::max(first, indent), shape.measured)};
 }
 
-/// The first fraction that is, with its sign, wider than `widest`.
+/// X of \sqrt{X}; none of anything else.
+std::optional<std::string> radicand(const std::string& latex) {
+  constexpr std::string_view root = "\\sqrt{";
+  const bool is_root =
+      latex.starts_with(root) && closing_brace(latex, root.size() - 1) + 1 == latex.size();
+  if (!is_root) return std::nullopt;
+  return latex.substr(root.size(), latex.size() - root.size() - 1);
+}
+
+/// The first fraction that is, with its sign, wider than `widest` and can be taken apart.
 std::optional<FractionPlace> wide_fraction(const std::string& latex, double widest,
                                            const PageShape& shape) {
   for (FractionPlace& fraction : fractions(latex)) {
     const std::string sign = fraction.begin > 1 ? "-" : latex.substr(0, fraction.begin);
     const std::string text = sign + latex.substr(fraction.begin, fraction.end - fraction.begin);
-    const bool is_wide = fraction.above != "1" && measured(text, shape) > widest;
-    if (is_wide) return std::move(fraction);
+    const bool has_terms =
+        fraction.above != "1" || is_sum(radicand(fraction.below).value_or(fraction.below));
+    if (has_terms && measured(text, shape) > widest) return std::move(fraction);
   }
   return std::nullopt;
 }
 
-/// N/D -> 1/D (N), of which lines can be made; g (N)/D -> g/D (N).
+/// N/D -> 1/D (N), of which lines can be made; g (N)/D -> g/D (N); 1/D -> D^-1.
 std::string taken_apart(const FractionPlace& fraction) {
   const std::string& above = fraction.above;
+  if (above == "1") {
+    const std::optional<std::string> square = radicand(fraction.below);
+    return fmt::format("\\left( {} \\right)^{{{}}}", square.value_or(fraction.below),
+                       square ? "-1/2" : "-1");
+  }
   if (is_sum(above)) {
     return fmt::format("\\frac{{1}}{{{}}} \\left( {} \\right)", fraction.below, above);
   }
@@ -75,7 +90,7 @@ std::string taken_apart(const FractionPlace& fraction) {
                      fraction.below, above.substr(bracket));
 }
 
-/// Fractions too wide for a line stand in front of their numerators.
+/// Fractions too wide for a line stand in front of their numerators, or become powers.
 Display number_display(const std::string& left, const std::string& right, const PageShape& shape) {
   const double widest = std::max(shape.width / 2, shape.width - left_width(left, shape));
   std::string text = right;

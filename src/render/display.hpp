@@ -2,7 +2,8 @@
 //
 //     M = ( 2 x 2 )        where the columns fit side by side
 //     M_{1 2} = …          entry by entry where they do not; zeros are left out
-//     a = b - 1/Δ (…       where a fraction is too wide: in front of the lines of its numerator
+//     a = b - 1/Δ (…       where a fraction is too wide: in front of the lines of its numerator;
+//     a = (…)^-1           1/(…) as a power, of which lines can be made
 //
 // Aligned equations are blocks, of which the left sides end in one place.
 #pragma once

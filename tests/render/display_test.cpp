@@ -44,6 +44,15 @@ TEST_CASE("the factors in front of a bracket stay above the fraction") {
   CHECK(parts.at(0).texts.at(0).starts_with("\\frac{g l}{m} (x + x"));
 }
 
+TEST_CASE("one over what is wider than the page is a power") {
+  const auto parts = displays({"a", 1, 1, {"c - \\frac{1}{" + sum_of(60) + "} b"}});
+  CHECK(parts.at(0).texts.at(0).starts_with("c - \\left( x + x"));
+  CHECK(parts.at(0).texts.back().ends_with("+ x \\right)^{-1} b"));
+  for (const std::string& text : parts[0].texts) CHECK(width(read_latex(text)) < 78);
+  const auto root = displays({"a", 1, 1, {"\\frac{1}{\\sqrt{" + sum_of(60) + "}}"}});
+  CHECK(root.at(0).texts.back().ends_with("+ x \\right)^{-1/2}"));
+}
+
 TEST_CASE("equations are one block, aligned at their signs") {
   const auto blocks = aligned_blocks({{"T", 1, 1, {"a"}}, {"\\dot{x}", 2, 1, {"b", "c"}}});
   REQUIRE(blocks.size() == 1);

@@ -53,7 +53,9 @@ std::optional<Lack> lack_of_constraints(const Model& model, const OutputRequest&
   }
   const Span& span = model.constraints.front().span;
   if (row.takes.has_any(Opcode::momentum)) {
-    return Lack{Code::E539, "does not know of constraints", span, "constrained here"};
+    return Lack{Code::E539,
+                "does not know of constraints: choose coordinates that respect the constraint",
+                span, "constrained here"};
   }
   if (!is_for_inputs) return std::nullopt;
   if (model.inputs.empty()) return lacking("needs inputs, and the model has none");
