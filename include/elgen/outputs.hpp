@@ -95,9 +95,10 @@ struct OutputRow {
   LeafSet takes = {};  ///< arguments beside parameters and q (and t where t occurs)
   std::span<const FieldRow> fields = {};
   Notation equation = {};
-  Notation turning_equation = {};      ///< with rotations, where it is another
-  Notation constrained_equation = {};  ///< with constraints, where it is another
-  std::string_view doc = {};           ///< one sentence
+  Notation turning_equation = {};         ///< with rotations, where it is another
+  Notation constrained_equation = {};     ///< with constraints, where it is another
+  std::string_view doc = {};              ///< one sentence
+  std::string_view constrained_doc = {};  ///< with constraints, where it is another
   Requirement requirement = Requirement::nothing;
   bool solves = false;           ///< M x = b
   bool differentiates = false;   ///< the equations of motion

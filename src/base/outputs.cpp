@@ -186,7 +186,9 @@ constexpr OutputRow energy_function{
     .takes = Opcode::velocity,
     .fields = energy,
     .equation = {"E = v.dL/dv - L", R"(E = <v>^{\top} \frac{\partial L}{\partial <v>} - L)"},
-    .doc = "Energy function (Jacobi integral): dE/dt = v.(B u + Q - dD/dv) - dL/dt."};
+    .doc = "Energy function (Jacobi integral): dE/dt = v.(B u + Q - dD/dv) - dL/dt.",
+    .constrained_doc =
+        "Energy function (Jacobi integral): dE/dt = v.(B u + A^T lambda + Q - dD/dv) - dL/dt."};
 
 // The accelerations that M is solved for, and derivatives.
 

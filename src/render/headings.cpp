@@ -76,8 +76,8 @@ std::string output_doc(const Model& model, const Function& function) {
                                    is_composed ? function.composed_order : method.order));
   }
   if (!row.of_user) {
-    const std::string doc(row.doc);
-    return model.constraints.empty() ? doc : replaced(doc, "B u + Q", "B u + A^T lambda + Q");
+    const bool is_other = !model.constraints.empty() && !row.constrained_doc.empty();
+    return std::string(is_other ? row.constrained_doc : row.doc);
   }
   const UserOutput& output = model.outputs[function.user];
   return sentence(

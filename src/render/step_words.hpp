@@ -7,7 +7,7 @@
 #include <array>
 #include <string_view>
 
-namespace elgen::step_words {
+namespace elgen {
 
 struct FixedLine {
   const char* text;
@@ -84,4 +84,4 @@ inline constexpr const char* conserved_unless_driven =
 inline constexpr const char* conserved_unless_constrained =
     "is conserved wherever no force, no dissipation and no constraint works";
 
-}  // namespace elgen::step_words
+}  // namespace elgen

@@ -119,17 +119,17 @@ class Outline {
   }
 
   void add_action() {
-    DerivationStep step{"Action", "", std::string(step_words::action_doc), {}, {}};
-    if (!model_.rotations.empty()) step.doc += step_words::turning_variation;
-    const auto add = [&](const step_words::FixedLine& line) {
+    DerivationStep step{"Action", "", std::string(action_doc), {}, {}};
+    if (!model_.rotations.empty()) step.doc += turning_variation;
+    const auto add = [&](const FixedLine& line) {
       step.lines.push_back({line.text, latex_of(model_, line.latex)});
     };
-    std::ranges::for_each(step_words::variation_lines, add);
-    if (!is_free()) add(is_constrained() ? step_words::constrained_work : step_words::virtual_work);
-    add(is_free() ? step_words::stationary : step_words::balanced);
+    std::ranges::for_each(variation_lines, add);
+    if (!is_free()) add(is_constrained() ? constrained_work : virtual_work);
+    add(is_free() ? stationary : balanced);
     if (is_constrained()) {
-      step.lines.back().text += step_words::constraint_forces.text;
-      step.lines.back().latex += latex_of(model_, step_words::constraint_forces.latex);
+      step.lines.back().text += constraint_forces.text;
+      step.lines.back().latex += latex_of(model_, constraint_forces.latex);
     }
     outline_.push_back(std::move(step));
   }
@@ -162,7 +162,7 @@ class Outline {
 
   /// L + lambda f of positions, what velocities have instead, and f and phi.
   void add_constraints(std::size_t function) {
-    DerivationStep step{"Constraints", "", std::string(step_words::constraints_doc), {}, {}};
+    DerivationStep step{"Constraints", "", std::string(constraints_doc), {}, {}};
     StepLine sum{"L", "L"};
     bool has_velocities = false;
     for (std::uint32_t i = 0; i < model_.constraints.size(); ++i) {
@@ -182,7 +182,7 @@ class Outline {
                                                          R"(A^{\top} <lambda>)")});
     }
     if (has_velocities) {
-      const auto& [text, latex] = step_words::of_velocities;
+      const auto& [text, latex] = of_velocities;
       step.lines.push_back({text, latex_of(model_, latex)});
     }
     outline_.push_back(std::move(step));
@@ -201,7 +201,7 @@ class Outline {
     const std::string slope = fmt::format("\\frac{{\\partial L}}{{\\partial {}}}", rate);
     DerivationStep step{fmt::format("Equation of {}", q),
                         fmt::format("\\text{{Equation of }}{}", symbol.text()),
-                        is_angular ? std::string(step_words::turning_doc) : "",
+                        is_angular ? std::string(turning_doc) : "",
                         {},
                         {}};
     const bool is_held = has_multiplier(function);
@@ -282,15 +282,15 @@ class Outline {
 
   void add_invariants(std::size_t function) {
     const bool is_autonomous = is_zero(function, 1);
-    const char* doc = is_free()          ? step_words::energy_of_free
-                      : is_constrained() ? step_words::energy_of_constrained
-                                         : step_words::energy_of_driven;
+    const char* doc = is_free()          ? energy_of_free
+                      : is_constrained() ? energy_of_constrained
+                                         : energy_of_driven;
     DerivationStep step{"Energy function", "", doc, {}, {}};
     const char* contains = is_autonomous ? "does not contain" : "contains";
     const char* verdict = !is_autonomous     ? "is not conserved"
                           : is_free()        ? "is conserved"
-                          : is_constrained() ? step_words::conserved_unless_constrained
-                                             : step_words::conserved_unless_driven;
+                          : is_constrained() ? conserved_unless_constrained
+                                             : conserved_unless_driven;
     step.lines = {
         {fmt::format("L {} t, so E {}", contains, verdict),
          fmt::format("L \\text{{ {} }} t \\text{{, so }} E \\text{{ {}}}", contains, verdict)}};
@@ -387,9 +387,9 @@ std::vector<SheetOutput> steps_sections(const Model& model, const ReadableSteps&
 Sheet steps_sheet(const Model& model, const Scene& scene, const ReadableSteps& steps,
                   std::string_view title) {
   Sheet result = sheet(model, scene, {});
-  result.equation_of_motion = latex_of(model, step_words::lagrange);
+  result.equation_of_motion = latex_of(model, lagrange);
   if (!model.constraints.empty()) {
-    result.equation_of_motion += latex_of(model, step_words::constraint_forces.latex);
+    result.equation_of_motion += latex_of(model, constraint_forces.latex);
   }
   result.outputs = steps_sections(model, steps, title);
   return result;

@@ -136,6 +136,23 @@ class ModelBuilder {
     return *this;
   }
 
+  /// The value is 0: of positions, or of velocities.
+  ModelBuilder& constraint(const std::string& value, bool is_position = true) {
+    Constraint c;
+    c.name = c.identifier = "c" + std::to_string(model.constraints.size() + 1);
+    c.value = expression(value);
+    c.is_position = is_position;
+    model.constraints.push_back(c);
+    return *this;
+  }
+
+  /// The gains of the last constraint.
+  ModelBuilder& stabilised(const std::string& omega, const std::string& zeta) {
+    model.constraints.back().omega = expression(omega);
+    model.constraints.back().zeta = expression(zeta);
+    return *this;
+  }
+
   ModelBuilder& output(const std::vector<std::string>& values) {
     UserOutput output;
     for (const std::string& value : values) output.values.push_back(expression(value));

@@ -191,10 +191,10 @@ start = { value = 0, rate = 0.75 }
 [parameters]
 m = { value = 3, unit = "kg" }
 R = { value = 0.4, unit = "m" }
-I = { value = 0.2, unit = "kg*m^2" }
+Ia = { value = 0.2, unit = "kg*m^2" }
 J = { value = 0.1, unit = "kg*m^2" }
 [energy]
-T = "1/2*m*(dot(x)^2 + dot(y)^2) + 1/2*I*dot(roll)^2 + 1/2*J*dot(head)^2"
+T = "1/2*m*(dot(x)^2 + dot(y)^2) + 1/2*Ia*dot(roll)^2 + 1/2*J*dot(head)^2"
 [[constraint]]
 name = "grip"
 kind = "velocity"

@@ -37,6 +37,10 @@ class SidecarReader {
             [&](const Velocity& v) { return velocity_unit(model, v); });
     }
     named(take(json, "inputs"), model.inputs, unit);
+    if (!model.constraints.empty()) {
+      named(take(json, "constraints"), model.constraints,
+            [](const Constraint& c) { return c.unit ? to_string(*c.unit) : std::string(); });
+    }
     if (!model.functions.empty()) open_functions(json);
     parameters(take(json, "parameters"));
     outputs(take(json, "outputs"));

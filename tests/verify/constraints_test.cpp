@@ -79,10 +79,10 @@ name = "psi"
 [parameters]
 m = 2
 R = 0.3
-I = 0.09
+Ia = 0.09
 J = 0.05
 [energy]
-T = "m*(dot(x)^2 + dot(y)^2)/2 + I*dot(phi)^2/2 + J*dot(psi)^2/2"
+T = "m*(dot(x)^2 + dot(y)^2)/2 + Ia*dot(phi)^2/2 + J*dot(psi)^2/2"
 [[input]]
 name = "tau"
 on = "phi"

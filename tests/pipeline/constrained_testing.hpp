@@ -1,0 +1,99 @@
+// A model with constraints as the pipeline gives it: fields of its outputs by the program, in
+// double and in 64 digits, and by the oracle.
+#pragma once
+
+#include <cmath>
+
+#include "base/exact_number.hpp"
+#include "evaluate/subject.hpp"
+#include "oracle/model_builder.hpp"
+#include "pipeline/pipeline_testing.hpp"
+
+namespace elgen::test {
+
+using ExactNumbers = std::vector<cln::cl_R>;
+
+inline double double_of(const cln::cl_R& value) { return ScalarTraits<double>::from_real(value); }
+
+class Constrained {
+ public:
+  Constrained(const std::string& text, const std::string& outputs)
+      : products_(derived(inputs_of(text), outputs)) {}
+
+  [[nodiscard]] const Model& model() const { return products_.checked->model; }
+  [[nodiscard]] const Program& program() const { return *products_.program; }
+  [[nodiscard]] State nominal() const { return nominal_state(model(), products_.checked->scene); }
+
+  [[nodiscard]] const Function& function(OutputKind kind) const {
+    const Function* const found = find_function(program(), kind);
+    if (found == nullptr) throw std::runtime_error("no such function in the program");
+    return *found;
+  }
+
+  /// By the program in double, at the state rounded.
+  [[nodiscard]] std::vector<double> in_double(OutputKind kind, const std::string& field,
+                                              const State& state) const {
+    return part(kind, field, evaluate(program(), function(kind), arguments_at<double>(state)));
+  }
+
+  /// By the program in 64 digits.
+  [[nodiscard]] ExactNumbers exactly(OutputKind kind, const std::string& field,
+                                     const State& state) const {
+    const OracleValues values =
+        defined_values(evaluate(program(), function(kind), arguments_at<Real>(state)));
+    return part(kind, field, values.value());
+  }
+
+  /// By the oracle.
+  [[nodiscard]] ExactNumbers truth(OutputKind kind, const std::string& field,
+                                   const State& state) const {
+    return part(kind, field, oracle_values(model(), {.kind = kind}, state).value());
+  }
+
+ private:
+  template <class Number>
+  [[nodiscard]] std::vector<Number> part(OutputKind kind, const std::string& field,
+                                         const std::vector<Number>& values) const {
+    auto begin = values.begin();
+    for (const Field& each : function(kind).fields) {
+      const auto end = begin + static_cast<std::ptrdiff_t>(each.entries.size());
+      if (each.name == field) return {begin, end};
+      begin = end;
+    }
+    throw std::runtime_error("no such field");
+  }
+
+  Products products_;
+};
+
+/// To so much of the largest that is expected.
+inline void check_close(const std::vector<double>& found, const ExactNumbers& expected,
+                        double tolerance) {
+  REQUIRE(found.size() == expected.size());
+  const double scale = double_of(largest_of(expected));
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    INFO("entry " << i << ": " << found[i] << " instead of " << double_of(expected[i]));
+    CHECK(std::abs(found[i] - double_of(expected[i])) <= tolerance * scale);
+  }
+}
+
+/// To so many digits of the largest that is expected.
+inline void check_digits(const ExactNumbers& found, const ExactNumbers& expected, int digits) {
+  REQUIRE(found.size() == expected.size());
+  const cln::cl_R tolerance = largest_of(expected) * power_of_ten(-digits);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    INFO("entry " << i << ": " << double_of(found[i]) << " instead of " << double_of(expected[i]));
+    CHECK(cln::abs(found[i] - expected[i]) <= tolerance);
+  }
+}
+
+/// By the oracle and by the program in 64 digits to 40 digits, and in double to 1e-13.
+inline void check_field(const Constrained& system, OutputKind kind, const std::string& field,
+                        const State& state, const ExactNumbers& expected) {
+  INFO(output_row(kind).name << " " << field);
+  check_digits(system.truth(kind, field, state), expected, 40);
+  check_digits(system.exactly(kind, field, state), expected, 40);
+  check_close(system.in_double(kind, field, state), expected, 1e-13);
+}
+
+}  // namespace elgen::test
