@@ -14,6 +14,7 @@
 #include "inspect/null_space.hpp"
 #include "inspect/readable.hpp"
 #include "inspect/samples.hpp"
+#include "inspect/singular_mass.hpp"
 
 namespace elgen {
 namespace {
@@ -52,7 +53,7 @@ Diagnostics without_effects(const Inspected& subject) {
                       fmt::format("`{}` constrains nothing: it is {} whatever the {} are",
                                   constraint.name, is_nothing(*value) ? "0" : "the same",
                                   constraint.is_position ? "coordinates" : "rates"),
-                      "remove it; two components are enough of points in a plane"});
+                      "remove it; of points in a plane two components are enough"});
   }
   return errors;
 }
@@ -77,7 +78,24 @@ std::string what_is_left(const Model& model, const Assembly& at) {
   return text;
 }
 
+/// Whether Newton's method creeps towards a pose: it does so where A has not full rank.
+bool creeps(const Model& model, const Assembly& at) {
+  const OracleValues values =
+      oracle_values(model, {.kind = OutputKind::constraint_residual}, at.state);
+  const std::size_t rates = model.constraints.size();
+  return values && !at.has_pose &&
+         std::all_of(values->begin(), values->end() - static_cast<std::ptrdiff_t>(rates),
+                     [](const cl_R& f) { return cln::abs(f) < power_of_ten(-12); });
+}
+
 Diagnostic not_assembled(const Model& model, const std::optional<Assembly>& at) {
+  if (at && creeps(model, *at)) {
+    return {
+        Code::E537, model.constraints.front().span,
+        "the constraints meet near the start where A has not full rank, so that the multipliers "
+        "are not determined there",
+        "give another `start`, or an equation that is not flat or touched there"};
+  }
   const std::string left = at ? what_is_left(model, *at) : "no value";
   return {Code::E538, model.constraints.front().span,
           fmt::format("no {} near the start meet the constraints: what is left is {}",
@@ -177,6 +195,28 @@ Diagnostics redundant(const Model& model, const std::vector<Combinations>& at_po
   return errors;
 }
 
+Diagnostics redundant_equations(const Inspected& subject, const State& start) {
+  std::vector<Combinations> at_poses{zero_combinations(subject.model, start)};
+  if (at_poses.front().empty()) return {};
+  for (const State& pose : other_poses(subject, start)) {
+    at_poses.push_back(zero_combinations(subject.model, pose));
+    if (at_poses.back().empty()) return {};
+  }
+  return redundant(subject.model, at_poses);
+}
+
+/// Of inputs that no pose determines.
+Diagnostics undetermined_inputs(const Inspected& subject, const State& start) {
+  const auto wanted = std::ranges::find(
+      subject.scene.outputs, OutputKind::constrained_inverse_dynamics, &OutputRequest::kind);
+  if (wanted == subject.scene.outputs.end()) return {};
+  const auto has_value = [&](const State& pose) {
+    return oracle_values(subject.model, *wanted, pose).has_value();
+  };
+  if (has_value(start) || std::ranges::any_of(other_poses(subject, start), has_value)) return {};
+  return {redundant_inputs(*wanted)};
+}
+
 }  // namespace
 
 Diagnostics inspect_constraints(const Inspected& subject) {
@@ -186,13 +226,8 @@ Diagnostics inspect_constraints(const Inspected& subject) {
   if (!errors.empty()) return errors;
   const std::optional<Assembly> start = oracle_assembly(model, full_start(subject));
   if (!start || !start->has_rates) return {not_assembled(model, start)};
-  std::vector<Combinations> at_poses{zero_combinations(model, start->state)};
-  if (at_poses.front().empty()) return {};
-  for (const State& pose : other_poses(subject, start->state)) {
-    at_poses.push_back(zero_combinations(model, pose));
-    if (at_poses.back().empty()) return {};
-  }
-  return redundant(model, at_poses);
+  errors = redundant_equations(subject, start->state);
+  return errors.empty() ? undetermined_inputs(subject, start->state) : errors;
 }
 
 }  // namespace elgen

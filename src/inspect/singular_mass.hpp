@@ -40,6 +40,14 @@ namespace elgen {
           "remove it: its multiplier is not determined"};
 }
 
+/// B^T G B is singular: the constraints leave the inputs too few ways to move.
+[[nodiscard]] inline Diagnostic redundant_inputs(const OutputRequest& request) {
+  return {Code::E603, request.span,
+          fmt::format("`{}` has no value: under the constraints some input moves nothing, or "
+                      "nothing that others do not move",
+                      request.name)};
+}
+
 /// A pivot of B^T G B is 0: that of this input.
 [[nodiscard]] inline Diagnostic redundant_input(const OutputRequest& request,
                                                 const std::string& input) {

@@ -99,17 +99,25 @@ void bring_pivot(Values& matrix, std::size_t columns, std::size_t at, Values& sc
   std::swap(scales[at], scales[best]);
 }
 
-/// x of a square system, the last column its right side.
-Values eliminated(Values matrix, std::size_t rows) {
-  const std::size_t columns = rows + 1;
+/// The largest entry of each row of a square system, the last column its right side.
+Values row_scales(const Values& matrix, std::size_t rows) {
   Values scales;
   for (std::size_t i = 0; i < rows; ++i) {
     cl_R largest = 0;
     for (std::size_t j = 0; j < rows; ++j) {
-      largest = cln::max(largest, cln::abs(matrix[i * columns + j]));
+      largest = cln::max(largest, cln::abs(matrix[i * (rows + 1) + j]));
     }
-    if (cln::zerop(largest)) throw OutsideDomain("singular constraints");
     scales.push_back(largest);
+  }
+  return scales;
+}
+
+/// x of a square system, the last column its right side; entries count by the scales of their rows.
+Values eliminated(Values matrix, Values scales) {
+  const std::size_t rows = scales.size();
+  const std::size_t columns = rows + 1;
+  if (std::ranges::any_of(scales, [](const cl_R& scale) { return cln::zerop(scale); })) {
+    throw OutsideDomain("singular constraints");
   }
   for (std::size_t k = 0; k < rows; ++k) {
     bring_pivot(matrix, columns, k, scales);
@@ -131,6 +139,8 @@ Values times(const Values& matrix, const Values& x) {
   }
   return result;
 }
+
+cl_R product(const Values& x, const Values& y) { return times(x, y).front(); }
 
 Values transposed_times(const Values& matrix, const Values& y, std::size_t columns) {
   Values result(columns);
@@ -234,7 +244,8 @@ ConstrainedMotion solve_constrained(const ConstrainedSystem& system, const Value
     matrix[i * columns + n + m] = r[i];
   }
   for (std::size_t k = 0; k < m; ++k) matrix[(n + k) * columns + n + m] = s[k];
-  const Values all = eliminated(std::move(matrix), n + m);
+  const Values scales = row_scales(matrix, n + m);
+  const Values all = eliminated(std::move(matrix), scales);
   const auto middle = all.begin() + static_cast<std::ptrdiff_t>(n);
   return {{all.begin(), middle}, negative({middle, all.end()})};
 }
@@ -328,13 +339,17 @@ Values constrained_inverse(const Model& model, const State& state) {
   for (std::size_t i = 0; i < n; ++i) force.push_back(inverse_dynamics(at, at.unit(i)));
   const Values answer = solve_constrained(system, force, still).x;
   Values matrix(inputs * (inputs + 1));
+  Values free;  // B^T M^-1 B: what the inputs would move without constraints
   for (std::size_t j = 0; j <= inputs; ++j) {
     const Values response =
         j == inputs ? answer : solve_constrained(system, column_of(b, j, inputs), still).x;
     const Values column = transposed_times(b, response, inputs);
     for (std::size_t i = 0; i < inputs; ++i) matrix[i * (inputs + 1) + j] = column[i];
+    if (j == inputs) continue;
+    const Values force_of_input = column_of(b, j, inputs);
+    free.push_back(product(force_of_input, solve_mass(model, system.mass, force_of_input).x));
   }
-  Values values = eliminated(std::move(matrix), inputs);
+  Values values = eliminated(std::move(matrix), free);
   const Values rest = difference(force, times(b, values));
   const Values multipliers = negative(solve_constrained(system, rest, still).y);
   const Values unbalanced = difference(rest, transposed_times(system.jacobian, multipliers, n));

@@ -124,7 +124,7 @@ Values forward_derivatives(Mechanics& at) {
   const ConstrainedSystem system = constrained_system(at);
   const ConstrainedMotion motion = constrained_motion(at, system);
   Values values;
-  for (const std::size_t field : {0, 1}) {
+  for (const std::size_t field : {std::size_t{0}, std::size_t{1}}) {
     const Values matrix = state_derivatives(at, system, motion, field);
     values.insert(values.end(), matrix.begin(), matrix.end());
   }

@@ -139,6 +139,7 @@ ValueSyntax read_equations(const TomlValue& value, FileReading& reading) {
     result.items.push_back(read_equation(value, reading));
     return result;
   }
+  if (value.items.empty()) report_wrong_type(value, "an equation, or a list of such", reading);
   for (const TomlValue& item : value.items) result.items.push_back(read_equation(item, reading));
   return result;
 }

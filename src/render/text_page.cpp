@@ -71,7 +71,11 @@ std::string text_page(const Model& model, const Scene& scene, const Program& pro
     if (!is_shown(program, function, options)) continue;
     text += fmt::format("\n{}\n", function.name);
     if (has_readable_form(program, i)) {
-      text += function_text(function, readable_equations(program, i).entries.begin());
+      const FunctionEquations read = readable_equations(program, i);
+      for (const EquationLine& line : read.definitions) {
+        text += fmt::format("  {} = {}\n", line.name, line.value);
+      }
+      text += function_text(function, read.entries.begin());
     } else {
       text += function_text(function, next);
       next += static_cast<std::ptrdiff_t>(function.fields.size());

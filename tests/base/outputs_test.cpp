@@ -57,6 +57,7 @@ std::size_t size_of(const std::string& type) {
                                                         {"coordinate_count", 7},
                                                         {"input_count", 3},
                                                         {"constraint_count", 2},
+                                                        {"Multipliers<Scalar>", 2},
                                                         {"pivots", 23},
                                                         {"SquareMatrix<Scalar>", 25},
                                                         {"InputMatrix<Scalar>", 15}};

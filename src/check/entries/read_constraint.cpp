@@ -15,7 +15,7 @@
 namespace elgen {
 namespace {
 
-constexpr Place position_equation{"a constraint on positions", place::of_configuration};
+constexpr Place position_equation{place::position_equation, place::of_configuration};
 constexpr Place velocity_equation{"a constraint on velocities", place::of_state};
 constexpr Place gain{"a gain", place::parameters_only};
 
@@ -36,6 +36,8 @@ class ConstraintReader {
     if (const KeySyntax* gains = entry_.find("stabilise")) {
       blank_.omega = values_.root(gains->value, "omega", {gain, find_unit("Hz")});
       blank_.zeta = values_.root(gains->value, "zeta", {gain, Unit{}});
+      refuse_negative(*blank_.omega, *gains->value.find("omega"));
+      if (blank_.zeta) refuse_negative(*blank_.zeta, *gains->value.find("zeta"));
       if (!blank_.zeta) blank_.zeta = NodeBuilder(context_, gains->value.span).number(1);
     }
     constexpr std::array<std::string_view, 2> kinds{"equation", "coincide"};
@@ -58,11 +60,24 @@ class ConstraintReader {
       const KeySyntax* left = item.find("left");
       const KeySyntax* right = item.find("right");
       if (left == nullptr || right == nullptr) continue;  // reported when the file was parsed
-      const ExpressionSyntax value =
-          difference(left->value.expression, right->value.expression, item.span);
       const std::string suffix = list.items.size() == 1 ? "" : std::to_string(i + 1);
-      add(suffix, values_.root(value, {place}), item.span);
+      add(suffix, values_.root(residual(*left, *right, item.span), {place}), item.span);
     }
+  }
+
+  void refuse_negative(ExpressionId value, const KeySyntax& key) {
+    const auto number = context_.constants[value];
+    if (!number || !cln::minusp(*number)) return;
+    context_.report.add(Code::E112, key.value.span,
+                        in_backticks(key.value.span) + " is negative: errors would grow");
+  }
+
+  /// left - right, or left where the right side is 0.
+  static ExpressionSyntax residual(const KeySyntax& left, const KeySyntax& right,
+                                   const Span& span) {
+    const ExpressionSyntax& other = right.value.expression;
+    const bool is_zero = other.kind == SyntaxKind::number && cln::zerop(other.value);
+    return is_zero ? left.value.expression : difference(left.value.expression, other, span);
   }
 
   /// A row for each component that both points have.
@@ -100,9 +115,17 @@ class ConstraintReader {
     row.equation_span = span;
     if (!suffix.empty()) row.name = with_suffix(blank_.name, suffix);
     row.identifier = identifier_of(row.name);
+    const DeclaredName* other = context_.symbols.find("lambda_" + row.name);
+    if (other != nullptr) {
+      context_.report.add({Code::E203, row.span,
+                           in_backticks("lambda_" + row.name) + " is the multiplier, but also " +
+                               with_article(noun(other->kind)),
+                           "", other->span, "declared here"});
+    }
     std::vector<Constraint>& rows = context_.model.constraints;
     const auto same = std::ranges::find(rows, row.identifier, &Constraint::identifier);
-    if (same != rows.end()) {
+    // Two entries of one name are told so already.
+    if (same != rows.end() && covered_text(same->span) != covered_text(row.span)) {
       context_.report.add({Code::E203, row.span,
                            in_backticks(row.name) + " is already the name of an equation", "",
                            same->span, "of this constraint"});

@@ -29,6 +29,7 @@ constexpr std::array<IngredientRow, 12> ingredient_table{{
 constexpr const char* smooth_stand_in = "a smooth stand-in is tanh(x/width)";
 constexpr const char* home_of_momenta =
     "it stands in `[[expect]]`: in `conserved`, and in outputs that take momenta";
+constexpr const char* kind_of_rates = "equations of rates have `kind = \"velocity\"`";
 constexpr const char* varying_mass = "what varies is written out in `[energy] T`";
 
 Code code_of(Ingredient ingredient, const Place& place) {
@@ -62,8 +63,11 @@ void report(Context& context, const WrittenExpression& root, const Expression& n
                        node.kind == ExpressionKind::prescribed;
   std::string message = in_backticks(node.span) + (is_name ? " contains " : " is ");
   message += std::string(row.noun) + ", and " + std::string(root.place.noun) + " takes none";
+  const bool is_constraint = root.place.noun == place::position_equation;
+  const bool is_rate = row.ingredient == uses_rate;
   const std::string hint = row.ingredient == uses_kink          ? smooth_stand_in
                            : row.ingredient == uses_momentum    ? home_of_momenta
+                           : is_constraint && is_rate           ? kind_of_rates
                            : root.place.otherwise == Code::E506 ? varying_mass
                                                                 : "";
   context.report.add(code_of(row.ingredient, root.place), node.span, std::move(message), hint);

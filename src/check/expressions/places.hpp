@@ -21,6 +21,8 @@ inline constexpr Ingredients of_dissipation = of_energy | uses_open_rate;
 inline constexpr Ingredients of_force = of_dissipation | uses_input | uses_kink;
 inline constexpr Ingredients anything = of_force | uses_acceleration | uses_open_derivative;
 
+inline constexpr std::string_view position_equation = "a constraint on positions";
+
 }  // namespace place
 
 /// E315, E319, E502, E506: each ingredient that does not belong, at the node that brings it in.

@@ -82,7 +82,9 @@ MaybeUnit unit_of_entry(const Model& model, const EntryPlace& place) {
 std::string unit_text_of_entry(const Model& model, const EntryPlace& place) {
   const MaybeUnit unit = unit_of_entry(model, place);
   if (!unit) return "";
-  const bool is_force = field_row(place.kind, place.field).unit == UnitRule::power;
+  const FieldRow& field = field_row(place.kind, place.field);
+  if (field.rows == Extent::inputs) return model.inputs[place.row].unit_text;
+  const bool is_force = field.unit == UnitRule::power;
   return is_force ? force_unit_text(*unit) : to_string(*unit);
 }
 

@@ -30,7 +30,7 @@ namespace elgen {
 [[nodiscard]] const Expression* find_kink(const Model& model);
 
 /// How many rows or columns that is; `user` numbers declared outputs.
-[[nodiscard]] std::uint32_t extent_of(const Model& model, Extent extent, std::uint32_t user = 0);
+[[nodiscard]] std::uint32_t extent_of(const Model& model, Extent kind, std::uint32_t user = 0);
 
 /// The request for a kind with the shape of its first field; `user` numbers declared outputs.
 [[nodiscard]] OutputRequest request_of(const Model& model, OutputKind kind, std::uint32_t user);

@@ -63,6 +63,18 @@ Json variables(const std::vector<Variable>& all, const Unit& unit) {
   return list;
 }
 
+/// Each is `value` = 0, on positions or on velocities.
+Json constraints(const Model& model) {
+  Json list = Json::array();
+  for (const Constraint& constraint : model.constraints) {
+    Json json = named(constraint.name, constraint.unit ? to_string(*constraint.unit) : "");
+    json["kind"] = constraint.is_position ? "position" : "velocity";
+    json["value"] = to_string(model, constraint.value);
+    list.push_back(json);
+  }
+  return list;
+}
+
 /// What each is a function of, in the model language.
 Json open_functions(const Model& model) {
   Json list = Json::array();
@@ -178,9 +190,7 @@ std::string sidecar(const EmissionInput& input) {
   }
   json["inputs"] = variables(input.model.inputs, unit);
   if (!input.model.constraints.empty()) {
-    json["constraints"] = variables(input.model.constraints, [](const Constraint& constraint) {
-      return constraint.unit ? to_string(*constraint.unit) : std::string();
-    });
+    json["constraints"] = constraints(input.model);
   }
   if (!input.model.functions.empty()) {
     json["functions"] = open_functions(input.model);

@@ -10,12 +10,22 @@
 namespace elgen {
 namespace {
 
-/// The worst that holds of one instruction.
-Regime regime_of(const Bound& x, const Rounding& rounding) {
+/// The worst that holds of one instruction. Where bounds run along, the error of what cancels may
+/// overflow while its value does not.
+Regime regime_of(const Bound& x, const Rounding& rounding, bool is_running) {
   if (!x.value.is_defined()) return Regime::undefined;
-  if (abs(x.value).value() > rounding.largest.value()) return Regime::overflow;
+  const Real reach = is_running ? abs(x.value) + rounding.roundoff * x.bound : abs(x.value);
+  const bool fits = reach.is_defined() && reach.value() <= rounding.largest.value();
+  if (!fits) return Regime::overflow;
   if (x.lost) return Regime::ill_conditioned;
   return Regime::regular;
+}
+
+/// Under constraints S is made of what M gives, and more is solved with what S gives: bounds of
+/// first order would grow with every solve.
+bool solves_in_a_row(const Program& program, const Function& function) {
+  const OutputRow& row = output_row(function.kind);
+  return row.steps || (row.solves && !program.leaves.multipliers.empty());
 }
 
 /// Roundings that 8 u B cover. Where more meet in one entry, in a long sum or a high power, their
@@ -38,6 +48,7 @@ Regime worse(Regime x, Regime y) {
 BoundedRun bounded_run(const Program& program, const Function& function, const State& state,
                        const Rounding& rounding, const std::vector<Bound>& accelerations) {
   BoundedRun run;
+  const bool is_running = solves_in_a_row(program, function);
   MoreDigits digits;
   std::vector<Bound> values;
   do {
@@ -46,12 +57,11 @@ BoundedRun bounded_run(const Program& program, const Function& function, const S
     LeafValues<Bound> leaves = map_leaves(leaf, state);
     if (!accelerations.empty()) leaves.a = accelerations;
     const BoundRules rules{leaves, rounding};
-    values = output_row(function.kind).steps
-                 ? fold<Bound>(RunningBoundRules{rules}, program, function)
-                 : fold<Bound>(rules, program, function);
+    values = is_running ? fold<Bound>(RunningBoundRules{rules}, program, function)
+                        : fold<Bound>(rules, program, function);
   } while (digits.grow());
   for (const Bound& value : values) {
-    const Regime here = regime_of(value, rounding);
+    const Regime here = regime_of(value, rounding, is_running);
     run.regime = worse(run.regime, here);
     if (here != Regime::undefined) run.largest = max(run.largest, abs(value.value));
   }

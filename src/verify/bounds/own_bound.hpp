@@ -27,7 +27,8 @@ struct BoundedRun {
   Real largest = {};                ///< magnitude of the largest intermediate
 };
 
-/// Runs exact values and bounds along a function; along a step by RunningBoundRules.
+/// Runs exact values and bounds along a function; along a step, and where
+/// constraints are solved for, by RunningBoundRules.
 /// `accelerations`, where there are some, take the place of the state's, and may be known to their
 /// bounds only.
 [[nodiscard]] BoundedRun bounded_run(const Program& program, const Function& function,
