@@ -68,7 +68,7 @@ class StepByStep {
     add("velocities", std::move(velocities));
   }
 
-  /// What each equation says is 0, and 0.
+  /// The residual of each equation, and 0.
   void add_constraints() {
     std::vector<FieldEquations> sides;
     for (const ConstraintEquation& constraint : derivation_.lagrangian.constraints) {

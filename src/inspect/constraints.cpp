@@ -24,7 +24,7 @@ using cln::cl_R;
 constexpr std::size_t other_pose_count = 3;
 constexpr unsigned pose_draws = 8;
 
-/// What rounding leaves of zero, in any unit.
+/// Whether a number is what rounding leaves of zero, in any unit.
 bool is_nothing(const cl_R& x) { return cln::abs(x) < power_of_ten(-50); }
 
 /// Whether the row of A of each equation is 0 at every state that has one.

@@ -22,7 +22,7 @@ using cln::cl_R;
 constexpr unsigned most_newton_steps = 60;
 constexpr unsigned most_halvings = 10;
 
-/// What is left of a row, of its length, where it is taken to follow from others.
+/// A row follows from others where less of its length than this is left.
 const cl_R& dependent_share() {
   static const cl_R share = power_of_ten(-12);
   return share;

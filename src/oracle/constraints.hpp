@@ -58,8 +58,8 @@ struct ConstrainedSystem {
 /// a and lambda.
 [[nodiscard]] ConstrainedMotion constrained_motion(Mechanics& at, const ConstrainedSystem& system);
 
-/// What constraints lack: a direction with A x = s makes f of positions, or r of all, 0 to first
-/// order.
+/// The shortage of constraints: a direction with A x = s makes f of positions, or r of all, 0 to
+/// first order.
 struct Shortage {
   std::vector<Direction> rows = {};  ///< of A
   std::vector<cln::cl_R> s = {};     ///< -f or -r

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "base/exact_number.hpp"
-#include "check/names/requests.hpp"
 #include "elgen/oracle.hpp"
 
 namespace elgen {
@@ -25,25 +24,14 @@ Diagnostic singular(std::string message) {
   return {Code::E623, {}, std::move(message), start_elsewhere};
 }
 
-/// Quaternions of length 1.
-State start_of(const CheckedModel& checked, double t) {
-  const Model& model = checked.model;
-  State state = nominal_state(model, checked.scene);
-  for (std::size_t i = 0; i < state.q.size(); ++i) state.q[i] = model.coordinates[i].start_value;
-  for (std::size_t i = 0; i < state.v.size(); ++i) state.v[i] = model.velocities[i].start_rate;
-  state.t = exact_value(t);
-  if (model.rotations.empty()) return state;
-  const OutputRequest normalized = request_of(model, OutputKind::normalized, 0);
-  if (const OracleValues q = oracle_values(model, normalized, state)) state.q = *q;
-  return state;
-}
-
 }  // namespace
 
 Result<CheckedModel> assembled_model(const CheckedModel& checked, double t) {
   CheckedModel moved = checked;
   if (moved.model.constraints.empty()) return moved;
-  const std::optional<State> state = oracle_assembled(moved.model, start_of(checked, t));
+  State start = start_state(moved.model, moved.scene);
+  start.t = exact_value(t);
+  const std::optional<State> state = oracle_assembled(moved.model, std::move(start));
   if (!state) {
     return Diagnostic{
         Code::E538, {}, "near the start no pose meets the constraints", start_elsewhere};

@@ -131,7 +131,7 @@ equation = "x^2 + y^2 = l^2"
 stabilise = { omega = 7, zeta = "3/5" }
 )toml";
 
-/// What a constrained motion has to fulfil, of accelerations and multipliers that are written out.
+/// The equations of a constrained motion, of accelerations and multipliers that are written out.
 struct WrittenMotion {
   explicit WrittenMotion(const std::string& text) : system(text) {
     const ForwardDynamics motion = forward_dynamics(system.derivation);

@@ -144,7 +144,7 @@ ExactNumbers two_factors(const cl_R& k, const cl_R& omega, const cl_R& zeta) {
   return {k * square, k * damping, k + square, damping, 1};
 }
 
-/// What the second and third coordinate move by so that A (0, db, dc) = right, A 2 x 3.
+/// The second and third coordinate move by these so that A (0, db, dc) = right, A 2 x 3.
 std::array<cl_R, 2> followers(const ExactNumbers& a, const ExactNumbers& right) {
   const cl_R determinant = a[1] * a[5] - a[2] * a[4];
   return {(right[0] * a[5] - a[2] * right[1]) / determinant,

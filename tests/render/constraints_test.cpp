@@ -1,4 +1,4 @@
-// What pages say of constraints: equations as typed, multipliers with their units, gains.
+// Pages on constraints: equations as typed, multipliers with their units, gains.
 #include "render/constraints.hpp"
 
 #include <algorithm>

@@ -240,7 +240,7 @@ std::vector<bool> moving_velocities(const Model& model) {
 
 namespace {
 
-/// What cannot be right of an equation, whatever the state is.
+/// Reports an equation that is wrong whatever the state is.
 void check_equation(Context& context, const Constraint& constraint, const Traits& traits) {
   const Span& span = constraint.equation_span;
   if ((traits.ingredients & (uses_coordinate | uses_rate)) == 0) {

@@ -15,7 +15,7 @@
 
 namespace elgen {
 
-/// What the rows of a symmetric system stand for.
+/// The things that rows of a symmetric system stand for.
 enum class RowsOf : std::uint8_t { velocities, constraints, inputs };
 
 /// Thrown where a matrix cannot be factorised whatever the state is: by the elimination of this

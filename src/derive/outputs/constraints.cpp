@@ -127,8 +127,9 @@ ProjectedState projected(Derivation& derivation) {
     seeds.emplace(derivation.symbols.q[i], result.coordinates[i]);
   }
   Substitution there(definitions, std::move(seeds));
-  ConstrainedSolve solve(derivation, substituted(there, definitions, mass),
-                         substituted(there, definitions, constraint_jacobian(derivation)));
+  const Vector mass_there = substituted(there, definitions, mass);
+  const Vector jacobian = constraint_jacobian(derivation);
+  ConstrainedSolve solve(derivation, mass_there, substituted(there, definitions, jacobian));
   const Vector rates = substituted(there, definitions, constraint_rates(derivation));
   const Vector change = solve.solve(Vector(derivation.size(), 0), negative(rates)).x;
   for (std::size_t i = 0; i < change.size(); ++i) {
@@ -144,7 +145,8 @@ ConstrainedInverse constrained_inverse_dynamics(Derivation& derivation) {
   Vector force = inverse_dynamics(derivation);
   for (ex& entry : force) entry = define(definitions, entry);
   const Vector b = input_matrix(derivation);
-  ConstrainedSolve solve(derivation, mass_matrix(derivation), constraint_jacobian(derivation));
+  const Vector mass = mass_matrix(derivation);
+  ConstrainedSolve solve(derivation, mass, constraint_jacobian(derivation));
   const Vector at_rest(derivation.lagrangian.constraints.size(), 0);
   Vector matrix(inputs * inputs);
   Vector right(inputs);

@@ -17,8 +17,7 @@ namespace {
 class Dynamics {
  public:
   explicit Dynamics(Derivation& derivation)
-      : derivation_(derivation),
-        solve_(derivation, mass_matrix(derivation), constraint_jacobian(derivation)) {}
+      : derivation_(derivation), solve_(solve_of(derivation)) {}
 
   /// Accelerations are named "acceleration_theta": the velocities bear the identifiers of their
   /// coordinates.
@@ -53,6 +52,12 @@ class Dynamics {
   [[nodiscard]] const ConstrainedSolve& solve() const { return solve_; }
 
  private:
+  /// Definitions are numbered as they are made, and compilers differ in the order of arguments.
+  static ConstrainedSolve solve_of(Derivation& derivation) {
+    const Vector mass = mass_matrix(derivation);
+    return {derivation, mass, constraint_jacobian(derivation)};
+  }
+
   static Vector negative(Vector values) {
     for (ex& value : values) value = -value;
     return values;
