@@ -110,6 +110,20 @@ void append(std::vector<Weighted>& to, const std::vector<Weighted>& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
+Vector negative(Vector values) {
+  for (ex& value : values) value = -value;
+  return values;
+}
+
+Vector substituted(Substitution& leaves, Definitions& definitions, const Vector& values) {
+  Vector result;
+  for (const ex& value : values) {
+    const ex entry = define(definitions, value);
+    result.push_back(leaves(entry));
+  }
+  return result;
+}
+
 Derivation::Derivation(const Lagrangian& source)
     : lagrangian(source),
       definitions(lagrangian.definitions),

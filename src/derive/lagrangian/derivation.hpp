@@ -98,4 +98,10 @@ std::vector<Weighted> Derivation::on_masses(const Force& force) {
 
 void append(std::vector<Weighted>& to, const std::vector<Weighted>& from);
 
+[[nodiscard]] Vector negative(Vector values);
+
+/// The values with leaves replaced, by way of a definition of each.
+[[nodiscard]] Vector substituted(Substitution& leaves, Definitions& definitions,
+                                 const Vector& values);
+
 }  // namespace elgen

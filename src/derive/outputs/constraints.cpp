@@ -25,30 +25,21 @@ Vector row_of(Derivation& derivation, const ConstraintEquation& constraint) {
   return gradient(derivation.definitions, sum, derivation.symbols.v);
 }
 
-Vector negative(Vector values) {
-  for (ex& value : values) value = -value;
-  return values;
-}
-
-Vector substituted(Substitution& substitution, Definitions& definitions, const Vector& values) {
-  Vector result;
-  for (const ex& value : values) {
-    const ex entry = define(definitions, value);
-    result.push_back(substitution(entry));
+/// The rows of A, of all constraints or of positions alone.
+Vector rows_of(Derivation& derivation, bool positions_only) {
+  Vector entries;
+  for (const ConstraintEquation& constraint : derivation.lagrangian.constraints) {
+    if (positions_only && !constraint.is_position) continue;
+    const Vector row = row_of(derivation, constraint);
+    entries.insert(entries.end(), row.begin(), row.end());
   }
-  return result;
+  return entries;
 }
 
 /// q + N dq, quaternions scaled back to length 1, with M dq = A^T y and A dq = -f.
 Vector projected_coordinates(Derivation& derivation, const Vector& mass) {
   Definitions& definitions = derivation.definitions;
-  Vector jacobian;
-  for (const ConstraintEquation& constraint : derivation.lagrangian.constraints) {
-    if (!constraint.is_position) continue;
-    const Vector row = row_of(derivation, constraint);
-    jacobian.insert(jacobian.end(), row.begin(), row.end());
-  }
-  ConstrainedSolve solve(derivation, mass, jacobian);
+  ConstrainedSolve solve(derivation, mass, rows_of(derivation, true));
   const Vector change =
       solve.solve(Vector(derivation.size(), 0), negative(residuals(derivation))).x;
   Seeds seeds;
@@ -82,14 +73,7 @@ ConstraintResidual constraint_residual(Derivation& derivation) {
   return {residuals(derivation), constraint_rates(derivation)};
 }
 
-Vector constraint_jacobian(Derivation& derivation) {
-  Vector entries;
-  for (const ConstraintEquation& constraint : derivation.lagrangian.constraints) {
-    const Vector row = row_of(derivation, constraint);
-    entries.insert(entries.end(), row.begin(), row.end());
-  }
-  return entries;
-}
+Vector constraint_jacobian(Derivation& derivation) { return rows_of(derivation, false); }
 
 Vector constraint_bias(Derivation& derivation) {
   Vector result = constraint_rates(derivation);

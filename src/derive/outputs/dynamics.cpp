@@ -58,11 +58,6 @@ class Dynamics {
     return {derivation, mass, constraint_jacobian(derivation)};
   }
 
-  static Vector negative(Vector values) {
-    for (ex& value : values) value = -value;
-    return values;
-  }
-
   static Vector column_of(const Vector& matrix, std::size_t column, std::size_t columns) {
     Vector result;
     for (std::size_t k = column; k < matrix.size(); k += columns) result.push_back(matrix[k]);

@@ -54,12 +54,7 @@ Vector moving_with(Derivation& derivation, const Vector& velocities, const Vecto
     seeds.emplace(derivation.symbols.v[i], velocities[i]);
   }
   Substitution at_velocities(derivation.definitions, std::move(seeds));
-  Vector result;
-  for (const ex& value : values) {
-    const ex entry = define(derivation.definitions, value);
-    result.push_back(at_velocities(entry));
-  }
-  return result;
+  return substituted(at_velocities, derivation.definitions, values);
 }
 
 }  // namespace
