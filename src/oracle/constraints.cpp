@@ -62,8 +62,16 @@ Direction jacobian_row(const Model& model, const Constraint& constraint, const M
   return row;
 }
 
-Values negative(Values values) {
-  for (cl_R& value : values) value = -value;
+/// `of` each constraint along the motion with a = 0.
+Values at_zero_acceleration(const Model& model, const State& state,
+                            Jet (*of)(Evaluation& at, const Constraint& constraint)) {
+  Motion motion = motion_of(state);
+  motion.a.assign(state.v.size(), Jet());
+  Evaluation at(model, motion);
+  Values values;
+  for (const Constraint& constraint : model.constraints) {
+    values.push_back(of(at, constraint).real());
+  }
   return values;
 }
 
@@ -182,25 +190,11 @@ Values constraint_jacobian(const Model& model, const State& state) {
 }
 
 Values constraint_bias(const Model& model, const State& state) {
-  Motion motion = motion_of(state);
-  motion.a.assign(state.v.size(), Jet());
-  Evaluation at(model, motion);
-  Values values;
-  for (const Constraint& constraint : model.constraints) {
-    values.push_back(rate_of_rate(at, constraint).real());
-  }
-  return values;
+  return at_zero_acceleration(model, state, rate_of_rate);
 }
 
 Values stabilised_bias(const Model& model, const State& state) {
-  Motion motion = motion_of(state);
-  motion.a.assign(state.v.size(), Jet());
-  Evaluation at(model, motion);
-  Values values;
-  for (const Constraint& constraint : model.constraints) {
-    values.push_back(stabilised(at, constraint).real());
-  }
-  return values;
+  return at_zero_acceleration(model, state, stabilised);
 }
 
 Values stabilised_slope(const Model& model, const State& state, const Displacement& along,
@@ -267,12 +261,14 @@ ConstrainedSystem constrained_system(Mechanics& at) {
   return {mass_matrix_values(at), constraint_jacobian(at.model(), at.state())};
 }
 
+ConstrainedMotion response(Mechanics& at, const ConstrainedSystem& system, const Values& r,
+                           const Values& s) {
+  if (s.empty()) return {solve_mass(at.model(), system.mass, r).x, {}};
+  return solve_constrained(system, r, s);
+}
+
 ConstrainedMotion constrained_motion(Mechanics& at, const ConstrainedSystem& system) {
-  if (at.model().constraints.empty()) {
-    return {solve_mass(at.model(), system.mass, moving_forces(at)).x, {}};
-  }
-  return solve_constrained(system, moving_forces(at),
-                           negative(stabilised_bias(at.model(), at.state())));
+  return response(at, system, moving_forces(at), negative(stabilised_bias(at.model(), at.state())));
 }
 
 Shortage position_shortage(const Model& model, const State& state) {

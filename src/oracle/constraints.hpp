@@ -55,6 +55,11 @@ struct ConstrainedSystem {
 /// M and A of a state.
 [[nodiscard]] ConstrainedSystem constrained_system(Mechanics& at);
 
+/// The same, without constraints in the model's order of elimination.
+[[nodiscard]] ConstrainedMotion response(Mechanics& at, const ConstrainedSystem& system,
+                                         const std::vector<cln::cl_R>& r,
+                                         const std::vector<cln::cl_R>& s);
+
 /// a and lambda.
 [[nodiscard]] ConstrainedMotion constrained_motion(Mechanics& at, const ConstrainedSystem& system);
 

@@ -29,13 +29,6 @@ Values residual_derivatives(Mechanics& at, const Direction& a, const Direction& 
   return values;
 }
 
-/// x of M x = r + A^T y, A x = s.
-ConstrainedMotion response(Mechanics& at, const ConstrainedSystem& system, const Values& r,
-                           const Values& s) {
-  if (s.empty()) return {solve_mass(at.model(), system.mass, r).x, {}};
-  return solve_constrained(system, r, s);
-}
-
 /// Slope of M a + bias - B u - A^T lambda, by velocity, along a displacement.
 Values force_slopes(Mechanics& at, const ConstrainedMotion& motion, const Displacement& along) {
   Values values;
@@ -44,11 +37,6 @@ Values force_slopes(Mechanics& at, const ConstrainedMotion& motion, const Displa
     values.push_back(at.residual_slope(w, along, motion.x, at.state().u) -
                      held_slope(at.model(), at.state(), w, along.x, motion.y));
   }
-  return values;
-}
-
-Values negative_of(Values values) {
-  for (cl_R& value : values) value = -value;
   return values;
 }
 
@@ -64,8 +52,8 @@ Values state_derivatives(Mechanics& at, const ConstrainedSystem& system,
   Values matrix(n * n);
   for (std::size_t j = 0; j < n; ++j) {
     const Displacement along = displacement(at, field, at.unit(j));
-    const Values forces = negative_of(force_slopes(at, motion, along));
-    const Values shortage = negative_of(stabilised_slope(at.model(), at.state(), along, motion.x));
+    const Values forces = negative(force_slopes(at, motion, along));
+    const Values shortage = negative(stabilised_slope(at.model(), at.state(), along, motion.x));
     put_column(response(at, system, forces, shortage).x, j, n, matrix);
   }
   return matrix;

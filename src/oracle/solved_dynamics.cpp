@@ -79,6 +79,11 @@ Solution solve_mass(const Model& model, std::vector<cl_R> mass,
   return solution;
 }
 
+std::vector<cl_R> negative(std::vector<cl_R> values) {
+  for (cl_R& value : values) value = -value;
+  return values;
+}
+
 std::vector<cl_R> moving_forces(Mechanics& at) {
   std::vector<cl_R> forces;
   for (std::size_t i = 0; i < at.size(); ++i) {

@@ -29,6 +29,8 @@ struct Solution {
 [[nodiscard]] Solution solve_mass(const Model& model, std::vector<cln::cl_R> mass,
                                   const std::vector<cln::cl_R>& right_side);
 
+[[nodiscard]] std::vector<cln::cl_R> negative(std::vector<cln::cl_R> values);
+
 /// B u - bias.
 [[nodiscard]] std::vector<cln::cl_R> moving_forces(Mechanics& at);
 
