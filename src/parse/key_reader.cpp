@@ -70,9 +70,10 @@ ValueSyntax read_one(const TomlValue& value, FileReading& reading) {
   return result;
 }
 
-/// A list of tables {index, low, high}, one per repetition, also where the file has a single
-/// string. E104; E210 malformed repetition; errors of the bounds.
-ValueSyntax read_repetition(const TomlValue& value, FileReading& reading) {
+/// One string, or a list of such: always a list.
+template <class ReadOne>
+ValueSyntax read_one_or_list(const TomlValue& value, const ReadOne& read_one,
+                             FileReading& reading) {
   ValueSyntax result = empty_value(value, ValueKind::list);
   if (value.kind != TomlKind::array) {
     result.items.push_back(read_one(value, reading));
@@ -80,6 +81,11 @@ ValueSyntax read_repetition(const TomlValue& value, FileReading& reading) {
   }
   for (const TomlValue& item : value.items) result.items.push_back(read_one(item, reading));
   return result;
+}
+
+/// A list of tables {index, low, high}. E104; E210 malformed repetition; errors of the bounds.
+ValueSyntax read_repetition(const TomlValue& value, FileReading& reading) {
+  return read_one_or_list(value, read_one, reading);
 }
 
 // Conditions: "a > b" to { left = a, sign = ">", right = b }
@@ -131,16 +137,12 @@ ValueSyntax read_equation(const TomlValue& value, FileReading& reading) {
   return result;
 }
 
-/// A list of tables {left, right}, also where the file has a single string. E104; E321 no equation;
-/// errors of the sides.
+/// A list of tables {left, right}. E104; E321 no equation; errors of the sides.
 ValueSyntax read_equations(const TomlValue& value, FileReading& reading) {
-  ValueSyntax result = empty_value(value, ValueKind::list);
-  if (value.kind != TomlKind::array) {
-    result.items.push_back(read_equation(value, reading));
-    return result;
+  ValueSyntax result = read_one_or_list(value, read_equation, reading);
+  if (result.items.empty()) {
+    report_wrong_type(value, "an equation, or a list of such", reading);
   }
-  if (value.items.empty()) report_wrong_type(value, "an equation, or a list of such", reading);
-  for (const TomlValue& item : value.items) result.items.push_back(read_equation(item, reading));
   return result;
 }
 
