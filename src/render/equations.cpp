@@ -12,6 +12,7 @@
 
 #include "elgen/render.hpp"
 #include "lower/graph/prune.hpp"
+#include "lower/graph/written_out.hpp"
 #include "render/function_formulas.hpp"
 #include "render/named_parts.hpp"
 #include "render/symbols.hpp"
@@ -53,19 +54,6 @@ class Latex final : public Vocabulary {
   const ModelSymbols symbols_;
 };
 
-/// Operations of each instruction written out over the leaves alone; counted up to just beyond the
-/// limit.
-std::vector<std::size_t> written_out_sizes(const Function& function) {
-  std::vector<std::size_t> sizes;
-  for (const Instruction& i : function.instructions) {
-    const std::size_t operands = operand_count(i);
-    std::size_t size = operands > 0 ? 1 + sizes[i.a] : 0;
-    if (operands > 1) size += sizes[i.b];
-    sizes.push_back(std::min(size, longest_entry + 1));
-  }
-  return sizes;
-}
-
 /// Entries that are too long to be written out.
 std::vector<std::uint32_t> long_entries(const Function& function,
                                         const std::vector<std::size_t>& sizes) {
@@ -90,7 +78,7 @@ std::vector<std::string> definition_names(std::vector<std::string> names,
 
 FunctionEquations equations(const Program& program, const Function& function,
                             const Vocabulary& vocabulary, const std::vector<std::string>& told) {
-  const std::vector<std::size_t> sizes = written_out_sizes(function);
+  const std::vector<std::size_t> sizes = written_out_sizes(function, longest_entry);
   const std::vector<std::string> names = definition_names(told, vocabulary, sizes);
   const std::vector<std::string> no_names(names.size());
   const FunctionFormulas with_names(program, function, vocabulary, names);
@@ -135,7 +123,7 @@ std::vector<std::string> read_names(const Program& program, const Function& func
   std::vector<std::string> names = temporary_names(program, function);
   if (!vocabulary.spelling().is_two_dimensional) return names;
   const std::vector<std::string> told = told_names(program, function);
-  const std::vector<std::size_t> sizes = written_out_sizes(function);
+  const std::vector<std::size_t> sizes = written_out_sizes(function, longest_entry);
   std::size_t number = 0;
   for (std::size_t at = 0; at < names.size(); ++at) {
     const bool is_shown = !names[at].empty() && sizes[at] > short_definition;

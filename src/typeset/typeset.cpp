@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lower/graph/prune.hpp"
+#include "lower/graph/written_out.hpp"
 #include "present/arithmetic.hpp"
 #include "typeset/equations.hpp"
 #include "typeset/write.hpp"
@@ -18,13 +19,7 @@ namespace {
 constexpr std::size_t longest_entry_of_a_book = 5'000;
 
 bool is_written_out(const Function& function) {
-  std::vector<std::size_t> sizes;
-  for (const Instruction& i : function.instructions) {
-    const std::size_t operands = operand_count(i);
-    std::size_t size = operands > 0 ? 1 + sizes[i.a] : 0;
-    if (operands > 1) size += sizes[i.b];
-    sizes.push_back(std::min(size, longest_entry_of_a_book + 1));
-  }
+  const std::vector<std::size_t> sizes = written_out_sizes(function, longest_entry_of_a_book);
   return std::ranges::all_of(entries_of(function), [&sizes](std::uint32_t entry) {
     return sizes[entry] <= longest_entry_of_a_book;
   });
