@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/ascii.hpp"
+#include "cli/help/commit.hpp"
 #include "cli/process/terminal.hpp"
 #include "elgen/wording.hpp"
 
@@ -35,8 +36,14 @@ std::vector<std::string> format_words() {
   return words;
 }
 
+/// "elgen 0.1.0 (d205d2cd1a2b)"
+std::string version() {
+  const std::string of_commit = *commit == '\0' ? "" : fmt::format(" ({})", commit);
+  return "elgen " ELGEN_VERSION + of_commit;
+}
+
 void add_global_options(CLI::App& app, CommandLine& line, RawOptions& raw) {
-  app.set_version_flag("-V,--version", "elgen " ELGEN_VERSION);
+  app.set_version_flag("-V,--version", version());
   app.add_option("--color", raw.color, "auto, always or never (NO_COLOR is honoured)")
       ->check(CLI::IsMember({"auto", "always", "never"}));
   app.add_option("--format", raw.format, "of messages: text, json (of results too) or github")

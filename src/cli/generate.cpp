@@ -121,19 +121,33 @@ Diagnostics changed_by_options(const GenerateOptions& options, const std::vector
   return errors;
 }
 
-/// The path of an input after a blank, and nothing where it came from standard input.
-std::string prerequisite(const SourcePointer& source) {
-  const bool is_file = source != nullptr && source->path != stdin_name;
-  return is_file ? " " + escaped_for_make(source->path) : "";
+/// The files that were read: the model, and the scene where there is one.
+std::vector<std::string> sources_of(const Job& job) {
+  std::vector<std::string> paths;
+  for (const SourcePointer& source : {job.inputs.model, job.inputs.scene}) {
+    if (source != nullptr && source->path != stdin_name) paths.push_back(source->path);
+  }
+  return paths;
 }
 
-/// The text of the file that --depfile asks for.
+/// The header first, then what is written beside it.
+std::vector<std::string> paths_of(const GenerateOptions& options, const Job& job) {
+  std::vector<std::string> paths;
+  for (const Artifact& artifact : artifacts_of(job.scene())) {
+    paths.push_back((fs::path(options.output_directory) / artifact.path).generic_string());
+  }
+  return paths;
+}
+
+/// The text of the file that --depfile asks for. The header is its first target, for Ninja wants
+/// there the first output of the rule.
 std::string dependencies(const GenerateOptions& options, const std::vector<Job>& jobs) {
   std::string text;
   for (const Job& job : jobs) {
-    const std::string sources = prerequisite(job.inputs.model) + prerequisite(job.inputs.scene);
-    for (const OutputFile& file : files_in(options.output_directory, *job.products.files)) {
-      text += escaped_for_make(file.path) + ":" + sources + "\n";
+    std::string sources;
+    for (const std::string& path : sources_of(job)) sources += " " + escaped_for_make(path);
+    for (const std::string& path : paths_of(options, job)) {
+      text += escaped_for_make(path) + ":" + sources + "\n";
     }
   }
   return text;
@@ -218,12 +232,8 @@ void tell_what_became(const GlobalOptions& global, const GenerateOptions& option
   if (global.verbose) tell(global, next_commands(job.path));
 }
 
-/// Sorted.
-std::vector<std::string> paths_of(const GenerateOptions& options, const Job& job) {
-  std::vector<std::string> paths;
-  for (const Artifact& artifact : artifacts_of(job.scene())) {
-    paths.push_back((fs::path(options.output_directory) / artifact.path).generic_string());
-  }
+std::vector<std::string> sorted_paths_of(const GenerateOptions& options, const Job& job) {
+  std::vector<std::string> paths = paths_of(options, job);
   std::sort(paths.begin(), paths.end());
   return paths;
 }
@@ -234,12 +244,12 @@ using Json = nlohmann::ordered_json;
 Json json_of(const GenerateOptions& options, const Job& job,
              const std::vector<std::string>* written) {
   Json files = Json::array();
-  for (const std::string& path : paths_of(options, job)) {
+  for (const std::string& path : sorted_paths_of(options, job)) {
     Json file{{"path", path}};
     if (written != nullptr) file["written"] = std::ranges::count(*written, path) > 0;
     files.push_back(std::move(file));
   }
-  Json json{{"name", job.scene().base_name}, {"input", job.path}, {"files", std::move(files)}};
+  Json json{{"name", job.scene().base_name}, {"input", job.path}, {"sources", sources_of(job)}, {"files", std::move(files)}};
   if (written != nullptr) {
     json["self_check"] = receipt(*job.products.self_check);
   }
@@ -267,7 +277,7 @@ ExitCode write(const GlobalOptions& global, const GenerateOptions& options,
 std::string listed(const GenerateOptions& options, const std::vector<Job>& jobs) {
   std::string text;
   for (const Job& job : jobs) {
-    for (const std::string& path : paths_of(options, job)) text += path + "\n";
+    for (const std::string& path : sorted_paths_of(options, job)) text += path + "\n";
   }
   return text;
 }

@@ -71,7 +71,36 @@ TEST_CASE("option --depfile names what the output depends on, in the language of
   const std::string stem = "out/cart_pole_balance/cart_pole_balance";
   const std::string sources = ": models/cart_pole.toml models/scenes/balance.scene.toml\n";
   CHECK(workspace.read("out.d") ==
-        stem + ".equations.json" + sources + stem + ".hpp" + sources + stem + ".md" + sources);
+        stem + ".hpp" + sources + stem + ".equations.json" + sources + stem + ".md" + sources);
+}
+
+TEST_CASE("a rule of Ninja that declares every file runs elgen where a source changed") {
+  const Workspace workspace;
+  workspace.prepare("cp -r " + models + " models");
+  const std::string stem = "out/cart_pole_balance/cart_pole_balance";
+  workspace.write("build.ninja",
+                  "rule elgen\n  command = elgen generate -q -o out --depfile out.d $in\n"
+                  "  depfile = out.d\n  deps = gcc\n  restat = 1\n"
+                  "build " +
+                      stem + ".hpp " + stem + ".equations.json " + stem +
+                      ".md: elgen models/scenes/balance.scene.toml\n");
+  const auto builds = [&](const std::string& edit) {
+    return mentions(workspace.run(edit + " && ninja").output, "elgen generate");
+  };
+  CHECK(builds("true"));
+  CHECK_FALSE(builds("true"));
+  CHECK(builds("sed -i 's/0.1, /0.2, /' models/cart_pole.toml"));
+  CHECK_FALSE(builds("true"));
+}
+
+TEST_CASE("the JSON of generate names the sources, which all are files") {
+  const Workspace workspace;
+  workspace.prepare("cp -r " + models + " models");
+  const std::string list = "elgen generate --list-outputs --format json ";
+  CHECK(mentions(workspace.run(list + "models/scenes/../scenes/balance.scene.toml").output,
+                 "\"sources\": [\n        \"models/cart_pole.toml\",\n"
+                 "        \"models/scenes/../scenes/balance.scene.toml\"\n      ]"));
+  CHECK(mentions(workspace.run(list + "- < models/cart_pole.toml").output, "\"sources\": []"));
 }
 
 TEST_CASE("options that would change the model's own output are refused without -o") {
