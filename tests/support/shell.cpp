@@ -60,8 +60,8 @@ std::string files_below(const std::filesystem::path& folder) {
   return shell("find . -type f | LC_ALL=C sort", folder).output;
 }
 
-Workspace::Workspace() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "elgen_test_XXXXXX").string();
+Workspace::Workspace(const std::string& prefix) {
+  std::string pattern = (std::filesystem::temp_directory_path() / (prefix + "XXXXXX")).string();
   if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
   path_ = pattern;
 }

@@ -29,7 +29,8 @@ void prepare(const std::string& command, const std::filesystem::path& folder);
 /// A fresh folder, removed at the end of the scope.
 class Workspace {
  public:
-  Workspace();
+  /// `prefix`: of its name.
+  explicit Workspace(const std::string& prefix = "elgen_test_");
   Workspace(const Workspace&) = delete;
   Workspace& operator=(const Workspace&) = delete;
   ~Workspace();

@@ -1,0 +1,54 @@
+# `cmake --install`: the program, its pages for shells and man, the schemas of its files, the package for CMake, the
+# examples and recipes. `cpack -G DEB`: the same as a package of this system.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+install(TARGETS elgen)
+set(share ${CMAKE_INSTALL_DATADIR})
+
+# Pages are printed by the program that is installed. Zsh of Debian looks for those of packages in another folder.
+install(CODE "
+  set(zsh site-functions)
+  if(CMAKE_INSTALL_PREFIX STREQUAL \"/usr\")
+    set(zsh vendor-completions)
+  endif()
+  foreach(page \"man/man1/elgen.1 man\" \"bash-completion/completions/elgen completions bash\"
+          \"zsh/\${zsh}/_elgen completions zsh\" \"fish/vendor_completions.d/elgen.fish completions fish\"
+          \"elgen/schemas/model.schema.json schema model\" \"elgen/schemas/scene.schema.json schema scene\")
+    separate_arguments(words UNIX_COMMAND \"\${page}\")
+    list(POP_FRONT words path)
+    set(path \"\${CMAKE_INSTALL_PREFIX}/${share}/\${path}\")
+    message(STATUS \"Printing: \${path}\")
+    execute_process(COMMAND \"$<TARGET_FILE:elgen>\" \${words} OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
+    file(WRITE \"\$ENV{DESTDIR}\${path}\" \"\${text}\")
+    list(APPEND CMAKE_INSTALL_MANIFEST_FILES \"\${path}\")
+  endforeach()")
+
+install(DIRECTORY examples recipes DESTINATION ${share}/elgen)
+install(FILES .pre-commit-hooks.yaml DESTINATION ${share}/elgen/recipes)
+install(FILES packaging/copyright DESTINATION ${share}/doc/elgen)
+
+# What the package does is the same on every machine: one for 64 bits serves a project for 32.
+set(package ${share}/cmake/elgen)
+configure_package_config_file(cmake/elgenConfig.cmake.in elgenConfig.cmake INSTALL_DESTINATION ${package}
+                              PATH_VARS CMAKE_INSTALL_BINDIR NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+write_basic_package_version_file(elgenConfigVersion.cmake COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/elgenConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/elgenConfigVersion.cmake
+              cmake/ElgenGenerate.cmake
+        DESTINATION ${package})
+
+file(STRINGS /etc/os-release system REGEX "^PRETTY_NAME=")
+string(REGEX REPLACE "^PRETTY_NAME=\"(.*)\"$" "\\1" system "${system}")
+set(CPACK_PACKAGE_CONTACT "the elgen authors")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "symbolic Euler-Lagrange equation generator")
+set(CPACK_PACKAGE_DESCRIPTION "Derives the equations of motion of mechanical systems and writes them as C++ and C.
+ Built for ${system}.")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION math)
+# `verify`, `simulate` and `tradeoff` compile; `diff --against` asks git.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, git")
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+include(CPack)

@@ -1,0 +1,135 @@
+// elgen_generate() in a project of CMake: after every edit the table says for which inputs elgen
+// ran and what was compiled, and the next build does nothing.
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+#include <iostream>
+#include <regex>
+#include <set>
+#include <vector>
+
+#include "consumer/projects.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+/// The words behind "Generating" or the sources behind "Building", in alphabetical order.
+std::string found(const std::string& log, const std::string& pattern) {
+  const std::regex regex(pattern);
+  std::set<std::string> names;
+  for (std::sregex_iterator at(log.begin(), log.end(), regex), end; at != end; ++at) {
+    names.insert((*at)[1]);
+  }
+  return names.empty() ? "-" : fmt::format("{}", fmt::join(names, " "));
+}
+
+/// Two callers in a folder of their own, each of the code of one input.
+class Project : public Workspace {
+ public:
+  Project(const std::string& generator, const std::filesystem::path& prefix)
+      : Workspace("a project ") {
+    prepare("mkdir models && cp '" + models + "/cart_pole.toml' '" + models +
+            "/double_pendulum.toml' models && sed 's|\\.\\./||' '" + models +
+            "/scenes/balance.scene.toml' > models/balance.scene.toml");
+    write("CMakeLists.txt",
+          "cmake_minimum_required(VERSION 3.21)\nproject(callers CXX)\n"
+          "find_package(elgen 0.1 CONFIG REQUIRED)\n"
+          "elgen_generate(TARGET plant INPUTS models/balance.scene.toml "
+          "models/double_pendulum.toml)\nadd_subdirectory(callers)\n");
+    write("callers/CMakeLists.txt",
+          "add_executable(cart cart.cpp)\nadd_executable(pendulum pendulum.cpp)\n"
+          "target_link_libraries(cart PRIVATE plant)\n"
+          "target_link_libraries(pendulum PRIVATE plant)\n");
+    write("callers/cart.cpp",
+          "#include \"cart_pole_balance/cart_pole_balance.hpp\"\n"
+          "int main() { return cart_pole_balance::input_count == 1 ? 0 : 1; }\n");
+    write("callers/pendulum.cpp",
+          "#include \"double_pendulum/double_pendulum.hpp\"\n"
+          "int main() { return double_pendulum::coordinate_count == 2 ? 0 : 1; }\n");
+    prepare("cmake -S . -B build -G '" + generator + "' " + finding_elgen(prefix));
+  }
+
+  /// What the build after an edit did; one that passed does nothing when it is repeated.
+  [[nodiscard]] std::string row(const std::string& edit) const {
+    prepare(edit);
+    const Outcome built = run("cmake --build build");
+    if (built.status == 0) {
+      const std::string again = run("cmake --build build").output;
+      CHECK(found(again, "(Generating|Building|Linking|CMake)") == "-");
+    }
+    const std::string log = built.output + built.errors;
+    std::string row = found(log, "\\] Generating (\\w+)") + " | " +
+                      found(log, "Building CXX object .*/(\\w+\\.cpp)");
+    const std::string place = "(models/[^\n]*error\\[E[0-9]+\\]|fatal error: [^\n:]*)";
+    if (built.status != 0) row += " | " + found(log, place);
+    return row;
+  }
+};
+
+/// An edit of a project, and the row that it makes.
+struct Edit {
+  const char* title;
+  const char* command;
+  const char* row;
+};
+
+constexpr const char* rename_scene =
+    "sed -i 's/^name .*/name = \"upright\"/' models/balance.scene.toml";
+
+constexpr Edit edits[] = {
+    {"the first build", "true", "cart_pole_balance double_pendulum | cart.cpp pendulum.cpp"},
+    {"nothing", "true", "- | -"},
+    {"a value in the scene's model", "sed -i 's/0.1, /0.3, /' models/cart_pole.toml",
+     "cart_pole_balance | cart.cpp"},
+    {"a value in the other model", "sed -i 's/9.81/9.8/' models/double_pendulum.toml",
+     "double_pendulum | pendulum.cpp"},
+    {"a comment and a blank", "printf '# comment\n \n' >> models/cart_pole.toml",
+     "cart_pole_balance | -"},
+    {"the scene renamed", rename_scene,
+     "cart_pole_upright | cart.cpp | fatal error: cart_pole_balance/cart_pole_balance.hpp"},
+    {"the scene named back", "sed -i 's/\"upright\"/\"balance\"/' models/balance.scene.toml",
+     "cart_pole_balance | cart.cpp"},
+    {"an error in the model", "sed -i 's/mass = \"m\"/mass = \"mq\"/' models/cart_pole.toml",
+     "cart_pole_balance | - | models/cart_pole.toml:52:9: error[E201]"},
+    {"the error mended", "sed -i 's/\"mq\"/\"m\"/' models/cart_pole.toml", "cart_pole_balance | -"},
+    {"the model moved away", "mv models/cart_pole.toml .",
+     "cart_pole_balance | - | models/balance.scene.toml:4:11: error[E111]"},
+    {"the model moved back", "mv cart_pole.toml models", "cart_pole_balance | -"},
+    {"clean", "cmake --build build --target clean",
+     "cart_pole_balance double_pendulum | cart.cpp pendulum.cpp"},
+};
+
+/// Make looks at stamps, not at what is written beside them.
+constexpr Edit edit_for_ninja{"a header deleted",
+                              "rm build/elgen/plant/cart_pole_balance/cart_pole_balance.hpp",
+                              "cart_pole_balance | cart.cpp"};
+
+void check_builds(const std::string& generator, const std::filesystem::path& prefix) {
+  const Project project(generator, prefix);
+  std::vector<Edit> all(std::begin(edits), std::end(edits));
+  if (starts_with(generator, "Ninja")) all.push_back(edit_for_ninja);
+  std::cout << generator << ": edit | elgen ran for | compiled | failed\n";
+  for (const Edit& edit : all) {
+    const std::string row = project.row(edit.command);
+    std::cout << fmt::format("  {:<30} | {}\n", edit.title, row);
+    INFO(edit.title);
+    CHECK(row == edit.row);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("an edit compiles what includes changed code and nothing else", "[.all]") {
+  const std::string generator = GENERATE("Ninja", "Ninja Multi-Config", "Unix Makefiles");
+  check_builds(generator, installed());
+}
+
+TEST_CASE("elgen of a package builds as an installed one does", "[.all]") {
+  const Workspace workspace("a package ");
+  if (packed(workspace).empty()) return;
+  workspace.prepare("dpkg-deb -x elgen.deb root");
+  check_builds("Ninja", workspace.path() / "root/usr");
+}
+
+}  // namespace elgen::test

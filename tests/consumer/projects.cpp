@@ -1,0 +1,25 @@
+#include "consumer/projects.hpp"
+
+#include <iostream>
+
+namespace elgen::test {
+
+bool is_there(const std::string& command, const std::string& what) {
+  if (shell(command, "/").status == 0) return true;
+  std::cout << "skipped: " << what << " is not installed\n";
+  return false;
+}
+
+std::filesystem::path packed(const Workspace& workspace) {
+  if (!is_there("command -v dpkg-shlibdeps && command -v file", "dpkg-dev or file")) return {};
+  workspace.prepare("cpack -G DEB --config '" ELGEN_BUILD_DIR
+                    "/CPackConfig.cmake' -B packed && mv packed/*.deb elgen.deb");
+  return workspace.path() / "elgen.deb";
+}
+
+Example::Example(const std::string& name, const std::string& options) : Workspace("an example ") {
+  prepare("cp -r '" ELGEN_SOURCE_DIR "/examples/" + name + "/.' . && cmake -S . -B build " +
+          options + " " + finding_elgen() + " && cmake --build build");
+}
+
+}  // namespace elgen::test
