@@ -1,5 +1,5 @@
-// Every command of the recipes for CI, in a repository, up to what needs a server: packages are not
-// installed, and elgen is not built but linked.
+// Every command of the recipes for CI and containers, in a repository, up to what needs a server:
+// curl copies, apt-get writes down what it is asked for, and the package of elgen is a link.
 #include <catch2/catch.hpp>
 #include <iostream>
 
@@ -13,13 +13,14 @@ namespace {
 class Machine : public Repository {
  public:
   explicit Machine(const std::string& recipe) {
-    run("mkdir -p home/bin home/source home/scripts");
-    write("home/bin/apt-get", "#!/bin/sh\necho \"$@\" >> ~/packages\n");
-    write("home/source/bootstrap",
-          "#!/bin/sh\ncd \"$(dirname \"$0\")\" && mkdir -p build/release && "
-          "ln -sf \"$ELGEN\" build/release/elgen\n");
-    run("chmod +x home/bin/apt-get home/source/bootstrap && cd home/source && git init -q && "
-        "git add . && git commit -q -m elgen");
+    run("mkdir -p home/bin home/scripts && echo elgen > home/package.deb");
+    write("home/bin/curl", "#!/bin/sh\nwhile [ $# -gt 2 ]; do shift; done\ncp \"$2\" \"$1\"\n");
+    write("home/bin/apt-get",
+          "#!/bin/sh\necho \"$@\" >> ~/packages\n"
+          "case $* in *./elgen.deb) ln -sf \"$ELGEN\" ~/bin/elgen ;; esac\n");
+    // What removes the lists of packages in an image leaves them on this machine.
+    write("home/bin/rm", "#!/bin/sh\n");
+    run("chmod +x home/bin/*");
     run("git update-ref refs/remotes/origin/main main && python3 '" + source() +
         "/tests/recipes/scripts' '" + source() + "/" + recipe + "' home/scripts");
   }
@@ -27,11 +28,16 @@ class Machine : public Repository {
   /// Each step is a shell of its own, which gets what those before it wrote into files.
   [[nodiscard]] Outcome step(const std::string& name, const std::string& variables = "") const {
     return outcome(
-        "export ELGEN_REPOSITORY=\"$HOME/source\" GITHUB_BASE_REF=main GITHUB_ENV=\"$HOME/env\" "
-        "GITHUB_PATH=\"$HOME/path\" GITHUB_STEP_SUMMARY=\"$HOME/summary\"\n"
-        "touch \"$GITHUB_ENV\" \"$GITHUB_PATH\"\nset -a\n. \"$GITHUB_ENV\"\nset +a\n" +
-        variables + "\nPATH=\"$(tr '\\n' : < \"$GITHUB_PATH\")$HOME/bin:/usr/bin:/bin\"\n" +
-        "sh 'home/scripts/" + name + "'");
+        "export ELGEN_PACKAGE=\"$HOME/package.deb\" GITHUB_BASE_REF=main "
+        "GITHUB_ENV=\"$HOME/env\" GITHUB_STEP_SUMMARY=\"$HOME/summary\"\n"
+        "ELGEN_SHA256=$(sha256sum < \"$ELGEN_PACKAGE\" | cut -d ' ' -f 1)\nexport ELGEN_SHA256\n"
+        "touch \"$GITHUB_ENV\"\nset -a\n. \"$GITHUB_ENV\"\nset +a\n" +
+        variables + "\nPATH=\"$HOME/bin:/usr/bin:/bin\"\nsh 'home/scripts/" + name + "'");
+  }
+
+  /// Whether apt-get was asked for the package of elgen.
+  [[nodiscard]] bool has_elgen() const {
+    return mentions(outcome("cat home/packages").output, "./elgen.deb");
   }
 
   static bool is_readable() {
@@ -44,6 +50,9 @@ class Machine : public Repository {
   static std::string source() { return ELGEN_SOURCE_DIR; }
 };
 
+/// Of other bytes than those of the package.
+const std::string wrong_sum = "ELGEN_SHA256=" + std::string(64, '0');
+
 constexpr const char* flip = "s/\"-g\"/\"g\"/";
 constexpr const char* rename = "s/^name *= \"u\"/name = \"F\"/";
 
@@ -53,9 +62,12 @@ TEST_CASE("the workflow of GitHub summarises, annotates and checks a pull reques
   if (!Machine::is_readable()) return;
   const Machine machine("recipes/github/elgen.yml");
   machine.branch("topic", flip);
-  CHECK(machine.step("Install git").status == 0);
-  CHECK(mentions(machine.read("home/packages"), "ca-certificates git"));
-  CHECK(machine.step("Build elgen").status == 0);
+  CHECK(machine.step("Install git and curl").status == 0);
+  CHECK(mentions(machine.read("home/packages"), "ca-certificates curl git"));
+  CHECK(machine.step("Install elgen", wrong_sum).status != 0);
+  CHECK_FALSE(machine.has_elgen());
+  CHECK(machine.step("Install elgen").status == 0);
+  CHECK(machine.has_elgen());
   CHECK(machine.step("Find what is compared").status == 0);
   CHECK(machine.step("Summarise the equations").status == 0);
   CHECK(mentions(machine.read("home/summary"), "gravity"));
@@ -79,12 +91,27 @@ TEST_CASE("the job of GitLab compares and checks a merge request") {
   const Machine machine("recipes/gitlab/elgen.yml");
   const std::string base = "export CI_MERGE_REQUEST_DIFF_BASE_SHA=\"$(git rev-parse main)\"";
   machine.branch("topic", flip);
+  CHECK(machine.step("elgen", base + "\n" + wrong_sum).status != 0);
+  CHECK_FALSE(machine.has_elgen());
   CHECK(machine.step("elgen", base).status == 0);
+  CHECK(machine.has_elgen());
   CHECK(mentions(machine.read("equations.md"), "gravity"));
   machine.branch("breaking", rename);
   CHECK(machine.step("elgen", base).status == 1);
   machine.run("sed -i 's/cos(theta)\"/cos(thet)\"/' models/cart_pole.toml");
   CHECK(machine.step("elgen", base).status != 0);
+}
+
+TEST_CASE("the image installs the package where its sum is right, and nothing where it is not") {
+  if (!Machine::is_readable()) return;
+  const Machine machine("recipes/container/Containerfile");
+  machine.run("cp home/package.deb elgen.deb");
+  CHECK(machine.step("RUN", wrong_sum).status != 0);
+  CHECK(machine.outcome("test -e home/packages").status != 0);
+  const Outcome installed = machine.step("RUN");
+  INFO(installed.errors);
+  CHECK(installed.status == 0);
+  CHECK(machine.has_elgen());
 }
 
 TEST_CASE("the hooks of pre-commit generate and check what is in the index") {
