@@ -3,15 +3,28 @@
 #include "render/fill_template.hpp"
 
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <stdexcept>
 
 #include "elgen/templates.hpp"
+#include "support/shell.hpp"
 
 using namespace elgen;
 
-TEST_CASE("a template without holes is its own text") {
-  CHECK(fill_template("cpp/kinked.hpp.mustache", TemplateData()) ==
-        embedded_template("cpp/kinked.hpp.mustache"));
+TEST_CASE("a template without holes is its own text without the comment that opens it") {
+  const std::string text(embedded_template("cpp/kinked.hpp.mustache"));
+  const std::string comment = "{{! SPDX-License-Identifier: 0BSD\n}}";
+  REQUIRE(test::starts_with(text, comment));
+  CHECK(fill_template("cpp/kinked.hpp.mustache", TemplateData()) == text.substr(comment.size()));
+}
+
+TEST_CASE("every template says its licence, in what it emits or before it") {
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(ELGEN_SOURCE_DIR "/templates")) {
+    if (entry.path().extension() != ".mustache") continue;
+    INFO(entry.path());
+    CHECK(test::mentions(test::read_text(entry.path()), " SPDX-License-Identifier: 0BSD\n"));
+  }
 }
 
 TEST_CASE("text is not escaped") {
