@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: 0BSD
 # The certificate of one seed, the number of the task, by all cores of the task.
 #
 #     sbatch --array=1-50 slurm.sh SAMPLES INPUT
