@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: 0BSD
+// The gain K of u = -K x that makes the integral of x'Q x + u'R u least where dx/dt = A x + B u.
+// K = R^-1 B'S, where S solves the continuous-time algebraic Riccati equation
+//     A'S + S A - S B R^-1 B'S + Q = 0
+// so that A - B K is stable: S = Y X^-1 with the eigenvectors (X; Y) of the Hamiltonian matrix
+// [A, -B R^-1 B'; -Q, -A'] of eigenvalues with Re < 0 (Potter, Matrix quadratic solutions, 1966).
+#pragma once
+
+#include <Eigen/Eigenvalues>
+#include <stdexcept>
+
+inline Eigen::MatrixXd lqr(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B,
+                           const Eigen::MatrixXd& Q, const Eigen::MatrixXd& R) {
+  using Eigen::MatrixXd;
+  const Eigen::Index n = A.rows();
+  const MatrixXd gain_of_S = Eigen::FullPivLU<MatrixXd>(R).solve(B.transpose());
+  MatrixXd hamiltonian(2 * n, 2 * n);
+  hamiltonian << A, -B * gain_of_S, -Q, -A.transpose();
+  const Eigen::EigenSolver<MatrixXd> modes(hamiltonian);
+  MatrixXd stable(2 * n, 0);
+  for (Eigen::Index i = 0; i < 2 * n; ++i) {
+    if (modes.eigenvalues()[i].real() >= 0) continue;
+    stable.conservativeResize(Eigen::NoChange, stable.cols() + 1);
+    stable.rightCols(1) = modes.pseudoEigenvectors().col(i);  // of complex pairs Re and Im
+  }
+  const Eigen::FullPivLU<MatrixXd> X(stable.topRows(n).transpose());
+  if (stable.cols() != n || !X.isInvertible()) throw std::domain_error("lqr: no stable solution");
+  return gain_of_S * X.solve(stable.bottomRows(n).transpose()).transpose();
+}
