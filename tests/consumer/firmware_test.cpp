@@ -1,0 +1,84 @@
+// examples/firmware: built for a Cortex-M4 by another compiler than the host's, and run by QEMU,
+// which counts instructions alike in every run. What a controller must not need is looked for among
+// the symbols of its objects.
+#include <catch2/catch.hpp>
+#include <iostream>
+
+#include "consumer/projects.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+bool has_cross_compiler() {
+  const char* const tools =
+      "echo '#include <math.h>' | arm-none-eabi-gcc -E - && command -v qemu-system-arm";
+  if (shell(tools, "/").status == 0) return true;
+  std::cout << "skipped: arm-none-eabi-gcc, its newlib or qemu-system-arm is not installed\n";
+  return false;
+}
+
+class Firmware : public Example {
+ public:
+  Firmware()
+      : Example("firmware", "-G Ninja -DCMAKE_TOOLCHAIN_FILE=cortex-m4.cmake '-Delgen_DIR=" +
+                                (installed() / "share/cmake/elgen").string() + "'") {}
+
+  /// What the target prints when ctest runs it by the emulator of the toolchain file.
+  [[nodiscard]] std::string printed() const {
+    const Outcome tested = run("ctest --test-dir build --verbose --timeout 60");
+    CHECK(tested.status == 0);
+    write("printed", tested.output);
+    return run("grep -E '^1: (angle|control)' printed").output;
+  }
+
+  /// The undefined symbols of an object, but for those that match, one a line.
+  [[nodiscard]] std::string needs(const std::string& object, const std::string& allowed) const {
+    const Outcome listed = run("arm-none-eabi-nm -P -u build/CMakeFiles/firmware.dir/" + object);
+    CHECK(listed.status == 0);
+    write("needed", listed.output);
+    return run("cut -d' ' -f1 needed | grep -vxE '" + allowed + "'").output;
+  }
+};
+
+/// The number that follows the words.
+unsigned long number_after(const std::string& text, const std::string& words) {
+  const std::size_t at = text.find(words);
+  REQUIRE(at != std::string::npos);
+  return std::stoul(text.substr(at + words.size()));
+}
+
+}  // namespace
+
+TEST_CASE("the firmware balances its pendulum, alike in every run", "[.all]") {
+  if (!has_cross_compiler()) return;
+  const Firmware firmware;
+  const std::string printed = firmware.printed();
+  INFO(printed);
+  CHECK(number_after(printed, "angle ") < 2000);
+  CHECK(number_after(printed, "2000 urad from ") < 2000);
+  const unsigned long instructions = number_after(printed, "control law: ");
+  CHECK(instructions > 20);
+  CHECK(instructions < 150);
+  CHECK(number_after(printed, "simulated pendulum: ") > instructions);
+  CHECK(firmware.printed() == printed);
+}
+
+TEST_CASE("the firmware needs no heap, no doubles, and of libm sines and cosines", "[.all]") {
+  if (!has_cross_compiler()) return;
+  const Firmware firmware;
+  CHECK(firmware.needs("controller.c.obj", "sinf|cosf").empty());
+  CHECK(firmware.needs("main.c.obj", "sinf|cosf|memcpy|memset|motor_torque|print|timer").empty());
+  const Outcome linked = firmware.run("arm-none-eabi-nm build/firmware");
+  CHECK(mentions(linked.output, " T sinf\n"));
+  for (const std::string name : {"malloc", "_sbrk", "__aeabi_dadd", "__aeabi_dmul", "printf"}) {
+    CHECK_FALSE(mentions(linked.output, name));
+  }
+  const Outcome size = firmware.run("arm-none-eabi-size build/firmware | awk 'NR == 2'");
+  INFO(size.output);
+  const unsigned long text = std::stoul(size.output);
+  CHECK(text > 1000);
+  CHECK(text < 8192);
+}
+
+}  // namespace elgen::test
