@@ -1,0 +1,87 @@
+// The example that plans a swing-up: what it claims of its plan, and that its derivatives are ones.
+#include <catch2/catch.hpp>
+#include <iostream>
+#include <string>
+
+#include "consumer/projects.hpp"
+#include "support/shell.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+bool ipopt_is_installed() {
+  if (shell("pkg-config --exists ipopt eigen3", "/").status == 0) return true;
+  std::cout << "skipped: pkg-config does not know ipopt and eigen3\n";
+  return false;
+}
+
+class Planner : public Example {
+ public:
+  Planner() : Example("plan") {}
+
+  /// What the program prints after `file` was edited by sed.
+  [[nodiscard]] Outcome edited(const std::string& file, const std::string& edit,
+                               const std::string& arguments = "") const {
+    const std::string before = read(file);
+    prepare("sed -i '" + edit + "' " + file);
+    REQUIRE(read(file) != before);
+    prepare("cmake --build build");
+    return run("build/plan" + arguments);
+  }
+};
+
+double number_behind(const Outcome& outcome, const std::string& label) {
+  INFO(outcome.output << outcome.errors);
+  const std::size_t place = outcome.output.find(label);
+  REQUIRE(place != std::string::npos);
+  return std::stod(outcome.output.substr(place + label.size()));
+}
+
+constexpr const char* miss = "constraints are met to ";
+constexpr const char* distance = "a run by rk4 ends ";
+constexpr const char* force = "at most ";
+
+}  // namespace
+
+TEST_CASE("the plan meets its constraints, and comes closer to a run on a finer grid", "[.all]") {
+  if (!ipopt_is_installed()) return;
+  const Planner planner;
+  const Outcome plan = planner.run("build/plan");
+  std::cout << plan.output << plan.errors;
+  CHECK(plan.status == 0);
+  CHECK(mentions(plan.errors, "solved in "));
+  CHECK(number_behind(plan, miss) < 1e-8);
+  CHECK(number_behind(plan, force) < 20);
+  CHECK(planner.run("build/plan").output == plan.output);
+
+  const Outcome finer = planner.edited("main.cpp", "s/intervals = 100,/intervals = 200,/");
+  CHECK(finer.status == 0);
+  // The method and rk4 are of fourth order.
+  const double ratio = number_behind(plan, distance) / number_behind(finer, distance);
+  CHECK(ratio > 12);
+  CHECK(ratio < 24);
+}
+
+TEST_CASE("the plan stays within the limits that the model gives the force", "[.all]") {
+  if (!ipopt_is_installed()) return;
+  const Outcome plan = Planner().edited("cart_pole.toml", "s/-20, 20/-8, 8/");
+  CHECK(plan.status == 0);
+  CHECK(number_behind(plan, miss) < 1e-8);
+  CHECK(number_behind(plan, force) == 8);
+}
+
+TEST_CASE("Ipopt finds no error in the derivatives of the plan, unless there is one", "[.all]") {
+  if (!ipopt_is_installed()) return;
+  const Planner planner;
+  const std::string found = "No errors detected by derivative checker.";
+  const Outcome checked = planner.run("build/plan --check");
+  CHECK(checked.status == 0);
+  CHECK(mentions(checked.output, found));
+
+  const Outcome spoilt = planner.edited("main.cpp", "s/\\* f.B/* 1.001 * f.B/", " --check");
+  CHECK_FALSE(mentions(spoilt.output, found));
+  CHECK(mentions(spoilt.output, "Derivative checker detected "));
+}
+
+}  // namespace elgen::test
