@@ -28,7 +28,7 @@ install(DIRECTORY examples recipes DESTINATION ${share}/elgen)
 install(FILES .pre-commit-hooks.yaml DESTINATION ${share}/elgen/recipes)
 install(FILES packaging/copyright DESTINATION ${share}/doc/elgen)
 
-# What the package does is the same on every machine: one for 64 bits serves a project for 32.
+# The package does the same on every machine: one for 64 bits serves a project for 32.
 set(package ${share}/cmake/elgen)
 configure_package_config_file(cmake/elgenConfig.cmake.in elgenConfig.cmake INSTALL_DESTINATION ${package}
                               PATH_VARS CMAKE_INSTALL_BINDIR NO_CHECK_REQUIRED_COMPONENTS_MACRO)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: 0BSD
-// What is particular to the board: mps2-an386, a Cortex-M4 at 25 MHz, as QEMU has it.
+// The parts that depend on the board: mps2-an386, a Cortex-M4 at 25 MHz, as QEMU has it.
 #pragma once
 
 #include <stdint.h>

@@ -249,7 +249,10 @@ Json json_of(const GenerateOptions& options, const Job& job,
     if (written != nullptr) file["written"] = std::ranges::count(*written, path) > 0;
     files.push_back(std::move(file));
   }
-  Json json{{"name", job.scene().base_name}, {"input", job.path}, {"sources", sources_of(job)}, {"files", std::move(files)}};
+  Json json{{"name", job.scene().base_name},
+            {"input", job.path},
+            {"sources", sources_of(job)},
+            {"files", std::move(files)}};
   if (written != nullptr) {
     json["self_check"] = receipt(*job.products.self_check);
   }

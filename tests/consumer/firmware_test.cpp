@@ -1,6 +1,6 @@
 // examples/firmware: built for a Cortex-M4 by another compiler than the host's, and run by QEMU,
-// which counts instructions alike in every run. What a controller must not need is looked for among
-// the symbols of its objects.
+// which counts instructions alike in every run. The symbols of its objects say what a controller
+// needs.
 #include <catch2/catch.hpp>
 #include <iostream>
 

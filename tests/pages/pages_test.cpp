@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "pages/page.hpp"
+#include "support/installed.hpp"
 #include "support/shell.hpp"
 
 namespace elgen::test {
@@ -23,10 +24,23 @@ void copy_project(const fs::path& folder) {
   }
 }
 
+/// Runs a command of a page as if the package were installed; what comes with it is installed where
+/// a command first asks for it.
+Outcome run_installed(const std::string& command, const fs::path& folder) {
+  const std::string package = "/usr/share/elgen";
+  if (!mentions(command, package) && !mentions(command, "cmake ")) return shell(command, folder);
+  const std::string prefix = "'" + installed().string() + "'";
+  std::string line = command;
+  for (std::size_t at = line.find(package); at != std::string::npos; at = line.find(package)) {
+    line.replace(at, package.size(), prefix + "/share/elgen");
+  }
+  return shell("export CMAKE_PREFIX_PATH=" + prefix + "\n" + line, folder);
+}
+
 void run_commands(const Fence& fence, const fs::path& folder) {
   std::istringstream lines(fence.text);
   for (std::string line; std::getline(lines, line);) {
-    const Outcome outcome = shell(line, folder);
+    const Outcome outcome = run_installed(line, folder);
     INFO(line << "\n" << outcome.errors);
     CHECK(outcome.status == 0);
   }
@@ -34,7 +48,7 @@ void run_commands(const Fence& fence, const fs::path& folder) {
 
 void run_console(const Fence& fence, const fs::path& folder) {
   for (const Exchange& exchange : exchanges(fence.text)) {
-    const std::string printed = shell("{ " + exchange.command + "\n} 2>&1", folder).output;
+    const std::string printed = run_installed("{ " + exchange.command + "\n} 2>&1", folder).output;
     INFO("$ " << exchange.command << "\n" << printed << "--- expected\n" << exchange.output);
     CHECK(agrees(exchange.output, printed));
   }
@@ -86,7 +100,7 @@ bool leads_somewhere(const Page& page, const std::string& link) {
 /// "src/check/" and the like, unless a part of it is to be replaced: "models/NAME.toml".
 bool is_path(const std::string& code) {
   static const std::regex path(
-      R"((src|include|tests|models|templates|recipes|cmake|\.ci)/[\w./-]*)");
+      R"((src|include|tests|models|templates|recipes|examples|packaging|cmake|\.ci)/[\w./-]*)");
   static const std::regex placeholder(R"(.*\b(NAME|CODE_\w+|ID)\b.*)");
   return std::regex_match(code, path) && !std::regex_match(code, placeholder);
 }
