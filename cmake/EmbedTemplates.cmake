@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # elgen_embed_templates(TARGET FOLDER): every file below FOLDER becomes a string of TARGET, found at run time by
 # `std::string_view elgen::embedded_template(std::string_view path)` (include/elgen/templates.hpp).
 function(elgen_embed_templates target folder)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # `cmake --install`: the program, its pages for shells and man, the schemas of its files, the package for CMake, the
 # examples and recipes. `cpack -G DEB`: the same as a package of this system.
 include(GNUInstallDirs)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # cmake -DCXX=... -DOUTPUT=FILE -P ListMacros.cmake
 #
 # Asks the preprocessor which macros the headers of the C and C++ libraries define, and of Eigen, in every standard
@@ -38,7 +39,8 @@ endforeach()
 list(REMOVE_DUPLICATES names)
 list(SORT names)
 
-set(text "// Macros of the C and C++ libraries and of Eigen, sorted; target library_macros writes this file.")
+set(text "// SPDX-License-Identifier: GPL-3.0-or-later\n")
+string(APPEND text "// Macros of the C and C++ libraries and of Eigen, sorted; target library_macros writes this file.")
 set(line "")
 foreach(name IN LISTS names)
   string(LENGTH "${line} \"${name}\"," length)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # elgen_name_commit(TARGET): compiles into TARGET which commit of git is checked out. After a commit CMake runs again;
 # sources without a history, or a machine without git, give none.
 function(elgen_name_commit target)

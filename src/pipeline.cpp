@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The order of the stages, and the only place that knows it:
 //
 //     parse -> check -> inspect -> formulate -> specialise -> derive -> lower -> cancel -> present

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Inertia tensors that some rigid body has.
 #pragma once
 

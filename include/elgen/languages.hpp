@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The table of target languages (languages.def), as an enumeration with its properties.
 #pragma once
 

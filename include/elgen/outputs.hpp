@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The table of outputs (outputs.def): arguments, shape, units, type, availability and equation.
 //
 // Whatever differs between outputs is a column here, which every stage reads. Only the derivation

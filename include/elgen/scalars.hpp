@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The built-in scalars that code is emitted, compiled and run for.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Toolchain: compiles every emitted header with the user's compiler and loads its functions.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Units: products of rational powers of m, kg, s, A, K. rad is 1.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Block roots: all solutions of the equations of one block.
 #pragma once
 

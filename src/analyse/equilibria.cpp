@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Equilibria of the whole are all combinations of those of the blocks.
 #include <fmt/format.h>
 

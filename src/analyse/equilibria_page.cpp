@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The page of equilibria: formulas, a table of points, the conditions, the claim.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The two roots are written over one divisor, with the factor that both terms have taken out.
 #include "analyse/frequencies.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Doubles of matrices in 64 digits.
 #include "analyse/linear_equations.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Linear solution: equations of rest that are linear, as those of masses on springs, in closed
 // form.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Modes: the normal modes of M x'' + K x = 0 about a point of rest.
 #pragma once
 

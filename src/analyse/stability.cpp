@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Growth rates of natural systems are those of their modes, known to 64 digits.
 #include "analyse/stability.hpp"
 

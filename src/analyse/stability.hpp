@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Stability of a state of rest: by Lagrange and Dirichlet where energy decides, else by the poles.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // ASCII: kinds of characters, the same in every locale.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Long names are cut on code point boundaries.
 #include "base/diagnostic_words.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The table behind --limits and --limit NAME=VALUE.
 #include "elgen/limits.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Elements of pictures as text.
 #include "base/svg.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Templates, and those they name.
 #include "elgen/templates.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Wording: user text made fit for a message, counts and suggestions.
 #include "elgen/wording.hpp"
 

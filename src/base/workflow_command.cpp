@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // workflow_command: a message may hold anything but line ends and per cent signs, a property no
 // colons and commas either.
 #include "base/workflow_command.hpp"

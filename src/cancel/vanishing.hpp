@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Vanishing: the values of a function that are zero wherever one looks.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // artifacts_of: the rows whose condition holds.
 #include "elgen/artifacts.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // closed_graph: a closed form -> Graph, one sum of products over one denominator.
 #pragma once
 

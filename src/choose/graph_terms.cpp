@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // graph_terms: see graph_terms.hpp.
 #include "choose/graph_terms.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // harm: see harm.hpp.
 #include "choose/harm.hpp"
 

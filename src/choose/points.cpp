@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // points: see points.hpp. Places are found by folding the text over sums of numbers, multiples of
 // one leaf and multiples of its square; everything else is opaque.
 #include "choose/points.hpp"

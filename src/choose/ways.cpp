@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // ways: see ways.hpp.
 #include "choose/ways.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Two versions of models and scenes: read, lowered and compared.
 #pragma once
 

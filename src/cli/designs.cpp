@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Designs that are derived alike share a run of the pipeline, and those that are also compiled
 // alike a library.
 #include "cli/designs.hpp"

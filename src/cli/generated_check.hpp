@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // generated_check: what `generate --check` says.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Everything that is printed: what was asked for on stdout, everything else on stderr.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // change_words: single changes in words.
 #pragma once
 

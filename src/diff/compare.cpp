@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // compare: what changed, and what it amounts to.
 #include <fmt/format.h>
 

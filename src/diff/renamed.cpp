@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // renamed: the key table says where names are.
 #include "diff/renamed.hpp"
 

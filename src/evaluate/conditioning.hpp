@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Conditioning: how far one rounding of everything that a value is made from takes it, however it
 // is computed:
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The ordered list of definitions: appending, and what an expression depends on.
 #include <algorithm>
 

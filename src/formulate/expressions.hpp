@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The Model's expressions as GiNaC expressions over definitions.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Frames, parents first; then bodies, masses, wrenches and outputs by the step they move with.
 #include "formulate/frame_tree.hpp"
 

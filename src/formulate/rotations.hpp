@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rotations: what the velocities of unit quaternions do to them.
 #pragma once
 

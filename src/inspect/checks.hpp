@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The checks of the inspection, each from a subject to the diagnostics it deserves.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Null space of a matrix of 60-digit numbers, by Gauss-Jordan elimination.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The simplest fraction near x by continued fractions, in exact arithmetic.
 #include "inspect/readable.hpp"
 

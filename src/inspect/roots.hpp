@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Roots: the expressions that equations and outputs are made of.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sampled states: the model at its own values, moving anywhere.
 #include "inspect/samples.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // E524, for whoever has a sample of M at hand.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // lower: EquationsOfMotion -> Program, one output at a time: import, flatten, factor, share, turn
 // signs, linearise.
 #include "elgen/lower.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Derivatives, entry by entry.
 #include "oracle/derivatives.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The oracle's interface: turns every failure of the domain into an empty value.
 #include "elgen/oracle.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rotations: products of quaternions.
 #include "oracle/rotations.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Decimal numbers as rationals: digits * 10^(exponent - digits of the fraction).
 #include "parse/decimal.hpp"
 

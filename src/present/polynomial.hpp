@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Polynomials in atoms with exponents of either sign and coefficients x + i y, all exact.
 #pragma once
 

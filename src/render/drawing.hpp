@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // drawing: LaTeX -> a block, in Unicode or in ASCII.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // latex_text: scans that count braces and brackets.
 #include "render/latex_text.hpp"
 

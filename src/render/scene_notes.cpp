@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // scene_notes: what a reader must know of a scene to read its equations.
 #include <fmt/format.h>
 

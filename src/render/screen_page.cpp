@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // screen_page: a sheet as a terminal shows it, and the part of it that fits one screen.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // sheet: Model, Scene, Program -> what a page shows.
 #include <fmt/format.h>
 

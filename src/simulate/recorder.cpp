@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rows and drifts, sample by sample.
 #include "simulate/recorder.hpp"
 

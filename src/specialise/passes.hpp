@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The passes of specialise over a Lagrangian, one after another.
 #pragma once
 

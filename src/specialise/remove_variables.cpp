@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // remove_variables: takes variables out of every list of a Lagrangian; later entries move up.
 #include <algorithm>
 #include <optional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The C interface to emitted headers: one function per model function and scalar, with flat arrays.
 #pragma once
 

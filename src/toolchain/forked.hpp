@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Forked: work in processes of its own, so that all cores compute, and the memory that they share.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // judged: ranks, the order of the rows, the front, and what is chosen from them.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // equations: see equations.hpp.
 #include "typeset/equations.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // polynomials: see polynomials.hpp.
 #include "typeset/polynomials.hpp"
 

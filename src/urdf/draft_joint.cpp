@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A joint: its coordinates, what drives it, and how it moves.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sums, products and quotients of short expressions.
 #include "urdf/expressions.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // import_urdf: XML -> Robot -> Tree -> Draft -> text.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Robot: a URDF file as written, numbers exact and with their digits, every piece with its span,
 // and what options make of it.
 //

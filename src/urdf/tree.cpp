@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Names become indices, and the joints a tree.
 #include "urdf/tree.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Equilibria of models: the pages of textbook systems, their counts, and the claims.
 #include <cmath>
 

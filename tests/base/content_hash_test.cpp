@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Hashes stay what they are: files carry them.
 #include "base/content_hash.hpp"
 

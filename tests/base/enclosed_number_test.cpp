@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Enclosed numbers: exact where they can be, bounded elsewhere, refused outside of a domain.
 #include "base/enclosed_number.hpp"
 

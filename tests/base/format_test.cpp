@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The one formatter: exact text, in every format; words that all formats share.
 #include <algorithm>
 #include <catch2/catch.hpp>

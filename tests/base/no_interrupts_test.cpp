@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Signals that end the process wait for what is half done, and arrive afterwards.
 #include "base/no_interrupts.hpp"
 

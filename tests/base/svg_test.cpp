@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Elements of pictures.
 #include "base/svg.hpp"
 

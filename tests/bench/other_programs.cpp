@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "other_programs.hpp"
 
 #include <algorithm>

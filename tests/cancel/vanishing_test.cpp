@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Entries that vanish, and entries that only seem to.
 #include "cancel/vanishing.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Emission, batches, steps and files: what a scene asks of the code.
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Expansion: which entries a repetition makes, and what their names must be.
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Names stand for what their indices refer to.
 #include "check/model_text.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How far outputs may be off, and where.
 #include <catch2/catch.hpp>
 

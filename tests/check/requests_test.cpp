@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Requests: availability, shapes and names of outputs.
 #include "check/names/requests.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes: outputs, fixed parameters, scalars and names.
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Differences of nearly equal values, written so that nothing cancels.
 #include "choose/kept_digits.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Expressions and how they are written for a reader; which of two ways may stand for the other.
 #include "choose/readable.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // elgen diff: what is compared, what it exits with, what is refused.
 #include <catch2/catch.hpp>
 

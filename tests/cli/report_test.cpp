@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Everything for people: diagnostics as text and JSON, whole whatever happens; colour, silence,
 // timings, progress on a terminal.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // elgen show: what comes out in each notation. Costs of generation, output by output.
 #include <catch2/catch.hpp>
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // elgen verify: certificates and exit codes; samples are shared by processes.
 #include <algorithm>
 #include <catch2/catch.hpp>

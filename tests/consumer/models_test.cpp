@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Models of examples/ are short, and those of models/ in all that moves.
 #include <catch2/catch.hpp>
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The example that plans a swing-up: what it claims of its plan, and that its derivatives are ones.
 #include <catch2/catch.hpp>
 #include <iostream>

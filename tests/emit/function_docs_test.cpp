@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // function_docs: the comment above a function, line for line.
 #include "emit/code/function_docs.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // scalar_literal: the binary values of exact numbers, known texts, and properties over random ones.
 #include "evaluate/scalar_literal.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Forward, reverse and substitution against GiNaC's derivative of the fully written-out expression.
 #include "formulate/chain_rule.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The list of definitions: atoms, repetition, order of symbols, their text, and opaque functions.
 #include <catch2/catch.hpp>
 

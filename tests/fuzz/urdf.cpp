@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // URDF files: what is imported is a model file without mistakes.
 #include "elgen/urdf.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Checks of oracles; each function is called inside a TEST_CASE.
 #pragma once
 

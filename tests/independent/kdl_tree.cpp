@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "independent/kdl_tree.hpp"
 
 #include <fmt/format.h>

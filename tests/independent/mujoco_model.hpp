@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Models and states of MuJoCo, with owners.
 #pragma once
 

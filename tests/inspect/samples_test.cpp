@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sampled states, null spaces of sampled matrices, and numbers as messages print them.
 #include "inspect/samples.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Calls as copies with other leaves: a(q, u) = q*u at q + h v.
 #include "integrate/composition.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // L D L^T of symbols, evaluated.
 #include "integrate/factorised.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The rules of src/layers.txt, on this project and on small trees that break them.
 #include "layering/layering.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Expressions over coordinates a, b, c, d, e: read from text, and written again.
 #pragma once
 

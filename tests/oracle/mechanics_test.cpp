@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Energies at a state, and their directional derivatives.
 #include "oracle/mechanics.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The oracle against closed forms, published values and the laws of mechanics.
 #include "elgen/oracle.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Decimals are exact, limits are noticed before any big arithmetic, and texts come back.
 #include "parse/decimal.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws constants and functions.
 #include "random/draw.hpp"
 

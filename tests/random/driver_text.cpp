@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes the calls as the declarations in the emitted headers ask for them.
 #include "random/driver_text.hpp"
 

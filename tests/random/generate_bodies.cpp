@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws points, bodies and frames.
 #include "random/generator.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws scenes: what is locked, fixed, and how code is emitted.
 #include "random/generator.hpp"
 

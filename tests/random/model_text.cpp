@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes a random model and its scene as files of elgen's language.
 #include "random/model.hpp"
 

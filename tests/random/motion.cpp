@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Positions, poses, energies and the power of forces, as the model's entries define them.
 #include "random/motion.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The generalized forces of a random model's forces and inputs: the power that each has along a
 // velocity.
 #include <algorithm>

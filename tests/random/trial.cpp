@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws states and compares what elgen shows.
 #include "random/trial.hpp"
 

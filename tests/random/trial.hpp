@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One random system put through elgen: generated, shown, compiled, verified, each against the
 // truth.
 #pragma once

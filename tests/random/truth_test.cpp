@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The definition of the equations, evaluated: closed forms of textbooks.
 #include "random/truth.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sweeps over two seeds of a small model, and their certificates joined.
 #include <catch2/catch.hpp>
 #include <iostream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a book's form keeps of a typed model, and where it stops.
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // function_formulas: the same instructions as read and as executed.
 #include "render/function_formulas.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Model texts -> compiled systems, and runs of them.
 #pragma once
 

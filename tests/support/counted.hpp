@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A double that counts what is done with it, by the rules of the table in emitted headers.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Small systems of frames that between them use every kind of step, of body and of load.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The files of a folder as inputs of the pipeline.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // elgen as its users have it: `cmake --install` of the build under test.
 #pragma once
 

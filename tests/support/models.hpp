@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Model texts -> checked models, for the tests of every stage after check.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Exact numbers as text, in 64 digits.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Readers of the equations that people and programs read, compared by value with the Program.
 #pragma once
 

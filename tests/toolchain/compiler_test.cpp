@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The compiler that is taken, how strictly it is called, and the identification of a machine.
 #include "toolchain/compiler.hpp"
 

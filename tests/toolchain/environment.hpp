@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // An environment variable set for the time of one test.
 #pragma once
 

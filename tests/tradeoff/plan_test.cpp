@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Plans: which designs there are.
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Choices: joints that are held, their order, and robots that nothing holds.
 #include "urdf/choices.hpp"
 

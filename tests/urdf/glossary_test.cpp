@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Glossary: who gets which name, and which numbers become parameters.
 #include "urdf/glossary.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "urdf/urdf_testing.hpp"
 
 #include <fmt/format.h>

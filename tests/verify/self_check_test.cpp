@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The check before every write: right programs pass, every kind of mistake is named.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // States: on which sides of kinks they lie, and at which of them a figure is worst.
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // From the axes of a frame to the world.
 #include "check/entries/in_frame.hpp"
 

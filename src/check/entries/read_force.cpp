@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Forces on velocities, at points and on frames, and the outputs a model declares.
 #include <array>
 

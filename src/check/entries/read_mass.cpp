@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Points and bodies: where mass is, and how it turns.
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The tables that are not repeated: [model], [define], [gravity], [energy].
 #include <algorithm>
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Coordinates, inputs, open and prescribed functions.
 #include <utility>
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Parameters: [parameters] -> Model::parameters and Model::parameter_arrays.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Resolver: an expression as written -> nodes of the Model's arena. Its only verb is resolve().
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rotations: four names of q, three of v, and the keys that such a coordinate takes.
 #include "check/expressions/rotations.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rotations: coordinates of `kind = "rotation"`, unit quaternions with angular velocities.
 #pragma once
 

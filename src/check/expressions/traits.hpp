@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Traits: what each expression is made of, and its degree in the rates and inputs, judged by
 // structure.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Unit expressions, by recursive descent:
 //
 //     product  = power { ("*" | "/") power }

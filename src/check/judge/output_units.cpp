@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Units of the entries of outputs, by the rules of the output table.
 #include "check/judge/output_units.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Constants: the values of expressions made of numbers, pi and functions of them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Context: what the parts of check share while a Model is being built.
 #pragma once
 

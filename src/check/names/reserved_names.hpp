@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The names of functions, and which names a model may not give to its entries.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // [approximate]: an order, a point, and which coordinates are small.
 //
 //     order = 3                      ->   order 3

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads the files a command names. A scene's model is found through the scene's own text.
 #include "cli/files/inputs.hpp"
 

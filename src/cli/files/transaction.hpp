@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Transaction: many files change at once, or none does.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // terminal: asked of the system where the stream is one, else of the environment.
 #include "cli/process/terminal.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Revision: the files of a revision of git, read from its objects.
 #pragma once
 

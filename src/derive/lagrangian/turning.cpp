@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Turning: rotations among coordinates and velocities.
 #include "derive/lagrangian/turning.hpp"
 

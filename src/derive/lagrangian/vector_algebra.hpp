@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Vectors in three dimensions over definitions: every component of every result is one, so that
 // nothing is ever written out twice.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Columns at home, then up the tree.
 #include "derive/tree/tree_matrices.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // c99_artifact: the C99 header.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // cpp_names: which names the emitted C++ keeps for itself.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // page_artifacts: the equations to be read, by programs and by people.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One message for every language; each value against each scalar, by correct rounding.
 #include "emit/text/emission_checks.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // angle_sums: see angle_sums.hpp. Angles are compared as rational combinations of nodes.
 #include "lower/graph/angle_sums.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // factor: see factor.hpp.
 #include "lower/graph/factor.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // from_program: one instruction after another.
 #include "lower/graph/from_program.hpp"
 

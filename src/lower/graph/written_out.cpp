@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // written_out: one pass, operands before what they go into.
 #include "lower/graph/written_out.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // written_out: how long entries are where nothing is shared.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Classes of values, in one pass.
 #include "lower/network/analytic.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // cheapest: see cheapest.hpp.
 #include "lower/network/cheapest.hpp"
 

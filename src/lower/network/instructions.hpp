@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Instructions: adds to a Function, nothing twice.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // make_network: Graph -> Network, numbered depth-first from the values through operands in
 // canonical order.
 #include "lower/network/network.hpp"

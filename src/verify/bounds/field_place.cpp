@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The places of all fields, in the order of the program.
 #include "verify/bounds/field_place.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // loss: running errors at one state, and R, each computed when asked for.
 #include "verify/bounds/loss.hpp"
 

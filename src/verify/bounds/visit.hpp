@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Visit: a program at one state, field by field. Its exact values must be the oracle's (the
 // mathematics is right), and its rounded ones within 8 u B of them (so is the rounding).
 #pragma once

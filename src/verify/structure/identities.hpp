@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The tables of identities between the functions of a program, and what their balances share.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Batches against the functions of one state: any count, and how far both scalars are off.
 #include <cstdio>
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The wrapper that makes a vector of the compilers g++ and clang++ a Scalar of emitted code.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The fuzzer of the command line, for a few runs, and that it notices what it looks for.
 #include <sys/stat.h>
 

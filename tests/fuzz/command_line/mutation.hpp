@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Mutations: what slips, editors and other programs do to a text file.
 #pragma once
 
