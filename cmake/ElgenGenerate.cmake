@@ -2,100 +2,111 @@
 # elgen_generate(TARGET name INPUTS model-or-scene... [CHECK_AGAINST folder])
 #
 # Makes the interface library `name` of the code that elgen writes of models and scenes; its users write
-# `#include "cart_pole/cart_pole.hpp"`. An edit of an input, or of the model that a scene names, compiles again what
-# includes code that it changed. The code stands in the build tree only. CHECK_AGAINST adds a test, `name.generated`,
-# which fails where the code that is committed in `folder` is not current.
+# `#include "cart_pole/cart_pole.hpp"`. After an edit of a model only sources that include changed code are compiled.
+# The code stands in the build tree only. CHECK_AGAINST adds a test, `name.generated`, which fails where the code that is
+# committed in `folder` is not current.
 #
-# Paths are relative to the folder of the caller. ELGEN_EXECUTABLE names another elgen than the one of the package.
+# Paths are relative to the folder of the caller. ELGEN_EXECUTABLE is the path of another elgen than the package's.
 
 function(elgen_generate)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;CHECK_AGAINST" "INPUTS")
-  _elgen_check_arguments()
-  _elgen_find_program()
-  set(directory "${CMAKE_CURRENT_BINARY_DIR}/elgen/${arg_TARGET}")
+  _elgen_check_arguments("${arg_TARGET}" "${arg_INPUTS}" "${arg_UNPARSED_ARGUMENTS}" "${arg_KEYWORDS_MISSING_VALUES}")
+  _elgen_find_program(program)
+  # A folder in which nobody keeps files, where a project is built in its sources, too.
+  set(directory "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/elgen/${arg_TARGET}")
   set(inputs)
-  set(stamps)
+  set(folders)
   set(all_files)
-  foreach(relative IN LISTS arg_INPUTS)
-    get_filename_component(input "${relative}" ABSOLUTE)
-    _elgen_list()
-    set(stamp "${directory}/${name}/elgen.stamp")
-    if(stamp IN_LIST stamps)
-      message(FATAL_ERROR "elgen_generate: two INPUTS would both be written to `${name}`; one is ${input}")
+  foreach(input IN LISTS arg_INPUTS)
+    get_filename_component(input "${input}" ABSOLUTE)
+    _elgen_list(listed "${program}" "${directory}" "${input}")
+    set(folder "${directory}/${listed_name}")
+    if(folder IN_LIST folders)
+      message(FATAL_ERROR "elgen_generate: two INPUTS would both be written to `${listed_name}`; one is ${input}")
     endif()
-    _elgen_add_command()
+    _elgen_add_command("${program}" "${directory}" "${input}")
     list(APPEND inputs "${input}")
-    list(APPEND stamps "${stamp}")
-    list(APPEND all_files ${files})
+    list(APPEND folders "${folder}")
+    list(APPEND all_files ${listed_files})
   endforeach()
-  _elgen_remove_old_folders()
+  # Callers of a name that is gone then fail to compile, and so do those of a file that is no longer asked for.
+  _elgen_keep_only("${directory}" ${folders})
+  foreach(folder IN LISTS folders)
+    _elgen_keep_only("${folder}" "${folder}/elgen.stamp" ${all_files})
+  endforeach()
 
+  list(TRANSFORM folders APPEND "/elgen.stamp" OUTPUT_VARIABLE stamps)
   add_custom_target(${arg_TARGET}_generate DEPENDS ${stamps})
   if(NOT TARGET ${arg_TARGET})
     add_library(${arg_TARGET} INTERFACE)
   endif()
   add_dependencies(${arg_TARGET} ${arg_TARGET}_generate)
-  target_include_directories(${arg_TARGET} INTERFACE "${directory}")
-  if(all_files MATCHES "\\.hpp")
+  target_include_directories(${arg_TARGET} INTERFACE "$<BUILD_INTERFACE:${directory}>")
+  if(all_files MATCHES "\\.hpp(;|$)")
     target_compile_features(${arg_TARGET} INTERFACE cxx_std_17)
   endif()
-  # Every compiler then gives the same bits.
+  # Without contraction to fused multiply-adds GCC and Clang give the same bits.
   target_compile_options(${arg_TARGET} INTERFACE
     $<$<COMPILE_LANG_AND_ID:C,GNU,Clang,AppleClang>:-ffp-contract=off>
     $<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>:-ffp-contract=off>)
   if(DEFINED arg_CHECK_AGAINST)
-    get_filename_component(folder "${arg_CHECK_AGAINST}" ABSOLUTE)
-    add_test(NAME ${arg_TARGET}.generated COMMAND "${program}" generate -q --check -o "${folder}" ${inputs})
+    get_filename_component(committed "${arg_CHECK_AGAINST}" ABSOLUTE)
+    add_test(NAME ${arg_TARGET}.generated COMMAND "${program}" generate -q --check -o "${committed}" ${inputs})
   endif()
 endfunction()
 
-macro(_elgen_check_arguments)
+function(_elgen_check_arguments target inputs unknown without_value)
   set(usage "write elgen_generate(TARGET plant INPUTS cart_pole.toml [CHECK_AGAINST generated])")
-  if(DEFINED arg_UNPARSED_ARGUMENTS)
-    list(JOIN arg_UNPARSED_ARGUMENTS " " unknown)
+  if(unknown)
+    list(JOIN unknown " " unknown)
     message(FATAL_ERROR "elgen_generate: unknown argument `${unknown}`; ${usage}")
+  elseif("CHECK_AGAINST" IN_LIST without_value)
+    message(FATAL_ERROR "elgen_generate: the folder of CHECK_AGAINST is missing; ${usage}")
+  elseif(target STREQUAL "")
+    message(FATAL_ERROR "elgen_generate: TARGET is missing; ${usage}")
+  elseif(inputs STREQUAL "")
+    message(FATAL_ERROR "elgen_generate: INPUTS is missing; ${usage}")
   endif()
-  foreach(keyword TARGET INPUTS)
-    if(NOT DEFINED arg_${keyword})
-      message(FATAL_ERROR "elgen_generate: ${keyword} is missing; ${usage}")
-    endif()
-  endforeach()
-  if(TARGET ${arg_TARGET})
-    get_target_property(type ${arg_TARGET} TYPE)
-    if(NOT type STREQUAL "INTERFACE_LIBRARY" OR TARGET ${arg_TARGET}_generate)
-      message(FATAL_ERROR "elgen_generate: `${arg_TARGET}` is another target already")
-    endif()
+  set(type INTERFACE_LIBRARY)
+  if(TARGET ${target})
+    get_target_property(type ${target} TYPE)
   endif()
-endmacro()
+  if(NOT type STREQUAL "INTERFACE_LIBRARY" OR TARGET ${target}_generate)
+    message(FATAL_ERROR "elgen_generate: `${target}` is another target already")
+  endif()
+endfunction()
 
-# Sets `program`. A path instead of the imported target: an emulator, which commands of targets run in, would be of
-# no use to the elgen of this machine.
-macro(_elgen_find_program)
+# Sets `result` to the program. A path instead of the imported target: an emulator, in which commands of targets run
+# when a project is compiled for another machine, is of no use to the elgen of this one.
+function(_elgen_find_program result)
   if(ELGEN_EXECUTABLE)
     set(program "${ELGEN_EXECUTABLE}")
   else()
-    get_target_property(program elgen::elgen LOCATION)
+    get_target_property(program elgen::elgen IMPORTED_LOCATION)
+  endif()
+  if(NOT IS_ABSOLUTE "${program}")
+    message(FATAL_ERROR "elgen_generate: ELGEN_EXECUTABLE is not an absolute path: ${program}")
   endif()
   execute_process(COMMAND "${program}" --version RESULT_VARIABLE status OUTPUT_VARIABLE version ERROR_VARIABLE error)
   if(NOT status EQUAL 0 OR NOT version MATCHES "^elgen ")
     message(FATAL_ERROR "elgen_generate: ${program} does not run here (${status}); ELGEN_EXECUTABLE names another\n${error}")
   endif()
-endmacro()
+  set(${result} "${program}" PARENT_SCOPE)
+endfunction()
 
-# Sets the `name`, `files` and `sources` of `input` by what elgen lists. Where the input has an error, what was listed
-# before is used, and `has_error` set, for the build to tell it; the first time it is told here.
-macro(_elgen_list)
+# Sets PREFIX_name, PREFIX_files and PREFIX_sources as elgen lists them for an input. Where the input has an error, the
+# listing before is used and PREFIX_has_error set: the build tells the error. Without such a listing it is told here.
+function(_elgen_list prefix program directory input)
   if(NOT EXISTS "${input}")
     message(FATAL_ERROR "elgen_generate: there is no ${input}")
   endif()
   set(list_outputs "${program}" generate -q -o "${directory}" --list-outputs "${input}")
-  string(MD5 listing "${directory} ${input}")
-  set(listing "ELGEN_LISTING_${listing}")
+  string(MD5 key "${directory} ${input}")
   set(has_error FALSE)
   execute_process(COMMAND ${list_outputs} --format json RESULT_VARIABLE status OUTPUT_VARIABLE json ERROR_QUIET)
   if(NOT status EQUAL 0)
     set(has_error TRUE)
-    set(json "$CACHE{${listing}}")
+    set(json "$CACHE{ELGEN_LISTING_${key}}")
     if(NOT json)
       execute_process(COMMAND ${list_outputs} OUTPUT_QUIET ERROR_VARIABLE errors)
       message("${errors}")
@@ -103,56 +114,57 @@ macro(_elgen_list)
     endif()
   endif()
   string(REPLACE "\n" "" json "${json}")
-  set(${listing} "${json}" CACHE INTERNAL "the files and sources of ${input}")
+  set(ELGEN_LISTING_${key} "${json}" CACHE INTERNAL "the files and sources of ${input}")
   string(JSON name GET "${json}" systems 0 name)
-  _elgen_get_paths(files path)
-  _elgen_get_paths(sources)
-endmacro()
+  _elgen_get_paths(files "${program}" "${json}" files path)
+  _elgen_get_paths(sources "${program}" "${json}" sources)
+  foreach(variable name files sources has_error)
+    set(${prefix}_${variable} "${${variable}}" PARENT_SCOPE)
+  endforeach()
+endfunction()
 
-# Sets the variable `member` to the list of that name, or of the members of its objects.
-macro(_elgen_get_paths member)
-  set(${member})
-  string(JSON count ERROR_VARIABLE missing LENGTH "${json}" systems 0 ${member})
-  if(missing)
-    message(FATAL_ERROR "elgen_generate: ${program} is too old: it does not list ${member}")
+# Sets `result` to an array of the listing, or to a member of the objects in it.
+function(_elgen_get_paths result program json array)
+  string(JSON count ERROR_VARIABLE error LENGTH "${json}" systems 0 ${array})
+  if(error)
+    message(FATAL_ERROR "elgen_generate: ${program} is too old: it does not list ${array}")
   endif()
+  set(paths)
   math(EXPR last "${count} - 1")
   foreach(i RANGE ${last})
-    string(JSON path GET "${json}" systems 0 ${member} ${i} ${ARGN})
-    list(APPEND ${member} "${path}")
+    string(JSON path GET "${json}" systems 0 ${array} ${i} ${ARGN})
+    list(APPEND paths "${path}")
   endforeach()
-endmacro()
+  set(${result} "${paths}" PARENT_SCOPE)
+endfunction()
 
-# The stamp is touched whatever was written, so that Make and Ninja know when elgen ran; the files keep their times
-# where they stay as they were, and nothing is compiled. As byproducts they are known to Ninja, which then looks at
-# them again before it compiles.
-macro(_elgen_add_command)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${program}" "${input}" ${sources})
-  if(has_error)
+# The command that writes the files listed by the caller. Its stamp is touched whatever was written, so that Make and
+# Ninja know when elgen ran; a file that stays as it was keeps its time, and nothing is compiled. As byproducts the files
+# are known to Ninja, which looks at them again before it compiles.
+function(_elgen_add_command program directory input)
+  set(stamp "${directory}/${listed_name}/elgen.stamp")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${program}" "${input}" ${listed_sources})
+  if(listed_has_error)
+    # The model that a scene names may be missing: without the stamp elgen runs anyway.
     file(REMOVE "${stamp}")
-    set(sources "${input}")
+    set(listed_sources "${input}")
   endif()
   add_custom_command(
     OUTPUT "${stamp}"
-    BYPRODUCTS ${files}
+    BYPRODUCTS ${listed_files}
     COMMAND "${program}" generate -q -o "${directory}" "${input}"
     COMMAND "${CMAKE_COMMAND}" -E touch "${stamp}"
-    DEPENDS ${sources} "${program}"
-    COMMENT "Generating ${name}"
+    DEPENDS ${listed_sources} "${program}"
+    COMMENT "Generating ${listed_name}"
     VERBATIM)
-  file(GLOB old_files "${directory}/${name}/${name}*")
-  list(REMOVE_ITEM old_files ${files})
-  foreach(file IN LISTS old_files)
-    file(REMOVE "${file}")
-  endforeach()
-endmacro()
+endfunction()
 
-# Callers of a name that is no more then fail to compile, instead of reading what was once written.
-macro(_elgen_remove_old_folders)
-  file(GLOB old_stamps "${directory}/*/elgen.stamp")
-  list(REMOVE_ITEM old_stamps ${stamps})
-  foreach(stamp IN LISTS old_stamps)
-    get_filename_component(folder "${stamp}" DIRECTORY)
-    file(REMOVE_RECURSE "${folder}")
+# Removes what is in a folder, but for the paths that follow.
+function(_elgen_keep_only folder)
+  string(REGEX REPLACE "([][*?])" "[\\1]" pattern "${folder}")
+  file(GLOB present LIST_DIRECTORIES TRUE "${pattern}/*")
+  list(REMOVE_ITEM present ${ARGN})
+  foreach(path IN LISTS present)
+    file(REMOVE_RECURSE "${path}")
   endforeach()
-endmacro()
+endfunction()

@@ -7,8 +7,9 @@ include(CMakePackageConfigHelpers)
 install(TARGETS elgen)
 set(share ${CMAKE_INSTALL_DATADIR})
 
-# Pages are printed by the program that is installed. Zsh of Debian looks for those of packages in another folder.
+# Pages are printed by the program as it was built. Zsh of Debian looks for those of packages in another folder.
 install(CODE "
+  file(LOCK \"${CMAKE_CURRENT_BINARY_DIR}/pages.lock\" GUARD PROCESS)
   set(zsh site-functions)
   if(CMAKE_INSTALL_PREFIX STREQUAL \"/usr\")
     set(zsh vendor-completions)
@@ -18,14 +19,14 @@ install(CODE "
           \"elgen/schemas/model.schema.json schema model\" \"elgen/schemas/scene.schema.json schema scene\")
     separate_arguments(words UNIX_COMMAND \"\${page}\")
     list(POP_FRONT words path)
-    set(path \"\${CMAKE_INSTALL_PREFIX}/${share}/\${path}\")
-    message(STATUS \"Printing: \${path}\")
     execute_process(COMMAND \"$<TARGET_FILE:elgen>\" \${words} OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
-    file(WRITE \"\$ENV{DESTDIR}\${path}\" \"\${text}\")
-    list(APPEND CMAKE_INSTALL_MANIFEST_FILES \"\${path}\")
+    file(WRITE \"${CMAKE_CURRENT_BINARY_DIR}/pages/\${path}\" \"\${text}\")
+    get_filename_component(folder \"\${path}\" DIRECTORY)
+    file(INSTALL \"${CMAKE_CURRENT_BINARY_DIR}/pages/\${path}\"
+         DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${share}/\${folder}\")
   endforeach()")
 
-install(DIRECTORY examples recipes DESTINATION ${share}/elgen)
+install(DIRECTORY examples recipes DESTINATION ${share}/elgen PATTERN build EXCLUDE)
 install(FILES .pre-commit-hooks.yaml DESTINATION ${share}/elgen/recipes)
 install(FILES packaging/copyright DESTINATION ${share}/doc/elgen)
 
@@ -38,8 +39,7 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/elgenConfig.cmake ${CMAKE_CURRENT_BINA
               cmake/ElgenGenerate.cmake
         DESTINATION ${package})
 
-file(STRINGS /etc/os-release system REGEX "^PRETTY_NAME=")
-string(REGEX REPLACE "^PRETTY_NAME=\"(.*)\"$" "\\1" system "${system}")
+cmake_host_system_information(RESULT system QUERY DISTRIB_PRETTY_NAME)
 set(CPACK_PACKAGE_CONTACT "the elgen authors")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "symbolic Euler-Lagrange equation generator")
 set(CPACK_PACKAGE_DESCRIPTION "Derives the equations of motion of mechanical systems and writes them as C++ and C.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: 0BSD
 // Swings a hanging pole up and balances it, by a controller that samples at 1 kHz.
-// Up it goes by its energy (Astrom, Furuta, Swinging up a pendulum by energy control, 2000): with
+// It swings up by energy control (Astrom, Furuta, Swinging up a pendulum by energy control, 2000):
+// with
 //     E = 1/2 m l^2 dtheta^2 + m g l (cos(theta) - 1),   dE/dt = -m l cos(theta) dtheta ddx,
 // an acceleration ddx of the cart with the sign of E cos(theta) dtheta brings E to 0, that of the
 // pole at rest upright. Near there u = -K x of the linear equations takes over (lqr.hpp).
@@ -39,8 +40,7 @@ int main() {
   const auto upright = plant::eigen::linearization(p, zero, zero, Force(0.0));
   const Eigen::RowVector4d K = lqr(upright.A, upright.B, Eigen::Matrix4d::Identity(), Force(1.0));
   std::printf("K = (%.4f, %.4f, %.4f, %.4f)\n", K[0], K[1], K[2], K[3]);
-
-  const double h = 1e-3;
+  const double h = 1e-3, angle = 0.01, place = 0.02;
   double settled = 0, force = 0, way = 0;
   State s;
   for (int sample = 1; sample <= 10000; ++sample) {
@@ -51,8 +51,9 @@ int main() {
     s = {next.coordinates, next.rates};
     force = std::max(force, std::abs(u));
     way = std::max(way, std::abs(s.q[0]));
-    if (!(std::abs(s.angle()) < 0.01 && std::abs(s.q[0]) < 0.02)) settled = sample * h;
+    if (!(std::abs(s.angle()) < angle && std::abs(s.q[0]) < place)) settled = sample * h;
   }
-  std::printf("upright for good after %.1f s, at most %.1f N and %.2f m\n", settled, force, way);
+  std::printf("within %.2f rad and %.2f m for good after %.1f s, at most %.1f N and %.2f m\n",
+              angle, place, settled, force, way);
   return settled < 6 && way <= 2.5 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

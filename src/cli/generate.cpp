@@ -131,7 +131,7 @@ std::vector<std::string> sources_of(const Job& job) {
   return paths;
 }
 
-/// The header first, then what is written beside it.
+/// The header first, then the files beside it, as artifacts.def has them.
 std::vector<std::string> paths_of(const GenerateOptions& options, const Job& job) {
   std::vector<std::string> paths;
   for (const Artifact& artifact : artifacts_of(job.scene())) {
@@ -233,6 +233,7 @@ void tell_what_became(const GlobalOptions& global, const GenerateOptions& option
   if (global.verbose) tell(global, next_commands(job.path));
 }
 
+/// As lists show them.
 std::vector<std::string> sorted_paths_of(const GenerateOptions& options, const Job& job) {
   std::vector<std::string> paths = paths_of(options, job);
   std::sort(paths.begin(), paths.end());

@@ -46,7 +46,7 @@ TEST_CASE("`-` is standard input, for models, scenes and robots") {
   CHECK(workspace.run("elgen import - < " ELGEN_SOURCE_DIR "/tests/urdf/robots/gripper.urdf")
             .status == 0);
   CHECK(workspace.run("elgen generate -q --depfile d - < cart_pole.toml").status == 0);
-  CHECK(starts_with(workspace.read("d"), "generated/cart_pole/cart_pole.equations.json:\n"));
+  CHECK(starts_with(workspace.read("d"), "generated/cart_pole/cart_pole.hpp:\n"));
   const Outcome faulty = workspace.run("echo 'format = 2' | elgen show -");
   CHECK(starts_with(faulty.errors, "<stdin>:1:10: error[E102]"));
   const Outcome twice = workspace.run("elgen generate - - < cart_pole.toml");

@@ -51,7 +51,7 @@ class Project : public Workspace {
     prepare("cmake -S . -B build -G '" + generator + "' " + finding_elgen(prefix));
   }
 
-  /// What the build after an edit did; one that passed does nothing when it is repeated.
+  /// The row of the build after an edit; one that passed does nothing when it is repeated.
   [[nodiscard]] std::string row(const std::string& edit) const {
     prepare(edit);
     const Outcome built = run("cmake --build build");
@@ -97,14 +97,28 @@ constexpr Edit edits[] = {
     {"the model moved away", "mv models/cart_pole.toml .",
      "cart_pole_balance | - | models/balance.scene.toml:4:11: error[E111]"},
     {"the model moved back", "mv cart_pole.toml models", "cart_pole_balance | -"},
+    {"renamed, with an error", "sed -i 's/^name .*/name = \"a b\"/' models/balance.scene.toml",
+     "cart_pole_balance | - | models/balance.scene.toml:5:9: error[E205]"},
+    {"the error mended", "sed -i 's/\"a b\"/\"ab\"/' models/balance.scene.toml",
+     "cart_pole_ab | cart.cpp | fatal error: cart_pole_balance/cart_pole_balance.hpp"},
+    {"the scene named back", "sed -i 's/\"ab\"/\"balance\"/' models/balance.scene.toml",
+     "cart_pole_balance | cart.cpp"},
+    {"a header for batches", "printf '[emit]\nbatch = true\n' >> models/balance.scene.toml",
+     "cart_pole_balance | cart.cpp"},
+    {"a caller of it", "sed -i 's/balance.hpp/balance_batch.hpp/' callers/cart.cpp",
+     "- | cart.cpp"},
+    {"no header for batches", "sed -i 's/batch = true/batch = false/' models/balance.scene.toml",
+     "cart_pole_balance | cart.cpp | fatal error: cart_pole_balance/cart_pole_balance_batch.hpp"},
+    {"its caller mended", "sed -i 's/balance_batch.hpp/balance.hpp/' callers/cart.cpp",
+     "- | cart.cpp"},
     {"clean", "cmake --build build --target clean",
      "cart_pole_balance double_pendulum | cart.cpp pendulum.cpp"},
 };
 
 /// Make looks at stamps, not at what is written beside them.
-constexpr Edit edit_for_ninja{"a header deleted",
-                              "rm build/elgen/plant/cart_pole_balance/cart_pole_balance.hpp",
-                              "cart_pole_balance | cart.cpp"};
+constexpr Edit edit_for_ninja{
+    "a header deleted", "rm build/CMakeFiles/elgen/plant/cart_pole_balance/cart_pole_balance.hpp",
+    "cart_pole_balance | cart.cpp"};
 
 void check_builds(const std::string& generator, const std::filesystem::path& prefix) {
   const Project project(generator, prefix);
@@ -126,10 +140,31 @@ TEST_CASE("an edit compiles what includes changed code and nothing else", "[.all
   check_builds(generator, installed());
 }
 
+TEST_CASE("every generator builds the examples", "[.all]") {
+  const std::string generator = GENERATE("Ninja Multi-Config", "Unix Makefiles");
+  const std::string program = generator == "Unix Makefiles" ? "build/" : "build/Debug/";
+  for (const std::string name : {"balance", "track"}) {
+    INFO(generator << ": " << name);
+    CHECK(Example(name, "-G '" + generator + "'").run(program + name).status == 0);
+  }
+}
+
 TEST_CASE("elgen of a package builds as an installed one does", "[.all]") {
   const Workspace workspace("a package ");
   if (packed(workspace).empty()) return;
   workspace.prepare("dpkg-deb -x elgen.deb root");
+  for (const std::string file :
+       {"bin/elgen", "share/man/man1/elgen.1", "share/bash-completion/completions/elgen",
+        "share/zsh/vendor-completions/_elgen", "share/fish/vendor_completions.d/elgen.fish",
+        "share/elgen/schemas/model.schema.json", "share/elgen/schemas/scene.schema.json",
+        "share/doc/elgen/copyright", "share/elgen/examples/balance/main.cpp",
+        "share/elgen/recipes/.pre-commit-hooks.yaml"}) {
+    INFO(file);
+    CHECK(workspace.run("test -s root/usr/" + file).status == 0);
+  }
+  const std::string control = workspace.run("dpkg-deb -f elgen.deb").output;
+  CHECK(mentions(control, "libginac"));
+  CHECK(mentions(control, " Built for "));
   check_builds("Ninja", workspace.path() / "root/usr");
 }
 

@@ -3,7 +3,6 @@
 // which counts instructions alike in every run. The symbols of its objects say what a controller
 // needs.
 #include <catch2/catch.hpp>
-#include <iostream>
 
 #include "consumer/projects.hpp"
 
@@ -12,11 +11,8 @@ namespace elgen::test {
 namespace {
 
 bool has_cross_compiler() {
-  const char* const tools =
-      "echo '#include <math.h>' | arm-none-eabi-gcc -E - && command -v qemu-system-arm";
-  if (shell(tools, "/").status == 0) return true;
-  std::cout << "skipped: arm-none-eabi-gcc, its newlib or qemu-system-arm is not installed\n";
-  return false;
+  return is_there("echo '#include <math.h>' | arm-none-eabi-gcc -E - && command -v qemu-system-arm",
+                  "arm-none-eabi-gcc, its newlib or qemu-system-arm");
 }
 
 class Firmware : public Example {
@@ -25,7 +21,7 @@ class Firmware : public Example {
       : Example("firmware", "-G Ninja -DCMAKE_TOOLCHAIN_FILE=cortex-m4.cmake '-Delgen_DIR=" +
                                 (installed() / "share/cmake/elgen").string() + "'") {}
 
-  /// What the target prints when ctest runs it by the emulator of the toolchain file.
+  /// The output of the target when ctest runs it by the emulator of the toolchain file.
   [[nodiscard]] std::string printed() const {
     const Outcome tested = run("ctest --test-dir build --verbose --timeout 60");
     CHECK(tested.status == 0);
@@ -42,13 +38,6 @@ class Firmware : public Example {
   }
 };
 
-/// The number that follows the words.
-unsigned long number_after(const std::string& text, const std::string& words) {
-  const std::size_t at = text.find(words);
-  REQUIRE(at != std::string::npos);
-  return std::stoul(text.substr(at + words.size()));
-}
-
 }  // namespace
 
 TEST_CASE("the firmware balances its pendulum, alike in every run", "[.all]") {
@@ -58,11 +47,12 @@ TEST_CASE("the firmware balances its pendulum, alike in every run", "[.all]") {
   INFO(printed);
   CHECK(number_after(printed, "angle ") < 2000);
   CHECK(number_after(printed, "2000 urad from ") < 2000);
-  const unsigned long instructions = number_after(printed, "control law: ");
+  const double instructions = number_after(printed, "control law: ");
   CHECK(instructions > 20);
   CHECK(instructions < 150);
   CHECK(number_after(printed, "simulated pendulum: ") > instructions);
   CHECK(firmware.printed() == printed);
+  CHECK(is_shown(printed));
 }
 
 TEST_CASE("the firmware needs no heap, no doubles, and of libm sines and cosines", "[.all]") {

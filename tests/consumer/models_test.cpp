@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Models of examples/ are short, and those of models/ in all that moves.
+// Models in examples/ have the physics and the values of their namesakes in models/.
 #include <catch2/catch.hpp>
 #include <filesystem>
 

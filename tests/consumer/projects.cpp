@@ -2,6 +2,7 @@
 #include "consumer/projects.hpp"
 
 #include <iostream>
+#include <stdexcept>
 
 namespace elgen::test {
 
@@ -9,6 +10,12 @@ bool is_there(const std::string& command, const std::string& what) {
   if (shell(command, "/").status == 0) return true;
   std::cout << "skipped: " << what << " is not installed\n";
   return false;
+}
+
+double number_after(const std::string& text, const std::string& words) {
+  const std::size_t at = text.find(words);
+  if (at == std::string::npos) throw std::runtime_error("no `" + words + "` in: " + text);
+  return std::stod(text.substr(at + words.size()));
 }
 
 std::filesystem::path packed(const Workspace& workspace) {
@@ -21,6 +28,10 @@ std::filesystem::path packed(const Workspace& workspace) {
 Example::Example(const std::string& name, const std::string& options) : Workspace("an example ") {
   prepare("cp -r '" ELGEN_SOURCE_DIR "/examples/" + name + "/.' . && cmake -S . -B build " +
           options + " " + finding_elgen() + " && cmake --build build");
+}
+
+bool is_shown(const std::string& output) {
+  return !output.empty() && mentions(read_text(ELGEN_SOURCE_DIR "/examples/README.md"), output);
 }
 
 }  // namespace elgen::test

@@ -15,6 +15,9 @@ inline const std::string models = ELGEN_SOURCE_DIR "/models";
 /// Whether the command succeeds; where it does not, a line says what is not there.
 [[nodiscard]] bool is_there(const std::string& command, const std::string& what);
 
+/// The number behind the words; throws where they are not there.
+[[nodiscard]] double number_after(const std::string& text, const std::string& words);
+
 /// Writes the package of Debian of this build into the workspace, and returns its path; an empty
 /// one where dpkg-dev is not there.
 [[nodiscard]] std::filesystem::path packed(const Workspace& workspace);
@@ -25,5 +28,8 @@ class Example : public Workspace {
   /// Throws where it does not build.
   explicit Example(const std::string& name, const std::string& options = "-G Ninja");
 };
+
+/// Whether examples/README.md shows what an example printed.
+[[nodiscard]] bool is_shown(const std::string& output);
 
 }  // namespace elgen::test

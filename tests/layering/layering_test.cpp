@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "support/shell.hpp"
+
 namespace elgen::test {
 
 namespace {
@@ -163,6 +165,14 @@ TEST_CASE("this project has one namespace, and three beside the pipeline") {
 
 TEST_CASE("this project has no file over 400 lines") {
   CHECK(long_files(project(), 400) == Sentences{});
+}
+
+TEST_CASE("this project says in the first line of every source what its licence is") {
+  for (const auto& [path, text] : project()) {
+    if (starts_with(path, "tests/emit/golden/") || path == "src/layers.txt") continue;
+    INFO(path);
+    CHECK(starts_with(text, "// SPDX-License-Identifier: GPL-3.0-or-later\n"));
+  }
 }
 
 }  // namespace elgen::test

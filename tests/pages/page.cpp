@@ -71,7 +71,7 @@ const std::vector<Page>& pages() {
   static const std::vector<Page> all = [] {
     std::vector<Page> read;
     for (const char* folder : {"", "models/", "src/", "src/cli/", "templates/", "tests/",
-                               "generated/", "recipes/", "recipes/sweeps/"}) {
+                               "generated/", "examples/", "recipes/", "recipes/sweeps/"}) {
       const std::string path = std::string(folder) + "README.md";
       read.push_back(read_page(path, read_text(std::string(ELGEN_SOURCE_DIR) + "/" + path)));
     }

@@ -55,11 +55,15 @@ void run_console(const Fence& fence, const fs::path& folder) {
   }
 }
 
-/// Whether a command below the file reads it.
+/// Whether a command below the file reads it; CMake reads the file of a folder.
 bool is_read(const Page& page, const Fence& file) {
+  const fs::path path = file.file;
+  const std::string name = path.filename() == "CMakeLists.txt" && path.has_parent_path()
+                               ? "cmake -S " + path.parent_path().string()
+                               : file.file;
   return std::any_of(page.fences.begin(), page.fences.end(), [&](const Fence& fence) {
     const bool runs = fence.kind == FenceKind::commands || fence.kind == FenceKind::console;
-    return runs && fence.line > file.line && mentions(fence.text, file.file);
+    return runs && fence.line > file.line && mentions(fence.text, name);
   });
 }
 

@@ -19,7 +19,7 @@ class Machine : public Repository {
     write("home/bin/apt-get",
           "#!/bin/sh\necho \"$@\" >> ~/packages\n"
           "case $* in *./elgen.deb) ln -sf \"$ELGEN\" ~/bin/elgen ;; esac\n");
-    // What removes the lists of packages in an image leaves them on this machine.
+    // It does nothing: the Containerfile would remove the package lists of this machine.
     write("home/bin/rm", "#!/bin/sh\n");
     run("chmod +x home/bin/*");
     run("git update-ref refs/remotes/origin/main main && python3 '" + source() +

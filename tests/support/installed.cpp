@@ -5,14 +5,20 @@
 
 namespace elgen::test {
 
+namespace {
+
+class Installation : public Workspace {
+ public:
+  Installation() : Workspace("a prefix ") {
+    prepare("cmake --install '" ELGEN_BUILD_DIR "' --prefix .");
+  }
+};
+
+}  // namespace
+
 const std::filesystem::path& installed() {
-  static const Workspace workspace("a prefix ");
-  static const bool is_made = [] {
-    workspace.prepare("cmake --install '" ELGEN_BUILD_DIR "' --prefix .");
-    return true;
-  }();
-  static_cast<void>(is_made);
-  return workspace.path();
+  static const Installation made;
+  return made.path();
 }
 
 std::string finding_elgen(const std::filesystem::path& prefix) {
