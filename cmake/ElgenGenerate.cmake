@@ -11,9 +11,11 @@
 function(elgen_generate)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;CHECK_AGAINST" "INPUTS")
   _elgen_check_arguments("${arg_TARGET}" "${arg_INPUTS}" "${arg_UNPARSED_ARGUMENTS}" "${arg_KEYWORDS_MISSING_VALUES}")
-  _elgen_find_program(program)
+  _elgen_find_program(program version)
   # A folder in which nobody keeps files, where a project is built in its sources, too.
   set(directory "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/elgen/${arg_TARGET}")
+  # Another elgen may be older than what was written by the one before, as files of packages are.
+  file(CONFIGURE OUTPUT "${directory}.version" CONTENT "${version}" @ONLY)
   set(inputs)
   set(folders)
   set(all_files)
@@ -76,9 +78,9 @@ function(_elgen_check_arguments target inputs unknown without_value)
   endif()
 endfunction()
 
-# Sets `result` to the program. A path instead of the imported target: an emulator, in which commands of targets run
-# when a project is compiled for another machine, is of no use to the elgen of this one.
-function(_elgen_find_program result)
+# Sets `result` to the program and `result_version` to its version. A path instead of the imported target: an emulator,
+# in which commands of targets run when a project is compiled for another machine, is of no use to the elgen of this one.
+function(_elgen_find_program result result_version)
   if(ELGEN_EXECUTABLE)
     set(program "${ELGEN_EXECUTABLE}")
   else()
@@ -92,6 +94,7 @@ function(_elgen_find_program result)
     message(FATAL_ERROR "elgen_generate: ${program} does not run here (${status}); ELGEN_EXECUTABLE names another\n${error}")
   endif()
   set(${result} "${program}" PARENT_SCOPE)
+  set(${result_version} "${version}" PARENT_SCOPE)
 endfunction()
 
 # Sets PREFIX_name, PREFIX_files and PREFIX_sources as elgen lists them for an input. Where the input has an error, the
@@ -110,7 +113,7 @@ function(_elgen_list prefix program directory input)
     if(NOT json)
       execute_process(COMMAND ${list_outputs} OUTPUT_QUIET ERROR_VARIABLE errors)
       message("${errors}")
-      message(FATAL_ERROR "elgen_generate: ${input} has the errors above")
+      message(FATAL_ERROR "elgen_generate: ${input} has the errors above; mend them and run CMake again")
     endif()
   endif()
   string(REPLACE "\n" "" json "${json}")
@@ -149,12 +152,17 @@ function(_elgen_add_command program directory input)
     file(REMOVE "${stamp}")
     set(listed_sources "${input}")
   endif()
+  foreach(file IN LISTS listed_files)
+    if(NOT EXISTS "${file}")
+      file(REMOVE "${stamp}")
+    endif()
+  endforeach()
   add_custom_command(
     OUTPUT "${stamp}"
     BYPRODUCTS ${listed_files}
     COMMAND "${program}" generate -q -o "${directory}" "${input}"
     COMMAND "${CMAKE_COMMAND}" -E touch "${stamp}"
-    DEPENDS ${listed_sources} "${program}"
+    DEPENDS ${listed_sources} "${program}" "${directory}.version"
     COMMENT "Generating ${listed_name}"
     VERBATIM)
 endfunction()

@@ -123,12 +123,27 @@ Diagnostics changed_by_options(const GenerateOptions& options, const std::vector
 }
 
 /// The files that were read: the model, and the scene where there is one.
-std::vector<std::string> sources_of(const Job& job) {
-  std::vector<std::string> paths;
-  for (const SourcePointer& source : {job.inputs.model, job.inputs.scene}) {
-    if (source != nullptr && source->path != stdin_name) paths.push_back(source->path);
+std::vector<SourcePointer> sources_of(const Job& job) {
+  std::vector<SourcePointer> sources{job.inputs.model, job.inputs.scene};
+  std::erase_if(sources, [](const SourcePointer& source) {
+    return source == nullptr || source->path == stdin_name;
+  });
+  return sources;
+}
+
+/// E714: the code would be dated after an edit that it does not have, and builds would keep it.
+Diagnostics changed_meanwhile(const std::vector<Job>& jobs) {
+  Diagnostics errors;
+  for (const Job& job : jobs) {
+    for (const SourcePointer& source : sources_of(job)) {
+      if (existing_text(source->path).value_or(source->text) == source->text) continue;
+      errors.push_back({Code::E714,
+                        {},
+                        fmt::format("`{}` has changed since it was read", source->path),
+                        "nothing is written; generate again"});
+    }
   }
-  return paths;
+  return errors;
 }
 
 /// The header first, then the files beside it, as artifacts.def has them.
@@ -146,7 +161,9 @@ std::string dependencies(const GenerateOptions& options, const std::vector<Job>&
   std::string text;
   for (const Job& job : jobs) {
     std::string sources;
-    for (const std::string& path : sources_of(job)) sources += " " + escaped_for_make(path);
+    for (const SourcePointer& source : sources_of(job)) {
+      sources += " " + escaped_for_make(source->path);
+    }
     for (const std::string& path : paths_of(options, job)) {
       text += escaped_for_make(path) + ":" + sources + "\n";
     }
@@ -245,6 +262,8 @@ using Json = nlohmann::ordered_json;
 /// `written`: of all files; null where none was to be.
 Json json_of(const GenerateOptions& options, const Job& job,
              const std::vector<std::string>* written) {
+  Json sources = Json::array();
+  for (const SourcePointer& source : sources_of(job)) sources.push_back(source->path);
   Json files = Json::array();
   for (const std::string& path : sorted_paths_of(options, job)) {
     Json file{{"path", path}};
@@ -253,7 +272,7 @@ Json json_of(const GenerateOptions& options, const Job& job,
   }
   Json json{{"name", job.scene().base_name},
             {"input", job.path},
-            {"sources", sources_of(job)},
+            {"sources", std::move(sources)},
             {"files", std::move(files)}};
   if (written != nullptr) {
     json["self_check"] = receipt(*job.products.self_check);
@@ -270,8 +289,9 @@ std::string to_json(const GenerateOptions& options, const std::vector<Job>& jobs
 
 ExitCode write(const GlobalOptions& global, const GenerateOptions& options,
                const std::vector<Job>& jobs) {
-  const Diagnostics changed = changed_by_options(options, jobs);
-  if (!changed.empty()) return report(global, changed);
+  Diagnostics refusals = changed_by_options(options, jobs);
+  if (refusals.empty()) refusals = changed_meanwhile(jobs);
+  if (!refusals.empty()) return report(global, refusals);
   const auto written =
       write_files(output_files(options, jobs), {options.force, global.limits.seconds});
   if (!written) return report(global, written.diagnostics);

@@ -96,7 +96,7 @@ TEST_CASE("the manual has options with their words, and exit codes") {
   const Outcome manual = run("elgen man");
   CHECK(manual.status == 0);
   CHECK(manual.output.starts_with(".TH ELGEN 1 "));
-  CHECK(manual.output.find("\n.TP\n\\fB\\-\\-color\\fR \\fIauto|always|never\\fR\n") !=
+  CHECK(manual.output.find("\n.TP\n\\fB\\-\\-color\\fR \\fIauto|\\:always|\\:never\\fR\n") !=
         std::string::npos);
   CHECK(manual.output.find("\n.TP\n130\ninterrupted") != std::string::npos);
 }

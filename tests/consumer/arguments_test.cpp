@@ -86,7 +86,8 @@ TEST_CASE("the first time CMake tells the error of an input as elgen does") {
   CHECK(outcome.status != 0);
   CHECK(mentions(outcome.errors,
                  "/cart_pole.toml:52:9: error[E201]: unknown name `mq`\n   52 | mass = \"mq\"\n"));
-  CHECK(mentions(on_one_line(outcome.errors), "/cart_pole.toml has the errors above"));
+  CHECK(mentions(on_one_line(outcome.errors),
+                 "/cart_pole.toml has the errors above; mend them and run CMake again"));
 }
 
 TEST_CASE("an elgen that does not run or lists no sources is told") {
@@ -122,6 +123,45 @@ TEST_CASE("find_package finds this version and no newer one") {
     CHECK(mentions(refused.errors, "requested version \"" + newer + "\""));
     CHECK(mentions(refused.errors, "elgenConfig.cmake, version: 0.1.0"));
   }
+}
+
+TEST_CASE("another elgen generates again, however old its file is") {
+  const Configured project("elgen_generate(TARGET plant INPUTS cart_pole.toml)");
+  project.write_program("newer", "\"$ELGEN\" \"$@\" | sed s/0.1.0/0.1.1/");
+  project.prepare("touch -d '3 days ago' newer");
+  const auto generates = [&](const std::string& options) {
+    REQUIRE(project.configure(finding_elgen() + options).status == 0);
+    return mentions(project.run("cmake --build build --target plant_generate").output,
+                    "Generating cart_pole");
+  };
+  CHECK(generates(""));
+  CHECK_FALSE(generates(""));
+  CHECK(generates(" -DELGEN_EXECUTABLE=newer"));
+  CHECK_FALSE(generates(""));
+}
+
+TEST_CASE("a package found in a folder serves those above and beside it") {
+  const Configured project("elgen_generate(TARGET plant INPUTS cart_pole.toml)",
+                           "add_subdirectory(dependencies)");
+  project.write("dependencies/CMakeLists.txt", "find_package(elgen CONFIG REQUIRED)\n");
+  CHECK(project.configure().status == 0);
+}
+
+TEST_CASE("a library is installed with its plant") {
+  const Configured project(
+      "elgen_generate(TARGET plant INPUTS cart_pole.toml)\n"
+      "add_library(controller STATIC controller.cpp)\n"
+      "target_link_libraries(controller PUBLIC plant)\n"
+      "install(TARGETS controller plant EXPORT controller INCLUDES DESTINATION include)\n"
+      "install(DIRECTORY ${CMAKE_BINARY_DIR}/CMakeFiles/elgen/plant/ TYPE INCLUDE\n"
+      "        FILES_MATCHING PATTERN *.hpp)\n"
+      "install(EXPORT controller DESTINATION share/cmake/controller)");
+  project.prepare("sed -i 's/ NONE/ CXX/' CMakeLists.txt");
+  project.write("controller.cpp", "#include \"cart_pole/cart_pole.hpp\"\n");
+  REQUIRE(project.configure().status == 0);
+  CHECK(project.run("cmake --build build && cmake --install build --prefix p").status == 0);
+  CHECK(project.run("ls p/include/cart_pole").output == "cart_pole.hpp\n");
+  CHECK(mentions(project.read("p/share/cmake/controller/controller.cmake"), "cxx_std_17"));
 }
 
 TEST_CASE("CHECK_AGAINST is a test that fails where committed code is stale") {

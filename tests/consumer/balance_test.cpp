@@ -103,7 +103,7 @@ TEST_CASE("the pole of the example swings up and is balanced by the gains of oth
   const Outcome run = balance.run("build/balance");
   INFO(run.output << run.errors);
   CHECK(run.status == 0);
-  const double seconds = number_after(run.output, "within 0.01 rad and 0.02 m for good after ");
+  const double seconds = number_after(run.output, "balanced: last outside 0.01 rad and 0.02 m at ");
   CHECK(seconds > 0.5);  // 20 N do not raise it at once
   CHECK(seconds <= 6.0);
   CHECK(number_after(run.output, "at most ") <= 20.0);

@@ -111,6 +111,9 @@ constexpr Edit edits[] = {
      "cart_pole_balance | cart.cpp | fatal error: cart_pole_balance/cart_pole_balance_batch.hpp"},
     {"its caller mended", "sed -i 's/balance_batch.hpp/balance.hpp/' callers/cart.cpp",
      "- | cart.cpp"},
+    {"a header deleted, CMake run",
+     "rm build/CMakeFiles/elgen/plant/double_pendulum/double_pendulum.hpp && cmake build",
+     "double_pendulum | pendulum.cpp"},
     {"clean", "cmake --build build --target clean",
      "cart_pole_balance double_pendulum | cart.cpp pendulum.cpp"},
 };

@@ -48,9 +48,11 @@ std::string heading_of(const ListedOption& option) {
     text += fmt::format("{}\\f{}{}\\fR", text.empty() ? "" : ", ", font, troff_text(name));
   }
   if (option.is_positional || option.type.empty()) return text;
-  const std::string words = fmt::format("{}", fmt::join(option.choices, "|"));
-  const std::string& value = words.empty() ? option.type : words;
-  return fmt::format("{} \\fI{}\\fR", text, troff_text(value));
+  std::string words;  // troff may break the line behind each
+  for (const std::string& choice : option.choices) {
+    words += (words.empty() ? "" : "|\\:") + troff_text(choice);
+  }
+  return fmt::format("{} \\fI{}\\fR", text, words.empty() ? troff_text(option.type) : words);
 }
 
 TemplateData option_rows(const std::vector<ListedOption>& options) {
