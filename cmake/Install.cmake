@@ -7,7 +7,8 @@ include(CMakePackageConfigHelpers)
 install(TARGETS elgen)
 set(share ${CMAKE_INSTALL_DATADIR})
 
-# Pages are printed by the program as it was built. Zsh of Debian looks for those of packages in another folder.
+# The program that was built prints its pages; two installations at once would print them to the same files. Zsh of
+# Debian looks for the pages of packages in another folder.
 install(CODE "
   file(LOCK \"${CMAKE_CURRENT_BINARY_DIR}/pages.lock\" GUARD PROCESS)
   set(zsh site-functions)

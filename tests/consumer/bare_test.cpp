@@ -6,10 +6,10 @@
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <iostream>
-#include <sstream>
 
 #include "consumer/projects.hpp"
 #include "pages/page.hpp"
+#include "pages/replay.hpp"
 
 namespace elgen::test {
 
@@ -47,20 +47,13 @@ class BareDebian : public Workspace {
   [[nodiscard]] long megabytes() const { return std::stol(run("du -sm root").output); }
 };
 
-/// The commands of the fences between two lines of a page, in the root.
-void replay(const BareDebian& debian, const Page& page, std::size_t begin, std::size_t end) {
-  for (const Fence& fence : page.fences) {
+/// The fences between two lines of the first page, in the root.
+void replay_in(const BareDebian& debian, std::size_t begin, std::size_t end) {
+  const auto run = [&](const std::string& command) { return debian.inside(command); };
+  for (const Fence& fence : page("README.md").fences) {
     if (fence.line < begin || fence.line >= end) continue;
-    INFO(page.path << ":" << fence.line);
-    if (fence.kind == FenceKind::file) debian.write("root/work/" + fence.file, fence.text);
-    if (fence.kind == FenceKind::commands)
-      CHECK(debian.inside("set -e\n" + fence.text).status == 0);
-    if (fence.kind != FenceKind::console) continue;
-    for (const Exchange& exchange : exchanges(fence.text)) {
-      const Outcome outcome = debian.inside("{ " + exchange.command + "\n} 2>&1");
-      INFO("$ " << exchange.command << "\n" << outcome.output);
-      CHECK(agrees(exchange.output, outcome.output));
-    }
+    INFO("README.md:" << fence.line);
+    replay(fence, debian.path() / "root/work", run);
   }
 }
 
@@ -75,9 +68,9 @@ std::size_t line_of(const std::string& text, const std::string& heading) {
 
 TEST_CASE("the first page needs Debian 12, the package and g++, then CMake and Eigen", "[.all]") {
   const Workspace workspace;
-  if (!is_there(
-          "command -v mmdebstrap && test \"$(id -u)\" = 0 && grep -q bookworm /etc/os-release",
-          "mmdebstrap, or Debian 12, or a root's right to change root,")) {
+  if (!is_installed("mmdebstrap on Debian 12, or a root to run it,",
+                    "command -v mmdebstrap && test \"$(id -u)\" = 0 && "
+                    "grep -q bookworm /etc/os-release")) {
     return;
   }
   const BareDebian debian;
@@ -87,9 +80,9 @@ TEST_CASE("the first page needs Debian 12, the package and g++, then CMake and E
   debian.install("g++");
   const std::string text = read_text(source / "README.md");
   const std::size_t controller = line_of(text, "## Into a controller");
-  replay(debian, page("README.md"), 0, controller);
+  replay_in(debian, 0, controller);
   debian.install("cmake g++ make libeigen3-dev");
-  replay(debian, page("README.md"), controller, line_of(text, "## Install"));
+  replay_in(debian, controller, line_of(text, "## Install"));
 }
 
 }  // namespace elgen::test

@@ -10,18 +10,16 @@
 #include <vector>
 
 #include "consumer/projects.hpp"
+#include "pages/page.hpp"
 
 namespace elgen::test {
 
 namespace {
 
-/// The words behind "Generating" or the sources behind "Building", in alphabetical order.
+/// The names that the pattern finds, in alphabetical order; "-" where there is none.
 std::string found(const std::string& log, const std::string& pattern) {
-  const std::regex regex(pattern);
-  std::set<std::string> names;
-  for (std::sregex_iterator at(log.begin(), log.end(), regex), end; at != end; ++at) {
-    names.insert((*at)[1]);
-  }
+  const std::vector<std::string> matches = all_matches(log, std::regex(pattern));
+  const std::set<std::string> names(matches.begin(), matches.end());
   return names.empty() ? "-" : fmt::format("{}", fmt::join(names, " "));
 }
 
@@ -75,9 +73,6 @@ struct Edit {
   const char* row;
 };
 
-constexpr const char* rename_scene =
-    "sed -i 's/^name .*/name = \"upright\"/' models/balance.scene.toml";
-
 constexpr Edit edits[] = {
     {"the first build", "true", "cart_pole_balance double_pendulum | cart.cpp pendulum.cpp"},
     {"nothing", "true", "- | -"},
@@ -87,7 +82,7 @@ constexpr Edit edits[] = {
      "double_pendulum | pendulum.cpp"},
     {"a comment and a blank", "printf '# comment\n \n' >> models/cart_pole.toml",
      "cart_pole_balance | -"},
-    {"the scene renamed", rename_scene,
+    {"the scene renamed", "sed -i 's/^name .*/name = \"upright\"/' models/balance.scene.toml",
      "cart_pole_upright | cart.cpp | fatal error: cart_pole_balance/cart_pole_balance.hpp"},
     {"the scene named back", "sed -i 's/\"upright\"/\"balance\"/' models/balance.scene.toml",
      "cart_pole_balance | cart.cpp"},

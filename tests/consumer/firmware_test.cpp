@@ -11,8 +11,9 @@ namespace elgen::test {
 namespace {
 
 bool has_cross_compiler() {
-  return is_there("echo '#include <math.h>' | arm-none-eabi-gcc -E - && command -v qemu-system-arm",
-                  "arm-none-eabi-gcc, its newlib or qemu-system-arm");
+  return is_installed("arm-none-eabi-gcc, its newlib or qemu-system-arm",
+                      "echo '#include <math.h>' | arm-none-eabi-gcc -E - && "
+                      "command -v qemu-system-arm");
 }
 
 class Firmware : public Example {

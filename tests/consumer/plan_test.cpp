@@ -11,7 +11,7 @@ namespace elgen::test {
 namespace {
 
 bool ipopt_is_installed() {
-  return is_there("pkg-config --exists ipopt eigen3", "ipopt or eigen3");
+  return is_installed("ipopt or eigen3", "pkg-config --exists ipopt eigen3");
 }
 
 class Planner : public Example {

@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "consumer/projects.hpp"
 
-#include <iostream>
 #include <stdexcept>
 
 namespace elgen::test {
-
-bool is_there(const std::string& command, const std::string& what) {
-  if (shell(command, "/").status == 0) return true;
-  std::cout << "skipped: " << what << " is not installed\n";
-  return false;
-}
 
 double number_after(const std::string& text, const std::string& words) {
   const std::size_t at = text.find(words);
@@ -19,7 +12,7 @@ double number_after(const std::string& text, const std::string& words) {
 }
 
 std::filesystem::path packed(const Workspace& workspace) {
-  if (!is_there("command -v dpkg-shlibdeps && command -v file", "dpkg-dev or file")) return {};
+  if (!is_installed("dpkg-dev or file", "command -v dpkg-shlibdeps && command -v file")) return {};
   workspace.prepare("cpack -G DEB --config '" ELGEN_BUILD_DIR
                     "/CPackConfig.cmake' -B packed && mv packed/*.deb elgen.deb");
   return workspace.path() / "elgen.deb";

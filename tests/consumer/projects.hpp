@@ -12,9 +12,6 @@ namespace elgen::test {
 
 inline const std::string models = ELGEN_SOURCE_DIR "/models";
 
-/// Whether the command succeeds; where it does not, a line says what is not there.
-[[nodiscard]] bool is_there(const std::string& command, const std::string& what);
-
 /// The number behind the words; throws where they are not there.
 [[nodiscard]] double number_after(const std::string& text, const std::string& words);
 

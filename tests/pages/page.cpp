@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <regex>
 #include <sstream>
 #include <stdexcept>
 
@@ -55,14 +54,6 @@ std::size_t find_lines(const std::string& text, const std::string& chunk, std::s
     found = text.find(chunk, found + 1);
   }
   return found;
-}
-
-std::vector<std::string> all_matches(const std::string& text, const std::regex& pattern) {
-  std::vector<std::string> matches;
-  for (std::sregex_iterator i(text.begin(), text.end(), pattern), end; i != end; ++i) {
-    matches.push_back((*i)[1]);
-  }
-  return matches;
 }
 
 }  // namespace
@@ -134,6 +125,14 @@ bool agrees(const std::string& expected, const std::string& text) {
   const std::string& last = chunks.back();
   return text.size() >= at + last.size() &&
          text.compare(text.size() - last.size(), last.size(), last) == 0;
+}
+
+std::vector<std::string> all_matches(const std::string& text, const std::regex& pattern) {
+  std::vector<std::string> matches;
+  for (std::sregex_iterator i(text.begin(), text.end(), pattern), end; i != end; ++i) {
+    matches.push_back((*i)[1]);
+  }
+  return matches;
 }
 
 std::vector<std::string> links(const std::string& prose) {

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <filesystem>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,10 @@ struct Exchange {
 
 /// Whether `text` is `expected`, where a line "…" is any number of lines.
 [[nodiscard]] bool agrees(const std::string& expected, const std::string& text);
+
+/// The first group of every match, in order.
+[[nodiscard]] std::vector<std::string> all_matches(const std::string& text,
+                                                   const std::regex& pattern);
 
 /// The targets of [text](target), in order.
 [[nodiscard]] std::vector<std::string> links(const std::string& prose);

@@ -5,9 +5,9 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <regex>
-#include <sstream>
 
 #include "pages/page.hpp"
+#include "pages/replay.hpp"
 #include "support/installed.hpp"
 #include "support/shell.hpp"
 
@@ -38,23 +38,6 @@ Outcome run_installed(const std::string& command, const fs::path& folder) {
   return shell("export CMAKE_PREFIX_PATH=" + prefix + "\n" + line, folder);
 }
 
-void run_commands(const Fence& fence, const fs::path& folder) {
-  std::istringstream lines(fence.text);
-  for (std::string line; std::getline(lines, line);) {
-    const Outcome outcome = run_installed(line, folder);
-    INFO(line << "\n" << outcome.errors);
-    CHECK(outcome.status == 0);
-  }
-}
-
-void run_console(const Fence& fence, const fs::path& folder) {
-  for (const Exchange& exchange : exchanges(fence.text)) {
-    const std::string printed = run_installed("{ " + exchange.command + "\n} 2>&1", folder).output;
-    INFO("$ " << exchange.command << "\n" << printed << "--- expected\n" << exchange.output);
-    CHECK(agrees(exchange.output, printed));
-  }
-}
-
 /// Whether a command below the file reads it; CMake reads the file of a folder.
 bool is_read(const Page& page, const Fence& file) {
   const fs::path path = file.file;
@@ -67,24 +50,17 @@ bool is_read(const Page& page, const Fence& file) {
   });
 }
 
-void check_excerpt(const Fence& fence, const fs::path& folder) {
-  const std::string text = read_text(folder / fence.file);
-  INFO(fence.text << "--- in\n" << text);
-  CHECK(agrees("…\n" + fence.text + "…\n", text));
-}
-
-void replay(const Page& page) {
+void replay_page(const Page& page) {
   const Workspace workspace;
   copy_project(workspace.path());
+  const auto run = [&](const std::string& command) {
+    return run_installed(command, workspace.path());
+  };
   for (const Fence& fence : page.fences) {
     INFO(page.path << ":" << fence.line << ": " << fence.info);
     CHECK(fence.kind != FenceKind::unknown);
-    if (fence.kind == FenceKind::commands) run_commands(fence, workspace.path());
-    if (fence.kind == FenceKind::console) run_console(fence, workspace.path());
-    if (fence.kind == FenceKind::excerpt) check_excerpt(fence, workspace.path());
-    if (fence.kind != FenceKind::file) continue;
-    workspace.write(fence.file, fence.text);
-    CHECK(is_read(page, fence));
+    replay(fence, workspace.path(), run);
+    if (fence.kind == FenceKind::file) CHECK(is_read(page, fence));
   }
 }
 
@@ -113,7 +89,7 @@ bool is_path(const std::string& code) {
 }  // namespace
 
 TEST_CASE("every command and example of a page does what the page says") {
-  for (const Page& page : pages()) replay(page);
+  for (const Page& page : pages()) replay_page(page);
 }
 
 TEST_CASE("commands stand in fences, where they are run") {

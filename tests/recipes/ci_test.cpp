@@ -2,9 +2,9 @@
 // Every command of the recipes for CI and containers, in a repository, up to what needs a server:
 // curl copies, apt-get writes down what it is asked for, and the package of elgen is a link.
 #include <catch2/catch.hpp>
-#include <iostream>
 
 #include "recipes/repository.hpp"
+#include "support/installed.hpp"
 
 namespace elgen::test {
 
@@ -41,11 +41,7 @@ class Machine : public Repository {
     return mentions(outcome("cat home/packages").output, "./elgen.deb");
   }
 
-  static bool is_readable() {
-    if (shell("python3 -c 'import yaml'", "/").status == 0) return true;
-    std::cout << "skipped: python3-yaml is not installed\n";
-    return false;
-  }
+  static bool is_readable() { return is_installed("python3-yaml", "python3 -c 'import yaml'"); }
 
  private:
   static std::string source() { return ELGEN_SOURCE_DIR; }

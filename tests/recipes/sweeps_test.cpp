@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sweeps over two seeds of a small model, and their certificates joined.
 #include <catch2/catch.hpp>
-#include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "support/installed.hpp"
 #include "support/shell.hpp"
 
 namespace elgen::test {
@@ -12,12 +12,6 @@ namespace {
 
 const std::string sweeps = ELGEN_SOURCE_DIR "/recipes/sweeps/";
 const std::string pendulum = ELGEN_SOURCE_DIR "/models/simple_pendulum.toml";
-
-bool is_installed(const std::string& program, const std::string& probe) {
-  if (shell(probe, "/").status == 0) return true;
-  std::cout << "skipped: " << program << " is not installed\n";
-  return false;
-}
 
 /// Every row is of both seeds.
 void check_joined(const Workspace& workspace) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/installed.hpp"
 
+#include <iostream>
+
 #include "support/shell.hpp"
 
 namespace elgen::test {
@@ -23,6 +25,12 @@ const std::filesystem::path& installed() {
 
 std::string finding_elgen(const std::filesystem::path& prefix) {
   return "'-DCMAKE_PREFIX_PATH=" + prefix.string() + "'";
+}
+
+bool is_installed(const std::string& program, const std::string& probe) {
+  if (shell(probe, "/").status == 0) return true;
+  std::cout << "skipped: " << program << " is not installed\n";
+  return false;
 }
 
 }  // namespace elgen::test

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// elgen as its users have it: `cmake --install` of the build under test.
+// Programs as users have them: elgen by `cmake --install` of the build under test, others where
+// they are installed.
 #pragma once
 
 #include <filesystem>
@@ -12,5 +13,9 @@ namespace elgen::test {
 
 /// The option of `cmake` by which a project finds elgen in `prefix`.
 [[nodiscard]] std::string finding_elgen(const std::filesystem::path& prefix = installed());
+
+/// Whether the program answers the probe, a command; where it does not, a line says that it is not
+/// installed.
+[[nodiscard]] bool is_installed(const std::string& program, const std::string& probe);
 
 }  // namespace elgen::test
