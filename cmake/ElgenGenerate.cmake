@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: 0BSD
 # elgen_generate(TARGET name INPUTS model-or-scene... [CHECK_AGAINST folder])
 #
-# Makes the interface library `name` of the code that elgen writes of models and scenes; its users write
+# Makes an interface library, `name`, of the code that elgen writes for models and scenes; its users write
 # `#include "cart_pole/cart_pole.hpp"`. After an edit of a model only sources that include changed code are compiled.
 # The code stands in the build tree only. CHECK_AGAINST adds a test, `name.generated`, which fails where the code that is
 # committed in `folder` is not current.
@@ -12,9 +12,9 @@ function(elgen_generate)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;CHECK_AGAINST" "INPUTS")
   _elgen_check_arguments("${arg_TARGET}" "${arg_INPUTS}" "${arg_UNPARSED_ARGUMENTS}" "${arg_KEYWORDS_MISSING_VALUES}")
   _elgen_find_program(program version)
-  # A folder in which nobody keeps files, where a project is built in its sources, too.
+  # Nobody keeps files there, not even in a project that is built inside its sources.
   set(directory "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/elgen/${arg_TARGET}")
-  # Another elgen may be older than what was written by the one before, as files of packages are.
+  # A new elgen may be dated before the code of the last one: packages keep the times of their build.
   file(CONFIGURE OUTPUT "${directory}.version" CONTENT "${version}" @ONLY)
   set(inputs)
   set(folders)
@@ -31,7 +31,7 @@ function(elgen_generate)
     list(APPEND folders "${folder}")
     list(APPEND all_files ${listed_files})
   endforeach()
-  # Callers of a name that is gone then fail to compile, and so do those of a file that is no longer asked for.
+  # Sources that include a name or a file that is gone then fail to compile.
   _elgen_keep_only("${directory}" ${folders})
   foreach(folder IN LISTS folders)
     _elgen_keep_only("${folder}" "${folder}/elgen.stamp" ${all_files})
@@ -98,7 +98,7 @@ function(_elgen_find_program result result_version)
 endfunction()
 
 # Sets PREFIX_name, PREFIX_files and PREFIX_sources as elgen lists them for an input. Where the input has an error, the
-# listing before is used and PREFIX_has_error set: the build tells the error. Without such a listing it is told here.
+# last listing is used and PREFIX_has_error is set: the build reports the error. Without a listing CMake reports it.
 function(_elgen_list prefix program directory input)
   if(NOT EXISTS "${input}")
     message(FATAL_ERROR "elgen_generate: there is no ${input}")

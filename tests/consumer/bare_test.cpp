@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// README.md on a machine that has nothing but Debian 12, the package and a compiler: the first
-// screen, then, with what its section names, the controller.
+// README.md on a machine that has nothing but Debian 12. The first screen needs the package and a
+// compiler, the controller also the packages that its section names.
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
