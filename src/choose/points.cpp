@@ -87,16 +87,16 @@ struct SumPartRules {
   [[nodiscard]] SumParts multiply(const SumParts& x, const SumParts& y) const {
     using enum SumPart::Kind;
     if (x.size() > 1 || y.size() > 1) return {SumPart{}};
-    SumPart product = x[0];
-    product.factor *= y[0].factor;
-    if (y[0].kind == number && product.kind != opaque) return {product};
-    product.coordinate = y[0].coordinate;
-    product.kind = y[0].kind;
-    if (x[0].kind == number && product.kind != opaque) return {product};
+    if (y[0].kind == number) return scaled(x[0], y[0].factor);
+    if (x[0].kind == number) return scaled(y[0], x[0].factor);
     const bool is_square =
         x[0].kind == linear && y[0].kind == linear && x[0].coordinate == y[0].coordinate;
-    product.kind = is_square ? square : opaque;
-    return {product};
+    if (!is_square) return {SumPart{}};
+    return {{square, x[0].factor * y[0].factor, x[0].coordinate}};
+  }
+  [[nodiscard]] static SumParts scaled(SumPart part, double factor) {
+    part.factor *= factor;
+    return {part};
   }
   [[nodiscard]] SumParts divide(const SumParts& x, const SumParts& y) const {
     const bool is_number = y.size() == 1 && y[0].kind == SumPart::Kind::number;
