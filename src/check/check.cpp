@@ -88,6 +88,7 @@ void judge(Context& context, const FileSyntax& syntax, const FileSyntax* scene,
   read_starts(context, options);
   read_laws(context, options);
   if (!has_order) return;
+  check_function_expressions(context);
   check_routh(context);
   check_places(context, find_traits(context.model));
   check_units(context);

@@ -2,6 +2,7 @@
 // Functions left open: their values, and what closes them.
 #include <catch2/catch.hpp>
 
+#include "check_testing.hpp"
 #include "elgen/leaf_names.hpp"
 #include "support/models.hpp"
 
@@ -30,6 +31,51 @@ V = "V"
 gravity = ["V_1", "V_2"]
 potential_energy = "V"
 )toml");
+
+/// A mass in a plane, and two that slide, under a function of the arguments, whose
+/// sample is on line 14; `far` is a definition of y, P the point (x, y), s a function of t.
+std::string sampled(const std::string& arguments, const std::string& sample) {
+  return model_text("sampled", R"toml([[coordinate]]
+name = "x"
+[[coordinate]]
+name = "y"
+[[coordinate]]
+name = "q[i]"
+for = "i in 1..2"
+[[function]]
+name = "U"
+of = [)toml" + arguments + R"toml(]
+sample = ")toml" + sample + R"toml("
+[parameters]
+k = { value = 3 }
+[define]
+far = "k*y^2"
+[[prescribed]]
+name = "s"
+value = "sin(t)"
+[[point]]
+name = "P"
+at = ["x", "y"]
+mass = "k"
+[energy]
+T = "dot(q[1])^2 + dot(q[2])^2"
+[[force]]
+on = "x"
+value = "U"
+)toml");
+}
+
+/// The messages about a sample.
+std::string said(const std::string& arguments, const std::string& sample) {
+  return messages(sampled(arguments, sample));
+}
+
+/// The message about a sample that reads more than its argument does, at its place.
+std::string reads(const std::string& sample, const std::string& leaf,
+                  const std::string& place = "14:11") {
+  return "E319 " + place + " `" + sample + "` reads `" + leaf +
+         "`, and no argument of `U` does | `of` names all that the function depends on\n";
+}
 
 /// "V [J], V_1 [N], …"
 std::string open_values(const Model& model) {
@@ -77,6 +123,37 @@ TEST_CASE("a scene or a sample closes an open function") {
   SceneOptions options;
   options.close_functions = true;
   CHECK(closed_text(checked_model(plane, options)) == "V = 1/2*k*(x^2 + y^2), 1 expected");
+}
+
+TEST_CASE("an expression of a function reads what its arguments read") {
+  CHECK(said("'x'", "k*x^2 + sin(x)") == "");
+  CHECK(said("'x', 'y'", "far*x(P)") == "");
+  CHECK(said("'sqrt(x^2 + y^2)'", "k*x(P) + far") == "");
+  CHECK(said("'q[1]', 'q[2]'", "sum(i, 1, 2, q[i]^2)") == "");
+  CHECK(said("'dot(x)'", "k*dot(x)^2 + dot(x(P))") == "");
+  CHECK(said("'dot(x)', 'dot(y)'", "v2(P)") == "");
+  CHECK(said("'dot(far)'", "y*dot(y)") == "");
+  CHECK(said("'x', 't'", "x*s") == "");
+}
+
+TEST_CASE("an expression of a function that reads more is told what") {
+  const auto of_x = [](const std::string& sample) { return said("'x'", sample); };
+  CHECK(of_x("1/2*k*(x^2 + y^2)") == reads("1/2*k*(x^2 + y^2)", "y"));
+  CHECK(of_x("x*far") == reads("x*far", "y"));
+  CHECK(of_x("x + y(P)") == reads("x + y(P)", "y"));
+  CHECK(of_x("x*cos(t)") == reads("x*cos(t)", "t"));
+  CHECK(of_x("x*s") == reads("x*s", "t"));
+  CHECK(of_x("x*dot(x)") == reads("x*dot(x)", "dot(x)"));
+  CHECK(of_x("v2(P)") == reads("v2(P)", "dot(x)") + reads("v2(P)", "dot(y)"));
+  CHECK(said("'dot(x)'", "x*dot(x)") == reads("x*dot(x)", "x"));
+  CHECK(said("'q[1]'", "q[1]*q[2]") == reads("q[1]*q[2]", "q[2]"));
+}
+
+TEST_CASE("a scene that closes a function is held to its arguments") {
+  Wanted wanted;
+  wanted.scene =
+      "format = 1\nmodel = \"model.toml\"\nname = \"wide\"\n[functions]\nU = \"k*x*y\"\n";
+  CHECK(messages(sampled("'x'", "x"), wanted) == reads("k*x*y", "y", "5:6"));
 }
 
 }  // namespace elgen::test

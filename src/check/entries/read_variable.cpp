@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Coordinates, inputs, open and prescribed functions.
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -162,6 +163,9 @@ void read_arguments(ValueReader& values, const EntrySyntax& entry, std::uint32_t
   }
   const Place place{"an argument of a function", place::of_state};
   std::vector<ExpressionId> arguments = values.roots(of->value, {place});
+  if (std::ranges::count(arguments, no_expression) == 0) {
+    context.function_expressions[function_name(entry)].arguments = arguments;
+  }
   if (closure_of(context, entry) != nullptr || arguments.empty()) return;
   context.model.functions[target].arguments = std::move(arguments);
 }
@@ -170,6 +174,7 @@ void read_function(ValueReader& values, const EntrySyntax& entry, std::uint32_t 
   Context& context = values.context();
   const std::optional<Unit> unit = unit_of(entry, context);
   const RootRequest request{{"the expression of a function", place::of_state}, unit};
+  ExpressionId& value = context.function_expressions[function_name(entry)].value;
   const Closure* closure = closure_of(context, entry);
   if (closure == nullptr) {
     OpenFunction& function = context.model.functions[target];
@@ -177,7 +182,7 @@ void read_function(ValueReader& values, const EntrySyntax& entry, std::uint32_t 
     function.unit_text = text_of(entry, "unit");
     function.latex = text_of(entry, "latex");
     function.doc = text_of(entry, "doc");
-    (void)values.root(entry, "sample", request);
+    value = values.root(entry, "sample", request).value_or(no_expression);
     return;
   }
   NamedExpression& definition = context.model.definitions[target];
@@ -185,6 +190,7 @@ void read_function(ValueReader& values, const EntrySyntax& entry, std::uint32_t 
   definition.doc = text_of(entry, "doc");
   definition.value = closure->is_of_scene ? values.scene_value(*closure->value, request)
                                           : values.root(*closure->value, request);
+  value = definition.value;
 }
 
 void read_prescribed(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {

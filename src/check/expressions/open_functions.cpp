@@ -3,18 +3,16 @@
 #include "check/expressions/open_functions.hpp"
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "elgen/leaf_names.hpp"
+#include "elgen/references.hpp"
+
 namespace elgen {
 namespace {
-
-/// "V"; empty where the entry has no name.
-std::string function_name(const EntrySyntax& function) {
-  const KeySyntax* name = function.find("name");
-  return name == nullptr ? "" : name->value.expression.text;
-}
 
 std::vector<const EntrySyntax*> functions_of(const FileSyntax& model) {
   std::vector<const EntrySyntax*> functions;
@@ -120,7 +118,44 @@ bool uses_closed(const Context& context, const ExpressionSyntax& expression) {
       [&](const ExpressionSyntax& operand) { return uses_closed(context, operand); });
 }
 
+/// A coordinate, a rate or the time.
+using Moving = std::pair<Opcode, std::uint32_t>;
+
+void add_rates(const Model& model, const Expression& differentiated, std::set<Moving>& all) {
+  for (const ExpressionId id : reached(model, differentiated.operands)) {
+    const Expression& e = model.expressions[id];
+    if (!is_leaf(e, Opcode::coordinate)) continue;
+    all.insert({Opcode::velocity, model.coordinates[e.index].velocity});
+  }
+}
+
+/// All that an expression reads. d/dt e reads the rates of the coordinates in e; whether it reads
+/// the coordinates too depends on e (d/dt x does not), so that they count only if `inside_rates`.
+std::set<Moving> moving_in(const Model& model, ExpressionId root, bool inside_rates) {
+  constexpr LeafSet kinds = Opcode::coordinate | Opcode::velocity | Opcode::time;
+  std::set<Moving> all;
+  std::set<ExpressionId> seen;
+  std::vector<ExpressionId> left{root};
+  while (!left.empty()) {
+    const ExpressionId id = left.back();
+    left.pop_back();
+    if (!seen.insert(id).second) continue;
+    const Expression& e = model.expressions[id];
+    const bool is_rate = e.kind == ExpressionKind::time_derivative;
+    if (e.kind == ExpressionKind::leaf && kinds.has_any(e.leaf)) all.insert({e.leaf, e.index});
+    if (is_rate) add_rates(model, e, all);
+    if (is_rate && !inside_rates) continue;
+    for (const ExpressionId part : references(model, id)) left.push_back(part);
+  }
+  return all;
+}
+
 }  // namespace
+
+std::string function_name(const EntrySyntax& function) {
+  const KeySyntax* name = function.find("name");
+  return name == nullptr ? "" : name->value.expression.text;
+}
 
 void read_closures(Context& context, const FileSyntax& model, const FileSyntax* scene,
                    const SceneOptions& options) {
@@ -161,6 +196,25 @@ std::optional<std::uint32_t> declare_function(Context& context, const EntrySynta
     if (!is_free) return std::nullopt;
   }
   return target;
+}
+
+void check_function_expressions(Context& context) {
+  const Model& model = context.model;
+  for (const auto& [name, function] : context.function_expressions) {
+    std::set<Moving> known;
+    for (const ExpressionId argument : function.arguments) {
+      known.merge(moving_in(model, argument, true));
+    }
+    const Span& span = model.expressions[function.value].span;
+    for (const Moving& read : moving_in(model, function.value, false)) {
+      if (known.count(read) > 0 || function.arguments.empty()) continue;
+      context.report.add(Code::E319, span,
+                         in_backticks(span) + " reads " +
+                             in_backticks(leaf_text(model, read.first, read.second)) +
+                             ", and no argument of " + in_backticks(name) + " does",
+                         "`of` names all that the function depends on");
+    }
+  }
 }
 
 bool uses_closed_derivative(const Context& context, const ValueSyntax& value) {

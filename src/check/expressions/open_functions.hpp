@@ -6,12 +6,16 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "check/names/context.hpp"
 #include "elgen/scene.hpp"
 #include "elgen/syntax.hpp"
 
 namespace elgen {
+
+/// "V"; empty where the entry has no name.
+[[nodiscard]] std::string function_name(const EntrySyntax& function);
 
 /// Fills Context::closures: from [functions] of the scene (E201 for names of no function), and
 /// where options say so by samples, of which a note E634 tells; E633 where there is none. `scene`
@@ -27,6 +31,9 @@ void read_closures(Context& context, const FileSyntax& model, const FileSyntax* 
 [[nodiscard]] std::optional<std::uint32_t> declare_function(Context& context,
                                                             const EntrySyntax& entry,
                                                             const NewName& name);
+
+/// E319: a sample, or an expression of a scene, that reads what no argument of its function reads.
+void check_function_expressions(Context& context);
 
 /// Whether a value speaks of a derivative of a function that has an expression.
 [[nodiscard]] bool uses_closed_derivative(const Context& context, const ValueSyntax& value);

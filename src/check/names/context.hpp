@@ -71,6 +71,12 @@ struct Closure {
   bool is_of_scene = false;  ///< otherwise it is the model's own sample
 };
 
+/// An expression that a function left open may be, and the arguments of the function.
+struct FunctionExpression {
+  std::vector<ExpressionId> arguments = {};
+  ExpressionId value = no_expression;
+};
+
 struct Context {
   explicit Context(const Limits& the_limits) : limits(the_limits) { (void)append({}); }
 
@@ -107,6 +113,7 @@ struct Context {
       {};  ///< frames have names of their own: a body may be called like its frame
   DeclaredNames equilibria = {};                              ///< likewise
   std::map<std::string, Closure, std::less<>> closures = {};  ///< by name of the function
+  std::map<std::string, FunctionExpression, std::less<>> function_expressions = {};  ///< likewise
   Model model = {};
   Constants constants = {};
   /// Expression nodes (and steps to resolve one expression) before E908.
