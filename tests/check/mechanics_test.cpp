@@ -96,6 +96,29 @@ TEST_CASE("a Lagrangian is given once, and there is one") {
   check_rows(rows, [&](const std::string& entries) { return messages(bare(entries)); });
 }
 
+TEST_CASE("an input acts by its `on` or where a force names it, not both") {
+  const std::string energy = "[energy]\nT = \"m*dot(x)^2 + m*dot(y)^2\"\n";
+  const std::string input = "[[input]]\nname = \"u\"\nunit = \"N\"\n";
+  const std::string acting = input + "on = \"x\"\n";
+  const std::string force = "[[force]]\non = \"y\"\nvalue = ";
+  const std::string twice =
+      "` acts on `x` by its `on`, and a force names it too | without `on` an "
+      "input acts where a force names it\n";
+  const Rows rows{
+      {input + force + "\"2*u\"\n", ""},
+      {acting + force + "\"m*c^2/x\"\n", ""},
+      {acting + force + "\"2*u\"\n", "E112 21:12 `u" + twice},
+      {acting + "[define]\ndrive = \"2*u\"\n" + force + "\"drive\"\n", "E112 20:12 `u" + twice},
+      {"[[input]]\nname = \"w[i]\"\nfor = \"i in 1..2\"\nunit = \"N\"\non = \"x\"\n" + force +
+           "\"w[2]\"\n",
+       "E112 22:10 `w[2]" + twice},
+      {acting + "[[point]]\nname = \"p\"\nat = [\"x\", \"y\"]\n[[force]]\nat = \"p\"\n" +
+           "value = [\"u\", \"0\"]\n",
+       "E112 24:11 `u" + twice},
+  };
+  check_rows(rows, [&](const std::string& entries) { return messages(bare(energy + entries)); });
+}
+
 TEST_CASE("every coordinate moves something") {
   CHECK(messages(bare("[energy]\nT = \"m*dot(x)^2 + y*m*c*dot(x)/(1*x)\"\n")) ==
         "E513 8:9 the rate of `y` is in no energy, so nothing determines its motion\n");

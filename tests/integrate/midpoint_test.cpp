@@ -26,7 +26,9 @@ V = "-m*cos(theta) + 3*x^2 - x*dot(theta)"
 D = "1/10*dot(theta)^2"
 [[input]]
 name = "u"
+[[force]]
 on = "x"
+value = "u"
 [[force]]
 on = "theta"
 value = "u*sin(x) - dot(x)/5"

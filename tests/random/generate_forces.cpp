@@ -77,7 +77,13 @@ Expression Generator::force_size() {
       return constant * call_of("cos", {q}) + any_constant() * call_of("sin", {clock()});
     case 5:
       if (!made_.model.inputs.empty()) {
-        return draw_.function_of(positions_) * name(draw_.one_of(made_.model.inputs).name);
+        const Input* input = nullptr;
+        const auto drawn = [&] {
+          input = &draw_.one_of(made_.model.inputs);
+          return name(input->name);
+        };
+        const Expression driven = draw_.function_of(positions_) * drawn();
+        if (input->on.empty()) return driven;  // no force names one that has its place
       }
       return constant * q;
     default:

@@ -44,6 +44,7 @@ class MechanicsCheck {
     for (const Force& force : model_.forces) {
       for (const ExpressionId value : force.value) {
         check_affine(value);
+        check_inputs(value);
       }
     }
     check_lagrangian();
@@ -81,6 +82,22 @@ class MechanicsCheck {
     } else if (traits.input_times_rate) {
       context_.report.add(Code::E509, span(value),
                           in_backticks(span(value)) + " multiplies an input by a rate");
+    }
+  }
+
+  /// An input acts by its `on` or where a force names it: both would count it twice.
+  void check_inputs(ExpressionId value) {
+    if ((traits_[value].ingredients & uses_input) == 0) return;
+    for (const ExpressionId id : reached(model_, {value})) {
+      const Expression& node = model_.expressions[id];
+      if (!is_leaf(node, Opcode::input) || !model_.inputs[node.index].on) continue;
+      const Input& input = model_.inputs[node.index];
+      context_.report.add({Code::E112, node.span,
+                           in_backticks(input.name) + " acts on " +
+                               in_backticks(model_.velocities[*input.on].name) +
+                               " by its `on`, and a force names it too",
+                           "without `on` an input acts where a force names it", input.span,
+                           "the input is declared here"});
     }
   }
 

@@ -9,7 +9,7 @@
 
 namespace elgen {
 
-/// E503, E504, E509, E513, E514, E515; sets Model::quadratic, uses_time and may_drift.
+/// E112, E503, E504, E509, E513, E514, E515; sets Model::quadratic, uses_time and may_drift.
 void check_mechanics(Context& context, const std::vector<Traits>& traits);
 
 /// Which velocities are in some energy: T, L, or the motion of a point or body with mass.
