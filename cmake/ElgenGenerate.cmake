@@ -143,7 +143,7 @@ endfunction()
 
 # The command that writes the files listed by the caller. Its stamp is touched whatever was written, so that Make and
 # Ninja know when elgen ran; a file that stays as it was keeps its time, and nothing is compiled. As byproducts the files
-# are known to Ninja, which looks at them again before it compiles.
+# are known to Ninja, which looks at them again before it compiles. --force: INPUTS may name another model of that name now.
 function(_elgen_add_command program directory input)
   set(stamp "${directory}/${listed_name}/elgen.stamp")
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${program}" "${input}" ${listed_sources})
@@ -160,7 +160,7 @@ function(_elgen_add_command program directory input)
   add_custom_command(
     OUTPUT "${stamp}"
     BYPRODUCTS ${listed_files}
-    COMMAND "${program}" generate -q -o "${directory}" "${input}"
+    COMMAND "${program}" generate -q --force -o "${directory}" "${input}"
     COMMAND "${CMAKE_COMMAND}" -E touch "${stamp}"
     DEPENDS ${listed_sources} "${program}" "${directory}.version"
     COMMENT "Generating ${listed_name}"

@@ -35,7 +35,7 @@ struct BodyHash {
 };
 [[nodiscard]] BodyHash body_hash(std::string_view text);
 
-/// The sources that a sidecar says it was made from; empty where the text is no sidecar.
-[[nodiscard]] SourcePaths stated_paths(std::string_view sidecar);
+/// The sources that a generated text says it was made from; empty where it does not say.
+[[nodiscard]] SourcePaths stated_paths(std::string_view text);
 
 }  // namespace elgen

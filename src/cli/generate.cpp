@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
 #include "cli/commands.hpp"
@@ -141,6 +142,46 @@ Diagnostics changed_meanwhile(const std::vector<Job>& jobs) {
                         {},
                         fmt::format("`{}` has changed since it was read", source->path),
                         "nothing is written; generate again"});
+    }
+  }
+  return errors;
+}
+
+/// Whether a file is there and, for all that is known, still bears the name.
+bool may_bear(const GlobalOptions& global, const std::string& path, const std::string& name) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return false;
+  const Result<Inputs> inputs = read_inputs(path, global.limits);
+  if (!inputs) return false;
+  renew_time_limit(global.limits);
+  const Products products = run_pipeline(*inputs, pipeline_options(global, {Goal::check}));
+  return !products.checked || products.checked->scene.base_name == name;
+}
+
+/// The model or scene that an existing file was made from, where it may still be made from that and
+/// that is not what the job reads.
+std::optional<std::string> other_source(const GlobalOptions& global, const Job& job,
+                                        const std::string& directory, const OutputFile& file) {
+  const auto source = source_file(directory, stated_paths(existing_text(file.path).value_or("")));
+  std::error_code error;
+  const bool is_other = source && !fs::equivalent(*source, job.path, error);
+  return is_other && may_bear(global, *source, job.scene().base_name) ? source : std::nullopt;
+}
+
+/// E604: files of another model or scene of the same name would be replaced.
+Diagnostics taken_names(const GlobalOptions& global, const GenerateOptions& options,
+                        const std::vector<Job>& jobs) {
+  Diagnostics errors;
+  for (const Job& job : jobs) {
+    for (const OutputFile& file : files_in(options.output_directory, *job.products.files)) {
+      const auto other = other_source(global, job, options.output_directory, file);
+      if (!other) continue;
+      errors.push_back({Code::E604,
+                        {},
+                        fmt::format("`{}` is made from `{}`, and `{}` bears the same name",
+                                    file.path, *other, job.path),
+                        "rename one, give `-o DIR`, or replace the files by --force"});
+      break;
     }
   }
   return errors;
@@ -291,6 +332,7 @@ ExitCode write(const GlobalOptions& global, const GenerateOptions& options,
                const std::vector<Job>& jobs) {
   Diagnostics refusals = changed_by_options(options, jobs);
   if (refusals.empty()) refusals = changed_meanwhile(jobs);
+  if (refusals.empty() && !options.force) refusals = taken_names(global, options, jobs);
   if (!refusals.empty()) return report(global, refusals);
   const auto written =
       write_files(output_files(options, jobs), {options.force, global.limits.seconds});
@@ -349,8 +391,7 @@ void add_generate(CLI::App& app, Action& action) {
   add_specialisation(*command, options->scene);
   CLI::Option* check =
       command->add_flag("--check", options->check, "write nothing; exit 1 if the files differ");
-  command->add_flag("--force", options->force,
-                    "overwrite regular files that elgen did not generate");
+  command->add_flag("--force", options->force, "overwrite regular files, whoever made them");
   CLI::Option* list =
       command->add_flag("--list-outputs", options->list_outputs, "print the paths it would write");
   CLI::Option* depfile = command

@@ -72,8 +72,7 @@ class OrphanSearch {
     for (const fs::path& path : entries_in(folder)) {
       if (!path.filename().string().ends_with(sidecar_ending)) continue;
       const SourcePaths stated = stated_paths(existing_text(path.string()).value_or(""));
-      const std::string& source = stated.scene.empty() ? stated.model : stated.scene;
-      const auto file = source_file(directory_, source);
+      const auto file = source_file(directory_, stated);
       if (!file) return {};
       std::error_code error;
       if (!fs::exists(*file, error)) return fmt::format("there is no {}", *file);

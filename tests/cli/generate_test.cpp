@@ -118,6 +118,52 @@ TEST_CASE("options that would change the model's own output are refused without 
   }
 }
 
+TEST_CASE("code of a model is not replaced by that of another of its name while that is there") {
+  const Workspace workspace;
+  workspace.prepare("mkdir a b && cp " + models +
+                    "/simple_pendulum.toml a/pend.toml && sed 's/\"-g\"/\"-2*g\"/' a/pend.toml > "
+                    "b/pend.toml && elgen generate -q a/pend.toml");
+  const std::string header = "generated/simple_pendulum/simple_pendulum.hpp";
+  const std::string before = workspace.read(header);
+  const std::string command = "elgen generate -q b/pend.toml";
+  const Outcome refused = workspace.run(command);
+  CHECK(refused.status == 2);
+  CHECK(mentions(refused.errors,
+                 "error[E604]: `generated/simple_pendulum/simple_pendulum.equations.json` is made "
+                 "from `a/pend.toml`, and `b/pend.toml` bears the same name"));
+  CHECK(workspace.read(header) == before);
+  CHECK(workspace.run("elgen generate -q ./a/../a/pend.toml").status == 0);
+  CHECK(workspace.run(command + " -o other").status == 0);
+  CHECK(workspace.run("elgen generate -q - < b/pend.toml").status == 2);
+  CHECK(workspace.run(command + " --force").status == 0);
+  CHECK(workspace.run("elgen generate -q a/pend.toml").status == 2);
+  CHECK(workspace
+            .run("sed -i 's/\"simple_pendulum\"/\"pend\"/' b/pend.toml && elgen generate -q "
+                 "a/pend.toml")
+            .status == 0);
+  CHECK(workspace.run("mv a/pend.toml b/moved.toml && elgen generate -q b/moved.toml").status == 0);
+}
+
+TEST_CASE("a scene takes no files of another model or scene of its name") {
+  const Workspace workspace;
+  workspace.prepare("cp " + models + "/simple_pendulum.toml swing.toml");
+  const auto scene = [&](const std::string& file) {
+    workspace.write(file,
+                    "format = 1\nmodel = \"swing.toml\"\nname = \"fast\"\n"
+                    "[outputs]\ngravity = true\n[emit]\nfiles = [\"header\"]\n");
+  };
+  scene("one.scene.toml");
+  scene("two.scene.toml");
+  CHECK(workspace.run("elgen generate -q one.scene.toml").status == 0);
+  const Outcome refused = workspace.run("elgen generate -q two.scene.toml");
+  CHECK(refused.status == 2);
+  CHECK(mentions(refused.errors, "is made from `one.scene.toml`, and `two.scene.toml` bears the"));
+  workspace.prepare("sed 's/\"simple_pendulum\"/\"simple_pendulum_fast\"/' swing.toml > fast.toml");
+  CHECK(workspace.run("elgen generate -q fast.toml").status == 2);
+  CHECK(workspace.run("rm one.scene.toml && elgen generate -q two.scene.toml").status == 0);
+  CHECK(workspace.run("elgen generate -q fast.toml").status == 2);
+}
+
 TEST_CASE("a line says what was checked, and that [[expect]] was not") {
   const Outcome outcome = run("elgen generate -o out " + models + "/simple_pendulum.toml");
   CHECK(outcome.status == 0);

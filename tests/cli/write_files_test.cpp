@@ -168,8 +168,9 @@ TEST_CASE("writers of two versions at once leave one of them, and make one folde
                     "/cart_pole.toml a.toml && sed 's/\"-g\"/\"-2*g\"/' a.toml > b.toml");
   for (int round = 0; round < 10; ++round) {
     const Outcome outcome = workspace.run(
-        "rm -rf generated; elgen generate -q a.toml & elgen generate -q b.toml; b=$?; wait $! && "
-        "test $b = 0 && { elgen generate -q --check a.toml || elgen generate -q --check b.toml; }");
+        "rm -rf generated; elgen generate -q --force a.toml & elgen generate -q --force b.toml; "
+        "b=$?; wait $! && test $b = 0 && { elgen generate -q --check a.toml || elgen generate -q "
+        "--check b.toml; }");
     INFO(outcome.errors);
     CHECK(outcome.status == 0);
   }

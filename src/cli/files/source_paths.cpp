@@ -66,7 +66,8 @@ SourcePaths source_paths(const Inputs& inputs, const std::string& directory) {
   return {path_from(known, inputs.model), path_from(known, inputs.scene)};
 }
 
-std::optional<std::string> source_file(const std::string& directory, const std::string& path) {
+std::optional<std::string> source_file(const std::string& directory, const SourcePaths& paths) {
+  const std::string& path = paths.scene.empty() ? paths.model : paths.scene;
   if (path.find('/') == std::string::npos) return std::nullopt;
   return (fs::path(directory) / path).lexically_normal().generic_string();
 }

@@ -16,8 +16,8 @@ namespace elgen::cli {
 /// files. Names elsewhere, so that no file tells of a machine, and of standard input.
 [[nodiscard]] SourcePaths source_paths(const Inputs& inputs, const std::string& directory);
 
-/// The file that such a path names; none where it is but a name.
+/// The file that such paths name, of a scene itself; none where they are but names.
 [[nodiscard]] std::optional<std::string> source_file(const std::string& directory,
-                                                     const std::string& path);
+                                                     const SourcePaths& paths);
 
 }  // namespace elgen::cli

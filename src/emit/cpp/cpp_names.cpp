@@ -44,8 +44,8 @@ bool contains(const List& list, std::string_view name) {
   return std::find(list.begin(), list.end(), name) != list.end();
 }
 
-/// Functions that the headers of C and POSIX declare outside of namespace std, as declared for
-/// double; those for float and long double end in f and l.
+/// Functions of <math.h> and <stdlib.h> as declared for double; those for float and long double end
+/// in f and l.
 constexpr std::string_view library_names =
     " a64l abort abs acos acosh alloca arc4random asin asinh atan atan2 atanh atexit atof "
     "atoi atol atoll bsearch calloc canonicalize cbrt ceil clearenv copysign cos cosh div "
@@ -63,22 +63,15 @@ constexpr std::string_view library_names =
     "system tan tanh tgamma timespec timeval totalorder trunc ufromfp ufromfpx uint ulong "
     "unlockpt unsetenv ushort valloc wcstombs wctomb y0 y1 yn ";
 
-/// Those of <unistd.h>, which programs that control something include, and the program itself.
+/// What the other headers declare.
 constexpr std::string_view system_names =
-    " access acct alarm brk chdir chown chroot close close_range closefrom confstr crypt "
-    "daemon dup dup2 dup3 eaccess endusershell euidaccess execl execle execlp execv execve "
-    "execveat execvp execvpe faccessat fchdir fchown fchownat fdatasync fexecve fork "
-    "fpathconf fsync ftruncate ftruncate64 get_current_dir_name getcwd getdomainname "
-    "getdtablesize getegid geteuid getgid getgroups gethostid gethostname getlogin "
-    "getlogin_r getopt getpagesize getpass getpgid getpgrp getpid getppid getresgid "
-    "getresuid getsid gettid getuid getusershell getwd group_member isatty lchown link "
-    "linkat lockf lockf64 lseek lseek64 nice pathconf pause pipe pipe2 pread pread64 profil "
-    "pwrite pwrite64 read readlink readlinkat revoke rmdir sbrk setdomainname setegid "
-    "seteuid setgid sethostid sethostname setlogin setpgid setpgrp setregid setresgid "
-    "setresuid setreuid setsid setuid setusershell sleep swab symlink symlinkat sync syncfs "
-    "syscall sysconf tcgetpgrp tcsetpgrp truncate truncate64 ttyname ttyname_r ttyslot "
-    "ualarm unlink unlinkat usleep vfork vhangup write "
-    "main ";
+#include "emit/cpp/library_names.def"
+    ;
+
+constexpr std::array<std::string_view, 16> kept_prefixes{
+    "aio_",   "epoll_",   "eventfd_", "inet_", "inet6_",    "inotify_", "isw", "mq_",
+    "posix_", "pthread_", "sched_",   "sem_",  "sockaddr_", "timerfd_", "wcs", "wmem"};
+constexpr std::array<std::string_view, 3> kept_suffixes{"_t", "printf", "scanf"};
 
 bool has_word(std::string_view words, std::string_view name) {
   return words.find(" " + std::string(name) + " ") != std::string_view::npos;
@@ -86,14 +79,16 @@ bool has_word(std::string_view words, std::string_view name) {
 
 bool is_declared(std::string_view name) { return has_word(library_names, name); }
 
-/// Whether POSIX keeps the name for types.
-bool is_reserved_type(std::string_view name) { return name.ends_with("_t"); }
+/// Whether C or POSIX keeps all names like it, for types or for functions of its own.
+bool is_kept(std::string_view name) {
+  return std::ranges::any_of(kept_suffixes, [&](auto suffix) { return name.ends_with(suffix); }) ||
+         std::ranges::any_of(kept_prefixes, [&](auto prefix) { return name.starts_with(prefix); });
+}
 
-/// Of the C and POSIX libraries: mathematics, <stdlib.h>, <unistd.h>, `main`, and reserved types:
-/// no namespace can have the name.
+/// No namespace can have a name that a header of C or POSIX gives to something else.
 bool is_library_name(std::string_view name) {
   const bool has_suffix = name.ends_with('f') || name.ends_with('l');
-  return is_reserved_type(name) || is_declared(name) || has_word(system_names, name) ||
+  return is_kept(name) || is_declared(name) || has_word(system_names, name) ||
          (has_suffix && is_declared(name.substr(0, name.size() - 1)));
 }
 
@@ -132,12 +127,10 @@ Diagnostics cpp_check_names(const Model& model, const Scene& scene, const Progra
   }
   const std::string& outermost = name_space(scene);
   if (outermost == "std" || is_library_name(outermost)) {
-    diagnostics.push_back(
-        {Code::E701, scene.emission.name_space_span,
-         fmt::format("`{}` cannot name a namespace: {}", outermost,
-                     is_reserved_type(outermost) ? "POSIX keeps names that end in `_t` for types"
-                                                 : "C or POSIX declares it"),
-         "`[emit] namespace` of a scene gives it another one"});
+    diagnostics.push_back({Code::E701, scene.emission.name_space_span,
+                           fmt::format("`{}` cannot name a namespace: C or POSIX {}", outermost,
+                                       is_kept(outermost) ? "keeps names like it" : "declares it"),
+                           "`[emit] namespace` of a scene gives it another one"});
   }
   return diagnostics;
 }

@@ -206,13 +206,4 @@ std::string sidecar(const EmissionInput& input) {
   return stamped(printed(json, 0, 0) + "\n");
 }
 
-SourcePaths stated_paths(std::string_view sidecar) {
-  const Json json = Json::parse(sidecar, nullptr, false);
-  const auto text = [&json](const char* key) {
-    const bool is_there = json.is_object() && json.contains(key) && json[key].is_string();
-    return is_there ? json[key].get<std::string>() : std::string();
-  };
-  return {text("model"), text("scene")};
-}
-
 }  // namespace elgen
