@@ -96,7 +96,6 @@ enum class Completeness : std::uint8_t {
 struct Equilibria {
   ClosedForms forms = {};  ///< of r, M and W at rest: their algebra holds all forms below
   std::vector<SearchKind> kinds = {};    ///< by coordinate
-  std::vector<bool> is_cyclic = {};      ///< by coordinate: no equation of motion holds it
   bool has_rest_kinetic_energy = false;  ///< T0 is not 0
   std::vector<RestPoint> points = {};
   Completeness completeness = Completeness::proved;
@@ -161,7 +160,7 @@ struct LinearMotions {
 
 /// The sort of a symmetry.
 enum class SymmetryKind : std::uint8_t {
-  coordinate,   ///< one coordinate is cyclic
+  coordinate,   ///< one coordinate moves alone
   translation,  ///< several move by constants
   boost,        ///< they move by constants times t
   rotation,     ///< A is skew, the rest is 0

@@ -7,6 +7,8 @@
 // which outputs the built-in scene `full` does without.
 #pragma once
 
+#include <cstdint>
+
 #include "elgen/diagnostic.hpp"
 #include "elgen/model.hpp"
 #include "elgen/scene.hpp"
@@ -20,5 +22,9 @@ namespace elgen {
 /// E635: L changes with a coordinate at one of 8 sampled states, the momenta do not determine the
 /// rates, or one has no value. Cost: a few evaluations of L for each.
 [[nodiscard]] Diagnostics find_momenta(CheckedModel& checked);
+
+/// Whether `[routh]` of a scene can take a coordinate out, as E635 judges: L does not change with
+/// it, and no input, no force and no D acts on it or contains it. Cost: as of find_momenta().
+[[nodiscard]] bool is_cyclic(const CheckedModel& checked, std::uint32_t coordinate);
 
 }  // namespace elgen

@@ -170,13 +170,6 @@ class EquilibriumSearch {
   }
 
   void describe() {
-    std::vector<Occurrence> all = occurrences(moving_, *find_function(moving_, OutputKind::bias));
-    const auto mass = occurrences(moving_, *find_function(moving_, OutputKind::mass_matrix));
-    all.insert(all.end(), mass.begin(), mass.end());
-    for (std::uint32_t i = 0; i < model_.coordinates.size(); ++i) {
-      result_.is_cyclic.push_back(std::ranges::none_of(
-          all, [i](const Occurrence& entry) { return entry.coordinates.contains(i); }));
-    }
     const Function* const potential = find_function(moving_, OutputKind::potential_energy);
     if (potential == nullptr) return;
     // At rest W is V0 unless the kinetic energy has a part without rates.

@@ -7,6 +7,7 @@
 #include "analyse/claims.hpp"
 #include "analyse/exact_roots.hpp"
 #include "analyse/page.hpp"
+#include "elgen/inspect.hpp"
 #include "evaluate/subject.hpp"
 
 namespace elgen {
@@ -107,17 +108,17 @@ class EquilibriaPage {
   void add_cyclic(PagePart& part) const {
     std::vector<Printed> symbols;
     std::string name;
-    for (std::size_t i = 0; i < model_.coordinates.size(); ++i) {
-      if (!equilibria_.is_cyclic[i] || model_.coordinates[i].rotation) continue;
+    for (std::uint32_t i = 0; i < model_.coordinates.size(); ++i) {
+      if (!is_cyclic(checked_, i)) continue;
       symbols.push_back(symbols_.q[i]);
       name = model_.coordinates[i].name;
     }
     if (symbols.empty()) return;
     const std::string one = fmt::format(
-        "is cyclic: with its momentum held (scene: [routh] {} = true) there are steady motions",
+        "is cyclic: with its momentum held (scene: [routh] {} = true) there may be steady motions",
         name);
     const char* const many =
-        "are cyclic: with their momenta held (scene: [routh]) there are steady motions";
+        "are cyclic: with their momenta held (scene: [routh]) there may be steady motions";
     part.lines.push_back(listed(symbols) + prose(symbols.size() == 1 ? one : many));
   }
 

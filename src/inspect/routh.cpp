@@ -4,6 +4,7 @@
 // sampled ones L is taken not to change, and what is derived is compared with the whole model
 // anyway.
 #include "base/exact_number.hpp"
+#include "check/scene/scene.hpp"
 #include "elgen/inspect.hpp"
 #include "elgen/wording.hpp"
 #include "inspect/samples.hpp"
@@ -113,6 +114,17 @@ Diagnostics find_momenta(CheckedModel& checked) {
     if (fixed != checked.scene.specialisation.fixed.end()) fixed->second.number = parameter.value;
   }
   return errors;
+}
+
+bool is_cyclic(const CheckedModel& checked, std::uint32_t coordinate) {
+  Model exact = checked.model;
+  exact.approximation.reset();
+  const Coordinate& taken = exact.coordinates[coordinate];
+  if (taken.rotation || !exact.quadratic) return false;
+  Cyclic& cyclic = exact.cyclic.emplace_back();
+  cyclic.coordinate = coordinate;
+  cyclic.velocity = taken.velocity;
+  return obstacles_of(exact, cyclic).empty() && not_cyclic({exact, checked.scene}).empty();
 }
 
 }  // namespace elgen

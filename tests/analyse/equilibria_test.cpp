@@ -77,13 +77,48 @@ TEST_CASE("systems without equilibria say why, and what is cyclic") {
   CHECK(page("kepler_polar") == R"(Kepler problem in polar coordinates: equilibria (v = 0)
 
   none: g = (μ m/r², 0) is not 0 for r in [0.3, 3] (proved)
-  φ is cyclic: with its momentum held (scene: [routh] phi = true) there are steady motions
+  φ is cyclic: with its momentum held (scene: [routh] phi = true) there may be steady motions
 )");
   CHECK(page("heavy_top") == R"(Heavy symmetric top: equilibria (v = 0)
 
   none: g = (0, -m g h sin θ, 0) is not 0 for θ in [0.1, 3.04159] (proved)
-  φ and ψ are cyclic: with their momenta held (scene: [routh]) there are steady motions
+  φ and ψ are cyclic: with their momenta held (scene: [routh]) there may be steady motions
 )");
+}
+
+TEST_CASE("only what [routh] takes out is called cyclic") {
+  const std::string fall = R"(format = 1
+[model]
+name = "fall"
+[[coordinate]]
+name = "z"
+[[coordinate]]
+name = "x"
+[parameters]
+m = { value = 1, assume = "positive" }
+g = { value = 9.81, assume = "positive" }
+d = 2
+[energy]
+T = "1/2*m*(dot(x)^2 + dot(z)^2)"
+V = "m*g*z"
+)";
+  const auto shown = [](const std::string& model) {
+    const Analysed found = analysed(model);
+    CHECK(found.equilibria.points.empty());
+    return equilibria_text(found.checked, found.equilibria);
+  };
+  CHECK(shown(fall).ends_with(
+      "  x is cyclic: with its momentum held (scene: [routh] x = true) there may be steady motions"
+      "\n"));
+  // z stands in V; x is damped, driven or forced.
+  for (const char* const acting :
+       {"D = \"1/2*d*dot(x)^2\"\n", "[[input]]\nname = \"u\"\non = \"x\"\n",
+        "[[force]]\non = \"x\"\nvalue = \"-d*dot(z)\"\n",
+        "[[force]]\non = \"z\"\nvalue = \"-d*dot(x)\"\n"}) {
+    CHECK(shown(fall + acting).find("cyclic") == std::string::npos);
+  }
+  CHECK(page("atwood").find("cyclic") == std::string::npos);
+  CHECK(page("quadrotor").find("cyclic") == std::string::npos);
 }
 
 TEST_CASE("coordinates that balance beside exact angles have closed forms") {

@@ -117,44 +117,40 @@ class CyclicReader {
   std::vector<Cyclic> found_ = {};
 };
 
-/// Whether what acts on the rest of the system, and on the coordinate, leaves it cyclic.
-class CyclicCheck {
+/// Finds the entries that act on a coordinate, and those for the rest of the system that contain
+/// it.
+class ObstacleSearch {
  public:
-  CyclicCheck(Context& context, const Cyclic& cyclic)
-      : context_(context), model_(context.model), cyclic_(cyclic) {}
+  ObstacleSearch(const Model& model, const Held& variable) : model_(model), variable_(variable) {}
 
-  void operator()() {
+  std::vector<CyclicObstacle> operator()() && {
     if (model_.energies.D) check_value({*model_.energies.D}, "D contains it");
     for (const Force& force : model_.forces) check_force(force);
     for (const Input& input : model_.inputs) {
-      if (input.on == cyclic_.velocity) {
-        refuse("the input " + in_backticks(input.name) + " acts on it", input.span);
+      if (input.on == variable_.velocity) {
+        add("the input " + in_backticks(input.name) + " acts on it", input.span);
       }
       if (input.law)
         check_value({*input.law}, "the law of " + in_backticks(input.name) + " contains it");
     }
+    return std::move(found_);
   }
 
  private:
   using Expressions = std::vector<ExpressionId>;
 
-  void refuse(const std::string& reason, const Span& at) {
-    context_.report.add(
-        {Code::E635, cyclic_.span,
-         in_backticks(model_.coordinates[cyclic_.coordinate].name) + " is not cyclic: " + reason,
-         "", at, "here"});
-  }
+  void add(const std::string& reason, const Span& at) { found_.push_back({reason, at}); }
 
   void check_value(const Expressions& values, const std::string& reason) {
-    if (!is_reached(model_, values, cyclic_)) return;
-    refuse(reason, model_.expressions[values.front()].span);
+    if (!is_reached(model_, values, variable_)) return;
+    add(reason, model_.expressions[values.front()].span);
   }
 
   void check_force(const Force& force) {
     const std::string name =
         force.name.empty() ? "a force" : "the force " + in_backticks(force.name);
-    if (force.on == cyclic_.velocity) refuse(name + " acts on it", force.span);
-    if (force.on && force.on != cyclic_.velocity) check_value(force.value, name + " contains it");
+    if (force.on == variable_.velocity) add(name + " acts on it", force.span);
+    if (force.on && force.on != variable_.velocity) check_value(force.value, name + " contains it");
     if (force.at) check_place(force, model_.points[*force.at].at, force.value, name);
     if (force.from) check_place(force, model_.points[*force.from].at, force.value, name);
     if (force.frame) check_place(force, model_.frames[*force.frame].spin, force.value, name);
@@ -173,13 +169,13 @@ class CyclicCheck {
           component.kind == ExpressionKind::number && cln::zerop(component.number);
       if (!is_absent) all.push_back(place[i]);
     }
-    if (is_reached(model_, all, cyclic_))
-      refuse(name + ", or where it acts, contains it", force.span);
+    if (is_reached(model_, all, variable_))
+      add(name + ", or where it acts, contains it", force.span);
   }
 
-  Context& context_;
   const Model& model_;
-  const Cyclic& cyclic_;
+  const Held& variable_;
+  std::vector<CyclicObstacle> found_ = {};
 };
 
 }  // namespace
@@ -208,7 +204,17 @@ void check_routh(Context& context) {
                            " is not known where `[routh]` takes coordinates out",
                        "ask for it in a scene without `[routh]`");
   }
-  for (const Cyclic& cyclic : model.cyclic) CyclicCheck(context, cyclic)();
+  for (const Cyclic& cyclic : model.cyclic) {
+    const std::string name = in_backticks(model.coordinates[cyclic.coordinate].name);
+    for (const CyclicObstacle& obstacle : obstacles_of(model, cyclic)) {
+      context.report.add({Code::E635, cyclic.span, name + " is not cyclic: " + obstacle.reason, "",
+                          obstacle.span, "here"});
+    }
+  }
+}
+
+std::vector<CyclicObstacle> obstacles_of(const Model& model, const Held& variable) {
+  return ObstacleSearch(model, variable)();
 }
 
 Model reduced(Model model) {

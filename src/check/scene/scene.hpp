@@ -3,6 +3,9 @@
 // may be null.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "check/names/context.hpp"
 #include "elgen/model.hpp"
 #include "elgen/scene.hpp"
@@ -60,6 +63,15 @@ void read_routh(Context& context, const FileSyntax* scene);
 /// E635: an input, a force or D acts on a cyclic coordinate or contains it, L is not quadratic, or
 /// a lock wants its reaction. Of a model without cycles.
 void check_routh(Context& context);
+
+/// An entry for which a coordinate is not cyclic: "the input `u` acts on it".
+struct CyclicObstacle {
+  std::string reason = {};
+  Span span = {};
+};
+
+/// The inputs, forces and D of a model without cycles that act on a coordinate or contain it.
+[[nodiscard]] std::vector<CyclicObstacle> obstacles_of(const Model& model, const Held& variable);
 
 /// The locked model without its cyclic coordinates; the model given is kept as `moving`. Without
 /// such coordinates it is returned as it is.
