@@ -31,7 +31,7 @@ namespace elgen {
 /// Where a coordinate is looked for.
 enum class SearchKind : std::uint8_t {
   none,   ///< the equations at rest do not hold it: it is any number
-  turn,   ///< only in e^(i k q), k integers: modulo 2 pi
+  turn,   ///< only in e^(i k q), k integers: modulo 2 pi, in the range where that is less
   range,  ///< the range that the model declares
   start,  ///< a rotation, or a coordinate that one shares an equation with: about its start
 };
@@ -86,6 +86,12 @@ struct RestPoint {
   StabilityVerdict stability = {};
 };
 
+/// The value of a coordinate at a solution of r = 0 at which M is singular.
+struct ChartBreak {
+  std::uint32_t coordinate = 0;
+  CoordinateAtRest at = {};
+};
+
 /// How far a list of equilibria is known to be complete.
 enum class Completeness : std::uint8_t {
   proved,     ///< there are no others
@@ -98,6 +104,7 @@ struct Equilibria {
   std::vector<SearchKind> kinds = {};    ///< by coordinate
   bool has_rest_kinetic_energy = false;  ///< T0 is not 0
   std::vector<RestPoint> points = {};
+  std::vector<ChartBreak> breaks = {};  ///< inside and outside of ranges
   Completeness completeness = Completeness::proved;
   std::vector<State> undecided = {};
   std::uint64_t boxes = 0;   ///< that were looked at
@@ -108,9 +115,9 @@ struct Equilibria {
 /// The functions that analysis needs of a model: their requests.
 [[nodiscard]] std::vector<OutputRequest> outputs_of_analysis(const Model& model);
 
-/// All equilibria at the values of the parameters that the scene has; `recursive` has the functions
-/// of outputs_of_analysis. Inputs are 0, or at their laws. E530, E531. Cost: at most limits.boxes
-/// boxes.
+/// All equilibria at the values of the parameters that the scene has and at which M is regular;
+/// `recursive` has the functions of outputs_of_analysis. Inputs are 0, or at their laws. E530,
+/// E531. Cost: at most limits.boxes boxes.
 [[nodiscard]] Result<Equilibria> find_equilibria(const CheckedModel& checked,
                                                  const Program& recursive, const Limits& limits);
 

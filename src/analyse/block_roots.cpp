@@ -122,18 +122,16 @@ class BlockSearch {
     if (!solution.is_solvable) return std::move(result_);
     for (std::size_t i = 0; i < solution.values.size(); ++i) {
       const CoordinateAtRest& value = solution.values[i];
-      if (!value.is_any && !is_in_range(i, Real(value.value))) return std::move(result_);
+      if (!value.is_any && !lives_at(i, Real(value.value))) return std::move(result_);
     }
     result_.roots.push_back(solution.values);
     return std::move(result_);
   }
 
-  [[nodiscard]] bool is_in_range(std::size_t unknown, const Real& value) const {
-    const Coordinate& coordinate = system_.model.coordinates[unknowns_.coordinates[unknown]];
-    if (unknowns_.kinds[unknown] != SearchKind::range || !coordinate.range) return true;
-    return (value.value() >= coordinate.range->low && value.value() <= coordinate.range->high) ||
-           is_close(value, Real(coordinate.range->low)) ||
-           is_close(value, Real(coordinate.range->high));
+  [[nodiscard]] bool lives_at(std::size_t unknown, const Real& highest,
+                              const Real& width = {}) const {
+    return is_in_range(system_.model.coordinates[unknowns_.coordinates[unknown]],
+                       unknowns_.kinds[unknown], highest, width);
   }
 
   [[nodiscard]] Box domain() const {
@@ -222,8 +220,9 @@ class BlockSearch {
   void add(Arguments<Real> root) {
     for (std::size_t i = 0; i < unknowns_.coordinates.size(); ++i) {
       Real& q = root.q[unknowns_.coordinates[i]];
+      // Turns are searched beyond their range, for the places where the chart breaks.
       if (unknowns_.kinds[i] == SearchKind::turn) q = reduced(q);
-      if (!is_in_range(i, q)) return;
+      if (unknowns_.kinds[i] == SearchKind::range && !lives_at(i, q)) return;
     }
     for (const Real& value : evaluate(system_.program, rows_, root)) {
       if (!is_close(value, Real())) return;
@@ -294,6 +293,11 @@ class BlockSearch {
   }
 
   void note_undecided(const Box& place) {
+    for (std::size_t i = 0; i < place.size(); ++i) {
+      const Real low(exact_value(place[i].low));
+      const Real high(exact_value(place[i].high));
+      if (!lives_at(i, high, high - low)) return;
+    }
     result_.completeness = std::max(result_.completeness, Completeness::undecided);
     if (result_.undecided.size() >= most_places) return;
     std::vector<cl_R>& middle = result_.undecided.emplace_back();
@@ -347,6 +351,31 @@ class BlockSearch {
 };
 
 }  // namespace
+
+const Interval* searched_range(const Coordinate& coordinate, SearchKind kind) {
+  // A range is a turn where pi is typed in three digits or more: [-3.14, 3.14].
+  static const cl_R turn = cln::cl_RA(628) / 100;
+  if (!coordinate.range || (kind != SearchKind::range && kind != SearchKind::turn)) return nullptr;
+  const cl_R length = coordinate.range->high - coordinate.range->low;
+  return kind == SearchKind::turn && length >= turn ? nullptr : &*coordinate.range;
+}
+
+bool is_in_range(const Coordinate& coordinate, SearchKind kind, const Real& highest,
+                 const Real& width) {
+  const Interval* const range = searched_range(coordinate, kind);
+  if (range == nullptr) return true;
+  const Real low(range->low);
+  const Real high(range->high);
+  Real value = highest;
+  if (kind == SearchKind::turn) {
+    // the first place that is not below the range
+    const Real turns((low - highest) / whole_turn());
+    value = highest + Real(cln::ceiling1((turns - Real(power_of_ten(-25))).value())) * whole_turn();
+  }
+  const Real lowest = value - width;
+  return (value.value() >= low.value() || is_close(value, low)) &&
+         (lowest.value() <= high.value() || is_close(lowest, high));
+}
 
 std::optional<RootOrder> root_order(RestSystem& system, std::uint32_t row, std::uint32_t coordinate,
                                     const CoordinateAtRest& root) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "analyse/block_roots.hpp"
 #include "evaluate/subject.hpp"
 #include "present/arithmetic.hpp"
 
@@ -160,10 +161,10 @@ class Claims {
       result = result.text.empty() ? part : with_comma(result, ";") + part;
     };
     for (std::size_t i = 0; i < model_.coordinates.size(); ++i) {
-      const Coordinate& coordinate = model_.coordinates[i];
-      if (equilibria_.kinds[i] != SearchKind::range || !coordinate.range) continue;
-      add({symbols_.q[i]}, prose(fmt::format("in [{}, {}]", short_text(coordinate.range->low),
-                                             short_text(coordinate.range->high))));
+      const Interval* const range = searched_range(model_.coordinates[i], equilibria_.kinds[i]);
+      if (range == nullptr) continue;
+      add({symbols_.q[i]},
+          prose(fmt::format("in [{}, {}]", short_text(range->low), short_text(range->high))));
     }
     add(turns, prose("modulo") + Printed{"2*pi", "2 \\pi"});
     add(starts, prose("from the start alone"));

@@ -67,6 +67,9 @@ class EquilibriumSearch {
       roots_.push_back(std::move(*roots));
     }
     if (Diagnostics errors = make_points(system); !errors.empty()) return errors;
+    std::erase_if(result_.points, [this](const RestPoint& point) {
+      return breaks_chart(point) || !is_in_ranges(point.state);
+    });
     return std::move(result_);
   }
 
@@ -251,22 +254,71 @@ class EquilibriumSearch {
     return point;
   }
 
+  [[nodiscard]] bool is_in_ranges(const State& state) const {
+    for (std::size_t i = 0; i < state.q.size(); ++i) {
+      if (!is_in_range(model_.coordinates[i], result_.kinds[i], Real(state.q[i]))) return false;
+    }
+    return true;
+  }
+
+  /// Whether M is singular at a point. The coordinates whose move alone makes it regular are kept;
+  /// where none does, all that the equations at rest hold.
+  bool breaks_chart(const RestPoint& point) {
+    if (!is_chart_broken(point.state)) return false;
+    std::vector<std::uint32_t> held;
+    std::vector<std::uint32_t> causes;
+    for (std::uint32_t i = 0; i < point.coordinates.size(); ++i) {
+      if (point.coordinates[i].is_any) continue;
+      held.push_back(i);
+      if (!is_chart_broken(beside(point.state, i))) causes.push_back(i);
+    }
+    for (const std::uint32_t i : causes.empty() ? held : causes) {
+      const bool is_known = std::ranges::any_of(result_.breaks, [&](const ChartBreak& known) {
+        return known.coordinate == i && is_near(Real(known.at.value), Real(point.state.q[i]));
+      });
+      if (!is_known) result_.breaks.push_back({i, point.coordinates[i]});
+    }
+    return true;
+  }
+
+  /// One coordinate is moved by 1/8, which no quarter turn is near.
+  static State beside(State state, std::size_t coordinate) {
+    state.q[coordinate] = state.q[coordinate] + cln::cl_RA(1) / 8;
+    return state;
+  }
+
+  /// Whether M loses a pivot there that it has where all coordinates are moved: a root of 58 digits
+  /// leaves less than 1e-50 of it.
+  [[nodiscard]] bool is_chart_broken(const State& state) const {
+    State moved = state;
+    for (std::size_t i = 0; i < moved.q.size(); ++i) moved = beside(std::move(moved), i);
+    const std::vector<cl_R> usual = mass_at(moved);
+    return is_positive_definite(usual) && !is_positive_definite(mass_at(state), {}, usual);
+  }
+
+  [[nodiscard]] std::vector<cl_R> mass_at(const State& state) const {
+    return numbers_of(
+        evaluate(rest_.program, rest_.program.functions[1], arguments_at<Real>(state)));
+  }
+
+  /// 0 where there is no number.
+  static std::vector<cl_R> numbers_of(const std::vector<Real>& values) {
+    std::vector<cl_R> result;
+    for (const Real& value : values) result.push_back(value.is_defined() ? value.value() : cl_R(0));
+    return result;
+  }
+
   void fill_matrices(RestPoint& point) const {
     const Arguments<Real> at = arguments_at<Real>(point.state);
     std::vector<std::uint32_t> velocities(model_.velocities.size());
     for (std::uint32_t i = 0; i < velocities.size(); ++i) velocities[i] = i;
-    const auto numbers = [](const std::vector<Real>& values) {
-      std::vector<cl_R> result;
-      for (const Real& value : values) result.push_back(value.value());
-      return result;
-    };
-    point.mass = numbers(evaluate(rest_.program, rest_.program.functions[1], at));
+    point.mass = mass_at(point.state);
     point.stiffness =
-        numbers(position_slopes(model_, rest_.program, rest_.residual(), at, velocities));
-    point.damping = numbers(velocity_slopes(moving_, OutputKind::bias, at));
+        numbers_of(position_slopes(model_, rest_.program, rest_.residual(), at, velocities));
+    point.damping = numbers_of(velocity_slopes(moving_, OutputKind::bias, at));
     if (!model_.inputs.empty()) {
       point.input_matrix =
-          numbers(evaluate(moving_, *find_function(moving_, OutputKind::input_matrix), at));
+          numbers_of(evaluate(moving_, *find_function(moving_, OutputKind::input_matrix), at));
     }
   }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "analyse/block_roots.hpp"
 #include "analyse/claims.hpp"
 #include "analyse/exact_roots.hpp"
 #include "analyse/page.hpp"
@@ -59,8 +60,14 @@ class EquilibriaPage {
 
   void add_none() {
     PagePart& part = page_.parts.emplace_back();
-    if (equilibria_.completeness != Completeness::proved) {
-      part.lines = {prose("none was found"), claim_of(model_, equilibria_)};
+    const bool is_proved = equilibria_.completeness == Completeness::proved;
+    if (!is_proved || !equilibria_.breaks.empty()) {
+      part.lines.push_back(is_proved ? prose("none where M is regular") + searched_domain() +
+                                           prose("(proved)")
+                                     : prose("none was found"));
+      add_breaks(part);
+      if (!is_proved) part.lines.push_back(claim_of(model_, equilibria_));
+      if (is_proved) add_cyclic(part);
       return;
     }
     std::vector<Printed> entries;
@@ -95,10 +102,10 @@ class EquilibriaPage {
   [[nodiscard]] Printed searched_domain() const {
     Printed result;
     for (std::size_t i = 0; i < model_.coordinates.size(); ++i) {
-      const Coordinate& coordinate = model_.coordinates[i];
-      if (equilibria_.kinds[i] != SearchKind::range || !coordinate.range) continue;
-      const std::string interval = fmt::format("in [{}, {}]", short_text(coordinate.range->low),
-                                               short_text(coordinate.range->high));
+      const Interval* const range = searched_range(model_.coordinates[i], equilibria_.kinds[i]);
+      if (range == nullptr) continue;
+      const std::string interval =
+          fmt::format("in [{}, {}]", short_text(range->low), short_text(range->high));
       result =
           result + prose(result.text.empty() ? "for" : "and") + symbols_.q[i] + prose(interval);
     }
@@ -141,7 +148,25 @@ class EquilibriaPage {
       add_row(table, equilibria_.points[i], is_pair);
       if (is_pair) ++i;
     }
-    page_.parts.push_back({{scope_of(model_, equilibria_), claim_of(model_, equilibria_)}});
+    PagePart& claims = page_.parts.emplace_back();
+    claims.lines.push_back(scope_of(model_, equilibria_));
+    add_breaks(claims);
+    claims.lines.push_back(claim_of(model_, equilibria_));
+  }
+
+  /// "the chart breaks at beta = +-pi/2"
+  void add_breaks(PagePart& part) {
+    std::vector<Printed> places;
+    for (const ChartBreak& here : equilibria_.breaks) {
+      const bool is_pair =
+          here.at.form && std::ranges::any_of(equilibria_.breaks, [&here](const ChartBreak& other) {
+            return other.coordinate == here.coordinate && !cln::zerop(here.at.value) &&
+                   is_near(Real(other.at.value), -Real(here.at.value));
+          });
+      if (is_pair && cln::minusp(here.at.value)) continue;
+      places.push_back(symbols_.q[here.coordinate] + Printed{"=", "="} + cell_of(here.at, is_pair));
+    }
+    if (!places.empty()) part.lines.push_back(prose("the chart breaks at") + listed(places));
   }
 
   /// K of a system with one coordinate.

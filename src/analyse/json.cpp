@@ -97,11 +97,19 @@ std::string equilibria_json(const CheckedModel& checked, const Equilibria& equil
       place[model.coordinates[i].name] = double_of(state.q[i]);
     }
   }
-  const Json object{
-      {"model", model.name},        {"inputs", inputs},
-      {"points", points},           {"completeness", name_of(equilibria.completeness)},
-      {"undecided", undecided},     {"boxes", equilibria.boxes},
-      {"starts", equilibria.starts}};
+  Json breaks = Json::array();
+  for (const ChartBreak& here : equilibria.breaks) {
+    Json& place = breaks.emplace_back(Json::object());
+    place[model.coordinates[here.coordinate].name] = double_of(here.at.value);
+  }
+  const Json object{{"model", model.name},
+                    {"inputs", inputs},
+                    {"points", points},
+                    {"completeness", name_of(equilibria.completeness)},
+                    {"undecided", undecided},
+                    {"boxes", equilibria.boxes},
+                    {"starts", equilibria.starts},
+                    {"chart_breaks", breaks}};
   return object.dump(1) + "\n";
 }
 

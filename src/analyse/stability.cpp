@@ -44,14 +44,16 @@ bool all_decay(const std::vector<std::complex<double>>& poles) {
 }  // namespace
 
 bool is_positive_definite(const std::vector<cl_R>& matrix,
-                          const std::vector<std::uint32_t>& left_out) {
+                          const std::vector<std::uint32_t>& left_out,
+                          const std::vector<cl_R>& usual) {
   static const cl_R noise = power_of_ten(-25);
   const auto n = static_cast<std::size_t>(std::lround(std::sqrt(matrix.size())));
   std::vector<cl_R> a = matrix;
   for (std::size_t k = 0; k < n; ++k) {
     if (std::ranges::find(left_out, k) != left_out.end()) continue;
     const cl_R& pivot = a[k * n + k];
-    if (pivot <= noise * cln::abs(matrix[k * n + k]) || cln::zerop(pivot)) return false;
+    const cl_R& size = (usual.empty() ? matrix : usual)[k * n + k];
+    if (pivot <= noise * cln::abs(size) || cln::zerop(pivot)) return false;
     for (std::size_t i = k + 1; i < n; ++i) {
       const cl_R factor = a[i * n + k] / pivot;
       for (std::size_t j = k; j < n; ++j) a[i * n + j] = a[i * n + j] - factor * a[k * n + j];

@@ -27,8 +27,10 @@ struct RestConditions {
 [[nodiscard]] std::vector<std::complex<double>> poles_of(const RestPoint& point);
 
 /// Whether a symmetric matrix without the rows and columns of `left_out` is positive definite: by
-/// the pivots of its elimination in 64 digits, each above 1e-25 of its diagonal entry.
+/// the pivots of its elimination in 64 digits, each above 1e-25 of its diagonal entry, or of that
+/// of the matrix that is usual there.
 [[nodiscard]] bool is_positive_definite(const std::vector<cln::cl_R>& matrix,
-                                        const std::vector<std::uint32_t>& left_out = {});
+                                        const std::vector<std::uint32_t>& left_out = {},
+                                        const std::vector<cln::cl_R>& usual = {});
 
 }  // namespace elgen

@@ -45,7 +45,9 @@ std::string breaking_values(const Inspected& subject, const MassSample& regular,
   const Vector scales = row_scales(regular.matrix, regular.state.v.size());
   std::string names;
   for (const SpecialValue& special : special_values(subject.model.coordinates[i])) {
-    if (!contains(subject.model.coordinates[i].range, special.value)) continue;
+    // Nothing holds an angle in its range as a motion turns it.
+    const Coordinate& coordinate = subject.model.coordinates[i];
+    if (!is_angle(coordinate) && !contains(coordinate.range, special.value)) continue;
     State state = regular.state;
     state.q[i] = special.value;
     const OracleValues matrix =

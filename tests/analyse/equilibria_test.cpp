@@ -151,6 +151,51 @@ TEST_CASE("coordinates that no equation holds are any") {
   CHECK(analysed(model_file("cart_pole"), {.laws = {"u=1"}}).equilibria.points.empty());
 }
 
+TEST_CASE("no row stands where M is singular, and none outside of the range of an angle") {
+  const std::string sphere = R"(format = 1
+[model]
+name = "sph"
+[[coordinate]]
+name = "alpha"
+unit = "rad"
+[[coordinate]]
+name = "beta"
+unit = "rad"
+range = [-1, 1]
+[parameters]
+m = { value = 1, unit = "kg" }
+l = { value = 1, unit = "m" }
+g = { value = 9.81, unit = "m/s^2" }
+[gravity]
+vector = ["0", "0", "-g"]
+[[point]]
+name = "load"
+at = ["l*sin(alpha)*cos(beta)", "-l*sin(beta)", "-l*cos(alpha)*cos(beta)"]
+mass = "m"
+)";
+  const Analysed found = analysed(sphere);
+  REQUIRE(found.equilibria.points.size() == 2);
+  CHECK(value(found.equilibria.points[0], 1) == 0);
+  CHECK(value(found.equilibria.points[1], 1) == 0);
+  const std::string text = equilibria_text(found.checked, found.equilibria);
+  INFO(text);
+  CHECK(text.find("beta in [-1, 1]; alpha and beta modulo 2*pi\n"
+                  "  the chart breaks at beta = +-pi/2\n"
+                  "  these are all (proved)\n") != std::string::npos);
+  // The middle of polar coordinates; an angle of the range [2, 4] is pi, and not 0.
+  const std::string polar =
+      "format = 1\n[model]\nname = \"polar\"\n" + coordinate("r", "[-1, 1]") +
+      "[[coordinate]]\nname = \"phi\"\n[energy]\nT = \"1/2*r^2*dot(phi)^2\"\nV = \"r^2\"\n";
+  const Analysed middle = analysed(polar);
+  CHECK(middle.equilibria.points.empty());
+  CHECK(equilibria_text(middle.checked, middle.equilibria)
+            .find("none where M is regular for r in [-1, 1] (proved)\n"
+                  "  the chart breaks at r = 0\n") != std::string::npos);
+  const Analysed half = analysed(potential_model(coordinate("x", "[2, 4]"), "cos(x)"));
+  REQUIRE(half.equilibria.points.size() == 1);
+  CHECK(half.equilibria.points[0].stability.kind == Stability::minimum);
+}
+
 TEST_CASE("springs on a line have one equilibrium for every place of the first mass") {
   const Analysed molecule =
       analysed(potential_model(coordinate("x1") + coordinate("x2") + coordinate("x3"),
