@@ -30,7 +30,7 @@ namespace elgen {
 
 /// Where a coordinate is looked for.
 enum class SearchKind : std::uint8_t {
-  none,   ///< the equations at rest do not hold it: it is any number
+  none,   ///< the equations at rest, at these parameters, do not hold it: it is any number
   turn,   ///< only in e^(i k q), k integers: modulo 2 pi, in the range where that is less
   range,  ///< the range that the model declares
   start,  ///< a rotation, or a coordinate that one shares an equation with: about its start
@@ -79,6 +79,7 @@ struct StabilityVerdict {
 struct RestPoint {
   State state = {};  ///< v = 0, a = 0, u as given
   std::vector<CoordinateAtRest> coordinates = {};
+  bool is_exact = true;  ///< r is 0 there for all values of the parameters, by closed forms
   std::vector<cln::cl_R> mass = {};
   std::vector<cln::cl_R> stiffness = {};
   std::vector<cln::cl_R> damping = {};  ///< d bias/dv at v = 0: gyroscopic terms among it
@@ -92,7 +93,7 @@ struct ChartBreak {
   CoordinateAtRest at = {};
 };
 
-/// How far a list of equilibria is known to be complete.
+/// How far a list of equilibria is known to be complete, at the values of the parameters.
 enum class Completeness : std::uint8_t {
   proved,     ///< there are no others
   undecided,  ///< there are no others but within `box_resolution` of the places that are listed

@@ -108,13 +108,18 @@ class BlockSearch {
     return with_entries(system_.residual(), entries);
   }
 
-  /// An equation without coordinates: its one root has no values.
+  /// An equation without coordinates: its one root has no values. 64 digits do not prove that it
+  /// is 0, rational values of the parameters do.
   BlockRoots constant_equation() {
     const Real value = evaluate(system_.program, rows_, start())[0];
-    const bool is_zero = has_all_forms() && forms_[0].numerator.empty();
-    const bool is_none = value.is_defined() && !is_close(value, Real());
-    if (is_zero || !is_none) result_.roots.emplace_back();
-    if (!is_zero && !is_none) result_.completeness = Completeness::searched;
+    if (value.is_defined() && !is_close(value, Real())) return std::move(result_);
+    result_.roots.emplace_back();
+    result_.is_identity = has_all_forms() && forms_[0].numerator.empty();
+    const std::optional<Replacements> values = parameter_values(system_.state.parameters);
+    const Value there = has_all_forms() && values
+                            ? substituted(system_.forms.algebra, forms_[0], *values)
+                            : Value();
+    if (!there || !there->numerator.empty()) result_.completeness = Completeness::undecided;
     return std::move(result_);
   }
 

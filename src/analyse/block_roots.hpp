@@ -28,6 +28,7 @@ struct RestSystem {
 
 /// Roots of one block: values of its coordinates, in their order.
 struct BlockRoots {
+  bool is_identity = false;  ///< of an equation without coordinates: 0 = 0 for all parameters
   std::vector<std::vector<CoordinateAtRest>> roots = {};
   Completeness completeness = Completeness::proved;
   std::vector<std::vector<cln::cl_R>> undecided = {};  ///< places without a verdict

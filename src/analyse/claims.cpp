@@ -28,28 +28,34 @@ class Claims {
         symbols_(symbols_of(model)) {}
 
   Printed scope_of_forms() {
-    bool are_exact = true;
-    for (const RestPoint& point : equilibria_.points) {
-      for (const CoordinateAtRest& coordinate : point.coordinates) {
-        are_exact = are_exact && (coordinate.is_any || coordinate.form);
-      }
+    std::vector<Printed> special;
+    if (has_inexact([](const CoordinateAtRest& x) { return !x.is_any && !x.form; })) {
+      special.push_back(prose("numbers"));
     }
-    Printed result = are_exact ? prose("exact for all values of the parameters") : Printed{};
-    if (!are_exact) result = prose("numbers at the values of the parameters");
-    if (count_with_waves() > 0) result = existence();
-    return with_turns(result);
+    if (has_inexact([](const CoordinateAtRest& x) { return x.is_any; })) {
+      special.push_back(prose("any"));
+    }
+    Printed result = count_with_waves() > 0 ? existence()
+                     : special.empty()      ? prose("exact for all values of the parameters")
+                                            : Printed{};
+    if (!result.text.empty()) result = with_comma(result, ";");
+    special.push_back(prose("stability"));
+    return with_turns(result + listed(special) + prose("at the parameters' values"));
   }
 
   [[nodiscard]] Printed claim() const {
     switch (equilibria_.completeness) {
       case Completeness::proved:
-        return prose("these are all (proved)");
+        return prose("these are all at the parameters' values (proved)");
       case Completeness::searched:
         return prose(fmt::format("found from {} start{}, there may be more",
                                  std::max<std::uint64_t>(equilibria_.starts, 1),
                                  equilibria_.starts > 1 ? "s" : ""));
       case Completeness::undecided:
         break;
+    }
+    if (equilibria_.undecided.empty()) {
+      return prose("undecided: 64 digits do not tell bias - B u from 0");
     }
     constexpr std::size_t most_shown = 4;
     std::string places;
@@ -67,6 +73,14 @@ class Claims {
   }
 
  private:
+  /// Whether a coordinate is so at a point that is one at these parameters alone.
+  template <class Wanted>
+  [[nodiscard]] bool has_inexact(const Wanted& wanted) const {
+    return std::ranges::any_of(equilibria_.points, [&wanted](const RestPoint& point) {
+      return !point.is_exact && std::ranges::any_of(point.coordinates, wanted);
+    });
+  }
+
   static bool has_wave(const RestPoint& point) {
     return std::ranges::any_of(point.coordinates, [](const CoordinateAtRest& coordinate) {
       return coordinate.wave.has_value();
@@ -77,7 +91,7 @@ class Claims {
     return static_cast<std::size_t>(std::ranges::count_if(equilibria_.points, has_wave));
   }
 
-  /// "the last two exist where |g| <= R W^2; stability at the parameters' values"
+  /// "the last two exist where |g| <= R W^2"
   Printed existence() {
     const std::size_t count = count_with_waves();
     std::optional<Fraction> wave;
@@ -97,8 +111,7 @@ class Claims {
     const std::optional<Printed> condition = is_one ? condition_of(*wave) : std::nullopt;
     const Printed where = condition ? prose("where") + *condition
                                     : prose("where the arguments of acos and asin are in [-1, 1]");
-    Printed line = prose(subject) + where;
-    return with_comma(line, ";") + prose("stability at the parameters' values");
+    return prose(subject) + where;
   }
 
   [[nodiscard]] bool are_waves_last(std::size_t count) const {

@@ -7,10 +7,10 @@
 
 namespace elgen {
 
-/// "exact for all values of the parameters; theta modulo 2*pi"
+/// "exact for all values of the parameters; stability at the parameters' values; theta modulo 2*pi"
 [[nodiscard]] Printed scope_of(const Model& model, const Equilibria& equilibria);
 
-/// "these are all (proved)"
+/// "these are all at the parameters' values (proved)"
 [[nodiscard]] Printed claim_of(const Model& model, const Equilibria& equilibria);
 
 }  // namespace elgen

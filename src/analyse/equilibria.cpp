@@ -95,11 +95,26 @@ class EquilibriumSearch {
     if (std::ranges::any_of(rows_, &Occurrence::has_time)) {
       return {{Code::E530, {}, "the equations at rest hold t"}};
     }
+    result_.forms = present(rest_.program);
+    leave_out_coordinates();
     blocks_ = rest_blocks(rows_);
     find_kinds();
-    result_.forms = present(rest_.program);
     describe();
     return {};
+  }
+
+  /// Takes a coordinate off the rows that do not hold it at the values of the parameters, as
+  /// (m1 a - m2 b) g cos(theta) does not where m1 a = m2 b.
+  void leave_out_coordinates() {
+    const std::optional<Replacements> values = parameter_values(state_.parameters);
+    for (std::uint32_t row = 0; values && row < rows_.size(); ++row) {
+      const auto& form = result_.forms.functions[0].fields[0].entries[row];
+      const Value there = form ? substituted(result_.forms.algebra, *form, *values) : Value();
+      if (!there) continue;
+      std::erase_if(rows_[row].coordinates, [&](std::uint32_t coordinate) {
+        return !holds_coordinate(result_.forms.algebra, *there, coordinate);
+      });
+    }
   }
 
   [[nodiscard]] Diagnostics unbalanced() const {
@@ -235,9 +250,11 @@ class EquilibriumSearch {
     RestConditions here = conditions_;
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
       const std::vector<CoordinateAtRest>& root = roots_[b].roots[chosen[b]];
+      if (root.empty() && !roots_[b].is_identity) point.is_exact = false;
       for (std::size_t i = 0; i < root.size(); ++i) {
         const std::uint32_t coordinate = blocks_[b].coordinates[i];
         point.coordinates[coordinate] = root[i];
+        if (!root[i].is_any && !root[i].form) point.is_exact = false;
         point.state.q[coordinate] = root[i].value;
       }
     }

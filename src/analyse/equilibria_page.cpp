@@ -63,7 +63,7 @@ class EquilibriaPage {
     const bool is_proved = equilibria_.completeness == Completeness::proved;
     if (!is_proved || !equilibria_.breaks.empty()) {
       part.lines.push_back(is_proved ? prose("none where M is regular") + searched_domain() +
-                                           prose("(proved)")
+                                           prose("at the parameters' values (proved)")
                                      : prose("none was found"));
       add_breaks(part);
       if (!is_proved) part.lines.push_back(claim_of(model_, equilibria_));
@@ -77,7 +77,7 @@ class EquilibriaPage {
     Printed residual = residual_name();
     if (entries.size() == rows().size()) residual = equated(residual, entries);
     part.lines.push_back(prose("none:") + residual + prose("is not 0") + searched_domain() +
-                         prose("(proved)"));
+                         prose("at the parameters' values (proved)"));
     add_cyclic(part);
   }
 

@@ -212,8 +212,9 @@ bool is_solved(Algebra& algebra, const std::vector<Fraction>& rows,
 
 }  // namespace
 
-bool holds_coordinate(const Algebra& algebra, const Fraction& form) {
-  return search_of(algebra, std::nullopt).holds(form);
+bool holds_coordinate(const Algebra& algebra, const Fraction& form,
+                      std::optional<std::uint32_t> coordinate) {
+  return search_of(algebra, coordinate).holds(form);
 }
 
 Replacements replacements_of(const std::vector<std::uint32_t>& coordinates,

@@ -32,7 +32,8 @@ struct Unknowns {
 [[nodiscard]] Replacements replacements_of(const std::vector<std::uint32_t>& coordinates,
                                            const std::vector<CoordinateAtRest>& values);
 
-/// Whether a form holds one of the coordinates.
-[[nodiscard]] bool holds_coordinate(const Algebra& algebra, const Fraction& form);
+/// Whether a form holds the coordinate, or any.
+[[nodiscard]] bool holds_coordinate(const Algebra& algebra, const Fraction& form,
+                                    std::optional<std::uint32_t> coordinate = {});
 
 }  // namespace elgen

@@ -89,6 +89,7 @@ std::string equilibria_json(const CheckedModel& checked, const Equilibria& equil
   Json points = Json::array();
   for (const RestPoint& point : equilibria.points) {
     points.push_back(point_json(model, equilibria.forms.algebra, point));
+    points.back()["exact"] = point.is_exact;
   }
   Json undecided = Json::array();
   for (const State& state : equilibria.undecided) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Equilibria of models: the pages of textbook systems, their counts, and the claims.
+#include <array>
 #include <cmath>
 
 #include "analyse/found.hpp"
@@ -29,8 +30,8 @@ TEST_CASE("the double pendulum has four equilibria, for all values of its parame
   π    0    unstable: 5.03436 1/s
   π    π    unstable: 8.14991 1/s, 3.61108 1/s
 
-  exact for all values of the parameters; θ₁ and θ₂ modulo 2 π
-  these are all (proved)
+  exact for all values of the parameters; stability at the parameters' values; θ₁ and θ₂ modulo 2 π
+  these are all at the parameters' values (proved)
 )");
 }
 
@@ -46,7 +47,7 @@ TEST_CASE("the bead leaves the bottom of a fast hoop") {
   ±arccos(g/(R Ω²)) = ±0.697569   m (R² Ω⁴ - g²)/Ω²   stable: V₀ - T₀ has a strict minimum
 
   the last two exist where |g| <= R Ω²; stability at the parameters' values; θ modulo 2 π
-  these are all (proved)
+  these are all at the parameters' values (proved)
 )");
 }
 
@@ -60,8 +61,8 @@ TEST_CASE("the bead stays at the bottom of a slow hoop, and just so at the criti
   0   m R (g - 4 R)    stable: V₀ - T₀ has a strict minimum
   π   -m R (g + 4 R)   unstable: 7.28354 1/s
 
-  exact for all values of the parameters; θ modulo 2 π
-  these are all (proved)
+  exact for all values of the parameters; stability at the parameters' values; θ modulo 2 π
+  these are all at the parameters' values (proved)
 )");
   const Analysed critical = analysed(model_file("rotating_hoop"), {.fixed = {"Omega=7", "g=9.8"}});
   REQUIRE(critical.equilibria.points.size() == 2);
@@ -76,12 +77,12 @@ TEST_CASE("the bead stays at the bottom of a slow hoop, and just so at the criti
 TEST_CASE("systems without equilibria say why, and what is cyclic") {
   CHECK(page("kepler_polar") == R"(Kepler problem in polar coordinates: equilibria (v = 0)
 
-  none: g = (μ m/r², 0) is not 0 for r in [0.3, 3] (proved)
+  none: g = (μ m/r², 0) is not 0 for r in [0.3, 3] at the parameters' values (proved)
   φ is cyclic: with its momentum held (scene: [routh] phi = true) there may be steady motions
 )");
   CHECK(page("heavy_top") == R"(Heavy symmetric top: equilibria (v = 0)
 
-  none: g = (0, -m g h sin θ, 0) is not 0 for θ in [0.1, 3.04159] (proved)
+  none: g = (0, -m g h sin θ, 0) is not 0 for θ in [0.1, 3.04159] at the parameters' values (proved)
   φ and ψ are cyclic: with their momenta held (scene: [routh]) there may be steady motions
 )");
 }
@@ -128,8 +129,8 @@ TEST_CASE("coordinates that balance beside exact angles have closed forms") {
   ℓ₀ - m g/k = 0.4365   π   unstable: 4.7407 1/s
   ℓ₀ + m g/k = 0.7635   0   stable: V₀ has a strict minimum
 
-  exact for all values of the parameters; r in [0.2, 2]; θ modulo 2 π
-  these are all (proved)
+  exact for all values of the parameters; stability at the parameters' values; r in [0.2, 2]; θ modulo 2 π
+  these are all at the parameters' values (proved)
 )");
 }
 
@@ -181,7 +182,7 @@ mass = "m"
   INFO(text);
   CHECK(text.find("beta in [-1, 1]; alpha and beta modulo 2*pi\n"
                   "  the chart breaks at beta = +-pi/2\n"
-                  "  these are all (proved)\n") != std::string::npos);
+                  "  these are all at the parameters' values (proved)\n") != std::string::npos);
   // The middle of polar coordinates; an angle of the range [2, 4] is pi, and not 0.
   const std::string polar =
       "format = 1\n[model]\nname = \"polar\"\n" + coordinate("r", "[-1, 1]") +
@@ -189,7 +190,7 @@ mass = "m"
   const Analysed middle = analysed(polar);
   CHECK(middle.equilibria.points.empty());
   CHECK(equilibria_text(middle.checked, middle.equilibria)
-            .find("none where M is regular for r in [-1, 1] (proved)\n"
+            .find("none where M is regular for r in [-1, 1] at the parameters' values (proved)\n"
                   "  the chart breaks at r = 0\n") != std::string::npos);
   const Analysed half = analysed(potential_model(coordinate("x", "[2, 4]"), "cos(x)"));
   REQUIRE(half.equilibria.points.size() == 1);
@@ -208,11 +209,41 @@ TEST_CASE("springs on a line have one equilibrium for every place of the first m
   CHECK(molecule.equilibria.completeness == Completeness::proved);
 }
 
-TEST_CASE("a stiffness that is 0 at these parameters alone makes no coordinate any") {
-  const std::string model =
-      potential_model(coordinate("x", "[-1, 1]"), "1/2*k*x^2") + "[parameters]\nk = 0\n";
-  const Analysed found = analysed(model);
-  CHECK(found.equilibria.completeness != Completeness::proved);
+TEST_CASE("a coordinate that cancels at these parameters alone is any at their values") {
+  for (const auto& [coordinates, potential, parameters] :
+       {std::array{coordinate("x", "[-1, 1]"), std::string("1/2*k*x^2"), std::string("k = 0\n")},
+        std::array{coordinate("x"), std::string("(a - b)*x"), std::string("a = 1\nb = 1\n")},
+        std::array{coordinate("x"), std::string("(0.1*a - b)*sin(x)"),
+                   std::string("a = 3\nb = 0.3\n")}}) {
+    const Analysed found =
+        analysed(potential_model(coordinates, potential) + "[parameters]\n" + parameters);
+    REQUIRE(found.equilibria.points.size() == 1);
+    CHECK(found.equilibria.points[0].coordinates[0].is_any);
+    CHECK_FALSE(found.equilibria.points[0].is_exact);
+    CHECK(equilibria_text(found.checked, found.equilibria)
+              .find("  any and stability at the parameters' values\n"
+                    "  these are all at the parameters' values (proved)\n") != std::string::npos);
+  }
+}
+
+TEST_CASE("a place is exact where the equations are 0 for all values of the parameters") {
+  const std::string spring =
+      potential_model(coordinate("x", "[-3, 3]"), "1/2*k*(sqrt(x^2 + h^2) - c)^2") +
+      "[parameters]\nk = 5\nh = { value = 1, assume = \"positive\" }\nc = 0.8\n";
+  const Analysed found = analysed(spring);
+  REQUIRE(found.equilibria.points.size() == 1);
+  CHECK(found.equilibria.points[0].is_exact);
+  CHECK(equilibria_text(found.checked, found.equilibria)
+            .find("exact for all values of the parameters; stability at the parameters' values") !=
+        std::string::npos);
+  // 0 at these values, +-sqrt(c^2 - h^2) beside it at others.
+  CHECK(analysed(spring, {.fixed = {"c=1.5"}}).equilibria.points.size() == 3);
+  // x = 0 while a = b.
+  const Analysed special = analysed(potential_model(coordinate("x"), "1/2*x^2 + (a - b)*x") +
+                                    "[parameters]\na = 1\nb = 1\n");
+  REQUIRE(special.equilibria.points.size() == 1);
+  CHECK(special.equilibria.points[0].is_exact);
+  CHECK(special.equilibria.points[0].coordinates[0].form);
 }
 
 TEST_CASE("a null direction of two coupled coordinates decides nothing") {
