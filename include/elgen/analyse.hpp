@@ -13,6 +13,7 @@
 
 #include <complex>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -93,11 +94,14 @@ struct ChartBreak {
   CoordinateAtRest at = {};
 };
 
+/// Values of coordinates that share equations, which may hold an equilibrium that is not listed.
+using UndecidedBox = std::map<std::uint32_t, Interval>;
+
 /// How far a list of equilibria is known to be complete, at the values of the parameters.
 enum class Completeness : std::uint8_t {
   proved,     ///< there are no others
-  undecided,  ///< there are no others but within `box_resolution` of the places that are listed
-  searched,   ///< they were found from starts; there may be others
+  undecided,  ///< there are no others but in the undecided boxes
+  searched,   ///< some were found from starts; there may be others, in the undecided boxes if any
 };
 
 struct Equilibria {
@@ -107,7 +111,7 @@ struct Equilibria {
   std::vector<RestPoint> points = {};
   std::vector<ChartBreak> breaks = {};  ///< inside and outside of ranges
   Completeness completeness = Completeness::proved;
-  std::vector<State> undecided = {};
+  std::vector<UndecidedBox> undecided = {};
   std::uint64_t boxes = 0;   ///< that were looked at
   std::uint64_t starts = 0;  ///< of iterations
   std::vector<cln::cl_R> inputs = {};

@@ -27,7 +27,7 @@ constexpr double turn_above = 0x1.921fb54442d19p2;  // more than 2 pi
 /// Undecided boxes this many of their lengths apart are one place.
 constexpr double neighbourhood = 10;
 
-/// At most so many starts, and places without a verdict that are listed.
+/// At most so many starts, and places of boxes without a verdict.
 constexpr std::size_t most_starts = 64;
 constexpr std::size_t most_places = 16;
 
@@ -166,7 +166,6 @@ class BlockSearch {
     for (const Box& place : together(found)) judge(equations, place);
     if (found.left.empty()) return;
     result_.completeness = Completeness::searched;
-    result_.undecided.clear();
     const std::size_t step = std::max<std::size_t>(found.left.size() / most_starts, 1);
     for (std::size_t i = 0; i < found.left.size() && result_.starts < most_starts; i += step) {
       ++result_.starts;
@@ -253,26 +252,32 @@ class BlockSearch {
     });
   }
 
-  /// Undecided boxes that touch each other, as one; those inside of a box with one root are gone.
+  /// Boxes without a verdict that touch each other, as one; those inside of a box with one root are
+  /// gone.
   [[nodiscard]] std::vector<Box> together(const BoxSearch& found) const {
     std::vector<Box> places;
     for (const Box& box : found.undecided) {
       const bool is_decided = std::ranges::any_of(
           found.single, [&](const Box& single) { return holds(single, box, 0); });
-      if (is_decided) continue;
-      Box whole = box;
-      const auto joins = [&](const Box& place) {
-        if (!holds(place, whole, 1)) return false;
-        for (std::size_t i = 0; i < whole.size(); ++i) {
-          whole[i] = {std::min(whole[i].low, place[i].low), std::max(whole[i].high, place[i].high)};
-        }
-        return true;
-      };
-      while (std::erase_if(places, joins) > 0) {
-      }
-      places.push_back(std::move(whole));
+      if (!is_decided) join(places, box);
     }
+    for (const Box& box : found.left) join(places, box);
     return places;
+  }
+
+  /// Where there would be too many places to name, all are one.
+  static void join(std::vector<Box>& places, Box whole) {
+    const bool is_crowded = places.size() >= most_places;
+    const auto joins = [&](const Box& place) {
+      if (!is_crowded && !holds(place, whole, 1)) return false;
+      for (std::size_t i = 0; i < whole.size(); ++i) {
+        whole[i] = {std::min(whole[i].low, place[i].low), std::max(whole[i].high, place[i].high)};
+      }
+      return true;
+    };
+    while (std::erase_if(places, joins) > 0) {
+    }
+    places.push_back(std::move(whole));
   }
 
   /// Whether one box is inside of another, or (with slack) meets it.
@@ -304,12 +309,13 @@ class BlockSearch {
       if (!lives_at(i, high, high - low)) return;
     }
     result_.completeness = std::max(result_.completeness, Completeness::undecided);
-    if (result_.undecided.size() >= most_places) return;
-    std::vector<cl_R>& middle = result_.undecided.emplace_back();
-    const Arguments<Real> at = middle_of(place);
-    for (std::size_t i = 0; i < unknowns_.coordinates.size(); ++i) {
-      const Real& q = at.q[unknowns_.coordinates[i]];
-      middle.push_back((unknowns_.kinds[i] == SearchKind::turn ? reduced(q) : q).value());
+    UndecidedBox& box = result_.undecided.emplace_back();
+    for (std::size_t i = 0; i < place.size(); ++i) {
+      const cl_R length = exact_value(place[i].high) - exact_value(place[i].low);
+      const Real middle(exact_value(place[i].low) + length / 2);
+      const bool turns = unknowns_.kinds[i] == SearchKind::turn;
+      const cl_R at = (turns ? reduced(middle) : middle).value();
+      box[unknowns_.coordinates[i]] = {at - length / 2, at + length / 2};
     }
   }
 

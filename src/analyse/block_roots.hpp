@@ -31,7 +31,7 @@ struct BlockRoots {
   bool is_identity = false;  ///< of an equation without coordinates: 0 = 0 for all parameters
   std::vector<std::vector<CoordinateAtRest>> roots = {};
   Completeness completeness = Completeness::proved;
-  std::vector<std::vector<cln::cl_R>> undecided = {};  ///< places without a verdict
+  std::vector<UndecidedBox> undecided = {};
   std::uint64_t boxes = 0;
   std::uint64_t starts = 0;
 };

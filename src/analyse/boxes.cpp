@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "evaluate/dual.hpp"
 
@@ -18,6 +19,10 @@ double length(const Enclosure& x) { return x.high - x.low; }
 
 /// The share by which a tested box is longer than the one that is looked at, on either side.
 constexpr double margin = 0.05;
+
+/// All undecided boxes are refined by this factor before one is refined by more, so that they
+/// enclose a line of solutions closely where the limit is reached.
+constexpr double refinement = 16;
 
 Box enlarged(const Box& box) {
   Box result;
@@ -67,11 +72,16 @@ class Search {
 
   BoxSearch operator()(std::uint64_t most) {
     std::vector<Box> open{domain_};
-    while (!open.empty() && result_.looked_at < most) {
-      const Box box = std::move(open.back());
-      open.pop_back();
-      ++result_.looked_at;
-      look_at(box, open);
+    while (true) {
+      while (!open.empty() && result_.looked_at < most) {
+        const Box box = std::move(open.back());
+        open.pop_back();
+        ++result_.looked_at;
+        look_at(box, open);
+      }
+      if (!open.empty() || resolution_ <= box_resolution) break;
+      resolution_ /= refinement;
+      open = std::exchange(result_.undecided, {});
     }
     result_.left = std::move(open);
     return std::move(result_);
@@ -94,7 +104,7 @@ class Search {
       box = *rest;
     }
     const std::size_t longest = longest_side(box);
-    if (length(box[longest]) < box_resolution * length(domain_[longest])) {
+    if (length(box[longest]) < resolution_ * length(domain_[longest])) {
       result_.undecided.push_back(std::move(box));
       return;
     }
@@ -177,6 +187,7 @@ class Search {
   const Box& domain_;
   std::size_t size_;
   std::size_t rows_ = 0;
+  double resolution_ = box_resolution * (refinement * refinement * refinement * refinement);
   BoxSearch result_;
 };
 

@@ -33,7 +33,7 @@ using Box = std::vector<Enclosure>;
 struct BoxSearch {
   std::vector<Box> single = {};     ///< one simple solution in each; neighbours may share theirs
   std::vector<Box> undecided = {};  ///< smaller than the resolution
-  std::vector<Box> left = {};       ///< not looked at: the limit was reached
+  std::vector<Box> left = {};       ///< not decided when the limit was reached
   std::uint64_t looked_at = 0;
 };
 

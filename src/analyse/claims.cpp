@@ -8,6 +8,7 @@
 #include <array>
 
 #include "analyse/block_roots.hpp"
+#include "base/exact_number.hpp"
 #include "evaluate/subject.hpp"
 #include "present/arithmetic.hpp"
 
@@ -44,35 +45,51 @@ class Claims {
   }
 
   [[nodiscard]] Printed claim() const {
+    const std::string places = undecided_places();
     switch (equilibria_.completeness) {
       case Completeness::proved:
         return prose("these are all at the parameters' values (proved)");
       case Completeness::searched:
-        return prose(fmt::format("found from {} start{}, there may be more",
+        if (equilibria_.points.empty() && !places.empty()) break;
+        return prose(fmt::format("found from {} start{}, there may be more{}{}",
                                  std::max<std::uint64_t>(equilibria_.starts, 1),
-                                 equilibria_.starts > 1 ? "s" : ""));
+                                 equilibria_.starts > 1 ? "s" : "",
+                                 places.empty() ? "" : ": undecided near ", places));
       case Completeness::undecided:
+        if (places.empty()) return prose("undecided: 64 digits do not tell bias - B u from 0");
         break;
     }
-    if (equilibria_.undecided.empty()) {
-      return prose("undecided: 64 digits do not tell bias - B u from 0");
-    }
+    return prose("undecided near " + places);
+  }
+
+ private:
+  /// "l in [0.5, 5], theta = 0; l = 2, theta = 1"
+  [[nodiscard]] std::string undecided_places() const {
     constexpr std::size_t most_shown = 4;
     std::string places;
     for (std::size_t k = 0; k < std::min(most_shown, equilibria_.undecided.size()); ++k) {
       std::string place;
-      for (std::size_t i = 0; i < model_.coordinates.size(); ++i) {
-        if (equilibria_.kinds[i] == SearchKind::none) continue;
-        place += fmt::format("{}{} = {}", place.empty() ? "" : ", ", model_.coordinates[i].name,
-                             short_text(equilibria_.undecided[k].q[i]));
+      for (const auto& [coordinate, sides] : equilibria_.undecided[k]) {
+        place += fmt::format("{}{} {}", place.empty() ? "" : ", ",
+                             model_.coordinates[coordinate].name, side_text(sides));
       }
       places += (places.empty() ? "" : "; ") + place;
     }
-    if (equilibria_.undecided.size() > most_shown) places += "; and of other places";
-    return prose("undecided within 1e-6 of " + places);
+    if (equilibria_.undecided.size() > most_shown) places += "; and other places";
+    return places;
   }
 
- private:
+  /// "= 0" of boxes that six digits do not show.
+  static std::string side_text(const Interval& sides) {
+    static const cln::cl_R shown = power_of_ten(-6);
+    const cln::cl_R middle = (sides.low + sides.high) / 2;
+    const bool holds_zero = !cln::plusp(sides.low) && !cln::minusp(sides.high);
+    if (sides.high - sides.low < shown * cln::max(cln::cl_R(1), cln::abs(middle))) {
+      return "= " + (holds_zero ? "0" : short_text(middle));
+    }
+    return fmt::format("in [{}, {}]", short_text(sides.low), short_text(sides.high));
+  }
+
   /// Whether a coordinate is so at a point that is one at these parameters alone.
   template <class Wanted>
   [[nodiscard]] bool has_inexact(const Wanted& wanted) const {

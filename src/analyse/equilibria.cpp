@@ -62,10 +62,14 @@ class EquilibriumSearch {
       const std::uint64_t left = limits.boxes - std::min(limits.boxes, result_.boxes);
       Result<BlockRoots> roots = block_roots(system, block, left);
       if (!roots) return roots.diagnostics;
-      join(block, *roots);
+      join(*roots);
       std::ranges::stable_sort(roots->roots, comes_before);
       roots_.push_back(std::move(*roots));
     }
+    const bool is_none = std::ranges::any_of(roots_, [](const BlockRoots& block) {
+      return block.roots.empty() && block.completeness == Completeness::proved;
+    });
+    if (is_none) result_.completeness = Completeness::proved;
     if (Diagnostics errors = make_points(system); !errors.empty()) return errors;
     std::erase_if(result_.points, [this](const RestPoint& point) {
       return breaks_chart(point) || !is_in_ranges(point.state);
@@ -205,14 +209,12 @@ class EquilibriumSearch {
     return entries_of(w, fold<Value>(arithmetic, rest_.program, w))[0];
   }
 
-  void join(const RestBlock& block, const BlockRoots& roots) {
+  void join(const BlockRoots& roots) {
     result_.completeness = std::max(result_.completeness, roots.completeness);
     result_.boxes += roots.boxes;
     result_.starts += roots.starts;
-    for (const std::vector<cl_R>& place : roots.undecided) {
-      State& state = result_.undecided.emplace_back(state_);
-      for (std::size_t i = 0; i < place.size(); ++i) state.q[block.coordinates[i]] = place[i];
-    }
+    result_.undecided.insert(result_.undecided.end(), roots.undecided.begin(),
+                             roots.undecided.end());
   }
 
   /// All combinations, the last block first.

@@ -62,9 +62,10 @@ class EquilibriaPage {
     PagePart& part = page_.parts.emplace_back();
     const bool is_proved = equilibria_.completeness == Completeness::proved;
     if (!is_proved || !equilibria_.breaks.empty()) {
-      part.lines.push_back(is_proved ? prose("none where M is regular") + searched_domain() +
-                                           prose("at the parameters' values (proved)")
-                                     : prose("none was found"));
+      const Printed proved = prose("none where M is regular") + searched_domain() +
+                             prose("at the parameters' values (proved)");
+      const bool is_left = !is_proved && !equilibria_.undecided.empty();
+      if (!is_left) part.lines.push_back(is_proved ? proved : prose("none was found"));
       add_breaks(part);
       if (!is_proved) part.lines.push_back(claim_of(model_, equilibria_));
       if (is_proved) add_cyclic(part);

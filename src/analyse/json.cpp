@@ -92,10 +92,10 @@ std::string equilibria_json(const CheckedModel& checked, const Equilibria& equil
     points.back()["exact"] = point.is_exact;
   }
   Json undecided = Json::array();
-  for (const State& state : equilibria.undecided) {
+  for (const UndecidedBox& box : equilibria.undecided) {
     Json& place = undecided.emplace_back(Json::object());
-    for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
-      place[model.coordinates[i].name] = double_of(state.q[i]);
+    for (const auto& [coordinate, sides] : box) {
+      place[model.coordinates[coordinate].name] = {double_of(sides.low), double_of(sides.high)};
     }
   }
   Json breaks = Json::array();

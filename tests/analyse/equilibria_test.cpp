@@ -269,8 +269,51 @@ TEST_CASE("double roots are exact at plain values, and undecided elsewhere") {
       coordinate("x", "[-1, 1]"), "1/5*x^5 - 0.15*x^4 + 1.09/3*x^3 - 0.3*x^2 + 0.09*x"));
   CHECK(open.equilibria.completeness == Completeness::undecided);
   REQUIRE(open.equilibria.undecided.size() == 1);
-  CHECK(ScalarTraits<double>::from_real(open.equilibria.undecided[0].q[0]) ==
-        Approx(0.3).margin(1e-6));
+  const Interval& sides = open.equilibria.undecided[0].at(0);
+  CHECK(ScalarTraits<double>::from_real(sides.low) == Approx(0.3).margin(1e-5));
+  CHECK(ScalarTraits<double>::from_real(sides.high) == Approx(0.3).margin(1e-5));
+}
+
+TEST_CASE("lines of equilibria are named where they are not found") {
+  // A load that a force holds: theta = 0 with any l is a double zero. On x = y there are lines.
+  const std::string load = R"(format = 1
+[model]
+name = "hang"
+[[coordinate]]
+name = "l"
+range = [0.5, 5]
+[[coordinate]]
+name = "theta"
+[parameters]
+m = 20
+g = 9.81
+[gravity]
+vector = ["0", "-g"]
+[[point]]
+name = "load"
+at = ["l*sin(theta)", "-l*cos(theta)"]
+mass = "m"
+[[input]]
+name = "F"
+on = "l"
+)";
+  const std::string both = coordinate("x", "[-1, 1]") + coordinate("y", "[-1, 1]");
+  for (const Analysed& found :
+       {analysed(load, {.laws = {"F=-196.2"}, .boxes = 5000}),
+        analysed(potential_model(both, "(x - y)^4 + (x - y)^2"), {.boxes = 5000})}) {
+    CHECK(found.equilibria.completeness != Completeness::proved);
+    REQUIRE(found.equilibria.undecided.size() == 1);
+    const std::string text = equilibria_text(found.checked, found.equilibria);
+    INFO(text);
+    CHECK(text.find("undecided near ") != std::string::npos);
+    CHECK(text.find("none was found") == std::string::npos);
+  }
+  const Analysed held = analysed(load, {.laws = {"F=-196.2"}, .boxes = 5000});
+  const UndecidedBox& box = held.equilibria.undecided.front();
+  CHECK(ScalarTraits<double>::from_real(box.at(0).low) == Approx(0.5));
+  CHECK(ScalarTraits<double>::from_real(box.at(0).high) == Approx(5));
+  CHECK(std::abs(ScalarTraits<double>::from_real(box.at(1).low)) < 0.1);
+  CHECK(std::abs(ScalarTraits<double>::from_real(box.at(1).high)) < 0.1);
 }
 
 TEST_CASE("where boxes run out nothing is claimed to be complete") {
