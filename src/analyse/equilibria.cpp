@@ -323,7 +323,8 @@ class EquilibriumSearch {
   /// 0 where there is no number.
   static std::vector<cl_R> numbers_of(const std::vector<Real>& values) {
     std::vector<cl_R> result;
-    for (const Real& value : values) result.push_back(value.is_defined() ? value.value() : cl_R(0));
+    for (const Real& value : values)
+      result.push_back(value.is_defined() ? cl_R(value.value()) : cl_R(0));
     return result;
   }
 
