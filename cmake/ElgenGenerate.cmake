@@ -14,9 +14,6 @@ function(elgen_generate)
   if(NOT TARGET ${arg_TARGET})
     add_library(${arg_TARGET} INTERFACE)
   endif()
-  if(NOT TARGET ${arg_TARGET})
-    return() # CMake has told that it keeps the name for itself.
-  endif()
   _elgen_find_program(program version)
   # Nobody keeps files there, not even in a project that is built inside its sources.
   set(directory "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/elgen/${arg_TARGET}")
@@ -33,7 +30,7 @@ function(elgen_generate)
       message(FATAL_ERROR "elgen_generate: two INPUTS would both be written to `${listed_name}`; one is ${input}")
     endif()
     _elgen_check_links(CMakeFiles elgen "${arg_TARGET}" "${listed_name}")
-    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${program}" "${input}" ${listed_sources})
+    _elgen_watch(listed_touched "${program}" "${input}" ${listed_sources})
     if(directory MATCHES "#")
       _elgen_generate_now("${program}" "${directory}" "${input}")
     else()
@@ -165,33 +162,62 @@ function(_elgen_get_paths result program json array)
   set(${result} "${paths}" PARENT_SCOPE)
 endfunction()
 
+# Has CMake run again after an edit of the files that follow. Ninja would run it without end for one that is dated in the
+# future, and it forgets no such date: the rules of each build then touch the file in `result`, for CMake to run once in the next.
+function(_elgen_watch result)
+  set(now "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/elgen.now")
+  file(TOUCH "${now}")
+  set(${result} "" PARENT_SCOPE)
+  list(REMOVE_DUPLICATES ARGN)
+  foreach(file IN LISTS ARGN)
+    if(NOT "${now}" IS_NEWER_THAN "${file}")
+      message(WARNING "elgen_generate: ${file} is dated in the future; `touch` mends it")
+      set(${result} "${now}" PARENT_SCOPE)
+      set(file "${now}")
+    endif()
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
+  endforeach()
+endfunction()
+
 # The command that writes the files listed by the caller. Its stamp is touched whatever was written, so that Make and
 # Ninja know when elgen ran; a file that stays as it was keeps its time, and nothing is compiled. As byproducts the files
-# are known to Ninja, which looks at them again before it compiles. --force: INPUTS may name another model of that name now.
+# are known to Ninja, which looks at them again before it compiles. Make looks at their folder, whose date says that one was
+# removed; the stamp, once it is there, is touched again to be no older than the folder. --force: INPUTS may
+# name another model of that name now.
 function(_elgen_add_command program version directory input)
-  set(stamp "${directory}/${listed_name}/elgen.stamp")
+  set(folder "${directory}/${listed_name}")
+  set(stamp "${folder}/elgen.stamp")
   if(listed_has_error)
-    # The model that a scene names may be missing: without the stamp elgen runs anyway.
-    file(REMOVE "${stamp}")
-    set(listed_sources "${input}")
+    set(listed_sources "${input}") # The model that a scene names may be missing.
   endif()
-  # A new elgen may be dated before the code of the last one: packages keep the times of their build.
+  # A file may be replaced by an older one: packages keep the times of their build. Without the stamp elgen runs anyway.
+  set(seen "${version}${listed_has_error}")
+  foreach(source IN LISTS listed_sources)
+    file(MD5 "${source}" hash)
+    string(APPEND seen "${hash}")
+  endforeach()
   string(MD5 key "${stamp}")
-  string(MD5 seen "${version}")
+  string(MD5 seen "${seen}")
   if(NOT seen STREQUAL "$CACHE{ELGEN_SEEN_${key}}")
     file(REMOVE "${stamp}")
-    set(ELGEN_SEEN_${key} "${seen}" CACHE INTERNAL "the elgen of ${stamp}")
+    set(ELGEN_SEEN_${key} "${seen}" CACHE INTERNAL "the elgen and the sources of ${stamp}")
   endif()
-  foreach(file IN LISTS listed_files)
-    if(NOT EXISTS "${file}")
-      file(REMOVE "${stamp}")
-    endif()
-  endforeach()
+  if(CMAKE_GENERATOR MATCHES "Make")
+    add_custom_command(OUTPUT "${folder}" COMMAND "${CMAKE_COMMAND}" -E make_directory "${folder}" COMMENT "" VERBATIM)
+    list(APPEND listed_sources "${folder}")
+  endif()
+  if(listed_touched)
+    # Nothing makes this file, so its rule is followed always.
+    add_custom_command(OUTPUT "${folder}/always" COMMAND "${CMAKE_COMMAND}" -E touch "${listed_touched}" VERBATIM
+                       COMMENT "Asking for CMake in the next build")
+    set_property(SOURCE "${folder}/always" PROPERTY SYMBOLIC TRUE)
+    list(APPEND listed_sources "${folder}/always")
+  endif()
   add_custom_command(
     OUTPUT "${stamp}"
     BYPRODUCTS ${listed_files}
     COMMAND "${program}" generate -q --force -o "${directory}" "${input}"
-    COMMAND "${CMAKE_COMMAND}" -E touch "${stamp}"
+    COMMAND "${CMAKE_COMMAND}" -E touch "${stamp}" "${stamp}"
     DEPENDS ${listed_sources} "${program}"
     COMMENT "Generating ${listed_name}"
     VERBATIM)
@@ -218,7 +244,7 @@ function(_elgen_remove_stale directory)
     get_filename_component(folder "${path}" DIRECTORY)
     set(file "${directory}/${path}")
     if(path IN_LIST ARGN OR NOT path MATCHES "^[A-Za-z0-9_]+/[A-Za-z0-9_.]+$" OR NOT EXISTS "${file}"
-       OR IS_DIRECTORY "${file}" OR IS_SYMLINK "${file}" OR IS_SYMLINK "${directory}/${folder}")
+       OR IS_SYMLINK "${file}" OR IS_SYMLINK "${directory}/${folder}")
       continue()
     endif()
     file(READ "${file}" start LIMIT 200)
