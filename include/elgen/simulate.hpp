@@ -81,6 +81,7 @@ struct Trajectory {
   double from = 0;
   std::vector<TrajectoryColumn> columns = {};  ///< t, q, v, u with laws, E
   std::vector<std::vector<double>> rows = {};
+  std::vector<double> work = {};  ///< until each row; empty where none is done
   std::vector<double> last = {};  ///< the row of the end
   /// E - E0, relative to the largest |T| + |V| (of an L given whole |v.p| + |L|); where forces or
   /// time act, less the work they did: E - E0 - int v.(B u + Q - dD/dv) dt + int dL/dt dt, and of
@@ -107,8 +108,8 @@ struct Trajectory {
 [[nodiscard]] Result<CheckedModel> assembled_model(const CheckedModel& checked, double t);
 
 /// Runs from the model's start, assembled, by what was compiled; where that is null, in the
-/// evaluator. E538, E620, E621, E623, E624, E647. Cost: one step of the program, or a few calls of
-/// the equations of motion, per step, and of the energies for each.
+/// evaluator. E518, E538, E620, E621, E623, E624, E647. Cost: one step of the program, or a few
+/// calls of the equations of motion, per step, and of the energies for each.
 [[nodiscard]] Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
                                           const CompiledModel* compiled,
                                           const SimulationOptions& options);
@@ -130,7 +131,8 @@ struct ReferenceRun {
 /// The rows, each number in the fewest digits that read back as it.
 [[nodiscard]] std::string to_csv(const Trajectory& trajectory);
 [[nodiscard]] std::string to_json(const Trajectory& trajectory);
-/// Coordinates, inputs and E - E0 over time, each in a panel of its own; rates are their slopes.
+/// Coordinates, inputs and E - E0 - work over time, each in a panel of its own; rates are their
+/// slopes.
 [[nodiscard]] std::string to_svg(const Trajectory& trajectory);
 
 }  // namespace elgen

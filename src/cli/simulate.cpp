@@ -72,7 +72,8 @@ ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& opti
   tell_times(global, products);
   if (derived != ExitCode::success || !global.stop_after.empty()) return derived;
   const Result<Trajectory> trajectory = trajectory_of(global, options, products);
-  if (!trajectory) return report(global, trajectory.diagnostics);
+  const ExitCode told = report(global, trajectory.diagnostics);
+  if (!trajectory) return told;
   const ExitCode printed =
       print(global, wants_json(global) ? to_json(*trajectory) : to_text(*trajectory));
   if (options.file.empty()) return printed;

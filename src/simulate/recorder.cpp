@@ -77,7 +77,10 @@ Diagnostics Recorder::add(const TrajectorySample& sample) {
   if (!of_momenta_.empty()) add_momenta(sample, part);
   add_conserved(sample);
   add_offset(sample);
-  if (sample.is_row) rows_.push_back(row(sample, energy));
+  if (sample.is_row) {
+    rows_.push_back(row(sample, energy));
+    work_.push_back(sample.state.back());
+  }
   last_ = sample;
   return {};
 }
@@ -94,6 +97,7 @@ void Recorder::finish(Trajectory& trajectory) && {
   const double* const q = last_.state.data();
   trajectory.last = row(last_, system_.energy(q, system_.v_of(last_.state), last_.t));
   trajectory.rows = std::move(rows_);
+  if (system_.does_work()) trajectory.work = std::move(work_);
   trajectory.energy = energy_.drift(system_.does_work() ? "E - E0 - work" : "E - E0",
                                     system_.has_energies() ? "|T| + |V|" : "|v.p| + |L|");
   for (std::size_t i = 0; i < of_momenta_.size(); ++i) {

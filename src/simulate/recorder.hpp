@@ -79,6 +79,7 @@ class Recorder {
   DriftMeter energy_ = {};
   std::vector<DriftMeter> of_momenta_;
   std::vector<std::vector<double>> rows_ = {};
+  std::vector<double> work_ = {};  ///< until each
   TrajectorySample last_;
 };
 

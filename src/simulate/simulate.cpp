@@ -11,6 +11,8 @@
 
 #include "check/judge/output_units.hpp"
 #include "check/names/requests.hpp"
+#include "elgen/evaluate.hpp"
+#include "elgen/wording.hpp"
 #include "evaluate/subject.hpp"
 #include "simulate/recorder.hpp"
 #include "simulate/start.hpp"
@@ -143,7 +145,8 @@ class Run {
 /// Less is not told: it would not be seen in what is printed of the start.
 constexpr double visible_move = 1e-9;
 
-std::vector<TrajectoryColumn> columns_of(const Model& model, const LeafNames& leaves) {
+std::vector<TrajectoryColumn> columns_of(const Model& model, const LeafNames& leaves,
+                                         bool does_work) {
   std::vector<TrajectoryColumn> columns{{"t", "s", ""}};
   const auto name = [&](Opcode kind, std::size_t i) {
     return leaf_text(leaves, kind, static_cast<std::uint32_t>(i));
@@ -165,7 +168,7 @@ std::vector<TrajectoryColumn> columns_of(const Model& model, const LeafNames& le
   }
   const bool has_units = std::ranges::any_of(
       model.velocities, [](const Velocity& velocity) { return velocity.unit.has_value(); });
-  columns.push_back({"E", has_units ? "J" : "", "E − E₀", true});
+  columns.push_back({"E", has_units ? "J" : "", does_work ? "E − E₀ − work" : "E − E₀", true});
   return columns;
 }
 
@@ -201,6 +204,25 @@ void add_units(KeptConstraints& kept, const Model& model) {
   kept.rate_unit = common_unit(model, "rate", Extent::constraints);
 }
 
+/// E518: laws of one number beyond the limits of their inputs, which run as they are.
+Diagnostics laws_beyond_limits(System& system, double t) {
+  Diagnostics found;
+  const Model& model = system.model();
+  const Numbers start = system.start();
+  for (const Input& input : model.inputs) {
+    if (!input.limits || !input.law || !is_one_number(model, *input.law)) continue;
+    const double value = system.value(*input.law, start.data(), system.v_of(start), t);
+    const auto low = ScalarTraits<double>::from_real(input.limits->low);
+    const auto high = ScalarTraits<double>::from_real(input.limits->high);
+    if (!(value < low || value > high)) continue;
+    const Span& span = model.expressions[*input.law].span;
+    found.push_back({Code::E518, span,
+                     fmt::format("{} is beyond [{:g}, {:g}], the limits of `{}`, and runs as it is",
+                                 in_backticks(span), low, high, input.name)});
+  }
+  return found;
+}
+
 }  // namespace
 
 std::string outputs_of_run(const Model& model) {
@@ -234,11 +256,12 @@ Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
     trajectory->method += fmt::format(" of order {}", *options.order);
   }
   trajectory->from = options.from;
-  trajectory->columns = columns_of(checked.model, program.leaves);
+  trajectory->columns = columns_of(checked.model, program.leaves, system.does_work());
   if (trajectory->constraints) {
     trajectory->constraints->start = moves_of(checked.model, assembled->model, trajectory->columns);
     add_units(*trajectory->constraints, checked.model);
   }
+  trajectory.diagnostics = laws_beyond_limits(system, options.from);
   return trajectory;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A trajectory as SVG: a panel for each coordinate, each input and E - E0, one black line in each,
-// so that it reads in print too; the four components of a rotation share a panel, in four kinds of
-// line. Of E only the difference is drawn: beside E itself a drift of 1e-9 J could not be seen.
+// A trajectory as SVG: a panel for each coordinate, each input and E - E0 - work, one black line in
+// each, so that it reads in print too; the four components of a rotation share a panel, in four
+// kinds of line. Of E only the difference is drawn: beside E itself a drift of 1e-9 J could not be
+// seen.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -104,8 +105,10 @@ class TrajectoryPicture {
   }
 
   [[nodiscard]] double shown(const std::vector<double>& row, std::size_t column) const {
-    const bool from_start = trajectory_.columns[column].from_start;
-    return row[column] - (from_start ? trajectory_.rows.front()[column] : 0);
+    if (!trajectory_.columns[column].from_start) return row[column];
+    const auto at = static_cast<std::size_t>(&row - trajectory_.rows.data());
+    const double work = trajectory_.work.empty() ? 0 : trajectory_.work[at];
+    return row[column] - trajectory_.rows.front()[column] - work;
   }
 
   /// With a margin; what does not move is a line in the middle.

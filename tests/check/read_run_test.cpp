@@ -88,6 +88,7 @@ TEST_CASE("what a start does not name stays as the model says") {
 TEST_CASE("mistakes in a start are answered where they stand") {
   CHECK(answer(options("x=1,y=2")) == "E612 5 unknown coordinate `y`");
   CHECK(answer(options("x")) == "E606 1 `x` has no value");
+  CHECK(answer(options("x=1, dot(x)=1, x =2")) == "E606 16 `x` is given twice");
   CHECK(answer(options("x=m")) == "E319 3 `m` is not a constant number");
   CHECK(answer(options("x=[1,2]")) == "E606 3 `x` takes 1 number");
   CHECK(answer(options("attitude=[1,0,0]")) == "E606 10 `attitude` takes 4 numbers");
@@ -110,6 +111,7 @@ TEST_CASE("mistakes in a law are answered where they stand") {
   CHECK(answer(options("", "u=-3*xx")) ==
         "E201 6 unknown name `xx` | did you mean `x`? (coordinate, line 5)");
   CHECK(answer(options("", "u=u")).starts_with("E319 3 "));
+  CHECK(answer(options("", "u=1,u=2")) == "E606 5 `u` is given twice");
   CHECK(answer(options("", "u=dot(dot(x))")).starts_with("E"));
   CHECK(answer(options("", "u=dot(v2(hull))")).starts_with("E"));
 }
@@ -121,6 +123,7 @@ TEST_CASE("values are those of parameters that stay parameters") {
   CHECK(model.parameters[2].value == 5);
   CHECK(answer(options("", "", "k=3")) == "E602 1 unknown parameter `k`");
   CHECK(answer(options("", "", "m=-3")).starts_with("E112 "));
+  CHECK(answer(options("", "", "m=3,l=1,m=3")) == "E606 9 `m` is given twice");
   SceneOptions fixed = options("", "", "m=3");
   fixed.fixed = {make_source("command line", "m=2")};
   CHECK(answer(fixed) == "E606 1 `m` is fixed, so it is no parameter");

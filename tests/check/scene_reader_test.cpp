@@ -95,6 +95,7 @@ TEST_CASE("what cannot be fixed") {
       {"m=1/0", "E312 1:5 `0` is zero\n"},
       {"m=(1", "E304 1:5 `(` is not closed\n"},
       {"m=k", "E319 1:3 `k` is not a constant number\n"},
+      {"m, k=2, m=3", "E606 1:9 `m` is given twice\n"},
   };
   check_rows(rows,
              [&](const std::string& option) { return messages(arrays, {.fixed = {option}}); });

@@ -68,6 +68,36 @@ TEST_CASE("rows are written as the ending of the file says, and nothing is overw
   CHECK(starts_with(workspace.read("x.svg"), "<svg "));
 }
 
+TEST_CASE("an input that is one number runs as typed beyond its limits, a law is cut off there") {
+  const Workspace workspace;
+  workspace.write("block.toml",
+                  "format = 1\n[model]\nname = \"block\"\n[[coordinate]]\nname = \"x\"\n"
+                  "[parameters]\nm = { value = 2 }\n[energy]\nT = \"1/2*m*dot(x)^2\"\n"
+                  "[[input]]\nname = \"u\"\non = \"x\"\nlimits = [-1, 1]\n");
+  const std::string command = "elgen simulate -q --time 1 --method rk4 --step 0.1 block.toml ";
+  const auto last = [&](const std::string& law) {
+    const Outcome outcome = workspace.run(command + "--format json --input 'u=" + law + "'");
+    INFO(outcome.errors);
+    return nlohmann::json::parse(outcome.output)["rows"].back()[3];
+  };
+  CHECK(last("5") == 5);
+  CHECK(last("-3*m") == -6);
+  CHECK(last("5 + x") == 1);
+  CHECK(last("5 + t") == 1);
+  const std::string said = "warning[E518]: `3*m` is beyond [-1, 1], the limits of `u`, and runs as";
+  CHECK(mentions(workspace.run(command + "--input 'u=3*m'").errors, said));
+  CHECK(workspace.run(command + "--input 'u=m/2'").errors.empty());
+  CHECK(workspace.run(command + "--input 'u=5 + x'").errors.empty());
+}
+
+TEST_CASE("the picture of a run takes the work off E") {
+  const Workspace workspace;
+  const std::string command =
+      "elgen simulate -q --time 1 --method rk4 --step 0.1 -o run.svg " + models + "/cart_pole.toml";
+  REQUIRE(workspace.run(command + " --input u=3").status == 0);
+  CHECK(mentions(workspace.read("run.svg"), ">E − E₀ − work [J]<"));
+}
+
 TEST_CASE("a run that ends early writes nothing and exits with 1") {
   const Workspace workspace;
   workspace.write("runaway.toml", R"toml(format = 1

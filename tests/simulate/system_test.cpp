@@ -120,6 +120,14 @@ TEST_CASE("inputs stay inside their limits, and where they are held") {
   CHECK(system.inputs(far, v, 0).front() == Approx(0.5));
 }
 
+TEST_CASE("a law that is one number is not cut off") {
+  const CompiledSystem compiled(cart, start_options("", "u=2*2"));
+  System system(compiled.checked(), compiled.program(), &compiled.functions());
+  const double q[] = {0.1, 0};
+  const double v[] = {0, 0};
+  CHECK(system.inputs(q, v, 0.2).front() == 4);
+}
+
 TEST_CASE("power is that of the laws at the state, or of the inputs that were last asked for") {
   const CompiledSystem compiled(cart, start_options("", "u=x/10"));
   System system(compiled.checked(), compiled.program(), nullptr);

@@ -127,6 +127,20 @@ TEST_CASE("of E the way from its start is drawn, in a digit more than tells tick
   CHECK(mentions(svg.substr(path), "L712.0 478.1\""));
 }
 
+TEST_CASE("the work that was done is taken off the way of E") {
+  Trajectory trajectory = seven_columns();
+  trajectory.columns.back().panel = "E − E₀ − work";
+  for (auto& row : trajectory.rows) {
+    row.back() = 3 + row.front();
+    trajectory.work.push_back(row.front());
+  }
+  const std::string svg = to_svg(trajectory);
+  CHECK(mentions(svg, ">E − E₀ − work [J]<"));
+  const std::size_t path = svg.rfind("<path");
+  CHECK(mentions(svg.substr(path), "d=\"M92.0 529.0"));
+  CHECK(mentions(svg.substr(path), "L712.0 529.0\""));
+}
+
 TEST_CASE("ticks are told apart however near each other they are") {
   Trajectory trajectory;
   trajectory.columns = {{"t", "s", ""}, {"x", "m", "x"}};

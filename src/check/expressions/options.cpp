@@ -3,6 +3,7 @@
 #include "check/expressions/options.hpp"
 
 #include <charconv>
+#include <set>
 
 #include "check/expressions/values.hpp"
 
@@ -94,6 +95,18 @@ std::vector<OptionWord> words_of(const std::vector<SourcePointer>& options) {
   return words;
 }
 
+std::vector<OptionWord> words_of(const std::vector<SourcePointer>& options, Report& report) {
+  std::vector<OptionWord> words = words_of(options);
+  std::set<std::string> names;
+  for (const OptionWord& word : words) {
+    OptionWord name = split_assignment(word).name;
+    std::erase(name.text, ' ');
+    if (names.insert(name.text).second) continue;
+    report.add(Code::E606, name.span, in_backticks(name.text) + " is given twice");
+  }
+  return words;
+}
+
 Assignment split_assignment(const OptionWord& word) {
   const std::size_t equals = word.text.find('=');
   if (equals == std::string::npos) {
@@ -125,7 +138,9 @@ void read_sizes(Context& context, const FileSyntax& model, const FileSyntax* sce
     const auto value = integer_value(key.value.expression, Scope(nothing), context.report);
     if (value) override_size(context, key.key, *value, key.key_span);
   }
-  for (const OptionWord& word : words_of(options.sizes)) read_option(context, word);
+  for (const OptionWord& word : words_of(options.sizes, context.report)) {
+    read_option(context, word);
+  }
 }
 
 }  // namespace elgen

@@ -161,15 +161,15 @@ void read_law(Context& context, const OptionWord& word) {
 void read_starts(Context& context, const SceneOptions& options) {
   if (options.starts.empty()) return;
   StartReader reader(context);
-  for (const OptionWord& word : words_of(options.starts)) reader.read(word);
+  for (const OptionWord& word : words_of(options.starts, context.report)) reader.read(word);
 }
 
 void read_laws(Context& context, const SceneOptions& options) {
-  for (const OptionWord& word : words_of(options.laws)) read_law(context, word);
+  for (const OptionWord& word : words_of(options.laws, context.report)) read_law(context, word);
 }
 
 void read_values(Context& context, const Scene& scene, const SceneOptions& options) {
-  for (const OptionWord& word : words_of(options.values)) {
+  for (const OptionWord& word : words_of(options.values, context.report)) {
     const std::optional<Assignment> given = assignment_of(context, word);
     if (!given) continue;
     const auto targets = named_parameters(context, given->name.text, given->name.span);

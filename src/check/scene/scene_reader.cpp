@@ -267,7 +267,7 @@ class SceneReader {
         fix_named(key.key, key.key_span, &key.value.expression);
       }
     }
-    for (const OptionWord& word : words_of(options_.fixed)) {
+    for (const OptionWord& word : words_of(options_.fixed, context_.report)) {
       read_fix_option(word);
     }
   }

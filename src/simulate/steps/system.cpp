@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "check/expressions/traits.hpp"
+#include "elgen/references.hpp"
 #include "elgen/wording.hpp"
 #include "evaluate/subject.hpp"
 
@@ -21,13 +22,13 @@ bool reads_time(const Function* function) {
          });
 }
 
-/// [-inf, inf] where the model declares no limits.
+/// [-inf, inf] where the model declares no limits, and where a law is one number.
 std::vector<InputLaw> laws_of(const Model& model, const Arguments<double>& at) {
   std::vector<InputLaw> laws(model.inputs.size());
   for (std::size_t k = 0; k < laws.size(); ++k) {
     const Input& input = model.inputs[k];
     if (input.law) laws[k].law.emplace(model, *input.law, at);
-    if (!input.limits) continue;
+    if (!input.limits || (input.law && is_one_number(model, *input.law))) continue;
     laws[k].low = ScalarTraits<double>::from_real(input.limits->low);
     laws[k].high = ScalarTraits<double>::from_real(input.limits->high);
   }
@@ -58,6 +59,10 @@ double wrapped(double angle) {
 }
 
 }  // namespace
+
+bool is_one_number(const Model& model, ExpressionId law) {
+  return !holds_leaf(model, law, Opcode::coordinate | Opcode::velocity | Opcode::time);
+}
 
 System::System(const CheckedModel& checked, const Program& program, const CompiledModel* compiled,
                bool projects)

@@ -28,6 +28,9 @@ using Numbers = std::vector<double>;
 /// q and v of a model's own start.
 [[nodiscard]] Numbers stated_start(const Model& model);
 
+/// Whether a law is one number along a run, and so is not cut off at limits.
+[[nodiscard]] bool is_one_number(const Model& model, ExpressionId law);
+
 /// The law of an input, and the limits at which it is cut off.
 struct InputLaw {
   std::optional<StateFunction> law = {};
