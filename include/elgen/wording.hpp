@@ -11,8 +11,8 @@
 
 namespace elgen {
 
-/// User text in back-ticks, on one line: blanks and line ends become one space, control characters
-/// their names, and what is longer than 60 characters is cut.
+/// User text in back-ticks, on one line: blanks and line ends become one space, characters that are
+/// not seen their names, and what is longer than 60 characters is cut.
 [[nodiscard]] std::string in_backticks(std::string_view text);
 
 /// The source text of a span in back-ticks.

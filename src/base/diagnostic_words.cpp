@@ -11,8 +11,10 @@
 
 namespace elgen {
 
-std::string shortened(std::string_view message) {
+std::string shortened(std::string_view said) {
   constexpr std::size_t longest = 200;
+  const std::string visible = visible_text(said);
+  std::string_view message = visible;
   std::string text;
   for (bool is_quoted = false; !message.empty(); is_quoted = !is_quoted) {
     const std::size_t size = std::min(message.find('`'), message.size());

@@ -17,8 +17,10 @@ inline constexpr std::array<std::string_view, 3> severity_words{"note", "warning
   return severity_words.at(static_cast<std::size_t>(severity));
 }
 
-/// A name may be as long as a file: of what stands in back-ticks the beginning is enough.
-[[nodiscard]] std::string shortened(std::string_view message);
+/// A name may be as long as a file: of what stands in back-ticks the beginning is enough. It may
+/// hold anything: characters that are not seen, such as those that turn the direction of what
+/// follows, become their names.
+[[nodiscard]] std::string shortened(std::string_view said);
 
 /// The message and its hint.
 [[nodiscard]] std::string sentence(const Diagnostic& diagnostic);

@@ -45,7 +45,7 @@ std::string json_line(const Diagnostic& diagnostic) {
     json["related"] = json_position(*diagnostic.related);
     json["related"]["message"] = shortened(diagnostic.related_message);
   }
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return visible_json(json.dump(-1, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 // In the order of Severity.
@@ -66,7 +66,7 @@ std::string paint(std::string_view text, std::string_view sgr, bool color) {
 std::string position(const Span& span) {
   if (span.source == nullptr) return "elgen";
   const LineColumn at = line_column(*span.source, span.begin);
-  return fmt::format("{}:{}:{}", span.source->path, at.line, at.column);
+  return fmt::format("{}:{}:{}", visible_text(span.source->path), at.line, at.column);
 }
 
 std::size_t code_points(std::string_view text) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 #include "base/ascii.hpp"
 
@@ -99,6 +100,26 @@ std::string visible_text(std::string_view text) {
       visible += text.substr(i, point.bytes);
     }
     i += std::max<std::size_t>(1, point.bytes);
+  }
+  return visible;
+}
+
+std::string visible_json(std::string_view json) {
+  std::string visible;
+  const auto escape = [&visible](std::uint32_t unit) { visible += fmt::format("\\u{:04x}", unit); };
+  for (std::size_t i = 0; i < json.size();) {
+    const CodePoint point = code_point_at(json, i);
+    const std::size_t bytes = std::max<std::size_t>(1, point.bytes);
+    const std::uint32_t value = point.value;
+    if (value < 0x7F || !is_hidden(point.value)) {
+      visible += json.substr(i, bytes);
+    } else if (value < 0x10000) {
+      escape(value);
+    } else {
+      escape(0xD800 + ((value - 0x10000) >> 10U));
+      escape(0xDC00 + ((value - 0x10000) & 0x3FFU));
+    }
+    i += bytes;
   }
   return visible;
 }

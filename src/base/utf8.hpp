@@ -39,6 +39,9 @@ struct CodePoint {
 /// question marks.
 [[nodiscard]] std::string visible_text(std::string_view text);
 
+/// Hidden characters of a JSON text, which stand in its strings, become its escapes.
+[[nodiscard]] std::string visible_json(std::string_view json);
+
 void append_utf8(std::string& text, char32_t value);
 
 }  // namespace elgen

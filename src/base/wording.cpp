@@ -44,10 +44,7 @@ std::string in_backticks(std::string_view text) {
     if (count == longest || point.bytes == 0) return shown + "…`";
     const bool blank = is_space(text[position]);
     if (!blank || !after_blank) {
-      const bool control = point.value < 0x20 || (point.value >= 0x7F && point.value < 0xA0);
-      shown += blank     ? " "
-               : control ? code_point_name(point.value)
-                         : std::string(text.substr(position, point.bytes));
+      shown += blank ? " " : visible_text(text.substr(position, point.bytes));
       ++count;
     }
     after_blank = blank;

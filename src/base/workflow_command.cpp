@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// workflow_command: a message may hold anything but line ends and per cent signs, a property no
-// colons and commas either.
+// workflow_command: a message may hold anything but line ends, per cent signs and what is not seen,
+// a property no colons and commas either.
 #include "base/workflow_command.hpp"
 
 #include <fmt/format.h>
 
 #include "base/diagnostic_words.hpp"
+#include "base/utf8.hpp"
 
 namespace elgen {
 namespace {
 
 std::string escaped(std::string_view text, std::string_view signs) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : visible_text(text)) {
     if (signs.find(c) == std::string_view::npos) {
       result += c;
     } else {

@@ -19,6 +19,7 @@
 #include "cli/shown_pipeline.hpp"
 #include "elgen/artifacts.hpp"
 #include "elgen/render.hpp"
+#include "elgen/wording.hpp"
 
 namespace elgen::cli {
 
@@ -283,7 +284,7 @@ void tell_what_became(const GlobalOptions& global, const GenerateOptions& option
   }
   for (const OutputFile& file : files_in(options.output_directory, *job.products.files)) {
     const bool is_new = std::find(written.begin(), written.end(), file.path) != written.end();
-    tell(global, (is_new ? "wrote " : "unchanged ") + file.path);
+    tell(global, (is_new ? "wrote " : "unchanged ") + shown_path(file.path));
   }
   const bool expects = !model.expectations.empty();
   tell(global, fmt::format("{}: {}{}", job.scene().base_name, receipt(*job.products.self_check),

@@ -147,7 +147,7 @@ ExitCode report_all(const GlobalOptions& global, const GeneratedSystems& systems
     tell(global, "to compare the equations: " + systems.comparison);
   }
   for (const FileDifference& found : differences) {
-    if (is_orphan(found)) tell(global, "to repair: delete " + found.path);
+    if (is_orphan(found)) tell(global, "to repair: delete " + shown_path(found.path));
   }
   return reported;
 }

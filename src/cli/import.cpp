@@ -102,7 +102,7 @@ ExitCode import_file(const GlobalOptions& global, const ImportCommand& options) 
   const auto written = write_files({{options.output, model->text, Replaces::nothing}},
                                    {options.force, global.limits.seconds});
   if (!written) return report(global, written.diagnostics);
-  tell(global, "wrote " + options.output);
+  tell(global, "wrote " + shown_path(options.output));
   if (!wants_json(global)) return imported;
   return std::max(imported, print(global, written_json(options.output, !written->empty())));
 }

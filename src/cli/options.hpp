@@ -23,7 +23,7 @@ struct GlobalOptions {
 };
 
 /// Prints what was asked for on stdout, at once. E706 where that fails.
-ExitCode print(const GlobalOptions& global, const std::string& text);
+ExitCode print(const GlobalOptions& global, const std::string& asked_for);
 
 /// Prints diagnostics on stderr (--quiet: without notes), and returns their exit code.
 ExitCode report(const GlobalOptions& global, const Diagnostics& diagnostics);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/no_interrupts.hpp"
+#include "base/utf8.hpp"
 #include "cli/options.hpp"
 #include "elgen/diagnostic.hpp"
 
@@ -32,7 +33,8 @@ Diagnostics without_notes(Diagnostics diagnostics) {
 
 }  // namespace
 
-ExitCode print(const GlobalOptions& global, const std::string& text) {
+ExitCode print(const GlobalOptions& global, const std::string& asked_for) {
+  const std::string text = wants_json(global) ? visible_json(asked_for) : asked_for;
   std::fwrite(text.data(), 1, text.size(), stdout);
   std::fflush(stdout);
   if (std::ferror(stdout) == 0) return ExitCode::success;

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // elgen verify: a certificate per input, on stdout and where -o says.
 #include <algorithm>
+#include <charconv>
 #include <chrono>
+#include <cstdint>
+#include <string>
+#include <system_error>
 #include <thread>
 
 #include "cli/commands.hpp"
@@ -165,14 +169,25 @@ ExitCode run_verify(const GlobalOptions& global, const VerifyCommandOptions& opt
   return refused.empty() ? verify_each(global, options) : report(global, refused);
 }
 
+/// Why a word is no number of this type; CLI11 takes the largest one for what is beyond it, or
+/// negative.
+std::string refused_number(const std::string& word) {
+  std::uint64_t number = 0;
+  const char* const end = word.data() + word.size();
+  const auto [stop, error] = std::from_chars(word.data(), end, number);
+  const bool is_read = error == std::errc() && stop == end;
+  return is_read ? "" : "`" + word + "` is not a whole number below 2^64";
+}
+
 /// How many states, which, and by whom.
 void add_states(CLI::App& command, VerifyOptions& verify) {
   constexpr unsigned most_jobs = 512;
   verify.jobs = std::clamp(std::thread::hardware_concurrency(), 1U, most_jobs);
   command
       .add_option("--samples", verify.samples, "states per output (256, fewer for long programs)")
+      ->check(refused_number)
       ->check(CLI::PositiveNumber);
-  command.add_option("--seed", verify.seed, "of the states (1)");
+  command.add_option("--seed", verify.seed, "of the states (1)")->check(refused_number);
   command.add_option("--jobs", verify.jobs, "processes that share the states (as many as cores)")
       ->check(CLI::Range(1U, most_jobs));
 }

@@ -261,8 +261,9 @@ Token Lexer::unknown_character() {
                    ascii_hint(point.value));
   }
   return invalid(Code::E307, point.bytes,
-                 in_backticks(bytes_.substr(position_, point.bytes)) + " (" +
-                     code_point_name(point.value) + ") is not ASCII",
+                 in_backticks(bytes_.substr(position_, point.bytes)) +
+                     (is_hidden(point.value) ? "" : " (" + code_point_name(point.value) + ")") +
+                     " is not ASCII",
                  replacement_hint(point.value));
 }
 

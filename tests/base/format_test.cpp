@@ -126,8 +126,27 @@ TEST_CASE("JSON has code, message, hint and places") {
         "\n"
         R"({"severity":"error","code":"E913","message":"no command given","position":null})"
         "\n"
-        R"({"severity":"warning","code":"E511","message":"singular at \"�\"","position":null})"
+        R"({"severity":"warning","code":"E511","message":"singular at \"?\"","position":null})"
         "\n");
+}
+
+TEST_CASE("characters that are not seen are named in every format") {
+  const SourcePointer source = make_source("a\u202E.toml", "xy\n");
+  const Diagnostics list{{Code::E201, span_of(source, "y"), "unknown name `\u2066b`",
+                          "write \uFEFFc", span_of(source, "x"), "\u2028first"}};
+  CHECK(format(list) ==
+        "aU+202E.toml:1:2: error[E201]: unknown name `U+2066b`\n"
+        "    1 | xy\n"
+        "      |  ^ write U+FEFFc\n"
+        "aU+202E.toml:1:1: U+2028first\n");
+  CHECK(format(list, {DiagnosticFormat::github}) ==
+        "::error file=aU+202E.toml,line=1,col=2,title=E201 unknown name::unknown name `U+2066b`; "
+        "write U+FEFFc\n");
+  const std::string json = format(list, {DiagnosticFormat::json});
+  CHECK(json.find(R"("message":"unknown name `U+2066b`","hint":"write U+FEFFc")") !=
+        std::string::npos);
+  CHECK(json.find(R"("file":"a\u202e.toml")") != std::string::npos);
+  CHECK(json.find("\u202E") == std::string::npos);
 }
 
 TEST_CASE("a command of a workflow has its place, its title and the sentence, escaped") {

@@ -130,6 +130,7 @@ TEST_CASE("user text is made fit for a message") {
   CHECK(in_backticks("m") == "`m`");
   CHECK(in_backticks(std::string_view("\0", 1)) == "`U+0000`");
   CHECK(in_backticks("\x7F") == "`U+007F`");
+  CHECK(in_backticks("a\u202Eb\u2028") == "`aU+202EbU+2028`");
   CHECK(in_backticks("a\n\t  + b") == "`a + b`");
   CHECK(in_backticks("a\r\nb") == "`a b`");
 }

@@ -55,6 +55,12 @@ TEST_CASE("what is hidden is named, what is seen stays") {
   CHECK(visible_text("a\tb\n\u202Eé\x01\xFF") == "a\tb\nU+202EéU+0001?");
 }
 
+TEST_CASE("hidden characters are escapes of JSON, which read back") {
+  CHECK(visible_json("{\n \"a\": \"\u202Eé\x7F\"}\n") == "{\n \"a\": \"\\u202eé\\u007f\"}\n");
+  CHECK(visible_json("\U000E0001") == "\\udb40\\udc01");
+  CHECK(visible_json("\xFF") == "\xFF");
+}
+
 TEST_CASE("characters are of their kind, their neighbours are not") {
   const auto all = [](std::string_view text, bool (*is)(char)) {
     return std::all_of(text.begin(), text.end(), is);

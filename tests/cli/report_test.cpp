@@ -150,6 +150,32 @@ TEST_CASE("commands of a workflow stand among what people read") {
       "wrote generated/simple_pendulum/simple_pendulum.hpp\n"));
 }
 
+TEST_CASE("a character that turns directions reaches no message, annotation or JSON") {
+  const std::string turn = "\u202E";
+  const Workspace workspace;
+  workspace.prepare("cp " + models + "/simple_pendulum.toml 'a" + turn + ".toml'");
+  const std::string file = "'a" + turn + ".toml' ";
+  for (const std::string& command :
+       {"elgen show 'b" + turn + ".toml'", "elgen show --what 'x" + turn + "' " + file,
+        "elgen show --bad" + turn, "elgen generate --fix 'm" + turn + "' -o out " + file,
+        "elgen simulate --time 1 --set 'm" + turn + "=1' " + file, "elgen generate " + file}) {
+    for (const std::string format : {"text", "json", "github"}) {
+      const Outcome outcome = workspace.run(command + " --format " + format);
+      INFO(command + format + outcome.errors);
+      CHECK_FALSE(outcome.output.empty() && outcome.errors.empty());
+      CHECK_FALSE(mentions(outcome.output, turn));
+      CHECK_FALSE(mentions(outcome.errors, turn));
+    }
+  }
+  const Outcome listed = workspace.run("elgen generate --format json " + file);
+  const auto system = nlohmann::json::parse(listed.output)["systems"][0];
+  CHECK(system["input"] == "a" + turn + ".toml");
+  const std::string folder = "generated/simple_pendulum/simple_pendulum.";
+  for (const std::string ending : {"hpp", "md", "equations.json"}) {
+    CHECK_FALSE(mentions(workspace.read(folder + ending), turn));
+  }
+}
+
 TEST_CASE("programs that read all are told nothing else, and what is for people is refused") {
   const Workspace workspace;
   const std::string generate = "elgen generate " + models + "/simple_pendulum.toml ";

@@ -62,6 +62,21 @@ TEST_CASE(
   CHECK(workspace.run("pgrep -f 'sleep 7713'").status == 1);
 }
 
+TEST_CASE("a limit on the size of files leaves no temporary folder") {
+  const Workspace workspace;
+  workspace.prepare("mkdir tmp");
+  const std::string model = ELGEN_SOURCE_DIR "/models/double_pendulum.toml";
+  const std::string limited = "ulimit -f 4; TMPDIR=$PWD/tmp elgen ";
+  const Outcome run = workspace.run(limited + "simulate -q --time 1 " + model);
+  CHECK(run.status == 4);
+  CHECK(mentions(run.errors, "error[E706]"));
+  CHECK(workspace.run("ls -A tmp").output.empty());
+  const Outcome generated = workspace.run(limited + "generate -q " + model);
+  CHECK(generated.status == 4);
+  CHECK(mentions(generated.errors, "could not be written: File too large"));
+  CHECK(workspace.files().empty());
+}
+
 TEST_CASE("a limit that is reached while the process ends is told whole, or not at all") {
   const Workspace workspace;
   for (int i = 0; i < 30; ++i) {

@@ -179,6 +179,14 @@ TEST_CASE("option --samples is a positive number of states, -v prints the equati
   const Outcome few = workspace.run("elgen verify --samples 4 -v " + model);
   CHECK(few.status == 0);
   CHECK(few.output != workspace.run("elgen verify --samples 8 " + model).output);
+  for (const std::string number : {"18446744073709551616", "-1", "1.5", "''"}) {
+    for (const std::string option : {"--seed ", "--samples "}) {
+      INFO(option + number);
+      CHECK(workspace.run("elgen verify --quick " + option + number + " " + model).status == 2);
+    }
+  }
+  const std::string largest = "elgen verify --quick --seed 18446744073709551615 ";
+  CHECK(mentions(workspace.run(largest + model).output, "seed 18446744073709551615\n"));
   CHECK(mentions(few.errors, "\n  M = m l^2\n"));
 }
 

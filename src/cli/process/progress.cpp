@@ -6,10 +6,10 @@
 
 #include <chrono>
 #include <cstdio>
-#include <utility>
 
 #include "base/no_interrupts.hpp"
 #include "cli/process/terminal.hpp"
+#include "elgen/wording.hpp"
 
 namespace elgen::cli {
 
@@ -20,7 +20,7 @@ constexpr std::chrono::milliseconds refresh{200};
 
 }  // namespace
 
-Progress::Progress(std::string subject) : subject_(std::move(subject)) {
+Progress::Progress(const std::string& subject) : subject_(shown_path(subject)) {
   if (!is_terminal(stderr)) return;
   const NoInterrupts inherited;  // signals are the affair of the thread that works
   watcher_ = std::thread([this] { watch(); });

@@ -11,7 +11,7 @@ namespace elgen::cli {
 
 class Progress {
  public:
-  explicit Progress(std::string subject);
+  explicit Progress(const std::string& subject);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;

@@ -107,6 +107,7 @@ void set_resource_limits(const Limits& limits, const DiagnosticStyle& style) {
   ::mp_set_memory_functions(some_memory, other_memory, no_memory);
   std::signal(SIGXCPU, end_on_time);
   std::signal(SIGALRM, end_waiting);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is one that cannot be written (E706)
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     if (std::signal(signal, end_on_interrupt) == SIG_IGN) std::signal(signal, SIG_IGN);
   }

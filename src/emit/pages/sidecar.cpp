@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/number_text.hpp"
+#include "base/utf8.hpp"
 #include "check/judge/output_units.hpp"
 #include "emit/pages/page_artifacts.hpp"
 #include "emit/text/layout.hpp"
@@ -203,7 +204,7 @@ std::string sidecar(const EmissionInput& input) {
   json["hash"] = {{"model", input.model_hash},
                   {"scene", input.scene_hash},
                   {"body", std::string(blank_hash())}};
-  return stamped(printed(json, 0, 0) + "\n");
+  return stamped(visible_json(printed(json, 0, 0)) + "\n");
 }
 
 }  // namespace elgen
