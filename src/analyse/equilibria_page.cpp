@@ -190,8 +190,9 @@ class EquilibriaPage {
     if (!coordinate.form) return number(coordinate.value);
     Value form = coordinate.form;
     if (is_pair && cln::minusp(coordinate.value)) form = Arithmetic(forms_.algebra).negate(form);
-    const std::optional<Printed> formula = read(form);
+    std::optional<Printed> formula = read(form);
     if (!formula) return number(coordinate.value);
+    if (is_pair) formula = at_least(*formula, Binding::product);
     const cln::cl_R size = is_pair ? cln::abs(coordinate.value) : coordinate.value;
     const Printed sign = is_pair ? Printed{"+-", "\\pm "} : Printed{};
     const Printed signed_form{sign.text + formula->text, sign.latex + formula->latex};
@@ -235,21 +236,23 @@ class EquilibriaPage {
     return {};
   }
 
+  /// "q - q0", "q + 0.3"
+  Printed deviation(const CoordinateAtRest& at, const Printed& symbol) {
+    if (cln::zerop(at.value)) return symbol;
+    const bool is_negative = cln::minusp(at.value);
+    const Value form = is_negative ? Arithmetic(forms_.algebra).negate(at.form) : at.form;
+    return sum(symbol, read(form).value_or(number(cln::abs(at.value))), !is_negative);
+  }
+
   /// "V0 - T0 = 9/8 m R theta^4 + … has a strict minimum, of order 4"
   Printed leading_term(const LeadingTerm& term, const RestPoint& point) {
-    const CoordinateAtRest& at = point.coordinates[term.coordinate];
-    const Printed& symbol = symbols_.q[term.coordinate];
-    const bool is_origin = cln::zerop(at.value);
-    const Printed place = cell_of(at, false);
-    const Printed shift = is_origin ? symbol
-                                    : Printed{fmt::format("({} - {})", symbol.text, place.text),
-                                              fmt::format("({} - {})", symbol.latex, place.latex)};
-    const Printed coefficient = read(term.coefficient).value_or(Printed{});
+    const Printed shift =
+        deviation(point.coordinates[term.coordinate], symbols_.q[term.coordinate]);
+    const Printed coefficient = read(term.coefficient).value_or(Printed{"c", "c"});
+    const Printed first = product_with_power(coefficient, shift, term.order);
     const Printed rest = rest_energy();
-    const Printed equation{
-        fmt::format("{} = {}*{}^{} + ...", rest.text, coefficient.text, shift.text, term.order),
-        fmt::format("{} = {} {}^{{{}}} + \\text{{…}}", rest.latex, coefficient.latex, shift.latex,
-                    term.order)};
+    const Printed equation{fmt::format("{} = {} + ...", rest.text, first.text),
+                           fmt::format("{} = {} + \\text{{…}}", rest.latex, first.latex)};
     return equation + prose(fmt::format("has a strict minimum, of order {}", term.order));
   }
 

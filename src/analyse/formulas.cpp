@@ -9,11 +9,40 @@
 #include "base/exact_number.hpp"
 #include "choose/closed_graph.hpp"
 #include "choose/entries.hpp"
-#include "elgen/render.hpp"
 #include "elgen/typeset.hpp"
 #include "lower/network/linearise.hpp"
+#include "render/function_formulas.hpp"
 
 namespace elgen {
+namespace {
+
+Formula text_of(const Printed& formula) { return {formula.text, formula.binding}; }
+Formula latex_of(const Printed& formula) { return {formula.latex, formula.latex_binding}; }
+
+Printed printed(const Formula& text, const Formula& latex) {
+  return {text.text(), latex.text(), text.binding, latex.binding};
+}
+
+}  // namespace
+
+Printed at_least(const Printed& formula, Binding least) {
+  return printed(at_least(model_spelling(), text_of(formula), least),
+                 at_least(latex_spelling(), latex_of(formula), least));
+}
+
+Printed product_with_power(const Printed& x, const Printed& y, std::uint32_t exponent) {
+  const auto made = [exponent](const Spelling& spelling, const Formula& first,
+                               const Formula& base) {
+    return product(spelling, {first, power(spelling, base, number(spelling, exponent))});
+  };
+  return printed(made(model_spelling(), text_of(x), text_of(y)),
+                 made(latex_spelling(), latex_of(x), latex_of(y)));
+}
+
+Printed sum(const Printed& x, const Printed& y, bool is_subtracted) {
+  return printed(sum(model_spelling(), {{text_of(x)}, {text_of(y), is_subtracted}}),
+                 sum(latex_spelling(), {{latex_of(x)}, {latex_of(y), is_subtracted}}));
+}
 
 std::optional<Printed> printed(const Model& model, const Algebra& algebra,
                                const std::optional<Fraction>& form) {
@@ -32,8 +61,8 @@ std::optional<Printed> printed(const Model& model, const Algebra& algebra,
   }
   program.functions = {function};
   program.readable = {std::move(function)};
-  return Printed{readable_equations(program, 0).entries[0][0],
-                 latex_equations(model, program, 0).entries[0][0]};
+  const ReadFormula read = first_entry(model, program);
+  return printed(read.text, read.latex);
 }
 
 bool holds_leaves(const Algebra& algebra, const Fraction& form) {

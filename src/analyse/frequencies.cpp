@@ -97,10 +97,11 @@ class FrequencyFormulas {
     if (!left || !right) return std::nullopt;
     const Fraction s = shared_factor(*left, *right);
     const auto above = read(at.divide(left, s));
-    const auto root = read(at.square_root(at.divide(right, at.multiply(s, s))));
+    auto root = read(at.square_root(at.divide(right, at.multiply(s, s))));
     const auto factor = read(s);
     const auto below = read(d);
     if (!above || !root || !factor || !below) return std::nullopt;
+    root = at_least(*root, Binding::product);
     const bool is_centred = middle.numerator.empty();
     Printed sum{fmt::format("{}-+ {}", is_centred ? "" : above->text + " ", root->text),
                 fmt::format("{}\\mp {}", is_centred ? "" : above->latex + " ", root->latex)};

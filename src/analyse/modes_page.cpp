@@ -170,7 +170,7 @@ class ModesPage {
     const PageMatrix mass = matrix({"M", "M"}, mass_, point.mass, size());
     const PageMatrix stiffness = matrix({"K", "K"}, stiffness_, point.stiffness, size());
     const bool is_one_line = size() == 1 && !is_damped && !has_inputs();
-    const Printed factor = is_one_line ? mass.entries[0] : mass.left;
+    const Printed factor = is_one_line ? at_least(mass.entries[0], Binding::negation) : mass.left;
     part.lines.push_back(
         {fmt::format("{} eta''{} + K eta = {}", factor.text, is_damped ? " + D eta'" : "",
                      has_inputs() ? "B du" : "0"),

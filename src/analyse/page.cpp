@@ -69,9 +69,10 @@ std::vector<std::string> latex_of(const std::vector<Printed>& formulas) {
 /// " N m s", " N s": that of a force, times s.
 Printed unit_of_momentum(const Parameter& momentum) {
   if (!momentum.unit) return {};
-  std::string text = force_unit_text(*momentum.unit / *find_unit("s"));
+  std::string text = force_unit_text(*momentum.unit / *find_unit("s")) + " s";
+  if (text.find('/') != std::string::npos) text = to_string(*momentum.unit);
   std::ranges::replace(text, '*', ' ');
-  return {fmt::format(" {} s", text), fmt::format("\\text{{ {} s}}", text)};
+  return {" " + text, fmt::format("\\text{{ {}}}", text)};
 }
 
 }  // namespace

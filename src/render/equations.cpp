@@ -148,6 +148,16 @@ bool has_readable_form(const Program& program, std::size_t index) {
   return index < program.readable.size() && !program.readable[index].fields.empty();
 }
 
+ReadFormula first_entry(const Model& model, const Program& program) {
+  const Function& function = program.readable.front();
+  const auto written = [&](const Vocabulary& vocabulary) {
+    const std::vector<std::string> names = vocabulary.definitions(function.names);
+    const FunctionFormulas formulas(program, function, vocabulary, names);
+    return formulas.entry(function.fields.front().entries.front());
+  };
+  return {written(ModelLanguage(program.leaves)), written(Latex(model))};
+}
+
 FunctionEquations equations(const Program& program, const Function& function) {
   return equations(program, function, temporary_names(program, function));
 }

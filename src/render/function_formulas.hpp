@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/formula.hpp"
+#include "elgen/model.hpp"
 #include "elgen/program.hpp"
 
 namespace elgen {
@@ -57,5 +58,13 @@ class FunctionFormulas {
   const Vocabulary& vocabulary_;
   const std::vector<std::string>& names_;
 };
+
+/// A formula in the model language and in LaTeX, for products and sums with others.
+struct ReadFormula {
+  Formula text = {};
+  Formula latex = {};
+};
+/// The first entry of readable[0], written out.
+[[nodiscard]] ReadFormula first_entry(const Model& model, const Program& program);
 
 }  // namespace elgen

@@ -76,6 +76,26 @@ TEST_CASE("the bead stays at the bottom of a slow hoop, and just so at the criti
   CHECK(bottom.leading->order == 4);
 }
 
+TEST_CASE("the first term about a place has brackets around its place and its coefficient") {
+  const Analysed well = analysed(R"(format = 1
+[model]
+name = "well"
+[[coordinate]]
+name = "x"
+unit = "rad"
+[parameters]
+a = 1
+b = 2
+[energy]
+T = "1/2*dot(x)^2"
+V = "(a + b)*(1 + sin(x))^2"
+)");
+  const std::string text = equilibria_text(well.checked, well.equilibria);
+  INFO(text);
+  CHECK(text.find("V0 = 1/4*(a + b)*(x + 1/2*pi)^4 + ... has a strict minimum") !=
+        std::string::npos);
+}
+
 TEST_CASE("systems without equilibria say why, and what is cyclic") {
   CHECK(page("kepler_polar") == R"(Kepler problem in polar coordinates: equilibria (v = 0)
 

@@ -94,6 +94,32 @@ TEST_CASE("the tilted bead has one mode, on either side") {
 )");
 }
 
+TEST_CASE("a sum of masses has brackets in front of the acceleration, in all notations") {
+  const Motions sum = motions(R"(format = 1
+[model]
+name = "pair"
+[[coordinate]]
+name = "x"
+range = [-1, 1]
+[parameters]
+m1 = 1
+m2 = 1
+k = 1
+c = 1
+[energy]
+T = "1/2*(m1 + m2)*dot(x)^2"
+V = "1/2*(k + c)*x^2"
+)");
+  const auto has = [](const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  };
+  CHECK(has(modes_text(sum.checked, sum.equilibria, sum.all),
+            "  (m1 + m2) eta'' + K eta = 0,   K = k + c\n"));
+  CHECK(has(page(sum), "  (m₁ + m₂) η̈ + K η = 0,   K = k + c\n"));
+  CHECK(has(latex_document(modes_sheet(sum.checked, sum.equilibria, sum.all)),
+            "(m_{1} + m_{2}) \\ddot{\\eta} + K \\eta = 0"));
+}
+
 TEST_CASE("the cart-pole can be held upright: it is controllable") {
   const Motions upright = motions(model_file("cart_pole"), "theta=0");
   REQUIRE(upright.all.size() == 1);
