@@ -43,7 +43,8 @@ struct CosineAndSine {
 };
 
 /// The value of a coordinate at an equilibrium: any, or a number of 64 digits, with its closed form
-/// where that is known to hold for all values of the parameters at which it is defined.
+/// where that is known to hold for all values of the parameters at which it is defined. One that is
+/// any has the value at which it stands.
 struct CoordinateAtRest {
   bool is_any = false;
   cln::cl_R value = 0;

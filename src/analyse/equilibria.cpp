@@ -87,10 +87,25 @@ class EquilibriumSearch {
     }
     result_.completeness = Completeness::searched;
     if (Diagnostics errors = make_points(system); !errors.empty()) return errors;
+    name_free_coordinates(result_.points.front());
     return std::move(result_);
   }
 
  private:
+  /// Coordinates that no equation at rest holds stand where they were given: a multiple of a
+  /// quarter turn in closed form.
+  void name_free_coordinates(RestPoint& point) {
+    for (std::uint32_t i = 0; i < point.coordinates.size(); ++i) {
+      CoordinateAtRest& coordinate = point.coordinates[i];
+      if (!coordinate.is_any || model_.coordinates[i].rotation) continue;
+      const bool turns = is_angle(model_.coordinates[i]);
+      const auto plain = exact_root(result_.forms.algebra, {},
+                                    {{i}, {turns ? SearchKind::turn : SearchKind::none}},
+                                    arguments_at<Real>(point.state));
+      if (plain) coordinate.form = plain->front().form;
+    }
+  }
+
   Diagnostics prepare() {
     rows_ = occurrences(rest_.program, rest_.residual());
     if (const Expression* const kink = find_kink(model_)) {

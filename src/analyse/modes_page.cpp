@@ -89,7 +89,6 @@ class ModesPage {
 
   /// "π", "l + m g/k = 0.7", "±0.697569"
   Printed value_of_coordinate(const CoordinateAtRest& at, bool is_pair) {
-    if (at.is_any) return prose("any");
     if (at.wave && is_pair) {
       const Printed size = number(cln::abs(at.value));
       return {"+-" + size.text, "\\pm " + size.latex};

@@ -10,14 +10,21 @@ using namespace elgen::test;
 
 namespace {
 
-Products steady_products(const std::string& model, const std::string& routh) {
+Products steady_products_of(const std::string& text, const std::string& routh,
+                            const std::string& at = {}) {
   PipelineOptions options;
   options.goals = {Goal::modes};
-  Products products = run_pipeline(inputs_of(model_file(model), "[routh]\n" + routh), options);
+  if (!at.empty()) options.scene.starts = {make_source("--at", at)};
+  if (!at.empty()) options.about = "";
+  Products products = run_pipeline(inputs_of(text, "[routh]\n" + routh), options);
   INFO(format(products.diagnostics));
   REQUIRE(products.motions);
   REQUIRE(products.motions->size() == 1);
   return products;
+}
+
+Products steady_products(const std::string& model, const std::string& routh) {
+  return steady_products_of(model_file(model), routh);
 }
 
 double omega_squared(const Products& products) {
@@ -61,4 +68,35 @@ TEST_CASE("a top that precesses steadily") {
   CHECK(text.starts_with("Heavy symmetric top, p_φ = 1.80896 N m s, p_ψ = 2.0351 N m s: normal"));
   CHECK(holds(text, "= 0.985147 rad/s, "));
   CHECK(holds(text, "= 100.885 rad/s\n"));
+}
+
+TEST_CASE("the heading names the point asked about, where every value is one of rest, too") {
+  const std::string gimbal = R"(format = 1
+[model]
+name = "gimbal"
+[[coordinate]]
+name = "alpha"
+unit = "rad"
+[[coordinate]]
+name = "beta"
+unit = "rad"
+start = { value = 0.3 }
+[[coordinate]]
+name = "gamma"
+unit = "rad"
+start = { rate = 100 }
+[parameters]
+A = { value = 0.02, unit = "kg*m^2" }
+B = { value = 0.015, unit = "kg*m^2" }
+C = { value = 0.008, unit = "kg*m^2" }
+[energy]
+T = "1/2*(A + B*cos(beta)^2)*dot(alpha)^2 + 1/2*B*dot(beta)^2 + 1/2*C*(dot(gamma) + dot(alpha)*cos(beta))^2"
+)";
+  const auto heading = [&](const std::string& at) {
+    const std::string text = steady_page(steady_products_of(gimbal, "gamma = \"0.8\"\n", at));
+    return text.substr(0, text.find('\n'));
+  };
+  CHECK(holds(heading("beta=pi/2"), "linear equations at α = 0, β = ½ π ("));
+  CHECK(holds(heading("beta=0.5"), "linear equations at α = 0, β = 0.5 ("));
+  CHECK(holds(heading("alpha=-0.25,beta=pi"), "linear equations at α = -0.25, β = π ("));
 }
