@@ -134,8 +134,9 @@ struct Sheet {
 
 /// A derivation step by step, as it is read.
 struct ReadableSteps {
-  Program program = {};                  ///< the functions of elgen/steps.hpp
-  std::vector<std::string> masses = {};  ///< the names of the fields of "positions"
+  Program program = {};                    ///< the functions of elgen/steps.hpp
+  std::vector<std::string> masses = {};    ///< the names of the fields of "positions"
+  std::vector<std::string> left_out = {};  ///< points and bodies with a mass that are none of these
 };
 
 /// The content of pages.

@@ -3,6 +3,8 @@
 // and derived where not; the functions of elgen/steps.hpp, and the names of the masses.
 #include "pipeline/byways.hpp"
 
+#include <algorithm>
+
 #include "elgen/cancel.hpp"
 #include "elgen/certificate.hpp"
 #include "elgen/choose.hpp"
@@ -50,6 +52,24 @@ std::string name_of(const Model& model, const Entity& origin) {
   if (origin.kind == EntityKind::point) return model.points[origin.index].name;
   if (origin.kind == EntityKind::body) return model.bodies[origin.index].name;
   return {};
+}
+
+/// Points and bodies with a mass that are not shown: frames carry them, or a scene expands their
+/// energies.
+std::vector<std::string> other_masses(const Model& model, const std::vector<Entity>& shown) {
+  std::vector<std::string> names;
+  const auto add = [&](EntityKind kind, std::uint32_t index, const auto& placed) {
+    const bool is_shown = std::ranges::any_of(
+        shown, [&](const Entity& mass) { return mass.kind == kind && mass.index == index; });
+    if (is_shown || !placed.mass) return;
+    const Expression& mass = model.expressions[*placed.mass];
+    const bool is_none = mass.kind == ExpressionKind::number && cln::zerop(mass.number);
+    if (!is_none) names.push_back(placed.name);
+  };
+  for (std::uint32_t i = 0; i < model.points.size(); ++i)
+    add(EntityKind::point, i, model.points[i]);
+  for (std::uint32_t i = 0; i < model.bodies.size(); ++i) add(EntityKind::body, i, model.bodies[i]);
+  return names;
 }
 
 }  // namespace
@@ -123,7 +143,9 @@ Result<ReadableSteps> readable_steps(const Lagrangian& lagrangian, const Checked
   Result<Program> lowered = lower(derived->equations, derived->requests, limits);
   if (!lowered) return lowered.diagnostics;
   const Program recursive = cancel(std::move(*lowered));
-  ReadableSteps result{typeset_steps(checked, present(recursive), recursive), {}};
+  ReadableSteps result{typeset_steps(checked, present(recursive), recursive),
+                       {},
+                       other_masses(checked.model, derived->masses)};
   for (const Entity& mass : derived->masses) {
     result.masses.push_back(name_of(checked.model, mass));
   }

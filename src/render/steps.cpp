@@ -57,7 +57,8 @@ class Outline {
     add_action();
     std::size_t function = 0;
     if (!steps_.masses.empty()) {
-      add_motions(function, "Positions", "Where the masses are, in the coordinates.", false);
+      add_motions(function, "Positions",
+                  "Where the masses are, in the coordinates." + positions_left_out(), false);
       add_motions(function + 1, "Velocities", "Their rates, by the chain rule.", true);
       function += 2;
     }
@@ -135,7 +136,15 @@ class Outline {
     outline_.push_back(std::move(step));
   }
 
-  void add_motions(std::size_t function, const char* title, const char* doc, bool are_rates) {
+  [[nodiscard]] std::string positions_left_out() const {
+    if (steps_.left_out.empty()) return {};
+    return fmt::format(" Positions left out, as the energies have them {}: {}.",
+                       model_.approximation ? "expanded" : "by the motion of frames",
+                       fmt::join(steps_.left_out, ", "));
+  }
+
+  void add_motions(std::size_t function, const char* title, const std::string& doc,
+                   bool are_rates) {
     DerivationStep step{title, "", doc, {}, {}};
     for (std::size_t i = 0; i < steps_.masses.size(); ++i) {
       const std::string& name = steps_.masses[i];
@@ -153,6 +162,7 @@ class Outline {
                       : is_whole    ? "The Lagrangian as given."
                                     : "Kinetic and potential energy, L = T - V.";
     DerivationStep step{std::string(energies_title), "", doc, {}, {}};
+    if (steps_.masses.empty()) step.doc += positions_left_out();
     const std::vector<std::string> names =
         is_whole ? std::vector<std::string>{"L"} : std::vector<std::string>{"T", "V", "L"};
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -244,9 +254,20 @@ class Outline {
   void add_equations(std::size_t first, std::size_t constraints) {
     DerivationStep step{std::string(equations_title), "", "", {}, {}};
     const std::size_t count = model_.velocities.size();
+    std::vector<std::string> long_rows;
     for (std::size_t i = 0; i < count; ++i) {
       // Definitions of several derivations may have one name: such a row stands in its own section.
-      if (has_book_form(first + i)) step.equations.push_back(row(first + i));
+      if (has_book_form(first + i)) {
+        step.equations.push_back(row(first + i));
+      } else {
+        long_rows.push_back(model_.velocities[i].name);
+      }
+    }
+    if (!long_rows.empty()) {
+      step.doc = fmt::format(
+          "Rows left out, as too long to be read at once: {}. elgen show --what steps has each in "
+          "parts.",
+          fmt::join(long_rows, ", "));
     }
     for (std::size_t i = 0; i < model_.constraints.size() && has_book_form(constraints); ++i) {
       step.equations.push_back({text_[constraints].entries[i].front(),
@@ -259,7 +280,7 @@ class Outline {
       step.equations.push_back(
           {leaf_text(model_, Opcode::acceleration, i), symbols_.leaves().a[i], accelerations, i});
     }
-    if (!step.equations.empty()) outline_.push_back(std::move(step));
+    if (!step.equations.empty() || !step.doc.empty()) outline_.push_back(std::move(step));
   }
 
   /// Noether's line of a cyclic coordinate.

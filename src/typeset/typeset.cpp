@@ -283,7 +283,10 @@ Function added_up(Program& program, Function function, bool is_velocity) {
     const auto of = [&entry](BookLine line) { return entry(static_cast<std::size_t>(line)); };
     const std::uint32_t inertia =
         instructions.add(Opcode::subtract, of(BookLine::momentum_rate), of(BookLine::partial));
-    const std::uint32_t left = instructions.add(Opcode::add, inertia, of(BookLine::dissipation));
+    const std::uint32_t damping = of(BookLine::dissipation);
+    const bool is_damped = !loads_zero(program, function.instructions[damping]);
+    const std::uint32_t left =
+        is_damped ? instructions.add(Opcode::add, inertia, damping) : inertia;
     function.fields.push_back({"left", 1, 1, {left}});
   } else if (function.fields.size() == 2 && function.fields[1].name == "V") {
     const std::uint32_t whole = instructions.add(Opcode::subtract, entry(0), entry(1));

@@ -102,6 +102,82 @@ TEST_CASE("dL/dq and d/dt dL/dv are steps of their own") {
       {"m*l^2*dot(dot(theta)) + m*g*l*sin(theta)"}};
   CHECK(steps.entries == expected);
   CHECK(products.steps->masses == std::vector<std::string>{"bob"});
+  CHECK(products.steps->left_out.empty());
+}
+
+namespace {
+
+/// The derivation of a model as text.
+std::string steps_of(const std::string& text) {
+  PipelineOptions options;
+  options.goals = {Goal::steps};
+  const Products products = run_pipeline(inputs_of(text), options);
+  INFO(format(products.diagnostics));
+  REQUIRE(products.steps);
+  return steps_text(products.checked->model, *products.steps);
+}
+
+bool says(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("a derivation says which masses it leaves out: those that frames carry") {
+  const std::string governor = R"toml(format = 1
+[model]
+name = "governor"
+[[coordinate]]
+name = "alpha"
+unit = "rad"
+range = [0.1, 1.4]
+[parameters]
+m = { value = 1, unit = "kg" }
+M = { value = 2, unit = "kg" }
+l = { value = 0.3, unit = "m" }
+Omega = { value = 12, unit = "rad/s" }
+[[frame]]
+name = "spindle"
+parent = "world"
+rotate = [["z", "Omega*t"]]
+[[point]]
+name = "left"
+frame = "spindle"
+at = ["l*sin(alpha)", "0", "-l*cos(alpha)"]
+mass = "m"
+[[body]]
+name = "right"
+frame = "spindle"
+com = ["-l", "0", "0"]
+mass = "m"
+[[body]]
+name = "spindle"
+frame = "spindle"
+mass = 0
+inertia = ["0", "0", "M*l^2"]
+[[point]]
+name = "sleeve"
+at = ["0", "0", "-2*l*cos(alpha)"]
+mass = "M"
+)toml";
+  const std::string text = steps_of(governor);
+  INFO(text);
+  CHECK(says(text,
+             "\n  Where the masses are, in the coordinates. Positions left out, as the energies "
+             "have them by the motion of frames: left, right.\n  sleeve = "));
+  const std::string alone = governor.substr(0, governor.rfind("[[point]]"));
+  CHECK(says(steps_of(alone),
+             "L = T - V. Positions left out, as the energies have them by the motion of frames: "
+             "left, right.\n"));
+}
+
+TEST_CASE("a derivation says which rows are too long for its equations of motion") {
+  const std::string text = steps_of(model_file("body_on_springs"));
+  CHECK(says(text, "\n  Rows left out, as too long to be read at once: roll, pitch. "));
+  CHECK(says(text,
+             "L = T - V. Positions left out, as the energies have them by the motion of "
+             "frames: block.\n"));
+  CHECK_FALSE(says(text, " + 0 = 0"));
 }
 
 }  // namespace elgen::test
