@@ -33,6 +33,7 @@ enum class Obstacle : std::uint8_t {
   undefined,        ///< outside of the domain: 1/0, sqrt(-1)
   ill_conditioned,  ///< rounding has no bound, or the solution is not known
   singular,         ///< M is singular: a pole, a gimbal
+  unsettled,        ///< 1000 digits do not tell whether program and oracle are one: 1 - cos(1e-300)
 };
 
 /// The evidence that a row rests on.

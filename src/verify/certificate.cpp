@@ -30,12 +30,13 @@ using Json = nlohmann::ordered_json;
 using OutputRows = std::pair<std::string, Rows>;
 
 constexpr std::array<std::string_view, 4> verdict_words{"holds", "FAILS", "skipped", "noted"};
-constexpr std::array<std::string_view, 4> obstacle_words{
-    "overflow", "outside the domain", "too ill-conditioned to bound", "singular"};
+constexpr std::array<std::string_view, 5> obstacle_words{"overflow", "outside the domain",
+                                                         "too ill-conditioned to bound", "singular",
+                                                         "where the oracle cannot say"};
 
 constexpr std::array<std::string_view, 4> verdict_names{"holds", "fails", "skipped", "noted"};
-constexpr std::array<std::string_view, 4> obstacle_names{"overflow", "undefined", "ill_conditioned",
-                                                         "singular"};
+constexpr std::array<std::string_view, 5> obstacle_names{"overflow", "undefined", "ill_conditioned",
+                                                         "singular", "unsettled"};
 constexpr std::array<std::string_view, 4> evidence_names{"states", "proof", "zeros", "numbers"};
 
 template <class Enum, std::size_t size>

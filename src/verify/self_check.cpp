@@ -76,7 +76,7 @@ class SelfChecking {
     bool is_outside = false;
     for (std::size_t index = 0; index < subject_.program.functions.size(); ++index) {
       const Regime regime = look_at(visit, index);
-      is_compared = is_compared || (regime != Regime::undefined && regime != Regime::overflow);
+      is_compared = is_compared || regime == Regime::regular || regime == Regime::ill_conditioned;
       is_outside = is_outside || regime == Regime::undefined;
       without_value_[index] = without_value_[index] && regime == Regime::undefined;
       if (!result_.failure.empty()) break;

@@ -21,7 +21,7 @@ std::string compare(const System& system, OutputKind kind) {
     const BoundedRun run =
         bounded_run(system.program, *place.function, oracle.state(), rounding<double>());
     REQUIRE(run.regime == Regime::regular);
-    const std::string differs = compare_projection(subject, place, run, oracle, random);
+    const std::string differs = compare_projection(subject, place, run, oracle, random).text;
     if (!differs.empty()) return differs;
   }
   return {};

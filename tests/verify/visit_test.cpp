@@ -48,6 +48,37 @@ const FieldPlace& place_of(const std::vector<FieldPlace>& places, const std::str
   return places.front();
 }
 
+/// One coordinate x with this V, and code for it.
+System with_potential(const std::string& V, const std::string& body) {
+  ModelBuilder builder;
+  builder.coordinate("x").T("x_d^2/2").V(V);
+  return system_of(builder.model,
+                   "coordinates x\nfunction potential_energy\n  0 = coordinate x\n" + body);
+}
+
+/// 2 (sin(x/2)/x)^2
+System half_angles() {
+  return with_potential("(1 - cos(x))/x^2",
+                        "  1 = constant 1/2\n  2 = multiply 1 0\n  3 = sin 2\n"
+                        "  4 = divide 3 0\n  5 = multiply 4 4\n  6 = add 5 5\n"
+                        "  result 1 1 = 6\n");
+}
+
+/// sin(x) (1 - cos(x)) / (cos(x) x^3) with 2 sin(x/2)^2
+System tangent_less_sine() {
+  return with_potential("(tan(x) - sin(x))/x^3",
+                        "  1 = constant 1/2\n  2 = multiply 1 0\n  3 = sin 2\n"
+                        "  4 = divide 3 0\n  5 = multiply 4 4\n  6 = add 5 5\n"
+                        "  7 = tan 0\n  8 = divide 7 0\n  9 = multiply 8 6\n"
+                        "  result 1 1 = 9\n");
+}
+
+SampledState<double> state_at(const System& system, double x) {
+  SampledState<double> state = state_of(system, Region::extreme);
+  state.values.q[0] = x;
+  return state;
+}
+
 using Change = std::function<double(double)>;
 
 double as_is(double x) { return x; }
@@ -93,6 +124,56 @@ TEST_CASE("a wrong field is found by either comparison") {
   const SampledState<double> state = state_of(system);
   CHECK(first_finding(system, Comparison::entries, state).mistake.find("entry 2 is ") == 0);
   CHECK(first_finding(system, Comparison::projections, state).mistake.find("w.x is ") == 0);
+}
+
+TEST_CASE("where 1 - cos(x) asks for more digits, program and oracle get them") {
+  for (const System& system : {half_angles(), tangent_less_sine()}) {
+    for (const double x : {1e-12, 1e-30, 1e-60, 1e-150}) {
+      for (const Comparison comparison : {Comparison::entries, Comparison::projections}) {
+        const Finding finding = first_finding(system, comparison, state_at(system, x));
+        INFO(x << ": " << finding.mistake);
+        CHECK(finding.mistake.empty());
+        CHECK(finding.regime == Regime::regular);
+        REQUIRE(finding.error);
+        CHECK(*finding.error <= promised_bounds);
+      }
+    }
+  }
+}
+
+TEST_CASE("a mistake stays one however many digits there are, near a zero too") {
+  // Without the factor of 2.
+  const System system = with_potential("(1 - cos(x))/x^2",
+                                       "  1 = constant 1/2\n  2 = multiply 1 0\n  3 = sin 2\n"
+                                       "  4 = divide 3 0\n  5 = multiply 4 4\n"
+                                       "  result 1 1 = 5\n");
+  for (const double x : {1.0, 1e-3, 1e-12, 1e-30}) {
+    INFO(x);
+    const SampledState<double> state = state_at(system, x);
+    CHECK_FALSE(first_finding(system, Comparison::entries, state).mistake.empty());
+    CHECK_FALSE(first_finding(system, Comparison::projections, state).mistake.empty());
+  }
+}
+
+TEST_CASE("where no more digits are to be had, the oracle cannot say, and the state is counted") {
+  // 1 - cos(x) takes 400 digits, pi has 200.
+  const System system = with_potential("pi*(1 - cos(x))/x^2",
+                                       "  1 = constant 1/2\n  2 = multiply 1 0\n  3 = sin 2\n"
+                                       "  4 = divide 3 0\n  5 = multiply 4 4\n  6 = add 5 5\n"
+                                       "  7 = constant pi\n  8 = multiply 7 6\n"
+                                       "  result 1 1 = 8\n");
+  const SampledState<double> state = state_at(system, 1e-200);
+  const Finding finding = first_finding(system, Comparison::entries, state);
+  INFO(finding.mistake);
+  CHECK(finding.mistake.empty());
+  CHECK(finding.regime == Regime::unsettled);
+  CHECK_FALSE(finding.error);
+  const auto rows = check_accuracy(system.subject(), std::vector{state}, {});
+  REQUIRE(rows.size() == 1);
+  CHECK(rows.front().verdict == Verdict::skipped);
+  CHECK(rows.front().skipped == std::vector<SkippedStates>{{Obstacle::unsettled, 1}});
+  const std::string text = to_full_text({"sample", "full", 1, rows});
+  CHECK(text.find("1 where the oracle cannot say") != std::string::npos);
 }
 
 TEST_CASE("only at ordinary states a value must be defined where the oracle's is") {

@@ -106,6 +106,17 @@ bool agrees_with_oracle(const Measured& number, const cln::cl_R& truth, const Re
          agrees(number, Real(truth), own + Real(oracle.motion()));
 }
 
+bool is_settled(const Mismatch& before, const Mismatch& now) {
+  static const Real share(power_of_ten(-digits_of_bound));
+  const auto size = [](const Real& x) { return x.is_defined() ? abs(x) : Real(); };
+  const Real allowed = share * (size(now.value) + size(now.truth));
+  const auto stays = [&allowed](const Real& x, const Real& y) {
+    if (!x.is_defined() || !y.is_defined()) return x.is_defined() == y.is_defined();
+    return abs(x - y).value() <= allowed.value();
+  };
+  return stays(before.value, now.value) && stays(before.truth, now.truth);
+}
+
 std::string short_text(const Real& value) {
   return value.is_defined() ? short_text(value.value()) : "undefined";
 }

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "evaluate/subject.hpp"
@@ -65,6 +66,16 @@ struct Measured {
 /// energy, and where that is not enough, by the forces, by the inertia, or by the motion.
 [[nodiscard]] bool agrees_with_oracle(const Measured& number, const cln::cl_R& truth,
                                       const Real& scale, OracleCache& oracle);
+
+/// Two exact numbers that should be one, in words; no words where they agree.
+struct Mismatch {
+  std::string text = {};
+  Real value = {};  ///< of the program
+  Real truth = {};
+};
+
+/// Whether more digits changed neither number by more than 1e-50 of the larger one.
+[[nodiscard]] bool is_settled(const Mismatch& before, const Mismatch& now);
 
 /// "1.5", or "undefined".
 [[nodiscard]] std::string short_text(const Real& value);

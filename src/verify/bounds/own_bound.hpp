@@ -17,6 +17,7 @@ enum class Regime : std::uint8_t {
   overflow,         ///< an exact intermediate exceeds max/16 of the scalar
   ill_conditioned,  ///< a divisor or radicand is uncertain by more than a tenth: no first-order
                     ///< bound
+  unsettled,        ///< 1000 digits do not tell whether the exact value is the oracle's
 };
 
 /// An undefined value outweighs an overflow, and that a lost bound.

@@ -27,8 +27,9 @@ Numbers random_direction(std::size_t size, Random& random) {
   return direction;
 }
 
-std::string mismatch(const std::string& what, const Real& value, const cl_R& truth) {
-  return fmt::format("{} is {}, the oracle says {}", what, short_text(value), short_text(truth));
+Mismatch mismatch(const std::string& what, const Real& value, const cl_R& truth) {
+  return {fmt::format("{} is {}, the oracle says {}", what, short_text(value), short_text(truth)),
+          value, Real(truth)};
 }
 
 /// One field at one state.
@@ -38,11 +39,11 @@ class Projection {
              OracleCache& oracle, Random& random)
       : subject_(subject), place_(place), run_(run), oracle_(oracle), random_(random) {}
 
-  std::string compare() {
+  Mismatch compare() {
     const OutputRow& output = output_row(place_.request.kind);
     if (!output.solves) return compare_contraction();
     if (!subject_.model.constraints.empty()) {
-      return oracle_.solves() ? compare_contraction() : std::string();
+      return oracle_.solves() ? compare_contraction() : Mismatch();
     }
     if (!output.gives_pivots) return compare_response();
     const bool is_acceleration = place_.field().name == "acceleration";
@@ -67,7 +68,7 @@ class Projection {
     return sum;
   }
 
-  std::string compare_contraction() {
+  Mismatch compare_contraction() {
     const Field& field = place_.field();
     if (field.entries.empty()) return {};
     Contraction by{random_direction(field.rows, random_), {}, place_.request_field};
@@ -76,7 +77,7 @@ class Projection {
     return compare_by(by);
   }
 
-  std::string compare_by(const Contraction& by) {
+  Mismatch compare_by(const Contraction& by) {
     const Measured sum = contracted(by);
     const auto truth = oracle_contraction(subject_.model, place_.request, state(), by);
     if (!truth || agrees_with_oracle(sum, *truth, run_.largest, oracle_)) return {};
@@ -85,13 +86,13 @@ class Projection {
   }
 
   /// An entry is undefined: a mistake where the oracle has a value.
-  std::string compare_undefined(const std::string& what) {
+  Mismatch compare_undefined(const std::string& what) {
     const OracleValues& truth = oracle_.values(place_.request);
-    return truth ? mismatch(what, Real::undefined(), truth->front()) : "";
+    return truth ? mismatch(what, Real::undefined(), truth->front()) : Mismatch();
   }
 
   /// Both sides of an equation between projected forces, each a number of the oracle's.
-  std::string compare_forces(const std::string& what, const cl_R& left, const cl_R& right) {
+  Mismatch compare_forces(const std::string& what, const cl_R& left, const cl_R& right) {
     const Measured sum{Real(left), Real(cln::abs(left) + cln::abs(right))};
     if (agrees_with_oracle(sum, right, run_.largest, oracle_)) return {};
     return mismatch(what, sum.value, right);
@@ -103,7 +104,7 @@ class Projection {
     return oracle_contraction(subject_.model, {.kind = OutputKind::input_matrix}, state(), {w, y});
   }
 
-  std::string compare_acceleration() {
+  Mismatch compare_acceleration() {
     const std::size_t n = state().v.size();
     State moving = state();
     for (std::size_t i = 0; i < n; ++i) {
@@ -138,7 +139,7 @@ class Projection {
     return pivots;
   }
 
-  std::string compare_pivots() {
+  Mismatch compare_pivots() {
     const OracleValues pivots = pivots_of_mass();
     if (!pivots) return {};
     for (std::size_t i = 0; i < pivots->size(); ++i) {
@@ -182,7 +183,7 @@ class Projection {
     return slope ? std::optional<cl_R>(-*slope) : std::nullopt;
   }
 
-  std::string compare_response() {
+  Mismatch compare_response() {
     const Field& field = place_.field();
     if (field.entries.empty()) return {};
     const std::size_t n = state().v.size();
@@ -194,12 +195,12 @@ class Projection {
     const auto left = oracle_contraction(subject_.model, mass, state(), {w, *z});
     const auto right = response_force(w, y);
     if (!left || !right) return {};
-    const std::string wrong = compare_forces("w.M (X y) of " + field.name, *left, *right);
-    return wrong.empty() && field.rows > n ? compare_rates() : wrong;
+    const Mismatch wrong = compare_forces("w.M (X y) of " + field.name, *left, *right);
+    return wrong.text.empty() && field.rows > n ? compare_rates() : wrong;
   }
 
   /// The rows above those of accelerations, which nothing is solved for.
-  std::string compare_rates() {
+  Mismatch compare_rates() {
     const Field& field = place_.field();
     const std::size_t n = state().v.size();
     Contraction by{random_direction(n, random_), random_direction(field.columns, random_),
@@ -217,8 +218,8 @@ class Projection {
 
 }  // namespace
 
-std::string compare_projection(const Subject& subject, const FieldPlace& place,
-                               const BoundedRun& run, OracleCache& oracle, Random& random) {
+Mismatch compare_projection(const Subject& subject, const FieldPlace& place, const BoundedRun& run,
+                            OracleCache& oracle, Random& random) {
   return Projection(subject, place, run, oracle, random).compare();
 }
 

@@ -3,16 +3,14 @@
 // that program and oracle both give at small cost.
 #pragma once
 
-#include <string>
-
 #include "base/random.hpp"
 #include "verify/bounds/field_place.hpp"
 #include "verify/bounds/oracle_cache.hpp"
 
 namespace elgen {
 
-/// Empty where the contraction of the field's exact entries is the oracle's, to 50 digits of sum
-/// |w_i y_j| B_ij, or where the oracle has none; otherwise both numbers. The program may be
+/// Without words where the contraction of the field's exact entries is the oracle's, to 50 digits
+/// of sum |w_i y_j| B_ij, or where the oracle has none; otherwise both numbers. The program may be
 /// undefined. Solutions are put into the equation that they solve, which needs no solution:
 ///
 ///     every field:                  w.x, w.X y
@@ -20,8 +18,8 @@ namespace elgen {
 ///     derivatives X of them:        w.M (X y) = -w.(slope of M a + bias - B u along y)
 ///     derivatives by the inputs:    w.M (X y) = w.B y
 ///     relative pivots:              each
-[[nodiscard]] std::string compare_projection(const Subject& subject, const FieldPlace& place,
-                                             const BoundedRun& run, OracleCache& oracle,
-                                             Random& random);
+[[nodiscard]] Mismatch compare_projection(const Subject& subject, const FieldPlace& place,
+                                          const BoundedRun& run, OracleCache& oracle,
+                                          Random& random);
 
 }  // namespace elgen

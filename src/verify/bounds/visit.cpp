@@ -15,8 +15,30 @@
 namespace elgen {
 namespace {
 
-/// For a second look at values that differ: as many as Real has by itself.
-constexpr unsigned digits_of_second_look = 64;
+/// Of the looks at values that differ: each has twice the digits of the one before.
+constexpr unsigned digits_of_first_look = 64;
+constexpr unsigned digits_of_last_look = 1024;
+
+/// Constants that are not rational are known to 200 digits: more of them say nothing.
+unsigned most_digits(const Program& program) {
+  constexpr unsigned digits_of_constants = 256;
+  const auto is_exact = [](const Constant& constant) { return is_rational(constant); };
+  const bool are_exact = std::ranges::all_of(program.constants, is_exact);
+  return are_exact ? digits_of_last_look : digits_of_constants;
+}
+
+/// Two looks that say the same are right where the first has so many digits. With fewer 1 - cos(x)
+/// may be 0 in both, and its quotients by x^2 are as wrong as they are steady. Second derivatives
+/// of such quotients depend on powers of x up to the eighth. Parameters are near their values.
+double telling_digits(const State& state) {
+  double farthest = 0;
+  const auto look = [&farthest](Opcode kind, std::uint32_t, const cln::cl_R& x) {
+    if (kind == Opcode::parameter) return;
+    farthest = std::max(farthest, std::abs(decimal_exponent(x)));
+  };
+  for_each_leaf(look, state);
+  return 8 * farthest;
+}
 
 bool has_values(Regime regime) {
   return regime == Regime::regular || regime == Regime::ill_conditioned;
@@ -36,9 +58,10 @@ double cancellation(const Bound& entry) {
   return ScalarTraits<double>::from_real((entry.bound / abs(entry.value)).value());
 }
 
-std::string mismatch(std::size_t entry, const Real& value, const Real& truth) {
-  return fmt::format("entry {} is {}, the oracle says {}", entry + 1, short_text(value),
-                     short_text(truth));
+Mismatch mismatch(std::size_t entry, const Real& value, const Real& truth) {
+  return {fmt::format("entry {} is {}, the oracle says {}", entry + 1, short_text(value),
+                      short_text(truth)),
+          value, truth};
 }
 
 std::vector<Bound> slice(const std::vector<Bound>& entries, std::size_t first, std::size_t count) {
@@ -110,8 +133,8 @@ auto Visit<Scalar>::judged(const FieldPlace& place) -> Judged {
 }
 
 template <class Scalar>
-std::string Visit<Scalar>::differing_entry(const FieldPlace& place, const Judged& judged,
-                                           Finding& finding) {
+Mismatch Visit<Scalar>::differing_entry(const FieldPlace& place, const Judged& judged,
+                                        Finding& finding) {
   const OracleValues& truth = oracle_.values(place.request);
   const bool solves = output_row(place.request.kind).solves;
   if (!truth || (solves && !oracle_.solves())) {
@@ -139,15 +162,16 @@ std::string Visit<Scalar>::differing_entry(const FieldPlace& place, const Judged
 }
 
 template <class Scalar>
-std::string Visit<Scalar>::differing_from(const FieldPlace& place, const std::vector<Bound>& others,
-                                          std::string_view of) const {
+Mismatch Visit<Scalar>::differing_from(const FieldPlace& place, const std::vector<Bound>& others,
+                                       std::string_view of) const {
   for (std::size_t i = 0; i < others.size(); ++i) {
     const Real& own = exact_.entries[place.first + i].value;
     const Bound& other = others[i];
     if (!own.is_defined() && !other.value.is_defined()) continue;
     if (agrees({other.value, other.bound}, own, exact_.largest)) continue;
-    return fmt::format("entry {} is {}, but {} in {}", i + 1, short_text(own),
-                       short_text(other.value), of);
+    return {fmt::format("entry {} is {}, but {} in {}", i + 1, short_text(own),
+                        short_text(other.value), of),
+            own, other.value};
   }
   return {};
 }
@@ -160,8 +184,8 @@ bool Visit<Scalar>::is_defined(const FieldPlace& place) const {
 }
 
 template <class Scalar>
-std::string Visit<Scalar>::differing_projection(const FieldPlace& place, const Judged& judged,
-                                                Random& random) {
+Mismatch Visit<Scalar>::differing_projection(const FieldPlace& place, const Judged& judged,
+                                             Random& random) {
   const bool repeats = output_row(place.function->kind).repeats;
   const auto known = repeats ? known_.find(place.field().name) : known_.end();
   if (known != known_.end())
@@ -169,9 +193,10 @@ std::string Visit<Scalar>::differing_projection(const FieldPlace& place, const J
   // An entry without a value is compared with the oracle alone: a closed form may have one outside
   // of the domain, where a solution that it belongs to has none.
   const bool has_form = place.judge.is_closed_form && is_defined(place);
-  const std::string differs =
-      has_form ? differing_from(place, judged.entries, "its closed form") : std::string();
-  return differs.empty() ? compare_projection(subject_, place, exact_, oracle_, random) : differs;
+  const Mismatch differs =
+      has_form ? differing_from(place, judged.entries, "its closed form") : Mismatch();
+  return differs.text.empty() ? compare_projection(subject_, place, exact_, oracle_, random)
+                              : differs;
 }
 
 template <class Scalar>
@@ -295,23 +320,37 @@ std::optional<Loss> Visit<Scalar>::measured_loss(const FieldPlace& place, const 
 
 template <class Scalar>
 Finding Visit<Scalar>::look_at(const FieldPlace& place, Random& random) {
+  const Random directions = random;
   Finding first = found(place, random);
   if (first.mistake.empty()) return first;
-  const MoreDigits twice(digits_of_second_look);
-  return Visit(subject_, sample_, options_).found(place, random);
+  const double telling = telling_digits(state());
+  const unsigned most = most_digits(subject_.program);
+  Mismatch before = mismatch_;
+  for (unsigned digits = digits_of_first_look; digits < most; digits *= 2) {
+    const MoreDigits more(2 * digits - digits_of_first_look);
+    Visit closer(subject_, sample_, options_);
+    Random same = directions;
+    Finding finding = closer.found(place, same);
+    const bool is_told = digits >= telling && is_settled(before, closer.mismatch_);
+    if (finding.mistake.empty() || is_told) return finding;
+    before = closer.mismatch_;
+  }
+  return Finding{.regime = Regime::unsettled};
 }
 
 template <class Scalar>
 Finding Visit<Scalar>::found(const FieldPlace& place, Random& random) {
   run(place);
+  mismatch_ = {};
   const Judged judged = this->judged(place);
   Finding finding;
   finding.regime = judged.regime;
   // At ordinary states the oracle is asked all the same: what has a value there must have one here.
   if (!has_values(judged.regime) && sample_.region != Region::nominal) return finding;
-  finding.mistake = options_.comparison == Comparison::entries
-                        ? differing_entry(place, judged, finding)
-                        : differing_projection(place, judged, random);
+  mismatch_ = options_.comparison == Comparison::entries
+                  ? differing_entry(place, judged, finding)
+                  : differing_projection(place, judged, random);
+  finding.mistake = mismatch_.text;
   const bool is_measured = finding.mistake.empty() && finding.regime == Regime::regular;
   if (is_measured) measure(place, judged, finding);
   if (is_measured && options_.as_users != nullptr) measure_users(place, judged, finding);

@@ -66,7 +66,8 @@ class Visit {
   [[nodiscard]] const State& state() const { return oracle_.state(); }
 
   /// `random` gives the directions of projections. Fields of one function one after another cost
-  /// one run of it.
+  /// one run of it. Where exact values differ, program and oracle are run again with twice the
+  /// digits, up to 1000: a mistake is what two looks say alike, unsettled where none does.
   [[nodiscard]] Finding look_at(const FieldPlace& place, Random& random);
 
  private:
@@ -80,15 +81,14 @@ class Visit {
   [[nodiscard]] Finding found(const FieldPlace& place, Random& random);
   void run(const FieldPlace& place);
   [[nodiscard]] Judged judged(const FieldPlace& place);
-  [[nodiscard]] std::string differing_entry(const FieldPlace& place, const Judged& judged,
-                                            Finding& finding);
+  [[nodiscard]] Mismatch differing_entry(const FieldPlace& place, const Judged& judged,
+                                         Finding& finding);
   /// Whether all entries of the field have exact values.
   [[nodiscard]] bool is_defined(const FieldPlace& place) const;
-  [[nodiscard]] std::string differing_projection(const FieldPlace& place, const Judged& judged,
-                                                 Random& random);
-  [[nodiscard]] std::string differing_from(const FieldPlace& place,
-                                           const std::vector<Bound>& others,
-                                           std::string_view of) const;
+  [[nodiscard]] Mismatch differing_projection(const FieldPlace& place, const Judged& judged,
+                                              Random& random);
+  [[nodiscard]] Mismatch differing_from(const FieldPlace& place, const std::vector<Bound>& others,
+                                        std::string_view of) const;
   void measure(const FieldPlace& place, const Judged& judged, Finding& finding) const;
   void measure_users(const FieldPlace& place, const Judged& judged, Finding& finding);
   /// Errors of a field, without N eta, and its exact entries.
@@ -116,6 +116,7 @@ class Visit {
   BoundedRun exact_ = {};
   std::vector<Scalar> values_ = {};
   std::vector<Scalar> users_values_ = {};  ///< of the code as users compile it
+  Mismatch mismatch_ = {};                 ///< of the last field
   const Function* judge_ = nullptr;
   BoundedRun judge_run_ = {};
   std::map<std::string, std::vector<Bound>> known_ = {};  ///< entries of functions of one field
