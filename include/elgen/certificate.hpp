@@ -24,7 +24,8 @@ enum class Verdict : std::uint8_t {
   holds,
   fails,
   skipped,
-  noted,  ///< half of the digits are lost, or a side of a kink was not seen
+  noted,  ///< rounding is beyond its bound, half of the digits are lost, or a side of a kink was
+          ///< not seen
 };
 
 /// Why nothing is said at a state.
@@ -102,8 +103,10 @@ struct VerifyOptions {
 };
 
 /// Compares oracle, program, and compiled code, and checks the structure of M, C and energies.
-/// Without `compiled` headers (quick) their rows are absent. Those of Build::as_users are held to
-/// the bounds of the program, all others to its bits.
+/// Without `compiled` headers (quick) their rows are absent. Those of Build::as_users are measured
+/// by the bounds of the program, all others held to its bits. Rounding fails nothing: a row is
+/// noted where it is beyond its bound, and fails where a value is NaN or infinite that exact
+/// arithmetic has inside the scalar's range.
 /// Diagnostics: wrong [[expect]] with witness point.
 struct Verification {
   Certificate certificate;

@@ -59,6 +59,13 @@ auto timed(const std::string& name, Products& products, const Progress& progress
   return result;
 }
 
+/// A compiler that takes too long says nothing of the model: what it would have told is skipped.
+CompiledHeaders all_lacking(const Diagnostic& late) {
+  CompiledHeaders headers(1);
+  headers.front().lacking = late.message + "; " + late.hint;
+  return headers;
+}
+
 /// Compiles the emitted code in every way that is compared, unless it is to be quick.
 Result<CompiledHeaders> compiled_by(Products& products, const VerifyOptions& options,
                                     const Limits& limits, const Progress& progress) {
@@ -66,7 +73,11 @@ Result<CompiledHeaders> compiled_by(Products& products, const VerifyOptions& opt
   const auto& [model, scene] = *products.checked;
   const CompileOptions all{limits, {Build::as_written, Build::native, Build::as_users}, true};
   return timed("compile", products, progress, [&, &model = model, &scene = scene] {
-    return compile(*products.files, model, scene, *products.program, all);
+    Result<CompiledHeaders> compiled =
+        compile(*products.files, model, scene, *products.program, all);
+    const bool is_late = !compiled && compiled.diagnostics.front().code == Code::E909;
+    if (is_late) return Result<CompiledHeaders>(all_lacking(compiled.diagnostics.front()));
+    return compiled;
   });
 }
 

@@ -90,8 +90,10 @@ std::size_t count_of(const Rows& rows, Verdict verdict) {
 }
 
 Verdict verdict_of(const Rows& rows) {
-  if (count_of(rows, Verdict::fails) > 0) return Verdict::fails;
-  return count_of(rows, Verdict::holds) > 0 ? Verdict::holds : Verdict::skipped;
+  for (const Verdict verdict : {Verdict::fails, Verdict::holds, Verdict::noted}) {
+    if (count_of(rows, verdict) > 0) return verdict;
+  }
+  return Verdict::skipped;
 }
 
 /// Rows of one output, in the order in which outputs come first.

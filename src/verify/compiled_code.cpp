@@ -182,7 +182,8 @@ CertificateRow without_code(const CompiledHeader& compiled) {
   CertificateRow row;
   row.check = compiled.build == Build::as_users ? "as users compile" : "compiled code vs program";
   row.output = row.check;
-  row.subject = fmt::format("all outputs ({})", kind_of_code(compiled, ""));
+  const std::string kind = kind_of_code(compiled, "");
+  row.subject = kind.empty() ? "all outputs" : fmt::format("all outputs ({})", kind);
   row.worst = compiled.lacking;
   row.verdict = Verdict::skipped;
   return row;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "elgen/certificate.hpp"
@@ -105,7 +106,9 @@ class SelfChecking {
       const Finding finding = visit.look_at(place, random_);
       regime = worse(regime, finding.regime);
       if (finding.error) result_.worst = std::max(result_.worst.value_or(0), *finding.error);
-      const std::string& wrong = finding.mistake.empty() ? finding.imprecision : finding.mistake;
+      // Rounding is a figure; NaN and infinity are none.
+      const bool is_rounding = std::isfinite(finding.error.value_or(0));
+      const std::string& wrong = is_rounding ? finding.mistake : finding.imprecision;
       if (wrong.empty()) continue;
       result_.failure = fmt::format("`{}`: {}, at {}", place.function->name, wrong,
                                     describe(subject_, visit.state()));

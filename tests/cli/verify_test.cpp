@@ -152,6 +152,58 @@ TEST_CASE("every file that is emitted is compiled and run, in every storage") {
   CHECK(mentions(in_packs, "sine and cosine (double, batch, -O3 -march=native, contraction on) "));
 }
 
+TEST_CASE("rounding beyond its bound is noted, and exits with 0") {
+  const Workspace workspace;
+  // A root of squares as typed; its code loses digits where b is far from a and c.
+  workspace.write("egg.toml", R"toml(format = 1
+[model]
+name = "egg"
+[[coordinate]]
+name = "q2"
+unit = "rad"
+range = [-0.6, 0.6]
+[[coordinate]]
+name = "q3"
+unit = "rad"
+range = [-0.6, 0.6]
+[parameters]
+m = { value = 1, unit = "kg", assume = "positive" }
+J = { value = 1e-3, unit = "kg*m^2", assume = "positive" }
+a = { value = 0.2, unit = "m", assume = "positive" }
+b = { value = 0.03, unit = "m", assume = "positive" }
+c = { value = 0.02, unit = "m", assume = "positive" }
+h = { value = 0.01, unit = "m" }
+g = { value = 9.80665, unit = "m/s^2" }
+[define]
+n1 = "-cos(q2)*sin(q3)"
+n2 = "sin(q2)"
+n3 = "cos(q2)*cos(q3)"
+[energy]
+T = "1/2*J*(dot(q2)^2 + dot(q3)^2)"
+V = "m*g*(sqrt(a^2*n1^2 + b^2*n2^2 + c^2*n3^2) - h*n3)"
+)toml");
+  for (const std::string seed : {"3", "4", "6"}) {
+    const Outcome outcome = workspace.run("elgen verify --quick --seed " + seed + " egg.toml");
+    INFO(outcome.output + outcome.errors);
+    CHECK(outcome.status == 0);
+  }
+}
+
+TEST_CASE("a compiler that takes too long is no failure of the model") {
+  const Workspace workspace;
+  write_rotor(workspace);
+  workspace.write("slow",
+                  "#!/bin/sh\ncase \"$*\" in *--version*) exec c++ --version ;; esac\n"
+                  "exec sleep 100\n");
+  workspace.prepare("chmod +x slow");
+  const Outcome outcome =
+      workspace.run("CXX=$PWD/slow elgen verify --samples 2 --limit seconds=4 one.scene.toml");
+  INFO(outcome.output + outcome.errors);
+  CHECK(outcome.status == 0);
+  CHECK(mentions(outcome.output, "skipped: compiled code vs program, all outputs\n"));
+  CHECK(mentions(outcome.output, "slow` has not ended within 4 s; raised by --limit seconds=N\n"));
+}
+
 TEST_CASE("a model whose numbers do not fit float is verified in double alone") {
   const Workspace workspace;
   workspace.write(

@@ -167,16 +167,35 @@ TEST_CASE("the code as users compile it has one row of all outputs") {
   CHECK(row_with<float>(same, {4, 1, true}).subject == "all outputs (float)");
 }
 
-TEST_CASE("another rounding holds, an error beyond the bound fails and is named") {
+TEST_CASE("another rounding holds, an error beyond the bound is noted and named") {
   const Sampling ordinary{4, 1, false};
   const auto last_bit = [](double x) { return std::nextafter(x, 1e9); };
   CHECK(row_with<double>(last_bit, ordinary).verdict == Verdict::holds);
   const auto wrong = [](double x) { return x * (1 + 1e-12); };
   const CertificateRow row = row_with<double>(wrong, ordinary);
-  CHECK(row.verdict == Verdict::fails);
+  CHECK(row.verdict == Verdict::noted);
   CHECK(row.worst.find("bias (double): ") == 0);
   CHECK(row.worst.find(" times its error bound") != std::string::npos);
   CHECK(row.where.find("q = (") == 0);
+}
+
+TEST_CASE("what is no number where exact arithmetic has one fails") {
+  for (const double value : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    const auto no_number = [value](double) { return value; };
+    const CertificateRow row = row_with<double>(no_number, {4, 1, false});
+    CHECK(row.verdict == Verdict::fails);
+    CHECK(row.worst.find("bias (double): ") == 0);
+    CHECK(row.where.find("q = (") == 0);
+  }
+}
+
+TEST_CASE("a program that rounds beyond the bound of its closed form is noted") {
+  const auto rows = rows_of<double>(badly_rounded(), 4, false);
+  const CertificateRow& row = row_of(rows, "potential_energy (double)");
+  CHECK(row.verdict == Verdict::noted);
+  REQUIRE(row.error);
+  CHECK(*row.error > 1000 * promised_bounds);
+  CHECK(row.tolerance.find("noted beyond") != std::string::npos);
 }
 
 TEST_CASE("without a state nothing is said") {

@@ -154,6 +154,12 @@ TEST_CASE("what is noted is counted, and said with its state") {
   CHECK(holds(certificate));
 }
 
+TEST_CASE("an output of which all is noted is said to be noted") {
+  const Certificate certificate{
+      "arm", "full", 1, {row_of("as users compile", "as users compile", Verdict::noted)}};
+  CHECK(to_text(certificate).find("  noted    as users compile") != std::string::npos);
+}
+
 TEST_CASE("as JSON nothing is left out but what is no number") {
   const auto json = nlohmann::json::parse(to_json(sample()));
   CHECK(json.at("model") == "cart_pole");

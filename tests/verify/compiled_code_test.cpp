@@ -141,6 +141,9 @@ TEST_CASE("code that is not there is skipped, with the reason") {
   CHECK(row.verdict == Verdict::skipped);
   CHECK(row.subject == "all outputs (Eigen)");
   CHECK(row.worst == "<Eigen/Core> is not installed");
+  CompiledHeader late;
+  late.lacking = "`c++` has not ended within 10 s";
+  CHECK(without_code(late).subject == "all outputs");
   CompiledHeader users;
   users.build = Build::as_users;
   CHECK(without_code(users).check == "as users compile");

@@ -67,6 +67,14 @@ TEST_CASE("a mistake in any function is found and the function named") {
   }
 }
 
+TEST_CASE("rounding beyond its bound is a figure of the receipt, not a failure") {
+  const SelfCheck result = check(badly_rounded());
+  INFO(result.failure);
+  CHECK(result.failure.empty());
+  REQUIRE(result.worst);
+  CHECK(*result.worst > 1000);
+}
+
 TEST_CASE("every field of an output is compared") {
   CHECK(check(system_of(oscillator_model(), oscillator_program())).failure.empty());
   for (const auto& [what, from, to] :

@@ -173,6 +173,23 @@ inline System mutated(const std::string& function, const std::string& from, cons
   return system_of(cart_pole_model(), text.substr(0, start) + with(text.substr(start), from, to));
 }
 
+/// V of the cart pole by way of 1e9, judged by the closed form that does not go there.
+inline System badly_rounded() {
+  const auto with_results = [](const std::string& body, const std::string& results) {
+    return system_of(
+        cart_pole_model(),
+        "parameters M m l g c\ncoordinates x th\ninputs u\n" +
+            function_text("potential_energy",
+                          instructions::common + "  13 = multiply 11 3\n" + body, results));
+  };
+  System system =
+      with_results("  14 = constant 1000000000\n  15 = add 13 14\n  16 = subtract 15 14\n",
+                   "  result 1 1 = 16\n");
+  system.program.functions.front().form = Form::closed;
+  system.program.readable = with_results("", "  result 1 1 = 13\n").program.functions;
+  return system;
+}
+
 /// A driven, damped oscillator, and the derivatives of its dynamics m a + c v + k x = u.
 inline std::string oscillator_program() {
   // 0 m  1 c  2 k  3 0  4 1  5 1/m  6 -k/m  7 -c/m

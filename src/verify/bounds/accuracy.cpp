@@ -102,6 +102,16 @@ std::string reason_of(const FieldRecord& record, const Model& model) {
   return fmt::format("{}; at {} of the states {}", by_norm, others, own_reason);
 }
 
+constexpr const char* beyond_bounds =
+    "; noted beyond, as a form that rounds badly is no wrong equation; NaN and infinity fail";
+
+/// Rounding is noted, however far off a finite number is.
+Verdict verdict_of_rounding(const Tally& errors) {
+  const Verdict verdict = errors.verdict(promised_bounds);
+  const bool is_rounding = verdict == Verdict::fails && std::isfinite(errors.worst());
+  return is_rounding ? Verdict::noted : verdict;
+}
+
 /// The subject of a comparison, in words: the field, and the scalar.
 std::string subject_of(const FieldPlace& place, std::string_view scalar) {
   const std::string& field = place.field().name;
@@ -119,11 +129,11 @@ CertificateRow row_of(const Subject& subject, const FieldRecord& record, std::st
                     : "|x - x*| / (u B); x* by one random projection";
   row.samples = record.compared;
   row.skipped = skipped(record);
-  row.tolerance = reason_of(record, subject.model);
+  row.tolerance = reason_of(record, subject.model) + beyond_bounds;
   if (record.compared > 0) row.error = record.errors.worst();
   row.worst = figures(record);
   row.where = record.errors.where(subject);
-  row.verdict = record.errors.verdict(promised_bounds);
+  row.verdict = verdict_of_rounding(record.errors);
   if (!record.mistake.empty()) {
     row.worst = record.mistake;
     row.where = record.mistake_at;
@@ -133,8 +143,8 @@ CertificateRow row_of(const Subject& subject, const FieldRecord& record, std::st
 }
 
 /// As users compile: the code with optimisation, the machine's own instructions and contraction,
-/// which rounds otherwise than what is written, held to the same bounds. Of all fields, the largest
-/// error, and whose it is.
+/// which rounds otherwise than what is written, measured by the same bounds. Of all fields, the
+/// largest error, and whose it is.
 class AsUsersRecord {
  public:
   /// `field`: "forward_dynamics.acceleration (double)"; `at` is the number of the state. Fields of
@@ -174,14 +184,15 @@ CertificateRow AsUsersRecord::row(const Subject& subject, std::string_view scala
   row.subject = fmt::format("all outputs ({})", scalar);
   row.formula = "|x - x*| / (u B); x of -O3 -march=native, contraction on";
   errors_.tell(row, subject, promised_bounds);
+  row.verdict = verdict_of_rounding(errors_);
   row.samples = states_;
-  row.tolerance = "8 u B + N eta, B as above";
+  row.tolerance = std::string("8 u B + N eta, B as above") + beyond_bounds;
   if (row.samples == 0) {
     row.worst = "no state to compare at";
     return row;
   }
   row.error = errors_.worst();
-  row.worst = row.verdict == Verdict::fails
+  row.worst = row.verdict != Verdict::holds
                   ? fmt::format("{}: {}", worst_, imprecision_)
                   : fmt::format("{} outputs within {:.2g} u B; most in {}", fields_.size(),
                                 errors_.worst(), worst_);

@@ -13,7 +13,8 @@ namespace elgen {
 /// One row per output and field, and one per output of the digits that it loses where
 /// options.visit.losing says so. A state fails where the exact value of the program is not the
 /// oracle's (to 50 digits of its bound) or, at a nominal state, is undefined where the oracle has
-/// one, and where the rounded value is further off than promised.
+/// one, and where the rounded value is no finite number. One that is further off than promised is
+/// noted.
 template <class Scalar>
 [[nodiscard]] std::vector<CertificateRow> check_accuracy(
     const Subject& subject, const std::vector<SampledState<Scalar>>& states,

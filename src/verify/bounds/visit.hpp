@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Visit: a program at one state, field by field. Its exact values must be the oracle's (the
-// mathematics is right), and its rounded ones within 8 u B of them (so is the rounding).
+// mathematics is right); its rounded ones are measured by 8 u B.
 #pragma once
 
 #include <map>
@@ -53,7 +53,7 @@ struct VisitOptions {
   Comparison comparison = Comparison::entries;
   const Program* parts = nullptr;           ///< of SolutionBounds
   Losing losing = Losing::nowhere;          ///< where losses are looked at
-  const CompiledModel* as_users = nullptr;  ///< held to the same bounds; has the scalar
+  const CompiledModel* as_users = nullptr;  ///< measured by the same bounds; has the scalar
 };
 
 /// Scalar: double or float.
