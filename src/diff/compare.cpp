@@ -21,10 +21,11 @@ constexpr std::array impact_rows{
 #undef ELGEN_IMPACT
 };
 
-/// Keys that no equation depends on, whatever they belong to.
-constexpr std::array described{"doc",   "latex",  "title",   "description", "reference",
-                               "range", "limits", "min",     "max",         "rate_range",
-                               "wrap",  "start",  "singular"};
+/// Keys that no equation depends on, whatever they belong to; only runs take the `sample` of an
+/// open function.
+constexpr std::array described{"doc",   "latex",  "title",    "description", "reference",
+                               "range", "limits", "min",      "max",         "rate_range",
+                               "wrap",  "start",  "singular", "sample"};
 
 /// Whether one of its keys is described; names that the user gave are none.
 bool is_described(const KeyChange& change) {

@@ -31,6 +31,18 @@ TEST_CASE("an equilibrium is a text, unless a scene expands about it") {
   CHECK(impact(rest, edited(rest, "x = 0 }", "x = \"0*k\" }")) == Impact::values);
 }
 
+TEST_CASE("the sample of an open function is a value, its arguments are more") {
+  const auto with_function = [](const std::string& keys) {
+    return edited(spring("U"), "[energy]", "[[function]]\nname = \"U\"\n" + keys + "[energy]");
+  };
+  const std::string x = "of = [\"x\"]\n";
+  const std::string sampled = with_function(x + "sample = \"k*x^2\"\n");
+  CHECK(impact(sampled, edited(sampled, "k*x^2", "2*k*x^2")) == Impact::values);
+  CHECK(impact(sampled, with_function(x)) == Impact::values);
+  CHECK(impact(with_function(x), sampled) == Impact::values);
+  CHECK(impact(sampled, edited(sampled, "[\"x\"]", "[\"2*x\"]")) == Impact::different);
+}
+
 TEST_CASE("a key of a scene against the built-in scene is a change") {
   const Lowered old = lowered(spring());
   const Lowered now = lowered(spring(), "[outputs]\ngravity = true\n");
