@@ -16,6 +16,7 @@
 #include "cli/versions/revision.hpp"
 #include "elgen/wording.hpp"
 #include "parse/entry_reader.hpp"
+#include "parse/toml_document.hpp"
 
 namespace elgen::cli {
 
@@ -117,11 +118,12 @@ class InRevision final : public Side {
   const Limits& limits_;
 };
 
-/// The systems of a folder, and its other TOML files, among them models that cannot be read; by the
-/// paths by which those of two folders match.
+/// The systems of a folder, and its other TOML files; by the paths by which those of two folders
+/// match.
 struct FolderFiles {
   std::set<std::string> systems = {};
   std::set<std::string> others = {};
+  std::set<std::string> doubtful = {};  ///< of the others: may be models with errors
 };
 
 std::string joined(const std::string& folder, const std::string& inside) {
@@ -134,6 +136,16 @@ bool is_system(const Side& side, const std::string& path) {
   return !source || declares_model(**source);
 }
 
+/// No TOML, or TOML with [[coordinate]], as where [model] is misspelt.
+bool may_be_model(const Side& side, const std::string& path) {
+  const Result<SourcePointer> source = side.read(path);
+  if (!source) return false;
+  const Result<TomlValue> root = read_toml(**source);
+  if (!root) return true;
+  const TomlEntry* const coordinates = find_entry(root->entries, "coordinate");
+  return coordinates != nullptr && coordinates->value.kind == TomlKind::array;
+}
+
 /// The models and scenes below a folder.
 Result<FolderFiles> systems_below(const Side& side, const std::string& folder) {
   const Result<std::vector<std::string>> found = side.files_below(folder);
@@ -141,7 +153,10 @@ Result<FolderFiles> systems_below(const Side& side, const std::string& folder) {
   FolderFiles files;
   for (const std::string& inside : *found) {
     if (fs::path(inside).extension() != ".toml") continue;
-    (is_system(side, joined(folder, inside)) ? files.systems : files.others).insert(inside);
+    const std::string path = joined(folder, inside);
+    const bool is_one = is_system(side, path);
+    (is_one ? files.systems : files.others).insert(inside);
+    if (!is_one && may_be_model(side, path)) files.doubtful.insert(inside);
   }
   return files;
 }
@@ -202,6 +217,13 @@ class VersionPairs {
         remove(old_side, joined(old_folder, inside), inside);
       }
     }
+    for (const std::string& inside : news->doubtful) {
+      if (olds->doubtful.count(inside) > 0) {
+        compare_both(inside);
+      } else if (olds->systems.count(inside) + olds->others.count(inside) == 0) {
+        add(new_side, joined(new_folder, inside));
+      }
+    }
   }
 
   /// A file that only the newer side has.
@@ -249,11 +271,10 @@ class VersionPairs {
     }
   }
 
-  /// Of files that are not compared, in their syntax.
+  /// Of files that are not compared.
   void keep_mistakes(const std::string& path, const Inputs& inputs) {
     sources_.insert(sources_.end(), {inputs.model, inputs.scene});
-    keep(path, parse_model(inputs.model, limits_).diagnostics);
-    if (inputs.scene != nullptr) keep(path, parse_scene(inputs.scene, limits_).diagnostics);
+    keep(path, mistakes(inputs, limits_));
   }
 
   /// Whether there is no error among them. Warnings of the models are for `generate`.

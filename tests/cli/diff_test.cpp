@@ -151,6 +151,36 @@ TEST_CASE("a model that cannot be read is an error in every mode, not a removed 
   }
 }
 
+TEST_CASE("a model that cannot be read in both versions is an error, changed or not") {
+  const std::string merge = "1i <<<<<<< HEAD";
+  const std::string misnamed = "s/^.model./[modell]/";
+  const std::string unknown = "s/^.parameters./&\\nZ = \"2*zeta\"/";
+  const std::string massless = "/^mass/d";
+  for (const std::string& edit : {merge, misnamed, unknown, massless}) {
+    INFO(edit);
+    const TwoFolders folders;
+    folders.prepare("sed -i '" + edit + "' old/simple_pendulum.toml && cp old/*.toml new");
+    const auto expect_error = [&folders](const std::string& words) {
+      INFO(words);
+      const Outcome outcome = folders.diff(words);
+      CHECK(outcome.status == 2);
+      CHECK(mentions(outcome.output + outcome.errors, "simple_pendulum.toml:"));
+    };
+    expect_error("old new");
+    expect_error("old/simple_pendulum.toml new/simple_pendulum.toml");
+    folders.prepare("echo '# more' >> new/simple_pendulum.toml");
+    expect_error("old new");
+    folders.prepare("rm old/simple_pendulum.toml");
+    expect_error("old new");
+    folders.prepare(
+        "git init -q && git add new && git -c user.name=a -c user.email=a@b commit -q -m first");
+    expect_error("--against HEAD");
+    expect_error("--against HEAD new");
+    folders.prepare("echo '# and more' >> new/simple_pendulum.toml");
+    expect_error("--against HEAD");
+  }
+}
+
 TEST_CASE("annotations tell what can be compared beside what cannot be read") {
   const TwoFolders folders;
   folders.prepare(

@@ -58,6 +58,10 @@ std::string system_name(const Inputs& inputs, const Limits& limits) {
   return checked.checked ? checked.checked->scene.base_name : std::string();
 }
 
+Diagnostics mistakes(const Inputs& inputs, const Limits& limits) {
+  return products(inputs, limits, Goal::inspect).diagnostics;
+}
+
 Result<LoadedVersion> load_version(const Inputs& inputs, const Limits& limits) {
   LoadedVersion loaded{inputs};
   loaded.products = products(inputs, limits, Goal::lower);

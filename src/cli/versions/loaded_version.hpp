@@ -24,6 +24,9 @@ struct LoadedVersion {
 /// The base name of its files: MODEL, or MODEL_SCENE. "" where it has errors.
 [[nodiscard]] std::string system_name(const Inputs& inputs, const Limits& limits);
 
+/// Errors and warnings that are found without the equations.
+[[nodiscard]] Diagnostics mistakes(const Inputs& inputs, const Limits& limits);
+
 /// Errors: those of the stages up to the equations.
 [[nodiscard]] Result<LoadedVersion> load_version(const Inputs& inputs, const Limits& limits);
 
