@@ -38,12 +38,12 @@ bool is_described(const KeyChange& change) {
   return false;
 }
 
-/// `m`, `m.value` of a model, `fixed.m` of a scene: what a parameter is.
+/// `m`, `m.value` of a model, `fixed` of a scene: what a parameter is.
 bool is_value(const KeyChange& change) {
+  if (change.table == "scene.parameters") return true;
   const bool is_both = !change.before.empty() && !change.after.empty();
   if (change.is_order || !is_both) return false;
   const std::vector<KeyStep>& path = change.path;
-  if (change.table == "scene.parameters") return path.size() == 2;
   if (change.table == "scene.numeric") {
     const std::string& key = path.front().key;
     return key == "trigonometry" || key == "max_error" || key == "ranges";

@@ -16,6 +16,12 @@ namespace elgen {
 /// By name.
 using ParameterValues = std::map<std::string, Constant>;
 
+/// Numbers that stand for parameters of each version.
+struct JointValues {
+  ParameterValues before = {};
+  ParameterValues after = {};
+};
+
 /// Entries of one output in both versions; one function computes them all, nothing twice.
 struct JointFunction {
   Function function = {};
@@ -28,10 +34,9 @@ class JointProgram {
   /// Names of `before` are turned into those of `after` first.
   JointProgram(const Program& before, const Program& after, const Renames& renames);
 
-  /// Entries of two functions of the programs, in the order of their fields; `values` stand for
-  /// parameters of the newer one.
+  /// Entries of two functions of the programs, in the order of their fields.
   [[nodiscard]] JointFunction joined(const Function& before, const Function& after,
-                                     const ParameterValues& values = {});
+                                     const JointValues& values = {});
 
   /// The leaves of both, with the constants of what was joined so far.
   [[nodiscard]] const Program& program() const { return joint_; }

@@ -9,11 +9,13 @@
 #include <cmath>
 #include <limits>
 
+#include "base/exact_number.hpp"
 #include "base/random.hpp"
 #include "choose/entries.hpp"
 #include "choose/finish.hpp"
 #include "diff/joint_program.hpp"
 #include "diff/matched_entries.hpp"
+#include "diff/renamed.hpp"
 #include "diff/zeros.hpp"
 #include "elgen/closed_forms.hpp"
 #include "elgen/diff.hpp"
@@ -171,6 +173,29 @@ void WitnessStates::tell(const Function& function, std::uint32_t before, std::ui
   }
 }
 
+/// A version, and what turns its names into those of the newer one.
+struct NamedVersion {
+  const CheckedModel& checked;
+  const Renames& renames;
+};
+
+/// The parameters of a version that only the scene of the other one makes numbers, and the numbers
+/// that they are anyway, where these are rational.
+ParameterValues fixed_as_they_are(const NamedVersion& free, const NamedVersion& fixing) {
+  ParameterValues values;
+  const FixedParameters& numbers = free.checked.scene.specialisation.fixed;
+  for (const auto& [other, fixed] : fixing.checked.scene.specialisation.fixed) {
+    const std::string name = renamed(fixing.checked.model.parameters[other].name, fixing.renames);
+    for (std::uint32_t i = 0; i < free.checked.model.parameters.size(); ++i) {
+      const Parameter& parameter = free.checked.model.parameters[i];
+      const bool is_it = renamed(parameter.name, free.renames) == name && numbers.count(i) == 0;
+      if (!is_it || !is_rational(fixed.number) || fixed.number != parameter.value) continue;
+      values.emplace(parameter.name, rational_constant(cln::the<cln::cl_RA>(fixed.number)));
+    }
+  }
+  return values;
+}
+
 /// Of one output; more are told by their verdicts alone.
 constexpr std::size_t most_told = 20;
 
@@ -181,8 +206,10 @@ class OutputComparison {
       : before_(before),
         after_(after),
         renames_(renames),
-        values_(values),
-        joint_(before.program, after.program, renames) {}
+        values_{fixed_as_they_are({before.checked, renames}, {after.checked, no_renames}), values},
+        joint_(before.program, after.program, renames) {
+    values_.after.merge(fixed_as_they_are({after.checked, no_renames}, {before.checked, renames}));
+  }
 
   std::vector<OutputChange> operator()() {
     std::vector<OutputChange> all;
@@ -200,6 +227,8 @@ class OutputComparison {
   }
 
  private:
+  static inline const Renames no_renames = {};
+
   static EntryChange named(const MatchedEntry& entry, EntryVerdict verdict) {
     return {.place = entry.place, .unit = entry.unit, .verdict = verdict};
   }
@@ -285,7 +314,7 @@ class OutputComparison {
   const Version& before_;
   const Version& after_;
   const Renames& renames_;
-  const ParameterValues& values_;
+  JointValues values_;
   JointProgram joint_;
 };
 

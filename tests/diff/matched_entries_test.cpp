@@ -145,8 +145,8 @@ TEST_CASE("a renamed leaf is the same leaf") {
 
 TEST_CASE("parameters of the newer version may have values") {
   JointProgram joint(older, newer, {});
-  const JointFunction both =
-      joint.joined(older.functions[0], newer.functions[0], {{"k", rational_constant(5)}});
+  const JointFunction both = joint.joined(older.functions[0], newer.functions[0],
+                                          {.after = {{"k", rational_constant(5)}}});
   const Function function = with_entries(both.function, {both.before[0], both.after[0]});
   Arguments<double> at;
   at.parameters = {100, 2};

@@ -167,7 +167,8 @@ constexpr const char* stepped = "[outputs]\nstep = { method = \"rk4\" }\n";
 const SceneEdit scene_edits[]{
     {"cart_pole", fixed, "9.81 }", "9.80665 }", Impact::values},
     {"cart_pole", fixed, "9.81 }", "\"981/100\" }", Impact::equal},
-    {"cart_pole", fixed, "fixed = { g = 9.81 }", "", Impact::different},
+    {"cart_pole", fixed, "fixed = { g = 9.81 }", "", Impact::extended},
+    {"cart_pole", fixed, "g = 9.81 }", "g = 9.81, m = 0.1 }", Impact::breaks},
     {"cart_pole", fixed, "g = 9.81 }", "g = 9.81, m = 1 }", Impact::breaks},
     {"cart_pole", fixed, "bias = true", "bias = true\ngravity = true", Impact::extended},
     {"cart_pole", fixed, "bias", "gravity", Impact::breaks},
@@ -217,4 +218,36 @@ TEST_CASE("a model is compared as its scene sees it") {
   const std::string value = edited(before, "kc = { value = 1,", "kc = { value = 2,");
   CHECK(verdict(value, "[parameters]\nfixed = \"all\"\n") == "values");
   CHECK(verdict(value, "[parameters]\nfixed = { kc = 3 }\n") == "values");
+}
+
+TEST_CASE("a parameter that a scene fixes at its own value changes no entry") {
+  const std::string outputs = "[outputs]\nmass_matrix = true\nbias = true\n[parameters]\n";
+  const Lowered old = lowered(cart, outputs);
+  for (const std::string value : {"0.1", "\"1/10\""}) {
+    const Lowered now = lowered(cart, outputs + "fixed = { m = " + value + " }\n");
+    for (const bool is_new : {true, false}) {
+      const SystemChange found =
+          is_new ? compare(old.version(), now.version()) : compare(now.version(), old.version());
+      CHECK(count_of(found, EntryVerdict::different) == 0);
+      const std::string text = is_new ? "`m` is now fixed at 0.1" : "`m` is no longer fixed at 0.1";
+      CHECK(std::ranges::count(found.interface, text, &InterfaceChange::text) == 1);
+    }
+  }
+  const Lowered other = lowered(cart, outputs + "fixed = { m = 0.2 }\n");
+  CHECK(count_of(compare(old.version(), other.version()), EntryVerdict::different) > 0);
+}
+
+TEST_CASE("a parameter that no output has may be fixed, and with another name, too") {
+  const std::string outputs = "[outputs]\ngravity = true\n[parameters]\n";
+  const Lowered old = lowered(spring(), outputs);
+  for (const std::string value : {"2", "7"}) {
+    const Lowered now = lowered(spring(), outputs + "fixed = { m = " + value + " }\n");
+    CHECK(word(compare(old.version(), now.version()).impact) == "values");
+  }
+  const Lowered named = lowered(edited(edited(spring(), "k = 3", "c = 3"), "1/2*k", "1/2*c"),
+                                outputs + "fixed = { c = 3 }\n");
+  const SystemChange found = compare(old.version(), named.version(), {.renames = {{"k", "c"}}});
+  CHECK(count_of(found, EntryVerdict::different) == 0);
+  CHECK(count_of(compare(named.version(), old.version(), {.renames = {{"c", "k"}}}),
+                 EntryVerdict::different) == 0);
 }
