@@ -7,7 +7,8 @@
 //
 // The entries of an output are written over the leaves of both, which meet by their names. Entries
 // that are computed alike are equal; of the rest the difference is proved to be zero by its closed
-// form, or found to be at 64 random points, or it is a difference.
+// form, or found to be at 64 random points, or it is a difference. Roots and kinks that agree at
+// all points, inside the ranges and beyond, are not told apart: they may differ at others.
 #pragma once
 
 #include <map>
@@ -72,8 +73,9 @@ struct KeyChange {
                                                   const Renames& renames = {});
 
 enum class EntryVerdict : std::uint8_t {
-  identical,  ///< computed alike
-  equal,      ///< written differently
+  identical,       ///< computed alike
+  equal,           ///< written differently
+  not_told_apart,  ///< equal at all points, which proves nothing of roots and kinks
   different,
   added,
   removed,
@@ -91,7 +93,7 @@ struct EntryChange {
   std::string unit = {};   ///< of the entry; "" where it is not known
   EntryVerdict verdict = EntryVerdict::identical;
   bool is_proved = false;       ///< equal: by the closed form of the difference
-  bool is_told_apart = true;    ///< different: not where nothing but a proof is missing
+  bool is_told_apart = true;    ///< not where nothing but a proof is missing
   std::string before = {};      ///< closed forms; "" where there is none
   std::string after = {};       ///< that is short enough to read
   std::string difference = {};  ///< after - before
@@ -128,6 +130,7 @@ struct Version {
 struct CompareOptions {
   Renames renames = {};
   std::set<std::string> only = {};  ///< outputs that are told, by name; empty: all
+  bool is_strict = false;           ///< entries that are not told apart are different
 };
 
 /// The changes that callers of the code see: coordinates, inputs, parameters, outputs, the target.
@@ -153,6 +156,7 @@ struct SystemChange {
   std::vector<OutputChange> outputs = {};
   std::vector<InterfaceChange> interface = {};
   std::optional<std::vector<OperationsChange>> operations = {};  ///< none: not known
+  bool is_told_apart = true;  ///< not where some entries are equal at points alone
   /// Where `extended`: the values of new parameters at which all entries are the old ones.
   std::string extension = {};
   /// Entries of [[expect]] that held, and hold no longer: "gravity[2,1]".

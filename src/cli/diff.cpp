@@ -24,6 +24,7 @@ struct DiffOptions {
   std::vector<std::string> only = {};
   std::string format = {};  ///< empty: that of the messages
   bool lists_all = false;
+  bool strict = false;  ///< entries that are not told apart are different
 };
 
 struct DiffFormat {
@@ -102,7 +103,8 @@ ExitCode diff(const GlobalOptions& given, const DiffOptions& options) {
   }
   const Result<Renames> renames = renames_of(options.renames);
   if (!renames) return report(global, renames.diagnostics);
-  const CompareOptions comparing{*renames, {options.only.begin(), options.only.end()}};
+  const CompareOptions comparing{
+      *renames, {options.only.begin(), options.only.end()}, options.strict};
   const Result<DiffReport> found =
       options.revision.empty()
           ? compared_paths(options.inputs.front(), options.inputs.back(), comparing, global.limits)
@@ -140,6 +142,8 @@ void add_diff(CLI::App& app, Action& action) {
       ->type_name("OUTPUTS")
       ->delimiter(',')
       ->allow_extra_args(false);
+  command->add_flag("--strict", options->strict,
+                    "what 64 points do not tell apart, and no proof says equal, is different");
   command->add_flag("--list", options->lists_all, "list every key and every entry");
   command
       ->add_option("--format", options->format,

@@ -55,12 +55,19 @@ std::string text_of(const KeyChange& change) {
   return fmt::format("{}: {} -> {}", place, shortened(change.before), shortened(change.after));
 }
 
+std::string meaning(Impact impact, bool is_told_apart) {
+  std::string words(impact_row(impact).doc);
+  if (is_told_apart || impact >= Impact::different) return words;
+  return fmt::format("{}, as far as {} points tell (see --strict)", words, zero_points);
+}
+
 void VerdictCounts::add(const OutputChange& output) {
   all += output.entry_count;
   std::size_t news = 0;
   std::size_t olds = 0;
   for (const EntryChange& entry : output.entries) {
     different += entry.verdict == EntryVerdict::different ? 1 : 0;
+    undecided += entry.verdict == EntryVerdict::not_told_apart ? 1 : 0;
     rewritten += entry.verdict == EntryVerdict::equal ? 1 : 0;
     proved += entry.verdict == EntryVerdict::equal && entry.is_proved ? 1 : 0;
     news += entry.verdict == EntryVerdict::added ? 1 : 0;
@@ -77,6 +84,9 @@ std::string VerdictCounts::text() const {
                                    different == 1 ? "differs" : "differ", rewritten);
   if (rewritten > 0) {
     result += proved == rewritten ? " (proved)" : fmt::format(" ({} proved)", proved);
+  }
+  if (undecided > 0) {
+    result += fmt::format(", {} not told apart at {} points", undecided, zero_points);
   }
   if (replaced > 0) result += fmt::format(", {} replaced", replaced);
   if (added > 0) result += fmt::format(", {} added", added);
@@ -105,9 +115,16 @@ std::string witness_text(const EntryChange& entry) {
 }
 
 std::string text_of(const EntryChange& entry) {
-  if (entry.verdict != EntryVerdict::different) return entry.place + ": " + verdict_text(entry);
+  const bool is_different = entry.verdict == EntryVerdict::different;
+  const bool is_open = is_different || entry.verdict == EntryVerdict::not_told_apart;
+  if (!is_open) return entry.place + ": " + verdict_text(entry);
   const std::string change = change_text(entry);
-  std::string text = entry.place + (change.empty() ? " differs" : " = " + change);
+  std::string text = entry.place;
+  if (!change.empty()) {
+    text += " = " + change;
+  } else if (entry.is_told_apart) {
+    text += " differs";
+  }
   if (!entry.difference.empty()) text += fmt::format(", difference {}", entry.difference);
   if (!entry.is_told_apart) text += fmt::format(", not told apart at {} points", zero_points);
   return text;

@@ -14,10 +14,14 @@ namespace elgen {
 /// "[gravity] vector[2]: -g -> g"
 [[nodiscard]] std::string text_of(const KeyChange& change);
 
+/// "the equations are the same", and where nothing but points say so, that.
+[[nodiscard]] std::string meaning(Impact impact, bool is_told_apart);
+
 /// Entries by their verdicts.
 struct VerdictCounts {
   std::size_t all = 0;
   std::size_t different = 0;
+  std::size_t undecided = 0;  ///< not told apart
   std::size_t rewritten = 0;
   std::size_t proved = 0;    ///< of those that are rewritten
   std::size_t replaced = 0;  ///< one is gone and another is there, as where a name is another one
@@ -38,7 +42,8 @@ struct VerdictCounts {
 /// Where the entry was looked at, and what it was there; "" where it was at no state.
 [[nodiscard]] std::string witness_text(const EntryChange& entry);
 
-/// "gravity[2] = a -> b, difference c", "gravity[2]: is new"
+/// "gravity[2] = a -> b, difference c", "gravity[2]: is new", "gravity[2], not told apart at 64
+/// points"
 [[nodiscard]] std::string text_of(const EntryChange& entry);
 
 /// "mass_matrix: mul 3 -> 4"

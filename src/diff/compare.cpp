@@ -58,10 +58,18 @@ Impact impact_of(const KeyChange& change) {
   return is_beside ? Impact::values : Impact::equal;
 }
 
-bool has_different(const std::vector<OutputChange>& outputs) {
-  return std::ranges::any_of(outputs, [](const OutputChange& output) {
-    return std::ranges::count(output.entries, EntryVerdict::different, &EntryChange::verdict) > 0;
+bool has_any(const std::vector<OutputChange>& outputs, EntryVerdict verdict) {
+  return std::ranges::any_of(outputs, [verdict](const OutputChange& output) {
+    return std::ranges::count(output.entries, verdict, &EntryChange::verdict) > 0;
   });
+}
+
+void count_as_different(std::vector<OutputChange>& outputs) {
+  for (OutputChange& output : outputs) {
+    for (EntryChange& entry : output.entries) {
+      if (entry.verdict == EntryVerdict::not_told_apart) entry.verdict = EntryVerdict::different;
+    }
+  }
 }
 
 Impact impact_of(const std::vector<KeyChange>& keys) {
@@ -104,16 +112,18 @@ ParameterValues new_parameters(const Version& before, const Version& after,
 }
 
 /// "at mt = 0 all entries are the old ones (proved)"; "" where they are not.
-std::string extension(const Version& before, const Version& after, const Renames& renames) {
-  const ParameterValues values = new_parameters(before, after, renames);
+std::string extension(const Version& before, const Version& after, const CompareOptions& options) {
+  const ParameterValues values = new_parameters(before, after, options.renames);
   if (values.empty()) return {};
   bool is_proved = true;
-  for (const OutputChange& output : output_changes_at(before, after, renames, values)) {
+  for (const OutputChange& output : output_changes_at(before, after, options.renames, values)) {
     for (const EntryChange& entry : output.entries) {
+      const bool is_new = entry.verdict == EntryVerdict::added;
+      const bool is_undecided = entry.verdict == EntryVerdict::not_told_apart;
       const bool is_old =
-          entry.verdict == EntryVerdict::equal || entry.verdict == EntryVerdict::added;
+          is_new || entry.verdict == EntryVerdict::equal || (is_undecided && !options.is_strict);
       if (!is_old) return {};
-      is_proved = is_proved && (entry.is_proved || entry.verdict == EntryVerdict::added);
+      is_proved = is_proved && (entry.is_proved || is_new);
     }
   }
   std::string names;
@@ -206,13 +216,15 @@ SystemChange compare(const Version& before, const Version& after, const CompareO
   result.impact = impact_of(result.keys);
   if (result.keys.empty() && renames.empty()) return result;
   result.outputs = output_changes(before, after, renames);
+  if (options.is_strict) count_as_different(result.outputs);
+  result.is_told_apart = !has_any(result.outputs, EntryVerdict::not_told_apart);
   result.interface = interface_changes(before, after, renames);
   result.operations = operations_changes(before, after);
   result.warnings = new_warnings(before, after);
   result.broken_expectations = broken_expectations(before, after);
   const bool are_values = std::ranges::none_of(result.keys, may_change_equations);
-  if (has_different(result.outputs)) {
-    if (!are_values) result.extension = extension(before, after, renames);
+  if (has_any(result.outputs, EntryVerdict::different)) {
+    if (!are_values) result.extension = extension(before, after, options);
     result.impact = std::max(result.impact, impact_of_entries(result, are_values));
   }
   for (const InterfaceChange& change : result.interface) {

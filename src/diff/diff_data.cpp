@@ -31,6 +31,8 @@ const char* name_of(EntryVerdict verdict) {
       return "identical";
     case EntryVerdict::equal:
       return "equal";
+    case EntryVerdict::not_told_apart:
+      return "not_told_apart";
     case EntryVerdict::different:
       return "different";
     case EntryVerdict::added:
@@ -44,7 +46,9 @@ const char* name_of(EntryVerdict verdict) {
 Json json_of(const EntryChange& entry) {
   Json json{{"id", entry.place}, {"verdict", name_of(entry.verdict)}};
   if (entry.verdict == EntryVerdict::equal) json["proved"] = entry.is_proved;
-  if (entry.verdict != EntryVerdict::different) return json;
+  const bool is_open =
+      entry.verdict == EntryVerdict::different || entry.verdict == EntryVerdict::not_told_apart;
+  if (!is_open) return json;
   json["told_apart"] = entry.is_told_apart;
   json["unit"] = entry.unit;
   for (const auto& [key, text] : {std::pair("before", &entry.before),
@@ -102,6 +106,7 @@ Json json_of(const SystemChange& system) {
   }
   Json json{{"name", system.name},
             {"impact", impact_row(system.impact).word},
+            {"told_apart", system.is_told_apart},
             {"keys", list_of(system.keys)},
             {"outputs", std::move(outputs)},
             {"interface", list_of(system.interface)}};

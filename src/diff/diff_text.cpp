@@ -7,6 +7,7 @@
 #include <array>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "diff/change_words.hpp"
@@ -56,7 +57,9 @@ constexpr std::array parts{
 std::string part_text(std::string_view symbol, const OutputChange& output) {
   VerdictCounts counts;
   counts.add(output);
-  if (counts.changed() == 0) return fmt::format("{} is written differently", symbol);
+  if (counts.changed() + counts.undecided == 0) {
+    return fmt::format("{} is written differently", symbol);
+  }
   const bool is_one = counts.different == 1 && counts.all == 1;
   if (!is_one) return fmt::format("{}: {}", symbol, counts.text());
   const std::string change = change_text(output.entries.front());
@@ -84,22 +87,26 @@ std::string parts_text(const SystemChange& system) {
 
 /// The system in which most follows from the changes.
 const SystemChange* most_changed(const DiffReport& report) {
-  const auto most = std::ranges::max_element(
-      report.systems, {}, [](const SystemChange& system) { return counts_of(system).different; });
+  const auto most = std::ranges::max_element(report.systems, {}, [](const SystemChange& system) {
+    const VerdictCounts counts = counts_of(system);
+    return std::pair(counts.different, counts.undecided);
+  });
   return most == report.systems.end() ? nullptr : &*most;
 }
 
-/// The shortest of the entries that differ, where one can be read.
+/// The shortest of the entries that differ, where one can be read; else of those that may.
 const EntryChange* example(const SystemChange& system) {
   const EntryChange* best = nullptr;
-  const auto length = [](const EntryChange& entry) {
+  const auto rank = [](const EntryChange& entry) {
     const std::size_t read = change_text(entry).size();
-    return read == 0 ? SIZE_MAX : read;
+    return std::pair(entry.verdict != EntryVerdict::different, read == 0 ? SIZE_MAX : read);
   };
   for (const OutputChange& output : system.outputs) {
     for (const EntryChange& entry : output.entries) {
-      if (entry.verdict != EntryVerdict::different) continue;
-      if (best == nullptr || length(entry) < length(*best)) best = &entry;
+      const bool may_differ =
+          entry.verdict == EntryVerdict::different || entry.verdict == EntryVerdict::not_told_apart;
+      if (!may_differ) continue;
+      if (best == nullptr || rank(entry) < rank(*best)) best = &entry;
     }
   }
   return best;
@@ -121,8 +128,8 @@ class Summary {
       if (impact != Impact::breaks) add_interface();
       add_operations();
     }
-    const ImpactRow& row = impact_row(impact);
-    lines_.push_back({std::string(row.word), std::string(row.doc)});
+    const bool is_told_apart = std::ranges::all_of(report_.systems, &SystemChange::is_told_apart);
+    lines_.push_back({std::string(impact_row(impact).word), meaning(impact, is_told_apart)});
     return std::move(lines_);
   }
 

@@ -7,7 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
+#include <span>
 
 #include "base/exact_number.hpp"
 #include "base/random.hpp"
@@ -81,7 +82,9 @@ std::vector<std::string> closed_texts(const Program& program, const Function& fu
   return texts;
 }
 
-constexpr std::size_t state_count = 16;
+/// Of these a witness is one of the first; all of them may tell what has roots or kinks apart.
+constexpr std::size_t witness_count = 16;
+constexpr std::size_t state_count = zero_points;
 constexpr std::uint64_t seed_of_witnesses = 16;
 
 /// To three significant digits, as it is printed.
@@ -103,15 +106,26 @@ void append(const LeafNames& joint, const LeafNames& olds, const Arguments<doubl
 #undef ELGEN_LEAF
 }
 
+/// Where the entries of two versions are in a function, and their difference.
+struct InstructionPair {
+  std::size_t number = 0;  ///< among the changes
+  std::uint32_t before = 0;
+  std::uint32_t after = 0;
+  std::uint32_t difference = 0;
+};
+
 /// States of the newer version inside its ranges, over the leaves of both: parameters have their
-/// values, those of value 0 are drawn, and what only the older version has is as it was there.
+/// values, those of value 0 are drawn, and what only the older version has is as it was there. The
+/// last one is the origin, where many kinks are.
 class WitnessStates {
  public:
   WitnessStates(const Version& before, const Version& after, const Program& joint);
 
-  /// Fills share and witness of a change between two instructions of a function.
-  void tell(const Function& function, std::uint32_t before, std::uint32_t after,
-            EntryChange& change) const;
+  [[nodiscard]] const std::vector<Arguments<double>>& all() const { return states_; }
+
+  /// Fills share and witness of a change between two instructions of a function; neither where no
+  /// state tells them apart.
+  void tell(const Function& function, const InstructionPair& pair, EntryChange& change) const;
 
  private:
   const Program& joint_;
@@ -141,15 +155,20 @@ WitnessStates::WitnessStates(const Version& before, const Version& after, const 
     if (i == 0) append(joint.leaves, before.program.leaves, old, known_);
     states_.push_back(map_leaves(text_value, state));
   }
+  const auto rest = [](Opcode kind, std::uint32_t, double& value) {
+    if (kind != Opcode::parameter) value = 0;
+  };
+  for_each_leaf(rest, states_.emplace_back(states_.front()));
 }
 
-void WitnessStates::tell(const Function& function, std::uint32_t before, std::uint32_t after,
+void WitnessStates::tell(const Function& function, const InstructionPair& pair,
                          EntryChange& change) const {
-  const Function both = with_entries(function, {before, after});
+  const Function both = with_entries(function, {pair.before, pair.after});
   double largest = 0;
   double largest_change = 0;
   const Arguments<double>* best = nullptr;
-  for (const Arguments<double>& state : states_) {
+  std::vector<double> values_there;
+  for (const Arguments<double>& state : std::span(states_).first(witness_count)) {
     const std::vector<double> values = evaluate(joint_, both, state);
     const double difference = std::abs(values[1] - values[0]);
     if (!std::isfinite(difference)) continue;
@@ -157,9 +176,12 @@ void WitnessStates::tell(const Function& function, std::uint32_t before, std::ui
     if (difference <= largest_change && best != nullptr) continue;
     largest_change = difference;
     best = &state;
-    change.witness = Witness{{}, values[0], values[1]};
+    values_there = values;
   }
-  if (best == nullptr || largest == 0) return;
+  // What doubles tell apart may be nothing but their rounding.
+  const Function difference = with_entries(function, {pair.difference});
+  if (largest_change == 0 || vanishes_at(joint_, difference, *best)) return;
+  change.witness = Witness{{}, values_there[0], values_there[1]};
   change.share = largest_change / largest;
   std::string& at = change.witness->at;
   for (const Instruction& i : both.instructions) {
@@ -247,7 +269,7 @@ class OutputComparison {
     OutputChange change{after.name, std::max(entry_count(before), entry_count(after)), {}};
     JointFunction joint = joint_.joined(before, after, values_);
     Instructions instructions(joint.function);
-    std::vector<Pair> open;
+    std::vector<InstructionPair> open;
     for (const MatchedEntry& entry :
          matched_entries(before_.checked.model, before, after_.checked.model, after, renames_)) {
       if (!entry.before || !entry.after) {
@@ -265,50 +287,52 @@ class OutputComparison {
     return change;
   }
 
-  /// Entries that are computed differently.
-  struct Pair {
-    std::size_t number = 0;  ///< among the changes
-    std::uint32_t before = 0;
-    std::uint32_t after = 0;
-    std::uint32_t difference = 0;
-  };
-
-  void settle(const Function& function, const std::vector<Pair>& open, OutputChange& change) {
+  void settle(const Function& function, const std::vector<InstructionPair>& open,
+              OutputChange& change) {
     if (open.empty()) return;
     std::vector<std::uint32_t> differences;
-    for (const Pair& pair : open) differences.push_back(pair.difference);
-    const Program& program = joint_.program();
-    const std::vector<Zero> found = zeros(program, with_entries(function, differences));
-    std::vector<Pair> different;
+    for (const InstructionPair& pair : open) differences.push_back(pair.difference);
+    const std::vector<Zero> found =
+        zeros(joint_.program(), with_entries(function, differences), states().all());
+    std::vector<InstructionPair> different;
+    std::vector<InstructionPair> undecided;
     for (std::size_t i = 0; i < open.size(); ++i) {
       EntryChange& entry = change.entries[open[i].number];
-      if (found[i] == Zero::no || found[i] == Zero::not_decided) {
-        entry.is_told_apart = found[i] == Zero::no;
+      if (found[i] == Zero::no) {
         different.push_back(open[i]);
         continue;
       }
-      entry.verdict = EntryVerdict::equal;
+      const bool is_decided = found[i] != Zero::not_decided;
+      entry.verdict = is_decided ? EntryVerdict::equal : EntryVerdict::not_told_apart;
       entry.is_proved = found[i] == Zero::proved;
+      entry.is_told_apart = is_decided;
+      if (!is_decided) undecided.push_back(open[i]);
     }
+    different.insert(different.end(), undecided.begin(), undecided.end());
     if (different.size() > most_told) different.resize(most_told);
     tell(function, different, change);
   }
 
-  void tell(const Function& function, const std::vector<Pair>& different, OutputChange& change) {
+  void tell(const Function& function, const std::vector<InstructionPair>& different,
+            OutputChange& change) {
     if (different.empty()) return;
     std::vector<std::uint32_t> places;
-    for (const Pair& pair : different) {
+    for (const InstructionPair& pair : different) {
       places.insert(places.end(), {pair.before, pair.after, pair.difference});
     }
     const std::vector<std::string> texts = closed_texts(joint_.program(), function, places);
-    const WitnessStates states(before_, after_, joint_.program());
     for (std::size_t i = 0; i < different.size(); ++i) {
       EntryChange& entry = change.entries[different[i].number];
       entry.before = texts[3 * i];
       entry.after = texts[3 * i + 1];
       entry.difference = texts[3 * i + 2];
-      states.tell(function, different[i].before, different[i].after, entry);
+      if (entry.verdict == EntryVerdict::different) states().tell(function, different[i], entry);
     }
+  }
+
+  const WitnessStates& states() {
+    if (!states_) states_.emplace(before_, after_, joint_.program());
+    return *states_;
   }
 
   const Version& before_;
@@ -316,6 +340,7 @@ class OutputComparison {
   const Renames& renames_;
   JointValues values_;
   JointProgram joint_;
+  std::optional<WitnessStates> states_ = {};  ///< once they are needed
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/exact_number.hpp"
 #include "base/random.hpp"
 #include "elgen/closed_forms.hpp"
 #include "elgen/fold.hpp"
@@ -17,8 +18,8 @@ namespace elgen {
 namespace {
 
 constexpr std::uint64_t seed_of_zeros = 16;
-/// Points that may be tried for one at which an entry has a value.
-constexpr std::size_t most_tries = 4 * zero_points;
+/// Points that may be tried for one at which an entry has a value: two for each scale and sign.
+constexpr std::size_t most_tries = 8 * zero_points;
 
 /// The observation of an entry at one point.
 enum class Seen : std::uint8_t { nothing, zero, other };
@@ -29,12 +30,16 @@ class PointDrawer {
 
   /// All entries of the function at the next point. The `variables` are drawn, not computed.
   std::vector<Seen> operator()(const Function& function, const std::vector<bool>& variables) {
-    const LeafValues<Bound> point = next_point();
+    return at(next_point(), function, variables);
+  }
+
+  std::vector<Seen> at(const LeafValues<Bound>& point, const Function& function,
+                       const std::vector<bool>& variables) {
     const RunningBoundRules rules{{point, rounding<double>()}};
     std::vector<Bound> values;
-    for (std::size_t at = 0; at < function.instructions.size(); ++at) {
-      values.push_back(variables[at] ? drawn()
-                                     : folded(rules, program_, function.instructions[at], values));
+    for (std::size_t i = 0; i < function.instructions.size(); ++i) {
+      values.push_back(variables[i] ? drawn()
+                                    : folded(rules, program_, function.instructions[i], values));
     }
     std::vector<Seen> seen;
     for (const std::uint32_t entry : entries_of(function)) {
@@ -48,7 +53,7 @@ class PointDrawer {
 
   /// In turn, so that what differs for large or small values only is seen, too.
   [[nodiscard]] cln::cl_RA scale() const {
-    static const std::array<cln::cl_RA, 3> scales{1, 1000, cln::cl_RA(1) / 1000};
+    static const std::array<cln::cl_RA, 4> scales{1, 1000, cln::cl_RA(1) / 1000, 1'000'000};
     return scales[points_ / 2 % scales.size()];
   }
 
@@ -104,20 +109,29 @@ Function only(const Function& function, const std::vector<std::size_t>& numbers)
 constexpr PresentBudget zeros_budget{
     .products_per_function = 10'000, .products = 40'000, .terms = 1'000};
 
-/// Whether each entry is zero at as many points as are asked for, of those at which it has a value.
+/// The exact numbers that doubles are.
+LeafValues<Bound> point_of(const Arguments<double>& state) {
+  return map_leaves([](double x) { return leaf_bound(exact_value(x), rounding<double>()); }, state);
+}
+
+/// Whether each entry is zero at as many points as are asked for, of those at which it has a value:
+/// the states, and as many others.
 std::vector<bool> zero_everywhere(const Function& function, const std::vector<bool>& variables,
-                                  PointDrawer& draw) {
+                                  const std::vector<Arguments<double>>& states, PointDrawer& draw) {
   std::vector<std::size_t> zeros(entry_count(function));
   std::vector<bool> may_vanish(zeros.size(), true);
-  for (std::size_t tried = 0; tried < most_tries; ++tried) {
-    const std::vector<Seen> seen = draw(function, variables);
+  const std::size_t enough = states.size() + zero_points;
+  for (std::size_t tried = 0; tried < states.size() + most_tries; ++tried) {
+    const std::vector<Seen> seen = tried < states.size()
+                                       ? draw.at(point_of(states[tried]), function, variables)
+                                       : draw(function, variables);
     for (std::size_t i = 0; i < seen.size(); ++i) {
       zeros[i] += seen[i] == Seen::zero ? 1 : 0;
       if (seen[i] == Seen::other) may_vanish[i] = false;
     }
     bool is_decided = true;
     for (std::size_t i = 0; i < seen.size(); ++i) {
-      if (may_vanish[i] && zeros[i] < zero_points) is_decided = false;
+      if (may_vanish[i] && zeros[i] < enough) is_decided = false;
     }
     if (is_decided) break;
   }
@@ -128,12 +142,14 @@ std::vector<bool> zero_everywhere(const Function& function, const std::vector<bo
 }
 
 /// The verdict on every entry of a function that nothing is proved of.
-std::vector<Zero> sampled(const Program& program, const Function& function, PointDrawer& draw) {
+std::vector<Zero> sampled(const Program& program, const Function& function,
+                          const std::vector<Arguments<double>>& states, PointDrawer& draw) {
   const std::vector<bool> variables = unknowns(program, function);
   const std::vector<bool> none(variables.size(), false);
-  const std::vector<bool> vanish = zero_everywhere(function, variables, draw);
+  const std::vector<bool> vanish = zero_everywhere(function, variables, {}, draw);
   const bool is_analytic = std::ranges::count(variables, true) == 0;
-  const std::vector<bool> agree = is_analytic ? vanish : zero_everywhere(function, none, draw);
+  const std::vector<bool> agree =
+      is_analytic ? vanish : zero_everywhere(function, none, states, draw);
   std::vector<Zero> result;
   for (std::size_t i = 0; i < vanish.size(); ++i) {
     result.push_back(vanish[i] ? Zero::sampled : agree[i] ? Zero::not_decided : Zero::no);
@@ -143,7 +159,8 @@ std::vector<Zero> sampled(const Program& program, const Function& function, Poin
 
 }  // namespace
 
-std::vector<Zero> zeros(const Program& program, const Function& function) {
+std::vector<Zero> zeros(const Program& program, const Function& function,
+                        const std::vector<Arguments<double>>& states) {
   PointDrawer draw(program);
   std::vector<Zero> result(entry_count(function), Zero::no);
   const std::vector<bool> none(function.instructions.size(), false);
@@ -156,9 +173,14 @@ std::vector<Zero> zeros(const Program& program, const Function& function) {
     if (proofs[i] == ZeroProof::open) open.push_back(left[i]);
   }
   if (open.empty()) return result;
-  const std::vector<Zero> verdicts = sampled(program, only(function, open), draw);
+  const std::vector<Zero> verdicts = sampled(program, only(function, open), states, draw);
   for (std::size_t i = 0; i < open.size(); ++i) result[open[i]] = verdicts[i];
   return result;
+}
+
+bool vanishes_at(const Program& program, const Function& function, const Arguments<double>& state) {
+  const std::vector<bool> none(function.instructions.size(), false);
+  return PointDrawer(program).at(point_of(state), function, none).front() == Seen::zero;
 }
 
 }  // namespace elgen

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "elgen/diff.hpp"
+#include "elgen/evaluate.hpp"
 #include "elgen/program.hpp"
 
 namespace elgen {
@@ -10,13 +11,19 @@ namespace elgen {
 /// A value vanishes at a point where |x| <= 1e-45 B in 64 digits, B of its error bound u B.
 enum class Zero : std::uint8_t {
   no,
-  not_decided,  ///< vanishes at `zero_points` points, but is not analytic: another may tell
+  not_decided,  ///< vanishes at `zero_points` points or more, but is not analytic: another may tell
   sampled,      ///< analytic (lower/network/analytic.hpp), and vanishes at `zero_points` points
   proved,       ///< its closed form is the empty sum
 };
 
 /// Of every entry, in the order of the fields. Cost: the function once in 64 digits; the values
-/// that vanish there are proved, or sampled 63 times more, twice where they are not analytic.
-[[nodiscard]] std::vector<Zero> zeros(const Program& program, const Function& function);
+/// that vanish there are proved, or sampled 63 times more, twice where they are not analytic, which
+/// are looked at in `states`, too.
+[[nodiscard]] std::vector<Zero> zeros(const Program& program, const Function& function,
+                                      const std::vector<Arguments<double>>& states = {});
+
+/// Whether the only entry vanishes at a state, whatever its terms are in doubles.
+[[nodiscard]] bool vanishes_at(const Program& program, const Function& function,
+                               const Arguments<double>& state);
 
 }  // namespace elgen

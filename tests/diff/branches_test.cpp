@@ -58,6 +58,21 @@ constexpr std::array equal_everywhere{
     Forms{"sqrt({}*exp(2*x))", "exp(x)*sqrt({})"},
 };
 
+/// Alike at all points, and of the shapes that nothing is proved of.
+constexpr std::array not_told_apart{
+    Forms{"abs(x)^2", "x^2"},
+    Forms{"abs(x)", "sqrt(x^2)"},
+    Forms{"abs(k*x)", "abs(k)*abs(x)"},
+    Forms{"asin(x)", "pi/2 - acos(x)"},
+    Forms{"asin(x/10)", "pi/2 - acos(x/10)"},
+    Forms{"asin(sin(k)/2)*x", "(pi/2 - acos(sin(k)/2))*x"},
+    Forms{"abs(x)*sqrt(x^2 + k^2)", "sqrt(x^2*(x^2 + k^2))"},
+    Forms{"hypot(x, 2)*abs(x)", "sqrt(x^4 + 4*x^2)"},
+    Forms{"max(x, 0)", "(x + abs(x))/2"},
+    Forms{"min(x, k)", "-max(-x, -k)"},
+    Forms{"max(x, 1e9)", "1e9"},
+};
+
 constexpr std::array<const char*, 6> numbers{"3/2", "2", "3", "5", "10", "40"};
 
 /// Every {} replaced.
@@ -68,13 +83,14 @@ std::string with_number(std::string text, const std::string& number) {
   return text;
 }
 
+std::string pushed(const std::string& force) {
+  return model_text("pushed",
+                    "[[coordinate]]\nname = \"x\"\n[parameters]\nk = 3\n[energy]\n"
+                    "T = \"1/2*dot(x)^2\"\n[[force]]\non = \"x\"\nvalue = \"" +
+                        force + "\"\n");
+}
+
 Impact impact_of(const std::string& before, const std::string& after) {
-  const auto pushed = [](const std::string& force) {
-    return model_text("pushed",
-                      "[[coordinate]]\nname = \"x\"\n[parameters]\nk = 3\n[energy]\n"
-                      "T = \"1/2*dot(x)^2\"\n[[force]]\non = \"x\"\nvalue = \"" +
-                          force + "\"\n");
-  };
   return compared(pushed(before), pushed(after)).impact;
 }
 
@@ -109,15 +125,46 @@ TEST_CASE("forces that are one analytic function are equal") {
   }
 }
 
-TEST_CASE("an entry that agrees at all points and is not proved is told as that") {
-  const std::string before =
-      model_text("pushed",
-                 "[[coordinate]]\nname = \"x\"\n[energy]\nT = \"1/2*dot(x)^2\"\n"
-                 "[[force]]\non = \"x\"\nvalue = \"max(x, 1e5)\"\n");
-  const SystemChange change = compared(before, edited(before, "max(x, 1e5)", "1e5"));
-  for (const OutputChange& output : change.outputs) {
-    for (const EntryChange& entry : output.entries) {
-      CHECK(entry.is_told_apart == (entry.verdict == EntryVerdict::added));
+TEST_CASE("roots and kinks that are written otherwise are not told apart, or different if strict") {
+  for (const Forms& forms : not_told_apart) {
+    INFO(forms.before << ", " << forms.after);
+    const SystemChange change = compared(pushed(forms.before), pushed(forms.after));
+    CHECK((change.impact == Impact::equal || change.impact == Impact::extended));
+    CHECK_FALSE(change.is_told_apart);
+    CHECK(count_of(change, EntryVerdict::different) == 0);
+    for (const OutputChange& output : change.outputs) {
+      for (const EntryChange& entry : output.entries) {
+        const bool is_open = entry.verdict == EntryVerdict::not_told_apart;
+        CHECK(entry.is_told_apart == !is_open);
+        CHECK_FALSE(entry.witness);
+      }
     }
+    const Lowered old = lowered(pushed(forms.before));
+    const Lowered now = lowered(pushed(forms.after));
+    const SystemChange strict = compare(old.version(), now.version(), {.is_strict = true});
+    CHECK(strict.impact == Impact::different);
+    CHECK(strict.is_told_apart);
   }
+}
+
+TEST_CASE("a difference that only rounding shows inside the ranges has no witness") {
+  const std::string before =
+      edited(pushed("sqrt((x - 2)^2)"), "name = \"x\"", "name = \"x\"\nrange = [-1, 1]");
+  const SystemChange change = compared(before, edited(before, "sqrt((x - 2)^2)", "2 - x"));
+  CHECK(change.impact == Impact::different);
+  for (const EntryChange& entry : entries_of(change, "applied_force")) {
+    CHECK(entry.verdict == EntryVerdict::different);
+    CHECK_FALSE(entry.witness);
+  }
+}
+
+TEST_CASE("a function that has values inside the ranges alone is compared there") {
+  const std::string before =
+      edited(pushed("asin(x - 50)"), "name = \"x\"", "name = \"x\"\nrange = [49.5, 50.5]");
+  const SystemChange same = compared(before, edited(before, "asin(x - 50)", "pi/2 - acos(x - 50)"));
+  CHECK(same.impact == Impact::equal);
+  CHECK_FALSE(same.is_told_apart);
+  const SystemChange other =
+      compared(before, edited(before, "asin(x - 50)", "1.000000000001*asin(x - 50)"));
+  CHECK(other.impact == Impact::different);
 }
