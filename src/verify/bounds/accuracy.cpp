@@ -186,7 +186,8 @@ CertificateRow AsUsersRecord::row(const Subject& subject, std::string_view scala
   errors_.tell(row, subject, promised_bounds);
   row.verdict = verdict_of_rounding(errors_);
   row.samples = states_;
-  row.tolerance = std::string("8 u B + N eta, B as above") + beyond_bounds;
+  row.tolerance = "8 u B + N eta, B as above";
+  row.tolerance += beyond_bounds;
   if (row.samples == 0) {
     row.worst = "no state to compare at";
     return row;
