@@ -64,6 +64,7 @@ struct KeyChange {
   std::string after = {};          ///< "" where it is gone
   Span old_at = {};
   Span new_at = {};
+  Impact impact = Impact::equal;  ///< of its system, at most: what follows is told of all together
 };
 
 /// Entries are matched by `name` (else `on`, `at`, `frame`, else by their number), keys by name,
@@ -151,6 +152,7 @@ struct OperationsChange {
 
 struct SystemChange {
   std::string name = {};  ///< base name of the newer version
+  std::string path = {};  ///< of the newer version; "" where that is not known
   Impact impact = Impact::equal;
   std::vector<KeyChange> keys = {};
   std::vector<OutputChange> outputs = {};
@@ -185,18 +187,23 @@ struct DiffReport {
   std::vector<UnreadableSystem> unreadable = {};
 };
 
-/// The worst of all; `extended` where something was added, `breaks` where it was removed.
+/// Whether something was compared, or nothing was unreadable.
+[[nodiscard]] bool has_verdict(const DiffReport& report);
+
+/// The worst of all that can be read; `extended` where something was added, `breaks` where it was
+/// removed.
 [[nodiscard]] Impact impact_of(const DiffReport& report);
 
-/// A dozen lines for people; with `lists_all` every key and every entry.
+/// A dozen lines for people, of several systems each with the names of those that it is about; with
+/// `lists_all` every key and every entry.
 [[nodiscard]] std::string to_text(const DiffReport& report, bool lists_all);
 
 /// The same as a comment on a pull request: the lines, and behind a fold every entry.
 [[nodiscard]] std::string to_markdown(const DiffReport& report);
 
 /// Workflow commands of GitHub: an error for every system that breaks, is gone or cannot be read,
-/// with the reason; then the causes. Of these GitHub shows ten a step: the last one counts what is
-/// left over.
+/// with the reason; then the causes, each with what it did. Of these GitHub shows ten a step: the
+/// last one counts what is left over.
 [[nodiscard]] std::string to_annotations(const DiffReport& report);
 
 /// JSON for programs. Every change has an id that stays: its place in the file, or of the entry.

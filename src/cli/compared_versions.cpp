@@ -184,14 +184,19 @@ class VersionPairs {
     if (!is_read || !before || !after) return;
     const bool is_same =
         same_text(before->model, after->model) && same_text(before->scene, after->scene);
-    if (is_same) return keep_mistakes(new_path, *after);
+    if (is_same) {
+      keep_mistakes(new_path, *after);
+      return;
+    }
     const Result<LoadedVersion> old = load_version(*before, limits_);
     const Result<LoadedVersion> now = load_version(*after, limits_);
     sources_.insert(sources_.end(), {before->model, before->scene, after->model, after->scene});
     keep(new_path, old.diagnostics);
     keep(new_path, now.diagnostics);
     if (!old || !now) return;
-    report_.systems.push_back(elgen::compare(old->version(), now->version(), options_));
+    SystemChange& found =
+        report_.systems.emplace_back(elgen::compare(old->version(), now->version(), options_));
+    found.path = shown_path(new_path);
   }
 
   void compare_folders(const Side& old_side, const std::string& old_folder, const Side& new_side,
@@ -238,8 +243,10 @@ class VersionPairs {
     compare_moved();
     for (const LoneFile& file : added_) {
       const Result<Inputs> inputs = file.side->inputs(file.path);
-      if (keep(file.path, inputs.diagnostics) && inputs) keep_mistakes(file.path, *inputs);
-      report_.added.push_back(shown_path(file.shown));
+      const bool is_read = keep(file.path, inputs.diagnostics) && inputs;
+      if (is_read && keep_mistakes(file.path, *inputs)) {
+        report_.added.push_back(shown_path(file.shown));
+      }
     }
     for (const LoneFile& file : removed_) report_.removed.push_back(shown_path(file.shown));
     sort_by_position(diagnostics_);
@@ -271,10 +278,10 @@ class VersionPairs {
     }
   }
 
-  /// Of files that are not compared.
-  void keep_mistakes(const std::string& path, const Inputs& inputs) {
+  /// Whether there is none in files that are not compared.
+  bool keep_mistakes(const std::string& path, const Inputs& inputs) {
     sources_.insert(sources_.end(), {inputs.model, inputs.scene});
-    keep(path, mistakes(inputs, limits_));
+    return keep(path, mistakes(inputs, limits_));
   }
 
   /// Whether there is no error among them. Warnings of the models are for `generate`.

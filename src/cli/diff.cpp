@@ -30,7 +30,7 @@ struct DiffOptions {
 struct DiffFormat {
   std::string_view name;
   std::string (*text)(const DiffReport& report, const DiffOptions& options);
-  bool tells_errors = false;  ///< of systems, beside what could be compared
+  bool tells_errors = false;  ///< of systems, all that there is to tell
 };
 
 constexpr std::array formats{
@@ -109,10 +109,11 @@ ExitCode diff(const GlobalOptions& given, const DiffOptions& options) {
       options.revision.empty()
           ? compared_paths(options.inputs.front(), options.inputs.back(), comparing, global.limits)
           : compared_with_revision(options.revision, options.inputs, comparing, global.limits);
+  if (!found) return report(global, found.diagnostics);
   const bool is_whole = !has_errors(found.diagnostics);
-  if (!found || (!is_whole && !format.tells_errors)) return report(global, found.diagnostics);
   const Diagnostics unknown = unknown_outputs(*found, options);
   if (is_whole && !unknown.empty()) return report(global, unknown);
+  if (!is_whole && !format.tells_errors) report(global, found.diagnostics);
   const ExitCode printed = print(global, format.text(*found, options));
   const bool is_allowed = impact_of(*found) <= *find_impact(options.allowed);
   return std::max(

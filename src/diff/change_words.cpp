@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "base/diagnostic_words.hpp"
 #include "lower/operation_columns.hpp"
 
 namespace elgen {
@@ -59,6 +60,23 @@ std::string meaning(Impact impact, bool is_told_apart) {
   std::string words(impact_row(impact).doc);
   if (is_told_apart || impact >= Impact::different) return words;
   return fmt::format("{}, as far as {} points tell (see --strict)", words, zero_points);
+}
+
+std::string label_of(const DiffReport& report, const SystemChange& system) {
+  const bool is_alone = std::ranges::count(report.systems, system.name, &SystemChange::name) < 2;
+  return is_alone || system.path.empty() ? system.name
+                                         : fmt::format("{} ({})", system.name, system.path);
+}
+
+bool has_several(const DiffReport& report) {
+  const bool has_files =
+      !report.added.empty() || !report.removed.empty() || !report.unreadable.empty();
+  return report.systems.size() > 1 || has_files;
+}
+
+std::string text_of(const UnreadableSystem& system) {
+  return fmt::format("{}: {}: {}", system.path, code_row(system.error.code).name,
+                     sentence(system.error));
 }
 
 void VerdictCounts::add(const OutputChange& output) {

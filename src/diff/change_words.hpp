@@ -17,6 +17,15 @@ namespace elgen {
 /// "the equations are the same", and where nothing but points say so, that.
 [[nodiscard]] std::string meaning(Impact impact, bool is_told_apart);
 
+/// The name of a system, and where others have it, too, its path.
+[[nodiscard]] std::string label_of(const DiffReport& report, const SystemChange& system);
+
+/// Whether lines have to say what they are about.
+[[nodiscard]] bool has_several(const DiffReport& report);
+
+/// "models/a.toml: E201: unknown name `z`"
+[[nodiscard]] std::string text_of(const UnreadableSystem& system);
+
 /// Entries by their verdicts.
 struct VerdictCounts {
   std::size_t all = 0;

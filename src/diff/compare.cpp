@@ -89,6 +89,30 @@ bool may_change_equations(const KeyChange& key) {
   return impact_of(key) == Impact::equal && !is_value(key);
 }
 
+/// Whether callers see what it says: names, their order, functions, the target.
+bool is_of_interface(const KeyChange& key) {
+  constexpr std::array tables{"model",  "sizes",      "coordinate", "input",
+                              "output", "constraint", "parameters", "function"};
+  const bool is_seen =
+      key.is_order || key.table.starts_with("scene.") || std::ranges::count(tables, key.table) > 0;
+  return is_seen && (may_change_equations(key) || key.table == "scene.parameters");
+}
+
+/// Gives every key the worst that it may have done.
+void judge_keys(SystemChange& system, Impact of_entries) {
+  Impact of_interface = Impact::equal;
+  for (const InterfaceChange& change : system.interface) {
+    if (change.impact > Impact::values) of_interface = std::max(of_interface, change.impact);
+  }
+  const bool is_said = std::ranges::any_of(system.keys, is_of_interface);
+  for (KeyChange& key : system.keys) {
+    const bool is_equation = may_change_equations(key);
+    key.impact = is_equation ? of_entries : Impact::values;
+    const bool may_break = is_said ? is_of_interface(key) : is_equation;
+    if (may_break) key.impact = std::max(key.impact, of_interface);
+  }
+}
+
 std::string text_of(const SourcePointer& source) { return source ? source->text : ""; }
 
 bool same_texts(const Version& before, const Version& after) {
@@ -222,11 +246,14 @@ SystemChange compare(const Version& before, const Version& after, const CompareO
   result.operations = operations_changes(before, after);
   result.warnings = new_warnings(before, after);
   result.broken_expectations = broken_expectations(before, after);
+  Impact of_entries = Impact::equal;
   const bool are_values = std::ranges::none_of(result.keys, may_change_equations);
   if (has_any(result.outputs, EntryVerdict::different)) {
     if (!are_values) result.extension = extension(before, after, options);
-    result.impact = std::max(result.impact, impact_of_entries(result, are_values));
+    of_entries = impact_of_entries(result, are_values);
   }
+  judge_keys(result, of_entries);
+  result.impact = std::max(result.impact, of_entries);
   for (const InterfaceChange& change : result.interface) {
     result.impact = std::max(result.impact, change.impact);
   }

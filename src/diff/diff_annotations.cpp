@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
-#include "base/diagnostic_words.hpp"
 #include "base/workflow_command.hpp"
 #include "diff/change_words.hpp"
 #include "elgen/diff.hpp"
@@ -17,55 +21,84 @@ namespace {
 /// The number of annotations that GitHub shows of one step at one level.
 constexpr std::size_t most_annotations = 10;
 
-/// All that breaks it, at the first key that is there.
-WorkflowCommand broken_system(const SystemChange& system) {
+/// All that breaks it, at the first key of those that do which is there.
+WorkflowCommand broken_system(const DiffReport& report, const SystemChange& system) {
   std::string reasons;
   for (const InterfaceChange& change : system.interface) {
     if (change.impact != Impact::breaks) continue;
     reasons += (reasons.empty() ? "" : "; ") + change.text;
   }
-  const auto key = std::ranges::find_if(
-      system.keys, [](const KeyChange& change) { return !change.after.empty(); });
+  const auto key = std::ranges::find_if(system.keys, [](const KeyChange& change) {
+    return !change.after.empty() && change.impact == Impact::breaks;
+  });
   return {"error", key == system.keys.end() ? Span{} : key->new_at, "elgen diff: breaks",
-          fmt::format("{}: {}", system.name, reasons)};
+          fmt::format("{}: {}", label_of(report, system), reasons)};
 }
 
 /// One for every system that breaks, is gone or cannot be read.
 std::vector<WorkflowCommand> failures(const DiffReport& report) {
   std::vector<WorkflowCommand> commands;
   for (const SystemChange& system : report.systems) {
-    if (system.impact == Impact::breaks) commands.push_back(broken_system(system));
+    if (system.impact == Impact::breaks) commands.push_back(broken_system(report, system));
   }
   for (const std::string& path : report.removed) {
     commands.push_back({"error", {}, "elgen diff: breaks", path + " is gone"});
   }
-  for (const auto& [path, error] : report.unreadable) {
-    commands.push_back(
-        {"error", error.span, "elgen diff: unreadable",
-         fmt::format("{}: {}: {}", path, code_row(error.code).name, sentence(error))});
+  for (const UnreadableSystem& system : report.unreadable) {
+    commands.push_back({"error", system.error.span, "elgen diff: unreadable", text_of(system)});
   }
   return commands;
 }
 
-std::vector<WorkflowCommand> causes(const DiffReport& report) {
-  const Impact impact = impact_of(report);
-  const ImpactRow& row = impact_row(impact);
-  const std::string title = fmt::format("elgen diff: {} ({})", row.word, row.doc);
-  const std::string_view level = impact < Impact::different ? "notice" : "warning";
-  std::vector<WorkflowCommand> commands;
-  std::set<std::string> known;
+/// A key, and what it did to each system.
+struct Cause {
+  const KeyChange* key = nullptr;
+  Impact impact = Impact::equal;  ///< the worst of all
+  bool is_told_apart = true;
+  std::string systems = {};  ///< "cart_pole: different, cart_pole_balance: values"
+};
+
+/// The worst first.
+std::vector<Cause> causes_of(const DiffReport& report) {
+  std::vector<Cause> found;
+  std::map<std::string, std::size_t> known;
   for (const SystemChange& system : report.systems) {
     for (const KeyChange& key : system.keys) {
-      if (!known.insert(place_text(key) + text_of(key)).second) continue;
-      // A removed key has no place in the newer version.
-      const Span place = key.after.empty() ? Span{} : key.new_at;
-      commands.push_back({level, place, title, text_of(key)});
+      const auto at = known.emplace(place_text(key) + text_of(key), found.size()).first;
+      if (at->second == found.size()) found.push_back({&key});
+      Cause& cause = found[at->second];
+      cause.impact = std::max(cause.impact, key.impact);
+      cause.is_told_apart = cause.is_told_apart && system.is_told_apart;
+      cause.systems += fmt::format("{}{}: {}", cause.systems.empty() ? "" : ", ",
+                                   label_of(report, system), impact_row(key.impact).word);
     }
   }
-  if (commands.size() > most_annotations) {
-    const std::size_t left = commands.size() - (most_annotations - 1);
-    commands.resize(most_annotations - 1);
-    commands.push_back({level, {}, title, fmt::format("{} more changed", counted(left, "key"))});
+  std::ranges::stable_sort(found, std::greater(), &Cause::impact);
+  return found;
+}
+
+WorkflowCommand command_of(const Cause& cause, const Span& place, std::string message) {
+  const std::string_view level = cause.impact < Impact::different ? "notice" : "warning";
+  return {level, place,
+          fmt::format("elgen diff: {} ({})", impact_row(cause.impact).word,
+                      meaning(cause.impact, cause.is_told_apart)),
+          std::move(message)};
+}
+
+std::vector<WorkflowCommand> causes(const DiffReport& report) {
+  const std::vector<Cause> all = causes_of(report);
+  const std::size_t shown = all.size() > most_annotations ? most_annotations - 1 : all.size();
+  std::vector<WorkflowCommand> commands;
+  for (std::size_t i = 0; i < shown; ++i) {
+    const KeyChange& key = *all[i].key;
+    const std::string systems = has_several(report) ? fmt::format(" ({})", all[i].systems) : "";
+    // A removed key has no place in the newer version.
+    const Span place = key.after.empty() ? Span{} : key.new_at;
+    commands.push_back(command_of(all[i], place, text_of(key) + systems));
+  }
+  if (shown < all.size()) {
+    const std::string rest = counted(all.size() - shown, "key");
+    commands.push_back(command_of(all[shown], {}, fmt::format("{} more changed", rest)));
   }
   return commands;
 }

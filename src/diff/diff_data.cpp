@@ -19,6 +19,7 @@ Json json_of(const Span& span) {
 
 Json json_of(const KeyChange& change) {
   return {{"id", change.entry + "/" + (change.is_order ? "order" : text_of(change.path))},
+          {"impact", impact_row(change.impact).word},
           {"before", change.before},
           {"after", change.after},
           {"old_place", json_of(change.old_at)},
@@ -86,10 +87,14 @@ Json json_of(const OperationsChange& change) {
           {"after", json_of(change.after)}};
 }
 
-Json json_of(const Diagnostic& warning) {
-  return {{"code", code_row(warning.code).name},
-          {"message", warning.message},
-          {"place", json_of(warning.span)}};
+Json json_of(const Diagnostic& diagnostic) {
+  return {{"code", code_row(diagnostic.code).name},
+          {"message", diagnostic.message},
+          {"place", json_of(diagnostic.span)}};
+}
+
+Json json_of(const UnreadableSystem& system) {
+  return {{"path", system.path}, {"error", json_of(system.error)}};
 }
 
 template <class List>
@@ -105,6 +110,7 @@ Json json_of(const SystemChange& system) {
     if (!output.entries.empty()) outputs.push_back(json_of(output));
   }
   Json json{{"name", system.name},
+            {"path", system.path},
             {"impact", impact_row(system.impact).word},
             {"told_apart", system.is_told_apart},
             {"keys", list_of(system.keys)},
@@ -122,11 +128,13 @@ Json json_of(const SystemChange& system) {
 std::string to_json(const DiffReport& report) {
   Json systems = Json::array();
   for (const SystemChange& system : report.systems) systems.push_back(json_of(system));
-  const Json json{{"format", "elgen diff 1"},
-                  {"impact", impact_row(impact_of(report)).word},
-                  {"systems", std::move(systems)},
-                  {"added", report.added},
-                  {"removed", report.removed}};
+  const Json json{
+      {"format", "elgen diff 1"},
+      {"impact", has_verdict(report) ? Json(impact_row(impact_of(report)).word) : Json()},
+      {"systems", std::move(systems)},
+      {"added", report.added},
+      {"removed", report.removed},
+      {"unreadable", list_of(report.unreadable)}};
   return json.dump(2) + "\n";
 }
 

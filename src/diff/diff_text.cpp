@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
+#include <functional>
+#include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -20,6 +22,7 @@ namespace {
 struct SummaryLine {
   std::string label = {};  ///< "changed"; "" where it goes on
   std::string text = {};
+  std::string systems = {};  ///< that it is about: "cart_pole, cart_pole_balance"
 };
 using SummaryLines = std::vector<SummaryLine>;
 
@@ -28,19 +31,35 @@ constexpr std::size_t most_interface = 6;  ///< likewise
 constexpr std::size_t most_operations = 3;
 constexpr std::size_t most_named = 4;  ///< of expectations
 
-/// Lines of one label, each text once.
+/// Lines of one label, each text once, with the systems that it is about.
 class Section {
  public:
-  Section(SummaryLines& lines, std::string label) : lines_(lines), label_(std::move(label)) {}
+  Section(SummaryLines& lines, std::string label, std::size_t most = SIZE_MAX)
+      : lines_(lines), label_(std::move(label)), most_(most) {}
 
-  bool is_known(const std::string& text) { return !known_.insert(text).second; }
+  void add(const std::string& text, const std::string& system) {
+    if (text.empty()) return;
+    const auto [known, is_new] = known_.emplace(text, lines_.size());
+    if (is_new && known_.size() > most_) known->second = SIZE_MAX;
+    if (known->second == SIZE_MAX) return;
+    if (is_new) lines_.push_back({std::exchange(label_, ""), text});
+    std::string& systems = lines_[known->second].systems;
+    systems += (systems.empty() ? "" : ", ") + system;
+  }
 
-  void add(std::string text) { lines_.push_back({std::exchange(label_, ""), std::move(text)}); }
+  /// Those beyond the most.
+  void count_others(std::string_view noun) {
+    if (known_.size() <= most_) return;
+    lines_.push_back({"", fmt::format("{} more (--list)", counted(known_.size() - most_, noun))});
+  }
+
+  [[nodiscard]] bool is_empty() const { return known_.empty(); }
 
  private:
   SummaryLines& lines_;
   std::string label_;
-  std::set<std::string> known_ = {};
+  std::size_t most_;
+  std::map<std::string, std::size_t> known_ = {};  ///< with the numbers of their lines
 };
 
 /// The parts that the equations are made of.
@@ -85,6 +104,18 @@ std::string parts_text(const SystemChange& system) {
   return fmt::format("{}{}{} identical", changed, changed.empty() ? "" : ";  ", identical);
 }
 
+/// "[[expect]] is not changed with it: 1 entry no longer holds (bias[2])"
+std::string expectations_text(const SystemChange& system) {
+  std::vector<std::string> some = system.broken_expectations;
+  if (some.empty()) return {};
+  const std::size_t count = some.size();
+  some.resize(std::min(count, most_named));
+  return fmt::format("[[expect]] is not changed with it: {} no longer {} ({}{})",
+                     count == 1 ? "1 entry" : fmt::format("{} entries", count),
+                     count == 1 ? "holds" : "hold", fmt::join(some, ", "),
+                     some.size() == count ? "" : ", ...");
+}
+
 /// The system in which most follows from the changes.
 const SystemChange* most_changed(const DiffReport& report) {
   const auto most = std::ranges::max_element(report.systems, {}, [](const SystemChange& system) {
@@ -124,12 +155,25 @@ class Summary {
     if (std::ranges::any_of(report_.systems, has_changes)) {
       if (impact == Impact::breaks) add_interface();
       add_keys();
-      if (const SystemChange* const system = most_changed(report_)) add_consequences(*system);
+      add_consequences();
       if (impact != Impact::breaks) add_interface();
       add_operations();
     }
+    if (has_several(report_)) {
+      for_each("verdict", [](const SystemChange& system) {
+        return fmt::format("{}: {}", impact_row(system.impact).word,
+                           meaning(system.impact, system.is_told_apart));
+      });
+      for (SummaryLine& line : lines_) {
+        if (!line.systems.empty()) line.text = line.systems + ": " + line.text;
+      }
+    }
     const bool is_told_apart = std::ranges::all_of(report_.systems, &SystemChange::is_told_apart);
-    lines_.push_back({std::string(impact_row(impact).word), meaning(impact, is_told_apart)});
+    if (has_verdict(report_)) {
+      lines_.push_back({std::string(impact_row(impact).word),
+                        (report_.unreadable.empty() ? "" : "of what can be read: ") +
+                            meaning(impact, is_told_apart)});
+    }
     return std::move(lines_);
   }
 
@@ -138,122 +182,98 @@ class Summary {
     if (!text.empty()) lines_.push_back({std::move(label), std::move(text)});
   }
 
+  [[nodiscard]] std::string name(const SystemChange& system) const {
+    return label_of(report_, system);
+  }
+
+  /// One text of each system.
+  template <class TextOf>
+  void for_each(std::string label, const TextOf& words) {
+    Section section(lines_, std::move(label));
+    for (const SystemChange& system : report_.systems) section.add(words(system), name(system));
+  }
+
+  [[nodiscard]] std::size_t most(std::size_t few) const { return lists_all_ ? SIZE_MAX : few; }
+
   void add_files() {
     for (const std::string& path : report_.added) add("added", path);
     for (const std::string& path : report_.removed) add("removed", path);
+    for (const UnreadableSystem& system : report_.unreadable) add("unreadable", text_of(system));
   }
 
   void add_keys() {
-    Section section(lines_, "changed");
-    std::size_t count = 0;
+    Section section(lines_, "changed", most(most_keys));
     for (const bool are_expectations : {false, true}) {
       for (const SystemChange& system : report_.systems) {
         for (const KeyChange& key : system.keys) {
           if ((key.table == "expect") != are_expectations) continue;
-          const std::string text = place_text(key) + text_of(key);
-          if (section.is_known(text) || (++count > most_keys && !lists_all_)) continue;
-          section.add(text);
+          section.add(place_text(key) + text_of(key), name(system));
         }
       }
     }
-    if (count > most_keys && !lists_all_) {
-      section.add(fmt::format("{} more (--list)", counted(count - most_keys, "key")));
-    }
+    section.count_others("key");
   }
 
-  void add_consequences(const SystemChange& system) {
-    if (!system.keys.empty()) add("", parts_text(system));
-    add_expectations();
+  void add_consequences() {
+    for_each("", [](const SystemChange& system) {
+      return system.keys.empty() ? "" : parts_text(system);
+    });
+    for_each("", expectations_text);
     add_warnings();
-    add_counts();
-    add("", system.extension);
-    if (const EntryChange* const entry = example(system)) {
-      add("for one", text_of(*entry));
-      add("", witness_text(*entry));
-    }
-  }
-
-  void add_expectations() {
-    std::set<std::string> broken;
-    for (const SystemChange& system : report_.systems) {
-      broken.insert(system.broken_expectations.begin(), system.broken_expectations.end());
-    }
-    if (broken.empty()) return;
-    std::vector<std::string> some(broken.begin(), broken.end());
-    const bool are_all = some.size() <= most_named;
-    some.resize(std::min(some.size(), most_named));
-    add("", fmt::format("[[expect]] is not changed with it: {} no longer {} ({}{})",
-                        broken.size() == 1 ? "1 entry" : fmt::format("{} entries", broken.size()),
-                        broken.size() == 1 ? "holds" : "hold", fmt::join(some, ", "),
-                        are_all ? "" : ", ..."));
+    for_each("follows", [](const SystemChange& system) {
+      const VerdictCounts counts = counts_of(system);
+      return counts.all > 0 ? counts.text() : "";
+    });
+    for_each("", [](const SystemChange& system) { return system.extension; });
+    const SystemChange* const system = most_changed(report_);
+    const EntryChange* const entry = system == nullptr ? nullptr : example(*system);
+    if (entry == nullptr) return;
+    Section section(lines_, "for one");
+    section.add(text_of(*entry), name(*system));
+    section.add(witness_text(*entry), name(*system));
   }
 
   void add_warnings() {
     Section section(lines_, "warns");
     for (const SystemChange& system : report_.systems) {
       for (const Diagnostic& warning : system.warnings) {
-        const std::string text =
-            fmt::format("{}: {}", code_row(warning.code).name, warning.message);
-        if (!section.is_known(text)) section.add(text);
+        section.add(fmt::format("{}: {}", code_row(warning.code).name, warning.message),
+                    name(system));
       }
     }
-  }
-
-  void add_counts() {
-    VerdictCounts all;
-    std::string systems;
-    for (const SystemChange& system : report_.systems) {
-      const VerdictCounts counts = counts_of(system);
-      for (const OutputChange& output : system.outputs) all.add(output);
-      if (counts.changed() == 0) continue;
-      systems += fmt::format("{}{} {} of {}", systems.empty() ? "" : ", ", system.name,
-                             counts.changed(), counts.all);
-    }
-    if (all.all > 0) add("follows", all.text());
-    if (report_.systems.size() > 1) add("", systems);
   }
 
   void add_interface() {
-    Section section(lines_, "interface");
-    std::vector<const InterfaceChange*> changes;
+    using Change = std::pair<const InterfaceChange*, const SystemChange*>;
+    std::vector<Change> changes;
     for (const SystemChange& system : report_.systems) {
-      for (const InterfaceChange& change : system.interface) {
-        if (!section.is_known(change.text)) changes.push_back(&change);
-      }
+      for (const InterfaceChange& change : system.interface) changes.emplace_back(&change, &system);
     }
-    if (changes.empty()) return section.add("unchanged");
-    std::ranges::stable_sort(changes, std::greater(), [](const InterfaceChange* change) {
-      return std::pair(change->impact, change->is_silent);
+    if (changes.empty()) return add("interface", "unchanged");
+    std::ranges::stable_sort(changes, std::greater(), [](const Change& change) {
+      return std::pair(change.first->impact, change.first->is_silent);
     });
-    const std::size_t shown =
-        lists_all_ ? changes.size() : std::min(changes.size(), most_interface);
-    for (std::size_t i = 0; i < shown; ++i) {
-      section.add(fmt::format("{}: {}", impact_row(changes[i]->impact).word, changes[i]->text));
+    Section section(lines_, "interface", most(most_interface));
+    for (const auto& [change, system] : changes) {
+      section.add(fmt::format("{}: {}", impact_row(change->impact).word, change->text),
+                  name(*system));
     }
-    if (shown < changes.size()) {
-      section.add(fmt::format("{} more (--list)", changes.size() - shown));
-    }
+    section.count_others("change");
   }
 
   /// Of all systems, or of none: a part of them would be taken for all.
   void add_operations() {
-    Section section(lines_, "operations");
-    std::vector<std::string> changes;
+    Section section(lines_, "operations", most(most_operations));
     for (const SystemChange& system : report_.systems) {
       if (!system.operations) return;
-      const std::string owner = report_.systems.size() > 1 ? system.name + "::" : std::string();
+    }
+    for (const SystemChange& system : report_.systems) {
       for (const OperationsChange& change : *system.operations) {
-        changes.push_back(owner + text_of(change));
+        section.add(text_of(change), name(system));
       }
     }
-    if (report_.systems.empty()) return;
-    if (changes.empty()) return section.add("unchanged");
-    const std::size_t shown =
-        lists_all_ ? changes.size() : std::min(changes.size(), most_operations);
-    for (std::size_t i = 0; i < shown; ++i) section.add(changes[i]);
-    if (shown < changes.size()) {
-      section.add(fmt::format("{} more (--list)", counted(changes.size() - shown, "function")));
-    }
+    if (section.is_empty()) return add("operations", "unchanged");
+    section.count_others("function");
   }
 
   const DiffReport& report_;
@@ -272,7 +292,9 @@ void add_lines(const OutputChange& output, std::vector<std::string>& lines) {
 /// Labels in a column of their own.
 std::string text_of(const SummaryLines& lines) {
   std::string text;
-  for (const auto& [label, words] : lines) text += fmt::format("{:<13}{}\n", label, words);
+  for (const SummaryLine& line : lines) {
+    text += fmt::format("{:<13}{}\n", line.label, line.text);
+  }
   return text;
 }
 
@@ -285,7 +307,7 @@ struct EntryList {
 std::vector<EntryList> entry_lists(const DiffReport& report) {
   std::vector<EntryList> lists;
   for (const SystemChange& system : report.systems) {
-    EntryList list{system.name, {}};
+    EntryList list{label_of(report, system), {}};
     for (const OutputChange& output : system.outputs) add_lines(output, list.lines);
     if (!list.lines.empty()) lists.push_back(std::move(list));
   }
@@ -326,6 +348,12 @@ std::string folded(const EntryList& list) {
 
 }  // namespace
 
+bool has_verdict(const DiffReport& report) {
+  const bool is_anything =
+      !report.systems.empty() || !report.added.empty() || !report.removed.empty();
+  return is_anything || report.unreadable.empty();
+}
+
 Impact impact_of(const DiffReport& report) {
   Impact worst = report.added.empty() ? Impact::equal : Impact::extended;
   if (!report.removed.empty()) worst = Impact::breaks;
@@ -346,9 +374,11 @@ std::string to_text(const DiffReport& report, bool lists_all) {
 
 std::string to_markdown(const DiffReport& report) {
   SummaryLines lines = Summary(report, false)();
-  const SummaryLine verdict = lines.back();
-  lines.pop_back();
-  std::string text = fmt::format("### elgen diff: {} ({})\n", verdict.label, verdict.text);
+  std::string text = "### elgen diff: unreadable\n";
+  if (has_verdict(report)) {
+    text = fmt::format("### elgen diff: {} ({})\n", lines.back().label, lines.back().text);
+    lines.pop_back();
+  }
   if (!lines.empty()) text += "\n" + code_block(text_of(lines));
   for (const EntryList& list : entry_lists(report)) text += "\n" + folded(list);
   return text;

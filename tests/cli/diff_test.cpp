@@ -53,7 +53,8 @@ TEST_CASE("scenes bring their models along") {
 TEST_CASE("files of folders match by their paths") {
   const TwoFolders folders;
   const Outcome outcome = folders.diff("old new");
-  CHECK(mentions(outcome.output, "cart_pole 14 of 74, cart_pole_balance 3 of "));
+  CHECK(mentions(outcome.output, "follows      cart_pole: 14 of 74 entries differ"));
+  CHECK(mentions(outcome.output, "             cart_pole_balance: 3 of "));
   CHECK_FALSE(mentions(outcome.output, "simple_pendulum"));
 }
 
@@ -121,8 +122,38 @@ TEST_CASE("what has no errors in one version is not compared with what has") {
   folders.prepare("sed -i 's/cos(theta)/cos(thet)/' new/cart_pole.toml");
   const Outcome outcome = folders.diff("old new");
   CHECK(outcome.status == 2);
-  CHECK(outcome.output.empty());
+  CHECK(starts_with(outcome.output, "unreadable   new/cart_pole.toml: E201: unknown name `thet`"));
+  CHECK_FALSE(mentions(outcome.output, "equal  "));
   CHECK(mentions(outcome.errors, "new/cart_pole.toml:51:36: error[E201]: unknown name `thet`"));
+}
+
+TEST_CASE("one model that cannot be read leaves the report of the others, in every format") {
+  const TwoFolders folders;
+  folders.prepare("echo x >> new/simple_pendulum.toml");
+  const Outcome text = folders.diff("old new");
+  CHECK(text.status == 2);
+  CHECK(starts_with(text.output, "unreadable   new/simple_pendulum.toml: E101: "));
+  CHECK(mentions(text.output, "follows      cart_pole: 14 of 74 entries differ"));
+  CHECK(mentions(text.errors, "error[E101]"));
+  const Outcome markdown = folders.diff("--format markdown --allow breaks old new");
+  CHECK(markdown.status == 2);
+  CHECK(starts_with(markdown.output, "### elgen diff: different (of what can be read: "));
+  CHECK(mentions(markdown.output, "<details><summary>Entries of cart_pole</summary>"));
+  const Outcome json = folders.diff("--format json old new");
+  CHECK(json.status == 2);
+  CHECK(mentions(json.output, "\"impact\": \"different\""));
+  CHECK(mentions(json.output, "\"path\": \"new/simple_pendulum.toml\""));
+}
+
+TEST_CASE("roots written otherwise pass as equal, unless --strict") {
+  const Workspace workspace;
+  workspace.write("a.toml",
+                  "format = 1\n[model]\nname = \"pushed\"\n[[coordinate]]\nname = \"x\"\n"
+                  "[energy]\nT = \"1/2*dot(x)^2\"\n"
+                  "[[force]]\non = \"x\"\nvalue = \"abs(x)^3\"\n");
+  workspace.prepare("sed 's/abs(x)^3/x^2*abs(x)/' a.toml > b.toml");
+  CHECK(workspace.run("elgen diff a.toml b.toml").status == 0);
+  CHECK(workspace.run("elgen diff --strict a.toml b.toml").status == 1);
 }
 
 TEST_CASE("a model that cannot be read is an error in every mode, not a removed one") {

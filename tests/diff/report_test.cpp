@@ -134,7 +134,78 @@ TEST_CASE("a cause that two systems share is one line") {
   const SystemChange system = compared(spring(), spring("k*x^2"));
   const std::string text = to_text(twice(system), false);
   CHECK(count(text, "[energy] V: 1/2*k*x^2 -> k*x^2") == 1);
-  CHECK(mentions(text, "spring 11 of 25, other 11 of 25"));
+  CHECK(mentions(text, "follows      spring, other: 11 of 25 entries differ"));
+  CHECK(mentions(text, "verdict      spring, other: different: the equations differ\n"));
+}
+
+TEST_CASE("of two systems every line says which it is about, and each has its verdict") {
+  const std::string second = edited(spring(), "\"spring\"", "\"second\"");
+  const DiffReport report{.systems = {compared(spring(), spring("k*x^2")),
+                                      compared(second, edited(second, "k = 3", "k = 4"))}};
+  for (const std::string& text : {to_text(report, true), to_markdown(report)}) {
+    CHECK(mentions(text, "changed      spring: model.toml:"));
+    CHECK(mentions(text, "             second: model.toml:"));
+    CHECK(mentions(text, "for one      spring: "));
+    CHECK(mentions(text, "interface    second: values: the value of `k` is 4 where it was 3\n"));
+    CHECK(mentions(text, "verdict      spring: different: the equations differ\n"));
+    CHECK(mentions(text, "             second: values: values, ranges"));
+  }
+  const std::string text = to_annotations(report);
+  CHECK(mentions(text, "::warning file="));
+  CHECK(mentions(text, "k*x^2 (spring: different)\n"));
+  CHECK(mentions(text, "::notice file="));
+  CHECK(mentions(text, "title=elgen diff%3A values (values%2C ranges"));
+  CHECK(mentions(text, "3 -> 4 (second: values)\n"));
+}
+
+TEST_CASE("systems of one name are told apart by their paths") {
+  DiffReport report = twice(compared(spring(), spring("k*x^2")));
+  report.systems[1].name = report.systems[0].name;
+  report.systems[0].path = "a/spring.toml";
+  report.systems[1].path = "b/spring.toml";
+  const std::string text = to_text(report, false);
+  CHECK(mentions(text, "verdict      spring (a/spring.toml), spring (b/spring.toml): different"));
+}
+
+TEST_CASE("each cause has the worst that it may have done, not what others did") {
+  const std::string moved = edited(edited(spring("k*x^2"), "k = 3\n", ""), "m = {", "k = 3\nm = {");
+  const SystemChange system = compared(spring(), edited(moved, "value = 2,", "value = 5,"));
+  CHECK(system.impact == Impact::breaks);
+  for (const KeyChange& key : system.keys) {
+    const Impact of_equations = key.table == "energy" ? Impact::different : Impact::values;
+    const Impact impact = key.is_order ? Impact::breaks : of_equations;
+    INFO(text_of(key));
+    CHECK(key.impact == impact);
+  }
+  const std::string text = to_annotations({.systems = {system}});
+  CHECK(mentions(text, "title=elgen diff%3A different (the equations differ)::[energy] V"));
+  CHECK(mentions(text,
+                 "title=elgen diff%3A breaks (the code of callers breaks)::[parameters] order"));
+}
+
+TEST_CASE("what cannot be read stands beside what can, and alone without a verdict") {
+  DiffReport report{.unreadable = {{"a.toml", {Code::E201, {}, "unknown name `z`"}}}};
+  CHECK(to_text(report, false) == "unreadable   a.toml: E201: unknown name `z`\n");
+  CHECK(starts_with(to_markdown(report), "### elgen diff: unreadable\n\n```text\nunreadable "));
+  CHECK(nlohmann::json::parse(to_json(report)).at("impact").is_null());
+  report.systems = {compared(spring(), spring("k*x^2"))};
+  const std::string text = to_text(report, false);
+  CHECK(starts_with(text, "unreadable   a.toml: E201: unknown name `z`\nchanged      spring: "));
+  CHECK(mentions(text, "\ndifferent    of what can be read: the equations differ\n"));
+  CHECK(starts_with(to_markdown(report), "### elgen diff: different (of what can be read: "));
+  const auto json = nlohmann::json::parse(to_json(report));
+  CHECK(json.at("impact") == "different");
+  CHECK(json.at("unreadable").at(0).at("path") == "a.toml");
+  CHECK(json.at("unreadable").at(0).at("error").at("code") == "E201");
+}
+
+TEST_CASE("entries that are not told apart are counted, shown, and said to pass") {
+  const std::string text = report(spring("k*(x + sqrt(x^4))"), spring("k*(x + x^2)"));
+  CHECK(mentions(text, " not told apart at 64 points\n"));
+  CHECK(mentions(text, "follows      0 of 25 entries differ, 0 rewritten"));
+  CHECK(mentions(text,
+                 "\nequal        the equations are the same, as far as 64 points tell "
+                 "(see --strict)\n"));
 }
 
 TEST_CASE("keys beyond five are counted") {
