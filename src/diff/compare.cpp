@@ -51,10 +51,13 @@ bool is_value(const KeyChange& change) {
   return change.table == "parameters" && (path.size() == 1 || path[1].key == "value");
 }
 
-/// The least impact of a changed key, before values and equations are looked at.
+/// The least impact of a changed key, before values and equations are looked at. A parameter that a
+/// scene fixes becomes a number, though it be the same one.
 Impact impact_of(const KeyChange& change) {
+  const bool is_fixed =
+      change.table == "scene.parameters" && (change.before.empty() || change.after.empty());
   const bool is_beside =
-      change.table == "expect" || change.table == "equilibrium" || is_described(change);
+      is_fixed || change.table == "expect" || change.table == "equilibrium" || is_described(change);
   return is_beside ? Impact::values : Impact::equal;
 }
 

@@ -210,23 +210,7 @@ class InterfaceComparison {
         add(Impact::values, fmt::format("{} is assumed to be {} where it was {}",
                                         in_backticks(now.name), assumed(now), assumed(*old)));
       }
-      compare_fixed(fixed(before_, *old), fixed(after_, now), now.name);
     }
-  }
-
-  /// Null where the parameter is no number in the code.
-  static const FixedValue* fixed(const CheckedModel& version, const Parameter& parameter) {
-    const FixedParameters& all = version.scene.specialisation.fixed;
-    const auto number = static_cast<std::uint32_t>(&parameter - version.model.parameters.data());
-    const auto found = all.find(number);
-    return found == all.end() ? nullptr : &found->second;
-  }
-
-  void compare_fixed(const FixedValue* old, const FixedValue* now, const std::string& name) {
-    if ((old == nullptr) == (now == nullptr)) return;
-    add(Impact::values, fmt::format("{} is {} fixed at {}", in_backticks(name),
-                                    now == nullptr ? "no longer" : "now",
-                                    exact_text((now == nullptr ? old : now)->number)));
   }
 
   static std::string_view assumed(const Parameter& parameter) {

@@ -178,7 +178,7 @@ void WitnessStates::tell(const Function& function, const InstructionPair& pair,
     best = &state;
     values_there = values;
   }
-  // What doubles tell apart may be nothing but their rounding.
+  // Doubles may differ by their rounding alone.
   const Function difference = with_entries(function, {pair.difference});
   if (largest_change == 0 || vanishes_at(joint_, difference, *best)) return;
   change.witness = Witness{{}, values_there[0], values_there[1]};
@@ -195,22 +195,17 @@ void WitnessStates::tell(const Function& function, const InstructionPair& pair,
   }
 }
 
-/// A version, and what turns its names into those of the newer one.
-struct NamedVersion {
-  const CheckedModel& checked;
-  const Renames& renames;
-};
-
 /// The parameters of a version that only the scene of the other one makes numbers, and the numbers
-/// that they are anyway, where these are rational.
-ParameterValues fixed_as_they_are(const NamedVersion& free, const NamedVersion& fixing) {
+/// that they are anyway, where these are rational. The renames give the names in the newer version.
+ParameterValues fixed_as_they_are(const CheckedModel& free, const Renames& free_renames,
+                                  const CheckedModel& fixing, const Renames& renames) {
   ParameterValues values;
-  const FixedParameters& numbers = free.checked.scene.specialisation.fixed;
-  for (const auto& [other, fixed] : fixing.checked.scene.specialisation.fixed) {
-    const std::string name = renamed(fixing.checked.model.parameters[other].name, fixing.renames);
-    for (std::uint32_t i = 0; i < free.checked.model.parameters.size(); ++i) {
-      const Parameter& parameter = free.checked.model.parameters[i];
-      const bool is_it = renamed(parameter.name, free.renames) == name && numbers.count(i) == 0;
+  for (const auto& [other, fixed] : fixing.scene.specialisation.fixed) {
+    const std::string name = renamed(fixing.model.parameters[other].name, renames);
+    for (std::uint32_t i = 0; i < free.model.parameters.size(); ++i) {
+      const Parameter& parameter = free.model.parameters[i];
+      const bool is_free = free.scene.specialisation.fixed.count(i) == 0;
+      const bool is_it = is_free && renamed(parameter.name, free_renames) == name;
       if (!is_it || !is_rational(fixed.number) || fixed.number != parameter.value) continue;
       values.emplace(parameter.name, rational_constant(cln::the<cln::cl_RA>(fixed.number)));
     }
@@ -228,9 +223,9 @@ class OutputComparison {
       : before_(before),
         after_(after),
         renames_(renames),
-        values_{fixed_as_they_are({before.checked, renames}, {after.checked, no_renames}), values},
+        values_{fixed_as_they_are(before.checked, renames, after.checked, {}), values},
         joint_(before.program, after.program, renames) {
-    values_.after.merge(fixed_as_they_are({after.checked, no_renames}, {before.checked, renames}));
+    values_.after.merge(fixed_as_they_are(after.checked, {}, before.checked, renames));
   }
 
   std::vector<OutputChange> operator()() {
@@ -249,8 +244,6 @@ class OutputComparison {
   }
 
  private:
-  static inline const Renames no_renames = {};
-
   static EntryChange named(const MatchedEntry& entry, EntryVerdict verdict) {
     return {.place = entry.place, .unit = entry.unit, .verdict = verdict};
   }
