@@ -47,7 +47,7 @@ class Section {
     systems += (systems.empty() ? "" : ", ") + system;
   }
 
-  /// Those beyond the most.
+  /// Counts the texts beyond the most.
   void count_others(std::string_view noun) {
     if (known_.size() <= most_) return;
     lines_.push_back({"", fmt::format("{} more (--list)", counted(known_.size() - most_, noun))});
@@ -218,7 +218,7 @@ class Summary {
     for_each("", [](const SystemChange& system) {
       return system.keys.empty() ? "" : parts_text(system);
     });
-    for_each("", expectations_text);
+    for_each("", [](const SystemChange& system) { return expectations_text(system); });
     add_warnings();
     for_each("follows", [](const SystemChange& system) {
       const VerdictCounts counts = counts_of(system);

@@ -82,7 +82,7 @@ std::vector<std::string> closed_texts(const Program& program, const Function& fu
   return texts;
 }
 
-/// Of these a witness is one of the first; all of them may tell what has roots or kinks apart.
+/// A witness is one of the first states; all of them may tell roots and kinks apart.
 constexpr std::size_t witness_count = 16;
 constexpr std::size_t state_count = zero_points;
 constexpr std::uint64_t seed_of_witnesses = 16;
