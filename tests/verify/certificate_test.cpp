@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 using namespace elgen;
-using namespace elgen::test;
 
 namespace {
 
