@@ -82,7 +82,8 @@ struct Certificate {
 [[nodiscard]] std::vector<OutputRequest> needed_parts(const Model& model, const Scene& scene);
 
 struct VerifyOptions {
-  /// Random states per output; 256 where none is said, fewer for long programs.
+  /// Random states per output, and at most as many (64) near zeros of typed sums; 256 where none
+  /// is said, fewer for long programs.
   std::optional<std::size_t> samples = {};
   /// 16 random states with all extremes, fewer of both for long programs; one contraction of an
   /// output instead of all entries; no compiler.
@@ -94,7 +95,8 @@ struct VerifyOptions {
   ClosedForms* forms = nullptr;
   /// The needed parts in recursive form; without them solutions are judged by the code's own bound.
   const Program* parts = nullptr;
-  /// Lost digits are those inside the declared ranges; with `extremes` also beyond.
+  /// Lost digits are those inside the declared ranges, near zeros of typed sums too; with
+  /// `extremes` also beyond.
   bool extremes = false;
   /// The verdicts about every [[equilibrium]]; may be null.
   const std::vector<JudgedEquilibrium>* claims = nullptr;

@@ -220,11 +220,6 @@ Scalar finite(double value) {
   return static_cast<Scalar>(std::clamp(value, -largest, largest));
 }
 
-template <class Scalar>
-Arguments<Scalar> rounded(const Arguments<double>& values) {
-  return map_leaves([](double value) { return finite<Scalar>(value); }, values);
-}
-
 }  // namespace
 
 LeafValues<Range> ranges_of(const Subject& subject) {
@@ -267,6 +262,11 @@ Arguments<double> drawn_within(const Subject& subject, const LeafValues<Range>& 
   return values;
 }
 
+template <class Scalar>
+Arguments<Scalar> nearest_finite(const Arguments<double>& values) {
+  return map_leaves([](double value) { return finite<Scalar>(value); }, values);
+}
+
 std::size_t golden_step(std::size_t count) {
   std::size_t step = count * 618 / 1000 + 1;
   while (std::gcd(step, count) != 1) ++step;
@@ -307,7 +307,7 @@ std::optional<SampledState<Scalar>> StateSequence<Scalar>::next() {
   std::optional<SampledState<double>> state = draw();
   if (!state) return std::nullopt;
   scale_quaternions(subject_.model, state->values);
-  return SampledState<Scalar>{state->region, state->name, rounded<Scalar>(state->values)};
+  return SampledState<Scalar>{state->region, state->name, nearest_finite<Scalar>(state->values)};
 }
 
 template <class Scalar>
@@ -318,6 +318,8 @@ std::vector<SampledState<Scalar>> sample_states(const Subject& subject, const Sa
   return states;
 }
 
+template Arguments<double> nearest_finite(const Arguments<double>&);
+template Arguments<float> nearest_finite(const Arguments<double>&);
 template class StateSequence<double>;
 template class StateSequence<float>;
 template std::vector<SampledState<double>> sample_states(const Subject&, const Sampling&);

@@ -14,9 +14,10 @@
 namespace elgen {
 
 enum class Region : std::uint8_t {
-  nominal,  ///< uniform over the ranges; parameters at their value
-  small,    ///< magnitudes 1e-12 … 1e-3
-  large,    ///< magnitudes 1e-8 … 1e8
+  nominal,    ///< uniform over the ranges; parameters at their value
+  near_zero,  ///< the same, but near a zero of a sum that was typed (verify/states)
+  small,      ///< magnitudes 1e-12 … 1e-3
+  large,      ///< magnitudes 1e-8 … 1e8
   extreme,  ///< ends of ranges, denormals, big angles and rates, parameter ratios, singular charts,
             ///< and ratios together with angles at which sums cancel
 };
@@ -51,6 +52,10 @@ void scale_quaternions(const Model& model, Arguments<double>& values);
 /// Uniform inside these ranges, parameters at their values; quaternions of length 1.
 [[nodiscard]] Arguments<double> drawn_within(const Subject& subject,
                                              const LeafValues<Range>& ranges, Random& random);
+
+/// The same rounded; what is finite in double stays so in float. Scalar: double or float.
+template <class Scalar>
+[[nodiscard]] Arguments<Scalar> nearest_finite(const Arguments<double>& values);
 
 /// The states of sample_states one after another, where it is not known how many are needed.
 template <class Scalar>

@@ -12,6 +12,7 @@
 #include "verify/bounds/accuracy.hpp"
 #include "verify/compiled_code.hpp"
 #include "verify/states/kinks.hpp"
+#include "verify/states/near_zeros.hpp"
 #include "verify/structure/expectations.hpp"
 #include "verify/structure/structure.hpp"
 
@@ -59,6 +60,8 @@ std::vector<SampledState<Scalar>> states_for(const Subject& subject, const Verif
   const Effort& effort = options.quick ? quick : thorough;
   const std::size_t count = options.samples.value_or(effort.samples);
   auto states = sample_states<Scalar>(subject, {count, options.seed, true});
+  auto near_zeros = states_near_zeros<Scalar>(subject, {count, options.seed, true});
+  for (auto& state : near_zeros) states.push_back(std::move(state));
   if (options.samples) return states;
   const std::size_t affordable =
       std::max<std::size_t>(effort.work / instructions_of(subject.program), 1);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "verify/bounds/accuracy.hpp"
+#include "verify/states/near_zeros.hpp"
 #include "verify/systems.hpp"
 
 using namespace elgen;
@@ -79,6 +80,24 @@ CertificateRow row_of(const System& system, Losing losing) {
   const auto samples = sample_states<Scalar>(subject, {16, 1, true});
   for (const CertificateRow& row :
        check_accuracy(subject, samples, {{Comparison::entries, nullptr, losing}, {}})) {
+    if (row.check == "digits lost") return row;
+  }
+  FAIL("no row");
+  return {};
+}
+
+/// The row of V = (x - 1)^2 + (y - 3/10)^2, as this body computes it, near the zeros of V.
+CertificateRow row_of_anchor(const std::string& body, Losing losing = Losing::inside_ranges) {
+  ModelBuilder builder;
+  builder.coordinate("x").coordinate("y").T("(x_d^2 + y_d^2)/2").V("(x - 1)^2 + (y - 0.3)^2");
+  for (Coordinate& coordinate : builder.model.coordinates) coordinate.range = Interval{-3, 4};
+  const System system = system_of(
+      builder.model,
+      "coordinates x y\nfunction potential_energy\n  0 = coordinate x\n  1 = coordinate y\n" +
+          body);
+  const auto states = states_near_zeros<double>(system.subject(), {16, 1, true});
+  for (const CertificateRow& row :
+       check_accuracy(system.subject(), states, {{Comparison::entries, nullptr, losing}, {}})) {
     if (row.check == "digits lost") return row;
   }
   FAIL("no row");
@@ -214,6 +233,31 @@ TEST_CASE("half of the digits lost inside the ranges is noted, with a state of 1
   CHECK(mentions(row.where, "q = ("));
   CHECK(row.where.size() > 60);
   CHECK(row_of(near_zero("1e-1"), Losing::inside_ranges).verdict == Verdict::holds);
+}
+
+TEST_CASE("a typed sum that was multiplied out is noted near its zero, one that was not is not") {
+  // 1.09 - x (2 - x) - y (0.6 - y)
+  const CertificateRow expanded = row_of_anchor(
+      "  2 = constant 109/100\n  3 = constant 2\n  4 = subtract 3 0\n  5 = multiply 0 4\n"
+      "  6 = subtract 2 5\n  7 = constant 3/5\n  8 = subtract 7 1\n  9 = multiply 1 8\n"
+      "  10 = subtract 6 9\n  result 1 1 = 10\n");
+  CHECK(expanded.verdict == Verdict::noted);
+  CHECK(expanded.loss.value_or(0) > 1e8);
+  const CertificateRow typed = row_of_anchor(
+      "  2 = constant 1\n  3 = subtract 0 2\n  4 = multiply 3 3\n  5 = constant 3/10\n"
+      "  6 = subtract 1 5\n  7 = multiply 6 6\n  8 = add 4 7\n  result 1 1 = 8\n");
+  CHECK(typed.verdict == Verdict::holds);
+  CHECK(typed.loss.value_or(100) <= tolerated_loss);
+}
+
+TEST_CASE("NaN has no digit, where no bound says that it is wrong either") {
+  // d^2/d with d = x (x - 2) + y (y - 0.6) + 1.09, which is 0 in double next to the zero.
+  const CertificateRow row = row_of_anchor(
+      "  2 = constant 2\n  3 = subtract 0 2\n  4 = multiply 0 3\n  5 = constant 3/5\n"
+      "  6 = subtract 1 5\n  7 = multiply 1 6\n  8 = add 4 7\n  9 = constant 109/100\n"
+      "  10 = add 8 9\n  11 = multiply 10 10\n  12 = divide 11 10\n  result 1 1 = 12\n");
+  CHECK(row.verdict == Verdict::noted);
+  CHECK(row.loss.value_or(0) > 1e15);
 }
 
 TEST_CASE("a form that keeps its digits loses none") {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// States: on which sides of kinks they lie, and at which of them a figure is worst.
+// States: on which sides of kinks they lie, how near they are to zeros of typed sums, and at which
+// of them a figure is worst.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "verify/states/kinks.hpp"
+#include "verify/states/near_zeros.hpp"
 #include "verify/states/tally.hpp"
 #include "verify/systems.hpp"
 
@@ -24,7 +27,64 @@ State at(const System& system, int x) {
   return state;
 }
 
+/// A system in x, y and z with this V.
+System ranged(const std::string& V, const Interval& range = {-3, 4}) {
+  ModelBuilder builder;
+  builder.coordinate("x").coordinate("y").coordinate("z").T("(x_d^2 + y_d^2 + z_d^2)/2").V(V);
+  for (Coordinate& coordinate : builder.model.coordinates) coordinate.range = range;
+  return system_of(builder.model, "");
+}
+
+/// The states at which V is at most so large.
+template <class Scalar = double>
+std::vector<SampledState<Scalar>> states_below(const System& system, double most) {
+  auto states = states_near_zeros<Scalar>(system.subject(), {16, 1, true});
+  std::erase_if(states, [&](const SampledState<Scalar>& state) {
+    const auto value = oracle_expression(system.model, *system.model.energies.V,
+                                         exact_state(system.subject(), state.values));
+    return !value || std::abs(ScalarTraits<double>::from_real(*value)) > most;
+  });
+  return states;
+}
+
+bool is_at_rest(const SampledState<double>& state) {
+  return std::ranges::all_of(state.values.v, [](double v) { return v == 0; });
+}
+
 }  // namespace
+
+TEST_CASE("typed sums vanish together near states that move and that are at rest") {
+  for (const std::string V :
+       {"(x - 1)^2 + (y - 0.3)^2", "(x - y)^2 + (y - z)^2", "1 - cos(x - 2*y)", "x*y - 1 + z/2",
+        "2.25 + 2.25 - 2*1.5*1.5*cos(z)"}) {
+    INFO(V);
+    const System system = ranged(V);
+    CHECK(states_below(system, 1e-3).size() >= 2);
+    const auto nearest = states_below(system, 1e-11);
+    CHECK(nearest.size() >= 2);
+    CHECK(std::ranges::any_of(nearest, is_at_rest));
+    CHECK_FALSE(std::ranges::all_of(nearest, is_at_rest));
+    CHECK(states_below<float>(system, 1e-3).size() >= 2);
+  }
+}
+
+TEST_CASE("states near zeros are inside the ranges, near them and never more than random ones") {
+  const Interval range{exact("1/2"), 4};
+  const System system = ranged("(x - 1/2)*(y - 4)*(z - 2)", range);
+  const auto states = states_near_zeros<double>(system.subject(), {8, 1, true});
+  CHECK(states.size() == 8);
+  for (const SampledState<double>& state : states) {
+    CHECK(state.region == Region::near_zero);
+    for (const double q : state.values.q) CHECK((q >= 0.5 && q <= 4));
+  }
+  CHECK(states_near_zeros<double>(system.subject(), {0, 1, true}).empty());
+}
+
+TEST_CASE("a sum that does not vanish inside the ranges gives no state") {
+  CHECK(states_near_zeros<double>(ranged("(x - 5)^2").subject(), {16, 1, true}).empty());
+  CHECK(states_near_zeros<double>(ranged("x*y*z").subject(), {16, 1, true}).empty());
+  CHECK(states_near_zeros<double>(ranged("1 + x^2 + y^4").subject(), {16, 1, true}).empty());
+}
 
 TEST_CASE("a model without kinks has seen them all") { CHECK(Kinks(cart_pole().model).are_seen()); }
 

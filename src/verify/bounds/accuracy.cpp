@@ -270,7 +270,7 @@ CertificateRow LostDigits::row(ScalarKind scalar) const {
   row.where = told.where;
   row.tolerance = fmt::format(
       "a figure; noted beyond {:.1f} of the {} digits of the scalar, of the largest entry of a "
-      "field",
+      "field; near zeros of typed sums of R, too",
       all / 2.0, all);
   row.verdict = is_grave ? Verdict::noted : Verdict::holds;
   return row;

@@ -292,6 +292,7 @@ void Visit<Scalar>::measure_users(const FieldPlace& place, const Judged& judged,
 
 /// Exact values have 60 digits of the largest of what they are made of: values and errors that are
 /// no larger than what is left out of them are 0, and so are errors of what underflows on the way.
+/// NaN and infinity have no digit, wherever there is an exact value.
 template <class Scalar>
 auto Visit<Scalar>::deviations(const FieldPlace& place, const Judged& judged,
                                std::span<const Scalar> values, std::size_t operations) const
@@ -301,7 +302,10 @@ auto Visit<Scalar>::deviations(const FieldPlace& place, const Judged& judged,
   for (std::size_t i = 0; i < judged.entries.size(); ++i) {
     const Bound& own = exact_.entries[place.first + i];
     if (!own.value.is_defined()) return std::nullopt;
-    const Real error = excess_error(values[i], own.value, operations, rounding<Scalar>());
+    const Real all = (abs(own.value) + Real(1)) / rounding<Scalar>().roundoff;
+    const Real error = std::isfinite(values[i])
+                           ? excess_error(values[i], own.value, operations, rounding<Scalar>())
+                           : all;
     const Real unknown = own.bound * negligible;
     const bool is_known = error.value() > unknown.value();
     result.errors.push_back(is_known && !own.underflows ? error : Real());
@@ -315,7 +319,11 @@ std::optional<Loss> Visit<Scalar>::measured_loss(const FieldPlace& place, const 
   const std::span<const Scalar> values(&values_[place.first], judged.entries.size());
   const auto found = deviations(place, judged, values, place.function->instructions.size());
   if (!found) return std::nullopt;
-  return losses_.of_field(place, found->errors, found->exact, judged.columns);
+  Loss loss = losses_.of_field(place, found->errors, found->exact, judged.columns);
+  // Where the largest entry itself cancels, what the inputs' rounding costs is no loss.
+  double& of_field = loss.of_field.figure;
+  if (sample_.region == Region::near_zero) of_field = std::min(of_field, loss.of_entry.figure);
+  return loss;
 }
 
 template <class Scalar>
@@ -358,7 +366,8 @@ Finding Visit<Scalar>::found(const FieldPlace& place, Random& random) {
                         !place.is_remainder() && losses_.knows_angles();
   const bool is_looked_at =
       options_.losing == Losing::everywhere ||
-      (options_.losing == Losing::inside_ranges && sample_.region == Region::nominal);
+      (options_.losing == Losing::inside_ranges &&
+       (sample_.region == Region::nominal || sample_.region == Region::near_zero));
   if (is_looked_at && can_lose) finding.loss = measured_loss(place, judged);
   return finding;
 }

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Zeros of sums: |sum| on ever finer grids along one coordinate, which find zeros with and without
+// a change of sign alike.
+#include "verify/states/near_zeros.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <type_traits>
+#include <utility>
+
+#include "elgen/references.hpp"
+#include "inspect/roots.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr std::size_t most_states = 64;
+constexpr std::size_t distances = 3;
+/// A search takes about 300 evaluations and gives three states.
+constexpr std::size_t evaluations_per_state = 256;
+/// Evaluations times expressions: about a second.
+constexpr std::size_t most_work = 1 << 20;
+
+constexpr int cells = 16;
+constexpr int grids =
+    18;  ///< each eight times as fine as the last: 8^-18 is less than a double's u
+/// Of the largest |sum| on the first grid. Doubles leave 1e-16 of a zero; a sum that comes no
+/// nearer to 0 than this loses few digits.
+constexpr double vanishing = 1e-10;
+
+/// A sum of positions: rates are drawn at random, or 0.
+struct TypedSum {
+  ExpressionId id = 0;
+  std::set<std::uint32_t> coordinates = {};
+};
+
+std::vector<TypedSum> typed_sums(const Model& model) {
+  constexpr LeafSet others =
+      Opcode::velocity | Opcode::acceleration | Opcode::open_value | Opcode::momentum;
+  std::vector<TypedSum> sums;
+  for (const ExpressionId id : reached(model, equation_roots(model))) {
+    if (sums.size() == most_states) break;  // no more of them are visited
+    if (model.expressions[id].kind != ExpressionKind::add || holds_leaf(model, id, others))
+      continue;
+    TypedSum sum{id};
+    for (const ExpressionId below : reached(model, {id})) {
+      const Expression& e = model.expressions[below];
+      if (is_leaf(e, Opcode::coordinate) && !model.coordinates[e.index].rotation) {
+        sum.coordinates.insert(e.index);
+      }
+    }
+    if (!sum.coordinates.empty()) sums.push_back(std::move(sum));
+  }
+  return sums;
+}
+
+class NearZeros {
+ public:
+  /// `ratio`: of a distance to the one before.
+  NearZeros(const Subject& subject, const Sampling& sampling, double ratio)
+      : subject_(subject),
+        ratio_(ratio),
+        ranges_(ranges_of(subject)),
+        random_(sampling.seed),
+        most_(std::min(sampling.count, most_states)),
+        evaluations_left_(std::min(most_ * evaluations_per_state,
+                                   most_work / (subject.model.expressions.size() + 1))) {}
+
+  std::vector<SampledState<double>> make() {
+    const std::vector<TypedSum> sums = typed_sums(subject_.model);
+    Arguments<double> common = drawn_within(subject_, ranges_, random_);
+    std::set<std::uint32_t> held;
+    for (const TypedSum& sum : sums) take_if_zero(sum, common, held);
+    // Each distance once moving and once at rest, as their number is odd.
+    for (int i = 0; i < 2 && !held.empty(); ++i) add_near(common, held);
+    for (const TypedSum& sum : sums) {
+      for (const std::uint32_t coordinate : sum.coordinates) {
+        if (states_.size() >= most_) break;
+        Arguments<double> at = drawn_within(subject_, ranges_, random_);
+        if (moves_to_zero(sum, coordinate, at)) add_near(at, {coordinate});
+      }
+    }
+    if (states_.size() > most_) states_.resize(most_);
+    return std::move(states_);
+  }
+
+ private:
+  /// Infinite where the sum has no value, and where no evaluations are left.
+  double size_of(const TypedSum& sum, const Arguments<double>& at) {
+    constexpr double none = std::numeric_limits<double>::infinity();
+    if (evaluations_left_ == 0) return none;
+    --evaluations_left_;
+    const auto value = oracle_expression(subject_.model, sum.id, exact_state(subject_, at));
+    return value ? ScalarTraits<double>::from_real(cln::abs(*value)) : none;
+  }
+
+  /// Moves one coordinate to where |sum| is smallest; whether that is a zero.
+  bool moves_to_zero(const TypedSum& sum, std::uint32_t coordinate, Arguments<double>& at) {
+    auto [low, high] = ranges_.q[coordinate];
+    double place = at.q[coordinate];
+    double smallest = std::numeric_limits<double>::infinity();
+    double largest = 0;
+    for (int grid = 0; grid < grids && smallest > 0; ++grid) {
+      const double step = (high - low) / cells;
+      for (int k = 0; k <= cells; ++k) {
+        at.q[coordinate] = low + k * step;
+        const double size = size_of(sum, at);
+        if (size < smallest) place = at.q[coordinate];
+        smallest = std::min(smallest, size);
+        if (grid == 0 && std::isfinite(size)) largest = std::max(largest, size);
+      }
+      if (smallest > largest / 2) break;
+      low = std::max(low, place - step);
+      high = std::min(high, place + step);
+    }
+    at.q[coordinate] = place;
+    return largest > 0 && smallest <= vanishing * largest;
+  }
+
+  /// Leads one more sum to 0, along coordinates that no sum before it depends on.
+  void take_if_zero(const TypedSum& sum, Arguments<double>& common, std::set<std::uint32_t>& held) {
+    Arguments<double> at = common;
+    for (auto c = sum.coordinates.rbegin(); c != sum.coordinates.rend(); ++c) {
+      if (held.contains(*c) || !moves_to_zero(sum, *c, at)) continue;
+      common = at;
+      held.insert(sum.coordinates.begin(), sum.coordinates.end());
+      return;
+    }
+  }
+
+  /// Each coordinate by a share of its own, so that no two stay equal.
+  void add_near(const Arguments<double>& zero, const std::set<std::uint32_t>& coordinates) {
+    double distance = 1;
+    for (std::size_t i = 0; i < distances; ++i) {
+      distance *= ratio_;
+      Arguments<double> values = zero;
+      double share = 0;
+      for (const std::uint32_t c : coordinates) {
+        share = std::fmod(share + 0.618, 1.0);
+        values.q[c] = beside(zero.q[c], distance * (2 * share - 1), ranges_.q[c]);
+      }
+      for (auto* rates : {&values.v, &values.a, &values.u}) {
+        if (states_.size() % 2 != 0) std::ranges::fill(*rates, 0.0);
+      }
+      states_.push_back({Region::near_zero, {}, std::move(values)});
+    }
+  }
+
+  /// By a share of |x|, or of half the range up to 1 where that is more.
+  static double beside(double x, double distance, const Range& range) {
+    const double change =
+        distance * std::max(std::abs(x), std::min(1.0, range.high / 2 - range.low / 2));
+    const bool is_inside = x + change >= range.low && x + change <= range.high;
+    return std::clamp(is_inside ? x + change : x - change, range.low, range.high);
+  }
+
+  const Subject& subject_;
+  double ratio_;
+  LeafValues<Range> ranges_;
+  Random random_;
+  std::size_t most_;
+  std::size_t evaluations_left_;
+  std::vector<SampledState<double>> states_ = {};
+};
+
+}  // namespace
+
+template <class Scalar>
+std::vector<SampledState<Scalar>> states_near_zeros(const Subject& subject,
+                                                    const Sampling& sampling) {
+  // To 1e-12, beyond which differences of doubles have few digits themselves; to 1e-6 in float.
+  constexpr double ratio = std::is_same_v<Scalar, float> ? 1e-2 : 1e-4;
+  std::vector<SampledState<Scalar>> states;
+  for (const SampledState<double>& state : NearZeros(subject, sampling, ratio).make()) {
+    states.push_back({state.region, state.name, nearest_finite<Scalar>(state.values)});
+  }
+  return states;
+}
+
+template std::vector<SampledState<double>> states_near_zeros(const Subject&, const Sampling&);
+template std::vector<SampledState<float>> states_near_zeros(const Subject&, const Sampling&);
+
+}  // namespace elgen
