@@ -41,9 +41,13 @@ class PointDrawer {
       values.push_back(variables[i] ? drawn()
                                     : folded(rules, program_, function.instructions[i], values));
     }
+    // A variable that is drawn may be where no value of it can be.
+    const bool is_computed = std::ranges::count(variables, true) == 0;
     std::vector<Seen> seen;
     for (const std::uint32_t entry : entries_of(function)) {
-      seen.push_back(judged(function.instructions[entry], values, values[entry]));
+      const Instruction& i = function.instructions[entry];
+      seen.push_back(is_computed && is_one_sided(i, values) ? Seen::other
+                                                            : judged(i, values, values[entry]));
     }
     return seen;
   }
@@ -68,6 +72,11 @@ class PointDrawer {
       if (is_positive || is_assumed) parameter.value = abs(parameter.value);
     }
     return point;
+  }
+
+  /// Whether only one of two terms has a value: log(x^2) has one where 2 log(x) has none.
+  static bool is_one_sided(const Instruction& i, const std::vector<Bound>& values) {
+    return operand_count(i) > 1 && values[i.a].value.is_defined() != values[i.b].value.is_defined();
   }
 
   /// Nothing is seen where rounding in 64 digits hides more than the last digits of the terms, or,
