@@ -17,6 +17,7 @@ namespace elgen {
 
 struct ImportedModel {
   std::string text;  ///< TOML, as parse_model() reads it
+  std::string name;  ///< of the model
 };
 
 /// The requests to the model beyond what the file says.
@@ -28,8 +29,8 @@ struct ImportOptions {
   bool exact_angles = false;               ///< no angle is taken for a right one
 };
 
-/// Errors: E8xx, all of the file in one run where it is XML; warnings: E508, E817; notes: E815,
-/// E816, E818 to E820.
+/// Errors: E8xx, all of the file in one run where it is XML; warnings: E508, E814, E817; notes:
+/// E815, E816, E818 to E820.
 [[nodiscard]] Result<ImportedModel> import_urdf(const SourcePointer& source, const Limits& limits,
                                                 const ImportOptions& options = {});
 

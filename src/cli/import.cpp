@@ -14,6 +14,7 @@
 #include "elgen/diagnostic.hpp"
 #include "elgen/urdf.hpp"
 #include "elgen/wording.hpp"
+#include "emit/cpp/cpp_names.hpp"
 
 namespace elgen::cli {
 namespace {
@@ -95,6 +96,13 @@ ExitCode import_file(const GlobalOptions& global, const ImportCommand& options) 
   ImportOptions wanted = options.model;
   wanted.name = model_name(options.output);
   const Result<ImportedModel> model = import_urdf(*source, global.limits, wanted);
+  if (model && is_taken_outside(model->name)) {
+    return report(global,
+                  {{Code::E701,
+                    {},
+                    fmt::format("`{}` cannot name a model: C or POSIX declares it", model->name),
+                    "`-o NAME.toml` gives it another one"}});
+  }
   const ExitCode imported = report_import(global, model.diagnostics);
   if (!model) return imported;
   if (options.output.empty()) return std::max(imported, print(global, model->text));

@@ -30,7 +30,7 @@ bool is_possible(const std::vector<cl_R>& inertia) {
 
 std::string listed(const std::vector<cl_R>& values) {
   std::string text;
-  for (const cl_R& value : values) text += (text.empty() ? "" : ", ") + readable(value);
+  for (const cl_R& value : values) text += (text.empty() ? "" : ", ") + as_typed(value);
   return text;
 }
 

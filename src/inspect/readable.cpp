@@ -43,4 +43,10 @@ std::string readable(const cl_R& x) {
   return fmt::format("{:.5g}", cln::double_approx(x));
 }
 
+std::string as_typed(const cl_R& x) {
+  constexpr std::size_t longest = 30;
+  const std::string exact = is_rational(x) ? exact_text(x) : std::string();
+  return exact.empty() || exact.size() > longest ? readable(x) : exact;
+}
+
 }  // namespace elgen

@@ -12,4 +12,7 @@ namespace elgen {
 /// digits; "0" for what is below 1e-40.
 [[nodiscard]] std::string readable(const cln::cl_R& x);
 
+/// The number as files have it, "16616.493" or "1/3"; of more characters than are read, readable().
+[[nodiscard]] std::string as_typed(const cln::cl_R& x);
+
 }  // namespace elgen

@@ -19,7 +19,7 @@ void check_mass(const Model& model, const State& state, const std::string& name,
   const auto value = oracle_expression(model, *mass, state);
   if (!value || *value >= 0) return;
   found.push_back({Code::E523, model.expressions[*mass].span,
-                   fmt::format("the mass of `{}` is {}", name, readable(*value)), "sign mistake?"});
+                   fmt::format("the mass of `{}` is {}", name, as_typed(*value)), "sign mistake?"});
 }
 
 /// The first velocity, in the order of elimination, whose pivot of M = L D L^T is negative beyond

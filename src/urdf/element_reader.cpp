@@ -56,9 +56,9 @@ std::optional<FileNumber> ElementReader::number(std::string_view name) {
   if (found == nullptr) return std::nullopt;
   const std::vector<Span> words = words_of(found->span);
   if (words.size() != 1) {
-    reading_.found.push_back(
-        {Code::E805, found->span,
-         fmt::format("{} numbers, but `{}` is one number", words.size(), name)});
+    reading_.found.push_back({Code::E805, found->span,
+                              fmt::format("{} numbers, but `{}` is one number", words.size(), name),
+                              remedy_of(found->span)});
     return std::nullopt;
   }
   return decimal(words.front());
@@ -77,7 +77,8 @@ bool ElementReader::vector(std::string_view name, Vector& vector) {
   if (words.size() != vector.size()) {
     reading_.found.push_back(
         {Code::E805, found->span,
-         fmt::format("{}, but `{}` has 3", counted(words.size(), "number"), name)});
+         fmt::format("{}, but `{}` has 3", counted(words.size(), "number"), name),
+         remedy_of(found->span)});
     return false;
   }
   Vector read;

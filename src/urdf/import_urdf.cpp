@@ -80,7 +80,8 @@ Result<ImportedModel> import_urdf(const SourcePointer& source, const Limits& lim
   }
   sort_by_position(found);
   if (has_errors(found)) return found;
-  return {{urdf::model_text(robot, *tree)}, std::move(found)};
+  return {ImportedModel{urdf::model_text(robot, *tree), urdf::model_name(robot.model)},
+          std::move(found)};
 }
 
 }  // namespace elgen

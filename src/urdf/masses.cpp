@@ -13,10 +13,11 @@ namespace {
 
 enum class Behind : unsigned char { everything, what_is_held };
 
-/// Whether a link, or one behind it, has mass; by link.
-std::vector<bool> massive_links(const Robot& robot, const LinkTree& tree, Behind behind) {
+/// Whether a link, or one behind it, has mass, or inertia; by link.
+std::vector<bool> massive_links(const Robot& robot, const LinkTree& tree, Behind behind,
+                                bool (Link::*has)() const = &Link::has_mass) {
   std::vector<bool> massive;
-  for (const Link& link : robot.links) massive.push_back(link.has_mass());
+  for (const Link& link : robot.links) massive.push_back((link.*has)());
   for (auto branch = tree.branches.rbegin(); branch != tree.branches.rend(); ++branch) {
     const bool counts = behind == Behind::everything || !robot.joints[branch->joint].moves();
     if (counts && massive[branch->child]) massive[branch->parent] = true;
@@ -24,13 +25,26 @@ std::vector<bool> massive_links(const Robot& robot, const LinkTree& tree, Behind
   return massive;
 }
 
+/// Whether a joint moves mass, or turns an inertia; by joint.
+std::vector<bool> movers(const Robot& robot, const LinkTree& tree, Behind behind) {
+  const std::vector<bool> massive = massive_links(robot, tree, behind);
+  const std::vector<bool> inert = massive_links(robot, tree, behind, &Link::has_inertia);
+  std::vector<bool> result(robot.joints.size());
+  for (const Branch& branch : tree.branches) {
+    const JointType type = robot.joints[branch.joint].type;
+    const bool turns = type == JointType::revolute || type == JointType::continuous;
+    result[branch.joint] = massive[branch.child] || (turns && inert[branch.child]);
+  }
+  return result;
+}
+
 /// Whether a joint's coordinate moves mass: behind itself, or behind a joint that mimics it, or a
 /// rotor; by joint.
 std::vector<bool> joints_with_mass(const Robot& robot, const LinkTree& tree) {
-  const std::vector<bool> massive = massive_links(robot, tree, Behind::everything);
+  const std::vector<bool> moves = movers(robot, tree, Behind::everything);
   std::vector<bool> result(robot.joints.size());
   for (const Branch& branch : tree.branches) {
-    if (massive[branch.child] || has_rotor(robot.joints[branch.joint])) {
+    if (moves[branch.joint] || has_rotor(robot.joints[branch.joint])) {
       result[tree.leader(branch.joint)] = true;
     }
   }
@@ -83,11 +97,12 @@ void check_joint(const Robot& robot, const Branch& branch, const MovedMass& move
   const Joint& joint = robot.joints[branch.joint];
   const Link& child = robot.links[branch.child];
   if (!moved.has_mass) {
+    const char* const mass = child.inertial ? "has a `<mass>` of 0, and no link behind it has more"
+                                            : "has no `<mass>`, nor has a link behind it";
     found.push_back({Code::E810, joint.name.span,
                      fmt::format("{} moves no mass", in_backticks(joint.name.text)),
-                     fmt::format("{} has no `<mass>`, nor has a link behind it; `--weld massless` "
-                                 "holds such joints",
-                                 in_backticks(child.name.text))});
+                     fmt::format("{} {}; `--weld massless` holds such joints",
+                                 in_backticks(child.name.text), mass)});
   } else if (!moved.has_mass_at_once) {
     found.push_back({Code::E816, child.name.span,
                      fmt::format("{} moves without a mass", in_backticks(child.name.text))});
@@ -129,10 +144,10 @@ Diagnostics check_masses(const Robot& robot, const LinkTree& tree) {
     if (link.inertial) check_inertia(link, found);
   }
   const auto moves_mass = joints_with_mass(robot, tree);
-  const auto massive = massive_links(robot, tree, Behind::what_is_held);
+  const auto moves_at_once = movers(robot, tree, Behind::what_is_held);
   for (const Branch& branch : tree.branches) {
     const bool has_coordinate = robot.joints[branch.joint].moves() && !tree.mimicked[branch.joint];
-    const MovedMass moved{moves_mass[branch.joint], massive[branch.child]};
+    const MovedMass moved{moves_mass[branch.joint], moves_at_once[branch.joint]};
     if (has_coordinate) check_joint(robot, branch, moved, found);
   }
   if (!tree.has_moving_link()) {

@@ -61,22 +61,25 @@ std::optional<std::string> spelled(std::string_view rest) {
   return whole + (fraction.empty() ? "" : "." + fraction) + *exponent;
 }
 
-bool is_not_finite(std::string word) {
-  std::transform(word.begin(), word.end(), word.begin(), in_lower_case);
-  return word == "nan" || word == "inf" || word == "infinity";
-}
-
-Diagnostic refused(const Span& span, std::string_view unsigned_text) {
+Diagnostic refused(const Span& span) {
   const std::string shown = in_backticks(covered_text(span));
-  if (is_not_finite(std::string(unsigned_text))) {
-    return {Code::E804, span, shown + " is not finite"};
-  }
-  const bool is_macro = covered_text(span).find('$') != std::string_view::npos;
-  return {Code::E804, span, shown + " is not a decimal number",
-          std::string(is_macro ? xacro_remedy : "")};
+  if (is_not_finite(covered_text(span))) return {Code::E804, span, shown + " is not finite"};
+  return {Code::E804, span, shown + " is not a decimal number", remedy_of(span)};
 }
 
 }  // namespace
+
+std::string remedy_of(const Span& span) {
+  const bool is_macro = covered_text(span).find('$') != std::string_view::npos;
+  return std::string(is_macro ? xacro_remedy : "");
+}
+
+bool is_not_finite(std::string_view text) {
+  take(text, "+-");
+  std::string word(text);
+  std::transform(word.begin(), word.end(), word.begin(), in_lower_case);
+  return word == "nan" || word == "inf" || word == "infinity";
+}
 
 double approximate(const cln::cl_RA& value) {
   const cln::cl_RA large = 1'000'000'000;
@@ -103,7 +106,7 @@ Result<FileNumber> read_decimal(const Span& span, const Limits& limits) {
   const bool is_negative = take(rest, "-");
   if (!is_negative) take(rest, "+");
   const std::optional<std::string> text = spelled(rest);
-  if (!text) return refused(span, rest);
+  if (!text) return refused(span);
   const DecimalParts parts = decimal_parts(*text);
   if (const auto hit = limit_hit(parts, limits)) {
     return Diagnostic{hit->code, span, hit->message, hit->hint};

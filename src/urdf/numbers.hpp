@@ -28,6 +28,12 @@ inline constexpr std::string_view xacro_remedy =
     "expand the file first: `xacro FILE > robot.urdf`, in ROS 2 `ros2 run xacro xacro FILE > "
     "robot.urdf`";
 
+/// xacro_remedy where the text holds what xacro would have replaced: "$(arg x)", "${pi/2}".
+[[nodiscard]] std::string remedy_of(const Span& span);
+
+/// "inf", "-Infinity", "nan"
+[[nodiscard]] bool is_not_finite(std::string_view text);
+
 using Vector = std::array<FileNumber, 3>;
 
 [[nodiscard]] FileNumber decimal_of(int value);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "elgen/wording.hpp"
 #include "urdf/element_reader.hpp"
@@ -23,16 +24,27 @@ constexpr std::array types{
     TypeRow{JointType::floating, "floating"},   TypeRow{JointType::planar, "planar"},
 };
 
+/// Joints of Bullet and Drake that turn in all directions.
+constexpr std::array<std::string_view, 2> balls{"spherical", "ball"};
+
+std::string type_hint(const std::string& type) {
+  std::vector<std::string> words;
+  for (const TypeRow& row : types) words.emplace_back(row.word);
+  const std::string near = suggestion(type, words);
+  if (!near.empty()) return near;
+  const std::string known = fmt::format("there are {}", fmt::join(words, ", "));
+  if (std::ranges::find(balls, type) == balls.end()) return known;
+  return known + "; a `floating` one, imported, has a rotation: leave out its three lengths";
+}
+
 JointType read_type(ElementReader& joint, RobotReading& reading) {
   const Text text = joint.required_text("type");
   const auto row = std::ranges::find(types, text.text, &TypeRow::word);
   if (row != types.end()) return row->type;
   if (text.text.empty()) return JointType::fixed;  // E803 was said
-  std::vector<std::string> words;
-  for (const TypeRow& type : types) words.emplace_back(type.word);
   reading.found.push_back({Code::E806, text.span,
                            fmt::format("{} is no type of joint", in_backticks(text.text)),
-                           suggestion(text.text, words)});
+                           type_hint(text.text)});
   return JointType::fixed;
 }
 
@@ -59,27 +71,55 @@ void read_axis(ElementReader& reader, Joint& joint, RobotReading& reading) {
   }
 }
 
-void refuse_negative(const std::optional<FileNumber>& number, std::string_view name,
-                     Diagnostics& found) {
-  if (!number || !cln::minusp(number->value)) return;
-  found.push_back(
-      {Code::E814, number->span, fmt::format("{} `{}` is negative", name, number->text)});
-}
+/// Limits are no part of the equations: one that cannot be is left out, as writers say "no limit".
+class LimitReader {
+ public:
+  LimitReader(ElementReader& numbers, Diagnostics& found) : numbers_(numbers), found_(found) {}
+
+  void read(JointLimit& limit) {
+    const bool has_lower = !has_no_end("lower");
+    const bool has_upper = !has_no_end("upper");
+    if (has_lower && has_upper) {
+      limit.lower = numbers_.number("lower");
+      limit.upper = numbers_.number("upper");
+    }
+    if (limit.lower && limit.upper && limit.lower->value > limit.upper->value) {
+      leave_out(limit.lower->span, fmt::format("lower `{}` is above upper `{}`", limit.lower->text,
+                                               limit.upper->text));
+      limit.lower.reset();
+      limit.upper.reset();
+    }
+    limit.velocity = not_negative("velocity");
+    limit.effort = not_negative("effort");
+  }
+
+ private:
+  void leave_out(const Span& span, std::string message) {
+    found_.push_back({Code::E814, span, std::move(message), "the model has no such limit"});
+  }
+
+  bool has_no_end(std::string_view name) {
+    const Text text = numbers_.text(name);
+    const std::vector<Span> words = text.text.empty() ? std::vector<Span>{} : words_of(text.span);
+    if (words.size() != 1 || !is_not_finite(covered_text(words[0]))) return false;
+    leave_out(words[0], fmt::format("{} {} is not finite", name, in_backticks(words[0])));
+    return true;
+  }
+
+  std::optional<FileNumber> not_negative(std::string_view name) {
+    std::optional<FileNumber> number = has_no_end(name) ? std::nullopt : numbers_.number(name);
+    if (!number || !cln::minusp(number->value)) return number;
+    leave_out(number->span, fmt::format("{} `{}` is negative", name, number->text));
+    return std::nullopt;
+  }
+
+  ElementReader& numbers_;
+  Diagnostics& found_;
+};
 
 void read_limit(ElementReader& reader, JointLimit& limit, RobotReading& reading) {
-  reader.child("limit", [&](ElementReader& numbers) {
-    limit.lower = numbers.number("lower");
-    limit.upper = numbers.number("upper");
-    limit.velocity = numbers.number("velocity");
-    limit.effort = numbers.number("effort");
-  });
-  if (limit.lower && limit.upper && limit.lower->value > limit.upper->value) {
-    reading.found.push_back(
-        {Code::E814, limit.lower->span,
-         fmt::format("lower `{}` is above upper `{}`", limit.lower->text, limit.upper->text)});
-  }
-  refuse_negative(limit.velocity, "velocity", reading.found);
-  refuse_negative(limit.effort, "effort", reading.found);
+  reader.child("limit",
+               [&](ElementReader& numbers) { LimitReader(numbers, reading.found).read(limit); });
 }
 
 void read_dynamics(ElementReader& reader, Joint& joint) {

@@ -129,6 +129,15 @@ void read_transmission(const Element& element, Robot& robot, RobotReading& readi
   }
 }
 
+/// SDF and Drake have a world that no file declares.
+void add_world(Robot& robot) {
+  const auto is_world = [](const Link& link) { return link.name.text == "world"; };
+  const auto hangs_on_it = [](const Joint& joint) { return joint.parent.text == "world"; };
+  const auto first = std::ranges::find_if(robot.joints, hangs_on_it);
+  if (first == robot.joints.end() || std::ranges::any_of(robot.links, is_world)) return;
+  robot.links.push_back({first->parent, {}});
+}
+
 }  // namespace
 
 Robot read_robot(const Element& root, RobotReading& reading) {
@@ -152,6 +161,7 @@ Robot read_robot(const Element& root, RobotReading& reading) {
   for (const Element* joint : reader.children("joint")) {
     robot.joints.push_back(read_joint(*joint, reading));
   }
+  add_world(robot);
   for (const Element* transmission : reader.children("transmission")) {
     read_transmission(*transmission, robot, reading);
   }

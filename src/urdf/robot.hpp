@@ -42,6 +42,9 @@ struct Link {
   std::optional<Inertial> inertial = {};
 
   [[nodiscard]] bool has_mass() const { return inertial && !inertial->mass.is_zero(); }
+  [[nodiscard]] bool has_inertia() const {
+    return inertial && !std::ranges::all_of(inertial->inertia, &FileNumber::is_zero);
+  }
 };
 
 enum class JointType : unsigned char { revolute, continuous, prismatic, fixed, floating, planar };

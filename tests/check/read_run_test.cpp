@@ -63,6 +63,27 @@ std::string answer(const SceneOptions& given) {
 
 }  // namespace
 
+TEST_CASE("a start that is meant in degrees is noted") {
+  const Limits limits;
+  const std::string arm = model_text(
+      "arm", "[[coordinate]]\nname = \"q\"\nunit = \"rad\"\n[energy]\nT = \"dot(q)^2\"\n");
+  const Result<FileSyntax> syntax = parse_model(make_source("m.toml", arm), limits);
+  const auto notes = [&](const std::string& starts) {
+    const Result<CheckedModel> result = check(*syntax, nullptr, options(starts), limits);
+    REQUIRE(result);
+    std::string text;
+    for (const Diagnostic& diagnostic : result.diagnostics) {
+      if (diagnostic.code == Code::E405) text += diagnostic.message + " | " + diagnostic.hint;
+    }
+    return text;
+  };
+  CHECK(notes("q=-45, dot(q)=90") ==
+        "`-45` is in rad | a turn is `2*pi`, and as degrees it would be `-pi/4`");
+  CHECK(notes("q=5").empty());
+  CHECK(notes("q=7").empty());
+  CHECK(notes("q=90*pi/180").empty());
+}
+
 TEST_CASE("a start names coordinates, rates, rotations and angular velocities") {
   const Model model =
       checked_model(

@@ -73,6 +73,19 @@ TEST_CASE("a mistake in the robot writes nothing and exits with 2") {
   CHECK(workspace.files() == "./bad.urdf\n");
 }
 
+TEST_CASE("a model that no code could be made of is not imported") {
+  const Workspace workspace;
+  const Outcome outcome = workspace.run("elgen import " + robot + " -o write.toml");
+  CHECK(outcome.status == 2);
+  CHECK(outcome.errors ==
+        "error[E701]: `write` cannot name a model: C or POSIX declares it\n"
+        "      `-o NAME.toml` gives it another one\n");
+  CHECK(workspace.files().empty());
+  workspace.write("r.urdf", "<robot name=\"Pause\"><link name=\"a\">" + mass + "</link></robot>");
+  CHECK(mentions(workspace.run("elgen import r.urdf").errors, "`pause` cannot name a model"));
+  CHECK(workspace.run("elgen import -o kept.toml r.urdf").status == 0);
+}
+
 TEST_CASE("a file beyond the limit is not read") {
   const Outcome outcome = run("elgen --limit file_bytes=100 import " + robot);
   CHECK(outcome.status == 2);

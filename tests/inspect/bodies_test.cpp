@@ -56,7 +56,9 @@ TEST_CASE("impossible inertias are reported with their values") {
   CHECK(inertia_findings({"1", "1", "3", "0", "0", "0"}) ==
         "E508: inertia 1, 1, 3, 0, 0, 0 of `top` belongs to no body");
   CHECK_FALSE(inertia_findings({"-1", "1", "1", "0", "0", "0"}).empty());
-  CHECK(inertia_findings({"-A"}) == "E508: inertia -1/20 of `top` belongs to no body");
+  CHECK(inertia_findings({"-A"}) == "E508: inertia -0.05 of `top` belongs to no body");
+  CHECK(inertia_findings({"16616.493", "14.9", "7.123456"}) ==
+        "E508: inertia 16616.493, 14.9, 7.123456, 0, 0, 0 of `top` belongs to no body");
 }
 
 TEST_CASE("products of inertia count: principal values 1, 1, 3 in turned axes") {

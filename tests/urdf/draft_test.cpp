@@ -178,7 +178,8 @@ TEST_CASE("all mistakes of a file are told in one run, in its order") {
       "E807 3:15 `a` names two links\n"
       "E803 3:19 `<inertial>` has no element `inertia`\n"
       "E804 3:41 `x` is not a decimal number\n"
-      "E806 4:25 `hinge` is no type of joint\n"
+      "E806 4:25 `hinge` is no type of joint | there are revolute, continuous, prismatic, fixed, "
+      "floating, planar\n"
       "E808 4:46 the robot has no link `b`\n"
       "E804 5:39 `inf` is not finite\n");
 }

@@ -156,7 +156,13 @@ TEST_CASE("without an axis, it is x, without dynamics, nothing brakes") {
 TEST_CASE("a type that does not exist, and the one that was meant") {
   CHECK(said("revolut", "") ==
         "E806 4:25 `revolut` is no type of joint | did you mean `revolute`?\n");
-  CHECK(said("ball", "") == "E806 4:25 `ball` is no type of joint\n");
+  CHECK(said("ball", "") ==
+        "E806 4:25 `ball` is no type of joint | there are revolute, continuous, prismatic, fixed, "
+        "floating, planar; a `floating` one, imported, has a rotation: leave out its three "
+        "lengths\n");
+  CHECK(said("universal", "") ==
+        "E806 4:25 `universal` is no type of joint | there are revolute, continuous, prismatic, "
+        "fixed, floating, planar\n");
 }
 
 TEST_CASE("type, parent and child are required") {
@@ -174,11 +180,24 @@ TEST_CASE("an axis has a direction, and a planar one is x, y or z") {
         "E108 5:12 a planar joint is imported only with an axis along x, y or z\n");
 }
 
-TEST_CASE("limits are in order, and not negative") {
-  CHECK(said("revolute", "<limit lower=\"1\" upper=\"-1\" effort=\"-2\" velocity=\"-3\"/>") ==
-        "E814 5:15 lower `1` is above upper `-1`\n"
-        "E814 5:37 effort `-2` is negative\n"
-        "E814 5:51 velocity `-3` is negative\n");
+TEST_CASE("limits that cannot be mean none, with a warning") {
+  const std::string none = " | the model has no such limit\n";
+  const std::string swapped = "<limit lower=\"1\" upper=\"-1\" effort=\"-2\" velocity=\"-3\"/>";
+  CHECK(said("revolute", swapped) == "E814 5:15 lower `1` is above upper `-1`" + none +
+                                         "E814 5:37 effort `-2` is negative" + none +
+                                         "E814 5:51 velocity `-3` is negative" + none);
+  const std::string model = imported(arm_on("revolute", swapped));
+  for (const char* const key : {"\nrange ", "rate_range", "limits"}) {
+    CHECK_THAT(model, !Contains(key));
+  }
+  CHECK(said("prismatic", "<limit lower=\"-Inf\" upper=\"2\" effort=\"inf\"/>") ==
+        "E814 5:15 lower `-Inf` is not finite" + none + "E814 5:39 effort `inf` is not finite" +
+            none);
+}
+
+TEST_CASE("what xacro left of its expressions is told from numbers that are missing") {
+  CHECK(said("revolute", "<origin rpy=\"$(optenv IMU 0 -1.57 3.14)\"/>") ==
+        "E805 5:14 5 numbers, but `rpy` has 3 | " + std::string(urdf::xacro_remedy) + "\n");
 }
 
 TEST_CASE("what a type has no use for is silent or noted") {

@@ -149,10 +149,28 @@ TEST_CASE("a joint that moves no mass is an error, one that carries mass further
         "E810 4:14 `ab` moves no mass | `b` has no `<mass>`, nor has a link behind it; `--weld "
         "massless` holds such joints\n");
   CHECK(said("<link name=\"a\"/>\n" + link("b", "0") + joint("ab", "floating")) ==
-        "E810 4:14 `ab` moves no mass | `b` has no `<mass>`, nor has a link behind it; `--weld "
-        "massless` holds such joints\n");
+        "E810 4:14 `ab` moves no mass | `b` has a `<mass>` of 0, and no link behind it has more; "
+        "`--weld massless` holds such joints\n");
   CHECK(said("<link name=\"a\"/>\n<link name=\"b\"/>\n" + link("c", "1") + joint("ab", "revolute") +
              joint("bc", "revolute")) == "E816 3:13 `b` moves without a mass\n");
+}
+
+TEST_CASE("an inertia without a mass is enough for a joint that turns, not for one that slides") {
+  const std::string rotor = "<link name=\"a\"/>\n" + link("b", "0");
+  CHECK(said(rotor + joint("ab", "continuous")).empty());
+  CHECK(said("<link name=\"a\"/>\n<link name=\"b\"/>\n" + link("c", "0") + joint("ab", "revolute") +
+             joint("bc", "fixed"))
+            .empty());
+  CHECK(said(rotor + joint("ab", "prismatic")) ==
+        "E810 4:14 `ab` moves no mass | `b` has a `<mass>` of 0, and no link behind it has more; "
+        "`--weld massless` holds such joints\n");
+}
+
+TEST_CASE("a world that no file declares is there") {
+  std::string hung = joint("ab");
+  hung.replace(hung.find("link=\"a\""), 8, "link=\"world\"");
+  CHECK(tree_messages("<robot name=\"r\">\n<link name=\"b\"/>\n" + hung).empty());
+  CHECK(said(link("b", "1") + hung).empty());
 }
 
 TEST_CASE("mass that a fixed joint holds to a link is as its own") {

@@ -10,7 +10,6 @@
 //       rotation    the same of a coordinate, whose length is one
 #include <algorithm>
 
-#include "base/number_text.hpp"
 #include "check/entries/entries.hpp"
 #include "check/entries/in_frame.hpp"
 #include "check/expressions/node_builder.hpp"
@@ -182,18 +181,7 @@ class FrameReader {
   void note_degrees(const ValueSyntax& value, ExpressionId angle) {
     const Expression& e = context_.model.expressions[angle];
     if (e.kind != ExpressionKind::number || cln::abs(e.number) <= 7) return;
-    report_.add(Code::E405, value.span, in_backticks(value.span) + " is in rad",
-                "a turn is `2*pi`, and as degrees it would be " +
-                    in_backticks(multiple_of_pi(e.number / 180)));
-  }
-
-  /// "pi/2", "-3*pi/4"
-  static std::string multiple_of_pi(const cln::cl_RA& multiple) {
-    const cln::cl_I numerator = cln::numerator(multiple);
-    const cln::cl_I denominator = cln::denominator(multiple);
-    std::string text = numerator == -1 ? "-pi" : "pi";
-    if (cln::abs(numerator) != 1) text = exact_text(numerator) + "*" + text;
-    return denominator == 1 ? text : text + "/" + exact_text(denominator);
+    elgen::note_degrees(report_, value.span, e.number);
   }
 
   void read_turns(const ValueSyntax& turns) {
@@ -244,7 +232,10 @@ class FrameReader {
   void read_rpy(const ValueSyntax& value) {
     if (!has_count(value, 3, "`rpy`")) return;
     const std::vector<ExpressionId> angles = values_.roots(value, angle_request);
-    for (const std::size_t axis : {2U, 1U, 0U}) add_turn(axis, angles[axis]);
+    for (const std::size_t axis : {2U, 1U, 0U}) {
+      if (value.kind == ValueKind::list) note_degrees(value.items[axis], angles[axis]);
+      add_turn(axis, angles[axis]);
+    }
   }
 
   /// The turn about and the shift along one axis commute.
@@ -262,6 +253,8 @@ class FrameReader {
     const auto alpha = values_.root(table, "alpha", angle_request);
     const auto d = values_.root(table, "d", length_request);
     const auto theta = values_.root(table, "theta", angle_request);
+    if (alpha) note_degrees(table.find("alpha")->value, *alpha);
+    if (theta) note_degrees(table.find("theta")->value, *theta);
     const bool is_modified = text_of(table, "convention") == "modified";
     if (is_modified) add_screw(0, alpha, a);
     add_screw(2, theta, d);

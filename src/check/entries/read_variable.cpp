@@ -41,6 +41,7 @@ cln::cl_R start_constant(ValueReader& values, const ValueSyntax& value) {
 void read_start(ValueReader& values, const ValueSyntax& table, Coordinate& coordinate) {
   if (const KeySyntax* value = table.find("value")) {
     coordinate.start_value = start_constant(values, value->value);
+    note_degrees(values.context().report, value->value.span, coordinate, coordinate.start_value);
   }
   if (const KeySyntax* rate = table.find("rate")) {
     values.context().model.velocities[coordinate.velocity].start_rate =
@@ -121,6 +122,11 @@ void read_coordinate(ValueReader& values, const EntrySyntax& entry, std::uint32_
   coordinate.unit = unit_of(entry, context);
   coordinate.unit_text = text_of(entry, "unit");
   coordinate.range = interval_of(values, entry, "range");
+  if (coordinate.range) {
+    const std::vector<ValueSyntax>& ends = entry.find("range")->value.items;
+    note_degrees(context.report, ends[0].span, coordinate, coordinate.range->low);
+    note_degrees(context.report, ends[1].span, coordinate, coordinate.range->high);
+  }
   coordinate.wrap = is_set(entry, "wrap");
   check_wrap(context, entry, coordinate);
   read_rate(values, entry, coordinate);

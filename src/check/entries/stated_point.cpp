@@ -67,7 +67,10 @@ Variables read_point_value(ValueReader& values, const PointTable& table, const K
                                              ? model.inputs[found.inputs.front()].unit
                                              : model.coordinates[found.coordinates.front()].unit};
   const ExpressionId value = values.root(key.value, request);
-  for (const std::uint32_t i : found.coordinates) point.coordinates[i] = value;
+  for (const std::uint32_t i : found.coordinates) {
+    point.coordinates[i] = value;
+    note_degrees(context.report, key.value.span, model.coordinates[i], context.constants[value]);
+  }
   for (const std::uint32_t i : found.inputs) point.inputs[i] = value;
   return found;
 }

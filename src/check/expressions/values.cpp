@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "base/exact_number.hpp"
+#include "base/number_text.hpp"
 #include "check/expressions/resolver.hpp"
 
 namespace elgen {
@@ -27,7 +28,30 @@ bool names_nothing(const std::vector<Expression>& nodes, ExpressionId first, Exp
   });
 }
 
+/// "pi/2", "-3*pi/4"
+std::string multiple_of_pi(const cln::cl_RA& multiple) {
+  const cln::cl_I numerator = cln::numerator(multiple);
+  const cln::cl_I denominator = cln::denominator(multiple);
+  std::string text = numerator == -1 ? "-pi" : "pi";
+  if (cln::abs(numerator) != 1) text = exact_text(numerator) + "*" + text;
+  return denominator == 1 ? text : text + "/" + exact_text(denominator);
+}
+
 }  // namespace
+
+void note_degrees(Report& report, const Span& span, const cln::cl_RA& angle) {
+  report.add(
+      Code::E405, span, in_backticks(span) + " is in rad",
+      "a turn is `2*pi`, and as degrees it would be " + in_backticks(multiple_of_pi(angle / 180)));
+}
+
+void note_degrees(Report& report, const Span& span, const Coordinate& coordinate,
+                  const std::optional<cln::cl_R>& value) {
+  if (!is_angle(coordinate) || !value || !is_rational(*value)) return;
+  const cln::cl_RA angle = cln::rational(*value);
+  const bool is_multiple = cln::denominator(angle / 5) == 1;
+  if (is_multiple && cln::abs(angle) > 7) note_degrees(report, span, angle);  // 2 pi < 7
+}
 
 ExpressionId ValueReader::root(const ExpressionSyntax& expression, const RootRequest& request) {
   const auto first = static_cast<ExpressionId>(context_.model.expressions.size());

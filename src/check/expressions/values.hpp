@@ -81,6 +81,12 @@ class ValueReader {
   Scope scope_;
 };
 
+/// E405: an angle that would be this multiple of pi if it was meant in degrees.
+void note_degrees(Report& report, const Span& span, const cln::cl_RA& angle);
+/// The same of a coordinate in rad, where its value is more than a turn and a multiple of 5.
+void note_degrees(Report& report, const Span& span, const Coordinate& coordinate,
+                  const std::optional<cln::cl_R>& value);
+
 /// 2 or 3, whichever more vectors of the file have; 0 where all agree, or as many have either.
 [[nodiscard]] std::uint32_t usual_dimension(const FileSyntax& model);
 

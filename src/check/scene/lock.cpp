@@ -63,7 +63,9 @@ class LockReader {
       return no_expression;
     }
     const Place place{"the value of a lock", place::of_time};
-    return values_.scene_value(value, {place, coordinate.unit});
+    const ExpressionId id = values_.scene_value(value, {place, coordinate.unit});
+    note_degrees(context_.report, value.span, coordinate, context_.constants[id]);
+    return id;
   }
 
   /// Scaled to length 1: every stage may rely on it.

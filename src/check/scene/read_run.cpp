@@ -90,7 +90,11 @@ class StartReader {
     }
     for (std::uint32_t i = 0; i < place->count; ++i) {
       const std::optional<FixedValue> value = constant_of(context_, items[i].span);
-      if (value) number(*place, place->first + i) = value->number;
+      if (!value) continue;
+      number(*place, place->first + i) = value->number;
+      if (place->is_rate) continue;
+      note_degrees(context_.report, items[i].span, model_.coordinates[place->coordinate],
+                   value->number);
     }
     check_direction(*place, given->value);
   }

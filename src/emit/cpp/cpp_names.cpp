@@ -109,6 +109,8 @@ Diagnostics check_constant_names(const Program& program) {
 
 }  // namespace
 
+bool is_taken_outside(std::string_view name) { return name == "std" || is_library_name(name); }
+
 Diagnostics cpp_check_names(const Model& model, const Scene& scene, const Program& program) {
   Diagnostics diagnostics = check_constant_names(program);
   for (const ParameterArray& array : emitted_parameters(model, program)) {
@@ -126,7 +128,7 @@ Diagnostics cpp_check_names(const Model& model, const Scene& scene, const Progra
     }
   }
   const std::string& outermost = name_space(scene);
-  if (outermost == "std" || is_library_name(outermost)) {
+  if (is_taken_outside(outermost)) {
     diagnostics.push_back({Code::E701, scene.emission.name_space_span,
                            fmt::format("`{}` cannot name a namespace: C or POSIX {}", outermost,
                                        is_kept(outermost) ? "keeps names like it" : "declares it"),

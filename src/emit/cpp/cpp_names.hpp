@@ -12,6 +12,9 @@ namespace elgen {
 /// Whether templates/cpp/header.hpp.mustache needs the name for itself.
 [[nodiscard]] bool is_emitted_name(std::string_view name);
 
+/// Whether no namespace can have the name, and so no model.
+[[nodiscard]] bool is_taken_outside(std::string_view name);
+
 /// Whether templates/cpp/eigen.hpp.mustache needs the name for itself.
 [[nodiscard]] bool is_eigen_name(const std::string& name);
 
