@@ -27,6 +27,7 @@ struct SimulationOptions {
   std::optional<double> every = {};      ///< between rows; none: no rows
   std::optional<double> hold = {};       ///< inputs keep their values so long; none: continuous
   bool project = true;                   ///< after each step, back onto the constraints
+  bool through_singular = false;         ///< goes on where M or A loses rank, by a fixed step
 };
 
 /// How far what should stay has gone from where it was, relative to `scale`.
@@ -108,8 +109,9 @@ struct Trajectory {
 [[nodiscard]] Result<CheckedModel> assembled_model(const CheckedModel& checked, double t);
 
 /// Runs from the model's start, assembled, by what was compiled; where that is null, in the
-/// evaluator. E518, E538, E620, E621, E623, E624, E647. Cost: one step of the program, or a few
-/// calls of the equations of motion, per step, and of the energies for each.
+/// evaluator. Ends where M or the constraints lose rank, and warns where energy is lost by more
+/// than the tolerance allows. E518, E538, E620, E621, E623, E624, E647, E648. Cost: one step of the
+/// program, or a few calls of the equations of motion, per step, and of the energies for each.
 [[nodiscard]] Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
                                           const CompiledModel* compiled,
                                           const SimulationOptions& options);

@@ -103,6 +103,11 @@ void add_numbers(CLI::App& command, SimulationOptions& run) {
           "--project", [&run](const std::string& given) { run.project = given == "on"; },
           "after each step, back onto the constraints (on)")
       ->check(CLI::IsMember({"on", "off"}));
+  command
+      .add_option_function<std::string>(
+          "--through", [&run](const std::string&) { run.through_singular = true; },
+          "singular: go on where M or the constraints lose rank, by a fixed step")
+      ->check(CLI::IsMember({"singular"}));
 }
 
 }  // namespace

@@ -6,32 +6,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
+
+#include "simulate/steps/methods.hpp"
 
 namespace elgen {
 namespace {
 
+/// The estimate of a step's error is that of a method of lower order, so that most runs stay far
+/// inside what it allows. It may be too small by this factor where a step is long for its order.
+constexpr double margin = 10;
+
 bool is_finite(const Numbers& values) {
   return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
-}
-
-constexpr std::size_t most_shown = 8;
-
-/// "theta = 1, dot(theta) = 2", each of the first few.
-std::string state_text(const LeafNames& leaves, const Numbers& state) {
-  std::vector<std::string> parts;
-  const auto add = [&](Opcode kind, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-      parts.push_back(fmt::format("{} = {:.6g}",
-                                  leaf_text(leaves, kind, static_cast<std::uint32_t>(i)),
-                                  state[parts.size()]));
-    }
-  };
-  add(Opcode::coordinate, leaves.q.size());
-  add(Opcode::velocity, leaves.v.size());
-  const bool is_long = parts.size() > most_shown;
-  parts.resize(std::min(parts.size(), most_shown));
-  return fmt::format("{}{}", fmt::join(parts, ", "), is_long ? ", …" : "");
 }
 
 }  // namespace
@@ -55,6 +43,7 @@ Recorder::Recorder(System& system, const SimulationOptions& options, const Traje
       momenta_at_start_(system.velocities()),
       momenta_(system.velocities()),
       conserved_(system.conserved()),
+      tolerance_(options.step ? 0 : options.tolerance.value_or(default_tolerance)),
       of_momenta_(system.cyclic().size()),
       last_(start) {
   const double* const q = start.state.data();
@@ -74,6 +63,7 @@ Diagnostics Recorder::add(const TrajectorySample& sample) {
   const double part = (sample.t - options_.from) / options_.time;
   const double deviation = energy - energy_at_start_ - sample.state.back();
   energy_.add(part, sample.after, deviation, system_.magnitude(q, v, sample.t));
+  if (tolerance_ > 0 && warnings_.empty()) look_at_energy(sample, energy);
   if (!of_momenta_.empty()) add_momenta(sample, part);
   add_conserved(sample);
   add_offset(sample);
@@ -85,11 +75,11 @@ Diagnostics Recorder::add(const TrajectorySample& sample) {
   return {};
 }
 
-Diagnostic Recorder::ended(std::string_view why) const {
+Diagnostic Recorder::ended(std::string_view why, std::string_view besides) const {
   return {Code::E624,
           {},
-          fmt::format("{} after t = {:.6g}, where {}", why, last_.t,
-                      state_text(system_.leaves(), last_.state)),
+          fmt::format("{} after t = {:.6g}, where {}{}", why, last_.t, system_.text_of(last_.state),
+                      besides),
           "a shorter step, or a smaller tolerance, shows whether the method is to blame"};
 }
 
@@ -98,7 +88,7 @@ void Recorder::finish(Trajectory& trajectory) && {
   trajectory.last = row(last_, system_.energy(q, system_.v_of(last_.state), last_.t));
   trajectory.rows = std::move(rows_);
   if (system_.does_work()) trajectory.work = std::move(work_);
-  trajectory.energy = energy_.drift(system_.does_work() ? "E - E0 - work" : "E - E0",
+  trajectory.energy = energy_.drift(std::string(energy_name()),
                                     system_.has_energies() ? "|T| + |V|" : "|v.p| + |L|");
   for (std::size_t i = 0; i < of_momenta_.size(); ++i) {
     const std::string& name = system_.leaves().v[system_.cyclic()[i]];
@@ -106,6 +96,37 @@ void Recorder::finish(Trajectory& trajectory) && {
   }
   trajectory.conserved = std::move(conserved_);
   if (!system_.model().constraints.empty()) trajectory.constraints.emplace().largest = offset_;
+}
+
+std::string_view Recorder::energy_name() const {
+  return system_.does_work() ? "E - E0 - work" : "E - E0";
+}
+
+/// A step may change E - work by what its error is worth, each number taken by itself, and by the
+/// rounding of E. None of it grows later, since the exact motion keeps E - work.
+void Recorder::look_at_energy(const TrajectorySample& sample, double energy) {
+  const std::size_t work = sample.state.size() - 1;
+  const auto error = [&](std::size_t i) {
+    const double x = sample.state[i];
+    return margin * tolerance_ * (1 + std::abs(x) + std::abs(x - last_.state[i]));
+  };
+  allowed_ += margin * std::numeric_limits<double>::epsilon() * energy_.scale();
+  if (system_.does_work()) allowed_ += error(work);
+  Numbers moved = sample.state;
+  for (std::size_t i = 0; i < work; ++i) {
+    moved[i] += error(i);
+    allowed_ += std::abs(system_.energy(moved.data(), system_.v_of(moved), sample.t) - energy);
+    moved[i] = sample.state[i];
+  }
+  const double deviation = energy - energy_at_start_ - sample.state[work];
+  if (!(std::abs(deviation) > allowed_)) return;
+  warnings_.push_back(
+      {Code::E648,
+       {},
+       fmt::format("{} is {:.1e} at t = {:.6g}, beyond the {:.1e} that the tolerance of the steps "
+                   "allows",
+                   energy_name(), deviation, sample.t, allowed_),
+       "a smaller `--tolerance`, or a short `--step`, shows what is true"});
 }
 
 std::vector<double> Recorder::row(const TrajectorySample& sample, double energy) const {

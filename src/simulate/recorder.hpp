@@ -3,6 +3,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "elgen/simulate.hpp"
 #include "simulate/steps/system.hpp"
@@ -31,6 +33,9 @@ class DriftMeter {
   /// deviates.
   void add(double part, double weight, double deviation, double magnitude);
 
+  /// The largest magnitude.
+  [[nodiscard]] double scale() const { return scale_; }
+
   /// Relative to the largest magnitude, or absolute where that is 0.
   [[nodiscard]] Drift drift(std::string name, std::string measure) const;
 
@@ -57,14 +62,19 @@ class Recorder {
   /// E624 where a number is not finite, with the last state that was.
   [[nodiscard]] Diagnostics add(const TrajectorySample& sample);
 
-  /// Why the run ends at the last sample.
-  [[nodiscard]] Diagnostic ended(std::string_view why) const;
+  /// Why the run ends at the last sample; `besides` is said of it.
+  [[nodiscard]] Diagnostic ended(std::string_view why, std::string_view besides = "") const;
+
+  /// E648 where E - E0 - work went farther than the tolerance of the steps allows.
+  [[nodiscard]] const Diagnostics& warnings() const { return warnings_; }
 
   /// Puts the rows that were kept into `trajectory`.
   void finish(Trajectory& trajectory) &&;
 
  private:
   [[nodiscard]] std::vector<double> row(const TrajectorySample& sample, double energy) const;
+  [[nodiscard]] std::string_view energy_name() const;
+  void look_at_energy(const TrajectorySample& sample, double energy);
   void add_momenta(const TrajectorySample& sample, double part);
   void add_conserved(const TrajectorySample& sample);
   void add_offset(const TrajectorySample& sample);
@@ -77,6 +87,9 @@ class Recorder {
   std::vector<ConservedDrift> conserved_;
   ConstraintOffset offset_ = {};
   DriftMeter energy_ = {};
+  double tolerance_ = 0;  ///< of a step; 0: steps of one length
+  double allowed_ = 0;    ///< the largest |E - E0 - work|, by the steps until now
+  Diagnostics warnings_ = {};
   std::vector<DriftMeter> of_momenta_;
   std::vector<std::vector<double>> rows_ = {};
   std::vector<double> work_ = {};  ///< until each

@@ -14,6 +14,7 @@
 
 #include "elgen/simulate.hpp"
 #include "evaluate/subject.hpp"
+#include "simulate/ranks.hpp"
 #include "simulate/start.hpp"
 
 namespace elgen {
@@ -42,6 +43,7 @@ class ReferenceSystem {
   ReferenceSystem(System& system, const CheckedModel& checked, const Program& program)
       : system_(system),
         program_(program),
+        ranks_(system, "a run that ends before that place, or starts elsewhere, can be measured"),
         at_(arguments_at<Scalar>(nominal_state(checked.model, checked.scene))) {
     for (const Constant& constant : program.constants) {
       constants_.push_back(ScalarTraits<Scalar>::from_real(constant.value));
@@ -77,6 +79,11 @@ class ReferenceSystem {
                 middle);
   }
 
+  /// E624 where M or A loses rank.
+  [[nodiscard]] Diagnostics look(const Values& state, Scalar t) {
+    return ranks_.look({state.begin(), state.end()}, static_cast<double>(t));
+  }
+
   /// Quaternions to length 1, and back onto the constraints.
   void restore(Values& state, Scalar t) {
     const bool is_projected = !system_.model().constraints.empty();
@@ -102,6 +109,7 @@ class ReferenceSystem {
 
   System& system_;
   const Program& program_;
+  RankWatch ranks_;
   Arguments<Scalar> at_;
   Values constants_ = {};
 };
@@ -121,7 +129,7 @@ bool take(const Values& state, ReferenceEnd& end) {
   return std::ranges::all_of(end.last, [](double x) { return std::isfinite(x); });
 }
 
-/// E624 where it does not come to its end.
+/// E624 where it does not come to its end, or past a place where M or A loses rank.
 template <class Scalar>
 Result<ReferenceEnd> run_to(Scalar tolerance, Scalar time, ReferenceSystem<Scalar> system) {
   using Values = std::vector<Scalar>;
@@ -134,8 +142,9 @@ Result<ReferenceEnd> run_to(Scalar tolerance, Scalar time, ReferenceSystem<Scala
   Values state = system.start();
   ReferenceEnd end;
   bool goes_on = take(state, end);
+  Diagnostics lost = system.look(state, 0);
   Scalar t = 0;
-  for (Scalar length = time / 100; goes_on && t < time;) {
+  for (Scalar length = time / 100; goes_on && lost.empty() && t < time;) {
     const bool is_last = length >= time - t;
     Scalar h = is_last ? time - t : length;
     goes_on = h >= shortest || is_last;
@@ -146,7 +155,9 @@ Result<ReferenceEnd> run_to(Scalar tolerance, Scalar time, ReferenceSystem<Scala
     if (is_last) t = time;
     system.restore(state, t);
     goes_on = take(state, end);
+    if (goes_on) lost = system.look(state, t);
   }
+  if (!lost.empty()) return lost;
   if (goes_on) return end;
   return Diagnostic{
       Code::E624, {}, fmt::format("the reference ends after t = {:.6g}", static_cast<double>(t))};

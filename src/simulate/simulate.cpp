@@ -14,6 +14,7 @@
 #include "elgen/evaluate.hpp"
 #include "elgen/wording.hpp"
 #include "evaluate/subject.hpp"
+#include "simulate/ranks.hpp"
 #include "simulate/recorder.hpp"
 #include "simulate/start.hpp"
 #include "simulate/steps/methods.hpp"
@@ -22,6 +23,10 @@ namespace elgen {
 namespace {
 
 constexpr std::size_t block_size = 256;
+
+constexpr const char* go_elsewhere =
+    "`--through singular` goes on by a fixed `--step`, and E - E0 says how well; another start or "
+    "other coordinates may avoid the place";
 
 /// The instants of one period, from `begin` on; none: the end alone.
 class Instants {
@@ -53,12 +58,13 @@ class Run {
         rows_(options.from, end_, options.every),
         holds_(options.from, end_, options.hold),
         current_(started(system, options)),
-        recorder_(system, options, current_) {
+        recorder_(system, options, current_),
+        ranks_(system, go_elsewhere) {
     block_.reserve(block_size);
   }
 
   Result<Trajectory> operator()() && {
-    Diagnostics wrong = recorder_.add(current_);
+    Diagnostics wrong = record(current_);
     if (!wrong.empty()) return wrong;
     resume();
     while (wrong.empty() && current_.t < end_) wrong = advance();
@@ -66,8 +72,9 @@ class Run {
     Trajectory trajectory;
     trajectory.steps = steps_;
     trajectory.nanoseconds = elapsed_.count() * 1e9 / static_cast<double>(steps_);
+    const Diagnostics warnings = recorder_.warnings();
     std::move(recorder_).finish(trajectory);
-    return trajectory;
+    return {std::move(trajectory), warnings};
   }
 
  private:
@@ -91,7 +98,8 @@ class Run {
       const std::optional<double> reached = stepper_.step(current_.state);
       if (!reached) {
         Diagnostics wrong = flush();
-        return wrong.empty() ? Diagnostics{recorder_.ended(stepper_.obstacle())} : wrong;
+        if (!wrong.empty()) return wrong;
+        return {recorder_.ended(stepper_.obstacle(), ranks_.weakest())};
       }
       ++steps_;
       current_.after = *reached - current_.t;
@@ -118,12 +126,18 @@ class Run {
     Diagnostics wrong;
     for (TrajectorySample& sample : block_) {
       sample.inputs = system_.inputs(sample.state.data(), system_.v_of(sample.state), sample.t);
-      wrong = recorder_.add(sample);
+      wrong = record(sample);
       if (!wrong.empty()) break;
     }
     block_.clear();
     resume();
     return wrong;
+  }
+
+  Diagnostics record(const TrajectorySample& sample) {
+    Diagnostics wrong = recorder_.add(sample);
+    if (!wrong.empty() || options_.through_singular) return wrong;
+    return ranks_.look(sample.state, sample.t);
   }
 
   void resume() { resumed_ = Clock::now(); }
@@ -136,6 +150,7 @@ class Run {
   Instants holds_;
   TrajectorySample current_;
   Recorder recorder_;
+  RankWatch ranks_;
   std::vector<TrajectorySample> block_ = {};
   std::uint64_t steps_ = 0;
   Clock::time_point resumed_ = {};

@@ -117,6 +117,21 @@ V = "-x^4"
   CHECK(workspace.files() == "./runaway.toml\n");
 }
 
+TEST_CASE("a run ends at a singular place, unless it is to go through by steps of one length") {
+  const std::string fall = " -q --time 0.3 " + models + "/five_bar.toml";
+  const Outcome stopped = run("elgen simulate" + fall);
+  CHECK(stopped.status == 1);
+  CHECK(stopped.output.empty());
+  CHECK(mentions(stopped.errors, "error[E624]: rank is "));
+  CHECK(mentions(stopped.errors, " t = 0.2609"));
+  const Outcome through = run("elgen simulate --through singular --method rk4 --step 1e-4" + fall);
+  INFO(through.errors);
+  CHECK(through.status == 0);
+  CHECK(mentions(through.output, "\n  a1      = 3.385315865 rad\n"));
+  CHECK(run("elgen simulate --through thick --method rk4 --step 1e-4" + fall).status != 0);
+  CHECK(run("elgen tradeoff --trajectory 0.3 " + models + "/five_bar.toml").status == 1);
+}
+
 TEST_CASE("scenes run whatever code they ask for, with what they lock and fix") {
   const Workspace workspace;
   workspace.write("held.scene.toml",

@@ -14,7 +14,9 @@
 namespace elgen {
 namespace {
 
-constexpr double default_tolerance = 1e-9;
+/// Of the whole run: 1e12 steps take days, and only near a place without an acceleration is a step
+/// asked to be so short.
+constexpr double shortest_share = 1e-12;
 
 Diagnostic impossible(std::string message, std::string hint = {}) {
   return {Code::E621, {}, std::move(message), std::move(hint)};
@@ -89,7 +91,11 @@ Result<StepRule> step_rule(const MethodRow& method, const SimulationOptions& opt
   if (method.step == StepKind::fixed && !options.step) {
     return impossible(fmt::format("`{}` needs a step", method.name), "give it `--step`");
   }
-  return StepRule{options.step, options.tolerance.value_or(default_tolerance)};
+  if (options.through_singular && !options.step) {
+    return impossible("`--through singular` is for steps of one length", "give it `--step`");
+  }
+  return StepRule{options.step, options.tolerance.value_or(default_tolerance),
+                  shortest_share * options.time};
 }
 
 Diagnostics refuse_run(const SimulationOptions& options) {

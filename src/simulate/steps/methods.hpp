@@ -73,10 +73,14 @@ class FixedSteps final : public Stepper {
   std::uint64_t done_ = 0;
 };
 
+/// Of a step, where neither it nor the length of steps is given.
+inline constexpr double default_tolerance = 1e-9;
+
 /// One of the two: the length of steps, or the error they are chosen by.
 struct StepRule {
   std::optional<double> step = {};
   double tolerance = 0;
+  double shortest = 0;  ///< chosen steps are not shorter
 };
 
 /// Of one length, or adapted to a tolerance unless a length is given.

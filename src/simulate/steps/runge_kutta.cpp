@@ -65,8 +65,10 @@ class RungeKutta {
 template <class Steps>
 class AdaptedSteps final : public Stepper {
  public:
-  AdaptedSteps(System& system, double tolerance)
-      : system_(system), steps_(odeint::make_controlled(tolerance, tolerance, Steps())) {}
+  AdaptedSteps(System& system, const StepRule& rule)
+      : system_(system),
+        steps_(odeint::make_controlled(rule.tolerance, rule.tolerance, Steps())),
+        shortest_(rule.shortest) {}
 
   void aim(double begin, double end) override {
     t_ = begin;
@@ -76,8 +78,9 @@ class AdaptedSteps final : public Stepper {
   }
 
   std::optional<double> step(Numbers& state) override {
-    const double shortest = 4 * std::numeric_limits<double>::epsilon() *
-                            std::max({std::abs(t_), std::abs(end_), end_ - t_});
+    const double spacing =
+        std::numeric_limits<double>::epsilon() * std::max(std::abs(t_), std::abs(end_));
+    const double shortest = std::max(shortest_, 4 * spacing);
     while (true) {
       const bool is_last = length_ >= end_ - t_;
       double h = is_last ? end_ - t_ : length_;
@@ -102,6 +105,7 @@ class AdaptedSteps final : public Stepper {
  private:
   System& system_;
   typename odeint::result_of::make_controlled<Steps>::type steps_;
+  double shortest_;
   double t_ = 0;
   double end_ = 0;
   double length_ = 0;  ///< of the next step
@@ -121,7 +125,7 @@ std::unique_ptr<Stepper> make_rk4(System& system, const StepRule& rule) {
 std::unique_ptr<Stepper> make_dopri5(System& system, const StepRule& rule) {
   using Steps = odeint::runge_kutta_dopri5<Numbers>;
   if (rule.step) return fixed<Steps>(system, *rule.step);
-  return std::make_unique<AdaptedSteps<Steps>>(system, rule.tolerance);
+  return std::make_unique<AdaptedSteps<Steps>>(system, rule);
 }
 
 }  // namespace elgen

@@ -2,6 +2,8 @@
 // The functions of a system, and what follows from which of their entries are zero.
 #include "simulate/steps/system.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -50,6 +52,8 @@ bool are_moving(const Model& model) {
     return is_left_at_rest || (of.ingredients & uses_time) != 0;
   });
 }
+
+constexpr std::size_t most_shown = 8;
 
 /// In (-pi, pi].
 double wrapped(double angle) {
@@ -173,6 +177,22 @@ Numbers stated_start(const Model& model) {
   return start;
 }
 
+std::string System::text_of(const Numbers& state) const {
+  std::vector<std::string> parts;
+  const auto add = [&](Opcode kind, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      parts.push_back(fmt::format("{} = {:.6g}",
+                                  leaf_text(leaves(), kind, static_cast<std::uint32_t>(i)),
+                                  state[parts.size()]));
+    }
+  };
+  add(Opcode::coordinate, positions());
+  add(Opcode::velocity, velocities());
+  const bool is_long = parts.size() > most_shown;
+  parts.resize(std::min(parts.size(), most_shown));
+  return fmt::format("{}{}", fmt::join(parts, ", "), is_long ? ", …" : "");
+}
+
 Numbers System::start() {
   Numbers state = stated_start(model_);
   state.push_back(0);
@@ -259,7 +279,7 @@ void System::find_force(const double* q, const double* v, double t) {
 void System::add_constraint_force(const double* q, const double* v, double t) {
   const std::size_t n = velocities();
   call(acceleration_, q, v, t, solution_.data());
-  call(constraint_jacobian_, q, v, t, jacobian_.data());
+  (void)constraint_jacobian(q, v, t);
   for (std::size_t k = 0; k < jacobian_.size(); ++k) {
     force_[k % n] += jacobian_[k] * solution_[first_multiplier_ + k / n];
   }
@@ -294,13 +314,23 @@ double System::explicit_power(const double* q, const double* v, double t) const 
   return result;
 }
 
+const Numbers& System::mass_matrix(const double* q, const double* v, double t) {
+  call(mass_matrix_, q, v, t, mass_.data());
+  return mass_;
+}
+
+const Numbers& System::constraint_jacobian(const double* q, const double* v, double t) {
+  if (!jacobian_.empty()) call(constraint_jacobian_, q, v, t, jacobian_.data());
+  return jacobian_;
+}
+
 void System::momentum(const double* q, const double* v, double t, double* result) {
   call(momentum_, q, v, t, result);
 }
 
 const Numbers& System::momentum_scales(const double* q, const double* v, double t) {
   const std::size_t n = velocities();
-  call(mass_matrix_, q, v, t, mass_.data());
+  (void)mass_matrix(q, v, t);
   for (std::size_t i = 0; i < n; ++i) {
     scales_[i] = 0;
     for (std::size_t j = 0; j < n; ++j) scales_[i] += std::abs(mass_[i * n + j] * v[j]);

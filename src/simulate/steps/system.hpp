@@ -13,6 +13,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "elgen/program.hpp"
@@ -58,6 +59,8 @@ class System {
     return state.data() + positions();
   }
   [[nodiscard]] static double& work_of(Numbers& state) { return state.back(); }
+  /// "theta = 1, dot(theta) = 2", of the first few q and v.
+  [[nodiscard]] std::string text_of(const Numbers& state) const;
 
   /// The model's own start, quaternions scaled to length 1.
   [[nodiscard]] Numbers start();
@@ -89,6 +92,10 @@ class System {
   [[nodiscard]] double power(const double* q, const double* v, double t);
   /// The same with the inputs that were last asked for.
   [[nodiscard]] double held_power(const double* q, const double* v, double t);
+  /// n x n, row-major.
+  [[nodiscard]] const Numbers& mass_matrix(const double* q, const double* v, double t);
+  /// A, m x n, row-major.
+  [[nodiscard]] const Numbers& constraint_jacobian(const double* q, const double* v, double t);
   void momentum(const double* q, const double* v, double t, double* result);
   /// sum_j |M_ij v_j| of every i: what p_i is the sum of, but for what is linear in v.
   [[nodiscard]] const Numbers& momentum_scales(const double* q, const double* v, double t);
