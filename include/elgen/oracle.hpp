@@ -94,9 +94,17 @@ struct Assembly {
   bool has_rates = false;  ///< and the rates are consistent with it
 };
 
+/// What an assembly leaves as it is, by velocity: displacements along it, and rates. Empty:
+/// nothing.
+struct KeptStart {
+  std::vector<bool> positions = {};
+  std::vector<bool> rates = {};
+};
+
 /// From a state, by steps as in `projected` which are halved where they would lead away, then the
 /// rates. None where an equation has no value at the state.
-[[nodiscard]] std::optional<Assembly> oracle_assembly(const Model& model, const State& state);
+[[nodiscard]] std::optional<Assembly> oracle_assembly(const Model& model, const State& state,
+                                                      const KeptStart& kept = {});
 
 /// The state it ends at; none where the constraints do not hold there.
 [[nodiscard]] std::optional<State> oracle_assembled(const Model& model, State state);

@@ -105,7 +105,8 @@ struct Trajectory {
 /// The `step` whose program a run goes by, beside these outputs; none where it calls accelerations.
 [[nodiscard]] std::optional<ChosenStep> step_of_run(const SimulationOptions& options);
 
-/// The model with a start that meets its constraints at a time, near its own one. E538.
+/// The model with a start that meets its constraints at a time, near its own one. What `--state`
+/// names stays: E538 where the rest cannot be solved for.
 [[nodiscard]] Result<CheckedModel> assembled_model(const CheckedModel& checked, double t);
 
 /// Runs from the model's start, assembled, by what was compiled; where that is null, in the

@@ -2,8 +2,11 @@
 // The checks of the inspection, each from a subject to the diagnostics it deserves.
 #pragma once
 
+#include <string>
+
 #include "elgen/diagnostic.hpp"
 #include "elgen/model.hpp"
+#include "elgen/oracle.hpp"
 #include "elgen/scene.hpp"
 
 namespace elgen {
@@ -31,6 +34,9 @@ inline constexpr std::size_t most_coordinates_searched = 3;
 /// E536: an equation that no motion changes. E537: one that follows from others wherever they hold.
 /// E538: no pose near the start.
 [[nodiscard]] Diagnostics inspect_constraints(const Inspected& subject);
+
+/// "0.5 m of `loop_x`, 0.1 m of `loop_y`": what f is, or where that is 0 what r is.
+[[nodiscard]] std::string what_is_left(const Model& model, const Assembly& at);
 
 /// E507: a planar spin that is not the rate of an angle(q, t).
 [[nodiscard]] Diagnostics inspect_spins(const Inspected& subject);

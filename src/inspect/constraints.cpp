@@ -59,26 +59,6 @@ Diagnostics without_effects(const Inspected& subject) {
   return errors;
 }
 
-/// "0.5 m of `loop_x`, 0.1 m of `loop_y`": what f is, or where that is 0 what r is.
-std::string what_is_left(const Model& model, const Assembly& at) {
-  const OracleValues values =
-      oracle_values(model, {.kind = OutputKind::constraint_residual}, at.state);
-  if (!values) return "no value";
-  const std::size_t first = at.has_pose ? values->size() - model.constraints.size() : 0;
-  std::string text;
-  std::size_t row = 0;
-  for (const Constraint& constraint : model.constraints) {
-    if (!at.has_pose && !constraint.is_position) continue;
-    const std::string unit = unit_text_of_entry(
-        model, {OutputKind::constraint_residual, at.has_pose ? "rate" : "position", row});
-    const cl_R left = cln::abs((*values)[first + row++]);
-    text += fmt::format("{}{:.3g}{} of `{}`", text.empty() ? "" : ", ",
-                        is_nothing(left) ? 0.0 : cln::double_approx(left),
-                        unit.empty() || unit == "1" ? "" : " " + unit, constraint.name);
-  }
-  return text;
-}
-
 /// Whether Newton's method creeps towards a pose: it does so where A has not full rank.
 bool creeps(const Model& model, const Assembly& at) {
   const OracleValues values =
@@ -219,6 +199,25 @@ Diagnostics undetermined_inputs(const Inspected& subject, const State& start) {
 }
 
 }  // namespace
+
+std::string what_is_left(const Model& model, const Assembly& at) {
+  const OracleValues values =
+      oracle_values(model, {.kind = OutputKind::constraint_residual}, at.state);
+  if (!values) return "no value";
+  const std::size_t first = at.has_pose ? values->size() - model.constraints.size() : 0;
+  std::string text;
+  std::size_t row = 0;
+  for (const Constraint& constraint : model.constraints) {
+    if (!at.has_pose && !constraint.is_position) continue;
+    const std::string unit = unit_text_of_entry(
+        model, {OutputKind::constraint_residual, at.has_pose ? "rate" : "position", row});
+    const cl_R left = cln::abs((*values)[first + row++]);
+    text += fmt::format("{}{:.3g}{} of `{}`", text.empty() ? "" : ", ",
+                        is_nothing(left) ? 0.0 : cln::double_approx(left),
+                        unit.empty() || unit == "1" ? "" : " " + unit, constraint.name);
+  }
+  return text;
+}
 
 Diagnostics inspect_constraints(const Inspected& subject) {
   const Model& model = subject.model;

@@ -40,12 +40,16 @@ cl_R length_of(const Direction& row) {
   return cln::zerop(square) ? cl_R(0) : real_power(square, cln::cl_RA(1) / 2);
 }
 
-/// The rows that do not follow from those before them, by Gram and Schmidt.
-Shortage independent(const Shortage& all) {
+/// The rows that do not follow from those before them where `fixed` velocities are 0, by Gram and
+/// Schmidt.
+Shortage independent(const Shortage& all, const std::vector<bool>& fixed) {
   Shortage kept;
   std::vector<Direction> basis;
   for (std::size_t k = 0; k < all.rows.size(); ++k) {
     Direction rest = all.rows[k];
+    for (std::size_t j = 0; j < fixed.size(); ++j) {
+      if (fixed[j]) rest[j] = 0;
+    }
     for (const Direction& unit : basis) {
       const cl_R share = std::inner_product(rest.begin(), rest.end(), unit.begin(), cl_R(0));
       for (std::size_t j = 0; j < rest.size(); ++j) rest[j] = rest[j] - share * unit[j];
@@ -62,9 +66,9 @@ Shortage independent(const Shortage& all) {
 
 /// None where the system has no solution.
 std::optional<Direction> newton_step(const Model& model, const State& state,
-                                     const Shortage& shortage) {
+                                     const Shortage& shortage, const std::vector<bool>& fixed) {
   std::optional<Direction> step =
-      attempt([&] { return correction(model, state, independent(shortage)); });
+      attempt([&] { return correction(model, state, independent(shortage, fixed), fixed); });
   if (!step) return std::nullopt;
   for (cl_R& entry : *step) {
     if (!cln::zerop(entry)) entry = as_float(entry);
@@ -103,8 +107,9 @@ cl_R squared_error(const std::vector<cl_R>& left, const std::vector<cl_R>& lengt
 }
 
 /// As far along a step as errors shrink; none where they do not.
-std::optional<State> nearer(const Model& model, const State& state, const Shortage& shortage) {
-  std::optional<Direction> step = newton_step(model, state, shortage);
+std::optional<State> nearer(const Model& model, const State& state, const Shortage& shortage,
+                            const std::vector<bool>& fixed) {
+  std::optional<Direction> step = newton_step(model, state, shortage, fixed);
   const std::vector<cl_R> lengths = scales_of(shortage);
   const cl_R now = squared_error(shortage.s, lengths);
   for (unsigned halving = 0; step && halving <= most_halvings; ++halving) {
@@ -118,28 +123,28 @@ std::optional<State> nearer(const Model& model, const State& state, const Shorta
 }
 
 /// Gives the state consistent rates, as far as there are any.
-void assemble_rates(const Model& model, Assembly& at) {
+void assemble_rates(const Model& model, Assembly& at, const std::vector<bool>& fixed) {
   const Shortage shortage = rate_shortage(model, at.state);
   if (!is_met(shortage, at.state.v)) {
-    const std::optional<Direction> step = newton_step(model, at.state, shortage);
+    const std::optional<Direction> step = newton_step(model, at.state, shortage, fixed);
     if (!step) return;
     for (std::size_t i = 0; i < step->size(); ++i) at.state.v[i] = at.state.v[i] + (*step)[i];
   }
   at.has_rates = is_met(rate_shortage(model, at.state), at.state.v);
 }
 
-Assembly assembled(const Model& model, State state) {
+Assembly assembled(const Model& model, State state, const KeptStart& kept) {
   Assembly at{std::move(state)};
   at.state.q = normalized(model, std::move(at.state.q));
   for (unsigned step = 0; step <= most_newton_steps; ++step) {
     const Shortage shortage = position_shortage(model, at.state);
     at.has_pose = is_met(shortage, at.state.q);
     if (at.has_pose) break;
-    std::optional<State> next = nearer(model, at.state, shortage);
+    std::optional<State> next = nearer(model, at.state, shortage, kept.positions);
     if (!next) return at;
     at.state = std::move(*next);
   }
-  if (at.has_pose) assemble_rates(model, at);
+  if (at.has_pose) assemble_rates(model, at, kept.rates);
   return at;
 }
 
@@ -148,8 +153,9 @@ Assembly assembled(const Model& model, State state) {
 
 namespace elgen {
 
-std::optional<Assembly> oracle_assembly(const Model& model, const State& state) {
-  return oracle::guarded([&] { return oracle::assembled(model, state); });
+std::optional<Assembly> oracle_assembly(const Model& model, const State& state,
+                                        const KeptStart& kept) {
+  return oracle::guarded([&] { return oracle::assembled(model, state, kept); });
 }
 
 std::optional<State> oracle_assembled(const Model& model, State state) {

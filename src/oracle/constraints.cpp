@@ -295,13 +295,21 @@ Shortage rate_shortage(const Model& model, const State& state) {
   return shortage;
 }
 
-Direction correction(const Model& model, const State& state, const Shortage& shortage) {
+Direction correction(const Model& model, const State& state, const Shortage& shortage,
+                     const std::vector<bool>& kept) {
   const Values still(state.v.size());
   if (shortage.rows.empty()) return still;
   Mechanics at(model, state);
   ConstrainedSystem system{mass_matrix_values(at), {}};
   for (const Direction& row : shortage.rows) {
     system.jacobian.insert(system.jacobian.end(), row.begin(), row.end());
+  }
+  const std::size_t n = kept.size();
+  for (std::size_t k = 0; k < system.jacobian.size() && n > 0; ++k) {
+    if (kept[k % n]) system.jacobian[k] = 0;
+  }
+  for (std::size_t k = 0; k < n * n; ++k) {
+    if (kept[k / n] || kept[k % n]) system.mass[k] = k / n == k % n ? 1 : 0;
   }
   return solve_constrained(system, still, shortage.s).x;
 }

@@ -73,9 +73,9 @@ struct Shortage {
 [[nodiscard]] Shortage position_shortage(const Model& model, const State& state);
 [[nodiscard]] Shortage rate_shortage(const Model& model, const State& state);
 
-/// x with M x = A^T y, A x = s: the change of least kinetic energy.
-[[nodiscard]] Direction correction(const Model& model, const State& state,
-                                   const Shortage& shortage);
+/// x with M x = A^T y, A x = s: the change of least kinetic energy, 0 along what is kept.
+[[nodiscard]] Direction correction(const Model& model, const State& state, const Shortage& shortage,
+                                   const std::vector<bool>& kept = {});
 
 /// The state at q + N x, quaternions at length 1.
 [[nodiscard]] State moved_by(const Model& model, State state, const Direction& x);

@@ -16,7 +16,7 @@ namespace {
 
 /// The estimate of a step's error is that of a method of lower order, so that most runs stay far
 /// inside what it allows. It may be too small by this factor where a step is long for its order.
-constexpr double margin = 10;
+constexpr double energy_margin = 10;
 
 bool is_finite(const Numbers& values) {
   return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
@@ -108,9 +108,9 @@ void Recorder::look_at_energy(const TrajectorySample& sample, double energy) {
   const std::size_t work = sample.state.size() - 1;
   const auto error = [&](std::size_t i) {
     const double x = sample.state[i];
-    return margin * tolerance_ * (1 + std::abs(x) + std::abs(x - last_.state[i]));
+    return energy_margin * tolerance_ * (1 + std::abs(x) + std::abs(x - last_.state[i]));
   };
-  allowed_ += margin * std::numeric_limits<double>::epsilon() * energy_.scale();
+  allowed_ += energy_margin * std::numeric_limits<double>::epsilon() * energy_.scale();
   if (system_.does_work()) allowed_ += error(work);
   Numbers moved = sample.state;
   for (std::size_t i = 0; i < work; ++i) {

@@ -157,9 +157,6 @@ class Run {
   std::chrono::duration<double> elapsed_ = {};
 };
 
-/// Less is not told: it would not be seen in what is printed of the start.
-constexpr double visible_move = 1e-9;
-
 std::vector<TrajectoryColumn> columns_of(const Model& model, const LeafNames& leaves,
                                          bool does_work) {
   std::vector<TrajectoryColumn> columns{{"t", "s", ""}};
@@ -206,9 +203,8 @@ std::vector<StartMove> moves_of(const Model& model, const Model& assembled,
   const Numbers to = stated_start(assembled);
   std::vector<StartMove> moves;
   for (std::size_t i = 0; i < from.size(); ++i) {
-    const double by = to[i] - from[i];
-    if (std::abs(by) <= visible_move * std::max(1.0, std::abs(from[i]))) continue;
-    moves.push_back({columns[i + 1].name, columns[i + 1].unit, by});
+    if (!is_visible_move(from[i], to[i])) continue;
+    moves.push_back({columns[i + 1].name, columns[i + 1].unit, to[i] - from[i]});
   }
   return moves;
 }

@@ -10,6 +10,7 @@
 
 #include "base/exact_number.hpp"
 #include "elgen/oracle.hpp"
+#include "inspect/checks.hpp"
 
 namespace elgen {
 namespace {
@@ -25,25 +26,63 @@ Diagnostic singular(std::string message) {
   return {Code::E623, {}, std::move(message), start_elsewhere};
 }
 
+KeptStart named_start(const Model& model) {
+  KeptStart kept;
+  for (const Velocity& velocity : model.velocities) {
+    kept.positions.push_back(model.coordinates[velocity.coordinate].is_start_named);
+    kept.rates.push_back(velocity.is_start_named);
+  }
+  return kept;
+}
+
+CheckedModel started_at(CheckedModel checked, const State& state) {
+  for (std::size_t i = 0; i < state.q.size(); ++i) {
+    checked.model.coordinates[i].start_value = state.q[i];
+  }
+  for (std::size_t i = 0; i < state.v.size(); ++i) {
+    checked.model.velocities[i].start_rate = state.v[i];
+  }
+  return checked;
+}
+
+/// Whether what was named moved by less than is told: a state that was printed meets the
+/// constraints but for its last digits.
+bool keeps_named(const Model& model, const Model& moved) {
+  const Numbers from = stated_start(model);
+  const Numbers to = stated_start(moved);
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const std::size_t q = model.coordinates.size();
+    const bool is_named =
+        i < q ? model.coordinates[i].is_start_named : model.velocities[i - q].is_start_named;
+    if (is_named && is_visible_move(from[i], to[i])) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Result<CheckedModel> assembled_model(const CheckedModel& checked, double t) {
-  CheckedModel moved = checked;
-  if (moved.model.constraints.empty()) return moved;
-  State start = start_state(moved.model, moved.scene);
+  const Model& model = checked.model;
+  if (model.constraints.empty()) return checked;
+  State start = start_state(model, checked.scene);
   start.t = exact_value(t);
-  const std::optional<State> state = oracle_assembled(moved.model, std::move(start));
-  if (!state) {
+  const std::optional<Assembly> at = oracle_assembly(model, start, named_start(model));
+  if (at && at->has_rates) return started_at(checked, at->state);
+  const std::optional<State> near = oracle_assembled(model, std::move(start));
+  if (!near) {
     return Diagnostic{
         Code::E538, {}, "near the start no pose meets the constraints", start_elsewhere};
   }
-  for (std::size_t i = 0; i < state->q.size(); ++i) {
-    moved.model.coordinates[i].start_value = state->q[i];
-  }
-  for (std::size_t i = 0; i < state->v.size(); ++i) {
-    moved.model.velocities[i].start_rate = state->v[i];
-  }
-  return moved;
+  CheckedModel moved = started_at(checked, *near);
+  if (keeps_named(model, moved.model)) return moved;
+  return Diagnostic{
+      Code::E538,
+      {},
+      fmt::format("with what `--state` names no {} near the start meet the constraints: what is "
+                  "left is {}",
+                  at && at->has_pose ? "rates" : "coordinates",
+                  at ? what_is_left(model, *at) : "no value"),
+      "name less, since the others are solved for, or other values"};
 }
 
 Diagnostics refuse_start(System& system, const Numbers& state, double t) {

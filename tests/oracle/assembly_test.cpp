@@ -60,6 +60,20 @@ TEST_CASE("equal masses move along the rod, and only along it") {
   check_agree(assembled->v, {cl_RA(-8) / 25, cl_RA(6) / 25});
 }
 
+TEST_CASE("what is kept stays, and the rest follows or is found missing") {
+  const Model model = held_point({rod});
+  const State state = state_at(model, {cl_RA(3) / 5, -1}, {4, 1});
+  const auto at = oracle_assembly(model, state, {{true, false}, {false, true}});
+  REQUIRE(at);
+  CHECK(at->has_rates);
+  check_agree(at->state.q, {cl_RA(3) / 5, cl_RA(-4) / 5});
+  check_agree(at->state.v, {cl_RA(4) / 3, 1});
+  const auto torn = oracle_assembly(model, state, {{true, true}, {}});
+  REQUIRE(torn);
+  CHECK_FALSE(torn->has_pose);
+  CHECK(torn->state.q == state.q);
+}
+
 TEST_CASE("the first step is that of the output") {
   const Model model = held_point({"x^2 + y - l"});
   const State state = state_at(model, {0, 3}, {1, 1});

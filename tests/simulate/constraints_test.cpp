@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "simulate/compiled_model.hpp"
+#include "simulate/steps/system.hpp"
 #include "support/shell.hpp"
 
 using namespace elgen;
@@ -90,7 +91,9 @@ TEST_CASE("`projected` after every step keeps a run on its constraints, and noth
 }
 
 TEST_CASE("a start off the constraints is moved onto them, and the report says by how much") {
-  const CompiledSystem system(bob_on_rod, start_options("x=0.6"));
+  std::string stretched = bob_on_rod;
+  stretched.replace(stretched.find("0.5"), 3, "0.6");
+  const CompiledSystem system(stretched);
   const Trajectory run = evaluated(system, steps_of("rk4", 0.01, 0.1));
   const std::vector<StartMove>& start = run.constraints->start;
   REQUIRE(start.size() == 4);
@@ -107,6 +110,90 @@ TEST_CASE("a start off the constraints is moved onto them, and the report says b
                "\n  start moved onto the constraints: x by -1.862e-02, y by +3.724e-02, dot(x) by "
                "-8.000e-02, dot(y) by +1.600e-01\n  constraints: off by at most "));
   CHECK(run.constraints->largest.position <= 1e-12);
+}
+
+TEST_CASE("what a state names is held, and the rest is solved for") {
+  const CompiledSystem system(bob_on_rod, start_options("x=0.6, dot(y)=0.5"));
+  const Numbers start = stated_start(assembled_model(system.checked(), 0)->model);
+  CHECK(start[0] == 0.6);
+  CHECK(std::abs(start[1] + std::sqrt(1.69 - 0.36)) < 1e-15);
+  CHECK(std::abs(start[2] - 0.5 * std::sqrt(1.69 - 0.36) / 0.6) < 1e-15);
+  CHECK(start[3] == 0.5);
+}
+
+TEST_CASE("joints of parallel robots are found from their platform, or their motors") {
+  const CompiledSystem platform(read_text(ELGEN_SOURCE_DIR "/tests/simulate/rrr.toml"),
+                                start_options("x=0.05, y=0.02, phi=0.1, dot(x)=0.3"));
+  const Trajectory run = evaluated(platform, {.time = 1e-6, .every = 1e-6});
+  const std::vector<double>& start = run.rows.front();
+  CHECK(start[1] == 0.05);
+  CHECK(start[2] == 0.02);
+  CHECK(start[3] == 0.1);
+  CHECK(start[10] == 0.3);
+  CHECK(run.constraints->largest.position < 1e-12);
+  CHECK(run.constraints->largest.rate < 1e-12);
+  for (std::size_t i = 4; i < 7; ++i) {
+    const double turn = 2 * M_PI * static_cast<double>(i - 3) / 3;
+    const double x = 0.05 + 0.15 * std::cos(0.1 + turn) - 0.6 * std::cos(turn);
+    const double y = 0.02 + 0.15 * std::sin(0.1 + turn) - 0.6 * std::sin(turn);
+    const double elbow_x = 0.4 * std::cos(start[i]);
+    const double elbow_y = 0.4 * std::sin(start[i]);
+    CHECK(std::abs(std::hypot(x - elbow_x, y - elbow_y) - 0.4) < 1e-12);
+  }
+  const CompiledSystem motors(read_text(ELGEN_SOURCE_DIR "/models/five_bar.toml"),
+                              start_options("a1=2.2, a2=1, dot(a1)=1, dot(a2)=-2"));
+  const Trajectory bars = evaluated(motors, {.time = 1e-6, .every = 1e-6});
+  CHECK(bars.rows.front()[1] == 2.2);
+  CHECK(bars.rows.front()[3] == 1);
+  CHECK(bars.rows.front()[5] == 1);
+  CHECK(bars.rows.front()[7] == -2);
+  CHECK(bars.constraints->largest.position < 1e-12);
+}
+
+TEST_CASE("dependent rates follow from those that are named") {
+  const std::string disc = model_text("disc", R"toml([[coordinate]]
+name = "x"
+[[coordinate]]
+name = "y"
+[[coordinate]]
+name = "roll"
+start = { value = 0, rate = 1 }
+[[coordinate]]
+name = "head"
+start = { value = 0.2, rate = 0 }
+[parameters]
+R = 0.4
+[energy]
+T = "3*(dot(x)^2 + dot(y)^2) + dot(roll)^2 + dot(head)^2 + dot(x)*dot(head)"
+[[constraint]]
+name = "grip"
+kind = "velocity"
+equation = ["dot(x) = R*cos(head)*dot(roll)", "dot(y) = R*sin(head)*dot(roll)"]
+)toml");
+  const CompiledSystem named(disc, start_options("dot(roll)=6, dot(head)=0.3"));
+  const Numbers start = stated_start(assembled_model(named.checked(), 0)->model);
+  CHECK(start[4] == Approx(2.4 * std::cos(0.2)).epsilon(1e-14));
+  CHECK(start[5] == Approx(2.4 * std::sin(0.2)).epsilon(1e-14));
+  CHECK(start[6] == 6);
+  CHECK(start[7] == 0.3);
+  const CompiledSystem torn(disc, start_options("dot(roll)=6, dot(x)=1"));
+  const Result<CheckedModel> refused = assembled_model(torn.checked(), 0);
+  REQUIRE_FALSE(refused);
+  CHECK(refused.diagnostics.front().message ==
+        "with what `--state` names no rates near the start meet the constraints: what is left is "
+        "1.35 of `grip_1`, 0 of `grip_2`");
+}
+
+TEST_CASE("a state that was printed meets the constraints but for its last digits") {
+  const CompiledSystem system(
+      bob_on_rod, start_options("x=0.6, y=-1.1532562595, dot(x)=0.96104688289, dot(y)=0.5"));
+  const Result<CheckedModel> assembled = assembled_model(system.checked(), 0);
+  REQUIRE(assembled);
+  const Numbers start = stated_start(assembled->model);
+  CHECK(std::abs(std::hypot(start[0], start[1]) - 1.3) < 1e-15);
+  CHECK(std::abs(start[0] - 0.6) < 1e-9);
+  const CompiledSystem rounded(bob_on_rod, start_options("x=0.6, y=-1.153"));
+  CHECK_FALSE(assembled_model(rounded.checked(), 0));
 }
 
 TEST_CASE("the work of a rod that changes its length is taken off the energy") {

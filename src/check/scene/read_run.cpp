@@ -91,7 +91,7 @@ class StartReader {
     for (std::uint32_t i = 0; i < place->count; ++i) {
       const std::optional<FixedValue> value = constant_of(context_, items[i].span);
       if (!value) continue;
-      number(*place, place->first + i) = value->number;
+      give(*place, place->first + i, value->number);
       if (place->is_rate) continue;
       note_degrees(context_.report, items[i].span, model_.coordinates[place->coordinate],
                    value->number);
@@ -122,6 +122,12 @@ class StartReader {
   cln::cl_R& number(const StartPlace& place, std::uint32_t index) {
     return place.is_rate ? model_.velocities[index].start_rate
                          : model_.coordinates[index].start_value;
+  }
+
+  void give(const StartPlace& place, std::uint32_t index, const cln::cl_R& value) {
+    number(place, index) = value;
+    (place.is_rate ? model_.velocities[index].is_start_named
+                   : model_.coordinates[index].is_start_named) = true;
   }
 
   void check_direction(const StartPlace& place, const Span& value) {
