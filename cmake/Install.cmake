@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # `cmake --install`: the program, its pages for shells and man, the schemas of its files, the package for CMake, the
-# examples and recipes. `cpack -G DEB`: the same as a package of this system.
+# models, examples and recipes. `cpack -G DEB`: the same as a package of this system.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -27,7 +27,8 @@ install(CODE "
          DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${share}/\${folder}\")
   endforeach()")
 
-install(DIRECTORY examples recipes DESTINATION ${share}/elgen PATTERN build EXCLUDE)
+install(DIRECTORY examples models recipes DESTINATION ${share}/elgen PATTERN build EXCLUDE)
+install(FILES tests/urdf/robots/gripper.urdf DESTINATION ${share}/elgen/examples)
 install(FILES .pre-commit-hooks.yaml DESTINATION ${share}/elgen/recipes)
 install(FILES packaging/copyright DESTINATION ${share}/doc/elgen)
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// README.md on a machine that has nothing but Debian 12. The first screen needs the package and a
-// compiler, the controller also the packages that its section names.
+// README.md on a machine that has nothing but Debian 12. The first screen and the commands of `Use`
+// need the package and a compiler, the controller also the packages that its section names.
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
@@ -23,9 +23,10 @@ class BareDebian : public Workspace {
         "cp /etc/resolv.conf root/etc && chroot root apt-get update -qq");
   }
 
-  /// Runs a command in the folder /work of the root.
-  [[nodiscard]] Outcome inside(const std::string& command) const {
-    write("root/command", "cd /work\n" + command + "\n");
+  /// Runs a command in a folder of the root.
+  [[nodiscard]] Outcome inside(const std::string& command,
+                               const std::string& folder = "work") const {
+    write("root/command", "cd /" + folder + "\n" + command + "\n");
     return run("env -i PATH=/usr/bin:/usr/sbin:/bin HOME=/root chroot root sh /command");
   }
 
@@ -47,13 +48,14 @@ class BareDebian : public Workspace {
   [[nodiscard]] long megabytes() const { return std::stol(run("du -sm root").output); }
 };
 
-/// The fences between two lines of the first page, in the root.
-void replay_in(const BareDebian& debian, std::size_t begin, std::size_t end) {
-  const auto run = [&](const std::string& command) { return debian.inside(command); };
+/// The fences between two lines of the first page, in a folder of the root.
+void replay_in(const BareDebian& debian, const std::string& folder, std::size_t begin,
+               std::size_t end) {
+  const auto run = [&](const std::string& command) { return debian.inside(command, folder); };
   for (const Fence& fence : page("README.md").fences) {
     if (fence.line < begin || fence.line >= end) continue;
     INFO("README.md:" << fence.line);
-    replay(fence, debian.path() / "root/work", run);
+    replay(fence, debian.path() / "root" / folder, run);
   }
 }
 
@@ -66,7 +68,8 @@ std::size_t line_of(const std::string& text, const std::string& heading) {
 
 }  // namespace
 
-TEST_CASE("the first page needs Debian 12, the package and g++, then CMake and Eigen", "[.all]") {
+TEST_CASE("the first page needs Debian 12, the package and g++, its controller CMake and Eigen",
+          "[.all]") {
   const Workspace workspace;
   if (!is_installed("mmdebstrap on Debian 12, or a root to run it,",
                     "command -v mmdebstrap && test \"$(id -u)\" = 0 && "
@@ -80,9 +83,11 @@ TEST_CASE("the first page needs Debian 12, the package and g++, then CMake and E
   debian.install("g++");
   const std::string text = read_text(source / "README.md");
   const std::size_t controller = line_of(text, "## Into a controller");
-  replay_in(debian, 0, controller);
+  replay_in(debian, "work", 0, controller);
+  debian.prepare("mkdir root/use");
+  replay_in(debian, "use", line_of(text, "## Use"), line_of(text, "## Equations as in a book"));
   debian.install("cmake g++ make libeigen3-dev");
-  replay_in(debian, controller, line_of(text, "## Install"));
+  replay_in(debian, "work", controller, line_of(text, "## Install"));
 }
 
 }  // namespace elgen::test

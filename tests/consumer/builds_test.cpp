@@ -178,6 +178,7 @@ TEST_CASE("elgen of a package builds as an installed one does", "[.all]") {
         "share/zsh/vendor-completions/_elgen", "share/fish/vendor_completions.d/elgen.fish",
         "share/elgen/schemas/model.schema.json", "share/elgen/schemas/scene.schema.json",
         "share/doc/elgen/copyright", "share/elgen/examples/balance/main.cpp",
+        "share/elgen/examples/gripper.urdf", "share/elgen/models/scenes/balance.scene.toml",
         "share/elgen/recipes/.pre-commit-hooks.yaml"}) {
     INFO(file);
     CHECK(workspace.run("test -s root/usr/" + file).status == 0);
