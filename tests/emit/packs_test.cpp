@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Programs of tests/emit/compiled/ around an emitted header, built by both compilers and run.
 #include <catch2/catch.hpp>
+#include <vector>
 
+#include "support/installed.hpp"
 #include "support/shell.hpp"
 
 using namespace elgen;
@@ -29,6 +31,11 @@ void expect_success(const std::string& program, const std::string& flags = "") {
   const test::Outcome run = test::shell("./program", workspace.path());
   INFO(run.output);
   CHECK(run.status == 0);
+}
+
+/// A command that links a program for 32-bit x86.
+std::string thirty_two_bits(const std::string& compiler) {
+  return "echo 'int main() {}' | " + compiler + " -m32 -x c++ -include cmath -o /dev/null -";
 }
 
 }  // namespace
@@ -68,6 +75,64 @@ TEST_CASE("fast-math is refused by batches, or does not reach their angles") {
     CHECK(test::mentions(built.errors, "fast-math takes apart how angles are reduced"));
   } else {
     CHECK(test::shell("./program", workspace.path()).status == 0);
+  }
+}
+
+TEST_CASE("excess precision is refused by batches") {
+  const std::string compiler = GENERATE("g++", "clang++");
+  const test::Workspace workspace;
+  const auto is_refused = [&](const std::string& flags) {
+    const test::Outcome built = build(compiler, "batch.cpp", workspace,
+                                      flags + " -Wno-builtin-macro-redefined -fsyntax-only");
+    INFO(compiler << " " << flags << "\n" << built.errors);
+    const bool is_named = test::mentions(
+        built.errors,
+        "excess precision undoes how angles are reduced: on x86 add -msse2 -mfpmath=sse");
+    CHECK((built.status != 0) == is_named);
+    return is_named;
+  };
+  for (const char* const method : {"-1", "1", "2"}) {
+    CHECK(is_refused("-U__FLT_EVAL_METHOD__ -D__FLT_EVAL_METHOD__=" + std::string(method)));
+  }
+  // 16 is that of _Float16 alone.
+  for (const char* const method : {"0", "16"}) {
+    CHECK_FALSE(is_refused("-U__FLT_EVAL_METHOD__ -D__FLT_EVAL_METHOD__=" + std::string(method)));
+  }
+  if (!test::is_installed("a library of 32-bit x86", thirty_two_bits(compiler))) return;
+  CHECK(is_refused("-m32 -mno-sse2"));
+  CHECK(is_refused("-m32 -msse -mno-sse2"));  // of clang++, __FLT_EVAL_METHOD__ is 0
+  CHECK_FALSE(is_refused("-m32 -msse2 -mfpmath=sse"));
+}
+
+TEST_CASE("batches have the same bits on every machine") {
+  const test::Workspace workspace;
+  const auto bits = [&](const std::string& compiler, const std::string& emulator) {
+    const test::Outcome built = build(compiler, "bits.cpp", workspace);
+    INFO(compiler << "\n" << built.errors);
+    REQUIRE(built.status == 0);
+    return test::shell(emulator + " ./program", workspace.path()).output;
+  };
+  const std::string here = bits("g++", "");
+  REQUIRE(here.size() == 34);
+  CHECK(bits("clang++", "") == here);
+  if (test::is_installed("a library of 32-bit x86", thirty_two_bits("g++"))) {
+    CHECK(bits("g++ -m32 -msse2 -mfpmath=sse", "") == here);
+  }
+  struct Machine {
+    std::string compiler;
+    std::string emulator;
+  };
+  const std::vector<Machine> machines{{"aarch64-linux-gnu-g++", "qemu-aarch64"},
+                                      {"arm-linux-gnueabihf-g++", "qemu-arm"},
+                                      {"s390x-linux-gnu-g++", "qemu-s390x"},
+                                      {"riscv64-linux-gnu-g++", "qemu-riscv64"},
+                                      {"powerpc64le-linux-gnu-g++", "qemu-ppc64le"},
+                                      {"mips64el-linux-gnuabi64-g++", "qemu-mips64el"}};
+  for (const auto& [compiler, emulator] : machines) {
+    const std::string probe = compiler + " --version && " + emulator + " --version";
+    if (!test::is_installed(compiler + " with " + emulator, probe)) continue;
+    INFO(compiler);
+    CHECK(bits(compiler + " -static", emulator) == here);
   }
 }
 
