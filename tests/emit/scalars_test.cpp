@@ -3,6 +3,7 @@
 // those that have too few digits.
 #include <catch2/catch.hpp>
 
+#include "support/installed.hpp"
 #include "support/shell.hpp"
 
 using namespace elgen;
@@ -10,6 +11,10 @@ using namespace elgen;
 namespace {
 
 const std::string programs = std::string(ELGEN_SOURCE_DIR) + "/tests/emit/compiled/";
+
+/// A command that finds the header as the program does.
+const std::string has_ceres =
+    "echo '#include <ceres/jet.h>' | g++ -std=c++17 -isystem /usr/include/eigen3 -E -x c++ -";
 
 /// A folder with the header of tests/emit/compiled/swing.scene.toml.
 struct Swing : test::Workspace {
@@ -30,12 +35,31 @@ TEST_CASE("right numbers in every kind of scalar") {
       "-Wno-psabi -Wno-ignored-attributes " + programs + "scalars.cpp -o scalars -lquadmath");
   INFO(compiler << "\n" << built.errors);
   REQUIRE(built.status == 0);
-  for (const char* const type : {"float", "double", "long_double", "float128", "cpp_bin_float",
-                                 "complex", "dual", "interval", "autodiff", "simd"}) {
-    const test::Outcome found = swing.run(std::string("./scalars ") + type);
+  for (const std::string type :
+       {"float", "double", "long_double", "float128", "cpp_bin_float", "complex", "dual", "strict",
+        "jet", "fvar", "interval", "autodiff", "simd"}) {
+    if (type == "jet" && !test::is_installed("ceres", has_ceres)) continue;
+    const test::Outcome found = swing.run("./scalars " + type);
     INFO(type << "\n" << found.output);
     CHECK(found.status == 0);
   }
+}
+
+TEST_CASE("numbers of numbers get the constants of their innermost ones") {
+  const std::string compiler = GENERATE("g++", "clang++");
+  const Swing swing;
+  const auto expect_compiled = [&](const std::string& includes, const std::string& scalar) {
+    swing.write("nested.cpp", includes + "#include \"swing_fixed/swing_fixed.hpp\"\n" +
+                                  "auto a() { return swing_fixed::forward_dynamics<" + scalar +
+                                  ">({}, {}, {}, {}); }\n");
+    const test::Outcome built = swing.compiled(compiler + " -fsyntax-only nested.cpp");
+    INFO(compiler << " " << scalar << "\n" << built.errors);
+    CHECK(built.status == 0);
+  };
+  expect_compiled("#include <boost/math/differentiation/autodiff.hpp>\n",
+                  "boost::math::differentiation::autodiff_fvar<double, 1, 2>");
+  if (!test::is_installed("ceres", has_ceres)) return;
+  expect_compiled("#include <ceres/jet.h>\n", "ceres::Jet<ceres::Jet<double, 1>, 3>");
 }
 
 TEST_CASE("half precision, fixed point and integers are refused") {

@@ -68,6 +68,15 @@ bool is_outside(T angle) {
   return std::isnan(sin(x).native[0]) && std::isnan(cos(x).native[0]);
 }
 
+/// Functions of several parts keep the sine and the cosine of an angle as two numbers.
+template <class T>
+bool is_tied() {
+  const arm::batch::Pack<T> x(T(0.5));
+  arm::batch::Pack<T> sine, cosine;
+  std::tie(sine, cosine) = arm::detail::SineCosine<arm::batch::Pack<T>>::of(x);
+  return sine.native[0] > T(0.4) && sine.native[0] < T(0.5) && cosine.native[0] > T(0.8);
+}
+
 bool within(const char* what, double error, double most) {
   if (error <= most) return true;
   std::printf("%s: %g > %g\n", what, error, most);
@@ -87,5 +96,7 @@ int main() {
   const bool is_nan = is_outside(1.0001e5) && is_outside(-1.0001e5) && is_outside(1.001e3F) &&
                       is_outside(std::numeric_limits<double>::infinity());
   if (!is_nan) std::puts("a sine beyond the domain");
-  return is_right && is_nan ? 0 : 1;
+  const bool are_tied = is_tied<double>() && is_tied<float>();
+  if (!are_tied) std::puts("a sine and a cosine that are tied");
+  return is_right && is_nan && are_tied ? 0 : 1;
 }

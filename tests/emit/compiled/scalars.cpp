@@ -3,6 +3,7 @@
 // digits are compared with 50 of them, derivatives with the Jacobian that was emitted.
 #include <Eigen/Core>
 #include <array>
+#include <boost/math/differentiation/autodiff.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/numeric/interval.hpp>
 #include <cmath>
@@ -11,6 +12,10 @@
 #include <experimental/simd>
 #include <string_view>
 #include <unsupported/Eigen/AutoDiff>
+
+#if __has_include(<ceres/jet.h>)
+#include <ceres/jet.h>
+#endif
 
 // No library of C++17 has functions of __float128: libquadmath has, and they are declared before
 // the header is included.
@@ -123,6 +128,25 @@ struct Dual {
   }
 };
 
+/// The same, which a number has to be turned into by name and is not assigned to.
+struct Strict {
+  using Scalar = double;
+  Dual dual;
+
+  Strict() = default;
+  explicit Strict(const double& number) : dual(number) {}
+  explicit Strict(const Dual& x) : dual(x) {}
+
+  friend Strict operator-(const Strict& x) { return Strict(-x.dual); }
+  friend Strict operator+(const Strict& x, const Strict& y) { return Strict(x.dual + y.dual); }
+  friend Strict operator-(const Strict& x, const Strict& y) { return Strict(x.dual - y.dual); }
+  friend Strict operator*(const Strict& x, const Strict& y) { return Strict(x.dual * y.dual); }
+  friend Strict operator/(const Strict& x, const Strict& y) { return Strict(x.dual / y.dual); }
+  friend Strict sin(const Strict& x) { return Strict(sin(x.dual)); }
+  friend Strict cos(const Strict& x) { return Strict(cos(x.dual)); }
+  friend Strict sqrt(const Strict& x) { return Strict(sqrt(x.dual)); }
+};
+
 /// `made(x, slope)` is a number of the type, `split` its inverse.
 template <class Scalar, class Make, class Split>
 void check_slopes(const Make& made, const Split& split) {
@@ -154,6 +178,37 @@ void check_complex() {
 void check_dual() {
   check_slopes<Dual>([](double x, double slope) { return Dual(x, slope); },
                      [](const Dual& x) { return x; });
+}
+
+void check_strict() {
+  check_slopes<Strict>([](double x, double slope) { return Strict(Dual(x, slope)); },
+                       [](const Strict& x) { return x.dual; });
+}
+
+void check_jet() {
+#if __has_include(<ceres/jet.h>)
+  using Jet = ceres::Jet<double, 2>;
+  check_slopes<Jet>(
+      [](double x, double slope) {
+        Jet made(x);
+        made.v[1] = slope;
+        return made;
+      },
+      [](const Jet& x) { return Dual(x.a, x.v[1]); });
+#else
+  expect(false, "ceres is not installed", 0);
+#endif
+}
+
+/// The second order: elements beyond that of the slope.
+void check_fvar() {
+  using Fvar = boost::math::differentiation::autodiff_fvar<double, 2>;
+  check_slopes<Fvar>(
+      [](double x, double slope) {
+        const bool is_variable = slope > 0;
+        return is_variable ? boost::math::differentiation::make_fvar<double, 2>(x) : Fvar(x);
+      },
+      [](const Fvar& x) { return Dual(x.derivative(0), x.derivative(1)); });
 }
 
 void check_autodiff() {
@@ -208,6 +263,9 @@ constexpr std::array rows{
     Row{"cpp_bin_float", &check_reference},
     Row{"complex", &check_complex},
     Row{"dual", &check_dual},
+    Row{"strict", &check_strict},
+    Row{"jet", &check_jet},
+    Row{"fvar", &check_fvar},
     Row{"interval", &check_interval},
     Row{"autodiff", &check_autodiff},
     Row{"simd", &check_simd},
