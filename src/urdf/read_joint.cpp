@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "elgen/wording.hpp"
 #include "urdf/element_reader.hpp"
@@ -71,55 +70,37 @@ void read_axis(ElementReader& reader, Joint& joint, RobotReading& reading) {
   }
 }
 
-/// Limits are no part of the equations: one that cannot be is left out, as writers say "no limit".
-class LimitReader {
- public:
-  LimitReader(ElementReader& numbers, Diagnostics& found) : numbers_(numbers), found_(found) {}
+constexpr const char* no_limit = "the model has no such limit";
 
-  void read(JointLimit& limit) {
-    const bool has_lower = !has_no_end("lower");
-    const bool has_upper = !has_no_end("upper");
-    if (has_lower && has_upper) {
-      limit.lower = numbers_.number("lower");
-      limit.upper = numbers_.number("upper");
-    }
+/// Limits are no part of the equations: one that cannot be means that there is none.
+std::optional<FileNumber> read_bound(ElementReader& limit, std::string_view name, bool is_signed,
+                                     Diagnostics& found) {
+  const Text text = limit.text(name);
+  const bool is_finite = !is_not_finite(text.text);
+  const std::optional<FileNumber> number = is_finite ? limit.number(name) : std::nullopt;
+  if (is_finite && (is_signed || !number || !cln::minusp(number->value))) return number;
+  found.push_back({Code::E814, text.span,
+                   fmt::format("{} {} is {}", name, in_backticks(text.text),
+                               is_finite ? "negative" : "not finite"),
+                   no_limit});
+  return std::nullopt;
+}
+
+void read_limit(ElementReader& reader, JointLimit& limit, Diagnostics& found) {
+  reader.child("limit", [&](ElementReader& numbers) {
+    const std::size_t known = found.size();
+    limit.lower = read_bound(numbers, "lower", true, found);
+    limit.upper = read_bound(numbers, "upper", true, found);
     if (limit.lower && limit.upper && limit.lower->value > limit.upper->value) {
-      leave_out(limit.lower->span, fmt::format("lower `{}` is above upper `{}`", limit.lower->text,
-                                               limit.upper->text));
-      limit.lower.reset();
-      limit.upper.reset();
+      found.push_back(
+          {Code::E814, limit.lower->span,
+           fmt::format("lower `{}` is above upper `{}`", limit.lower->text, limit.upper->text),
+           no_limit});
     }
-    limit.velocity = not_negative("velocity");
-    limit.effort = not_negative("effort");
-  }
-
- private:
-  void leave_out(const Span& span, std::string message) {
-    found_.push_back({Code::E814, span, std::move(message), "the model has no such limit"});
-  }
-
-  bool has_no_end(std::string_view name) {
-    const Text text = numbers_.text(name);
-    const std::vector<Span> words = text.text.empty() ? std::vector<Span>{} : words_of(text.span);
-    if (words.size() != 1 || !is_not_finite(covered_text(words[0]))) return false;
-    leave_out(words[0], fmt::format("{} {} is not finite", name, in_backticks(words[0])));
-    return true;
-  }
-
-  std::optional<FileNumber> not_negative(std::string_view name) {
-    std::optional<FileNumber> number = has_no_end(name) ? std::nullopt : numbers_.number(name);
-    if (!number || !cln::minusp(number->value)) return number;
-    leave_out(number->span, fmt::format("{} `{}` is negative", name, number->text));
-    return std::nullopt;
-  }
-
-  ElementReader& numbers_;
-  Diagnostics& found_;
-};
-
-void read_limit(ElementReader& reader, JointLimit& limit, RobotReading& reading) {
-  reader.child("limit",
-               [&](ElementReader& numbers) { LimitReader(numbers, reading.found).read(limit); });
+    if (found.size() > known) limit = {};
+    limit.velocity = read_bound(numbers, "velocity", false, found);
+    limit.effort = read_bound(numbers, "effort", false, found);
+  });
 }
 
 void read_dynamics(ElementReader& reader, Joint& joint) {
@@ -166,7 +147,7 @@ Joint read_joint(const Element& element, RobotReading& reading) {
   joint.child = read_link_name(reader, "child");
   joint.origin = read_origin(reader);
   if (has_one_coordinate(joint.type)) {
-    read_limit(reader, joint.limit, reading);
+    read_limit(reader, joint.limit, reading.found);
     read_dynamics(reader, joint);
   }
   if (joint.type == JointType::fixed) reader.ignore({"axis", "limit", "dynamics"});
