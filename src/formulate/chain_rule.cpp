@@ -19,10 +19,11 @@ LeafSet mask_of(const Definitions& definitions, const Seeds& seeds) {
   return mask;
 }
 
-void append_partials(const Definitions& definitions, const ex& term, LeafSet mask,
+template <class IsWanted>
+void append_partials(const Definitions& definitions, const ex& term, const IsWanted& is_wanted,
                      std::vector<Partial>& result) {
   for (const ex& symbol : symbols_of(definitions, term)) {
-    if (!definitions.places.at(symbol).depends.has_any(mask)) continue;
+    if (!is_wanted(symbol)) continue;
     const ex partial = term.diff(GiNaC::ex_to<GiNaC::symbol>(symbol));
     if (!partial.is_zero()) result.push_back({symbol, partial});
   }
@@ -30,19 +31,20 @@ void append_partials(const Definitions& definitions, const ex& term, LeafSet mas
 
 bool is_sum(const ex& value) { return GiNaC::is_a<GiNaC::add>(value); }
 
-}  // namespace
-
-std::vector<Partial> partials(const Definitions& definitions, const ex& value, LeafSet mask) {
+/// By the wanted ones of its symbols.
+template <class IsWanted>
+std::vector<Partial> wanted_partials(const Definitions& definitions, const ex& value,
+                                     const IsWanted& is_wanted) {
   std::vector<Partial> result;
   if (!is_sum(value)) {
-    append_partials(definitions, value, mask, result);
+    append_partials(definitions, value, is_wanted, result);
     return result;
   }
   // Term by term: differentiating a sum of n terms by its n symbols would cost n^2.
   ExpressionMap<GiNaC::exvector> by_symbol;
   for (std::size_t i = 0; i < value.nops(); ++i) {
     std::vector<Partial> of_term;
-    append_partials(definitions, value.op(i), mask, of_term);
+    append_partials(definitions, value.op(i), is_wanted, of_term);
     for (const Partial& partial : of_term) by_symbol[partial.variable].push_back(partial.value);
   }
   for (const ex& symbol : symbols_of(definitions, value)) {
@@ -52,6 +54,14 @@ std::vector<Partial> partials(const Definitions& definitions, const ex& value, L
     if (!sum.is_zero()) result.push_back({symbol, sum});
   }
   return result;
+}
+
+}  // namespace
+
+std::vector<Partial> partials(const Definitions& definitions, const ex& value, LeafSet mask) {
+  return wanted_partials(definitions, value, [&](const ex& symbol) {
+    return definitions.places.at(symbol).depends.has_any(mask);
+  });
 }
 
 Seeds motion_seeds(const Symbols& symbols) {
@@ -71,9 +81,11 @@ Tangent::Tangent(Definitions& definitions, Seeds seeds, std::string suffix)
 
 ex Tangent::from_known(const ex& value) const {
   GiNaC::exvector terms;
-  for (const Partial& partial : partials(definitions_, value, mask_)) {
-    const auto rate = tangents_.find(partial.variable);
-    if (rate != tangents_.end()) terms.push_back(partial.value * rate->second);
+  // By what moves alone: by all n symbols, each of the n columns of a matrix would cost all of
+  // them.
+  const auto moves = [this](const ex& symbol) { return tangents_.find(symbol) != tangents_.end(); };
+  for (const Partial& partial : wanted_partials(definitions_, value, moves)) {
+    terms.push_back(partial.value * tangents_.at(partial.variable));
   }
   return GiNaC::add(terms);
 }
