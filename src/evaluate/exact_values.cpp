@@ -68,14 +68,21 @@ Arguments<Real> ExactValues::with_open_values(Arguments<Real> direction) const {
   const Model& model = subject_.model;
   if (model.functions.empty()) return direction;
   const State along = map_leaves([](const Real& x) -> cln::cl_R { return x.value(); }, direction);
+  // Functions and their derivatives share arguments, whose slopes cost most.
+  std::map<std::uint32_t, Real> found;
+  const auto slope_of = [&](std::uint32_t argument) {
+    const auto known = found.find(argument);
+    if (known != found.end()) return known->second;
+    const auto slope = oracle_slope(model, argument, state_, along);
+    return found[argument] = slope ? Real(*slope) : Real::undefined();
+  };
   for (std::uint32_t i = 0; i < direction.f.size(); ++i) {
     const OpenFunction& function = model.functions[model.open_values[i].function];
     Real rate;
     for (std::uint32_t k = 0; k < function.arguments.size(); ++k) {
       const auto derivative = derivative_of(model, i, k);
       if (!derivative) continue;
-      const auto slope = oracle_slope(model, function.arguments[k], state_, along);
-      rate = rate + arguments_.f[*derivative] * (slope ? Real(*slope) : Real::undefined());
+      rate = rate + arguments_.f[*derivative] * slope_of(function.arguments[k]);
     }
     direction.f[i] = rate;
   }
