@@ -154,7 +154,9 @@ class ModesPage {
                       static_cast<std::uint32_t>(columns),
                       {}};
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-      const std::optional<Printed> form = forms.empty() ? std::nullopt : read(forms[i]);
+      // Most entries of a long chain are 0, and a form takes the longer to read the more there are.
+      const bool is_number = forms.empty() || forms[i].numerator.empty();
+      const std::optional<Printed> form = is_number ? std::nullopt : read(forms[i]);
       result.entries.push_back(form ? *form : number(numbers[i]));
     }
     return result;
