@@ -28,6 +28,8 @@ namespace elgen {
 
 /// Whether every entry has a closed form that is short enough.
 [[nodiscard]] bool is_readable(const ClosedFunction& function);
+/// Whether some entry has.
+[[nodiscard]] bool has_short_entry(const ClosedFunction& function);
 
 /// The program of elgen/steps.hpp with one entry for every sum of summands: `functions` over the
 /// definitions of the derivation, `readable` as books write them. Of a velocity there are the

@@ -4,7 +4,9 @@
 #include "pipeline/byways.hpp"
 
 #include <algorithm>
+#include <utility>
 
+#include "check/names/requests.hpp"
 #include "elgen/cancel.hpp"
 #include "elgen/certificate.hpp"
 #include "elgen/choose.hpp"
@@ -13,6 +15,7 @@
 #include "elgen/steps.hpp"
 #include "elgen/typeset.hpp"
 #include "evaluate/subject.hpp"
+#include "lower/graph/prune.hpp"
 
 namespace elgen {
 namespace {
@@ -154,9 +157,26 @@ Result<ReadableSteps> readable_steps(const Lagrangian& lagrangian, const Checked
 
 namespace {
 
+/// Whether a row of the equations of motion has a closed form that is short enough, by the inverse
+/// dynamics: with the budget of the derivation, and for a tenth of its work.
+bool has_short_row(const Lagrangian& lagrangian, const CheckedModel& checked,
+                   const Limits& limits) {
+  const std::vector<OutputRequest> requests =
+      available_requests(checked.model, {OutputKind::inverse_dynamics});
+  if (requests.empty() || !checked.model.constraints.empty()) return true;  // these are rows too
+  Result<Program> rows = recursive_program(lagrangian, requests, limits);
+  if (!rows) return true;
+  const Function all = std::move(rows->functions.front());
+  rows->functions.clear();
+  for (const std::uint32_t entry : entries_of(all)) {
+    rows->functions.push_back(with_entries(all, {entry}));
+  }
+  return std::ranges::any_of(present(*rows).functions, has_short_entry);
+}
+
 /// Whether the terms of the equation of motion are short enough to be read, those that the scene
 /// has.
-bool has_readable_equation(const Program& program, const ClosedForms& forms) {
+bool has_readable_terms(const Program& program, const ClosedForms& forms) {
   for (std::size_t i = 0; i < forms.functions.size(); ++i) {
     const OutputKind kind = program.functions[i].kind;
     const bool is_term = kind == OutputKind::mass_matrix || kind == OutputKind::bias ||
@@ -174,7 +194,10 @@ Result<Book> book_of(const Lagrangian& lagrangian, const ClosedForms& forms, con
   if (!checked.scene.emission.page) return book;
   book.program = typeset(checked, forms, choice.program);
   const bool is_exact = !checked.model.approximation;
-  if (!is_exact || !has_readable_equation(choice.program, forms)) return book;
+  if (!is_exact || !has_readable_terms(choice.program, forms)) return book;
+  const bool has_rows = find_function(choice.program, OutputKind::bias) != nullptr ||
+                        find_function(choice.program, OutputKind::inverse_dynamics) != nullptr;
+  if (!has_rows && !has_short_row(lagrangian, checked, limits)) return book;
   book.steps = readable_steps(lagrangian, checked, limits).value;
   return book;
 }

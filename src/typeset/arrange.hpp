@@ -10,6 +10,8 @@
 // not C + (A - C) sin^2.
 #pragma once
 
+#include <map>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 
@@ -23,6 +25,10 @@ namespace elgen {
 struct TooLongForABook : std::length_error {
   TooLongForABook() : std::length_error("a sum of too many terms") {}
 };
+
+/// Operations that an entry may have as it is written out, and factors of a typed sum. Functions of
+/// functions are short as they are shared, and double with every level as they are written.
+inline constexpr std::size_t longest_entry_of_a_book = 5'000;
 
 /// The rank of sums that no model has typed.
 inline constexpr std::uint32_t untyped = 10'000;
@@ -54,6 +60,10 @@ class Arranger {
     std::vector<CircularPower> circular = {};
   };
   using MixedSum = std::vector<Mixed>;
+  /// A fixed order.
+  struct MixedLess {
+    [[nodiscard]] bool operator()(const MixedSum& x, const MixedSum& y) const;
+  };
 
   /// front * rest.
   struct Taken {
@@ -79,7 +89,8 @@ class Arranger {
   [[nodiscard]] BookSum terms(const Polynomial& sum, std::optional<std::uint32_t> own = {});
   [[nodiscard]] BookSum terms_without_rates(const Polynomial& sum);
   [[nodiscard]] MixedSum mixed(const Polynomial& sum);
-  [[nodiscard]] BookSum collected(const MixedSum& sum);
+  [[nodiscard]] const BookSum& collected(const MixedSum& sum);
+  [[nodiscard]] BookSum newly_collected(const MixedSum& sum);
   [[nodiscard]] bool share_a_factor(const MixedSum& sum) const;
   [[nodiscard]] BookSum by_kinds(const MixedSum& sum);
   [[nodiscard]] std::optional<BookSum> by_shared_parameter(const MixedSum& sum);
@@ -95,6 +106,10 @@ class Arranger {
   const TypedForms& typed_;
   std::size_t first_typed_ = 0;   ///< of the typed sums that are looked for
   std::size_t work_ = 1'000'000;  ///< term products that divisions may take
+  /// Written before, by their number among the typed sums: each holds others, and is met again.
+  std::shared_ptr<std::map<std::size_t, BookFactor>> typed_factors_ =
+      std::make_shared<std::map<std::size_t, BookFactor>>();
+  std::map<MixedSum, BookSum, MixedLess> collected_ = {};  ///< likewise
 };
 
 }  // namespace elgen

@@ -64,7 +64,8 @@ struct BookFactor {
   std::uint32_t definition = 0;  ///< of a name, in Model::definitions
 };
 
-/// Factors that a reader sees, those in sums too; 1 is none.
-[[nodiscard]] std::size_t written_factors(const BookSum& sum);
+/// Factors that a reader sees, those in sums too; 1 is none. A name is one, or all that it stands
+/// for.
+[[nodiscard]] std::size_t written_factors(const BookSum& sum, bool opens_names = false);
 
 }  // namespace elgen

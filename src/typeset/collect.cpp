@@ -168,8 +168,26 @@ std::optional<BookSum> Arranger::by_shared_parameter(const MixedSum& sum) {
   return result;
 }
 
+bool Arranger::MixedLess::operator()(const MixedSum& x, const MixedSum& y) const {
+  const auto wave_less = [](const CircularPower& a, const CircularPower& b) {
+    if (a.angle != b.angle) return MonomialLess()(a.angle, b.angle);
+    return std::pair(a.cosine, a.sine) < std::pair(b.cosine, b.sine);
+  };
+  return std::ranges::lexicographical_compare(x, y, [&](const Mixed& a, const Mixed& b) {
+    if (a.number != b.number) return a.number < b.number;
+    if (a.powers != b.powers) return MonomialLess()(a.powers, b.powers);
+    return std::ranges::lexicographical_compare(a.circular, b.circular, wave_less);
+  });
+}
+
+const BookSum& Arranger::collected(const MixedSum& sum) {
+  const auto known = collected_.find(sum);
+  if (known != collected_.end()) return known->second;
+  return collected_.emplace(sum, newly_collected(sum)).first->second;
+}
+
 /// The shorter way; one with a sum as typed, where they are as long.
-BookSum Arranger::collected(const MixedSum& sum) {
+BookSum Arranger::newly_collected(const MixedSum& sum) {
   BookSum best = by_kinds(sum);
   if (sum.size() > 2 && sum.size() <= longest_collected) {
     std::optional<BookSum> other = by_shared_parameter(sum);

@@ -133,12 +133,14 @@ bool is_of_parameters(const Algebra& algebra, const Polynomial& sum) {
   });
 }
 
-std::size_t written_factors(const BookSum& sum) {
+std::size_t written_factors(const BookSum& sum, bool opens_names) {
   std::size_t count = 0;
   for (const BookProduct& product : sum.terms) {
     count += product.number == 1 || product.number == -1 ? 0 : 1;
     for (const BookFactor& factor : product.factors) {
-      count += factor.kind == BookFactorKind::sum ? written_factors(factor.sum) : 1;
+      const bool is_opened = factor.kind == BookFactorKind::sum ||
+                             (opens_names && factor.kind == BookFactorKind::name);
+      count += is_opened ? written_factors(factor.sum, opens_names) : 1;
     }
   }
   return count;

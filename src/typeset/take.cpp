@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // take: what stands in front of a sum: powers that all its terms have, sums as typed, squares.
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "choose/ways.hpp"
@@ -97,20 +98,26 @@ void Arranger::take_monomial(Polynomial& sum, BookProduct& front) const {
 }
 
 BookFactor Arranger::typed_factor(std::size_t typed) {
+  const auto known = typed_factors_->find(typed);
+  if (known != typed_factors_->end()) return known->second;
   const TypedSum& sum = typed_.sums[typed];
   BookFactor factor;
   factor.kind = BookFactorKind::sum;
   // The terms hold shorter sums only, so that this ends.
   Arranger inner(algebra_, typed_);
   inner.first_typed_ = typed + 1;
+  inner.typed_factors_ = typed_factors_;
   for (const Fraction& term : sum.terms) append(factor.sum, inner.in_front(term));
+  // No entry with this factor is printed, and its function keeps the forms of code.
+  const bool is_too_long = written_factors(factor.sum, true) > longest_entry_of_a_book;
+  if (is_too_long) throw std::length_error("a typed sum");
   factor.place = place_of_sum(factor.sum, static_cast<std::uint32_t>(typed));
   const bool of_parameters = is_of_parameters(algebra_, sum.value);
   if (sum.definition && (of_parameters || written_factors(factor.sum) > longest_filled_in)) {
     factor.kind = BookFactorKind::name;
     factor.definition = *sum.definition;
   }
-  return factor;
+  return typed_factors_->emplace(typed, std::move(factor)).first->second;
 }
 
 bool Arranger::take_typed(Polynomial& sum, BookProduct& front) {

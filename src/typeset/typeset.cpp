@@ -15,10 +15,6 @@
 namespace elgen {
 namespace {
 
-/// Operations that an entry may have as it is written out. Functions of functions are short as they
-/// are shared, and double with every level as they are written.
-constexpr std::size_t longest_entry_of_a_book = 5'000;
-
 bool is_written_out(const Function& function) {
   const std::vector<std::size_t> sizes = written_out_sizes(function, longest_entry_of_a_book);
   return std::ranges::all_of(entries_of(function), [&sizes](std::uint32_t entry) {
@@ -34,7 +30,7 @@ Function written(const Function& like, const Write& write) {
   try {
     write(result);
     if (!is_written_out(result)) throw TooLongForABook();
-  } catch (const TooLongForABook&) {
+  } catch (const std::length_error&) {
     result.fields.clear();
     result.instructions.clear();
     result.names.clear();
@@ -54,12 +50,6 @@ bool is_short(const std::optional<Fraction>& form) {
 const Fraction& readable_form(const std::optional<Fraction>& form) {
   if (!is_short(form)) throw TooLongForABook();
   return *form;
-}
-
-bool has_short_entry(const ClosedFunction& function) {
-  return std::ranges::any_of(function.fields, [](const ClosedField& field) {
-    return std::ranges::any_of(field.entries, is_short);
-  });
 }
 
 /// Sums of forces are read like an equation: nothing stands in front of them.
@@ -248,6 +238,12 @@ class Typesetting {
 bool is_readable(const ClosedFunction& function) {
   return std::ranges::all_of(function.fields, [](const ClosedField& field) {
     return std::ranges::all_of(field.entries, is_short);
+  });
+}
+
+bool has_short_entry(const ClosedFunction& function) {
+  return std::ranges::any_of(function.fields, [](const ClosedField& field) {
+    return std::ranges::any_of(field.entries, is_short);
   });
 }
 

@@ -5,7 +5,7 @@
 // Of blocks, n^1.1 from each size to the next leaves room for the logarithm of what is searched and
 // sorted, and none for n^2 in a twentieth of a stage's work at n = 300; of bytes, n^1.2, since
 // tables that double round up. Outputs that are n x n (M, C) grow by themselves and are not asked
-// for.
+// for. Pages of closed forms, which have n^2 terms and more, stay polynomials of low degree.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
@@ -55,17 +55,25 @@ class Count {
 
 SourcePointer option(const std::string& text) { return make_source("option", text); }
 
-Counts counts_of_chain(int links) {
+Inputs chain() {
   const std::string path = std::string(ELGEN_SOURCE_DIR) + "/models/chain.toml";
-  const Inputs inputs{make_source("chain.toml", read_text(path)), nullptr};
+  return {make_source("chain.toml", read_text(path)), nullptr};
+}
+
+PipelineOptions of_chain(int links, const std::string& output) {
   PipelineOptions options;
   options.scene.sizes = {option("n=" + std::to_string(links))};
-  options.scene.outputs = {option("inverse_dynamics")};
+  options.scene.outputs = {option(output)};
+  return options;
+}
+
+Counts counts_of_chain(int links) {
+  PipelineOptions options = of_chain(links, "inverse_dynamics");
   options.goals = {Goal::emit, Goal::parts};
   // A self-check visits as many states as there is time for: it has two of its own below.
   Count count;
   options.on_stage = [&](const std::string& stage) { count.begin(stage); };
-  const Products products = run_pipeline(inputs, options);
+  const Products products = run_pipeline(chain(), options);
   REQUIRE(products.files);
   const auto& [model, scene] = *products.checked;
   count.begin("self-check");
@@ -75,6 +83,33 @@ Counts counts_of_chain(int links) {
   count.begin("magnitude of the energy");
   CHECK(oracle_energy_magnitude(model, nominal_state(model, scene)));
   return count.end();
+}
+
+/// Of the stage that writes pages.
+Operations count_of_pages(const Inputs& inputs, PipelineOptions options) {
+  Count count;
+  options.goals = {Goal::typeset};
+  options.on_stage = [&](const std::string& stage) { count.begin(stage); };
+  const Products products = run_pipeline(inputs, options);
+  REQUIRE(products.book);
+  return count.end().at("typeset");
+}
+
+/// V = a1*x + a1*a2*x + ...: of all terms but the first each shares a parameter with all behind it.
+Operations count_of_nested_parameters(int terms) {
+  std::string parameters;
+  std::string product = "x";
+  std::string energy;
+  for (int i = 1; i <= terms; ++i) {
+    const std::string name = "a" + std::to_string(i);
+    parameters += name + " = 2\n";
+    product = name + "*" + product;
+    energy += (i > 1 ? " + " : "") + product;
+  }
+  const std::string text =
+      "format = 1\n[model]\nname = \"nested\"\n[[coordinate]]\nname = \"x\"\n[parameters]\n" +
+      parameters + "[energy]\nT = \"1/2*dot(x)^2\"\nV = \"" + energy + "\"\n";
+  return count_of_pages({make_source("nested.toml", text), nullptr}, {});
 }
 
 void check_growth(std::uint64_t few, std::uint64_t many, double factor) {
@@ -102,6 +137,23 @@ TEST_CASE("no stage grows faster than the chain") {
       check_growth(before.blocks, count.blocks, std::pow(growth, 1.1 + excess));
     }
   }
+}
+
+TEST_CASE("pages of sums within sums do not double with every sum") {
+  // n^5: n sums of n terms, each a product of n factors, looked for among n and compared with n.
+  const double most = std::pow(2, 5);
+  const auto check = [most](const Operations& few, const Operations& many) {
+    INFO(few.bytes << " and " << many.bytes << " bytes, " << few.blocks << " and " << many.blocks
+                   << " blocks");
+    check_growth(few.bytes, many.bytes, most);
+    check_growth(few.blocks, many.blocks, most);
+  };
+  const auto of_links = [](int links) {
+    return count_of_pages(chain(), of_chain(links, "forward_dynamics"));
+  };
+  check(of_links(10), of_links(20));
+  check(of_links(25), of_links(50));
+  check(count_of_nested_parameters(8), count_of_nested_parameters(16));
 }
 
 TEST_CASE("what is made is counted, and what is looked at where blocks are") {

@@ -82,6 +82,24 @@ TEST_CASE("nothing solved has no parts, nor has what a limit ends") {
   CHECK(ended->functions.empty());
 }
 
+TEST_CASE("a page has no derivation where no row is short enough to be read") {
+  const auto has_derivation = [](int links, const std::string& output) {
+    PipelineOptions options;
+    options.scene.sizes = {make_source("--size", "n=" + std::to_string(links))};
+    options.scene.outputs = {make_source("--outputs", output)};
+    options.goals = {Goal::typeset};
+    const Products products = run_pipeline(inputs_of(model_file("chain")), options);
+    INFO(format(products.diagnostics));
+    REQUIRE(products.book);
+    return products.book->steps.has_value();
+  };
+  for (const std::string output : {"forward_dynamics", "gravity"}) {
+    INFO(output);
+    CHECK(has_derivation(3, output));
+    CHECK_FALSE(has_derivation(40, output));
+  }
+}
+
 TEST_CASE("dL/dq and d/dt dL/dv are steps of their own") {
   PipelineOptions options;
   options.goals = {Goal::steps};
