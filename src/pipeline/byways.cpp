@@ -3,7 +3,10 @@
 // and derived where not; the functions of elgen/steps.hpp, and the names of the masses.
 #include "pipeline/byways.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 #include "check/names/requests.hpp"
@@ -188,18 +191,28 @@ bool has_readable_terms(const Program& program, const ClosedForms& forms) {
 
 }  // namespace
 
+Result<Book> book_or_code(const Program& code, const std::function<Book()>& make) {
+  try {
+    return make();
+  } catch (const std::exception& mistake) {
+    const std::string text = fmt::format("the page shows the forms of code: {}", mistake.what());
+    return {Book{code, {}}, Diagnostics{Diagnostic{Code::E915, {}, text}}};
+  }
+}
+
 Result<Book> book_of(const Lagrangian& lagrangian, const ClosedForms& forms, const Choice& choice,
                      const CheckedModel& checked, const Limits& limits) {
-  Book book;
-  if (!checked.scene.emission.page) return book;
-  book.program = typeset(checked, forms, choice.program);
-  const bool is_exact = !checked.model.approximation;
-  if (!is_exact || !has_readable_terms(choice.program, forms)) return book;
-  const bool has_rows = find_function(choice.program, OutputKind::bias) != nullptr ||
-                        find_function(choice.program, OutputKind::inverse_dynamics) != nullptr;
-  if (!has_rows && !has_short_row(lagrangian, checked, limits)) return book;
-  book.steps = readable_steps(lagrangian, checked, limits).value;
-  return book;
+  if (!checked.scene.emission.page) return Book{};
+  return book_or_code(choice.program, [&] {
+    Book book{typeset(checked, forms, choice.program), {}};
+    const bool is_exact = !checked.model.approximation;
+    if (!is_exact || !has_readable_terms(choice.program, forms)) return book;
+    const bool has_rows = find_function(choice.program, OutputKind::bias) != nullptr ||
+                          find_function(choice.program, OutputKind::inverse_dynamics) != nullptr;
+    if (!has_rows && !has_short_row(lagrangian, checked, limits)) return book;
+    book.steps = readable_steps(lagrangian, checked, limits).value;
+    return book;
+  });
 }
 
 }  // namespace elgen

@@ -3,6 +3,8 @@
 // own.
 #pragma once
 
+#include <functional>
+
 #include "elgen/analyse.hpp"
 #include "elgen/choose.hpp"
 #include "elgen/closed_forms.hpp"
@@ -47,10 +49,14 @@ namespace elgen {
                                                             const CheckedModel& checked,
                                                             const Limits& limits);
 
-/// The content of pages; that of a scene without a page has no functions.
+/// The content of pages; that of a scene without a page has no functions. E915.
 [[nodiscard]] Result<Book> book_of(const Lagrangian& lagrangian, const ClosedForms& forms,
                                    const Choice& choice, const CheckedModel& checked,
                                    const Limits& limits);
+
+/// The book that is made; where that throws, the forms of code and a note, E915: no page stops
+/// code.
+[[nodiscard]] Result<Book> book_or_code(const Program& code, const std::function<Book()>& make);
 
 /// A derivation step by step, as it is read. The steps go the way of every output: lowered,
 /// presented, and read in their closed forms.

@@ -134,17 +134,17 @@ BookSum Arranger::by_kinds(const MixedSum& sum) {
 
 /// m (a + b) + c, m the parameter of the most terms, where not all have one.
 std::optional<BookSum> Arranger::by_shared_parameter(const MixedSum& sum) {
-  std::map<FactorPlace, std::pair<AtomId, std::size_t>> parameters;
+  std::map<std::pair<FactorPlace, AtomId>, std::size_t> parameters;  // all numbers have one place
   for (const Mixed& term : sum) {
     for (const AtomPower& power : term.powers) {
       const FactorPlace place = atom_factor(power).place;
       if (place.group != FactorGroup::parameter || power.exponent < 1) continue;
-      ++parameters.try_emplace(place, power.atom, 0).first->second.second;
+      ++parameters[{place, power.atom}];
     }
   }
   std::pair<AtomId, std::size_t> most{0, 1};
-  for (const auto& [place, found] : parameters) {
-    if (found.second > most.second && found.second < sum.size()) most = found;
+  for (const auto& [parameter, count] : parameters) {
+    if (count > most.second && count < sum.size()) most = {parameter.second, count};
   }
   if (most.second < 2) return std::nullopt;
   MixedSum with;

@@ -44,6 +44,7 @@ void Arranger::multiply(BookProduct& product, const Monomial& powers) const {
 /// would, unless that is g.
 FactorPlace Arranger::place_of_sum(const BookSum& sum, std::uint32_t rank) const {
   BookFactor first;
+  first.kind = BookFactorKind::sum;  // numbers alone have no parameter
   first.place = {FactorGroup::parameter, UINT32_MAX};
   for (const BookProduct& term : sum.terms) {
     for (const BookFactor& each : term.factors) {
@@ -51,10 +52,10 @@ FactorPlace Arranger::place_of_sum(const BookSum& sum, std::uint32_t rank) const
       if (each.place < first.place) first = each;
     }
   }
+  if (first.kind != BookFactorKind::atom) return first.place;
   const Atom& atom = algebra_.atoms[first.atom];
-  const bool is_leaf = first.kind == BookFactorKind::atom && atom.kind == AtomKind::leaf;
-  if (is_leaf && typed_.are_accelerations[atom.index]) return {FactorGroup::sum, rank};
-  return first.place;
+  const bool is_acceleration = atom.kind == AtomKind::leaf && typed_.are_accelerations[atom.index];
+  return is_acceleration ? FactorPlace{FactorGroup::sum, rank} : first.place;
 }
 
 void Arranger::multiply(BookProduct& product, BookSum sum, std::int32_t exponent) const {
@@ -176,13 +177,15 @@ void Arranger::take_square(Taken& taken) {
   taken.rest = constant(number);
 }
 
-/// (a + b) (c + d): what multiplies the highest power of a parameter, where it divides the sum.
+/// (a + b) (c + d): what multiplies the highest power of a parameter, where it divides the sum. For
+/// the sine of a number, whose exponentials are numbers too, that is imaginary.
 bool Arranger::take_coefficient(Taken& taken) {
   if (taken.rest.size() < 4 || taken.rest.size() > longest_collected) return false;
   for (const AtomId id : atoms_of(taken.rest)) {
     if (atom_factor({id, 1}).place.group != FactorGroup::parameter) continue;
     const Polynomial coefficient = highest_coefficient(taken.rest, id);
     if (coefficient.size() < 2 || !is_of_parameters(algebra_, coefficient)) continue;
+    if (!is_real(algebra_, coefficient)) continue;
     auto divided = elgen::quotient(taken.rest, coefficient, work_);
     if (!divided || divided->size() < 2) continue;
     BookSum factor = terms(coefficient);

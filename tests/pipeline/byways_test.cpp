@@ -5,6 +5,7 @@
 #include "pipeline/byways.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "pipeline/pipeline_testing.hpp"
 
@@ -80,6 +81,18 @@ TEST_CASE("nothing solved has no parts, nor has what a limit ends") {
   const Result<Program> ended = parts(*lagrangian, *lacking.checked, *lacking.program, limits);
   REQUIRE(ended);
   CHECK(ended->functions.empty());
+}
+
+TEST_CASE("a page that fails stops no code, and says that it has the forms of code") {
+  const Products products = derived(inputs_of(model_file("cart_pole")), "gravity");
+  const Result<Book> book =
+      book_or_code(*products.program, []() -> Book { throw std::logic_error("a wheel came off"); });
+  REQUIRE(book);
+  CHECK(book->program.functions.size() == 1);
+  CHECK_FALSE(book->program.readable.empty());
+  CHECK_FALSE(book->steps);
+  CHECK(format(book.diagnostics) ==
+        "elgen: note[E915]: the page shows the forms of code: a wheel came off\n");
 }
 
 TEST_CASE("a page has no derivation where no row is short enough to be read") {

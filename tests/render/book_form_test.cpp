@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a book's form keeps of a typed model, and where it stops.
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "elgen/pipeline.hpp"
+#include "evaluate/subject.hpp"
 #include "render/small_sheet.hpp"
 #include "support/systems.hpp"
 
@@ -45,6 +47,28 @@ const std::string kinetic = "T = \"1/2*m*dot(x)^2\"\n";
 
 std::string with_potential(const std::string& potential) {
   return derivation({kinetic + "V = \"" + potential + "\"\n"});
+}
+
+/// Of T and V: the page of a model of x, y and p, and its derivation.
+Products irrational(const std::string& T, const std::string& V) {
+  const std::string text = model_text("irrational",
+                                      "[[coordinate]]\nname = \"x\"\n[[coordinate]]\nname = \"y\"\n"
+                                      "[parameters]\np = 1.07812\n[energy]\nT = \"" +
+                                          T + "\"\nV = \"" + V + "\"\n");
+  PipelineOptions options;
+  options.goals = {Goal::typeset, Goal::steps};
+  return run_pipeline({make_source("irrational.toml", text), nullptr}, options);
+}
+
+/// The entries of a function, as it was derived and as it is read.
+void check_meaning(const Program& program, std::size_t function, const Arguments<double>& at) {
+  INFO(program.functions[function].name);
+  const std::vector<double> derived = evaluate(program, program.functions[function], at);
+  const std::vector<double> read = evaluate(program, program.readable[function], at);
+  REQUIRE(read.size() == derived.size());
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    CHECK(read[i] == Approx(derived[i]).epsilon(1e-9).margin(1e-9));  // rounding, of sums to 100
+  }
 }
 
 }  // namespace
@@ -135,4 +159,43 @@ TEST_CASE("what a scene fixes is a number in the sum that was typed") {
   const std::string text = derivation({kinetic + "V = \"1/2*k*(x - l)^2\"\n", "", scene});
   CHECK(has(text, "  V = 1/2*k*(x - 1/2)^2\n"));
   CHECK(has(text, "  dot(dot(x)) = -k*(x - 1/2)/m\n"));
+}
+
+TEST_CASE("sums, products and quotients of irrational numbers are written as what they are") {
+  const std::string plain = "dot(x)^2 + 1/2*dot(y)^2";
+  for (const auto& [T, V] : std::vector<std::pair<std::string, std::string>>{
+           {plain, "x + ((exp(1)*x) + ((pi - 1)*x))"},
+           {"p*dot(x)^2 + dot(y)^2 + ((2 + sqrt(3))*dot(x) + sin(0.5)*dot(y))^2", "cos(1)*x"},
+           {plain + " + ((sqrt(2) - 1 + sin(1)*pi)*dot(x) + 1/(1 + pi)*dot(y))^2",
+            "p + 1/(1 + pi)*(cos(pi/8) - y) + x^2"},
+           {plain + " + (exp(1)*dot(x) + tan(0.3)*dot(y)/(1 + pi)^2)^2",
+            "x^2 + y*(x - (1 + sqrt(2))) + x + (sqrt(2) - 1)"},
+           {plain, "x*(pi + exp(1))/(1 + sqrt(2)) + y/(pi*sqrt(2))"},
+           {plain, "(sin(cos(sin(1)*pi + exp(1))) + cos(pi/8))*cosh(1)*x"},
+           {plain, "sin(x)*(pi + sqrt(2) + sin(0.5)*p)*(1 + exp(1)) - cos(y)*sqrt(3)*exp(1)/pi"},
+           {plain, "y + sin(0.5) + (x - (atan(2) - (2 + sqrt(3)))) + 2"},
+           {plain, "sqrt(1 + sqrt(2))*x^2 + sin(2)*sin(3)*x*y/(exp(1) - sqrt(7))"}}) {
+    INFO("T = " << T << ", V = " << V);
+    const Products products = irrational(T, V);
+    INFO(format(products.diagnostics));
+    REQUIRE(products.book);
+    REQUIRE(products.steps);
+    CHECK(std::ranges::count(products.diagnostics, Code::E915, &Diagnostic::code) == 0);
+    const auto& [model, scene] = *products.checked;
+    Arguments<double> at = arguments_at<double>(nominal_state(model, scene));
+    at.q = {0.7, -0.4};
+    at.v = {1.5, 0.3};
+    at.a = {-0.6, 2};
+    const Program& page = products.book->program;
+    for (const OutputKind kind :
+         {OutputKind::mass_matrix, OutputKind::gravity, OutputKind::potential_energy}) {
+      const auto function = std::ranges::find(page.functions, kind, &Function::kind);
+      REQUIRE(function != page.functions.end());
+      check_meaning(page, static_cast<std::size_t>(function - page.functions.begin()), at);
+    }
+    const Program& derivation = products.steps->program;
+    for (std::size_t i = 0; i < derivation.functions.size(); ++i) {
+      if (!derivation.readable[i].fields.empty()) check_meaning(derivation, i, at);
+    }
+  }
 }
