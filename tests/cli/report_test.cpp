@@ -162,7 +162,7 @@ TEST_CASE("a character that turns directions reaches no message, annotation or J
     for (const std::string format : {"text", "json", "github"}) {
       const Outcome outcome = workspace.run(command + " --format " + format);
       INFO(command + format + outcome.errors);
-      CHECK_FALSE(outcome.output.empty() && outcome.errors.empty());
+      CHECK_FALSE((outcome.output.empty() && outcome.errors.empty()));
       CHECK_FALSE(mentions(outcome.output, turn));
       CHECK_FALSE(mentions(outcome.errors, turn));
     }

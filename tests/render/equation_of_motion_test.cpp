@@ -14,11 +14,10 @@ using namespace elgen;
 using namespace elgen::test;
 using elgen::testing::cart_pole;
 using elgen::testing::has;
-using elgen::testing::Subject;
 
 namespace {
 
-std::string equation(const Subject& subject) {
+std::string equation(const elgen::testing::Subject& subject) {
   return equation_of_motion(subject.model, subject.program).text;
 }
 
@@ -59,14 +58,14 @@ TEST_CASE("where rotations turn the rates are v") {
 }
 
 TEST_CASE("a term nothing is known of stays") {
-  Subject subject = cart_pole();
+  elgen::testing::Subject subject = cart_pole();
   CHECK(equation(subject) == "M(q) a + C(q,v) v + g(q) = B(q) u");
   subject.model.may_drift = true;
   CHECK(equation(subject) == "M(q) a + C(q,v) v + drift(q,v) + g(q) = B(q) u");
 }
 
 TEST_CASE("what is zero in the program is left out, and a side without terms is 0") {
-  Subject subject = cart_pole();
+  elgen::testing::Subject subject = cart_pole();
   subject.program = elgen::testing::read_program(
       "coordinates x theta\nfunction gravity\n  0 = constant 0\n  result 2 1 = 0 0\n"
       "function drift\n  0 = constant 0\n  result 2 1 = 0 0\n");
@@ -76,7 +75,7 @@ TEST_CASE("what is zero in the program is left out, and a side without terms is 
 }
 
 TEST_CASE("dissipation, other forces and time") {
-  Subject subject = cart_pole();
+  elgen::testing::Subject subject = cart_pole();
   subject.model.energies.D = 0;
   subject.model.forces.emplace_back();
   subject.model.uses_time = subject.model.may_drift = true;
@@ -85,7 +84,7 @@ TEST_CASE("dissipation, other forces and time") {
 }
 
 TEST_CASE("an L that is not quadratic has a bias only") {
-  Subject subject = cart_pole();
+  elgen::testing::Subject subject = cart_pole();
   subject.model.quadratic = false;
   CHECK(equation(subject) == "M(q,v) a + bias(q,v) = B(q) u");
 }
