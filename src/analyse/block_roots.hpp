@@ -40,14 +40,6 @@ struct BlockRoots {
 [[nodiscard]] Result<BlockRoots> block_roots(RestSystem& system, const RestBlock& block,
                                              std::uint64_t most);
 
-/// The range in which a coordinate is looked for; null where it has none, or that is a whole turn.
-[[nodiscard]] const Interval* searched_range(const Coordinate& coordinate, SearchKind kind);
-
-/// Whether one of the values from `highest` - width to `highest`, or a whole number of turns on
-/// where the coordinate turns, is in the range.
-[[nodiscard]] bool is_in_range(const Coordinate& coordinate, SearchKind kind, const Real& highest,
-                               const Real& width = {});
-
 /// The first derivative of a row that is not 0 at a root of one coordinate, where all before it are
 /// exactly 0 at the values of the parameters.
 struct RootOrder {

@@ -6,9 +6,11 @@
 #include <array>
 
 #include "analyse/block_roots.hpp"
+#include "analyse/chart_breaks.hpp"
 #include "analyse/conservation.hpp"
 #include "analyse/formulas.hpp"
 #include "analyse/polish.hpp"
+#include "analyse/searched_range.hpp"
 #include "analyse/stability.hpp"
 #include "base/exact_number.hpp"
 #include "check/names/requests.hpp"
@@ -23,27 +25,6 @@ using cln::cl_R;
 
 /// More points are not listed: their number is that of all combinations.
 constexpr std::size_t most_points = 256;
-
-Result<std::vector<cl_R>> inputs_of(const Model& model, const State& state) {
-  std::vector<cl_R> values;
-  for (const Input& input : model.inputs) {
-    if (!input.law) {
-      values.emplace_back(0);
-      continue;
-    }
-    const auto moves = [&](ExpressionId id) {
-      const Expression& e = model.expressions[id];
-      return e.kind == ExpressionKind::leaf && e.leaf != Opcode::parameter;
-    };
-    const auto value = oracle_expression(model, *input.law, state);
-    if (!value || std::ranges::any_of(reached(model, {*input.law}), moves)) {
-      return Diagnostic{Code::E606, model.expressions[*input.law].span,
-                        fmt::format("`{}` has to be a number at an equilibrium", input.name)};
-    }
-    values.push_back(*value);
-  }
-  return values;
-}
 
 class EquilibriumSearch {
  public:
@@ -72,7 +53,7 @@ class EquilibriumSearch {
     if (is_none) result_.completeness = Completeness::proved;
     if (Diagnostics errors = make_points(system); !errors.empty()) return errors;
     std::erase_if(result_.points, [this](const RestPoint& point) {
-      return breaks_chart(point) || !is_in_ranges(point.state);
+      return breaks_chart(rest_, point, result_.breaks) || !is_in_ranges(point.state);
     });
     return std::move(result_);
   }
@@ -295,59 +276,11 @@ class EquilibriumSearch {
     return true;
   }
 
-  /// Whether M is singular at a point. The coordinates whose move alone makes it regular are kept;
-  /// where none does, all that the equations at rest hold.
-  bool breaks_chart(const RestPoint& point) {
-    if (!is_chart_broken(point.state)) return false;
-    std::vector<std::uint32_t> held;
-    std::vector<std::uint32_t> causes;
-    for (std::uint32_t i = 0; i < point.coordinates.size(); ++i) {
-      if (point.coordinates[i].is_any) continue;
-      held.push_back(i);
-      if (!is_chart_broken(beside(point.state, i))) causes.push_back(i);
-    }
-    for (const std::uint32_t i : causes.empty() ? held : causes) {
-      const bool is_known = std::ranges::any_of(result_.breaks, [&](const ChartBreak& known) {
-        return known.coordinate == i && is_near(Real(known.at.value), Real(point.state.q[i]));
-      });
-      if (!is_known) result_.breaks.push_back({i, point.coordinates[i]});
-    }
-    return true;
-  }
-
-  /// One coordinate is moved by 1/8, which no quarter turn is near.
-  static State beside(State state, std::size_t coordinate) {
-    state.q[coordinate] = state.q[coordinate] + cln::cl_RA(1) / 8;
-    return state;
-  }
-
-  /// Whether M loses a pivot there that it has where all coordinates are moved: a root of 58 digits
-  /// leaves less than 1e-50 of it.
-  [[nodiscard]] bool is_chart_broken(const State& state) const {
-    State moved = state;
-    for (std::size_t i = 0; i < moved.q.size(); ++i) moved = beside(std::move(moved), i);
-    const std::vector<cl_R> usual = mass_at(moved);
-    return is_positive_definite(usual) && !is_positive_definite(mass_at(state), {}, usual);
-  }
-
-  [[nodiscard]] std::vector<cl_R> mass_at(const State& state) const {
-    return numbers_of(
-        evaluate(rest_.program, rest_.program.functions[1], arguments_at<Real>(state)));
-  }
-
-  /// 0 where there is no number.
-  static std::vector<cl_R> numbers_of(const std::vector<Real>& values) {
-    std::vector<cl_R> result;
-    for (const Real& value : values)
-      result.push_back(value.is_defined() ? cl_R(value.value()) : cl_R(0));
-    return result;
-  }
-
   void fill_matrices(RestPoint& point) const {
     const Arguments<Real> at = arguments_at<Real>(point.state);
     std::vector<std::uint32_t> velocities(model_.velocities.size());
     for (std::uint32_t i = 0; i < velocities.size(); ++i) velocities[i] = i;
-    point.mass = mass_at(point.state);
+    point.mass = mass_at(rest_, point.state);
     point.stiffness =
         numbers_of(position_slopes(model_, rest_.program, rest_.residual(), at, velocities));
     point.damping = numbers_of(velocity_slopes(moving_, OutputKind::bias, at));

@@ -8,6 +8,7 @@
 #include "analyse/claims.hpp"
 #include "analyse/exact_roots.hpp"
 #include "analyse/page.hpp"
+#include "analyse/searched_range.hpp"
 #include "elgen/inspect.hpp"
 #include "evaluate/subject.hpp"
 

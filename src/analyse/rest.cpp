@@ -4,6 +4,7 @@
 #include "analyse/rest.hpp"
 
 #include <cln/rational.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
@@ -11,6 +12,8 @@
 
 #include "choose/entries.hpp"
 #include "elgen/fold.hpp"
+#include "elgen/oracle.hpp"
+#include "elgen/references.hpp"
 #include "evaluate/subject.hpp"
 #include "lower/graph/from_program.hpp"
 #include "lower/network/cheapest.hpp"
@@ -225,6 +228,27 @@ std::vector<RestBlock> rest_blocks(const std::vector<Occurrence>& rows) {
   }
   std::ranges::sort(blocks, {}, [](const RestBlock& block) { return block.rows.front(); });
   return blocks;
+}
+
+Result<std::vector<cln::cl_R>> inputs_of(const Model& model, const State& state) {
+  std::vector<cln::cl_R> values;
+  for (const Input& input : model.inputs) {
+    if (!input.law) {
+      values.emplace_back(0);
+      continue;
+    }
+    const auto moves = [&](ExpressionId id) {
+      const Expression& e = model.expressions[id];
+      return e.kind == ExpressionKind::leaf && e.leaf != Opcode::parameter;
+    };
+    const auto value = oracle_expression(model, *input.law, state);
+    if (!value || std::ranges::any_of(reached(model, {*input.law}), moves)) {
+      return Diagnostic{Code::E606, model.expressions[*input.law].span,
+                        fmt::format("`{}` has to be a number at an equilibrium", input.name)};
+    }
+    values.push_back(*value);
+  }
+  return values;
 }
 
 }  // namespace elgen

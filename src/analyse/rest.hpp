@@ -51,4 +51,7 @@ struct RestBlock {
 /// Apart from each other; coordinates in no equation are in none of them.
 [[nodiscard]] std::vector<RestBlock> rest_blocks(const std::vector<Occurrence>& rows);
 
+/// The inputs at a state of rest: 0, or their laws, which have to be numbers there, else E606.
+[[nodiscard]] Result<std::vector<cln::cl_R>> inputs_of(const Model& model, const State& state);
+
 }  // namespace elgen

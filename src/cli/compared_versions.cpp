@@ -136,12 +136,16 @@ bool is_system(const Side& side, const std::string& path) {
   return !source || declares_model(**source);
 }
 
-/// No TOML, or TOML with [[coordinate]], as where [model] is misspelt.
+/// TOML with [[coordinate]], as where [model] is misspelt, or no TOML, with a header of a model.
 bool may_be_model(const Side& side, const std::string& path) {
   const Result<SourcePointer> source = side.read(path);
   if (!source) return false;
   const Result<TomlValue> root = read_toml(**source);
-  if (!root) return true;
+  if (!root) {
+    const std::string& text = (*source)->text;
+    return text.find("[model]") != std::string::npos ||
+           text.find("[[coordinate]]") != std::string::npos;
+  }
   const TomlEntry* const coordinates = find_entry(root->entries, "coordinate");
   return coordinates != nullptr && coordinates->value.kind == TomlKind::array;
 }

@@ -148,17 +148,6 @@ Diagnostics changed_meanwhile(const std::vector<Job>& jobs) {
   return errors;
 }
 
-/// Whether a file is there and, for all that is known, still bears the name.
-bool may_bear(const GlobalOptions& global, const std::string& path, const std::string& name) {
-  std::error_code error;
-  if (!fs::is_regular_file(path, error)) return false;
-  const Result<Inputs> inputs = read_inputs(path, global.limits);
-  if (!inputs) return false;
-  renew_time_limit(global.limits);
-  const Products products = run_pipeline(*inputs, pipeline_options(global, {Goal::check}));
-  return !products.checked || products.checked->scene.base_name == name;
-}
-
 /// The model or scene that an existing file was made from, where it may still be made from that and
 /// that is not what the job reads.
 std::optional<std::string> other_source(const GlobalOptions& global, const Job& job,

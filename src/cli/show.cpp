@@ -92,16 +92,21 @@ double seconds(const std::vector<StageTime>& times, std::string_view first, std:
 
 double generation(const Products& products) { return seconds(products.times, "parse", "emit"); }
 
-/// The sizes that the scene chose, in the words of --size.
+/// The sizes that options and the scene chose, in the words of --size; those of options win.
 std::vector<SourcePointer> sizes_of(const Inputs& inputs, const PipelineOptions& options) {
-  std::vector<SourcePointer> sizes;
+  std::vector<SourcePointer> sizes = options.scene.sizes;
+  const auto is_given = [&options](const std::string& name) {
+    return std::ranges::any_of(options.scene.sizes, [&name](const SourcePointer& option) {
+      return option->text.starts_with(name + "=");
+    });
+  };
   if (inputs.scene != nullptr) {
     const Result<FileSyntax> scene = parse_scene(inputs.scene, options.limits);
     for (const KeySyntax& key : keys_of(&*scene, "sizes")) {
+      if (is_given(key.key)) continue;
       sizes.push_back(make_source("[sizes]", fmt::format("{}={}", key.key, key.value.text)));
     }
   }
-  sizes.insert(sizes.end(), options.scene.sizes.begin(), options.scene.sizes.end());
   return sizes;
 }
 

@@ -3,9 +3,12 @@
 #include "cli/shown_pipeline.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
+#include "cli/files/inputs.hpp"
 #include "cli/process/progress.hpp"
+#include "cli/process/resources.hpp"
 
 namespace elgen::cli {
 
@@ -50,6 +53,16 @@ Result<CompiledHeaders> compiled_for_run(const Products& products, const Limits&
   const Result<EmittedFiles> files = emit(model, plain, *products.program, {});
   if (!files) return files.diagnostics;
   return compile(*files, model, plain, *products.program, {limits});
+}
+
+bool may_bear(const GlobalOptions& global, const std::string& path, const std::string& name) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
+  const Result<Inputs> inputs = read_inputs(path, global.limits);
+  if (!inputs) return false;
+  renew_time_limit(global.limits);
+  const Products products = run_pipeline(*inputs, pipeline_options(global, {Goal::check}));
+  return !products.checked || products.checked->scene.base_name == name;
 }
 
 }  // namespace elgen::cli

@@ -35,4 +35,8 @@ ExitCode report_products(const GlobalOptions& global, const Products& products);
 [[nodiscard]] Result<CompiledHeaders> compiled_for_run(const Products& products,
                                                        const Limits& limits);
 
+/// Whether a file is there and, for all that is known, still bears the name.
+[[nodiscard]] bool may_bear(const GlobalOptions& global, const std::string& path,
+                            const std::string& name);
+
 }  // namespace elgen::cli

@@ -30,17 +30,7 @@ class PointDrawer {
 
   /// All entries of the function at the next point. The `variables` are drawn, not computed.
   std::vector<Seen> operator()(const Function& function, const std::vector<bool>& variables) {
-    return at(next_point(), function, variables);
-  }
-
-  std::vector<Seen> at(const LeafValues<Bound>& point, const Function& function,
-                       const std::vector<bool>& variables) {
-    const RunningBoundRules rules{{point, rounding<double>()}};
-    std::vector<Bound> values;
-    for (std::size_t i = 0; i < function.instructions.size(); ++i) {
-      values.push_back(variables[i] ? drawn()
-                                    : folded(rules, program_, function.instructions[i], values));
-    }
+    const std::vector<Bound> values = values_at(next_point(), function, variables);
     // A variable that is drawn may be where no value of it can be.
     const bool is_computed = std::ranges::count(variables, true) == 0;
     std::vector<Seen> seen;
@@ -52,7 +42,29 @@ class PointDrawer {
     return seen;
   }
 
+  /// Likewise at a point that is given, where one of two terms may be 0/0.
+  std::vector<Seen> at(const LeafValues<Bound>& point, const Function& function,
+                       const std::vector<bool>& variables) {
+    const std::vector<Bound> values = values_at(point, function, variables);
+    std::vector<Seen> seen;
+    for (const std::uint32_t entry : entries_of(function)) {
+      seen.push_back(judged(function.instructions[entry], values, values[entry]));
+    }
+    return seen;
+  }
+
  private:
+  std::vector<Bound> values_at(const LeafValues<Bound>& point, const Function& function,
+                               const std::vector<bool>& variables) {
+    const RunningBoundRules rules{{point, rounding<double>()}};
+    std::vector<Bound> values;
+    for (std::size_t i = 0; i < function.instructions.size(); ++i) {
+      values.push_back(variables[i] ? drawn()
+                                    : folded(rules, program_, function.instructions[i], values));
+    }
+    return values;
+  }
+
   Bound drawn() { return leaf_bound(random_.rational() * scale(), rounding<double>()); }
 
   /// In turn, so that what differs for large or small values only is seen, too.

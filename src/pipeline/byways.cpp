@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <new>
 #include <utility>
 
 #include "check/names/requests.hpp"
@@ -194,6 +195,9 @@ bool has_readable_terms(const Program& program, const ClosedForms& forms) {
 Result<Book> book_or_code(const Program& code, const std::function<Book()>& make) {
   try {
     return make();
+  } catch (const std::bad_alloc&) {
+    // The memory of a machine decides no file.
+    throw;
   } catch (const std::exception& mistake) {
     const std::string text = fmt::format("the page shows the forms of code: {}", mistake.what());
     return {Book{code, {}}, Diagnostics{Diagnostic{Code::E915, {}, text}}};

@@ -9,35 +9,13 @@
 #include "elgen/render.hpp"
 #include "elgen/typeset.hpp"
 #include "lower/graph/prune.hpp"
+#include "render/derivation_step.hpp"
 #include "render/headings.hpp"
 #include "render/step_words.hpp"
 #include "render/symbols.hpp"
 
 namespace elgen {
 namespace {
-
-/// `left` = one field of one function.
-struct StepEquation {
-  std::string text = {};
-  std::string latex = {};
-  std::size_t function = 0;
-  std::size_t field = 0;
-  std::uint32_t rows = 1;
-};
-
-/// A formula of no function, or a sentence with formulas.
-struct StepLine {
-  std::string text = {};
-  std::string latex = {};
-};
-
-struct DerivationStep {
-  std::string title = {};
-  std::string title_latex = {};  ///< as SheetOutput has it
-  std::string doc = {};
-  std::vector<StepEquation> equations = {};
-  std::vector<StepLine> lines = {};  ///< before the equations
-};
 
 class Outline {
  public:

@@ -272,7 +272,8 @@ Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
     trajectory->constraints->start = moves_of(checked.model, assembled->model, trajectory->columns);
     add_units(*trajectory->constraints, checked.model);
   }
-  trajectory.diagnostics = laws_beyond_limits(system, options.from);
+  const Diagnostics beyond = laws_beyond_limits(system, options.from);
+  trajectory.diagnostics.insert(trajectory.diagnostics.end(), beyond.begin(), beyond.end());
   return trajectory;
 }
 

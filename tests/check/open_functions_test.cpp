@@ -65,9 +65,10 @@ value = "U"
 )toml");
 }
 
-/// The messages about a sample.
+/// The messages about a sample; the note that nothing has a unit is none.
 std::string said(const std::string& arguments, const std::string& sample) {
-  return messages(sampled(arguments, sample));
+  const std::string all = messages(sampled(arguments, sample));
+  return all.starts_with("E520") ? "" : all;
 }
 
 /// The message about a sample that reads more than its argument does, at its place.

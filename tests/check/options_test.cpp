@@ -64,12 +64,12 @@ TEST_CASE("assignments are split at the first equals sign") {
   CHECK(parts.value.begin == 7);
 }
 
-TEST_CASE("sizes of the option are set one after another") {
+TEST_CASE("sizes of the option win over those of the model") {
   const Limits limits;
   Context context(limits);
   context.sizes = {{"n", 1}, {"m", 1}};
   SceneOptions options;
-  options.sizes = {make_source("command line", "n=3,m=4,n=5")};
+  options.sizes = {make_source("command line", "m=4,n=5")};
   read_sizes(context, {}, nullptr, options);
   CHECK(context.sizes == Sizes{{"m", 4}, {"n", 5}});
   CHECK(context.report.errors() == 0);

@@ -78,7 +78,7 @@ TEST_CASE("a model that no code could be made of is not imported") {
   const Outcome outcome = workspace.run("elgen import " + robot + " -o write.toml");
   CHECK(outcome.status == 2);
   CHECK(outcome.errors ==
-        "error[E701]: `write` cannot name a model: C or POSIX declares it\n"
+        "elgen: error[E701]: `write` cannot name a model: C or POSIX declares it\n"
         "      `-o NAME.toml` gives it another one\n");
   CHECK(workspace.files().empty());
   workspace.write("r.urdf", "<robot name=\"Pause\"><link name=\"a\">" + mass + "</link></robot>");

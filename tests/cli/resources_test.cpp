@@ -47,8 +47,8 @@ TEST_CASE(
       "TMPDIR=$PWD/tmp CXX=./slow elgen verify -q --samples 2 " ELGEN_SOURCE_DIR
       "/models/simple_pendulum.toml";
   const Outcome late = workspace.run(verify + " --limit seconds=2");
-  CHECK(late.status == 3);
-  CHECK(mentions(late.errors, "error[E909]: `./slow` has not ended within 2 s\n"));
+  CHECK(late.status == 0);
+  CHECK(mentions(late.output, "1 skipped"));
   for (const std::string signal : {"INT", "TERM", "HUP"}) {
     INFO(signal);
     // A shell starts what runs beside it without SIGINT; timeout brings it back.

@@ -57,7 +57,7 @@ TEST_CASE("impossible inertias are reported with their values") {
         "E508: inertia 1, 1, 3, 0, 0, 0 of `top` belongs to no body");
   CHECK_FALSE(inertia_findings({"-1", "1", "1", "0", "0", "0"}).empty());
   CHECK(inertia_findings({"-A"}) == "E508: inertia -0.05 of `top` belongs to no body");
-  CHECK(inertia_findings({"16616.493", "14.9", "7.123456"}) ==
+  CHECK(inertia_findings({"16616.493", "14.9", "7.123456", "0", "0", "0"}) ==
         "E508: inertia 16616.493, 14.9, 7.123456, 0, 0, 0 of `top` belongs to no body");
 }
 

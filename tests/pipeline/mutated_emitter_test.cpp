@@ -20,7 +20,7 @@ const std::vector<Fault> faults_of_batches{
     {"a stride", R"(result \+ 2 \* count)", "result + 1 * count"},
     {"the stride of what is loaded", R"(from \+ k \* at\.count)", "from + k * at.lanes"},
     {"the stride of what is stored", R"(to \+ k \* at\.count)", "to + k * at.lanes"},
-    {"what is left of the packs", R"(std::min\(width, count - first\))", "width - 1"},
+    {"what is left of the packs", R"(\(std::min\)\(width, count - first\))", "width - 1"},
     {"the last digit of a coefficient", R"(0\.008152992341703497)", "0.008152992341703499"},
     {"a domain", R"(domain = 1e\+05)", "domain = 10"},
     {"a parameter", R"(result\.m = p\.m)", "result.m = p.M"},

@@ -155,24 +155,6 @@ TEST_CASE("a mistake stays one however many digits there are, near a zero too") 
   }
 }
 
-TEST_CASE("where no more digits are to be had, the oracle cannot say, and the state is counted") {
-  // The sum takes 1200 digits.
-  const System system = with_potential("(cos(x) - 1 + x^2/2)/x^4",
-                                       "  1 = constant 1/24\n  result 1 1 = 1\n");
-  const SampledState<double> state = state_at(system, 1e-300);
-  const Finding finding = first_finding(system, Comparison::entries, state);
-  INFO(finding.mistake);
-  CHECK(finding.mistake.empty());
-  CHECK(finding.regime == Regime::unsettled);
-  CHECK_FALSE(finding.error);
-  const auto rows = check_accuracy(system.subject(), std::vector{state}, {});
-  REQUIRE(rows.size() == 1);
-  CHECK(rows.front().verdict == Verdict::skipped);
-  CHECK(rows.front().skipped == std::vector<SkippedStates>{{Obstacle::unsettled, 1}});
-  const std::string text = to_full_text({"sample", "full", 1, rows});
-  CHECK(text.find("1 where the oracle cannot say") != std::string::npos);
-}
-
 TEST_CASE("only at ordinary states a value must be defined where the oracle's is") {
   const System system =
       alone(instructions::rates + "  24 = divide 22 17\n", "  result 2 1 = 23 24\n");

@@ -31,20 +31,20 @@ constexpr int grids =
 constexpr double vanishing = 1e-10;
 
 /// A sum of positions: rates are drawn at random, or 0.
-struct TypedSum {
+struct SoughtSum {
   ExpressionId id = 0;
   std::set<std::uint32_t> coordinates = {};
 };
 
-std::vector<TypedSum> typed_sums(const Model& model) {
+std::vector<SoughtSum> typed_sums(const Model& model) {
   constexpr LeafSet others =
       Opcode::velocity | Opcode::acceleration | Opcode::open_value | Opcode::momentum;
-  std::vector<TypedSum> sums;
+  std::vector<SoughtSum> sums;
   for (const ExpressionId id : reached(model, equation_roots(model))) {
     if (sums.size() == most_states) break;  // no more of them are visited
     if (model.expressions[id].kind != ExpressionKind::add || holds_leaf(model, id, others))
       continue;
-    TypedSum sum{id};
+    SoughtSum sum{id};
     for (const ExpressionId below : reached(model, {id})) {
       const Expression& e = model.expressions[below];
       if (is_leaf(e, Opcode::coordinate) && !model.coordinates[e.index].rotation) {
@@ -69,13 +69,13 @@ class NearZeros {
                                    most_work / (subject.model.expressions.size() + 1))) {}
 
   std::vector<SampledState<double>> make() {
-    const std::vector<TypedSum> sums = typed_sums(subject_.model);
+    const std::vector<SoughtSum> sums = typed_sums(subject_.model);
     Arguments<double> common = drawn_within(subject_, ranges_, random_);
     std::set<std::uint32_t> held;
-    for (const TypedSum& sum : sums) take_if_zero(sum, common, held);
+    for (const SoughtSum& sum : sums) take_if_zero(sum, common, held);
     // Each distance once moving and once at rest, as their number is odd.
     for (int i = 0; i < 2 && !held.empty(); ++i) add_near(common, held);
-    for (const TypedSum& sum : sums) {
+    for (const SoughtSum& sum : sums) {
       for (const std::uint32_t coordinate : sum.coordinates) {
         if (states_.size() >= most_) break;
         Arguments<double> at = drawn_within(subject_, ranges_, random_);
@@ -88,7 +88,7 @@ class NearZeros {
 
  private:
   /// Infinite where the sum has no value, and where no evaluations are left.
-  double size_of(const TypedSum& sum, const Arguments<double>& at) {
+  double size_of(const SoughtSum& sum, const Arguments<double>& at) {
     constexpr double none = std::numeric_limits<double>::infinity();
     if (evaluations_left_ == 0) return none;
     --evaluations_left_;
@@ -97,7 +97,7 @@ class NearZeros {
   }
 
   /// Moves one coordinate to where |sum| is smallest; whether that is a zero.
-  bool moves_to_zero(const TypedSum& sum, std::uint32_t coordinate, Arguments<double>& at) {
+  bool moves_to_zero(const SoughtSum& sum, std::uint32_t coordinate, Arguments<double>& at) {
     auto [low, high] = ranges_.q[coordinate];
     double place = at.q[coordinate];
     double smallest = std::numeric_limits<double>::infinity();
@@ -120,7 +120,8 @@ class NearZeros {
   }
 
   /// Leads one more sum to 0, along coordinates that no sum before it depends on.
-  void take_if_zero(const TypedSum& sum, Arguments<double>& common, std::set<std::uint32_t>& held) {
+  void take_if_zero(const SoughtSum& sum, Arguments<double>& common,
+                    std::set<std::uint32_t>& held) {
     Arguments<double> at = common;
     for (auto c = sum.coordinates.rbegin(); c != sum.coordinates.rend(); ++c) {
       if (held.contains(*c) || !moves_to_zero(sum, *c, at)) continue;

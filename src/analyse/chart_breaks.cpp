@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// M is judged by its pivots, beside those that it has where all coordinates are moved.
+#include "analyse/chart_breaks.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "analyse/formulas.hpp"
+#include "analyse/polish.hpp"
+#include "analyse/stability.hpp"
+#include "evaluate/subject.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_R;
+
+/// One coordinate is moved by 1/8, which no quarter turn is near.
+State beside(State state, std::size_t coordinate) {
+  state.q[coordinate] = state.q[coordinate] + cln::cl_RA(1) / 8;
+  return state;
+}
+
+/// Whether M loses a pivot there that it has where all coordinates are moved: a root of 58 digits
+/// leaves less than 1e-50 of it.
+bool is_chart_broken(const RestProgram& rest, const State& state) {
+  State moved = state;
+  for (std::size_t i = 0; i < moved.q.size(); ++i) moved = beside(std::move(moved), i);
+  const std::vector<cl_R> usual = mass_at(rest, moved);
+  return is_positive_definite(usual) && !is_positive_definite(mass_at(rest, state), {}, usual);
+}
+
+}  // namespace
+
+std::vector<cl_R> numbers_of(const std::vector<Real>& values) {
+  std::vector<cl_R> result;
+  for (const Real& value : values) {
+    result.push_back(value.is_defined() ? cl_R(value.value()) : cl_R(0));
+  }
+  return result;
+}
+
+std::vector<cl_R> mass_at(const RestProgram& rest, const State& state) {
+  return numbers_of(evaluate(rest.program, rest.program.functions[1], arguments_at<Real>(state)));
+}
+
+bool breaks_chart(const RestProgram& rest, const RestPoint& point,
+                  std::vector<ChartBreak>& breaks) {
+  if (!is_chart_broken(rest, point.state)) return false;
+  std::vector<std::uint32_t> held;
+  std::vector<std::uint32_t> causes;
+  for (std::uint32_t i = 0; i < point.coordinates.size(); ++i) {
+    if (point.coordinates[i].is_any) continue;
+    held.push_back(i);
+    if (!is_chart_broken(rest, beside(point.state, i))) causes.push_back(i);
+  }
+  for (const std::uint32_t i : causes.empty() ? held : causes) {
+    const bool is_known = std::ranges::any_of(breaks, [&](const ChartBreak& known) {
+      return known.coordinate == i && is_near(Real(known.at.value), Real(point.state.q[i]));
+    });
+    if (!is_known) breaks.push_back({i, point.coordinates[i]});
+  }
+  return true;
+}
+
+}  // namespace elgen

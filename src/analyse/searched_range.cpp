@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A range of an angle holds its values and those a whole number of turns on.
+#include "analyse/searched_range.hpp"
+
+#include "base/exact_number.hpp"
+
+namespace elgen {
+
+using cln::cl_R;
+
+bool is_close(const Real& x, const Real& y) {
+  static const Real near(power_of_ten(-25));
+  const Real difference = abs(x - y);
+  return difference.is_defined() && difference.value() < near.value();
+}
+
+const Real& whole_turn() {
+  static const Real value = Real(cln::cl_RA(2)) * acos(Real(cln::cl_RA(-1)));
+  return value;
+}
+
+const Interval* searched_range(const Coordinate& coordinate, SearchKind kind) {
+  // A range is a turn where pi is typed in three digits or more: [-3.14, 3.14].
+  static const cl_R turn = cln::cl_RA(628) / 100;
+  if (!coordinate.range || (kind != SearchKind::range && kind != SearchKind::turn)) return nullptr;
+  const cl_R length = coordinate.range->high - coordinate.range->low;
+  return kind == SearchKind::turn && length >= turn ? nullptr : &*coordinate.range;
+}
+
+bool is_in_range(const Coordinate& coordinate, SearchKind kind, const Real& highest,
+                 const Real& width) {
+  const Interval* const range = searched_range(coordinate, kind);
+  if (range == nullptr) return true;
+  const Real low(range->low);
+  const Real high(range->high);
+  Real value = highest;
+  if (kind == SearchKind::turn) {
+    // the first place that is not below the range
+    const Real turns((low - highest) / whole_turn());
+    value = highest + Real(cln::ceiling1((turns - Real(power_of_ten(-25))).value())) * whole_turn();
+  }
+  const Real lowest = value - width;
+  return (value.value() >= low.value() || is_close(value, low)) &&
+         (lowest.value() <= high.value() || is_close(lowest, high));
+}
+
+}  // namespace elgen

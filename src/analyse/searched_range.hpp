@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Searched ranges: where the coordinates of equilibria are looked for.
+#pragma once
+
+#include "elgen/analyse.hpp"
+#include "elgen/evaluate.hpp"
+#include "elgen/model.hpp"
+
+namespace elgen {
+
+/// Solutions of 64 digits that differ by less are one: two simple ones would be nearer to each
+/// other than their own boxes are wide.
+[[nodiscard]] bool is_close(const Real& x, const Real& y);
+
+/// 2 pi
+[[nodiscard]] const Real& whole_turn();
+
+/// The range in which a coordinate is looked for; null where it has none, or that is a whole turn.
+[[nodiscard]] const Interval* searched_range(const Coordinate& coordinate, SearchKind kind);
+
+/// Whether one of the values from `highest` - width to `highest`, or a whole number of turns on
+/// where the coordinate turns, is in the range.
+[[nodiscard]] bool is_in_range(const Coordinate& coordinate, SearchKind kind, const Real& highest,
+                               const Real& width = {});
+
+}  // namespace elgen

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// elgen verify where digits end: right code is no failure, and what nobody can say is counted.
+#include "cli/cli_testing.hpp"
+
+namespace elgen::test {
+
+TEST_CASE("right code that cancels where digits end is no failure") {
+  const Workspace workspace;
+  const auto write = [&workspace](const std::string& name, const std::string& parameters,
+                                  const std::string& potential, const std::string& range = "") {
+    workspace.write(name + ".toml",
+                    "format = 1\n[model]\nname = \"" + name + "\"\n[[coordinate]]\nname = \"x\"\n" +
+                        range + "[parameters]\n" + parameters +
+                        "[energy]\nT = \"1/2*dot(x)^2\"\nV = \"" + potential + "\"\n");
+  };
+  write("strut", "k = 40.0\na = 1.0\nb = 1.0\n", "k*sqrt(a^2 + b^2 - 2*a*b*cos(x))");
+  write("sinc_well", "k = { value = 3.0, assume = \"positive\" }\n", "k*(1 - sin(x)/x)",
+        "range = [1e-06, 3]\n");
+  write("cosc_well", "", "(1 - cos(x))/x^2");
+  write("equal_sides", "a = 1.5\nk = 40\n", "k*sqrt(a^2 + a^2 - 2*a*a*cos(x))");
+  write("hyperbolic", "", "(cosh(x) - 1)/x^2");
+  write("cubic", "k = 2\n", "k*(x - sin(x))/x^3");
+  for (const std::string seed : {"1", "3", "8"}) {
+    const Outcome outcome = workspace.run("elgen verify --quick --seed " + seed + " *.toml");
+    INFO(outcome.output + outcome.errors);
+    CHECK(outcome.status == 0);
+    CHECK_FALSE(mentions(outcome.output, "FAILS"));
+  }
+}
+
+TEST_CASE("where no more digits are to be had, the oracle cannot say, and states are counted") {
+  const Workspace workspace;
+  // 1 - cos(x) takes 300 digits, pi has 200.
+  workspace.write("tiny.toml",
+                  "format = 1\n[model]\nname = \"tiny\"\n[[coordinate]]\nname = \"x\"\n"
+                  "range = [\"1e-150\", \"2e-150\"]\n[energy]\nT = \"1/2*dot(x)^2\"\n"
+                  "V = \"pi*(1 - cos(x))/x^2\"\n");
+  const Outcome outcome = workspace.run("elgen verify --quick -v tiny.toml");
+  INFO(outcome.output + outcome.errors);
+  CHECK(outcome.status == 0);
+  CHECK(mentions(outcome.output, "27 where the oracle cannot say"));
+}
+
+}  // namespace elgen::test
