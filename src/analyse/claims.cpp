@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "analyse/block_roots.hpp"
+#include "analyse/searched_range.hpp"
 #include "base/exact_number.hpp"
 #include "evaluate/subject.hpp"
 #include "present/arithmetic.hpp"

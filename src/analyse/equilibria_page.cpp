@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "analyse/block_roots.hpp"
 #include "analyse/claims.hpp"
 #include "analyse/exact_roots.hpp"
 #include "analyse/page.hpp"

@@ -11,6 +11,7 @@
 #include "elgen/closed_forms.hpp"
 #include "elgen/diagnostic.hpp"
 #include "elgen/model.hpp"
+#include "elgen/oracle.hpp"
 #include "elgen/program.hpp"
 
 namespace elgen {
