@@ -94,8 +94,8 @@ struct Assembly {
   bool has_rates = false;  ///< and the rates are consistent with it
 };
 
-/// What an assembly leaves as it is, by velocity: displacements along it, and rates. Empty:
-/// nothing.
+/// The part of a state that an assembly keeps, by velocity: displacements along it, and rates.
+/// Empty: nothing.
 struct KeptStart {
   std::vector<bool> positions = {};
   std::vector<bool> rates = {};

@@ -82,7 +82,7 @@ void RankWatch::measure(const Numbers& state, double t) {
   }
 }
 
-/// Of the largest; 1 of what was never other than 0.
+/// The share of its largest value that a pivot has; 1 where it was always 0.
 double RankWatch::share(std::size_t i) const {
   return largest_[i] > 0 ? std::abs(pivots_[i]) / largest_[i] : 1;
 }

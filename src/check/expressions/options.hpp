@@ -21,7 +21,7 @@ struct OptionWord {
 /// "a,[b,c]" split at commas outside of brackets, spaces trimmed.
 [[nodiscard]] std::vector<OptionWord> split_at_commas(const Span& text);
 [[nodiscard]] std::vector<OptionWord> words_of(const std::vector<SourcePointer>& options);
-/// Those that say something of names: E606 where one has the name of an earlier one.
+/// The options that say something of names: E606 where one has the name of an earlier one.
 [[nodiscard]] std::vector<OptionWord> words_of(const std::vector<SourcePointer>& options,
                                                Report& report);
 

@@ -63,7 +63,7 @@ constexpr std::string_view library_names =
     "system tan tanh tgamma timespec timeval totalorder trunc ufromfp ufromfpx uint ulong "
     "unlockpt unsetenv ushort valloc wcstombs wctomb y0 y1 yn ";
 
-/// What the other headers declare.
+/// Names that the other headers declare.
 constexpr std::string_view system_names =
 #include "emit/cpp/library_names.def"
     ;

@@ -14,8 +14,8 @@
 namespace elgen {
 namespace {
 
-/// Of the whole run: 1e12 steps take days, and only near a place without an acceleration is a step
-/// asked to be so short.
+/// A share of the run: 1e12 steps take days, and only near a place without an acceleration is a
+/// step asked to be so short.
 constexpr double shortest_share = 1e-12;
 
 Diagnostic impossible(std::string message, std::string hint = {}) {

@@ -73,7 +73,7 @@ class FixedSteps final : public Stepper {
   std::uint64_t done_ = 0;
 };
 
-/// Of a step, where neither it nor the length of steps is given.
+/// The error of a step, where neither it nor the length of steps is given.
 inline constexpr double default_tolerance = 1e-9;
 
 /// One of the two: the length of steps, or the error they are chosen by.

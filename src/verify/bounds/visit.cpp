@@ -15,7 +15,7 @@
 namespace elgen {
 namespace {
 
-/// Of the looks at values that differ: each has twice the digits of the one before.
+/// Digits of looks at values that differ: each look has twice the digits of the one before.
 constexpr unsigned digits_of_first_look = 64;
 constexpr unsigned digits_of_last_look = 1024;
 

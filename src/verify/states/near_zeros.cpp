@@ -26,8 +26,8 @@ constexpr std::size_t most_work = 1 << 20;
 constexpr int cells = 16;
 constexpr int grids =
     18;  ///< each eight times as fine as the last: 8^-18 is less than a double's u
-/// Of the largest |sum| on the first grid. Doubles leave 1e-16 of a zero; a sum that comes no
-/// nearer to 0 than this loses few digits.
+/// A share of the largest |sum| on the first grid. Doubles leave 1e-16 of a zero; a sum that comes
+/// no nearer to 0 than this loses few digits.
 constexpr double vanishing = 1e-10;
 
 /// A sum of positions: rates are drawn at random, or 0.
