@@ -115,6 +115,7 @@ struct Equilibria {
   std::vector<UndecidedBox> undecided = {};
   std::uint64_t boxes = 0;   ///< that were looked at
   std::uint64_t starts = 0;  ///< of iterations
+  bool is_cut = false;       ///< by the limit of enclosures
   std::vector<cln::cl_R> inputs = {};
 };
 
@@ -123,7 +124,7 @@ struct Equilibria {
 
 /// All equilibria at the values of the parameters that the scene has and at which M is regular;
 /// `recursive` has the functions of outputs_of_analysis. Inputs are 0, or at their laws. E530,
-/// E531. Cost: at most limits.boxes boxes.
+/// E531. Cost: at most limits.boxes boxes, and limits.enclosures.
 [[nodiscard]] Result<Equilibria> find_equilibria(const CheckedModel& checked,
                                                  const Program& recursive, const Limits& limits);
 

@@ -20,6 +20,7 @@ struct Limits {
   std::uint64_t derived_nodes = 2'000'000;
   std::uint64_t seconds = 60;  ///< processor time of one command on one model
   std::uint64_t boxes = 200'000;
+  std::uint64_t enclosures = 80'000'000;  ///< a few seconds
   std::uint64_t memory_mib = 1024;
 };
 

@@ -61,7 +61,7 @@ class BlockSearch {
     square_ = function_of(chosen_rows_);
   }
 
-  Result<BlockRoots> operator()(std::uint64_t most) {
+  Result<BlockRoots> operator()(const Limits& most) {
     if (block_.coordinates.empty()) return constant_equation();
     if (has_all_forms()) {
       const auto linear = linear_solution(system_.forms, forms_, unknowns_, start());
@@ -146,10 +146,20 @@ class BlockSearch {
                       system_.state);
   }
 
-  void search(std::uint64_t most) {
+  /// Operations that a box may take: f twice, its slopes along every unknown with their values, and
+  /// the products of Krawczyk's test.
+  [[nodiscard]] std::uint64_t enclosures_of_box() const {
+    const std::uint64_t n = unknowns_.coordinates.size();
+    return 1 + square_.instructions.size() * (2 * n + 2) + 2 * n * n * n;
+  }
+
+  void search(const Limits& most) {
     const BoxedEquations equations{system_.program, square_, unknowns_.coordinates, known_leaves()};
-    BoxSearch found = search_boxes(equations, domain(), most);
+    const std::uint64_t affordable = most.enclosures / enclosures_of_box();
+    BoxSearch found = search_boxes(equations, domain(), std::min(most.boxes, affordable));
     result_.boxes = found.looked_at;
+    result_.enclosures = found.looked_at * enclosures_of_box();
+    result_.is_cut = !found.left.empty() && affordable < most.boxes;
     for (const Box& box : found.single) add_root_of(box);
     for (const Box& place : together(found)) judge(equations, place);
     if (found.left.empty()) return;
@@ -371,7 +381,7 @@ std::optional<RootOrder> root_order(RestSystem& system, std::uint32_t row, std::
   return std::nullopt;
 }
 
-Result<BlockRoots> block_roots(RestSystem& system, const RestBlock& block, std::uint64_t most) {
+Result<BlockRoots> block_roots(RestSystem& system, const RestBlock& block, const Limits& most) {
   return BlockSearch(system, block)(most);
 }
 

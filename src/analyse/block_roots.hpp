@@ -8,6 +8,7 @@
 #include "analyse/boxes.hpp"
 #include "analyse/exact_roots.hpp"
 #include "analyse/rest.hpp"
+#include "elgen/limits.hpp"
 
 namespace elgen {
 
@@ -33,12 +34,14 @@ struct BlockRoots {
   Completeness completeness = Completeness::proved;
   std::vector<UndecidedBox> undecided = {};
   std::uint64_t boxes = 0;
+  std::uint64_t enclosures = 0;
   std::uint64_t starts = 0;
+  bool is_cut = false;  ///< by the limit of enclosures
 };
 
-/// E531: a coordinate has no range. `most`: boxes that may be looked at.
+/// E531: a coordinate has no range. Of the limits, those of boxes and enclosures count.
 [[nodiscard]] Result<BlockRoots> block_roots(RestSystem& system, const RestBlock& block,
-                                             std::uint64_t most);
+                                             const Limits& most);
 
 /// The first derivative of a row that is not 0 at a root of one coordinate, where all before it are
 /// exactly 0 at the values of the parameters.

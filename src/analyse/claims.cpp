@@ -51,9 +51,10 @@ class Claims {
         return prose("these are all at the parameters' values (proved)");
       case Completeness::searched:
         if (equilibria_.points.empty() && !places.empty()) break;
-        return prose(fmt::format("found from {} start{}, there may be more{}{}",
+        return prose(fmt::format("found from {} start{}{}, there may be more{}{}",
                                  std::max<std::uint64_t>(equilibria_.starts, 1),
                                  equilibria_.starts > 1 ? "s" : "",
+                                 equilibria_.is_cut ? " at the limit of enclosures" : "",
                                  places.empty() ? "" : ": undecided near ", places));
       case Completeness::undecided:
         if (places.empty()) return prose("undecided: 64 digits do not tell bias - B u from 0");

@@ -39,11 +39,13 @@ class EquilibriumSearch {
   Result<Equilibria> operator()(const Limits& limits) {
     if (Diagnostics errors = prepare(); !errors.empty()) return errors;
     RestSystem system{model_, rest_.program, result_.forms, result_.kinds, state_};
+    Limits left = limits;
     for (const RestBlock& block : blocks_) {
-      const std::uint64_t left = limits.boxes - std::min(limits.boxes, result_.boxes);
       Result<BlockRoots> roots = block_roots(system, block, left);
       if (!roots) return roots.diagnostics;
       join(*roots);
+      left.boxes -= std::min(left.boxes, roots->boxes);
+      left.enclosures -= std::min(left.enclosures, roots->enclosures);
       std::ranges::stable_sort(roots->roots, comes_before);
       roots_.push_back(std::move(*roots));
     }
@@ -209,6 +211,7 @@ class EquilibriumSearch {
     result_.completeness = std::max(result_.completeness, roots.completeness);
     result_.boxes += roots.boxes;
     result_.starts += roots.starts;
+    result_.is_cut = result_.is_cut || roots.is_cut;
     result_.undecided.insert(result_.undecided.end(), roots.undecided.begin(),
                              roots.undecided.end());
   }
