@@ -24,10 +24,8 @@ constexpr std::size_t checked_work = 16'000;
 /// Many models have a value at a small part of the states that are drawn.
 constexpr std::size_t draws_per_state = 8;
 
-std::size_t states_checked(const Program& program) {
-  std::size_t length = 1;
-  for (const Function& function : program.functions) length += function.instructions.size();
-  return std::clamp(checked_work / length, least_checked, most_checked);
+std::size_t states_checked(const Subject& subject) {
+  return std::clamp(checked_work / work_of_state(subject), least_checked, most_checked);
 }
 
 /// Entries that rest on a zero that nobody proved. `dynamics` repeats the others and does not
@@ -176,7 +174,7 @@ SelfCheck self_check(const Model& model, const Scene& scene, const Program& prog
                      const Program* parts) {
   const Subject subject{model, scene, program};
   SelfChecking checking(subject, parts);
-  const std::size_t wanted = states_checked(program);
+  const std::size_t wanted = states_checked(subject);
   StateSequence<double> states(subject, {draws_per_state * wanted, 1, false});
   while (const auto sample = states.next()) {
     if (checking.result().states >= wanted && !checking.lacks_value()) break;

@@ -10,6 +10,7 @@
 #include "emit/text/emission_checks.hpp"
 #include "evaluate/states.hpp"
 #include "verify/bounds/accuracy.hpp"
+#include "verify/bounds/visit.hpp"
 #include "verify/compiled_code.hpp"
 #include "verify/states/kinks.hpp"
 #include "verify/states/near_zeros.hpp"
@@ -49,12 +50,6 @@ std::vector<State> nominal_states(const Subject& subject,
   return states;
 }
 
-std::size_t instructions_of(const Program& program) {
-  std::size_t length = 1;
-  for (const Function& function : program.functions) length += function.instructions.size();
-  return length;
-}
-
 template <class Scalar>
 std::vector<SampledState<Scalar>> states_for(const Subject& subject, const VerifyOptions& options) {
   const Effort& effort = options.quick ? quick : thorough;
@@ -63,8 +58,7 @@ std::vector<SampledState<Scalar>> states_for(const Subject& subject, const Verif
   auto near_zeros = states_near_zeros<Scalar>(subject, {count, options.seed, true});
   for (auto& state : near_zeros) states.push_back(std::move(state));
   if (options.samples) return states;
-  const std::size_t affordable =
-      std::max<std::size_t>(effort.work / instructions_of(subject.program), 1);
+  const std::size_t affordable = std::max<std::size_t>(effort.work / work_of_state(subject), 1);
   if (states.size() <= affordable) return states;
   std::vector<SampledState<Scalar>> some;
   for (std::size_t i = 0; i < affordable; ++i) {
