@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,8 @@ struct SimulationOptions {
   std::optional<double> hold = {};       ///< inputs keep their values so long; none: continuous
   bool project = true;                   ///< after each step, back onto the constraints
   bool through_singular = false;         ///< goes on where M or A loses rank, by a fixed step
+  /// Is told the time that the run has reached, now and then.
+  std::function<void(double)> watch = {};
 };
 
 /// How far what should stay has gone from where it was, relative to `scale`.

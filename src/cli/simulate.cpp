@@ -5,12 +5,18 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <string>
+
 #include "cli/commands.hpp"
 #include "cli/files/data_formats.hpp"
 #include "cli/files/inputs.hpp"
 #include "cli/files/output_files.hpp"
 #include "cli/process/progress.hpp"
 #include "cli/process/resources.hpp"
+#include "cli/process/terminal.hpp"
 #include "cli/shown_pipeline.hpp"
 #include "elgen/wording.hpp"
 
@@ -29,6 +35,26 @@ struct SimulateOptions {
 /// Rows of a file whose distance is not given.
 constexpr double default_rows = 1000;
 
+/// Says once, after a second, how long a run will take that takes ten or more: as its stage where
+/// that is shown.
+std::function<void(double)> estimate_of_run(const GlobalOptions& global, const Progress& progress,
+                                            double from, double time) {
+  using Clock = std::chrono::steady_clock;
+  return [&global, &progress, from, time, first = Clock::now(), is_over = false](double t) mutable {
+    const double seconds = std::chrono::duration<double>(Clock::now() - first).count();
+    if (is_over || seconds < 1 || t <= from) return;
+    is_over = true;
+    const double whole = seconds * time / (t - from);
+    if (whole < 10) return;
+    const bool is_beyond = whole > static_cast<double>(global.limits.seconds);
+    const std::string text =
+        fmt::format("{:.3g} of {:.3g} s after {:.1f} s, all will take about {:.2g} s{}", t - from,
+                    time, seconds, whole, is_beyond ? " (--limit seconds=N)" : "");
+    progress.stage("simulate: " + text);
+    if (!is_terminal(stderr)) tell(global, text);
+  };
+}
+
 Result<Trajectory> trajectory_of(const GlobalOptions& global, const SimulateOptions& options,
                                  const Products& products) {
   const Progress progress(options.input);
@@ -45,6 +71,7 @@ Result<Trajectory> trajectory_of(const GlobalOptions& global, const SimulateOpti
   SimulationOptions run = options.run;
   const bool has_rows = !options.file.empty() || wants_json(global);
   if (has_rows && !run.every) run.every = run.time / default_rows;
+  run.watch = estimate_of_run(global, progress, run.from, run.time);
   return simulate(*products.checked, *products.program, compiled, run);
 }
 

@@ -108,6 +108,7 @@ class Run {
       block_.push_back(current_);
       if (block_.size() < block_size && current_.t < target) continue;
       if (Diagnostics wrong = flush(); !wrong.empty()) return wrong;
+      if (options_.watch) options_.watch(current_.t);
     }
     if (row <= target) rows_.pass();
     if (hold <= target) hold_again();
