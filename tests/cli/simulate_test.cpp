@@ -132,6 +132,15 @@ TEST_CASE("a run ends at a singular place, unless it is to go through by steps o
   CHECK(run("elgen tradeoff --trajectory 0.3 " + models + "/five_bar.toml").status == 1);
 }
 
+TEST_CASE("a long run says how long it will take before its limit ends it") {
+  const Outcome outcome =
+      run("elgen simulate --time 1e9 --method rk4 --step 0.1 --limit seconds=4 " + models +
+          "/cart_pole.toml");
+  CHECK(outcome.status == 3);
+  CHECK(mentions(outcome.errors, "all will take about"));
+  CHECK(mentions(outcome.errors, "[E909]"));
+}
+
 TEST_CASE("scenes run whatever code they ask for, with what they lock and fix") {
   const Workspace workspace;
   workspace.write("held.scene.toml",

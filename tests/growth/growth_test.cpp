@@ -10,6 +10,7 @@
 #include <cmath>
 #include <map>
 
+#include "elgen/analyse.hpp"
 #include "elgen/oracle.hpp"
 #include "elgen/pipeline.hpp"
 #include "growth/operations.hpp"
@@ -154,6 +155,96 @@ TEST_CASE("pages of sums within sums do not double with every sum") {
   check(of_links(10), of_links(20));
   check(of_links(25), of_links(50));
   check(count_of_nested_parameters(8), count_of_nested_parameters(16));
+}
+
+namespace {
+
+/// Bytes that the stages up to the last one ask for, of a model with n coordinates.
+std::uint64_t bytes_of(const std::string& text, const std::vector<Goal>& goals,
+                       const std::vector<std::string>& outputs, int size) {
+  const Inputs inputs{make_source("small.toml", text), nullptr};
+  PipelineOptions options;
+  options.scene.sizes = {option("n=" + std::to_string(size))};
+  for (const std::string& output : outputs) options.scene.outputs.push_back(option(output));
+  options.goals = goals;
+  const Operations start = operations();
+  const Products products = run_pipeline(inputs, options);
+  REQUIRE_FALSE(has_errors(products.diagnostics));
+  return operations().bytes - start.bytes;
+}
+
+std::string small_model(const std::string& energy) {
+  return "format = 1\n[model]\nname = \"small\"\n[sizes]\nn = 4\n[[coordinate]]\nname = \"q[i]\"\n"
+         "for = \"i in 1..n\"\nrange = [-3, 3]\n[energy]\n" +
+         energy;
+}
+
+}  // namespace
+
+TEST_CASE("a column of C differentiates by its own rate alone") {
+  const std::string dense = small_model(
+      "T = \"sum(i, 1, n, dot(q[i])*cos(q[i]))^2/2 + sum(i, 1, n, dot(q[i])^2)\"\nV = \"0\"\n");
+  const auto bytes = [&](int size) {
+    return bytes_of(dense, {Goal::derive}, {"coriolis_matrix"}, size);
+  };
+  bytes(4);
+  // Entries have n terms: by all n rates for each column it would be n^4.
+  check_growth(bytes(10), bytes(40), std::pow(4, 3.4));
+}
+
+TEST_CASE("a page of modes reads the entries that are not 0") {
+  const std::string springs = small_model(
+      "T = \"sum(i, 1, n, dot(q[i])^2)/2\"\n"
+      "V = \"sum(i, 1, n, q[i]^2) + sum(i, 2, n, (q[i] - q[i-1])^2)\"\n");
+  const auto bytes = [&](int size) {
+    PipelineOptions options;
+    options.scene.sizes = {option("n=" + std::to_string(size))};
+    options.goals = {Goal::modes};
+    const Products products = run_pipeline({make_source("small.toml", springs), nullptr}, options);
+    REQUIRE(products.motions);
+    const Operations start = operations();
+    CHECK_FALSE(modes_text(*products.checked, *products.equilibria, *products.motions).empty());
+    return operations().bytes - start.bytes;
+  };
+  bytes(4);
+  // Of n entries, n^2 each.
+  check_growth(bytes(10), bytes(40), std::pow(4, 3.1));
+}
+
+TEST_CASE("symmetries find the slopes of shared arguments once") {
+  const auto bytes = [](int functions) {
+    std::string text;
+    std::string sum;
+    for (int i = 0; i < functions; ++i) {
+      const std::string name = "V" + std::to_string(i);
+      text += "[[function]]\nname = \"" + name + "\"\nof = [\"q[1]\", \"q[2]\"]\n";
+      sum += (i == 0 ? "" : " + ") + name;
+    }
+    const std::string energy = "T = \"sum(i, 1, n, dot(q[i])^2)\"\nV = \"" + sum + "\"\n";
+    return bytes_of(small_model(energy + text), {Goal::symmetries}, {}, 2);
+  };
+  bytes(2);
+  // A slope costs as many bytes as there are functions; each with its own would be their square.
+  check_growth(bytes(10), bytes(40), std::pow(4, 1.6));
+}
+
+TEST_CASE("the search of boxes ends at a count of its operations") {
+  const std::string waves = small_model(
+      "T = \"sum(i, 1, n, dot(q[i])^2)/2\"\n"
+      "V = \"sum(i, 1, n, cos(q[i])) + 0.3*sum(i, 2, n, cos(q[i] - q[i-1]))\"\n");
+  for (const int size : {6, 12}) {
+    const Inputs inputs{make_source("small.toml", waves), nullptr};
+    PipelineOptions options;
+    options.scene.sizes = {option("n=" + std::to_string(size))};
+    options.goals = {Goal::equilibria};
+    options.limits.enclosures = 1'000'000;
+    const Products products = run_pipeline(inputs, options);
+    REQUIRE(products.equilibria);
+    CHECK(products.equilibria->is_cut);
+    CHECK(products.equilibria->completeness == Completeness::searched);
+    const auto n = static_cast<std::uint64_t>(size);
+    CHECK(products.equilibria->boxes * 2 * n * n * n < options.limits.enclosures);
+  }
 }
 
 TEST_CASE("what is made is counted, and what is looked at where blocks are") {
