@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::size_t plain_points = 4;  ///< at the values of parameters, and at other values
 constexpr std::size_t most_places = 10;
-constexpr int widest_factor = 3;  ///< of parameters, as a power of two
+constexpr std::size_t most_together = 4;  ///< sums whose coordinates are moved all at once
+constexpr int widest_factor = 3;          ///< of parameters, as a power of two
 
 /// Relative, but at 0: multiples of 2^-30 near 1e-1, 1e-2, 1e-4 and 1e-8.
 constexpr double unit_of_distance = 0x1p-30;
@@ -58,6 +59,16 @@ struct NearPlace {
   std::optional<std::uint32_t> other = {};
   friend bool operator==(const NearPlace&, const NearPlace&) = default;
 };
+
+using NearPlaces = std::vector<NearPlace>;
+
+/// Whether `place` moves nothing that `known` moves or rests on.
+bool fits_beside(const NearPlaces& known, const NearPlace& place) {
+  return std::ranges::none_of(known, [&place](const NearPlace& other) {
+    return other.coordinate == place.coordinate || other.other == place.coordinate ||
+           place.other == other.coordinate;
+  });
+}
 
 /// The rules of fold.hpp. Numbers stand for parameters at their values.
 struct SumPartRules {
@@ -124,10 +135,12 @@ class CancellingPlaces {
       : domain_(domain), count_(program.leaves.q.size()), found_(count_) {
     for (std::uint32_t i = 0; i < count_; ++i) add({i, 0});
     const auto parts = fold<SumParts>(SumPartRules{domain.states.front()}, program, text);
+    std::vector<NearPlaces> below;
     for (const Instruction& i : text.instructions) {
-      const bool is_sum = i.opcode == Opcode::add || i.opcode == Opcode::subtract;
-      const auto at = static_cast<std::size_t>(&i - text.instructions.data());
-      if (is_sum) add_cancelling(parts[at]);
+      latest_.clear();
+      if (is_sum(i)) add_cancelling(parts[below.size()]);
+      below.push_back(places_below(i, below));
+      add_together(text, i, below);
     }
     std::vector<bool> is_angle(count_);
     for (const Instruction& i : text.instructions) {
@@ -142,12 +155,12 @@ class CancellingPlaces {
   }
 
   /// Taken from the coordinates in turn.
-  [[nodiscard]] std::vector<NearPlace> first(std::size_t most) const {
-    std::vector<NearPlace> places;
+  [[nodiscard]] NearPlaces first(std::size_t most) const {
+    NearPlaces places;
     bool has_more = true;
     for (std::size_t turn = 0; has_more; ++turn) {
       has_more = false;
-      for (const std::vector<NearPlace>& of_coordinate : found_) {
+      for (const NearPlaces& of_coordinate : found_) {
         if (turn >= of_coordinate.size()) continue;
         if (places.size() == most) return places;
         places.push_back(of_coordinate[turn]);
@@ -157,12 +170,55 @@ class CancellingPlaces {
     return places;
   }
 
+  /// Where sums under a product, a root, a quotient or a function vanish with all of their terms.
+  [[nodiscard]] const std::vector<NearPlaces>& together() const { return together_; }
+
  private:
   void add(const NearPlace& place) {
-    std::vector<NearPlace>& known = found_[place.coordinate];
+    NearPlaces& known = found_[place.coordinate];
     const bool is_alone = domain_.is_alone[place.coordinate];
     if (!is_alone || !std::isfinite(place.factor)) return;
+    latest_.push_back(place);
     if (std::ranges::find(known, place) == known.end()) known.push_back(place);
+  }
+
+  static bool is_sum(const Instruction& i) {
+    return i.opcode == Opcode::add || i.opcode == Opcode::subtract;
+  }
+
+  static bool is_wave(const Instruction& i) {
+    return i.opcode == Opcode::call && is_circular(i.function);
+  }
+
+  /// The latest ones, and those of the operands; sines and cosines do not vanish with their angles.
+  [[nodiscard]] NearPlaces places_below(const Instruction& i,
+                                        const std::vector<NearPlaces>& below) const {
+    NearPlaces all = latest_;
+    if (i.opcode == Opcode::coordinate && domain_.is_alone[i.a]) all.push_back({i.a, 0});
+    const std::size_t operands = is_wave(i) ? 0 : operand_count(i);
+    if (operands > 0) all.insert(all.end(), below[i.a].begin(), below[i.a].end());
+    if (operands > 1) all.insert(all.end(), below[i.b].begin(), below[i.b].end());
+    NearPlaces fitting;
+    for (const NearPlace& place : all) {
+      if (fitting.size() < most_parts && fits_beside(fitting, place)) fitting.push_back(place);
+    }
+    return fitting;
+  }
+
+  /// Those of the sums that a product, a root, a quotient or a function is made of. Zeros of the
+  /// coordinates themselves are drawn anyway.
+  void add_together(const Function& text, const Instruction& i,
+                    const std::vector<NearPlaces>& below) {
+    if (is_sum(i) || is_wave(i) || i.opcode == Opcode::negate) return;
+    for (std::size_t k = 0; k < operand_count(i); ++k) {
+      const std::uint32_t operand = k == 0 ? i.a : i.b;
+      const NearPlaces& places = below[operand];
+      const bool is_elsewhere = std::ranges::any_of(
+          places, [](const NearPlace& place) { return place.factor != 0 || place.other; });
+      if (!is_sum(text.instructions[operand]) || !is_elsewhere) continue;
+      if (std::ranges::find(together_, places) != together_.end()) continue;
+      if (together_.size() < most_together) together_.push_back(places);
+    }
   }
 
   /// Where two angles are equal, sums of products of their sines and cosines cancel; then right
@@ -237,15 +293,21 @@ class CancellingPlaces {
 
   const Domain& domain_;
   std::size_t count_;
-  std::vector<std::vector<NearPlace>> found_;  ///< by coordinate
+  std::vector<NearPlaces> found_;          ///< by coordinate
+  NearPlaces latest_ = {};                 ///< of one sum
+  std::vector<NearPlaces> together_ = {};  ///< by sum
   int depth_ = 0;
 };
 
 class Making {
  public:
   Making(const Program& program, const Function& text, const Domain& domain,
-         std::vector<NearPlace> places)
-      : program_(program), text_(text), domain_(domain), places_(std::move(places)) {}
+         const CancellingPlaces& places)
+      : program_(program),
+        text_(text),
+        domain_(domain),
+        places_(places.first(most_places)),
+        together_(places.together()) {}
 
   ComparisonPoints operator()() {
     for (std::size_t i = 0; i < plain_points; ++i) points_.push_back(state());
@@ -254,8 +316,9 @@ class Making {
     for (const NearPlace& place : places_) {
       for (const double distance : distances) add_near(place, distance);
     }
-    add_near_all(state(), near);
-    add_near_all(at_rest(state()), nearest);
+    add_near_all(places_);
+    for (const NearPlaces& places : together_) add_near_all(places);
+    for (std::size_t i = 0; i < plain_points && has_motion(); ++i) add(at_rest(state()));
     return std::move(points_);
   }
 
@@ -263,10 +326,20 @@ class Making {
   /// The next one, over and over.
   const Arguments<double>& state() { return domain_.states[next_++ % domain_.states.size()]; }
 
-  /// T, which is large elsewhere, is 0.
+  static bool is_motion(Opcode kind) {
+    return kind == Opcode::velocity || kind == Opcode::momentum || kind == Opcode::acceleration ||
+           kind == Opcode::input;
+  }
+
+  [[nodiscard]] bool has_motion() const {
+    return std::ranges::any_of(text_.instructions, is_motion, &Instruction::opcode);
+  }
+
+  /// T, the inertia of accelerations and inputs, which are large elsewhere, are 0: they hide what a
+  /// force that holds the system loses.
   static Arguments<double> at_rest(Arguments<double> point) {
     const auto stop = [](Opcode kind, std::uint32_t, double& value) {
-      if (kind == Opcode::velocity || kind == Opcode::momentum) value = 0;
+      if (is_motion(kind)) value = 0;
     };
     for_each_leaf(stop, point);
     return point;
@@ -312,13 +385,18 @@ class Making {
         entries, [](const RoughError& entry) { return std::isfinite(entry.value); });
   }
 
-  void add_near_all(Arguments<double> point, double distance) {
+  void add_near_all(const NearPlaces& places) {
+    add_near_all(places, state(), near);
+    add_near_all(places, at_rest(state()), nearest);
+  }
+
+  void add_near_all(const NearPlaces& places, Arguments<double> point, double distance) {
     std::vector<bool> is_moved(point.q.size());
-    for (const NearPlace& place : places_) {
+    for (const NearPlace& place : places) {
       if (!is_moved[place.coordinate]) move(point, place, drawn_side(distance));
       is_moved[place.coordinate] = true;
     }
-    if (!places_.empty()) add(std::move(point));
+    if (!places.empty()) add(std::move(point));
   }
 
   /// A point outside the declared ranges is left out.
@@ -332,7 +410,8 @@ class Making {
   const Program& program_;
   const Function& text_;
   const Domain& domain_;
-  std::vector<NearPlace> places_;
+  NearPlaces places_;
+  std::vector<NearPlaces> together_;
   Random random_{1};
   std::size_t next_ = 0;
   ComparisonPoints points_ = {};
@@ -342,8 +421,7 @@ class Making {
 
 ComparisonPoints comparison_points(const Program& program, const Function& text,
                                    const Domain& domain) {
-  return Making(program, text, domain,
-                CancellingPlaces(program, text, domain).first(most_places))();
+  return Making(program, text, domain, CancellingPlaces(program, text, domain))();
 }
 
 }  // namespace elgen

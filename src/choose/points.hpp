@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// points: where the ways to write a function are compared: at most 50, the same for all its forms.
+// points: where the ways to write a function are compared: at most 62, the same for all its forms.
 //
 // States inside the ranges, with the parameters at their values; such with other parameters, equal
 // ones of one unit multiplied by one factor, since what is equal may cancel; and states near the
 // places where sums of the text vanish:
 //
 //     before    F*sqrt((x - a)^2 + y^2)
-//     after     x near a and -a, x near 0, y near 0; both near 0
+//     after     x near a and -a, x near 0, y near 0; both near 0; x near a and y near 0
+//
+// and at rest, where no rate, acceleration or input hides what a force loses.
 #pragma once
 
 #include <vector>

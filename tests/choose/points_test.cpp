@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sums that vanish in several coordinates at once, and forces that hold a system at rest: the code
+// keeps the digits of the text there.
+#include "choose/points.hpp"
+
+#include <cln/integer.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "choose/chosen.hpp"
+#include "evaluate/running_errors.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+/// Two coordinates x and y with T = 1/2 (v_x^2 + v_y^2).
+Chosen plane_with(const std::string& potential, const std::string& parameters = {}) {
+  return chosen(model_text(
+      "plane", "[[coordinate]]\nname = \"x\"\n[[coordinate]]\nname = \"y\"\n" + parameters +
+                   "[energy]\nT = \"1/2*(dot(x)^2 + dot(y)^2)\"\nV = \"" + potential + "\"\n"));
+}
+
+Chosen line_with(const std::string& potential, const std::string& rest = {}) {
+  return chosen(model_text("line", "[[coordinate]]\nname = \"x\"\n" + rest +
+                                       "[energy]\nT = \"1/2*dot(x)^2\"\nV = \"" + potential +
+                                       "\"\n"));
+}
+
+/// At rest, parameters at their values.
+Arguments<double> resting(const Chosen& c, const std::vector<double>& q) {
+  Arguments<double> point = domain_of(c.checked.model, c.checked.scene, c.recursive).states.front();
+  point.q = q;
+  for (auto* rates : {&point.v, &point.a, &point.u}) std::ranges::fill(*rates, 0.0);
+  return point;
+}
+
+std::size_t number_of(const Chosen& c, const std::string& name) {
+  const auto named = [&name](const Function& f) { return f.name == name; };
+  const auto& functions = c.recursive.functions;
+  return static_cast<std::size_t>(std::ranges::find_if(functions, named) - functions.begin());
+}
+
+std::vector<Running> entries_at(const Program& program, const Function& function,
+                                const Arguments<double>& point) {
+  const RunningErrorRules rules{running_leaves(point, Leaves::exact)};
+  return entries_of(function, fold<Running>(rules, program, function));
+}
+
+/// Between points of judgement, where 64 times is harm, a way may lose a few times more.
+constexpr int little_worse_elsewhere = 512;
+
+/// Whether no entry loses more than so many times what the text loses.
+bool keeps_text(const Chosen& c, const std::string& name, const std::vector<double>& q) {
+  const Arguments<double> point = resting(c, q);
+  const std::size_t i = number_of(c, name);
+  const auto text = entries_at(c.recursive, c.recursive.functions[i], point);
+  const auto code = entries_at(c.choice.program, c.choice.program.functions[i], point);
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    if (!text[k].error.is_defined()) continue;
+    if (!code[k].error.is_defined()) return false;
+    const Real allowed =
+        max(text[k].error, abs(text[k].value)) * Real(cln::cl_I(little_worse_elsewhere));
+    if (code[k].error.value() > allowed.value()) return false;
+  }
+  return true;
+}
+
+/// The largest error of an entry, in u of its magnitude; infinite where it is undefined.
+double digits_lost(const Chosen& c, const std::string& name, const std::vector<double>& q) {
+  const Function& function = c.choice.program.functions[number_of(c, name)];
+  double worst = 0;
+  for (const Running& entry : entries_at(c.choice.program, function, resting(c, q))) {
+    const Real lost = entry.error / abs(entry.value);
+    if (!lost.is_defined()) return std::numeric_limits<double>::infinity();
+    worst = std::max(worst, ScalarTraits<double>::from_real(lost.value()));
+  }
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE("distances keep the digits of the text where both of their differences vanish") {
+  const std::string parameters = "[parameters]\na = 100\nb = 1\nc = 0.3\nk = 40\n";
+  const std::vector<std::string> potentials{"40*sqrt((x - 1)^2 + (y - 0.3)^2)",
+                                            "k*sqrt((x - b)^2 + (y - c)^2)",
+                                            "k*((x - b)^2 + (y - c)^2)^(3/2)"};
+  for (const std::string& potential : potentials) {
+    const Chosen anchor = plane_with(potential, parameters);
+    for (const double away : {1e-5, 1e-8}) {
+      for (const char* name : {"potential_energy", "gravity", "inverse_dynamics"}) {
+        INFO(potential << ' ' << name << ' ' << away);
+        CHECK(keeps_text(anchor, name, {1 + away, 0.3 - 0.7 * away}));
+      }
+    }
+  }
+  const Chosen product = plane_with("k*(1/(a - x) - 1/a)*sqrt(x^2 + (y - c)^2)", parameters);
+  CHECK(keeps_text(product, "potential_energy", {1e-8, 0.3 + 1e-8}));
+  CHECK(keeps_text(product, "gravity", {1e-8, 0.3 + 1e-8}));
+}
+
+TEST_CASE("a force that holds a system at rest has the digits that the potential's has") {
+  const Chosen spring = line_with("1/2*k*(sqrt(l^2 + x^2) - l)^2",
+                                  "range = [-1, 1]\n[parameters]\nk = 40\nl = 0.7\n");
+  CHECK(digits_lost(spring, "inverse_dynamics", {1e-8}) < 64);
+  const Chosen well = line_with("3*((x - 1)*(x + 1))^2");
+  CHECK(digits_lost(well, "inverse_dynamics", {1 + 9e-9}) < 64);
+  CHECK(digits_lost(well, "inverse_dynamics", {9e-9 - 1}) < 64);
+  const Chosen gas = line_with("3*log(1 - exp(-x))", "range = [1e-6, 20]\n");
+  CHECK(digits_lost(gas, "inverse_dynamics", {18}) < 64);
+}
+
+TEST_CASE("points of functions with rates are at rest, too") {
+  const Chosen model = plane_with("(x - 1)^2*(y - 0.3)^2");
+  const auto points = [&model](const std::string& name) {
+    const Program& program = model.recursive;
+    const Domain domain = domain_of(model.checked.model, model.checked.scene, program);
+    return comparison_points(program, program.functions[number_of(model, name)], domain);
+  };
+  const auto is_resting = [](const Arguments<double>& point) {
+    return point.v == std::vector<double>(2) && point.a == std::vector<double>(2);
+  };
+  CHECK(std::ranges::count_if(points("inverse_dynamics"), is_resting) >= 5);
+  CHECK(points("inverse_dynamics").size() <= 62);
+}
+
+TEST_CASE("the force of two equal sides has a value where the angle between them is small",
+          "[!shouldfail]") {
+  const Chosen sides = line_with("40*sqrt(9/4 + 9/4 - 2*3/2*3/2*cos(x))");
+  CHECK(digits_lost(sides, "gravity", {1e-8}) < 64);
+}
