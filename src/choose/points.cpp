@@ -11,6 +11,7 @@
 #include "base/random.hpp"
 #include "elgen/fold.hpp"
 #include "evaluate/rough_errors.hpp"
+#include "lower/graph/prune.hpp"
 
 namespace elgen {
 namespace {
@@ -28,6 +29,9 @@ constexpr double distances[]{107374182 * unit_of_distance, 10737418 * unit_of_di
 /// The distances of all coordinates at once from their first places.
 constexpr double near = distances[2];
 constexpr double nearest = distances[3];
+
+/// Of coordinates without a range in exp(u) and log(u): a few decades of u, and most of double's.
+constexpr double far_away[]{16, -16, 1024, -1024};
 
 constexpr double half_turn = 3.141592653589793;
 constexpr double places_of_sines[]{half_turn, half_turn / 2, -half_turn / 2, -half_turn};
@@ -319,6 +323,7 @@ class Making {
     add_near_all(places_);
     for (const NearPlaces& places : together_) add_near_all(places);
     for (std::size_t i = 0; i < plain_points && has_motion(); ++i) add(at_rest(state()));
+    add_far();
     return std::move(points_);
   }
 
@@ -383,6 +388,36 @@ class Making {
     const auto entries = entries_of(text_, fold<RoughError>(RoughRules{point}, program_, text_));
     return std::ranges::count_if(
         entries, [](const RoughError& entry) { return std::isfinite(entry.value); });
+  }
+
+  /// By coordinate, whether it has no range and an exponential or a logarithm is taken of it.
+  [[nodiscard]] std::vector<bool> unbounded_arguments() const {
+    std::vector<std::uint32_t> arguments;
+    for (const Instruction& i : text_.instructions) {
+      const bool is_exponential = i.function == FunctionId::exp || i.function == FunctionId::log;
+      if (i.opcode == Opcode::call && is_exponential) arguments.push_back(i.a);
+    }
+    const std::vector<bool> needed = needed_for(text_, arguments);
+    std::vector<bool> is_unbounded(domain_.is_alone.size());
+    for (std::size_t at = 0; at < needed.size(); ++at) {
+      const Instruction& i = text_.instructions[at];
+      if (!needed[at] || i.opcode != Opcode::coordinate) continue;
+      is_unbounded[i.a] = domain_.is_alone[i.a] && !domain_.declared.q[i.a];
+    }
+    return is_unbounded;
+  }
+
+  /// 1 + expm1(u) has no digit of exp(u) where that is small, nor log1p((a - b)/b) of log(a/b).
+  void add_far() {
+    const std::vector<bool> is_far = unbounded_arguments();
+    if (std::find(is_far.begin(), is_far.end(), true) == is_far.end()) return;
+    for (const double distance : far_away) {
+      Arguments<double> point = state();
+      for (std::size_t i = 0; i < is_far.size(); ++i) {
+        if (is_far[i]) point.q[i] = distance * random_.uniform(0.5, 1);
+      }
+      add(std::move(point));
+    }
   }
 
   void add_near_all(const NearPlaces& places) {

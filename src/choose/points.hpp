@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// points: where the ways to write a function are compared: at most 62, the same for all its forms.
+// points: where the ways to write a function are compared: at most 66, the same for all its forms.
 //
 // States inside the ranges, with the parameters at their values; such with other parameters, equal
 // ones of one unit multiplied by one factor, since what is equal may cancel; and states near the
@@ -8,7 +8,8 @@
 //     before    F*sqrt((x - a)^2 + y^2)
 //     after     x near a and -a, x near 0, y near 0; both near 0; x near a and y near 0
 //
-// and at rest, where no rate, acceleration or input hides what a force loses.
+// and at rest, where no rate, acceleration or input hides what a force loses; and far out, where
+// exponentials and logarithms of coordinates without a range vanish or grow.
 #pragma once
 
 #include <vector>

@@ -126,11 +126,29 @@ TEST_CASE("points of functions with rates are at rest, too") {
     return point.v == std::vector<double>(2) && point.a == std::vector<double>(2);
   };
   CHECK(std::ranges::count_if(points("inverse_dynamics"), is_resting) >= 5);
-  CHECK(points("inverse_dynamics").size() <= 62);
+  CHECK(points("inverse_dynamics").size() <= 66);
 }
 
 TEST_CASE("the force of two equal sides has a value where the angle between them is small",
           "[!shouldfail]") {
   const Chosen sides = line_with("40*sqrt(9/4 + 9/4 - 2*3/2*3/2*cos(x))");
   CHECK(digits_lost(sides, "gravity", {1e-8}) < 64);
+}
+
+TEST_CASE("exponentials and logarithms without a range keep their digits far out") {
+  const std::string parameters = "[parameters]\na = 1.5\nb = 1.25\n";
+  const std::string well = "2*(1 - exp(-a*(x - b)))^2";
+  const Chosen morse = line_with(well, parameters);
+  // The exponent, which is rounded twice, is 28 at most.
+  for (const double x : {10.0, 15.0, 20.0}) CHECK(digits_lost(morse, "gravity", {x}) < 128);
+  const Chosen vortex = line_with("12*log(b/x)", "[parameters]\nb = 0.45\n");
+  CHECK(digits_lost(vortex, "potential_energy", {4e3}) < 64);
+  const Chosen ranged = line_with(well, "range = [0.8, 2]\n" + parameters);
+  CHECK(digits_lost(ranged, "gravity", {1.25 + 1e-8}) < 64);
+}
+
+TEST_CASE("an exponential keeps its digits beyond the range of its coordinate", "[!shouldfail]") {
+  const Chosen morse =
+      line_with("2*(1 - exp(-a*(x - b)))^2", "range = [0.8, 2]\n[parameters]\na = 1.5\nb = 1.25\n");
+  CHECK(digits_lost(morse, "gravity", {10}) < 64);
 }
