@@ -212,23 +212,6 @@ TEST_CASE("a page of modes reads the entries that are not 0") {
   check_growth(bytes(10), bytes(40), std::pow(4, 3.1));
 }
 
-TEST_CASE("symmetries find the slopes of shared arguments once") {
-  const auto bytes = [](int functions) {
-    std::string text;
-    std::string sum;
-    for (int i = 0; i < functions; ++i) {
-      const std::string name = "V" + std::to_string(i);
-      text += "[[function]]\nname = \"" + name + "\"\nof = [\"q[1]\", \"q[2]\"]\n";
-      sum += (i == 0 ? "" : " + ") + name;
-    }
-    const std::string energy = "T = \"sum(i, 1, n, dot(q[i])^2)\"\nV = \"" + sum + "\"\n";
-    return bytes_of(small_model(energy + text), {Goal::symmetries}, {}, 2);
-  };
-  bytes(2);
-  // A slope costs as many bytes as there are functions; each with its own would be their square.
-  check_growth(bytes(10), bytes(40), std::pow(4, 1.6));
-}
-
 TEST_CASE("the search of boxes ends at a count of its operations") {
   const std::string waves = small_model(
       "T = \"sum(i, 1, n, dot(q[i])^2)/2\"\n"
