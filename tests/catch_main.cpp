@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The one entry point of every test executable.
 #define CATCH_CONFIG_MAIN
 #include <catch2/catch.hpp>

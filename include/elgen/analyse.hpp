@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Analysis: where a system can be at rest, whether it stays there, how it moves about that, and
 // what its symmetries keep.
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Arguments: the kinds of leaves that an emitted function takes, whether it reads them or not.
 //
 //     inverse_dynamics, time occurs   ->   p, q, v, a, t

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Artifacts: the kinds of files that are written (artifacts.def), and which of them a scene wants.
 #pragma once
 

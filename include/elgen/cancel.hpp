@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // cancel: what is identically zero becomes exactly 0.
 //
 //     before    0 = parameter m   1 = parameter l   2 = multiply 0 1   3 = …, the same otherwise

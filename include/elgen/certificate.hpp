@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Certificate: one row per check, with what was compared, where it was worst, and why its tolerance
 // is what it is.
 #pragma once

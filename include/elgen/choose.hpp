@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // choose: which of its two forms each function is emitted in, and how its entries are written for a
 // reader.
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // ClosedForms: every entry of the wanted outputs as one canonical sum over one canonical
 // denominator, free of GiNaC and of the program's sharing.
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Constant: a number that depends on nothing, with how it is made of rational numbers and pi.
 //
 //     form   1 - cos(3/10)      value   0.0446635108743939…

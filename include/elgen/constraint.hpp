@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Constraint: an equation that the motion of a Model obeys.
 #pragma once
 

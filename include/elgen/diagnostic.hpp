@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Diagnostics are values: a stable code, an exact span, the observed value, perhaps a suggestion.
 //
 // Every stage returns Result<T>: a value, diagnostics, or a value with warnings. format() is the

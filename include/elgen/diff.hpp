@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // diff: what changed between two versions of a model or a scene, as mathematics.
 //
 //     keys of the files      the causes, by their place in the parsed trees

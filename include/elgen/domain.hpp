@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Domain: where the functions of a program are called, as far as a model and a scene say so: at the
 // values of their parameters, and at states inside the declared ranges.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // EmittedFiles: the texts elgen would write, by path relative to the output folder; nothing touches
 // the disk.
 #pragma once

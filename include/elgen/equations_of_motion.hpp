@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // EquationsOfMotion: the wanted outputs in recursive form: entries over one ordered list of
 // definitions.
 //

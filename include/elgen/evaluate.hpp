@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The interpreter: a Function on numbers of any scalar type, one instruction after another.
 //
 // Cost: one operation of Scalar per instruction. Scalar needs + - * / unary minus, construction by

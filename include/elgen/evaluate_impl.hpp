@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Implementation of evaluate.hpp, which alone includes it: the interpreter loop and the scalar type
 // Real of at least 60 digits.
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Expression: one node of the arena of a Model. Operands are indices of earlier nodes, so that
 // shared parts stay shared.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // fold: what the instructions of a Function stand for in a domain of one's own: numbers, bounds,
 // closed forms, graphs, text. The domain says by its rules what every operation makes of its
 // operands:

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The function table of the model language (functions.def), as an enumeration with its laws.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // What a scene takes out of a model: locked variables, and cyclic coordinates.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Inertia tensors that some rigid body has.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Inspection: mechanical sanity of a Model, found by sampling the oracle at exact random points.
 //
 // Finds what no reading of the text shows: a mass matrix singular everywhere (names the coordinate

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // integrate: the output `step`, one step of a method, as straight-line code: the chosen forms of
 // what the method calls, one copy for every call.
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Lagrangian: T, V, D, Q over definitions; the owner of all symbols.
 //
 // A definition is a *small* GiNaC expression over leaves (q, v, a, u, t, parameters) and earlier

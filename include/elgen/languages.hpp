@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The table of target languages (languages.def), as an enumeration with its properties.
 #pragma once
 

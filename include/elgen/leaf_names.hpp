@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The leaves of a Model: what they are called, how many there are, the ranges it declares.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Leaves: what the equations of a system depend on, one thing per kind.
 #pragma once
 

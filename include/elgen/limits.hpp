@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Limits: what elgen refuses to grow beyond, each raised by `--limit NAME=VALUE`, listed by
 // `--limits`.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // lower: EquationsOfMotion -> Program. The only place that decides the order of evaluation and what
 // is shared.
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Model: what a system is. Sizes applied, repetitions expanded, names resolved, units agreed,
 // constants exact.
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Opcodes: the operations of a Program, leaves among them, as opcodes.def and leaves.def list them.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Open functions: f(x_1, ..., x_n) of which a model knows the arguments only. The numbers
 //
 //     f,  df/dx_i,  d2f/dx_i dx_j  (i <= j)      V, V_1, V_2, V_11, V_12, V_22 of two arguments

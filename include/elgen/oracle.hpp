@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Oracle: 60-digit values of every output, straight from the energies of the Model.
 //
 // THIS CODE IS SLOW ON PURPOSE. Nested dual numbers on the Model's own expressions, nothing shared

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The table of outputs (outputs.def): arguments, shape, units, type, availability and equation.
 //
 // Whatever differs between outputs is a column here, which every stage reads. Only the derivation

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The pipeline: one model and perhaps one scene, through every stage, to a checked Program and its
 // files.
 #pragma once

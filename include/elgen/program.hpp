@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Program: one straight-line function per output, free of GiNaC, ordered by elgen's own keys.
 //
 // A Function is a list of instructions in single-assignment form, operands before use, nothing

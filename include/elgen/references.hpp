@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // References: what the expressions of a Model are made of, through its names.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Equations of a Program as a reader sees them: in the language of models, in LaTeX, and as pages.
 //
 // A page shows a Sheet: formulas in LaTeX, everything else plain text. MathML is translated from

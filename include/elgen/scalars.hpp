@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The built-in scalars that code is emitted, compiled and run for.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Scene: what is wanted from a model, in parts named after the stages that read them.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Trajectory: a run of a system in time, by its functions in the evaluator, or as they were emitted
 // and compiled.
 #pragma once

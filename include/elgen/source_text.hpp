@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Source text and spans: where every declaration, value and error points.
 //
 // A SourceText is one input (a model file, a scene file, or the text of a command-line option). A

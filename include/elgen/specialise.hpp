@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // specialise: Lagrangian -> smaller Lagrangian. Fixed parameters become exact numbers; what they
 // make zero disappears from every definition; locked and cyclic coordinates leave; energies and
 // forces that a scene expands become polynomials.

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The methods of `step` (step_methods.def), which are straight-line code: explicit ones, and
 // implicit ones of a fixed number of iterations; and compositions of those that are symmetric.
 //

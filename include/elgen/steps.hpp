@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Steps: Lagrange's equations as a student derives them, each step over the definitions.
 //
 //     delta S = 0, positions, velocities by the chain rule, T, V, L = T - V, then for every q

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // FileSyntax: a model or a scene as written, every piece with its span; names are not resolved
 // yet.
 //

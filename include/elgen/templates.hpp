@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Templates as strings of the binary; the definitions are written by cmake/EmbedTemplates.cmake.
 #pragma once
 

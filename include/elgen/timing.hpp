@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Timing: an emitted function on arrays of states, or an emitted step in a loop, compiled as users
 // compile, to be timed.
 #pragma once

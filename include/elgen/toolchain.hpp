@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Toolchain: compiles every emitted header with the user's compiler and loads its functions.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // TradeoffTable: what the designs of one output, or of one run, cost and how far they are off.
 //
 // A design is a scene. plan() lists designs; the pipeline and the compiler run on each; measured()

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // typeset: closed forms -> functions written as books write them, for people: pages and `show`.
 // Code, its comments and the sidecar have the forms of choose, which do not change with the way in
 // which an energy is typed.

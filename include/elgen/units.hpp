@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Units: products of rational powers of m, kg, s, A, K. rad is 1.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // ImportedModel: a robot description (URDF) as the text of a model file.
 //
 // Every link that moves is a frame and a body, every joint that moves a coordinate and an input;

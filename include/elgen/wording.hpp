@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Wording: how messages show text of the user, count things and suggest names.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Linear equations are solved in closed form; others are searched in boxes, and where the boxes are
 // not enough, from the middles of those that are left.
 #include "analyse/block_roots.hpp"

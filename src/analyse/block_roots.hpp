@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Block roots: all solutions of the equations of one block.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The test is made on a box a little larger than the one that is looked at, so that a solution on
 // the border of two boxes is inside of both.
 #include "analyse/boxes.hpp"

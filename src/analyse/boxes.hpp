@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Boxes: all solutions of equations in a box, by interval arithmetic and Krawczyk's test.
 //
 //     K(X) = m - Y f(m) + (1 - Y J(X)) (X - m),    m the middle of X,  Y about J(m)^-1

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // M is judged by its pivots, beside those that it has where all coordinates are moved.
 #include "analyse/chart_breaks.hpp"
 

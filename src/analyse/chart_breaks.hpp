@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Chart breaks: places of rest at which M is singular, and no equation of motion says more.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // An angle acos(n/d) or asin(n/d) exists where |n| <= |d|.
 #include "analyse/claims.hpp"
 

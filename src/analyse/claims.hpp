@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Claims: the last lines of a page of equilibria: for which parameters they are exact, when they
 // exist, and whether they are all.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // D is taken for dissipative where its second derivatives at v = 0 are constants and make a
 // positive semidefinite matrix.
 #include "analyse/conservation.hpp"

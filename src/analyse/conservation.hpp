@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Conservation: whether energy decides about stability.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // [[equilibrium]]: closed forms of the residual and of det(x M - K) at the point; where they do not
 // decide, numbers of 64 digits at random parameters.
 #include <fmt/format.h>

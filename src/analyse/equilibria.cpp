@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Equilibria of the whole are all combinations of those of the blocks.
 #include <fmt/format.h>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The page of equilibria: formulas, a table of points, the conditions, the claim.
 #include <fmt/format.h>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // With denominators cleared an equation is a sum of monomials in q, v, a and t. It holds for all
 // motions where the coefficient of each, which is made of parameters, is 0.
 #include "analyse/exact_generators.hpp"

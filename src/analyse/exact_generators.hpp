@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The symmetries of generic parameters: the conditions on a generator as closed forms, of which
 // every monomial in q, v, a and t has to vanish by itself.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The equation of one angle is a polynomial in z = e^(iq), whose factors z - 1, z + 1, z - i, z + i
 // are divided out; what is left of degree 2 is c0 (z^2 + 1) + c1 z or c0 (1 - z^2) + c1 z.
 #include "analyse/exact_roots.hpp"

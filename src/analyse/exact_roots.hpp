@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Exact roots: closed forms of what was found in 64 digits, each put into the equations and kept
 // only where these become the empty sum.
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A closed form goes the way of the entry of an output: written as in a book, or where it is long
 // in its shortest way, made a function, and printed as one.
 #include "analyse/formulas.hpp"

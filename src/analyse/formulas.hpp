@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Formulas: closed forms as they are read, in the model language and in LaTeX.
 #pragma once
 

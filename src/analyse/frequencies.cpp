@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The two roots are written over one divisor, with the factor that both terms have taken out.
 #include "analyse/frequencies.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Frequencies: w^2 of M x'' + K x = 0 by formulas, for coordinates that are coupled at most in
 // pairs.
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Generators of symmetries: one class of infinitesimal changes of a motion, linear in its unknowns.
 //
 //     dq = A q + b + c t of all that is no rotation,  dt constant

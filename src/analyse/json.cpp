@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // What analysis found as JSON, for programs: numbers in the digits that tell doubles apart.
 #include <nlohmann/json.hpp>
 

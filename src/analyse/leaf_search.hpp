@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Leaf search: which atoms of an algebra hold leaves of one sort.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Doubles of matrices in 64 digits.
 #include "analyse/linear_equations.hpp"
 

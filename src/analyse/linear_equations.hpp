@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Linear equations: M x'' + D x' + K x = B du about a point of rest as matrices of doubles.
 #pragma once
 

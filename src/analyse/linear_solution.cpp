@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A pivot is a coefficient that is not 0 at the values of the parameters.
 #include "analyse/linear_solution.hpp"
 

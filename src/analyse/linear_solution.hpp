@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Linear solution: equations of rest that are linear, as those of masses on springs, in closed
 // form.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Modes by Eigen's self-adjoint solver in doubles; of each w^2 the Rayleigh quotient in 64 digits,
 // whose error is the square of that of the shape.
 #include "analyse/modes.hpp"

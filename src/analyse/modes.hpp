@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Modes: the normal modes of M x'' + K x = 0 about a point of rest.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The page of small motions: M and K in closed form where the point has one, w^2 by formulas for
 // blocks of one or two coordinates, then numbers.
 #include <fmt/format.h>

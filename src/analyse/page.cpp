@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A page of the model language has the parts of a sheet, one line for each entry of a matrix.
 #include "analyse/page.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Page: what an analysis found, as it is read: once in the model language, once in LaTeX.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Newton's method on quaternions moves them along their tangents and scales them to length 1.
 #include "analyse/polish.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Polish: a solution to 64 digits, by Newton's method.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The equations of rest are copied into one graph with v = 0 and u = its values; blocks are the
 // connected parts of "row i holds coordinate k".
 #include "analyse/rest.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Rest: the equations of a system that does not move, and what they say of each coordinate.
 //
 //     r(q) = bias(q, 0) - B(q) u = 0,    u given        M(q)        W(q) = V0 - T0

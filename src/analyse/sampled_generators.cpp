@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Gauss and Jordan with the largest pivot of each column. Entries below 1e-100 are 0.
 #include "analyse/sampled_generators.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The symmetries at the values of the parameters: the conditions on a generator at random states in
 // 160 digits. Every symmetry solves them, so that there are never fewer of
 // these.

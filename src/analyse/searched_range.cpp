@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A range of an angle holds its values and those a whole number of turns on.
 #include "analyse/searched_range.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Searched ranges: where the coordinates of equilibria are looked for.
 #pragma once
 

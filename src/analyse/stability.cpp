@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Growth rates of natural systems are those of their modes, known to 64 digits.
 #include "analyse/stability.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Stability of a state of rest: by Lagrange and Dirichlet where energy decides, else by the poles.
 #pragma once
 

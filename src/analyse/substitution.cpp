@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Term by term; every atom is made anew of its arguments, once.
 #include "analyse/substitution.hpp"
 

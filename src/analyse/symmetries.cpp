@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A basis by closed forms, else by sampling; then of each the integral that it keeps, where dL =
 // dF/dt is proved once more by L = v.dL/dv - E itself.
 #include <cln/integer.h>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The page of symmetries: a row for each with its change and its integral, the claim, and the
 // integrals as a model states them.
 #include <fmt/format.h>

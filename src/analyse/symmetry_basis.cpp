@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Rotations of all points at once replace those vectors of a basis that they are made of.
 #include "analyse/symmetry_basis.hpp"
 

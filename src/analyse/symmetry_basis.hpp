@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The basis of the symmetries of a system in the terms of mechanics.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // One variable after the other: after F took the part of dF/dt before v_k, the rest holds v_k no
 // more.
 #include "analyse/total_integral.hpp"

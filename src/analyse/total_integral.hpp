@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Total integral: the function of coordinates and time of which a form is the rate.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // ASCII: kinds of characters, the same in every locale.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The one hash of the house.
 #include "base/content_hash.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // content_hash: contents -> 16 digits (xxh3, 64 bits, seed 0).
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Descriptor: an open file of the system, closed with its owner.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The code table, and what a set of diagnostics amounts to (order, exit code).
 #include "elgen/diagnostic.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Long names are cut on code point boundaries.
 #include "base/diagnostic_words.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // diagnostic_words: what every format says of a diagnostic.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Enclosed numbers: a float, and a bound that needs few digits.
 #include "base/enclosed_number.hpp"
 

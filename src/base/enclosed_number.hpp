@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Enclosed numbers: numbers that are known to within a bound, and the functions of functions.def on
 // them, with their domains.
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Significand times a power of the base.
 #include "base/exact_number.hpp"
 

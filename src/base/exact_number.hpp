@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Exact numbers: powers of ten, sizes, and binary numbers as the rationals they are.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Diagnostics -> text: for people with position, message, source line, caret and hint.
 #include <fmt/format.h>
 

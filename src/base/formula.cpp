@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // formula: the rows of spellings, and where brackets stand.
 #include "base/formula.hpp"
 

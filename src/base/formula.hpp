@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // formula: formulas, put together from their parts in one language after the other, with as few
 // brackets as the order of evaluation allows.
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Positive semidefinite second moments: all principal minors are at least zero.
 #include "elgen/inertia.hpp"
 

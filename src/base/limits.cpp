@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The table behind --limits and --limit NAME=VALUE.
 #include "elgen/limits.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // MoreDigits: one sum per thread.
 #include "base/more_digits.hpp"
 

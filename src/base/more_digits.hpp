@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // MoreDigits: while it lives, exact arithmetic has so many decimal digits more than by itself: Real
 // and the oracle alike. Where two exact values differ because their digits cancelled, they do not
 // with more of them; what differs still is different.

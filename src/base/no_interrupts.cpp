@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // no_interrupts: signals are blocked in this thread; others have to block theirs (Progress does).
 #include "base/no_interrupts.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // no_interrupts: what would end the process has to wait while something is half done.
 #pragma once
 

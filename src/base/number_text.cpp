@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // number_text: exact integer arithmetic only, so that no locale and no libm decides a digit.
 #include "base/number_text.hpp"
 

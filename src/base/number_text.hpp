@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers as text: exact numbers -> decimal texts, the same in every locale and process.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Questions to the table of outputs.
 #include <algorithm>
 

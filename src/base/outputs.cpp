@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The table of outputs: one row of each, by family.
 //
 // Equations are written in q, v, a, u, t with T = T2 + b_T.v + T0 (T2 = 1/2 v.M v), V = V0 + V1.v

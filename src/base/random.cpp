@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // SplitMix64 after Steele, Lea, Flood, "Fast splittable pseudorandom number generators" (OOPSLA
 // 2014).
 #include "base/random.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Random: SplitMix64. Own and tiny, because the standard distributions differ between libraries and
 // a seed must name the same states everywhere.
 #pragma once

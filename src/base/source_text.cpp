@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // SourceText: byte offsets to lines and columns. Columns count code points, as editors do.
 #include "elgen/source_text.hpp"
 

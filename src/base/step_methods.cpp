@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Orders of compositions, and their parts of a step as decimals; the middle one is what the others
 // leave of 1, so that the time after all of them is exact. Suzuki (1990): 1/(4 - 4^(1/3)). Kahan,
 // Li (1997), 17 parts: Hairer, Lubich, Wanner, Geometric Numerical Integration, 2nd ed., sec.

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Elements of pictures as text.
 #include "base/svg.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // SVG: the elements that pictures are made of, in black and grey on white, positions in pixels.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Templates, and those they name.
 #include "elgen/templates.hpp"
 

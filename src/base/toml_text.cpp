@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Quoting, and columns: each but the last is padded to its widest cell.
 #include "base/toml_text.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // TOML as a person would align it.
 #pragma once
 

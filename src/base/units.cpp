@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Units: arithmetic on rational powers of m, kg, s, A, K, the table of known names, and their
 // spelling.
 //

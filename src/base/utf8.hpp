@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // UTF-8: code points of a text, and where it stops being UTF-8.
 #pragma once
 

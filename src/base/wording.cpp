@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Wording: user text made fit for a message, counts and suggestions.
 #include "elgen/wording.hpp"
 

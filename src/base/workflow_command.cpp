@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // workflow_command: a message may hold anything but line ends, per cent signs and what is not seen,
 // a property no colons and commas either.
 #include "base/workflow_command.hpp"

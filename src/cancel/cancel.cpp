@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // cancel: see cancel.hpp. Function by function; where nothing vanishes nothing changes.
 #include "elgen/cancel.hpp"
 

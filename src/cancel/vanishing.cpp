@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // An analytic function that is zero at random points is zero. Three things are guarded against:
 // values that are not analytic are variables of their own (lower/network/analytic.hpp); where 64
 // digits hide a difference (1 - tanh(500), 1 + 1e-70 - 1) nothing is concluded; nor is it from a

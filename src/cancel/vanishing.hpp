@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Vanishing: the values of a function that are zero wherever one looks.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // artifacts_of: the rows whose condition holds.
 #include "elgen/artifacts.hpp"
 

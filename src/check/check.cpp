@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // check: the syntax of a model and a scene -> Model and Scene.
 //
 // The order matters and is written here only: sizes, names, then every expression (so that all may

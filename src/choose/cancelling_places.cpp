@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // cancelling_places: see cancelling_places.hpp. Places are found by folding the text over sums of
 // numbers, multiples of one leaf and multiples of its square; everything else is opaque.
 #include "choose/cancelling_places.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // cancelling_places: where sums of a function vanish.
 //
 //     before    F*sqrt((x - a)^2 + y^2)

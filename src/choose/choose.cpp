@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // choose: see choose.hpp. The one place that decides between the two forms.
 #include "elgen/choose.hpp"
 

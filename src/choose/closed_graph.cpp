@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // closed_graph: see closed_graph.hpp. A factor of the whole numerator that stands in a denominator
 // too (sqrt(r)/r^2) is written as one power.
 #include "choose/closed_graph.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // closed_graph: a closed form -> Graph, one sum of products over one denominator.
 #pragma once
 

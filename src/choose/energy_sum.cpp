@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // energy_sum: see energy_sum.hpp. Both energies are appended to one function, nothing twice.
 #include "choose/energy_sum.hpp"
 

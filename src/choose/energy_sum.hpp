@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // energy_sum: the total energy as the sum of the energies that the same program has.
 //
 //     before    total_energy = 1/2 m l^2 v^2 + m g l (1 - cos(theta))

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // entries: all entries of a function, in the order of its fields.
 #include "choose/entries.hpp"
 

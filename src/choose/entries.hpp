@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // entries: how each entry of a function is written, and all of them as instructions.
 #pragma once
 

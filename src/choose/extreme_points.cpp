@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // extreme_points: states and parameters at the extremes, for forms that are chosen for accuracy.
 #include <algorithm>
 #include <cmath>

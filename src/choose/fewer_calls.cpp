@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // fewer_calls: calls that are made of others of the same argument.
 #include <algorithm>
 #include <set>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // finish: guards are two instructions per pivot, but where M_ii is a number, or divides already;
 // lengths are written out instruction by instruction, with those of the function that are the same;
 // angles and their pairs of calls come first, then all else as it stood.

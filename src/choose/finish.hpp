@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // finish: the last passes over a function, whose results no algebra may see.
 #pragma once
 

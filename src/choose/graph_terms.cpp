@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // graph_terms: see graph_terms.hpp.
 #include "choose/graph_terms.hpp"
 

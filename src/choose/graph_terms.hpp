@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // graph_terms: sums and products of a Graph taken apart: terms as numbers times powers, and what is
 // built from them with brackets written out.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // harm: see harm.hpp.
 #include "choose/harm.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // harm: the errors of one function's entries, in every form of it, at its points.
 //
 //     E > 64 max(E of the text, |x|)      the form harms an entry x that the text keeps, as it does

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // homogeneous_terms: the terms of a polynomial by what multiplies them, and then by their angles.
 #include "choose/homogeneous_terms.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // kept_digits: see kept_digits.hpp. A term is a number times powers; two terms of a sum are C f and
 // -C g, and f - g is looked up by the kinds of f and g.
 #include "choose/kept_digits.hpp"

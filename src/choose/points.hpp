@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // points: where the ways to write a function are compared: at most 66, the same for all its forms.
 //
 // States inside the ranges, with the parameters at their values; such with other parameters, equal

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // readable: see readable.hpp. Two ways that are compared are one function of two entries, so that
 // what they share, sines above all, is evaluated once.
 #include "choose/readable.hpp"

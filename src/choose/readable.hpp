@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // readable: the shortest way to write a closed form.
 //
 // Candidates: multiple angles, and sin^2 or cos^2 turned into the other, each with common factors

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // real_terms: see real_terms.hpp. (cos + i sin)^k is multiplied out and reduced by sin^2 + cos^2 =
 // 1 in the direction asked for; of each conjugate pair of exponentials one is visited.
 #include "choose/real_terms.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // real_terms: a canonical sum of exponentials as real terms, in one of several ways to write it.
 //
 //     -1/4 m e^(2i theta) + 1/2 m - 1/4 m e^(-2i theta)

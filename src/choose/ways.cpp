@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // ways: see ways.hpp.
 #include "choose/ways.hpp"
 

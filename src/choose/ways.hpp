@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // ways: the ways to write a closed form, each collected: common factors are pulled out of its sums.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // CLI11 reads the words; what it rejects becomes a diagnostic that points into the command line.
 #include "cli/command_line.hpp"
 

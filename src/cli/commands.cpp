@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Commands: options that several of them have.
 #include "cli/commands.hpp"
 

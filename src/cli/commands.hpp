@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Commands: the file of each says its name, its options and what it does.
 #pragma once
 

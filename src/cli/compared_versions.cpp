@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Files of folders are paired by their paths, those of a revision with the working tree; files that
 // moved by the names of their systems.
 #include "cli/compared_versions.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Two versions of models and scenes: read, lowered and compared.
 #pragma once
 

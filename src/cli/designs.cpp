@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Designs that are derived alike share a run of the pipeline, and those that are also compiled
 // alike a library.
 #include "cli/designs.hpp"

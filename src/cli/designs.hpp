@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The designs of one output, and what they start from: derived, compiled, timed, and compared with
 // what is exact.
 #pragma once

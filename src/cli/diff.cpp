@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // elgen diff: models and scenes of two folders, or two files, as mathematics.
 #include "elgen/diff.hpp"
 

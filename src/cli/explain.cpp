@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // elgen explain NAME: what an error code means and how to mend it, the keys of an entry of model
 // and scene files (`coordinate`, `scene.outputs`), what an output is, a function of the language,
 // or a name in [[expect]].

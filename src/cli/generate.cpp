@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // elgen generate: inputs -> files, or what --check, --list-outputs and --stdout make of them.
 #include <fmt/format.h>
 

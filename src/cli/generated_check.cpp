@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // generated_check: files are compared byte by byte; the equations are left to `elgen diff`.
 // Sidecars say what their folders were made from, so that files of ours that nothing generates any
 // more are found.

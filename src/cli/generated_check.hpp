@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // generated_check: what `generate --check` says.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // elgen import: a robot description as a model file, on stdout or where -o says.
 #include <fmt/format.h>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // elgen: the command line. Words -> options; every command lives in a file of its own.
 #include <fmt/format.h>
 

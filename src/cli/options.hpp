@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The options of the command line, and the functions that every command needs.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Everything that is printed: what was asked for on stdout, everything else on stderr.
 #include <fmt/format.h>
 

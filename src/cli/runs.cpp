@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Each step is derived and compiled once: by it runs of all lengths of steps go to their ends, for
 // the errors, and some steps of one length, by turns, for the times.
 #include "cli/runs.hpp"

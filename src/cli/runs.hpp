@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs of a model or scene in time by all steps that can be emitted, as a table.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // elgen schema NAME: the JSON Schema of what elgen reads.
 #include "cli/commands.hpp"
 #include "parse/file_schema.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // elgen completions, elgen man: what shells and man know of the command line.
 #include "cli/commands.hpp"
 #include "cli/help/command_list.hpp"

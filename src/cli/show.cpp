@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // elgen show: the equations of one input, on stdout, in a notation for people or for programs.
 #include <fmt/format.h>
 

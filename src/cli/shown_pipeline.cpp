@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The model of a run in time is checked once before, to know which outputs it has.
 #include "cli/shown_pipeline.hpp"
 

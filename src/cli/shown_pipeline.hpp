@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The pipeline as every command runs it: its stages are shown while it works, then what it says.
 // And what a run in time needs of it.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // elgen simulate: a run of one model or scene from its start; its last state and drifts on stdout,
 // its rows where -o says.
 #include "elgen/simulate.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // elgen tradeoff: the designs of one output, or runs, measured, as a table; the scene of a row is
 // written beside the table, both or none.
 #include "elgen/tradeoff.hpp"

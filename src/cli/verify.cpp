@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // elgen verify: a certificate per input, on stdout and where -o says.
 #include <algorithm>
 #include <charconv>

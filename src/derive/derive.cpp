@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // derive: Lagrangian -> EquationsOfMotion. The function that bears the name of an output derives
 // it; only what the scene asks for is derived.
 #include <fmt/format.h>

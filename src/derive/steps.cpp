@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // derive_steps: the textbook route through the definitions, one coordinate after the other. The
 // outputs themselves go shorter ways (derivation.hpp); tests compare the two.
 #include "elgen/steps.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // change_words: what is long is cut, what has no closed form is told by its verdict.
 #include "diff/change_words.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // change_words: single changes in words.
 #pragma once
 

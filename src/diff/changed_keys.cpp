@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // changed_keys: two parsed trees side by side. Expressions are compared as trees, so that blanks
 // and brackets that change nothing are no change.
 #include <fmt/format.h>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // compare: what changed, and what it amounts to.
 #include <fmt/format.h>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // diff_annotations: systems that fail, then causes; what follows from these has no place in a file.
 #include <fmt/format.h>
 

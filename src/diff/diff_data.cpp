@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // diff_data: a report for programs.
 #include <cmath>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // diff_text: a report in lines with labels, as text and as Markdown. Lines that systems share are
 // said once. Equations stand in blocks of code, in which no sign is a mark of Markdown.
 #include <fmt/format.h>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // interface_changes: what callers name, count, order and scale.
 #include <fmt/format.h>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // joint_program: what is added to a function that has it already is found by its value number.
 #include "diff/joint_program.hpp"
 

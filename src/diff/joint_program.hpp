@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // JointProgram: functions of two versions over the leaves of both, which meet by their names.
 //
 //     before  0 = parameter m  1 = velocity x  2 = multiply 0 1       result = 2

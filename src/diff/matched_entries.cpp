@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // matched_entries: rows and columns have the names of what the output table says they stand for.
 #include "diff/matched_entries.hpp"
 

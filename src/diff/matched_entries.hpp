@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // matched_entries: entries that mean the same in two versions: of M those of the same two
 // coordinates, wherever they stand.
 #pragma once

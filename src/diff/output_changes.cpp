@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // output_changes: entries are joined output by output; only those computed differently are looked
 // at. Differences are told by closed forms, and by a state at which they are seen.
 #include "diff/output_changes.hpp"

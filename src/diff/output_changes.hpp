@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // output_changes: also where parameters of the newer version have values.
 #pragma once
 

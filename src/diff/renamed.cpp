@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // renamed: the key table says where names are.
 #include "diff/renamed.hpp"
 

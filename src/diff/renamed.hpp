@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // renamed: a parsed tree with other names for the same things.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // zeros: sampled twice where values are not analytic (lower/network/analytic.hpp): as variables of
 // their own, which decides, and as computed, which tells a difference from an open question.
 #include "diff/zeros.hpp"

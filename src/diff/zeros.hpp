@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // zeros: which entries of a function vanish at all states, by proof or by points.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // emit: Model, Scene, Program -> the text of every file, after the checks that only emission can
 // make.
 #include "elgen/emitted_files.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Bounds: numbers in 64 digits with the B of their error bounds u B, as a domain to fold programs
 // in.
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // conditioning: every instruction's slopes by its operands once, then one sweep for each value.
 #include "evaluate/conditioning.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Conditioning: how far one rounding of everything that a value is made from takes it, however it
 // is computed:
 //

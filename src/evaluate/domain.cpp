@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // domain: see elgen/domain.hpp.
 #include "elgen/domain.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Dual: value + slope * epsilon with epsilon^2 = 0; a program evaluated on it gives its derivative
 // along one direction, exact to the base type. Nests: Dual<Dual<Real>> gives second derivatives.
 #pragma once

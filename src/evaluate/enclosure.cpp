@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Interval arithmetic without a change of the rounding mode: the exact error of a rounded sum,
 // product, quotient or root is a number that has a sign, and the sign says which bound moves.
 #include "evaluate/enclosure.hpp"

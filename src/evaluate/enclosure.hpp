@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Enclosure: a closed interval of doubles that holds all values of an expression on a box; the
 // scalar type of interval arithmetic.
 //

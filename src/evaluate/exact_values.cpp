@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Values and derivatives of a program at one state, in 64 digits.
 #include "evaluate/exact_values.hpp"
 

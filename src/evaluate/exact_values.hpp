@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // ExactValues: every function of a program at one state in 64 digits, and derivatives along
 // directions. Balance: sums of them that have to vanish.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The order of the operations is that of templates/cpp/batch.hpp.mustache: every bit is the same.
 #include "evaluate/pack_trigonometry.hpp"
 

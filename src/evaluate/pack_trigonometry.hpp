@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // PackTrigonometry: sines and cosines as the batch header computes them, operation by operation.
 //
 // With k the integer nearest to 2/pi x, r = (x - k high) - k low, |r| <= pi/4, and polynomials in

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Real: CLN floats of 64 digits or more with the domain of every function guarded.
 #include <cln/exception.h>
 #include <cln/real.h>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The rules of rough errors.
 #include "evaluate/rough_errors.hpp"
 

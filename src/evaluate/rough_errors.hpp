@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Rough errors: the running errors of running_errors.hpp in double instead of 64 digits.
 //
 // Where nothing but the last digits of a value is lost, they are right within a factor of two on

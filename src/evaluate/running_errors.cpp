@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The rules of running errors.
 #include "evaluate/running_errors.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Running errors: how far rounding takes a value, to first order, in u.
 //
 // Of each instruction the error is that of its operands, times how much the instruction makes of

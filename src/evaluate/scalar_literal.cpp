@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // scalar_literal: the standard's shortest decimals, which no locale changes.
 //
 // Binary values of exact numbers are correctly rounded, subnormals and overflow included: CLN's own

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // scalar_literal: what built-in scalars make of exact numbers, and the literals that they read.
 //
 //     9.81   9.81      1/3 in float   0.33333334      pi in double   3.141592653589793

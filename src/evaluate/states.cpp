@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Sampled states. The extremes of float are milder than those of double: its exponents are an
 // eighth as wide.
 #include "evaluate/states.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The states programs are checked at: random ones over the declared ranges, tiny and huge ones, and
 // a fixed list of extremes. Deterministic for a seed.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // States between views: binary arguments become exact rationals, and text for people.
 #include "evaluate/subject.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Subject: the three views of one system that verification compares, and the ways between their
 // states.
 #pragma once

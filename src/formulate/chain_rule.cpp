@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The chain rule through definitions. Nothing here recurses along the list, so chains may be long.
 #include "formulate/chain_rule.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The chain rule through an ordered list of definitions: forward, reverse, and substitution.
 //
 // GiNaC differentiates the small value of one definition only; everything else is bookkeeping here,

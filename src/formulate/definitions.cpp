@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The ordered list of definitions: appending, and what an expression depends on.
 #include <algorithm>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Model expressions -> GiNaC over definitions, each when it is asked for, after what it refers to.
 #include "formulate/expressions.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The Model's expressions as GiNaC expressions over definitions.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // formulate: Model -> Lagrangian. Symbols, then every named thing as definitions, then the energies
 // and forces as terms over them.
 //

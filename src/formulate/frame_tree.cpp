@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Frames, parents first; then bodies, masses, wrenches and outputs by the step they move with.
 #include "formulate/frame_tree.hpp"
 

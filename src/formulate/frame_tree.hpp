@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The frames of a model as a tree of elementary motions, and what moves with them.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Which definitions an expression needs, operands first, without recursion: chains may be long.
 #pragma once
 

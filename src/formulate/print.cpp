@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Sorted, signed printing. The strings are for people; nothing reads them back.
 #include "formulate/print.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // GiNaC expressions as text with terms and factors sorted and signs in one place, so that two runs
 // print the same although GiNaC orders by address.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The rates of quaternions: de/dt = 1/2 e (0, w), a product of quaternions.
 #include "formulate/rotations.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Rotations: what the velocities of unit quaternions do to them.
 #pragma once
 

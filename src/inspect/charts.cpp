@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // E511: configurations at which M loses rank though it is regular elsewhere: the chart breaks
 // there.
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The checks of the inspection, each from a subject to the diagnostics it deserves.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // E312, E313, E314, E910: constants without a value, and powers beyond all sizes, that show only
 // through names: definitions, functions of no t, components of points, fixed parameters, locks.
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // E536: an equation whose row of A = dr/dv is 0 at every sampled state. E538: Newton's method finds
 // no pose from the start. E537: equations that follow from others.
 //

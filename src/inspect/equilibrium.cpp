@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // E613: an [[equilibrium]], or the point a scene expands about, is none. E614: something has no
 // expansion there.
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // E508: an inertia that no body has; a planar one is a number that is not negative.
 #include <fmt/format.h>
 

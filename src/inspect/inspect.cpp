@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Inspection: one check after another. Most ask the oracle for values at sampled states; names that
 // are never used, inertias and points in an energy are read off the model.
 #include "elgen/inspect.hpp"

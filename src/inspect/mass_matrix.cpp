@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // E524 where M is regular, but not positive definite. E501: a direction x with M x = 0 at every
 // sampled state is a motion without kinetic energy.
 //

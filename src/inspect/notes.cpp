@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Notes read off the model and the scene, without a sampled state: E522 what is used nowhere (one
 // pass over the arena, before anything was locked, marks what is used), E619 the outputs that the
 // built-in scene `full` does without, one note per reason, and E627 a force with tanh, as it stands

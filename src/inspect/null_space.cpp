@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Gauss-Jordan elimination on scaled rows; columns without a pivot span the null space.
 #include "inspect/null_space.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Null space of a matrix of 60-digit numbers, by Gauss-Jordan elimination.
 #pragma once
 

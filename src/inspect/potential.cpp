@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // E512: a mass that is pushed up. [gravity] along the last axis pulls up where that axis is drawn
 // upwards, as most models do; and where the written V uses a point's height, V must not fall
 // steadily as a point with a mass rises.

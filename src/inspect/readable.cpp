@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The simplest fraction near x by continued fractions, in exact arithmetic.
 #include "inspect/readable.hpp"
 

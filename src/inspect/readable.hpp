@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers as a reader expects them: 60 digits in, "1/3" or "0.70711" out.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Roots, and a depth-first search below them without recursion: a chain of points is as deep as it
 // is long.
 #include "inspect/roots.hpp"

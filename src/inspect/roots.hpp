@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Roots: the expressions that equations and outputs are made of.
 #pragma once
 

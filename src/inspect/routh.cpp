@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Momenta of `[routh]`, and E635 where the coordinate they belong to is not cyclic. A slope of L
 // that is not 0 at one state proves that L changes with the coordinate; where it is 0 at all
 // sampled ones L is taken not to change, and what is derived is compared with the whole model

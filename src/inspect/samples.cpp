@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Sampled states: the model at its own values, moving anywhere.
 #include "inspect/samples.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Sampled states: exact, random but the same in every process, inside the declared ranges.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Signs that no system has: E523 a negative mass, E524 a kinetic energy and E525 a dissipation
 // below 0. Masses are read at the parameters' values, M and D at sampled states.
 #include "inspect/signs.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // E524, for whoever has a sample of M at hand.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // E501 of an output that solves for accelerations: one message for the samples of inspect, the
 // factorisation of derive and the nodes of lower.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // E507: in the plane w = s(q, t).v + s0(q, t) must be d/dt of an angle(q, t).
 //
 // A function linear in the rates is a total time derivative iff its Euler-Lagrange expression

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // E526: `[energy] V` holds the weight that [gravity] gives a mass already. E527: `[energy] T` holds
 // the kinetic energy that a mass has already.
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Composition: instruction by instruction; what two calls compute alike is one value.
 #include "integrate/composition.hpp"
 

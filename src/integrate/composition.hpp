@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Composition: a function that is made of calls of others, each copied with its leaves replaced.
 // Operations that then give 0, add 0, or multiply or divide by 1 are left out.
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The explicit methods, which call nothing but accelerations (and rates, where rotations turn).
 #include "evaluate/subject.hpp"
 #include "integrate/methods.hpp"

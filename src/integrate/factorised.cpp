@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // L D L^T and its substitutions, value by value; Composition leaves out what is 0.
 #include "integrate/factorised.hpp"
 

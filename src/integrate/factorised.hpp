@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Factorised: a symmetric matrix M of values of a composition, as L D L^T, and what it is solved
 // for.
 //

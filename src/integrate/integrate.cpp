@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // integrate: what each method is for, what it starts from and calls, and the function it makes.
 #include "elgen/integrate.hpp"
 

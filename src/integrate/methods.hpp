@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The methods of step_methods.def, each composed as its textbook has it.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The implicit midpoint rule on q and p = M v + b, by successive substitution: at
 // m = (q + h/2 w, w, t + h/2), from w = v on,
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // code_interface: small questions, answered by the output table and the instructions.
 #include "lower/code_interface.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // code_interface: what callers see of emitted code: its name space, the parameters it takes, and
 // what holds the results of a function, and how pages number its entries.
 #pragma once

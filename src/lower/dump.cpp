@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // dump: Program -> its text form.
 //
 //     parameters m l

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // from_ginac: each needed definition becomes one signed reference, in the order of the list.
 //
 // A definition's symbol stands for its node from then on; the node keeps the definition's name.

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // from_ginac: EquationsOfMotion -> Graph. The only importer; nothing of GiNaC's order survives it.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // check_invariants: what holds of every Program after every pass.
 //
 // Operands come before their users, leaves and constants exist, nothing is computed twice, nothing

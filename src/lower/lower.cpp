@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // lower: EquationsOfMotion -> Program, one output at a time: import, flatten, factor, share, turn
 // signs, linearise.
 #include "elgen/lower.hpp"

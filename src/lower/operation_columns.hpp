@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // operation_columns: what OperationCounts counts, by name, in the order in which it is listed.
 #pragma once
 

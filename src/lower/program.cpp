@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Program, measured: operands, operations executed, cost.
 //
 // The table of costs is one function; which opcode counts as what is one switch.

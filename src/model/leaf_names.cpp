@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The names, numbers and ranges of the leaves of a model.
 #include "elgen/leaf_names.hpp"
 

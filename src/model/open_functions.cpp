@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The numbers of open values: few, so that they are looked for.
 #include "elgen/open_functions.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Prints expressions of a Model in the model language, with as few brackets as keep the tree:
 //
 //     multiply(1/2, add(a, negate(b)))   ->   1/2*(a - b)

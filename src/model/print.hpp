@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // print: expressions of a Model as formulas, in the language of a spelling.
 #pragma once
 

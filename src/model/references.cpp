@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // References: one switch over what names stand for, and one depth-first search.
 #include "elgen/references.hpp"
 

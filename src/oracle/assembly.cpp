@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Assembly: Newton's method from any state to one that meets the constraints.
 //
 //     q + N s x,   M x = A^T y,   A x = -f,   s = 1, 1/2, 1/4, ... until the errors shrink

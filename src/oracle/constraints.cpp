@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Constraints: values and slopes by jets, systems by elimination with full rows.
 #include "oracle/constraints.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Constraints at one state, from the equations of the Model: with f(q, t) = 0, r = df/dt of
 // positions and phi(q, v, t) = 0, r = phi of velocities
 //

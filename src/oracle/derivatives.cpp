@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Derivatives, entry by entry.
 #include "oracle/derivatives.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Derivatives of the dynamics: slopes of w.(M a + bias - B u) along displacements, and for forward
 // dynamics a solve with M. Of each all entries, one field after another, and w.X y of one field.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Energies: one term per entry of the model, in the order of the file.
 #include "oracle/energies.hpp"
 

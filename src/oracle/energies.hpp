@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Energies: L, T, V and D of a Model as jets, summed from what the file gives and its points and
 // bodies.
 //

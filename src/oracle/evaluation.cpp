@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Evaluation: operands before what is made of them, as often differentiated by time as the most
 // that was asked for.
 #include "oracle/evaluation.hpp"

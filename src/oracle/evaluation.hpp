@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Evaluation: the values of expressions, and their rates along the motion, on jets; each is
 // computed when it is asked for, with what it is made of.
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Expansion: the point from the model's expressions, and motions scaled towards it.
 #include "oracle/expansion.hpp"
 

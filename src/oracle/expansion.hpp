@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Expansion: the motions of a scene that expands energies and forces about a point.
 //
 //     q0 + s (q - q0),  s v,  s a,  u0 + s (u - u0)       for what is small, the rest as it is

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Guarded computations: CLN and the oracle throw where a value does not exist; callers get an empty
 // optional.
 #pragma once

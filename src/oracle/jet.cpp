@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Jets: sums merge terms, products multiply terms of disjoint generators, quotients go by the chain
 // rule, and so do functions: their derivatives are those of functions.def and nothing else.
 #include "oracle/jet.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Jet: a number with nilpotent parts; nested dual numbers of any depth, stored sparsely.
 //
 //     x = sum over subsets S of generators:  x_S * product of e_i, i in S,    e_i * e_i = 0

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Mechanics: each quantity is the coefficient of its generators in one evaluation of an energy.
 #include "oracle/mechanics.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Mechanics: directional derivatives of the energies at one state, which every output is made of.
 //
 // w, x, y are directions (virtual displacements or rates). One call is one or two evaluations of an

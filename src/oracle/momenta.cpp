@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // momenta: one solve with the oracle's own M; rates are what is left of Lagrange's equation.
 #include "oracle/momenta.hpp"
 

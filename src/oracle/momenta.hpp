@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Momenta p = M v + b, b = dL/dv at rest: the velocities that they give, and their rates.
 #pragma once
 

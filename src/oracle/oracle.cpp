@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The oracle's interface: turns every failure of the domain into an empty value.
 #include "elgen/oracle.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Output values: a row of each output: its definition, and how it is contracted. Of a reaction
 // nothing of the locked model is used but which of its entries stand where.
 #include "oracle/output_values.hpp"

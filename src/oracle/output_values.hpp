@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Output values: every row of the output table, from directional derivatives along unit vectors.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Real functions: exact where the value is rational and obvious, else CLN floats.
 //
 // CLN reduces sin and exp with the digits of their argument only; so arguments are widened by the

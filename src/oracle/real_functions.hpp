@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Real arithmetic of the oracle: the functions of the model language to working_digits decimal
 // digits. It is the oracle's own, and shares no value of a function with what it judges.
 //

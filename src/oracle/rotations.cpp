@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Rotations: products of quaternions.
 #include "oracle/rotations.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Rotations on jets: unit quaternions and the directions in which velocities move them.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The mass matrix entry by entry, then one linear solve: row i of L from the rows above it;
 // forward, diagonal and backward substitution.
 #include "oracle/solved_dynamics.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // M a = B u - bias, solved: what forward dynamics and its derivatives start from. M = L D L^T in
 // natural order without pivoting.
 #pragma once

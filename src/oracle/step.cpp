@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // step: states are moved as vectors x = (q, v), and put on the unit sphere where they are read.
 #include "oracle/step.hpp"
 

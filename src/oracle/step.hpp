@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // One step of a method, by its definition, from accelerations, or rates, that are solved for at
 // each of its states.
 #pragma once

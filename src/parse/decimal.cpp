@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Decimal numbers as rationals: digits * 10^(exponent - digits of the fraction).
 #include "parse/decimal.hpp"
 

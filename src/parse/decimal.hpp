@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Decimal numbers: the text of a number, exactly, as a rational; never through a double.
 #pragma once
 

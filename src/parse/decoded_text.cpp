@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // TOML strings re-read from the file: basic "…" and """…""" with escapes, literal '…' and '''…'''.
 // Every decoded byte remembers its place, so that an error inside an expression is shown where it
 // is.

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // DecodedText: what a TOML string says, with the way back from each of its bytes to the file.
 //
 //     file     "1/2\u002ak"     pieces  [0,3) as it stands, [3,4) from the six bytes of the escape,

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Syntax to readable text, for stamps and tests: entries in file order, expressions fully
 // bracketed, so that they parse back to the same tree.
 #include <fmt/format.h>

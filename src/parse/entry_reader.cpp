@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The tables of a file against the entry table: unknown and unsupported ones, `[x]` for `[[x]]`,
 // and those a file cannot do without.
 #include "parse/entry_reader.hpp"

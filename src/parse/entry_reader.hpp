@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Entries: the tables of a file, their keys checked against the key table.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The expression parser, by recursive descent over
 //
 //     sum     = product { ("+" | "-") product }

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The expression parser: decoded text to a tree, every node with its place in the file.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Each row of the key table becomes a key of an object, each of the entry table an object or a list
 // of such. Rows that are not supported yet are left out, as the reader refuses them.
 #include "parse/file_schema.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // file_schema: the key table for editors, as JSON Schema: TOML files are checked as JSON of the
 // same keys.
 #pragma once

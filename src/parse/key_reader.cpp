@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Keys of one table: unknown, missing and unsupported ones, and the value of each as its row says.
 #include <fmt/format.h>
 

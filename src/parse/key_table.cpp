@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The key table: every entry and key of model and scene files, what its value is, and whether this
 // version reads it. The reader, its messages and the documentation follow these rows.
 #include <array>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The lexer of the model language. Numbers, names, `+ - * / ^ ( ) [ ] ,`; everything else is named
 // in an error together with what the language writes for it.
 #include "parse/lexer.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Lexer: the text of an expression, one token at a time, so that errors come in reading order: the
 // token to be read and the one before it, with their places and texts.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Files and expressions to syntax trees: size and encoding first, then TOML, the format, the
 // entries.
 #include "elgen/syntax.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Errors of the grammar of expressions. Each names the token that was met; the hint says how the
 // thing that was probably meant is written.
 #include "parse/syntax_errors.hpp"

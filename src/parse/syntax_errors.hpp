@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The error where the grammar of expressions does not go on: the code, the place, what to write.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // TOML text to TomlValue: toml++ parses, every value is re-read at the place toml++ found it.
 // toml++ keeps tables sorted by key; here entries come back into file order. Keys that would
 // overflow its stack are found before it reads, and its errors get the hint for the usual mistake.

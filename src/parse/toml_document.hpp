@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // TomlValue: a TOML file as a tree of its own, in file order, every piece with its exact place.
 //
 // toml++ checks the syntax and finds the tokens; numbers and strings are re-read from the file, so

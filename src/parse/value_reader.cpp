@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Values whose type needs no table: expressions, names, lists, texts, booleans, integers. A value
 // that cannot be read leaves its error in the Reading, and an empty value, which nobody sees then.
 #include "parse/value_reader.hpp"

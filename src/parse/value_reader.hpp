@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Values: a TOML value to a ValueSyntax, as the type of its key says.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // By-ways: choose, then what the scene's methods make of its choice; parts, picked where they are
 // and derived where not; the functions of elgen/steps.hpp, and the names of the masses.
 #include "pipeline/byways.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // By-ways of the pipeline: what it makes of several stages at once, and what needs equations of its
 // own.
 #pragma once

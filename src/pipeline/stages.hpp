@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // stages: what is the same for every stage of a Compilation: it runs once, after those it needs, on
 // a clock of its own, and what it finds or throws becomes diagnostics.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Field operations. Denominators stay products of factors that were met before, so that what one
 // division put there the next one takes away, without a general gcd.
 #include "present/arithmetic.hpp"

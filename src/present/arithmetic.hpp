@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Arithmetic: the field operations and functions on closed forms over one algebra, within a budget.
 //
 // A Value is none where an operand was, where the budget is used up, or where there is no value

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Functions of closed forms. Sines and cosines become exponentials of their angle's terms; roots of
 // numbers are taken apart into primes; everything else is opaque, with a canonical argument.
 #include <cln/integer.h>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A model's own expression as a closed form, by a route that shares nothing with the derivation:
 // what [[expect]] says is read here and compared with what was derived.
 #include <cln/integer.h>

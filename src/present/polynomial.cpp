@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Sparse sums, ordered by a group order, so that division and equality need no further thought.
 #include "present/polynomial.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Polynomials in atoms with exponents of either sign and coefficients x + i y, all exact.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Rates along the motion: de/dt = de/dq v + de/dv a + de/dt, by the chain rule on canonical sums.
 #include <algorithm>
 #include <array>

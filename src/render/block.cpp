@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // block: lines are padded with blanks until all are equally wide.
 #include "render/block.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // block: text in two dimensions, on a base line: what a terminal shows of a formula.
 //
 //     1            ⎡ M + m    m l ⎤

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // constraints: both sides of an equation stand as the expressions of the model, names as names.
 #include "render/constraints.hpp"
 

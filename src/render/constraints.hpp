@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // constraints: the equations that a model obeys, as they were typed, and what their multipliers do.
 //
 //     rod (position): (x^2 + y^2)/2 = l^2/2, omega = 10, zeta = 1

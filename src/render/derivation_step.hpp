@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // DerivationStep: a part of a derivation as it is read, a title with equations below.
 #pragma once
 

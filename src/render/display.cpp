@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // display: measured in letters, which is what a page of LaTeX, of GitHub and of HTML have in
 // common.
 #include "render/display.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // display: equations -> what fits a page: a matrix, one line, or several.
 //
 //     M = ( 2 x 2 )        where the columns fit side by side

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // drawing: rows are drawn piece by piece; where a piece is tall, so are the brackets around it.
 #include "render/drawing.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // drawing: LaTeX -> a block, in Unicode or in ASCII.
 #pragma once
 

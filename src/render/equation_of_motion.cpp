@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // equation_of_motion: the terms a model has. It is that of the whole model, also where a scene asks
 // for some of its terms only; where none of them knows of motion it is the one at rest. The
 // variables stand on a few lines; rates are named where some function knows of them. Conserved

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // equations: a function as formulas, with as few brackets as precedence allows.
 //
 //     definitions  sin_theta = sin(theta)

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // fill_template: strict Mustache. kainjow's own context answers an unknown name with nothing; this
 // one throws, so that a misspelt hole fails the first test that renders it.
 #include "render/fill_template.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // fill_template: a template and the values of its holes -> text.
 //
 // Templates are pictures of the output (Mustache): holes `{{name}}`, sections for what repeats or

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // function_formulas: a fold over one instruction, whose operands stand as formulas or by their
 // names.
 #include "render/function_formulas.hpp"

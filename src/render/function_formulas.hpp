@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // function_formulas: instructions of a Function -> formulas, in the words of a language.
 //
 //     2 = multiply 0 0; 3 = multiply 1 2; 4 = cos 3

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // headings: symbols and equations of the output table, in LaTeX and in the model's own symbols.
 #include "render/headings.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // headings: what models and outputs are called, and how outputs are defined, in LaTeX.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // latex_text: scans that count braces and brackets.
 #include "render/latex_text.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // latex_text: where fractions, sums and prose stand in the LaTeX of our own formulas, which stays
 // text: it is printed again as it is, but for the part that was looked for.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // latex_tree: a reader of commands, groups and scripts, the widths of what it read, and lines.
 #include "render/latex_tree.hpp"
 

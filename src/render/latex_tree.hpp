@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // LatexTree: the LaTeX of our own formulas, read again, to measure it and to translate it.
 //
 // Only what this folder writes and what a symbol of a model may reasonably be; anything else is a

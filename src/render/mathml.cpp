@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // mathml: a LatexTree -> MathML Core, one element per piece.
 #include <fmt/format.h>
 

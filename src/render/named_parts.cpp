@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // named_parts: the recursions of src/derive/tree/ as a book has them: motions from the world to the
 // last frames, forces and composite inertias back to the world. Featherstone, Rigid Body Dynamics
 // Algorithms (2008), chapters 5 and 6. With V the twist of a frame, S its own part of that, and G

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // named_parts: what stands in the place of equations that are too long to read.
 //
 //     force_link7_3 = m7*(c7x*motion_link7_8 + …)      on the page of text, each once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // pages: one walk over a Sheet for every language, and the words of each.
 #include <fmt/format.h>
 

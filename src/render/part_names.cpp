@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // part_names: a value is a part of the last frame that carries all bodies whose parameters it is
 // made of, else of the outermost frame that its coordinates move. Frames count from 1.
 #include <fmt/format.h>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // scene_notes: what a reader must know of a scene to read its equations.
 #include <fmt/format.h>
 

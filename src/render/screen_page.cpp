@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // screen_page: a sheet as a terminal shows it, and the part of it that fits one screen.
 #include <fmt/format.h>
 

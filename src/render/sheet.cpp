@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // sheet: Model, Scene, Program -> what a page shows.
 #include <fmt/format.h>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // step_words: what derivations say whatever the model is, `<q>` being a vector in LaTeX.
 //
 // Hamilton's principle, with d'Alembert's where forces work or constraints hold: Goldstein, Poole,

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // steps: the functions of a derivation -> a page in LaTeX, or plain text, in the order of a
 // textbook: the action and what makes it stationary, positions, velocities, energies, constraints,
 // then Lagrange's equation of one coordinate after the other.

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // symbols: letters first, digits and what follows an underscore below the line.
 #include "render/symbols.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // symbols: names of a model -> symbols of formulas.
 //
 //     theta   theta1       l[2]    x_cart              mass            Ixx_arm

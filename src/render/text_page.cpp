@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // text_page: equations in the model language, one entry a line, and what either form of a function
 // costs.
 #include <fmt/format.h>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // unit_text: one pass over the text of the model, which units are kept in as written.
 #include "render/unit_text.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // unit_text: kg*m^2/s^2 as pages print it: kg m²/s².
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Pivots at every state that a run reaches, beside those before.
 #include "simulate/ranks.hpp"
 

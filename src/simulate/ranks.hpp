@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // RankWatch: whether M and A keep their ranks along a run, so that accelerations are determined.
 //
 //     M = L D L^T,   B = A diag(M)^(-1/2),   B B^T = L' D' L'^T

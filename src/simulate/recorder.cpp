@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Rows and drifts, sample by sample.
 #include "simulate/recorder.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Recorder: what is kept of a run: rows, and the drifts of what should stay.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // reference_run: the same equations twice, in double and in long double, by Boost.odeint's method
 // of Fehlberg, whose steps are as long as its estimate of their error allows. Their distance at the
 // end is what either is known to. Hairer, Norsett, Wanner, Solving Ordinary Differential Equations

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A run: from row to row, and where inputs are held from one of their instants to the next; steps
 // are timed in blocks, between which what they reached is looked at.
 #include "elgen/simulate.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The start of a run: assembled in 60 digits, and looked at once before the first step.
 #include "simulate/start.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The start of a run, and what forbids it.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A trajectory as SVG: a panel for each coordinate, each input and E - E0 - work, one black line in
 // each, so that it reads in print too; the four components of a rotation share a panel, in four
 // kinds of line. Of E only the difference is drawn: beside E itself a drift of 1e-9 J could not be

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A trajectory in a few lines, for people; for programs as a table, and as an object with the table
 // in it.
 #include <fmt/format.h>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // expand: energies and forces become polynomials in the deviations of what is small.
 //
 //     before    bob at (l*sin(q), -l*cos(q)) of mass m, gravity (0, -g)        q near 0, order 1

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The passes of specialise over a Lagrangian, one after another.
 #pragma once
 

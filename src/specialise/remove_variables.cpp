@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // remove_variables: takes variables out of every list of a Lagrangian; later entries move up.
 #include <algorithm>
 #include <optional>

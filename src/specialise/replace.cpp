@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Every expression a Lagrangian holds, in the order of its members.
 #include "specialise/passes.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // routh: cyclic coordinates leave a Lagrangian, and their momenta p are parameters of what is left.
 //
 //     before    L = 1/2*m*r_dot^2 + 1/2*m*r^2*phi_dot^2 - V(r)        phi at the momentum p_phi

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // specialise: fixed parameters become numbers throughout a Lagrangian, then what is locked leaves
 // it, and what is cyclic where the scene says so.
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // write_sums: masses, gravity and point forces become terms of T, V and Q.
 //
 //     before    mass m at p, gravity g, force F at p

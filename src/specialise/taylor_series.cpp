@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Taylor coefficients by repeated derivatives of small values along one parameter.
 #include "specialise/taylor_series.hpp"
 

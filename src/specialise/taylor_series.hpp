@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Taylor coefficients of expressions over definitions, one small value at a time.
 //
 // With f(x0 + s (x - x0)) = f0 + s f1 + s^2 f2 + … every definition becomes the definitions of its

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The driver of the header on arrays of states, seen from one state. The state is computed in a
 // batch of two packs and a half, at each of its places in turn: in full packs and in what is left
 // of them. All others have other numbers, so that a wrong stride reads or writes something else.

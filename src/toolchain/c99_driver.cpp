@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The driver of a C header, for its one scalar.
 #include <fmt/format.h>
 

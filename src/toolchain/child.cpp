@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Children are waited for by id: this process may have others.
 #include "toolchain/child.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Child processes: their end and interrupts are signals that one poll waits for.
 #pragma once
 

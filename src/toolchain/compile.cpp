@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // compile: has a workshop make a shared object of each unit of drivers, and loads it.
 #include <fmt/format.h>
 

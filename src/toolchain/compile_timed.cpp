@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // compile_timed: the timing driver, compiled and loaded, with the states that it goes through.
 // compile_steps: the loops of a step, compiled and loaded.
 #include <utility>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The user's compiler: $CXX where it is set, else c++, g++, clang++, whichever answers first.
 #include "toolchain/compiler.hpp"
 

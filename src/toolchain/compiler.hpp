@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The user's C++ compiler, which compiles C as well: which one, and how it turns a source into a
 // shared object.
 #pragma once

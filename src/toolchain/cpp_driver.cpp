@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The drivers of C++: of the header on arrays, and of the one on types of Eigen.
 #include <fmt/format.h>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // declarations: a function gives the numbers one after another. For two parameters m and l[2] in
 // C++:
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The drivers of a scene's headers, and what those of all languages share. For a function
 // inverse_dynamics(q, v, a) of two coordinates:
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The C interface to emitted headers: one function per model function and scalar, with flat arrays.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // run_forked: fork without exec, so that children have all that was loaded and computed. They end
 // with this process, whatever ends it.
 #include "toolchain/forked.hpp"

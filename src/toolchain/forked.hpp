@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Forked: work in processes of its own, so that all cores compute, and the memory that they share.
 #pragma once
 

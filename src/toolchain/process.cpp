@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // run: posix_spawnp into a process group of its own, so that all of it can be ended. One poll waits
 // for the output, the end of the child and interrupts; output beyond what is kept is read and
 // dropped, so that the child never waits for us.

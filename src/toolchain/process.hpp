@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs another program without a shell, so that spaces and quotes in paths mean nothing.
 #pragma once
 

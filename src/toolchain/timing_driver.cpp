@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The text of the driver. For inverse_dynamics(q, v, a), one state after another:
 //
 //     template <class Scalar>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The drivers that time: an emitted function on arrays of states, one by one or in packs, and an
 // emitted step in loops.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Temporary directories: mkdtemp under $TMPDIR or /tmp, removed recursively by the destructor.
 // Failing to remove is not reported: nothing depends on it. Memory may be short once, where that is
 // why the owner goes. Files are written below them as they would be below the output folder.

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Workshop: a temporary directory with emitted headers and sources in it, and the user's compiler.
 #pragma once
 

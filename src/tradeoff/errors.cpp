@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // state_errors: how far a design is off, field by field, relative to the largest value of the
 // field.
 #include "tradeoff/errors.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Errors of one state, and what they are relative to.
 #pragma once
 

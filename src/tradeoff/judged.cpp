@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // judged: ranks, the order of the rows, the front, and what is chosen from them.
 #include <fmt/format.h>
 

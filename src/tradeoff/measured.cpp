@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // measured: alternatives by turns. Each turn repeats its alternative so often that reading the
 // clock is nothing beside it. by_turns: rounds
 // in which all are measured once.

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // plan: all combinations of the rows of a table, without those that do not exist. For a function of
 // parameters and sines, in double and float:
 //

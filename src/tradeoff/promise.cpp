@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // promised_errors: rows of the certificate of a scene that says how far its outputs may be off.
 #include <fmt/format.h>
 

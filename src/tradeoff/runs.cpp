@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs in time as designs: method by order by step by batch. Together they are a work-precision
 // diagram.
 #include <fmt/format.h>

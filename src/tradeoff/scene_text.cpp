@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // scene_text: what a scene says, as TOML, with the choices of a design in the place of its own.
 #include <fmt/format.h>
 

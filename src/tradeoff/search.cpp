@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // found_errors: a pattern search (Hooke and Jeeves) for the state at which a design is worst.
 //
 // Rounding errors jump from state to state, and grow and shrink slowly over many: steps from 2^-1

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // tradeoff_states: random states inside the ranges, and what is exact there.
 #include "evaluate/states.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A table as SVG: worst errors over costs, both logarithmic. Shapes say the value of the first
 // dimension, numbers which design it is; the front is filled and joined by a staircase. Lines below
 // the list of designs say so to who has the picture alone.

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A table in columns, for people, where rows of the front have a star, and for programs; both with
 // the row that is picked.
 #include <fmt/format.h>

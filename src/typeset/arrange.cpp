@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // arrange: see arrange.hpp. Sums and fractions, put together from what take.cpp and collect.cpp
 // make of them.
 #include "typeset/arrange.hpp"

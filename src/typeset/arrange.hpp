@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // arrange: closed forms -> sums of products as books write them.
 //
 //     in front    1/2 m r'^2 + 1/2 m r^2 phi'^2   ->   1/2 m (r'^2 + r^2 phi'^2)

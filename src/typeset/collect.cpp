@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // collect: the terms of a sum put together: (m1 + m2) g l1 sin x + m2 g l2 sin y.
 #include <algorithm>
 #include <map>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // equations: Lagrange's equations as sums in the order of a book, and what they say of the
 // accelerations.
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // factors: see factors.hpp.
 #include "typeset/factors.hpp"
 

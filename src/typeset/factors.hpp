@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // factors: where the factors of a product stand, and which of them are one.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // polynomials: see polynomials.hpp.
 #include "typeset/polynomials.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // polynomials: what is found in a polynomial before it is written.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // take: what stands in front of a sum: powers that all its terms have, sums as typed, squares.
 #include <algorithm>
 #include <stdexcept>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // typed: see typed.hpp. Expectations are no part of what is typed: they say how it should come out.
 #include "typeset/typed.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // typed: what the author of a model wrote that closed forms do not keep: which sums stand together,
 // in which order and with which signs, and in which order the parameters of a product stand.
 #pragma once

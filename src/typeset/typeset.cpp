@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // typeset: see elgen/typeset.hpp. Sums are arranged (arrange.hpp) and written as instructions
 // (write.hpp); here is what stands in which sum.
 #include "elgen/typeset.hpp"

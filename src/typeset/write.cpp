@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // write: see write.hpp. Rates and functions stand behind a quotient, g/l sin x, unless there is
 // nothing else to stand above or a function stands below.
 #include "typeset/write.hpp"

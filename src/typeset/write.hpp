@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // write: sums of products -> instructions that a reader's languages print in this very order.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Names of options -> joints that are held, and the order of the others. A robot that nothing holds
 // floats: its root link gets a joint of type floating, from a new root.
 #include "urdf/choices.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Choices: which joints move, as options of the command line say.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The text of a model file: what the robot is made of first, then the tables.
 #include "urdf/draft.hpp"
 

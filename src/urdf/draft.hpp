@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Draft: the tables of a model file, as the joints and links of a robot make them one after
 // another. Values are expressions of the model language, or the digits of numbers; "0" is what is
 // not there.

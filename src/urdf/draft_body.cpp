@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // An <inertial> as a body of the model.
 #include <fmt/format.h>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A joint that turns or slides: its position by a coordinate, what brakes it, and its rotor.
 #include <fmt/format.h>
 

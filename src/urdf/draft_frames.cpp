@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A joint's origin and its motion as frames of the model.
 #include <fmt/format.h>
 

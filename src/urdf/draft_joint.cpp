@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A joint: its coordinates, what drives it, and how it moves.
 #include <fmt/format.h>
 

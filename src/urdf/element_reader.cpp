@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Takes an element apart, and remembers what was taken.
 #include "urdf/element_reader.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // ElementReader: takes attributes and children from one element; what nobody took becomes a note.
 #pragma once
 

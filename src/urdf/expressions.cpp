@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Sums, products and quotients of short expressions.
 #include "urdf/expressions.hpp"
 

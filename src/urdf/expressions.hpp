@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Expressions of the model language as text, with what is 0 or 1 left out.
 #pragma once
 

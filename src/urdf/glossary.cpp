@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Coordinates are named first, then frames: where a joint and its link share a name, the joint
 // keeps it.
 #include "urdf/glossary.hpp"

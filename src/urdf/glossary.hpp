@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Glossary: the names of a model being made, and the parameters that its numbers become. URDF names
 // may be any text; those of a model are letters, digits and underscores, no word of C++ or of the
 // language, and all different. In formulas, joints of long names are q_1, q_2, … in the order of

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // import_urdf: XML -> Robot -> Tree -> Draft -> text.
 #include <fmt/format.h>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // masses: whatever joints move must have mass, and an inertia that a rigid body can have.
 #include <fmt/format.h>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers: C's decimal notation, which URDF files are written in, to that of TOML.
 #include "urdf/numbers.hpp"
 

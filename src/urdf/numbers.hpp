@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers of a URDF: their digits, as TOML writes them, and their exact value; never a double.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // <joint>: how a link moves in its parent, and what limits, brakes and drives it.
 #include <fmt/format.h>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // <robot>: its links with their masses and inertias (shapes are no mechanics), its joints, and the
 // rotors of its transmissions. Elements that xacro would have expanded are refused, because what
 // they stand for is missing.

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // How far poses are from those of the file, where angles are taken for right ones: bounds that hold
 // wherever the joints are.
 #include <fmt/format.h>

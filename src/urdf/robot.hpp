@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Robot: a URDF file as written, numbers exact and with their digits, every piece with its span,
 // and what options make of it.
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Quarter turns are signed permutations of the axes, so what they turn keeps its digits.
 #include "urdf/rotations.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Constant rotations and axes. URDF writes a right angle as 1.57079632679, which is none: sine and
 // cosine of it are small numbers instead of 0, and the structure of the equations is lost. So what
 // is within 1e-5 rad of a right angle, or of an axis, is taken for it.

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Names become indices, and the joints a tree.
 #include "urdf/tree.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // LinkTree: which link hangs on which, in the order the model is written: parents first, and
 // otherwise in the order of the file.
 #pragma once

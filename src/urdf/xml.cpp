@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // tinyxml2 parses in place: names and values are pointers into its copy of the text. So the place
 // of a piece is the difference of two pointers, once the first piece has been found in the source.
 #include "urdf/xml.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // XML: elements and attributes as values, each with its place in the source.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Certificates as JSON, and as people read them:
 //
 //     certificate of cart_pole, scene full, seed 1

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Bitwise comparison. Both sides do the same operations in the same order on one machine with one
 // libm and without contraction, so nothing may differ, whatever the optimisation and the width of
 // packs. Contraction changes the bits of a polynomial, not the error that it may have.

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Compiled code against the program: the emitted headers must compute what the interpreter
 // computes, bit by bit, and sines of packs must be within the error that a scene asks for.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // self_check: precedes every write. The size of the program decides how many states are visited.
 #include <fmt/format.h>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // verify: oracle, program and compiled code of one scene, compared row by row. Each kind of check
 // lives in a file of its own; here is only the order of the certificate.
 #include <fmt/format.h>

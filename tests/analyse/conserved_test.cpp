@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The end of a page is true: pasted into the model it is proved, with F turned it is refused, and a
 // run keeps it.
 #include <fmt/format.h>

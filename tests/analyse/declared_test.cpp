@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // [[equilibrium]]: what is proved of it, sampled, and found wrong.
 #include "analyse/found.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Dimensions: how many symmetries systems have, and that both routes find as many.
 #include <fmt/format.h>
 

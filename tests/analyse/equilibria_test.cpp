@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Equilibria of models: the pages of textbook systems, their counts, and the claims.
 #include <array>
 #include <cmath>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Places of rest that are called exact, at other values of the parameters, by the oracle.
 #include <cmath>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Helpers of the tests of analysis: equilibria of models, and their pages.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Small motions: frequencies of textbook systems in closed form and in numbers, poles, and what is
 // refused.
 #include <cmath>

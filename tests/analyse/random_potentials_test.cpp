@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Random potentials of one or two angles and lengths: where all equilibria are claimed to be found,
 // a dense search in doubles, which shares nothing with the program, finds as many.
 #include <fmt/format.h>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // States of rest of what is left where momenta are held: steady motions of the whole.
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Symmetries: what is conserved by each, by value; how they change where forces act; the page
 // around the formulas to the letter; JSON.
 #include <algorithm>

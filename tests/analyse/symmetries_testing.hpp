@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Helpers of the tests of symmetries: the symmetries of a model, and formulas of the model language
 // to compare theirs with.
 #pragma once

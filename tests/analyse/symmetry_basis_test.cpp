@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Kinds of generators, and the rotations of all points at once in the place of those of a basis.
 #include "analyse/symmetry_basis.hpp"
 

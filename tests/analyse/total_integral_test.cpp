@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Total integral: the functions whose rates are forms, and forms that are no rate, or of which none
 // is found.
 #include "analyse/total_integral.hpp"

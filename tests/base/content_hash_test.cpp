@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Hashes stay what they are: files carry them.
 #include "base/content_hash.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The code table, order, places and exit codes of diagnostics.
 #include "elgen/diagnostic.hpp"
 

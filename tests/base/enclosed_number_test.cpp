@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Enclosed numbers: exact where they can be, bounded elsewhere, refused outside of a domain.
 #include "base/enclosed_number.hpp"
 

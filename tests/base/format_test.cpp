@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The one formatter: exact text, in every format; words that all formats share.
 #include <algorithm>
 #include <catch2/catch.hpp>

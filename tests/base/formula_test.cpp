@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Texts: formulas, TOML and user text on one line.
 #include "base/formula.hpp"
 

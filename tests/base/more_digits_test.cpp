@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // More digits add up while they live.
 #include "base/more_digits.hpp"
 

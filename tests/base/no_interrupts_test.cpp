@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Signals that end the process wait for what is half done, and arrive afterwards.
 #include "base/no_interrupts.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Exact numbers, and numbers as text: exact for rationals, thirty digits for the rest, in any
 // locale.
 #include "base/number_text.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The tables of outputs, limits and scalars: one row per kind in the order of the enumeration,
 // names unique, later names absent.
 #include "elgen/outputs.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The generator: known values, ranges kept, nothing dependent on the platform.
 #include "base/random.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Elements of pictures.
 #include "base/svg.hpp"
 

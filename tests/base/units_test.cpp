@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Units: arithmetic laws, spelling of the units mechanics uses, and that every spelling is known.
 #include "elgen/units.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Code points, malformed bytes, and kinds of ASCII characters: the ends of their ranges.
 #include "base/utf8.hpp"
 

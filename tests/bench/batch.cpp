@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Inverse dynamics of panda7 per state: one at a time in double with the sines of the library, and
 // in batches. Prints rows of a Markdown table.
 #include <cmath>

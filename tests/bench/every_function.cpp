@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Compiled to see how long it takes: every function of one emitted header, for double. MODEL,
 // HEADER and FUNCTIONS as in outputs.cpp.
 #include HEADER

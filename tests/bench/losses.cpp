@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A row of the table of losses: outputs that lose digits, and the worst of them, in two
 // certificates of `elgen verify --format json`: losses BEFORE.json AFTER.json.
 #include <fmt/format.h>

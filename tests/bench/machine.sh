@@ -1,4 +1,3 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
 # One sentence: commit, processor and compiler of a table of times. Sourced by run and accuracy, with $cxx.
 machine() {
   printf 'Commit: %s%s. Processor: %s, %s cores. Compiler of what is timed: %s.' "$(git rev-parse --short=8 HEAD)" \

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs a command and prints the seconds of processor time and the MiB it needed at most: "0.42 31".
 #include <sys/resource.h>
 #include <sys/wait.h>

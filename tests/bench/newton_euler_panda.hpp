@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Inverse dynamics of the Panda-like arm by the recursion of Newton and Euler, written by hand for
 // this arm: what a right angle turns is moved, not multiplied; what is 0 is left out; accelerations
 // and moments are formed with the matrix U = S(w') + S(w) S(w) of Balafoutis and Patel (1991), and

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The cost of operations, in multiplications, by latency (each needs the one before) and by
 // throughput (eight at a time): where the cost table of the tool comes from.
 #include <array>

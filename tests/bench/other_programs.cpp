@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 #include "other_programs.hpp"
 
 #include <algorithm>

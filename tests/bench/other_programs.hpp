@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // KDL and MuJoCo for timing: everything they allocate stands before the first call.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Operations and time of every function of one emitted header: MODEL its namespace, HEADER its
 // path, FUNCTIONS a file with a line FUNCTION(name, additions, …) each. Prints rows of a Markdown
 // table.

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The hand-written recursion of the Panda-like arm with the figures of tests/reference/panda7.json.
 #pragma once
 

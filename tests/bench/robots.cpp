@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // M, bias and inverse dynamics of a robot by programs of different origin, in one run: emitted code
 // with parameters and with numbers, the recursion by hand (panda7), KDL and MuJoCo where they are
 // installed. MODEL and FIXED are the namespaces, HEADER and FIXED_HEADER the paths of the emitted

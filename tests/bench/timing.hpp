@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Interleaved timing of alternatives in one run, so that they meet the same machine: medians of
 // many short repetitions.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // M, C and g of the two-link arm: the emitted `dynamics` against the equations as one writes them
 // by hand from the book, in the same run.
 #include <array>

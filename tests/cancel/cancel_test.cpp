@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Zeros become exact, and those that nobody proved are remembered.
 #include "elgen/cancel.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Entries that vanish, and entries that only seem to.
 #include "cancel/vanishing.hpp"
 

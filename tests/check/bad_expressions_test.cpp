@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Every row of bad_expressions.tsv: the code and column, or the value to 20 digits, within 1 s and
 // 256 MiB.
 #include <cln/cln.h>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Whole models: what is told, in which order, once; cycles, and long chains without one.
 #include <rapidcheck.h>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Models as text, and what check() says of them as text.
 #include "check_testing.hpp"
 

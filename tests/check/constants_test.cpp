@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers that are known when a model is read: constants, and integers over sizes and indices.
 #include "check/names/constants.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Emission, batches, steps and files: what a scene asks of the code.
 #include <catch2/catch.hpp>
 

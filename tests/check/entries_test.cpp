@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Entries: coordinates, inputs, points, bodies, forces, outputs, and the tables that are not
 // repeated.
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Equilibria of a model: what the Model keeps of them, what is refused, and scenes that expand
 // about one by its name.
 #include <catch2/catch.hpp>

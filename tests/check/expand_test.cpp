@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Expansion: which entries a repetition makes, and what their names must be.
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Closed forms that a model expects, and the units of outputs.
 #include <catch2/catch.hpp>
 

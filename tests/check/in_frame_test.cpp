@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Points, bodies, loads and outputs given in frames, as the world sees them.
 #include "check/entries/in_frame.hpp"
 

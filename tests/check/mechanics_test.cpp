@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Mechanics: degrees of energies, forces affine in inputs, and which velocities move something.
 #include "check/judge/mechanics.hpp"
 

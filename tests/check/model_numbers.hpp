@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Expressions of a Model as numbers: value and rate along a motion, by plain recursion.
 #pragma once
 

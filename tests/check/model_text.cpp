@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Names stand for what their indices refer to.
 #include "check/model_text.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A Model as text, one entry a line.
 #pragma once
 

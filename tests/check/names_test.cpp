@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Names: of functions, those that a model may not give to its entries, and those that it gives.
 #include <algorithm>
 #include <catch2/catch.hpp>

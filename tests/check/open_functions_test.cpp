@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Functions left open: their values, and what closes them.
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Options, split into parts that point into their text, and the sizes that they set.
 #include "check/expressions/options.hpp"
 

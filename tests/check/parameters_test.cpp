@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Parameters: exact values, arrays, and values that contradict what is said of them.
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // How far outputs may be off, and where.
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Frames: every way to shift and turn them, their poses and spins, and what they may not be.
 #include <catch2/catch.hpp>
 

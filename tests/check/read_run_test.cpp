@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The data of a run: starts, laws of inputs and values of parameters, as options give them.
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Requests: availability, shapes and names of outputs.
 #include "check/names/requests.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Expressions resolved: names, calls and indices, and what is said of those that are not known.
 #include "check/expressions/resolver.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Coordinates of kind rotation: names, keys, and what may be written of them.
 #include <catch2/catch.hpp>
 

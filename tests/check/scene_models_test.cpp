@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Changes that a scene makes to a model: locks, how they are read and what is left without the
 // locked coordinates; the point of an expansion.
 #include <catch2/catch.hpp>

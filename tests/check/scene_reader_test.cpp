@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes: outputs, fixed parameters, scalars and names.
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Traits: degrees and ingredients of expressions, and the places that take them.
 #include "check/expressions/traits.hpp"
 

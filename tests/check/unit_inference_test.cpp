@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Units: as they are written, and of expressions: what is compared, what is free, what is not
 // checked, and what helps.
 #include <rapidcheck.h>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Values: roots, constants and references of one entry, and nodes that check writes itself: what
 // vanishes is never written.
 #include "check/expressions/values.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A model text through every stage up to the choice of forms.
 #pragma once
 

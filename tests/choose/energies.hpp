@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The energies of energies.txt: models as users type them, with forms that keep their digits beside
 // them, and the states near which sums cancel.
 #pragma once

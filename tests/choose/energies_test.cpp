@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Sixty energies of which sums cancel (energies.txt): the digits of the emitted programs beside
 // those of the user's text, which is the recursive form, and of stable forms, all in double.
 #include "choose/energies.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The total energy beside the energies that it is the sum of.
 #include "choose/energy_sum.hpp"
 

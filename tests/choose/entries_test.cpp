@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The entries of a function, those that are written in another way to keep digits, and all of them
 // as instructions.
 #include "choose/entries.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The last passes over a function: a vanishing diagonal entry is singular, quaternions of any
 // length come back with length 1, and sines and cosines come first.
 #include "choose/finish.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Ways that lose digits which the text keeps, the points that show it, and models whose code kept
 // none.
 #include "choose/harm.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Differences of nearly equal values, written so that nothing cancels.
 #include "choose/kept_digits.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Sums that vanish in several coordinates at once, and forces that hold a system at rest: the code
 // keeps the digits of the text there.
 #include "choose/points.hpp"

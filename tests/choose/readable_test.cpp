@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Expressions and how they are written for a reader; which of two ways may stand for the other.
 #include "choose/readable.hpp"
 

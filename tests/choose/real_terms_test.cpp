@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Canonical sums in several ways to write them, and the angle in a product of atoms.
 #include "choose/real_terms.hpp"
 

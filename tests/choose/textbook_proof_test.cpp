@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Every entry of every output proved equal to the textbook route's, for every committed model of up
 // to three coordinates, of two with constraints: L written out in full, differentiated, and
 // compared as canonical sums.

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The ways to write a closed form, and those of them that keep their digits.
 #include "choose/ways.hpp"
 

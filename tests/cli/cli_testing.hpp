@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Helpers of the tests of the command line: files of the project, commands in folders of their own.
 #pragma once
 

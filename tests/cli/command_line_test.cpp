@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The command line: help, version, limits, stages, and words that are not understood.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Every command of the table is offered, in its order, and explains itself; shells complete it, and
 // the manual has it.
 #include <catch2/catch.hpp>

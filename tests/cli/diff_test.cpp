@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // elgen diff: what is compared, what it exits with, what is refused.
 #include <catch2/catch.hpp>
 

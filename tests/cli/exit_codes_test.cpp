@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The exit codes of every command: each that it can end with, and why it cannot with others.
 #include <fmt/format.h>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // elgen explain: every code has its words, every entry its keys.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

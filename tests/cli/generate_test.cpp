@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // elgen generate: what its options make of the files it would write, and what these say they were
 // made from.
 #include <catch2/catch.hpp>

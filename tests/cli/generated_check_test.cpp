@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // generate --check: committed output that is current, stale, edited by hand, missing or left over;
 // then the remedy.
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // elgen import: the model on stdout or in a file, which is not overwritten unasked; many notes as
 // one line for each kind.
 #include <catch2/catch.hpp>

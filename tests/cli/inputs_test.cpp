@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Files that a command reads: models, scenes with their model, and paths that are neither.
 #include <catch2/catch.hpp>
 

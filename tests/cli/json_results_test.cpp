@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // With --format json every command prints JSON alone, or says why not.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

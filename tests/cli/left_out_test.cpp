@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Outputs that a model leaves out where nothing names outputs: reported by every command and in
 // every file, and generated where a scene names them.
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Everything for people: diagnostics as text and JSON, whole whatever happens; colour, silence,
 // timings, progress on a terminal.
 #include <fmt/format.h>

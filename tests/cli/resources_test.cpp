@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Limits on time and memory, and interrupts: the process ends in order, and nothing is left behind.
 #include <catch2/catch.hpp>
 

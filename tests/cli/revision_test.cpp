@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The files of a revision of git, in environments that change how git behaves.
 #include <catch2/catch.hpp>
 

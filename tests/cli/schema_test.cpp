@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // elgen schema: the schemas hold for what the program reads, by Debian's python3-jsonschema, where
 // it is installed.
 #include <catch2/catch.hpp>

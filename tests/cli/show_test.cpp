@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // elgen show: what comes out in each notation. Costs of generation, output by output.
 #include <catch2/catch.hpp>
 #include <filesystem>

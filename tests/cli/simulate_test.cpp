@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // elgen simulate: what it prints and writes.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // elgen tradeoff: which output tables are about, designs on the bench, runs by all methods, files
 // and exit codes; no time is looked at.
 #include <algorithm>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // elgen verify where digits end: right code is no failure, and what nobody can say is counted.
 #include "cli/cli_testing.hpp"
 

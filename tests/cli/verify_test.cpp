@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // elgen verify: certificates and exit codes; samples are shared by processes.
 #include <algorithm>
 #include <catch2/catch.hpp>

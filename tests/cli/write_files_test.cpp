@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Files that generate writes, and files that it leaves alone. Processes that write to the same
 // folders take turns; what fails half-way: tests/faults.
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // elgen_generate() and find_package() where something is wrong: CMake stops and says it.
 #include <catch2/catch.hpp>
 

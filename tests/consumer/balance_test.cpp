@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The controller of the cart and pole as its user builds it: what it reaches, and its gains against
 // those of others.
 #include <catch2/catch.hpp>

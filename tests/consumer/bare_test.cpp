@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // README.md on a machine that has nothing but Debian 12. The first screen and the commands of `Use`
 // need the package and a compiler, the controller also the packages that its section names.
 #include <fmt/format.h>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // elgen_generate() in a project of CMake: after every edit the table says for which inputs elgen
 // ran and what was compiled, and the next build does nothing.
 #include <fmt/format.h>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // examples/firmware: built for a Cortex-M4 by another compiler than the host's, and run by QEMU,
 // which counts instructions alike in every run. The symbols of its objects say what a controller
 // needs.

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Models in examples/ have the physics and the values of their namesakes in models/.
 #include <catch2/catch.hpp>
 #include <filesystem>

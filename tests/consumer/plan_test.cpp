@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The example that plans a swing-up: its plan keeps what it claims, and its derivatives are right.
 #include <catch2/catch.hpp>
 #include <iostream>

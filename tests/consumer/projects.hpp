@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Projects that use elgen as it is installed, in folders with a blank in their paths.
 #pragma once
 

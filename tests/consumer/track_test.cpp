@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The controller of the arm as its user builds it: how far from its circle it lets the joints go.
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Composite inertias against sums over the bodies in the world, rates of momentum per unit twist,
 // and the laws of passing both on.
 #include "derive/tree/composite.hpp"

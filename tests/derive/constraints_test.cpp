@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Constraints as derived, by elimination, against the oracle, which solves the whole with pivoting,
 // on random systems; and derivatives against those of written-out accelerations.
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Directions and graded energies that the outputs share, and steps against the textbook route.
 #include "derive/lagrangian/derivation.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The outputs that are derived, their shapes, and the limit on their size.
 #include <algorithm>
 #include <catch2/catch.hpp>

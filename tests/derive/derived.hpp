@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // One system, its textbook equations, and a Derivation to compare with them.
 #pragma once
 

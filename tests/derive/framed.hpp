@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A system of frames: derived outputs as numbers of 60 digits, and the same by the oracle, which
 // knows frames only as positions and spins in the world.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Outputs of systems of frames against the oracle, which sees them in the world, and the laws they
 // obey.
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Hamilton's functions in closed form, where books have them: the solve, b, and turning.
 #include <catch2/catch.hpp>
 

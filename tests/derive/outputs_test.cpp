@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Outputs against the textbook route, and the laws they obey.
 #include "derive/outputs/outputs.hpp"
 

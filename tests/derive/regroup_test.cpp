@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Regrouped numbers: the same functions of the state, in fewer of them. Masses taken to before the
 // rotation they move with: the same off the unit sphere, too.
 #include "derive/tree/regroup.hpp"

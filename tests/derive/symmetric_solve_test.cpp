@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Solutions, pivots, and that limbs do not fill in.
 #include "derive/lagrangian/symmetric_solve.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The plain textbook route: write L out in full, differentiate, expand. Slow, and obviously right.
 //
 //     tau = d/dt dL/dv - dL/dq + dD/dv - Q,    d/dt = sum v d/dq + sum a d/dv + d/dt

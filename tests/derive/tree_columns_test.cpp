@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The variables that move a tree, those that meet on the way to the root, and their columns.
 #include "derive/tree/tree_columns.hpp"
 

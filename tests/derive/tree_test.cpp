@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Passing along the tree against the poses of the Model.
 #include "derive/tree/tree.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Turning: Euler's equations and the Christoffel form of angular velocities, from an energy alone.
 #include "derive/lagrangian/turning.hpp"
 

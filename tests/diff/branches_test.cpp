@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Forces that agree where one happens to look, and are other functions elsewhere: none of them is
 // called equal. Forces that are one function are, where they are analytic.
 #include <fmt/format.h>

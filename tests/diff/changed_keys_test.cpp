@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Keys that differ: their places, and what is no change; parsed trees with other names.
 #include <catch2/catch.hpp>
 

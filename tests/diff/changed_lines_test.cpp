@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // How much of a header changes with one term of its model: the functions of the entries that
 // differ, and no others.
 #include <catch2/catch.hpp>

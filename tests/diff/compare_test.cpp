@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The impact of a change, and the report about it; the words and the order of impacts.
 #include <catch2/catch.hpp>
 

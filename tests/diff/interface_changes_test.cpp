@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Changes of the interface that callers see.
 #include <catch2/catch.hpp>
 

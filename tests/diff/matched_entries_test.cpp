@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Two programs over the leaves of both, and entries that meet by what their rows and columns stand
 // for.
 #include "diff/matched_entries.hpp"

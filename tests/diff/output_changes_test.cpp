@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The change of every entry, and a state at which it is seen.
 #include "diff/output_changes.hpp"
 

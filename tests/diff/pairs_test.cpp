@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Pairs of models that are known to be equal, or not: random systems of one to seven coordinates,
 // written in two ways, or with one coefficient changed by as little as 1e-12. Those written by hand
 // are in rewritings_test and verdicts_test.

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A report in words, as people and programs read it, as a comment on a pull request, and as GitHub
 // shows it; what several systems have in common is said once.
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Systems written in two ways by hand: bodies on frames and in the world, chains of three to seven,
 // other definitions. Each is equal to its other writing, and not equal with one thing wrong.
 #include <catch2/catch.hpp>

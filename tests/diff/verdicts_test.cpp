@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Edits of models and scenes, and what a reviewer would say they amount to.
 #include <catch2/catch.hpp>
 

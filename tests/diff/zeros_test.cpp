@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Expressions that vanish everywhere: proved, sampled, or not.
 #include "diff/zeros.hpp"
 

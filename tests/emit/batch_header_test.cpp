@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // batch_header: functions on arrays of states; packs_test.cpp compiles them.
 #include "emit/cpp/cpp_artifacts.hpp"
 #include "fixture.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // c99_dialect: leaves, constants and calls, then small functions, line for line.
 #include "emit/c99/c99_dialect.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Emitted headers, compiled: every function of every header below generated/ and of the test's own
 // model, for every scalar type, by both compilers under strict warnings. One driver instantiates
 // all; values are compared with 50-digit ones, operations with what the sidecar states.

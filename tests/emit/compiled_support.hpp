@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Helpers with which a generated driver compares every function of emitted headers with every
 // scalar type.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // cpp_constant: rows of value -> text, then many values compiled once and compared in every type.
 #include "emit/code/cpp_constant.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // cpp_dialect: leaves, constants and calls, then small functions, line for line; and what differs
 // on Eigen, which tests/pipeline/languages_test.cpp compiles.
 #include "emit/cpp/cpp_dialect.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // cpp_header: which parts a header has; the golden header shows them whole. On vectors and matrices
 // of Eigen: tests/pipeline/languages_test.cpp compiles them.
 #include "emit/cpp/cpp_artifacts.hpp"

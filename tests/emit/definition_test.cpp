@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // definition: short functions whole, long ones in parts, matrices in the order of storage.
 #include "emit/code/definition.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // E701 at its place in the scene; E702 for parameters and constants, in the scalars asked for and
 // no others.
 #include "emit/text/emission_checks.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // emission_input: origins, hashes, parameters and sections of what is written, and its stamp.
 #include "emit/text/emission_input.hpp"
 

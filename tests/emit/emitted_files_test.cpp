@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // emit: golden header and sidecar of a small model, and what must not change them.
 // ELGEN_UPDATE=1 rewrites the golden files.
 #include "elgen/emitted_files.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A cart and pole by hand: Model, Scene and a Program in text form, as the stages before would give
 // them.
 #pragma once

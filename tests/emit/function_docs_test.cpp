@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // function_docs: the comment above a function, line for line.
 #include "emit/code/function_docs.hpp"
 

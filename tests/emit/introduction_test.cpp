@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Pages begin with title, equation of motion, variables and notes, and end with operations.
 #include "emit/pages/introduction.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // layout: where lines break, and what user text may not do to a comment.
 #include "emit/text/layout.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Every name that emitted code keeps is refused where it would collide, and nowhere else.
 #include "emit/c99/c99_artifact.hpp"
 #include "emit/cpp/cpp_artifacts.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Programs of tests/emit/compiled/ around an emitted header, built by both compilers and run.
 #include <catch2/catch.hpp>
 #include <vector>

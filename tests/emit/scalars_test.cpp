@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Scalars of emitted headers: right numbers in every kind that is promised, and a sentence for
 // those that have too few digits.
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // sidecar: the JSON is valid, has the keys in order, and says what the program does.
 #include <nlohmann/json.hpp>
 

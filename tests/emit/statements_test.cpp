@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // statements: what is computed under a name, what is written out, and what either is made of.
 // Sections: small bodies cut by hand, and laws over random ones.
 #include "emit/code/statements.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Every error code, as users meet it: tests/errors/*.txt run by the real binary and compared to the
 // letter. ELGEN_UPDATE=1 rewrites what they expect; the difference is then reviewed.
 //

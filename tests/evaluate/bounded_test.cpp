@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The rules of error bounds and of running errors, one by one, and that they bound what rounding
 // does.
 #include "evaluate/bounded.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Dual numbers: derivatives of every function against differences in 64 digits, and nested ones.
 #include "evaluate/dual.hpp"
 

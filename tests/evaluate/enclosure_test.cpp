@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Enclosures hold every value on the box: all functions at random points, in 64 digits, and the
 // cases in which bounds are exact.
 #include "evaluate/enclosure.hpp"

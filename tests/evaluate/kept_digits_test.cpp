@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // log1p, expm1, hypot and Stumpff's functions keep their digits near 0, in every arithmetic, and so
 // do the derivatives of sinc and cosc.
 #include <cln/integer.h>

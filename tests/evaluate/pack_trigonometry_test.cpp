@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // PackTrigonometry: the errors of the table of polynomials, measured again in 40 digits; sines and
 // cosines are off by at most what a scene asks for, on the whole domain.
 #include "evaluate/pack_trigonometry.hpp"

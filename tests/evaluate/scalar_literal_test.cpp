@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // scalar_literal: the binary values of exact numbers, known texts, and properties over random ones.
 #include "evaluate/scalar_literal.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Sampled states: deterministic, within the ranges, with the extremes.
 #include "evaluate/states.hpp"
 

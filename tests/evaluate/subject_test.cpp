@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // States between binary arguments, exact numbers and text, and what their own rounding costs.
 #include "evaluate/subject.hpp"
 

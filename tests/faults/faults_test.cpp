@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Failures and signals at every call of the system: they leave old files or new ones, nothing
 // between, nothing left over, a message and a documented exit code. ELGEN_FAULTS=all visits every
 // call, and every 97th request for memory; the tests of every day visit some.

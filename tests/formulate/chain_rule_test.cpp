@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Forward, reverse and substitution against GiNaC's derivative of the fully written-out expression.
 #include "formulate/chain_rule.hpp"
 

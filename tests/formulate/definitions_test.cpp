@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The list of definitions: atoms, repetition, order of symbols, their text, and opaque functions.
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Translation of single expressions: values are kept, sizes stay small.
 #include "formulate/expressions.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Energies and forces of a model as terms over definitions, and the rates of unit quaternions.
 #include <fmt/format.h>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Frames become steps, parents first, of those that carry something.
 #include "formulate/frame_tree.hpp"
 

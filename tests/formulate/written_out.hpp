@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Definitions written out into one expression, and equality of such expressions at exact points:
 // the obvious way that derivation avoids.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Expressions: what is read can be printed, and what is printed is read as the same.
 #include "elgen/syntax.hpp"
 #include "fuzz.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Helpers of the fuzz targets: an input as a source, and the properties of every answer to one.
 //
 // A target is a function of bytes that must return: whatever a file holds, reading it ends in a

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Model files: read, printed, checked.
 #include "elgen/scene.hpp"
 #include "elgen/syntax.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Scene files, read and checked against one model that has an array, a rotation, frames and forces.
 #include "elgen/scene.hpp"
 

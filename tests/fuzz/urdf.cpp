@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // URDF files: what is imported is a model file without mistakes.
 #include "elgen/urdf.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // No stage may do more than its share of a longer chain: operations of every stage, for n links.
 //
 // The program for the inverse dynamics of a chain is linear in n, and so are all tables on the way.

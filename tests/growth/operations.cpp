@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Replaces the program's allocation functions, and holds what g++ and clang++ call in every block
 // under -fsanitize-coverage=trace-pc.
 #include "growth/operations.hpp"

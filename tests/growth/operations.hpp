@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Operations of this program, counted and not timed: the same in every run.
 //
 // Bytes asked for are counted always. A stage makes everything (nodes, terms, numbers, texts,

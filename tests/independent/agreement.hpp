@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Random states, and how far two oracles are apart there.
 #pragma once
 

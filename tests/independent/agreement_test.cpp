@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The emitted header ELGEN_HEADER (of namespace ELGEN_MODEL), compiled, against the independent
 // program ELGEN_ORACLE, which is given the description ELGEN_DESCRIPTION of the same robot.
 #include "independent/agreement.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 #include "independent/checks.hpp"
 
 #include <catch2/catch.hpp>

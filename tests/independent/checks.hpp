@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Checks of oracles; each function is called inside a TEST_CASE.
 #pragma once
 

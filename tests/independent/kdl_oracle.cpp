@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Chains are asked of the solvers that KDL has for chains alone, branched robots of its solver for
 // trees.
 #include <kdl/chaindynparam.hpp>

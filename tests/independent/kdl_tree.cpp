@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 #include "independent/kdl_tree.hpp"
 
 #include <fmt/format.h>

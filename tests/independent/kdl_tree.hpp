@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A robot as KDL describes it.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The independent programs against each other and against the reference values: what they are given
 // describes the same robots.
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A robot in MuJoCo's modelling language.
 #pragma once
 

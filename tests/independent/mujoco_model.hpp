@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Models and states of MuJoCo, with owners.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The recursion written by hand for the Panda, which the benchmarks measure emitted code by: its
 // values, and what it costs.
 #include <algorithm>

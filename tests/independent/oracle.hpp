@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The quantities that every independent program computes: M, bias and inverse dynamics at a state.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 #include "independent/robot.hpp"
 
 #include <fstream>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The description that the independent programs are given: a tree of rigid links with revolute
 // joints, read from JSON (tests/reference/panda7.json says what its figures mean).
 #pragma once

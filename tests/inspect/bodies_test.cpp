@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // E508: principal inertias obey the triangle inequality and are not negative. E507: a planar spin
 // has to be the rate of an angle(q, t).
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Constants that have no value, and the expressions that equations are made of.
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Constraints that constrain nothing (E536), follow from others (E537) or have no pose (E538).
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // E613 and E614: whether a point is an equilibrium, and whether there is an expansion about it.
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Diagnostics as text to compare: "E501: message", one line each.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The inspection finds faults in models that are mechanically wrong and none in sound ones.
 #include "elgen/inspect.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // E501 and E511, where M is singular, and what is negative: masses, kinetic energies and
 // dissipations (E523, E524, E525).
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // E522 what is declared and never used, E619 what is left out, E627 friction smoothed by tanh.
 #include <algorithm>
 #include <catch2/catch.hpp>

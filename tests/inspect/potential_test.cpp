@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // E512, E526 and E527: energies that hold a weight or a motion the wrong way, or twice.
 #include <catch2/catch.hpp>
 

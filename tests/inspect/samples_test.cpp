@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Sampled states, null spaces of sampled matrices, and numbers as messages print them.
 #include "inspect/samples.hpp"
 

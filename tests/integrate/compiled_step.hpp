@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Steps as they are emitted and compiled, one after another.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Calls as copies with other leaves: a(q, u) = q*u at q + h v.
 #include "integrate/composition.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // rk4 and verlet: their order, and values of rk4 beside a run.
 #include <algorithm>
 #include <catch2/catch.hpp>

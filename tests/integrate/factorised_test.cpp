@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // L D L^T of symbols, evaluated.
 #include "integrate/factorised.hpp"
 

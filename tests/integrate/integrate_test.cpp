@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Steps: what they are refused for, what they start from, and what they call.
 #include "elgen/integrate.hpp"
 

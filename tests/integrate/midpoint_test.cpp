@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The implicit midpoint rule: its order, what it conserves, what it leaves.
 #include <catch2/catch.hpp>
 #include <cmath>

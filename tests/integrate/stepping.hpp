@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Model texts -> the program of their step, and its values.
 #pragma once
 

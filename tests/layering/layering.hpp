@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The rules of src/layers.txt, checked on a source tree: the order of folders, no include cycles,
 // GiNaC where it may be, a test for every source, files of readable length.
 #pragma once

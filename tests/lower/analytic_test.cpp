@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Values that are analytic, and those that are variables of their own.
 #include "lower/network/analytic.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // code_interface: which parameters are emitted, which arguments a function takes, structs and plain
 // results, numbers and arrays of one, storage.
 #include "lower/code_interface.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Constants: their forms, as formulas and read again, and their values.
 #include "lower/constants/constants.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Equations of motion made by hand from GiNaC expressions, for tests of the import and what follows
 // it.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Expressions over coordinates a, b, c, d, e: read from text, and written again.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lower/from_ginac.hpp"
 
 #include <rapidcheck.h>

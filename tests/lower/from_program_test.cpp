@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Instructions as sums and products again.
 #include "lower/graph/from_program.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Graph: one node for equal values, normal forms, and the order of nodes.
 #include "lower/graph/graph.hpp"
 

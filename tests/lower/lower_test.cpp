@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 #include "elgen/lower.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // From Graph to Function: the network, what is shared and turned in it, its instructions, and which
 // form is cheapest.
 #include "lower/network/network.hpp"

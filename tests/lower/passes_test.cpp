@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The passes from Graph to Graph: rebuild, factor, flatten and angle_sums, and prune of a Program.
 #include <catch2/catch.hpp>
 

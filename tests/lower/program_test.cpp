@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Programs: their entries, invariants, and instructions that are added once.
 #include "elgen/program.hpp"
 

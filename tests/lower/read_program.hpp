@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads the text form of a program, or fails the test with the diagnostics.
 #pragma once
 

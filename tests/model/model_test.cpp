@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Queries of a Model that every stage may make: names and numbers of its leaves, printing,
 // references between entries.
 #include <rapidcheck.h>

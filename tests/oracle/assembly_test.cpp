@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Assembly: Newton's method against poses that are known, and where it ends without one.
 #include <cln/real.h>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Constraints by hand, along motions, and by what they have to fulfil.
 #include "oracle/constraints.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Jets: a ring with quotients, powers of s, and functions by the chain rule.
 #include "oracle/jet.hpp"
 

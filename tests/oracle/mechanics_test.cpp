@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Energies at a state, and their directional derivatives.
 #include "oracle/mechanics.hpp"
 

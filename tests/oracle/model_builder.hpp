@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Builds Models from short texts, for tests of what reads a Model: independent of the file format.
 //
 // Expressions: + - * / ^ ( ), the functions of functions.def, sqrt, ddt(e) for d/dt, x(P) y(P)

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Momenta: what is taken off them before the solve, how they turn, and where there is none.
 #include "oracle/momenta.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The oracle against closed forms, published values and the laws of mechanics.
 #include "elgen/oracle.hpp"
 

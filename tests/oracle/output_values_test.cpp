@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Every output: by hand, as contractions, and derivatives against differences and each other.
 #include "oracle/output_values.hpp"
 

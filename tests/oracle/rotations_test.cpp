@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Rotations: rates of quaternions, and Euler's equations from an energy.
 #include "oracle/rotations.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Textbook systems and random exact states, for the tests of the oracle and of the inspection.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Requests of scenes: the force that holds a coordinate, and Taylor polynomials of every output.
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Symmetric systems, and M a = B u - bias in either order of elimination.
 #include "oracle/solved_dynamics.hpp"
 

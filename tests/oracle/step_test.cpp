@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Steps where their values are known in closed form.
 #include "oracle/step.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // generated/README.md is the list of what is committed there, made of the models, the scenes and
 // the sidecars. ELGEN_UPDATE=1 writes it; the difference is then reviewed.
 #include <fmt/format.h>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 #include "pages/page.hpp"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A page for readers, as its tests see it: prose, and fences that say what they are.
 //
 //     ```sh                 commands, one a line; each ends with exit code 0

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // How pages are read: what a fence is, what agrees with what is expected, where links lead.
 #include "pages/page.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Pages are true: every command runs, prints what is shown, and reads every file that is
 // shown; every link leads somewhere, and every path that is named is there.
 #include <algorithm>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Does what a fence of a page says: writes its file, runs its commands, compares what they print
 // and write.
 #pragma once

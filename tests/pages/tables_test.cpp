@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The pages name everything the tables of the code have, so that neither outgrows the other.
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Decimals are exact, limits are noticed before any big arithmetic, and texts come back.
 #include "parse/decimal.hpp"
 

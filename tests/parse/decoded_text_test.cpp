@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // TOML strings of the four forms: what they say, and where each part of it stands in the file.
 #include "parse/decoded_text.hpp"
 

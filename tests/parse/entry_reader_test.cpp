@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Tables of a file: order, unknown ones, the wrong kind, those that come later, those that are
 // missing.
 #include "parse/entry_reader.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The trees of expressions: precedence, chains, places, depth, and print -> parse -> the same tree;
 // and the messages of the grammar: code, column, what was met, and what to write.
 #include "parse/expression_parser.hpp"

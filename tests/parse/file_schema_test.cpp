@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The key table as JSON Schema.
 #include "parse/file_schema.hpp"
 

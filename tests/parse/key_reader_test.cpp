@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Keys of one table: unknown, missing, unsupported, words out of a choice, and repetitions.
 #include <algorithm>
 #include <catch2/catch.hpp>

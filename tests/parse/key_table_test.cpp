@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Laws of the key table: no row twice, every row belongs to an entry, choices belong to choice
 // keys, and every key is in the text of a syntax tree with its value.
 #include <fmt/format.h>

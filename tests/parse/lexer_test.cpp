@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Tokens and their places, and what the lexer says of everything that is no token.
 #include "parse/lexer.hpp"
 

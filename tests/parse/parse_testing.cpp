@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Answers of the parser as text.
 #include "parse_testing.hpp"
 

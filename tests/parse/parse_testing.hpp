@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Helpers of the tests of parse: answers as one line of text, so that tables of cases stay
 // readable.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Whole files: size, encoding, format, and errors inside strings at the exact character of the
 // file.
 #include "elgen/syntax.hpp"

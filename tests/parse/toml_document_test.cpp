@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // TOML trees: file order, the exact place of every key and value, and what is malformed.
 #include "parse/toml_document.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Values by type: what is accepted, what is E104, E109, E205 or a limit, each at its place. Every
 // row is one key of an otherwise sound model, in line 5.
 #include "parse/value_reader.hpp"

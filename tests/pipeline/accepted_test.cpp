@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Right models that a check of elgen's own once refused, and energies that no textbook has: nested
 // calls, roots of roots, quotients, high powers, odd angles. Every check of verify has to
 // hold, in whichever form a function is emitted.

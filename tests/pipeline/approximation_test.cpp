@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes that expand about an equilibrium: the equations are the truncated exact ones, order by
 // order.
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // By-ways: the step of a scene stands behind what was chosen, and costs what it executes; what
 // solutions are judged by is picked where the scene has it, and derived where not; the derivation
 // as it is read.

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Common mistakes in written derivations: each is caught with its own message, or cannot be
 // written.
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Irrational constants the whole way: what is shown, emitted, compiled and proved says the same
 // number, and different numbers never become one.
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Emitted code of models with constraints at work: a robot with a closed loop that follows a circle
 // by computed torque, and Andrews' mechanism for 0.03 s.
 #include <algorithm>

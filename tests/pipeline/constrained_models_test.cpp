@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Whole models with constraints: closed forms that are proved, poles, published numbers, and code
 // in all languages.
 #include <array>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A model with constraints as the pipeline gives it: fields of its outputs by the program, in
 // double and in 64 digits, and by the oracle.
 #pragma once

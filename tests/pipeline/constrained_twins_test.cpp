@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Models with constraints against twins in coordinates that need none, with numbers and names of
 // their own: accelerations and energies.
 #include <algorithm>

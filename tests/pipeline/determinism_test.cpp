@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The same bytes from every process, whatever its addresses, locale and working folder.
 #include <catch2/catch.hpp>
 

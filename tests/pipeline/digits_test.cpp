@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Digits that models keep in code, however their energies were written.
 #include <algorithm>
 #include <catch2/catch.hpp>

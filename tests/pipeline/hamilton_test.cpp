@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Hamilton's functions of whole models: against momenta, energies and accelerations to 50 digits,
 // in all languages, and as pages.
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Imported arms against numbers that do not come from elgen: three independent programs of rigid
 // body dynamics agree on them to all digits given. The state is q_i = 0.3 + 0.1 i,
 // v_i = -0.2 + 0.15 i, a_i = 0.5 - 0.1 i for i = 0, 1, ...

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A model with every function that keeps digits: its derivatives are those by hand, the emitted
 // code is verified, and C99 compiles without a warning.
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Energies and forces that are another function on the other side of some point: nothing of them
 // vanishes, and values and slopes are right on both sides.
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The same scenes in C++, in C99 and on types of Eigen, compiled by both compilers without a
 // warning: all give the same bits, row-major and column-major, and Eigen allocates nothing.
 #include <fmt/format.h>

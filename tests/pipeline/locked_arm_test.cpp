@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // An arm with all joints but one locked: the numbers of the whole arm at that pose, for a fraction
 // of its operations.
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Code that an emitter with a fault would write: verify detects every fault.
 #include <catch2/catch.hpp>
 #include <regex>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Functions left open in whole models: proofs, pages, and code that is called with the numbers of a
 // potential, in all languages.
 #include <catch2/catch.hpp>

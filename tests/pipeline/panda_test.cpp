@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The arm of seven joints: written with frames and imported from a URDF it has the same equations,
 // and no more operations than a recursion written by hand for it; what a scene does not need costs
 // nothing.

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The stages run in their order, stop where they should, and hand over what they made.
 #include "elgen/pipeline.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Helpers of the tests of the pipeline: models of the project, and runs of generated headers.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Random energies of 2 to 12 nodes over 1 to 3 coordinates: all functions, parameters of value 1, 0
 // and else, irrational constants. Each gives code and a page, or an error with a place; none
 // crashes, and no page falls back to the forms of code. $ELGEN_SEEDS of them from

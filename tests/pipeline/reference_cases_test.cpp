@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The whole path, in double, against published values: model text -> program -> numbers.
 //
 // Each entry is within 4 ulp of the exact value for the same binary inputs, or, where its terms

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes that take cyclic coordinates out: the equations of what is left are those of the whole
 // model at the momenta held, and its rates are those of the whole.
 #include <catch2/catch.hpp>

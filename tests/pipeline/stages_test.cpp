@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A stage runs once, after what it needs, and its mistakes become diagnostics.
 #include "pipeline/stages.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Quaternions that are not of length 1: emitted code scales them back whatever their length, and
 // what it computes at them is still one mechanics.
 #include <catch2/catch.hpp>

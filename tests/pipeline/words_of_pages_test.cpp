@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // No page of any model has what no book prints: names of the generator, formulas that are not
 // simplified, macros that pandoc or GitHub lack, units as they are typed.
 #include <algorithm>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Entries that are identically zero are emitted as 0, and those not proved to be zero are reported.
 #include <catch2/catch.hpp>
 #include <regex>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Functions of closed forms; model_expression_test has the identities.
 #include <catch2/catch.hpp>
 

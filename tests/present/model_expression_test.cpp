@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Pairs of expressions that are one function, and pairs that are not.
 #include <catch2/catch.hpp>
 

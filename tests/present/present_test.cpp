@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A program run on canonical sums, and the zeros that these prove.
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Rates along the motion.
 #include <catch2/catch.hpp>
 

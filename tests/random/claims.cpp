@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Differentiates the expressions of energies, and spoils what comes out.
 #include "random/claims.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Closed forms that are true of a model by its own energies, and false ones that differ in a
 // constant.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Compiles what elgen emitted and compares the numbers that it returns. All trials of a language
 // are one program, which is halved where it does not compile.
 #include <fmt/format.h>

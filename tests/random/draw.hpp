@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Random numbers, and constants and functions of the model language made from them. A seed gives
 // the same draws in every run of one build; compilers may order the draws of one expression
 // differently.

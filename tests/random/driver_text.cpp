@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes the calls as the declarations in the emitted headers ask for them.
 #include "random/driver_text.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Programs that call every function of emitted headers at the state of a trial, and print what it
 // returns: a line "base/output number" for each entry.
 #pragma once

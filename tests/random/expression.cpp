@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Builds, prints and evaluates the expressions of random models.
 #include "random/expression.hpp"
 

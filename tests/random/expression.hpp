@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Expressions of random models: trees that the generator builds, printed into a model file and
 // evaluated here; what is printed is never parsed.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws points, bodies and frames.
 #include "random/generator.hpp"
 

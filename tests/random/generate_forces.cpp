@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws what else acts and is wanted: prescribed motion, dissipation, inputs, forces, outputs.
 #include "random/generator.hpp"
 

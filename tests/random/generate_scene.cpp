@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws scenes: what is locked, fixed, and how code is emitted.
 #include "random/generator.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws coordinates, parameters and energies, and puts models together.
 #include "random/generator.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws models and scenes: every entry of the language that moves, pulls or is wanted, in
 // combinations that nobody would write. Half of the seeds have irrational constants.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Jets: arithmetic term by term; functions by their Taylor series about the constant part, which
 // the rest, being nilpotent, cuts off.
 #include "random/jet.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers that know how they change: polynomials in a scale s, cut at an order, and in
 // infinitesimals whose squares are 0. The coefficient of e1 e2 … is the mixed derivative along the
 // directions that e1, e2, … multiply; two infinitesimals on one direction give its second

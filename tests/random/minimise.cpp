@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Greedy reduction: every candidate is a system with one thing less; the first that still fails is
 // taken.
 #include "random/minimise.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes a failing system smaller for as long as it fails in the same way.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The entries of a random model and of its scene, one by one as in their files, and the files'
 // text.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes a random model and its scene as files of elgen's language.
 #include "random/model.hpp"
 

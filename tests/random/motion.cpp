@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Positions, poses, energies and the power of forces, as the model's entries define them.
 #include "random/motion.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Where everything of a random model is, and its energies and forces, for one state given in jets.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The generalized forces of a random model's forces and inputs: the power that each has along a
 // velocity.
 #include <algorithm>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Looks for seeds on which elgen is wrong: elgen_random [SEEDS [FIRST_SEED [PROCESSES]]], by
 // default 1000 from 1000 in as many processes as there are cores; also by $ELGEN_SEEDS,
 // $ELGEN_FIRST_SEED, $ELGEN_PROCESSES. Every failure is printed with its seed and the smallest

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Random models and scenes through elgen, against the definition of their equations; and that a
 // wrong number would be seen.
 #include <catch2/catch.hpp>

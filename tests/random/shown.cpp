@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A recursive descent over shown equations that evaluates as it goes.
 #include "random/shown.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads the equations that elgen shows, and evaluates them in 80 digits.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Reading shown equations: the grammar of the model language, and the size of the terms.
 #include "random/shown.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws states and compares what elgen shows.
 #include "random/trial.hpp"
 

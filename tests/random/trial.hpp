@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // One random system put through elgen: generated, shown, compiled, verified, each against the
 // truth.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Lagrange's equations from jets of L, and what is defined by them.
 #include "random/truth.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The values of every output of a random model and scene, straight from the definition:
 //
 //     d/dt dL/dv - dL/dq = B u + Q - dD/dv      (with [w]x dL/dw where rotations turn, dL/dq along

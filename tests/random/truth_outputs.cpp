@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Results of the equations: accelerations, derivatives, reactions, kinematics, user outputs.
 #include "random/truth.hpp"
 

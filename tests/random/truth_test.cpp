@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The definition of the equations, evaluated: closed forms of textbooks.
 #include "random/truth.hpp"
 

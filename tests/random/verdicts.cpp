@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Verdicts of `elgen verify` on a model: that it holds, that true closed forms do, that false ones
 // do not.
 #include <sstream>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Every command of the recipes for CI and containers, in a repository, up to what needs a server:
 // curl copies, apt-get writes down what it is asked for, and the package of elgen is a link.
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The effect of recipes/git in a real repository: differences as equations, merges without
 // markers.
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A repository of git with a model, made for one test.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Sweeps over two seeds of a small model, and their certificates joined.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

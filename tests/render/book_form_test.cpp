@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // What a book's form keeps of a typed model, and where it stops.
 #include <algorithm>
 #include <catch2/catch.hpp>

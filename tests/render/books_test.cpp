@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Textbook systems are printed as books print them: every line of tests/render/books stands in the
 // derivation, symbol by symbol but for the order of terms.
 #include <algorithm>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Systems with constraints: a mass on a rod in x and y, and a disc that rolls upright on a plane.
 #pragma once
 

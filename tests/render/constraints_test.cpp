@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Pages on constraints: equations as typed, multipliers with their units, gains.
 #include "render/constraints.hpp"
 

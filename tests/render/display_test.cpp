@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Blocks of text and displays of formulas: how wide they are, and how they are broken.
 #include "render/display.hpp"
 

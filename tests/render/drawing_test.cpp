@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/drawing.hpp"
 
 #include <catch2/catch.hpp>

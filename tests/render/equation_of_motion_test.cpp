@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The equation of motion with its variables, and the headings of outputs.
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // fill_template: strict holes, no escaping; and every template is known by
 // its path.
 #include "render/fill_template.hpp"

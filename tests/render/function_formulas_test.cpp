@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // function_formulas: the same instructions as read and as executed.
 #include "render/function_formulas.hpp"
 

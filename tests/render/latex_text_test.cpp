@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // LaTeX as text: fractions, sums and prose in it.
 #include "render/latex_text.hpp"
 

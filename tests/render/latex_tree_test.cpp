@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Formulas in LaTeX, read again: measured, broken into lines, and translated to MathML.
 #include "render/latex_tree.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Named parts: what they are called follows from what they are made of, and sheets say how bodies
 // in frames move in the place of equations that nobody reads.
 #include <algorithm>

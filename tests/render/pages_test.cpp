@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Pages and sentences: what they hold; each language escapes what is its markup.
 #include <catch2/catch.hpp>
 #include <limits>

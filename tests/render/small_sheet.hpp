@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A sheet with what needs care in every notation.
 #pragma once
 

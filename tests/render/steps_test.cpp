@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A derivation as text and as a sheet.
 #include "elgen/steps.hpp"
 

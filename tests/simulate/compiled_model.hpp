@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Model texts -> compiled systems, and runs of them.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs of models with constraints: against coordinates that need none, how far states get off, what
 // does work and what stays, and what is refused.
 #include <algorithm>

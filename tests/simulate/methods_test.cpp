@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Methods: which there are, what is refused of one and why, their orders, and tolerances that
 // decide.
 #include "simulate/steps/methods.hpp"

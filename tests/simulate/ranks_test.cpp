@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Places where M or the constraints lose rank: what is said at states by hand, and runs that meet
 // one by all kinds of steps.
 #include "simulate/ranks.hpp"

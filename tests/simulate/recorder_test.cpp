@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The recorded rows of samples, and the drifts of sequences of numbers that are known.
 #include "simulate/recorder.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Whole runs: trajectories that were computed elsewhere to 30 digits, rows, and inputs that are
 // held.
 #include "elgen/simulate.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // verlet and midpoint as runs: values by hand, what is known of their energies, and inputs that are
 // held over a step.
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Queries that steps make of a system, and expressions of a model at a state, by hand.
 #include "simulate/steps/system.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A trajectory in a few lines, as a table, as an object, and as a picture.
 #include <tinyxml2.h>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Energies and forces of an expanded Lagrangian, as polynomials; Taylor coefficients through
 // definitions.
 #include <catch2/catch.hpp>

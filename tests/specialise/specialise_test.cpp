@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Fixed parameters become numbers, what they make zero is gone, and locked variables leave every
 // part of a Lagrangian.
 #include "elgen/specialise.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Arms of frames: turns one after another, in space, in the plane, and on a common base.
 #pragma once
 

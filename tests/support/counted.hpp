@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A double that counts what is done with it, by the rules of the table in emitted headers.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Arguments for the functions of emitted headers, and calls that find out which of them are wanted.
 #pragma once
 

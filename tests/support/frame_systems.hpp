@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Small systems of frames that between them use every kind of step, of body and of load.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // One node of the graph for each of the syntax; only powers are factors of the product around them.
 #include "support/graph_reader.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Expressions as text -> values of a Graph, and the constants of a dumped Program.
 //
 //     exp(1)+cos(1)-1   ->   the sum of three terms

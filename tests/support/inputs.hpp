@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The files of a folder as inputs of the pipeline.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Programs as users have them: elgen by `cmake --install` of the build under test, others where
 // they are installed.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Model texts -> checked models, for the tests of every stage after check.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // One line at a time; a mistake is E912 with the span of its line.
 #include "support/parse_program.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // parse_program: the text form of a Program -> Program; what dump() prints, reads back equal.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Exact numbers as text, in 64 digits.
 #pragma once
 

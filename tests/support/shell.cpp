@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/shell.hpp"
 
 #include <sys/wait.h>

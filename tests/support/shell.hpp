@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs commands as a user types them, with elgen on the path, and keeps what they print.
 #pragma once
 

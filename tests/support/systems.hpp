@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Small systems that between them use every part of a Lagrangian.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Formulas of equilibria and modes as `--as text` prints them: each is read by the parser of models
 // and compared with the numbers that were found, of all committed and of 200 drawn models. Numbers
 // are printed in six digits; a bracket that is missing makes another number.

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // read_comments: heading, equation, listing, with blank lines between them. Of a listing the lines
 // that continue others are joined to them, and each line is a row, an entry or a definition.
 #include <fmt/format.h>

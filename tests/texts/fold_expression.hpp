@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // fold_expression: an equation of a file that elgen wrote, computed with values of any kind.
 //
 //     m*dot(x)^2   ->   multiply(named("m"), multiply(named("dot(x)"), named("dot(x)")))

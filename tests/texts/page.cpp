@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // read_page: a section is the name of a function behind a blank line, and one equation a line. What
 // functions share stands before them, line by line over what stands above.
 #include <fmt/format.h>

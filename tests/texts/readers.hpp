@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Readers of the equations that people and programs read, compared by value with the Program.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // read_sidecar: each object has the keys it should have and no others.
 #include <fmt/format.h>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Equations of motion as a derivation prints them: each is read by the parser of models, and is its
 // row, M a + bias - B u - A^T lambda of the definition of the equations, by value. So are those
 // solved for the acceleration, and those of constraints.

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Equations in comments, JSON and text of all committed and of 50 random models are those that were
 // derived; every entry that is changed is seen.
 #include <algorithm>

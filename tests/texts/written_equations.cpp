@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // written_equations: the parser of models reads the text; names are leaves, rates of leaves, and
 // definitions that stand above.
 #include "texts/written_equations.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // WrittenEquations: equations in the model language, as people read them, compared by value with
 // the Program's at a few states inside the declared ranges.
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Emitted text becomes callable functions; a missing compiler and refused code are told apart.
 // Timed functions go through arrays of states.
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The compiler that is taken, how strictly it is called, and the identification of a machine.
 #include "toolchain/compiler.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers that a header declares, as compiled, beside those of the model.
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Drivers: one for every header, in its language; of C++ on arrays, on vectors of Eigen and in
 // batches, of C, and the one that times.
 #include "toolchain/driver.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // An environment variable set for the time of one test.
 #pragma once
 

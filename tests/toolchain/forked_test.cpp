@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Children are waited for by id, and ended with their owner; forked work is all done, what fails is
 // told, nothing is left running.
 #include "toolchain/forked.hpp"

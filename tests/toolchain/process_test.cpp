@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Programs are run without a shell: arguments arrive as they are, output and status come back; what
 // they say cannot do anything to a terminal, or fill it.
 #include "toolchain/process.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A hand-made model and header for the toolchain's tests: one coordinate, a parameter, an array of
 // two.
 #pragma once

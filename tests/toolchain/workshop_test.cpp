@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A workshop builds drivers beside the headers they include, and leaves nothing: its directory is
 // private, distinct, and gone with its owner.
 #include "toolchain/workshop.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Model texts -> what designs are planned from.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Errors of designs, and runs as designs.
 #include <algorithm>
 #include <catch2/catch.hpp>

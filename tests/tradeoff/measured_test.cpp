@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Measuring: who is called when, and how often; how long it takes is not looked at.
 #include <catch2/catch.hpp>
 #include <chrono>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Plans: which designs there are.
 #include <algorithm>
 #include <catch2/catch.hpp>

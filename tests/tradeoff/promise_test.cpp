@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Rows of scenes that promise an error: code that breaks the promise turns them red.
 #include <catch2/catch.hpp>
 #include <memory>

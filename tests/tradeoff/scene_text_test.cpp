@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Designs as scenes.
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The search for the state at which a design is worst. Designs are the evaluator with a mistake.
 #include <algorithm>
 #include <catch2/catch.hpp>

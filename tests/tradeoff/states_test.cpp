@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // States of a trade-off, and what is exact there.
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Tables: ranks, the order of rows, the front, what is chosen, and how people and programs see
 // them. Costs and errors are made up, so that nothing is measured.
 #include <tinyxml2.h>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Choices: joints that are held, their order, and robots that nothing holds.
 #include "urdf/choices.hpp"
 

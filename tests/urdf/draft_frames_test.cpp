@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Frames and bodies: origins, right angles, the frame between origin and motion; masses, centres
 // and inertias in the axes of the link.
 #include <catch2/catch.hpp>

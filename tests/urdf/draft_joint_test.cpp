@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // draft_joint: coordinates, what brakes them, and chains of mimics, whose ratios multiply.
 #include <catch2/catch.hpp>
 

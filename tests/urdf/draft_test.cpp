@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Whole robots: the text of their models, and what is said of them.
 #include "urdf/draft.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Glossary: who gets which name, and which numbers become parameters.
 #include "urdf/glossary.hpp"
 

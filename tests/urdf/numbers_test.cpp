@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers of a URDF, and sums and products of them without what is 0 or 1.
 #include "urdf/numbers.hpp"
 

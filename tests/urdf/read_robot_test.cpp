@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // <robot>: what it is called and made of, its links, joints and rotors, and files that are
 // something else.
 #include <catch2/catch.hpp>

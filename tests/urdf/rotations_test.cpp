@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Constant rotations and axes, and how far what is taken for right angles moves a pose.
 #include "urdf/rotations.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The tree of links, what mimics what, and where masses are.
 #include "urdf/tree.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 #include "urdf/urdf_testing.hpp"
 
 #include <fmt/format.h>

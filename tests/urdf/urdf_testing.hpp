@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Helpers of the tests of urdf: small robots, and the messages about them as lines of text.
 #pragma once
 

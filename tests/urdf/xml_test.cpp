@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // XML: elements and attributes with their places, and what is taken of them.
 #include "urdf/xml.hpp"
 

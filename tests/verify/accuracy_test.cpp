@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Program against oracle: right programs keep the promise, wrong and imprecise ones are told apart;
 // so they are as users compile them, where what rounds otherwise but within its bounds holds.
 #include "verify/bounds/accuracy.hpp"

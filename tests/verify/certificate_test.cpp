@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The certificate as people and programs read it.
 #include "elgen/certificate.hpp"
 

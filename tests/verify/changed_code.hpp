@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Compiled code that is not compiled: the interpreter, with one function's first entry changed.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Compiled code against the program: equal bits hold, one changed bit or sign is seen. Sines of
 // packs are within the error that was asked for, or are named with their angle.
 #include "verify/compiled_code.hpp"

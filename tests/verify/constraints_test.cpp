@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Models with constraints: right programs hold in every row, turned signs of what the constraints
 // do are found, and what has to be kept along the motion is looked at where they are kept.
 #include <algorithm>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Values, slopes and curvatures of a program at one state. Balances: zero is zero relative to the
 // terms, and undefined is no figure.
 #include "evaluate/exact_values.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // [[expect]]: right closed forms hold, wrong ones are pointed at with a witness.
 #include "verify/structure/expectations.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Loss: bad formulas lose digits that good ones keep, and ill-conditioned values excuse both; every
 // output has a figure of it, with its entry and its whole state.
 #include "verify/bounds/loss.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Cached values are the oracle's, and the rule by which numbers of program and oracle are the same.
 #include "verify/bounds/oracle_cache.hpp"
 

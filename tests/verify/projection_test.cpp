@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Projections: the program's exact numbers against the oracle's; self_check_test has every output.
 #include "verify/bounds/projection.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The check before every write: right programs pass, every kind of mistake is named.
 #include <fmt/format.h>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Bounds along a program: regimes, and errors measured in them. Solutions are judged by the
 // condition of M, and of the whole under constraints, not by the code that solves.
 #include "verify/bounds/solution_bound.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // States: on which sides of kinks they lie, how near they are to zeros of typed sums, and at which
 // of them a figure is worst.
 #include <algorithm>

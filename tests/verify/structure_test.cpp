@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Every structural row holds for a right program, and a mutation of the program turns it red.
 #include "verify/structure/structure.hpp"
 

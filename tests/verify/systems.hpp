@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Systems for the tests of verification: a model, and a program written out by hand for it.
 #pragma once
 

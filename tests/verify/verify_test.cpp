@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The whole certificate: its order, its options, its diagnostics, and that it is the same every
 // time.
 #include <catch2/catch.hpp>

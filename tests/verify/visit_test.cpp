@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Visits: what one state says of one field, by all entries or by one projection, and whose the
 // fields are. Several processes find what one finds, whatever becomes of them.
 #include "verify/bounds/visit.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Entries: reads the keys of one instance of an entry into its row of the Model, `target`.
 #pragma once
 

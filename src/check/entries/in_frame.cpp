@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // From the axes of a frame to the world.
 #include "check/entries/in_frame.hpp"
 

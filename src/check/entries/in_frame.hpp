@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Quantities given in the axes of a frame, expressed in those of the world as well: the oracle and
 // everything that needs positions reads them there.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Constraints: an entry becomes one Constraint for each of its equations.
 //
 //     name = "loop", coincide = ["P", "Q"]      ->   loop_x: x(P) - x(Q), loop_y: y(P) - y(Q)

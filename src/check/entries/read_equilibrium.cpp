@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Equilibria: where they are, on which condition, and the squared frequencies of small motions.
 #include <string_view>
 #include <utility>

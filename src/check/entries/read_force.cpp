@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Forces on velocities, at points and on frames, and the outputs a model declares.
 #include <array>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Frames: their steps from the parent as the file gives them, and the pose in the world as
 // expressions over the parent's.
 //

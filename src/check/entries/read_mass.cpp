@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Points and bodies: where mass is, and how it turns.
 #include <algorithm>
 

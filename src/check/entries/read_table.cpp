@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The tables that are not repeated: [model], [define], [gravity], [energy].
 #include <algorithm>
 #include <array>

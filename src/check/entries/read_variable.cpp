@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Coordinates, inputs, open and prescribed functions.
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Points of rest: the variables that a key names, and its value in their unit.
 #include "check/entries/stated_point.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Points of rest as files give them: `{ theta = "acos(g/(R*Omega^2))", u = 0 }`, in an
 // [[equilibrium]] of a model and in `about` of a scene.
 #pragma once

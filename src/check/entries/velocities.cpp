@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Velocities: every coordinate comes with the entries of v that move it.
 #include <array>
 #include <utility>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Cycles: the names along a cycle of expressions, from the one that stands first in the file.
 #include "check/expressions/cycles.hpp"
 

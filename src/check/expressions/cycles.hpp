@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Cycles among definitions, prescribed functions, points and frames.
 #pragma once
 

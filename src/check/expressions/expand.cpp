@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Expansion: declares all names first, then lists the instances whose expressions are to be
 // resolved.
 #include "check/expressions/expand.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Expansion: entries of the file, repetitions included, as a list of instances that declare names.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Nodes that check writes itself. Operands come first, as everywhere in the arena.
 #include "check/expressions/node_builder.hpp"
 

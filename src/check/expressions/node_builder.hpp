@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // NodeBuilder: nodes of the arena that check writes itself, such as the pose of a frame.
 #pragma once
 

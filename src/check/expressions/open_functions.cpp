@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Open functions: the names of their values, and what closes them.
 #include "check/expressions/open_functions.hpp"
 

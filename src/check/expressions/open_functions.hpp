@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Open functions: [[function]], and the expressions that close some.
 //
 //     [[function]] V of ["x", "y"]   ->   the names V, V_1, V_2, V_11, V_12, V_22

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Options: --outputs, --fix and --size, split into parts that point into the option's text.
 #include "check/expressions/options.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Parameters: NAME = number, string or { value, unit, min, max, assume, size, latex, doc }; with
 // `size` the value is one number for all elements or a list.
 #include "check/expressions/parameters.hpp"

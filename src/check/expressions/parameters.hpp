@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Parameters: [parameters] -> Model::parameters and Model::parameter_arrays.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Places: walks every root and reports the nodes that bring in what its place does not take.
 #include "check/expressions/places.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Places: what may stand where. Positions are made of coordinates and time, energies of no input,
 // and so on.
 #pragma once

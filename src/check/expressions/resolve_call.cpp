@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Resolver, calls: the functions of functions.def, those of composite_functions.def, and those that
 // are expanded here:
 //

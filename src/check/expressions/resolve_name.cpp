@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Resolver, names: time, pi, running indices and sizes (as numbers), what the model declares, and
 // the energy where it has a place.
 #include <algorithm>

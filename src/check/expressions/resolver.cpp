@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Resolver, operators and numbers. Names are in resolve_name.cpp, calls in resolve_call.cpp.
 #include "check/expressions/resolver.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Resolver: an expression as written -> nodes of the Model's arena. Its only verb is resolve().
 #pragma once
 

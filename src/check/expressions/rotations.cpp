@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Rotations: four names of q, three of v, and the keys that such a coordinate takes.
 #include "check/expressions/rotations.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Rotations: coordinates of `kind = "rotation"`, unit quaternions with angular velocities.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Traits: one pass over the arena; the degree of a sum is the largest of its terms (the lowest one
 // the least), of a product the sum of its factors; in a denominator, a function or a broken power
 // only degree 0 is a polynomial.

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Traits: what each expression is made of, and its degree in the rates and inputs, judged by
 // structure.
 #pragma once

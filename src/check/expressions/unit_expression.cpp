@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Unit expressions, by recursive descent:
 //
 //     product  = power { ("*" | "/") power }

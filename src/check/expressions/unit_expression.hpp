@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Unit expressions: `kg*m^2/s`, `N/(m*s)`, `m^(1/2)`, `1`.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Units of expressions: one pass over the arena.
 //
 // Numbers are pure, but 0 has any unit; what touches a leaf without a unit is not known and not

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Units of expressions: inferred from the leaves, compared where terms meet and where a place asks.
 #pragma once
 

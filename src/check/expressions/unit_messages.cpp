@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Hints and notes about units.
 #include "check/expressions/unit_messages.hpp"
 

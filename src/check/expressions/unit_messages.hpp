@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Hints on units beside an error: the number that wants a name, and where a name of the expression
 // has its unit from; and notes where nothing is wrong.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Values: reads the values of keys as roots, constants, units and references.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Mechanics: degrees of the energies in the rates, forces affine in the inputs, and that everything
 // that may move has kinetic energy.
 #include "check/judge/mechanics.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Mechanics: what a set of resolved entries must be to have equations of motion.
 #pragma once
 

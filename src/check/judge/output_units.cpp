@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Units of the entries of outputs, by the rules of the output table.
 #include "check/judge/output_units.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Units of the entries of outputs, from the units of velocities, coordinates and inputs.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Constants: numbers, pi and functions of them, evaluated to find what has no value before anything
 // is derived, and to keep exact what is exact.
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Constants: the values of expressions made of numbers, pi and functions of them.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Context: what the parts of check share while a Model is being built.
 #pragma once
 

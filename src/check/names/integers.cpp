@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Integer arithmetic of indices and sizes, done while repetitions are expanded:
 //
 //     for = ["i in 1..n", "j in i..n"]   with n = 2   ->   (1, 1) (1, 2) (2, 2)

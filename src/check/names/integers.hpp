@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Integer arithmetic of indices and sizes, and the repetitions written with it.
 #pragma once
 

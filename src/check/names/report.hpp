@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Report: collects the diagnostics of one run, each once.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Requests: which outputs a model has, and their shapes.
 #include "check/names/requests.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Which names a model may not give to its entries: they mean something else in expressions, or
 // would not compile as members of the emitted structs.
 #include "check/names/reserved_names.hpp"

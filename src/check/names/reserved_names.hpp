@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The names of functions, and which names a model may not give to its entries.
 #pragma once
 

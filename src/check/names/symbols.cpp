@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // DeclaredNames: the one set of names of a model. Every declaration passes here, so that
 // duplicates, reserved names and names that would become one C++ identifier are found in one place.
 #include "check/names/symbols.hpp"

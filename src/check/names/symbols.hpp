@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // DeclaredNames: the one set of names of a model, with the elements of repeated names.
 #pragma once
 

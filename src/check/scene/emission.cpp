@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Emission: words of the choice table become enumerators, and what does not go together is refused
 // where it is written. The accuracy of batches has to be within what the scalars can give.
 #include <algorithm>

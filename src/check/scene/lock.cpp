@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Locks: `[lock] NAME = { value, reaction }`, NAME a coordinate ("q[2]") or a rotation. Coordinates
 // become prescribed functions, their rates those functions' rates.
 //

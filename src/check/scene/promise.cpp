@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // [numeric] max_error, which says how far outputs may be off, and the ranges in which it holds.
 #include <cln/real.h>
 

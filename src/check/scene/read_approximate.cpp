@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // [approximate]: an order, a point, and which coordinates are small.
 //
 //     order = 3                      ->   order 3

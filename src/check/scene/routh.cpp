@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Routh: `[routh] NAME = true`, or NAME = its momentum. A cyclic coordinate is taken out, and its
 // momentum, which stays, becomes a parameter.
 //

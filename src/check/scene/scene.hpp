@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The requests of a scene file and options to a resolved model, part by part. `scene` and `syntax`
 // may be null.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Scene: outputs in the order of the table, fixed parameters, scalars and emission.
 #include <cln/integer.h>
 #include <fmt/format.h>

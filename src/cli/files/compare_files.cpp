@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The report of --check on files that are written: missing, stale, edited by hand.
 #include <fmt/format.h>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // data_formats: how tables and rows are written, by the name of the format or the ending of a file.
 #pragma once
 

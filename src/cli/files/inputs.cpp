@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads the files a command names. A scene's model is found through the scene's own text.
 #include "cli/files/inputs.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Files of the command line -> sources.
 #pragma once
 

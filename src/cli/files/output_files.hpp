@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Output of every command -> disk: all files or none, and never over what is not ours.
 #pragma once
 

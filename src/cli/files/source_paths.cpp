@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // source_paths: by the names of folders; links are followed where they exist.
 #include "cli/files/source_paths.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // source_paths: what files say they were made from.
 //
 //     generated/, models/a.toml        ->   ../models/a.toml

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // transaction: folders are created, opened, locked in one order for all processes, and looked at
 // again: a process that fails removes the folders it made, perhaps under the hands of another. The
 // stage of a folder bears a name of our own, so that what a killed process left is known and

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Transaction: many files change at once, or none does.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Which places may be written to; how, is the Transaction's affair.
 #include <fmt/format.h>
 #include <sys/stat.h>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // command_list: asked of CLI11, which keeps the words that IsMember allows as "{a,b}" in a type
 // only.
 #include "cli/help/command_list.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // command_list: commands and their options as data, for completions and the manual.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The commit of the sources, for `--version`; emitted files do not know it.
 #pragma once
 

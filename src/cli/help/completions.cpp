@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // completions: one list of commands, a template for each shell.
 #include <fmt/format.h>
 

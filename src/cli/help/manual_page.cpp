@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // manual_page: elgen(1) in the macros of man.
 #include <fmt/format.h>
 

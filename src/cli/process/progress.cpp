@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A watching thread rewrites one line of the terminal, and clears it at the end.
 #include "cli/process/progress.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Progress on long work: on stderr, only on a terminal, only after half a second, naming the stage.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // setrlimit and signal handlers; handlers only write a prepared text and leave.
 #include "cli/process/resources.hpp"
 

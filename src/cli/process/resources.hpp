@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Time and memory limits of the process, and its end by a signal.
 #pragma once
 

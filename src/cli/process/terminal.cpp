@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // terminal: asked of the system where the stream is one, else of the environment.
 #include "cli/process/terminal.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // loaded_version: equations are lowered, which is enough to compare them; forms are chosen where
 // what is emitted is not what is lowered, and where that takes little.
 #include "cli/versions/loaded_version.hpp"

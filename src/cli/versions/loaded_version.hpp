@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // LoadedVersion: a model or a scene, read and ready to be compared.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Revision: `git ls-tree` lists the objects, `git cat-file` gives their bytes. Both take what is
 // committed as it is: attributes, path specifications and the working tree mean nothing to them.
 #include "cli/versions/revision.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Revision: the files of a revision of git, read from its objects.
 #pragma once
 

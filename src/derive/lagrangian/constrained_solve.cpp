@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The range-space method over definitions.
 #include "derive/lagrangian/constrained_solve.hpp"
 

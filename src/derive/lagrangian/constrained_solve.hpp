@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Motions under constraints: M x = r + A^T y, A x = s, without pivoting.
 //
 //     M = L D L^T,   W = L^-1 A^T,   S = A M^-1 A^T = W^T D^-1 W

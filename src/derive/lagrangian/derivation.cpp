@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The parts that several outputs share; each is made on first demand.
 #include "derive/lagrangian/derivation.hpp"
 

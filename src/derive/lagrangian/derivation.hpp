@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Derivation: one Lagrangian with what several outputs share: directions, momenta, graded energies.
 //
 // Equations (v = dq/dt; T = T2 + T1 + T0 and V = V1 + V0 by their degree in v):

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // E908 of what is derived: one message for the definitions of derive and the nodes of lower.
 #pragma once
 

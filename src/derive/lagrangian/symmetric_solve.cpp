@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // LDL^T over definitions: every W, D, L and z is one.
 #include "derive/lagrangian/symmetric_solve.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Turning: rotations among coordinates and velocities.
 #include "derive/lagrangian/turning.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Turning: what differs where velocities are not the rates of coordinates but angular velocities.
 //
 // With dq/dt = N(q) v, virtual displacements are dq = N w, and Lagrange's equation becomes Hamel's:

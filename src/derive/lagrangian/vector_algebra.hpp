@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Vectors in three dimensions over definitions: every component of every result is one, so that
 // nothing is ever written out twice.
 #pragma once

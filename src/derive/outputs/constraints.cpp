@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Constraints: their rates, Jacobian and bias; the step of Newton back to them; and the inputs that
 // give a motion they allow.
 #include "derive/lagrangian/constrained_solve.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Forward dynamics: the mass matrix, the constraints, the bias with the inputs acting, and the
 // solution.
 // Derivatives: columns of the frames, forward passes over the rest.

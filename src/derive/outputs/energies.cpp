@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Energies, term by term over the definitions.
 #include "derive/outputs/outputs.hpp"
 #include "derive/tree/tree_dynamics.hpp"

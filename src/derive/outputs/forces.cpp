@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Generalized forces: one reverse pass over positions and energies each, plus the rates of momenta.
 #include "derive/lagrangian/turning.hpp"
 #include "derive/outputs/outputs.hpp"

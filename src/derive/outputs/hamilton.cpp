@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Hamilton's functions: one solve with M, then a substitution in the forms of other outputs.
 #include <utility>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Matrices: forward passes along unit directions over vectors that are derived once.
 #include "derive/lagrangian/turning.hpp"
 #include "derive/outputs/outputs.hpp"

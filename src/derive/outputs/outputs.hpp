@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The outputs: the function that bears the name of an output derives it, at the caller's state.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Composite inertias and rates, leaves first.
 #include "derive/tree/composite.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Composite inertias: everything a step carries as one rigid body, in the axes after the step and
 // about the origin there.
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // regroup: base inertial parameters. Parameters that a joint cannot tell from those of the link
 // before it are added to these: of a turn about z the mass, h_z, and an inertia diag(Iyy, Iyy, 0),
 // which look the same however far it is turned; of a slide the inertia, which is the same wherever

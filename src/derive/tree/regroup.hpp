@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // regroup: numbers of rigid bodies, moved to where they cost least.
 #pragma once
 

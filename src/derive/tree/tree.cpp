@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Passing along the tree. Quarter turns have numbers for sine and cosine, so they only permute.
 #include "derive/tree/tree.hpp"
 

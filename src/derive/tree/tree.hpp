@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Tree: how vectors, rates and forces pass along the frames of a Lagrangian.
 //
 // A step takes x_parent = R x + p; either R or p is trivial. Vectors are kept in the axes after

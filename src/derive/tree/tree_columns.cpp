@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Columns start at home: in the axes before their own step, where the twist of the step is that of
 // its parent and the axis of a turn is the same; those of a rotation, whose axes turn with it, in
 // the axes after.

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Columns: what a unit twist of one variable asks of everything it carries, passed on to the steps
 // below. The mass matrix, the Coriolis matrix and the derivatives of inverse dynamics are products
 // of such columns with the unit twists met on the way to the root. A variable is what moves a tree:

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Forward over the tree for angular velocities and accelerations, backward for forces. Weights by
 // the first moments of what every step carries.
 #include "derive/tree/tree_dynamics.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Inertial forces and weights of bodies in frames, each linear in the number of steps. In the axes
 // after each step, with w the angular velocity and a the acceleration of the origin less gravity
 // (uniform gravity is an upward acceleration of the base):

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Columns at home, then up the tree.
 #include "derive/tree/tree_matrices.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Matrices of bodies in frames, by composite inertias: one column for every angle and offset,
 // passed on to the steps below it.
 //

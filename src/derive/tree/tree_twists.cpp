@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Forward over the tree for twists; momenta and energies body by body.
 #include "derive/tree/tree_twists.hpp"
 

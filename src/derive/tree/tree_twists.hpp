@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Twists of frames, and what bodies make of them: momenta and kinetic energies, each linear in the
 // number of steps. In the axes after each step, with w the angular velocity and v the velocity of
 // the origin:

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // c99_artifact: the C99 header.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // c99_dialect: the float functions of <math.h> end with f, those of double do not; sign, min and
 // max are helpers of the header that compute what the C++ code computes (fmin would drop a NaN).
 #include "emit/c99/c99_dialect.hpp"

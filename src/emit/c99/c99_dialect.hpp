@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // c99_dialect: functions as C99 writes them, for one scalar. All names begin with the prefix;
 // arrays and structs are written through `result`, numbers are returned.
 //

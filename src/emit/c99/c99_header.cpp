@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // c99_header: the C99 header, as templates/c99/header.h.mustache pictures it. Every name of the
 // header begins with the prefix of the scene, so that functions can collide with each other's
 // helpers only, and with the few names the header has for itself (E701).

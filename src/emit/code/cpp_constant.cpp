@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // cpp_constant: decimal literals for built-in types, chunks of six digits for all others. Chunks
 // fit an int wherever int has at least 21 bits, and every scalar type can be made from an int.
 #include "emit/code/cpp_constant.hpp"

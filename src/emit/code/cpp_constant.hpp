@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // cpp_constant: an exact number -> the C++ expression that makes it in any scalar type.
 //
 //     1/2     constant<Scalar>(0.5)                                exact in every type

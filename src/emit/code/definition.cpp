@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // definition: a short function is one body. A long one is cut, because the time of compilers
 // grows faster than the length of a function (9 000 operations: g++ 21 s whole, 4 s in parts):
 //

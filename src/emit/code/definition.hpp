@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // definition: a Function -> the texts of its definition in a C-like language, in parts where it is
 // long.
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // dialect: what C and C++ have in common.
 #include "emit/code/dialect.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // dialect: how a C-like language writes a function; definition.hpp puts the pieces together.
 #pragma once
 

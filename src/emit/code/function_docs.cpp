@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // function_docs: sentence, equation, then the entries as a matrix where they fit, else one a line.
 // Beyond `longest_listing` lines the entries are left to the sidecar.
 #include "emit/code/function_docs.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // function_docs: a Function and its equations -> the lines of its documentation comment.
 //
 //     Mass matrix, symmetric. 2 x 2, row-major [kg, kg*m; kg*m, kg*m^2].

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // header_data: fills the holes in the order of the file.
 #include "emit/code/header_data.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // header_data: EmissionInput -> the values of the holes that the headers of every language have:
 // stamp, counts, introduction, table of operations, and the functions with their documentation.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // statements: the operands of each are followed to where a name stands for them. Sections: entries
 // sorted behind the last statement they use, the whole cut into equal parts.
 #include "emit/code/statements.hpp"

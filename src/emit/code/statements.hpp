@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // statements: what the body of a Function computes, in order: what has a name, then the entries of
 // its fields. Everything else is written out where it is used.
 //

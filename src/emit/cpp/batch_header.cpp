@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // batch_header: the functions of the other header on arrays of states, as
 // templates/cpp/batch.hpp.mustache pictures it. Each loads packs, calls the other header, stores.
 #include <fmt/format.h>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // cpp_artifacts: the C++17 headers, on arrays, on Eigen's matrices and on arrays of states.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // cpp_dialect: straight-line code. Nothing is branched, so that packs and AutoDiff numbers pass.
 // sign, min and max are helpers of the header, because the standard library has none that every
 // ordered scalar takes.

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // cpp_dialect: functions as C++17 writes them, templated on the scalar; or on vectors and matrices
 // of Eigen.
 //

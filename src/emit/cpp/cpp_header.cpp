@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // cpp_header: the C++17 headers, as templates/cpp/ pictures them, on arrays and on Eigen's
 // matrices. An array is one line where it fits, one element a line where not.
 #include <fmt/format.h>

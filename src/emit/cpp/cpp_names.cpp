@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // cpp_names: the one list of names of templates/cpp/ that a user's name could collide with, and
 // E701 where a model wants one of them. Keywords and macros are no names of a Model or Scene in the
 // first place (E204).

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // cpp_names: which names the emitted C++ keeps for itself.
 #pragma once
 

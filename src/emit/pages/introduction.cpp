@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // introduction: the first screen of a header. Rates are named where some function knows of them.
 #include "emit/pages/introduction.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // introduction: a Model and its Program -> the comment a header opens with: title, equation of
 // motion with the terms this model has, what q, v, a, u are, and the table of operations.
 #pragma once

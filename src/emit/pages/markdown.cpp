@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // markdown: the page of the sheet under a comment that states what made it.
 #include <fmt/format.h>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // page_artifacts: the equations to be read, by programs and by people.
 #pragma once
 

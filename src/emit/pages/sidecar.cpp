@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // sidecar: an object or list is one line where it fits, one element a line where not, so that a
 // one-term change is a one-line diff.
 #include <nlohmann/json.hpp>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // One message for every language; each value against each scalar, by correct rounding.
 #include "emit/text/emission_checks.hpp"
 

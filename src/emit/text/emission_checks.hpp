@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Errors that only emission finds: names that the emitted code keeps for itself (E701), and numbers
 // that a scalar the scene asks for cannot hold (E702).
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // emission_input: hashes and printed equations.
 #include "emit/text/emission_input.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // EmissionInput: what every emitted file is made from, with the equations printed once.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // layout: where lines break. Columns are counted in bytes; only user text is ever wider than ASCII.
 #include "emit/text/layout.hpp"
 

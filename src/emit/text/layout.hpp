@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // layout: long expressions, lists and comments -> lines of at most `line_width` columns.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // parameters: a leaf is known by its name.
 #include "emit/text/parameters.hpp"
 

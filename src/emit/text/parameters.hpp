@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // parameters: what the emitted code calls the parameters of a Model, and says of them.
 #pragma once
 

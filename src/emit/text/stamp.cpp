@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // stamp: a file states the hash of its own text, taken with sixteen zeros where the hash will
 // stand. It stands behind " body " in the first two lines of a header, behind the last "body": of a
 // sidecar.

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // stamp: the hash of its own text that a file carries.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Constants as forms: equality and signs, values, formulas.
 //
 // Where digits cancel, or an angle is large, a form is evaluated again with more digits. In

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The form of a constant -> its value, and a formula.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // angle_sums: see angle_sums.hpp. Angles are compared as rational combinations of nodes.
 #include "lower/graph/angle_sums.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // angle_sums: sine and cosine of an angle that is the sum or difference of two others that occur.
 //
 //     before:  cos(q1), sin(q2), cos(q1 + q2)

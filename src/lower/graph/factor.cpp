@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // factor: see factor.hpp.
 #include "lower/graph/factor.hpp"
 

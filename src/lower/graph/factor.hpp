@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // factor: the factor common to most terms of a sum is multiplied once.
 //
 //     before:  m*a*c + m*b*c - d

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // flatten: see flatten.hpp. The normal forms of sums and products then merge what has met.
 #include "lower/graph/flatten.hpp"
 

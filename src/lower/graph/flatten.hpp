@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // flatten: a sum used once, as a term of a sum, is written out there; likewise a product in a
 // product.
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // from_program: one instruction after another.
 #include "lower/graph/from_program.hpp"
 

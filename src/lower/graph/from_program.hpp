@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // from_program: Program -> Graph, the way back from instructions to sums and products.
 #pragma once
 

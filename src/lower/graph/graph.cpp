@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Graph: interning, leaves, calls, and the order of nodes. Sums and products are in
 // normal_form.cpp.
 #include "lower/graph/graph.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Graph: hash-consed n-ary sums and products, canonical up to sign, in elgen's own order.
 //
 // A Ref is a node and a sign, so negation is free: products carry no sign, the leading term of a

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Graph::sum and Graph::product: the normal forms of n-ary nodes.
 //
 //     sum:      y - x + 2*x          -> x + y        equal terms merged, leading term positive

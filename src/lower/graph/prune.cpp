@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // prune: backwards over the instructions for what is needed, forwards to renumber it.
 #include "lower/graph/prune.hpp"
 

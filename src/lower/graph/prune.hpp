@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // prune: a Function without the instructions that none of its entries needs.
 //
 //     before    0 = parameter m   1 = parameter l   2 = multiply 0 0   result = 2

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // rebuild: the frame of every pass from Graph to Graph; operands are renewed before their users.
 #include "lower/graph/rebuild.hpp"
 

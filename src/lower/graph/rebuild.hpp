@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // rebuild: copies what some outputs need of a Graph into a new Graph, node by node, through a rule.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // written_out: one pass, operands before what they go into.
 #include "lower/graph/written_out.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // written_out: how long entries are where nothing is shared.
 #pragma once
 

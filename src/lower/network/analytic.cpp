@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Classes of values, in one pass.
 #include "lower/network/analytic.hpp"
 

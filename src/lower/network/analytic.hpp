@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // analytic: the values that are no analytic function of what they are made of.
 //
 //     before    1 = multiply 0 0   2 = square_root 1   3 = subtract 2 0      sqrt(x^2) - x

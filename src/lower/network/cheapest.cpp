@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // cheapest: see cheapest.hpp.
 #include "lower/network/cheapest.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // cheapest: the form in which the values of a function cost least.
 //
 // Pulling common factors out of sums saves products but can undo what two sums would share, and

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Instructions: value numbers, by what is computed.
 #include "lower/network/instructions.hpp"
 

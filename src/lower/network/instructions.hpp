@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Instructions: adds to a Function, nothing twice.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // linearise: see linearise.hpp. Instructions are value numbers: nothing is computed twice.
 #include "lower/network/linearise.hpp"
 

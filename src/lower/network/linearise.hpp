@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // linearise: Network -> Function: instructions in the order they are executed, operands before use.
 //
 //     sum(a, -b, product(m, x))  ->  0 = a   1 = b   2 = subtract 0 1   3 = m   4 = x   5 =

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // make_network: Graph -> Network, numbered depth-first from the values through operands in
 // canonical order.
 #include "lower/network/network.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Network: n-ary operations on plain operand lists, what sharing and the order of evaluation work
 // on.
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // share: see share.hpp. Counts are kept too high rather than exact: a pair is recounted when its
 // turn comes.
 #include "lower/network/share.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // share: sub-sums and sub-products that several operations have in common are computed once.
 //
 //     before:  y = product(m, l, c)   z = product(m, l, s)

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // turn_signs: see turn_signs.hpp. Only where a negation would be executed: at results, in calls and
 // roots.
 #include "lower/network/turn_signs.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // turn_signs: a value that is only needed negative is computed negative, where a difference can
 // turn for nothing.
 //

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The rows, each with what makes its steps, their names, and the numbers of a run.
 #include "simulate/steps/methods.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Methods of integration: what makes their steps, the table of them, and the choice of one.
 #pragma once
 

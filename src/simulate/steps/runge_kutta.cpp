@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // rk4 and dopri5 by Boost.odeint: classical Runge and Kutta's method, and Dormand and Prince's of
 // order 5 with an estimate of its error. Laws of inputs are asked for at every stage. Hairer,
 // Norsett, Wanner, Solving Ordinary Differential Equations I, 2nd ed., sec. II.1 and II.5.

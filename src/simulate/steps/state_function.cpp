@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // An expression node by node, each after what it refers to.
 #include "simulate/steps/state_function.hpp"
 

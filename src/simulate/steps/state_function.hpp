@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // StateFunction: an expression of the model as a function of q, v and t, in double.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // verlet and midpoint: the program of the output `step`, once for each step, with the inputs of its
 // start. The work of a step is its length times the power in its middle, at the mean rate.
 #include <algorithm>

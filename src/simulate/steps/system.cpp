@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The functions of a system, and what follows from which of their entries are zero.
 #include "simulate/steps/system.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // System: what steps in time ask of a model, by its functions, on flat numbers.
 //
 // A state lies in one list: q, then v, then the work that forces and time have done, with

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Program against oracle: what the visits to all states say of each field, tallied.
 #include "verify/bounds/accuracy.hpp"
 

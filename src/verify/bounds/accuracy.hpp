@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Accuracy: a program's values in double and float against the 60-digit oracle, in units of an
 // error bound: that of the closed form a function is emitted in, else the program's own.
 #pragma once

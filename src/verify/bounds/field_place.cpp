@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The places of all fields, in the order of the program.
 #include "verify/bounds/field_place.hpp"
 

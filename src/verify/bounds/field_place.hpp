@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // FieldPlace: one field of a function of the program, what judges it, and what it is compared with.
 #pragma once
 

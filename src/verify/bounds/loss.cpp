@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // loss: running errors at one state, and R, each computed when asked for.
 #include "verify/bounds/loss.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Loss: the digits that a formula loses, of one function at one state.
 //
 //     loss = max(0, |x - x*| - N eta) / (u R),     R = |x*| + K

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Values of the oracle, kept per output: `dynamics` and the functions it repeats ask for the same
 // ones. Agreement has one rule, and two numbers in it.
 #include "verify/bounds/oracle_cache.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // OracleCache: the oracle's values at one state, each output computed once, and when an exact
 // number of the program is the oracle's.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Running bounds along a function, and errors measured in them.
 #include "verify/bounds/own_bound.hpp"
 

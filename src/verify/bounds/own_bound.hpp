@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Own bound: how far a program may be from the truth by rounding alone, run along the program
 // itself.
 #pragma once

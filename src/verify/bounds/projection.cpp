@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Projections against oracle_contraction. Relative pivots are compared with the oracle's own solve
 // for up to four coordinates, and for more of them with the pivots of the program's mass matrix,
 // which is checked itself; accelerations at which derivatives are taken come the same way. Under

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Projections: one exact number per field and state, contracted with random rational directions,
 // that program and oracle both give at small cost.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Solution bounds from the bounds of M, A, b and db/d(q, v, u).
 #include "verify/bounds/solution_bound.hpp"
 

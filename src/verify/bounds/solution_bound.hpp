@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // SolutionBounds: how far rounding may take a solution of M x = b from the truth, M symmetric and
 // positive definite. The bound knows M and b, but not how they were made into x:
 //

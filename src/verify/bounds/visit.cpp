@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Visits: runs of one function after another, each compared and measured once.
 #include "verify/bounds/visit.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Visit: a program at one state, field by field. Its exact values must be the oracle's (the
 // mathematics is right); its rounded ones are measured by 8 u B.
 #pragma once

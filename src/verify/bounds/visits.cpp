@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Visits by several processes: each writes its findings to a file without a name, which this
 // process reads when all have ended.
 #include "verify/bounds/visits.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Visits to all states, by this process or shared out among several: the findings are the same, in
 // the order of the states.
 #pragma once

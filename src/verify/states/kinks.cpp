@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Kinks: a side is the sign of the argument, or of the difference of two.
 #include "verify/states/kinks.hpp"
 

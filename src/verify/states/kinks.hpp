@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Kinks: on which sides of abs, sign, min and max a set of states lies.
 //
 // Two functions that agree on one side of a kink may differ on the other, so that states are drawn

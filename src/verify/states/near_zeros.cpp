@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Zeros of sums: |sum| on ever finer grids along one coordinate, which find zeros with and without
 // a change of sign alike.
 #include "verify/states/near_zeros.hpp"

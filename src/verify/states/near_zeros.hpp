@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // States near zeros of the sums that a model's author typed, where code that multiplied them out
 // loses digits: (x - 1)^2 + (y - 0.3)^2 near (1, 0.3). Found from the Model by the oracle alone.
 #pragma once

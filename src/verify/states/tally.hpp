@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Tally: the largest of many figures, where it occurred, and how many states had none.
 #pragma once
 

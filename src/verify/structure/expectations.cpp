@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Expectations: proved where that succeeds. Otherwise they are compared to 45 digits at 64 random
 // points and more where these miss a side of a kink; the row says that it was sampled, since that
 // is no proof.

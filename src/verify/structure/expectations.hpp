@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // [[expect]]: the closed forms an author writes down, proved equal to what was derived, or compared
 // with the oracle at random exact points.
 #pragma once

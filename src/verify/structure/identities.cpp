@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The identities, each a balance of 64-digit values and derivatives. Notation: q, v, a, u, t; M, C,
 // g, B; E = v.dL/dv - L; p = dL/dv; T, V0, V1, and A, gamma, lambda, f, r of constraints as in the
 // table of outputs.

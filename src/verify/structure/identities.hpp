@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The tables of identities between the functions of a program, and what their balances share.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The identities of an [[output]] and its derivatives.
 #include "elgen/outputs.hpp"
 #include "verify/structure/identities.hpp"

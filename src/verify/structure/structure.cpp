@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The rows of structure: the table of identities, and the two properties of M that are no
 // identities.
 #include "verify/structure/structure.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Structure: what the functions of a program owe each other, checked in 64-digit arithmetic at
 // nominal states.
 #pragma once

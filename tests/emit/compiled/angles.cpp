@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // detail::sine_cosine gives the bits of std::sin and std::cos.
 #include <cstdio>
 #include <limits>

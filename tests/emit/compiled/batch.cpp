@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Batches against the functions of one state: any count, and how far both scalars are off.
 #include <cstdio>
 #include <limits>

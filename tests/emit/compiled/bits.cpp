@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Prints two numbers that every bit of batches changes, for machines to be compared. The library's
 // functions, which have other bits elsewhere, are not called.
 #include <cinttypes>

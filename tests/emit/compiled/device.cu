@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Kernels that call emitted functions in both precisions: a small model, one with quaternions, one
 // whose functions have parts. clang++ without NVIDIA's headers gets what those would declare.
 #if defined(__clang__)

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The wrapper that makes a vector of the compilers g++ and clang++ a Scalar of emitted code.
 #pragma once
 

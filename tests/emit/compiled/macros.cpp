@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The header of batches behind macros that <windows.h> defines.
 #include <algorithm>
 #include <array>

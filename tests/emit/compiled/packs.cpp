@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Packs of numbers pass through emitted functions unmodified: every lane is what the scalar gives.
 #include <cstdio>
 #include <experimental/simd>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A scalar that is refused: SCALAR.
 #include <Eigen/Core>
 #include <complex>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // One set of equations in every kind of scalar, each with right numbers: `scalars TYPE`. Those with
 // digits are compared with 50 of them, derivatives with the Jacobian that was emitted.
 #include <Eigen/Core>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A pack that does not say what its elements are: numbers would be computed where they are used.
 #include "lanes.hpp"
 #include "two_link_arm/two_link_arm.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // A library to be preloaded: one call of the system fails, or a signal comes before it.
 //
 //     ELGEN_FAULT="KIND NUMBER ACTION"    write 3 28: the third write fails with errno 28

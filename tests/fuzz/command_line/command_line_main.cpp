@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs elgen on mutated models, scenes and robots: elgen_mutations [RUNS [FIRST [PROCESSES]]], by
 // default 1000 from 0 in as many processes as there are cores; also by $ELGEN_RUNS,
 // $ELGEN_FIRST_RUN, $ELGEN_PROCESSES. $ELGEN_ROBOTS names a folder with more robots. Failures

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The fuzzer of the command line, for a few runs, and that it notices what it looks for.
 #include <sys/stat.h>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz/command_line/mutation.hpp"
 
 #include <algorithm>

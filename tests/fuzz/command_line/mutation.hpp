@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Mutations: what slips, editors and other programs do to a text file.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Trial: commands run under limits of processor time and memory, by words, without a shell between.
 #include "fuzz/command_line/trial.hpp"
 

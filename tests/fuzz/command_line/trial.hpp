@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // Trial: one command of elgen on one mutated input, and what must be true of how it ended.
 #pragma once
 
