@@ -24,15 +24,6 @@ std::vector<Layer> layers_of(const SourceTree& tree) {
   return parse_layers(tree.at("src/layers.txt"));
 }
 
-/// The folder or room a file stands in: "check" of src/check/check.cpp, "check/names" of
-/// src/check/names/report.cpp, "pipeline" of src/pipeline.cpp.
-std::string room_of(const std::string& path) {
-  const std::filesystem::path inside = std::filesystem::path(path).lexically_relative("src");
-  return inside.has_parent_path() ? inside.parent_path().string() : inside.stem().string();
-}
-
-std::string folder_of(const std::string& room) { return room.substr(0, room.find('/')); }
-
 /// Of nouns the folder that makes them; empty where none does.
 std::string maker_of(const std::string& noun, const std::vector<Layer>& layers) {
   const std::string stem = std::filesystem::path(noun).stem();
@@ -59,6 +50,7 @@ std::vector<std::string> included_names(const std::string& text) {
   std::vector<std::string> names;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
+    if (!mentions(line, "include")) continue;
     std::smatch match;
     if (std::regex_search(line, match, directive)) names.push_back(match[1]);
   }
@@ -74,19 +66,6 @@ std::optional<std::string> resolve(const SourceTree& tree, const std::string& in
     if (tree.count(candidate) > 0) return candidate;
   }
   return std::nullopt;
-}
-
-using Includes = std::map<std::string, std::vector<std::string>>;
-
-/// The project's files that each file includes.
-Includes includes_of(const SourceTree& tree) {
-  Includes includes;
-  for (const auto& [path, text] : tree) {
-    for (const std::string& name : included_names(text)) {
-      if (const auto file = resolve(tree, path, name)) includes[path].push_back(*file);
-    }
-  }
-  return includes;
 }
 
 /// Everything `path` includes, directly or not, itself among it.
@@ -116,7 +95,25 @@ bool may_use_ginac(const std::string& path, const std::vector<Layer>& layers) {
   return layer.all_ginac || layer.ginac_files.count(std::filesystem::path(path).filename()) > 0;
 }
 
-/// The files that layers.txt speaks about.
+}  // namespace
+
+std::string room_of(const std::string& path) {
+  const std::filesystem::path inside = std::filesystem::path(path).lexically_relative("src");
+  return inside.has_parent_path() ? inside.parent_path().string() : inside.stem().string();
+}
+
+std::string folder_of(const std::string& room) { return room.substr(0, room.find('/')); }
+
+Includes includes_of(const SourceTree& tree) {
+  Includes includes;
+  for (const auto& [path, text] : tree) {
+    for (const std::string& name : included_names(text)) {
+      if (const auto file = resolve(tree, path, name)) includes[path].push_back(*file);
+    }
+  }
+  return includes;
+}
+
 std::vector<std::string> governed(const SourceTree& tree) {
   std::vector<std::string> paths;
   for (const auto& [path, text] : tree) {
@@ -125,8 +122,6 @@ std::vector<std::string> governed(const SourceTree& tree) {
   }
   return paths;
 }
-
-}  // namespace
 
 std::vector<Layer> parse_layers(std::string_view text) {
   std::vector<Layer> layers;
@@ -137,12 +132,14 @@ std::vector<Layer> parse_layers(std::string_view text) {
     Layer layer;
     std::istringstream(line.substr(0, colon)) >> layer.folder;
     std::istringstream words(line.substr(colon + 1));
-    bool after_ginac = false;
+    std::string column;
     for (std::string word; words >> word;) {
-      if (word == "ginac") {
-        after_ginac = true;
-      } else if (!after_ginac) {
+      if (word == "ginac" || word == "publishes") {
+        column = word;
+      } else if (column.empty()) {
         layer.nouns.push_back(word);
+      } else if (column == "publishes") {
+        layer.published.insert(word);
       } else if (word == "*") {
         layer.all_ginac = true;
       } else {

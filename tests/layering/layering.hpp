@@ -20,12 +20,26 @@ struct Layer {
   std::vector<std::string> nouns = {};  ///< headers of include/elgen/ without their extension
   bool all_ginac = false;
   std::set<std::string> ginac_files = {};
+  std::set<std::string> published = {};  ///< headers that other folders may include; "*" = all
 };
+
+using Includes = std::map<std::string, std::vector<std::string>>;
 
 [[nodiscard]] std::vector<Layer> parse_layers(std::string_view text);
 
 /// src/, include/ and tests/ below `root`: files that end in .cpp, .hpp, .def or .txt.
 [[nodiscard]] SourceTree read_tree(const std::filesystem::path& root);
+
+/// The folder or room a file stands in: "check" of src/check/check.cpp, "check/names" of
+/// src/check/names/report.cpp, "pipeline" of src/pipeline.cpp.
+[[nodiscard]] std::string room_of(const std::string& path);
+[[nodiscard]] std::string folder_of(const std::string& room);
+
+/// The project's files that each file includes.
+[[nodiscard]] Includes includes_of(const SourceTree& tree);
+
+/// The files that layers.txt speaks about.
+[[nodiscard]] std::vector<std::string> governed(const SourceTree& tree);
 
 /// One sentence per broken rule, each starting with the file; empty where all hold.
 [[nodiscard]] std::vector<std::string> later_includes(const SourceTree& tree);

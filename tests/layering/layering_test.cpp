@@ -37,14 +37,16 @@ SourceTree small_tree() {
 
 TEST_CASE("layers.txt is read line by line") {
   const std::vector<Layer> layers = parse_layers(
-      "# words: not a layer\nbase : span text\nderive : motion  ginac *\nlower : p  ginac a.cpp\n"
-      "cli :\n");
+      "# words: not a layer\nbase : span text\nderive : motion  ginac *\n"
+      "lower : p  publishes b.hpp  ginac a.cpp\ncli :\n");
   REQUIRE(layers.size() == 4);
   CHECK(layers[0].folder == "base");
   CHECK(layers[0].nouns == Sentences{"span", "text"});
   CHECK_FALSE(layers[0].all_ginac);
   CHECK(layers[1].nouns == Sentences{"motion"});
   CHECK(layers[1].all_ginac);
+  CHECK(layers[2].nouns == Sentences{"p"});
+  CHECK(layers[2].published == std::set<std::string>{"b.hpp"});
   CHECK(layers[2].ginac_files == std::set<std::string>{"a.cpp"});
   CHECK(layers[3].nouns.empty());
 }

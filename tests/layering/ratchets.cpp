@@ -1,0 +1,307 @@
+#include "layering/ratchets.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "support/shell.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+using Lines = std::vector<std::string>;
+using Places = std::vector<std::string>;
+
+Lines lines_of(const std::string& text) {
+  Lines lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+/// The places at which judge(lines of a file, number of a line) says something, with what it says.
+template <class Judge>
+Places places_where(const SourceTree& tree, const Judge& judge) {
+  Places found;
+  for (const std::string& path : governed(tree)) {
+    const Lines lines = lines_of(tree.at(path));
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const std::string said = judge(lines, i);
+      if (!said.empty()) found.push_back(path + ":" + std::to_string(i + 1) + ": " + said);
+    }
+  }
+  return found;
+}
+
+std::size_t indent_of(const std::string& line) {
+  return std::min(line.find_first_not_of(' '), line.size());
+}
+
+bool begins(const std::string& line, const std::string& word) {
+  return line.compare(indent_of(line), word.size(), word) == 0;
+}
+
+/// The lines that match `pattern`, of those with `word` in them: searching that is fast.
+Places matching_lines(const SourceTree& tree, const std::string& word, const std::string& pattern) {
+  const std::regex expression(pattern);
+  return places_where(tree, [&](const Lines& lines, std::size_t i) -> std::string {
+    if (!mentions(lines[i], word) || !std::regex_search(lines[i], expression)) return "";
+    return lines[i].substr(indent_of(lines[i]));
+  });
+}
+
+/// The line that closes the block which line `first` opens: the next brace at the same indent.
+std::size_t end_of_block(const Lines& lines, std::size_t first) {
+  const std::string closing = std::string(indent_of(lines[first]), ' ') + "}";
+  for (std::size_t i = first + 1; i < lines.size(); ++i) {
+    if (starts_with(lines[i], closing)) return i;
+  }
+  return lines.size() - 1;
+}
+
+/// "src/choose" of src/choose/points.cpp, "include" of a noun.
+std::string folder_of_file(const std::string& path) {
+  return starts_with(path, "src/") ? "src/" + folder_of(room_of(path)) : folder_of(path);
+}
+
+bool is_published(const std::string& header, const std::vector<Layer>& layers) {
+  const std::string room = room_of(header);
+  const std::string name = std::filesystem::path(header).filename();
+  return std::any_of(layers.begin(), layers.end(), [&](const Layer& layer) {
+    return layer.folder == room && layer.published.count(name) + layer.published.count("*") > 0;
+  });
+}
+
+Places reach_ins(const SourceTree& tree) {
+  const std::vector<Layer> layers = parse_layers(tree.at("src/layers.txt"));
+  Places found;
+  for (const auto& [path, headers] : includes_of(tree)) {
+    if (starts_with(path, "tests/")) continue;
+    for (const std::string& header : headers) {
+      if (!starts_with(header, "src/") || folder_of_file(header) == folder_of_file(path)) continue;
+      if (!is_published(header, layers)) found.push_back(path + ": includes " + header);
+    }
+  }
+  return found;
+}
+
+/// The enumerations whose enumerators a .def lists.
+std::set<std::string> table_enumerations(const SourceTree& tree) {
+  static const std::regex opening(R"(^enum class (\w+))");
+  std::set<std::string> names;
+  for (const std::string& path : governed(tree)) {
+    std::string name;
+    for (const std::string& line : lines_of(tree.at(path))) {
+      std::smatch match;
+      if (starts_with(line, "enum ") && std::regex_search(line, match, opening)) name = match[1];
+      if (!name.empty() && mentions(line, ".def\"")) names.insert(name);
+      if (mentions(line, "};")) name.clear();
+    }
+  }
+  return names;
+}
+
+/// Whether `names` has the enumeration of a label, or that which `using K = NAME;` calls so.
+bool is_label_of(const std::string& line, const Lines& lines, const std::set<std::string>& names) {
+  static const std::regex label(R"(\bcase (?:\w+::)*(\w+)::\w+:)");
+  std::smatch match;
+  if (!mentions(line, "case ") || !std::regex_search(line, match, label)) return false;
+  const std::string alias = "using " + match[1].str() + " = ";
+  return names.count(match[1]) > 0 ||
+         std::any_of(lines.begin(), lines.end(), [&](const std::string& other) {
+           const std::size_t start = indent_of(other) + alias.size();
+           return begins(other, alias) && names.count(other.substr(start, other.find(';') - start));
+         });
+}
+
+Places defaults_over_tables(const SourceTree& tree) {
+  const std::set<std::string> names = table_enumerations(tree);
+  return places_where(tree, [&](const Lines& lines, std::size_t i) -> std::string {
+    if (!begins(lines[i], "switch (")) return "";
+    const std::string label = std::string(indent_of(lines[i]) + 2, ' ') + "default:";
+    const auto first = lines.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto end = lines.begin() + static_cast<std::ptrdiff_t>(end_of_block(lines, i));
+    const bool has_default =
+        std::any_of(first, end, [&](const std::string& line) { return starts_with(line, label); });
+    if (!has_default) return "";
+    const bool is_over_table = std::any_of(
+        first, end, [&](const std::string& line) { return is_label_of(line, lines, names); });
+    return is_over_table ? lines[i].substr(indent_of(lines[i])) : "";
+  });
+}
+
+bool opens_class(const std::string& line) {
+  return (begins(line, "class ") || begins(line, "struct ")) && !mentions(line, ";");
+}
+
+Places long_classes(const SourceTree& tree) {
+  return places_where(tree, [](const Lines& lines, std::size_t i) -> std::string {
+    if (!opens_class(lines[i])) return "";
+    const std::size_t length = end_of_block(lines, i) + 1 - i;
+    return length > 150 ? std::to_string(length) + " lines" : "";
+  });
+}
+
+/// Whether a line of a class, without its indent, declares a data member: no parenthesis stands
+/// before its initial value or its end, except in the arguments of a template.
+bool declares_member(const std::string& line) {
+  static const std::regex other(
+      R"(^(using|friend|static|public|private|protected|template|class|struct|enum)\b|^\W)");
+  if (std::regex_search(line, other, std::regex_constants::match_continuous)) return false;
+  int depth = 0;
+  for (const char c : line) {
+    if (c == '<') ++depth;
+    if (c == '>') --depth;
+    if (depth != 0) continue;
+    if (c == '(') return false;
+    if (c == ';' || c == '=' || c == '{') return true;
+  }
+  return false;
+}
+
+Places function_objects(const SourceTree& tree) {
+  return places_where(tree, [](const Lines& lines, std::size_t i) -> std::string {
+    if (!opens_class(lines[i])) return "";
+    const std::size_t indent = indent_of(lines[i]) + 2;
+    const std::size_t end = end_of_block(lines, i);
+    bool is_called = false;
+    std::size_t members = 0;
+    for (std::size_t j = i + 1; j < end; ++j) {
+      if (indent_of(lines[j]) != indent || begins(lines[j], "/")) continue;
+      if (mentions(lines[j], "operator()(")) is_called = true;
+      if (declares_member(lines[j].substr(indent))) ++members;
+    }
+    return is_called && members >= 5 ? std::to_string(members) + " members" : "";
+  });
+}
+
+Places language_comparisons(const SourceTree& tree) {
+  return matching_lines(tree,
+                        "LanguageId::", R"((==|!=|\bcase) LanguageId::|LanguageId::\w+ (==|!=))");
+}
+
+Places random_generators(const SourceTree& tree) {
+  return matching_lines(tree, "Random",
+                        R"(^(?! *//)(?!.*explicit).*\bRandom( \w+( =|[;({])|[({]))");
+}
+
+Places noun_clauses(const SourceTree& tree) {
+  return matching_lines(tree, "//", R"(//[/!]?<? (Of|That of|Those|What)\b)");
+}
+
+struct Rule {
+  const char* name;
+  Places (*find)(const SourceTree&);
+  const char* instead;
+};
+
+constexpr std::array rules{
+    Rule{"reach-ins", reach_ins, "include a noun, or publish the header in src/layers.txt"},
+    Rule{"defaults", defaults_over_tables, "list the rows, so that the compiler asks for new ones"},
+    Rule{"languages", language_comparisons, "let the row of the language say what differs"},
+    Rule{"randoms", random_generators, "ask for points and states where they are drawn already"},
+    Rule{"long-classes", long_classes, "divide it into functions with named results"},
+    Rule{"function-objects", function_objects, "write functions that pass results to each other"},
+    Rule{"noun-clauses", noun_clauses, "write subject, verb, object"},
+};
+
+struct Row {
+  std::size_t most = 0;
+  std::vector<std::string> besides = {};
+};
+
+using Rows = std::map<std::string, Row>;
+
+Rows parse_rows(const std::string& text) {
+  Rows rows;
+  for (const std::string& line : lines_of(text)) {
+    if (starts_with(line, "#")) continue;
+    std::istringstream words(line);
+    std::string name;
+    Row row;
+    if (!(words >> name >> row.most)) continue;
+    for (std::string word; words >> word;) row.besides.push_back(word);
+    rows[name] = row;
+  }
+  return rows;
+}
+
+struct Count {
+  std::string name;
+  std::size_t number = 0;
+  std::size_t slack = 0;  ///< in 10 000 of its row
+  std::string instead = {};
+  Places places = {};
+};
+
+/// Lines of a folder may differ from their row by 1 %, the sum by 0.25 %: otherwise every change
+/// would have to edit them.
+std::vector<Count> line_counts(const SourceTree& tree) {
+  const std::string instead = "take lines out, or raise the row and say why in the commit";
+  std::map<std::string, std::size_t> numbers;
+  for (const std::string& path : governed(tree)) {
+    const std::size_t lines = count(tree.at(path), "\n");
+    numbers[folder_of_file(path)] += lines;
+    numbers["sum"] += lines;
+  }
+  std::vector<Count> counts;
+  for (const auto& [name, number] : numbers) {
+    counts.push_back({name, number, name == "sum" ? std::size_t{25} : std::size_t{100}, instead});
+  }
+  return counts;
+}
+
+std::vector<Count> all_counts(const SourceTree& tree, Rows rows) {
+  std::vector<Count> counts = line_counts(tree);
+  for (const Rule& rule : rules) {
+    const std::vector<std::string> besides = rows[rule.name].besides;
+    Places places = rule.find(tree);
+    places.erase(std::remove_if(places.begin(), places.end(),
+                                [&](const std::string& found) {
+                                  return std::any_of(besides.begin(), besides.end(),
+                                                     [&](const std::string& path) {
+                                                       return starts_with(found, path);
+                                                     });
+                                }),
+                 places.end());
+    const std::size_t number = places.size();
+    counts.push_back({rule.name, number, 0, rule.instead, std::move(places)});
+  }
+  return counts;
+}
+
+}  // namespace
+
+std::vector<std::string> broken_ratchets(const SourceTree& tree, const std::string& text) {
+  Rows rows = parse_rows(text);
+  std::vector<std::string> found;
+  for (const Count& figure : all_counts(tree, rows)) {
+    const std::string is = figure.name + ": " + std::to_string(figure.number);
+    const auto row = rows.find(figure.name);
+    if (row == rows.end()) {
+      found.push_back(is + ", and no row in tests/layering/ratchets.txt");
+      continue;
+    }
+    const std::size_t most = row->second.most;
+    const std::size_t slack = most * figure.slack / 10000;
+    if (figure.number > most + slack) {
+      found.push_back(is + ", more than " + std::to_string(most) + "; " + figure.instead);
+      found.insert(found.end(), figure.places.begin(), figure.places.end());
+    } else if (figure.number + slack < most) {
+      found.push_back(is + ", less than " + std::to_string(most) +
+                      "; lower its row in tests/layering/ratchets.txt");
+    }
+    rows.erase(row);
+  }
+  for (const auto& [name, row] : rows) found.push_back(name + ": a row of no rule and no folder");
+  return found;
+}
+
+}  // namespace elgen::test

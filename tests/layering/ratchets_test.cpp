@@ -1,0 +1,138 @@
+// Figures that may only shrink, in this project and in small trees.
+#include "layering/ratchets.hpp"
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <regex>
+
+#include "support/shell.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+/// Rows that hold for a tree of two folders, whose only figures are the lines of files.
+const std::string row_of_lines = "sum 2\nsrc/first 1\nsrc/second 1\n";
+
+/// The same with rows of all rules, each at 0 but one.
+std::string rows_with(const std::string& name, int number) {
+  std::string rows = "# comment\n" + row_of_lines;
+  for (const std::string rule : {"reach-ins", "defaults", "languages", "randoms", "long-classes",
+                                 "function-objects", "noun-clauses"}) {
+    rows += rule + (rule == name ? " " + std::to_string(number) : " 0") + "\n";
+  }
+  return rows;
+}
+
+/// What is said of the figure `name` of a file src/first/a.cpp where its row is 0: its places.
+std::vector<std::string> places_of(const std::string& name, const std::string& text,
+                                   SourceTree tree = {}) {
+  tree["src/layers.txt"] = "first :\nsecond : publishes open.hpp\nthird : publishes *\n";
+  tree["src/first/a.cpp"] = text;
+  std::vector<std::string> places;
+  bool is_inside = false;
+  for (const std::string& line : broken_ratchets(tree, rows_with(name, 0))) {
+    if (!starts_with(line, "src/first/a.cpp:")) {
+      is_inside = starts_with(line, name + ": ");
+    } else if (is_inside) {
+      places.push_back(line);
+    }
+  }
+  return places;
+}
+
+}  // namespace
+
+TEST_CASE("an include of another folder's header counts unless that folder publishes it") {
+  const SourceTree headers{{"src/first/deep/a.hpp", ""},
+                           {"src/second/open.hpp", ""},
+                           {"src/second/own.hpp", ""},
+                           {"src/third/any.hpp", ""}};
+  const std::string text =
+      "#include \"first/deep/a.hpp\"\n#include \"second/open.hpp\"\n"
+      "#include \"second/own.hpp\"\n#include \"third/any.hpp\"\n";
+  CHECK(places_of("reach-ins", text, headers) ==
+        std::vector<std::string>{"src/first/a.cpp: includes src/second/own.hpp"});
+}
+
+TEST_CASE("a default counts in switches over what a .def lists, by its name or another") {
+  const SourceTree enums{
+      {"src/second/pip.hpp", "enum class Pip : char {\n#include \"pip.def\"\n};\n"},
+      {"src/second/core.hpp", "enum class Core { one, two };\n#include \"core.def\"\n"}};
+  const std::string text =
+      "using K = Pip;\nint f(Pip p) {\n  switch (p) {\n    case K::one:\n      return 1;\n"
+      "    default:\n      return 0;\n  }\n  switch (p) {\n    case Pip::one:\n      return 1;\n  "
+      "}\n"
+      "  switch (c) {\n    case Core::one:\n    default:\n      return 0;\n  }\n}\n";
+  CHECK(places_of("defaults", text, enums) ==
+        std::vector<std::string>{"src/first/a.cpp:3: switch (p) {"});
+}
+
+TEST_CASE("comparisons with a language, generators and noun clauses are counted by line") {
+  CHECK(places_of("languages", "row(LanguageId::cpp);\nif (id != LanguageId::cpp) return;\n") ==
+        std::vector<std::string>{"src/first/a.cpp:2: if (id != LanguageId::cpp) return;"});
+  CHECK(places_of("randoms", "// Random points(3)\nvoid f(Random& r);\nRandom r(seed);\n") ==
+        std::vector<std::string>{"src/first/a.cpp:3: Random r(seed);"});
+  CHECK(
+      places_of("noun-clauses", "// Whatever it is.\n/// What is left.\nint n;  ///< Of one.\n") ==
+      std::vector<std::string>{"src/first/a.cpp:2: /// What is left.",
+                               "src/first/a.cpp:3: int n;  ///< Of one."});
+}
+
+TEST_CASE("a class of 151 lines is long, one of 150 is not") {
+  std::string lines;
+  for (int i = 0; i < 148; ++i) lines += "  void f();\n";
+  const std::string text =
+      "class A;\nclass B {\n" + lines + "};\nstruct C : A {\n\n" + lines + "};\n";
+  CHECK(places_of("long-classes", text) ==
+        std::vector<std::string>{"src/first/a.cpp:152: 151 lines"});
+}
+
+TEST_CASE("five data members behind an operator() are counted, methods and types are not") {
+  const std::string members =
+      "  int a_ = 1;\n  std::function<int(int)> b_;\n  double c_{};\n  const A& d_;  ///< own\n"
+      "  using E = int;\n  int f(int x = 2) { return x; }\n  // int g_;\n";
+  const std::string call = "  int operator()() const;\n";
+  const std::string text = "class B {\n" + call + members + "};\nclass C {\n" + members +
+                           "  int h_;\n};\nclass D {\n" + call + members + "  int h_;\n};\n";
+  CHECK(places_of("function-objects", text) ==
+        std::vector<std::string>{"src/first/a.cpp:21: 5 members"});
+}
+
+TEST_CASE("a figure has its row, neither above it nor below, lines within one in a hundred") {
+  SourceTree tree{{"src/layers.txt", ""}, {"src/first/a.cpp", "\n"}, {"src/second/b.cpp", "\n"}};
+  CHECK(broken_ratchets(tree, rows_with("", 0)).empty());
+  CHECK(broken_ratchets(tree, rows_with("randoms", 2)) ==
+        std::vector<std::string>{
+            "randoms: 0, less than 2; lower its row in tests/layering/ratchets.txt"});
+  CHECK(broken_ratchets(tree, rows_with("", 0) + "src/third 1\n") ==
+        std::vector<std::string>{"src/third: a row of no rule and no folder"});
+  tree["src/third/c.cpp"] = "";
+  CHECK(broken_ratchets(tree, rows_with("", 0)) ==
+        std::vector<std::string>{"src/third: 0, and no row in tests/layering/ratchets.txt"});
+  const std::string rows = rows_with("", 0) + "src/third 200\n";
+  tree["src/third/c.cpp"] = std::string(202, '\n');
+  CHECK(broken_ratchets(tree, std::regex_replace(rows, std::regex("sum 2"), "sum 204")).empty());
+  tree["src/third/c.cpp"] += "\n";
+  CHECK(broken_ratchets(tree, std::regex_replace(rows, std::regex("sum 2"), "sum 205")) ==
+        std::vector<std::string>{"src/third: 203, more than 200; take lines out, or raise the row "
+                                 "and say why in the commit"});
+}
+
+TEST_CASE("places in what a row leaves out are not counted") {
+  const SourceTree tree{{"src/layers.txt", ""},
+                        {"src/first/a.cpp", "Random a;\n"},
+                        {"src/second/b.cpp", "Random b;\n"}};
+  const std::string rows = std::regex_replace(rows_with("", 0), std::regex("randoms 0"),
+                                              "randoms 1 besides src/second/");
+  CHECK(broken_ratchets(tree, rows).empty());
+}
+
+TEST_CASE("this project keeps the figures that may only shrink") {
+  const SourceTree tree = read_tree(ELGEN_SOURCE_DIR);
+  const std::filesystem::path rows =
+      std::filesystem::path(ELGEN_SOURCE_DIR) / "tests/layering/ratchets.txt";
+  CHECK(broken_ratchets(tree, read_text(rows)) == std::vector<std::string>{});
+}
+
+}  // namespace elgen::test
