@@ -9,7 +9,7 @@
 namespace elgen {
 
 enum class LanguageId : std::uint8_t {
-#define ELGEN_LANGUAGE(id, name, scalars) id,
+#define ELGEN_LANGUAGE(id, ...) id,
 #include "elgen/languages.def"
 #undef ELGEN_LANGUAGE
 };
@@ -21,11 +21,13 @@ struct LanguageRow {
   LanguageId id;
   std::string_view name;
   LanguageScalars scalars;
+  std::string_view ending;  ///< "cpp": of a source in it
+  bool has_more_headers;    ///< on Eigen's types, and in batches
 };
 
 inline constexpr std::array language_table{
-#define ELGEN_LANGUAGE(id, name, scalars) \
-  LanguageRow{LanguageId::id, name, LanguageScalars::scalars},
+#define ELGEN_LANGUAGE(id, name, scalars, ...) \
+  LanguageRow{LanguageId::id, name, LanguageScalars::scalars, __VA_ARGS__},
 #include "elgen/languages.def"
 #undef ELGEN_LANGUAGE
 };
@@ -33,5 +35,7 @@ inline constexpr std::array language_table{
 [[nodiscard]] constexpr const LanguageRow& language_row(LanguageId id) {
   return language_table[static_cast<std::size_t>(id)];
 }
+
+inline constexpr LanguageId default_language = language_table.front().id;
 
 }  // namespace elgen

@@ -81,7 +81,7 @@ enum class Storage : std::uint8_t { row_major, column_major };
 
 /// emit: target.
 struct Emission {
-  LanguageId language = LanguageId::cpp;
+  LanguageId language = default_language;
   std::string name_space = {};  ///< of C++, prefix of every name in C; default: base_name
   Span name_space_span = {};    ///< of what gives it that name
   Storage storage = Storage::row_major;

@@ -305,7 +305,7 @@ class InterfaceComparison {
       add(Impact::values, "the error that the scene promises of its outputs differs");
     }
     if (before_.scene.numerics.scalars != after_.scene.numerics.scalars) {
-      const bool is_in_types = now.language == LanguageId::c99;
+      const bool is_in_types = language_row(now.language).scalars == LanguageScalars::one;
       add(is_in_types ? Impact::breaks : Impact::values, "the scalars that code is for differ");
     }
   }

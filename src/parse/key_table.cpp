@@ -242,7 +242,7 @@ constexpr auto choice_rows = std::to_array<ChoiceRow>({
     {"scene.emit", "files", "header"},
     {"scene.emit", "files", "equations"},
     {"scene.emit", "files", "page"},
-#define ELGEN_LANGUAGE(id, name, scalars) {"scene.emit", "language", name},
+#define ELGEN_LANGUAGE(id, name, ...) {"scene.emit", "language", name},
 #include "elgen/languages.def"
 #undef ELGEN_LANGUAGE
 });

@@ -7,7 +7,9 @@
 //                                 reinterpret_cast<const double*>(&in_double));
 #include <fmt/format.h>
 
+#include <array>
 #include <limits>
+#include <string_view>
 #include <utility>
 
 #include "base/exact_number.hpp"
@@ -20,46 +22,61 @@
 namespace elgen {
 namespace {
 
+/// How a language reads the declarations of a header, as patterns.
+struct DeclarationRow {
+  ArtifactId header;            ///< of scenes without batches
+  bool has_intervals;           ///< whether the header declares them
+  std::string_view linkage;     ///< of the function
+  std::string_view statement;   ///< {}: the number that it gives
+  std::string_view constant;    ///< {0}: namespace, {1}: its name, {2}: both in capitals
+  std::string_view parameters;  ///< {0}: namespace, {1}: scalar, {2}: name, {3}: {0} in capitals
+  std::string_view address;     ///< {0}: scalar, {1}: the variable
+};
+
+/// In the order of languages.def.
+constexpr std::array declaration_table{
+    DeclarationRow{ArtifactId::cpp, true, "extern \"C\" ", "  *to++ = static_cast<double>({});\n",
+                   "::{0}::{1}", "static const ::{0}::Parameters<{1}> {2}{{}};\n",
+                   "reinterpret_cast<const {0}*>(&{1})"},
+    DeclarationRow{ArtifactId::c99, false, "", "  *to++ = (double)({});\n", "{2}",
+                   "static const {0}_parameters {2} = {3}_DEFAULT_PARAMETERS;\n",
+                   "(const {0}*)&{1}"}};
+static_assert(declaration_table.size() == language_table.size());
+
 /// A text while it grows, beside the numbers that it has to give.
 class DeclarationText {
  public:
   explicit DeclarationText(const DriverInput& input)
-      : input_(input), language_(input.scene.emission.language) {}
+      : input_(input),
+        row_(declaration_table[static_cast<std::size_t>(input.scene.emission.language)]) {}
 
   [[nodiscard]] Declarations complete() && {
     add_counts();
     for (const ScalarKind scalar : driver_scalars(input_)) add_parameters(scalar);
-    if (is_cpp()) add_intervals();
+    if (row_.has_intervals) add_intervals();
     const bool has_batch = input_.scene.emission.batch;
     if (has_batch) {
       for (const ScalarKind scalar : input_.scene.numerics.scalars) add_trigonometry(scalar);
     }
-    const ArtifactId header = !is_cpp()   ? ArtifactId::c99
-                              : has_batch ? ArtifactId::batch
-                                          : ArtifactId::cpp;
-    const std::string linkage = is_cpp() ? "extern \"C\" " : "";
+    const ArtifactId header = has_batch ? ArtifactId::batch : row_.header;
     std::string text =
         fmt::format("#include \"{}\"\n{}", path_of(input_.scene, header), variables_);
-    text += fmt::format("{0}void {1}(double* to);\n{0}void {1}(double* to) {{\n{2}}}\n", linkage,
-                        declarations_symbol, statements_);
+    text += fmt::format("{0}void {1}(double* to);\n{0}void {1}(double* to) {{\n{2}}}\n",
+                        row_.linkage, declarations_symbol, statements_);
     return {std::move(text), std::move(numbers_)};
   }
 
  private:
-  [[nodiscard]] bool is_cpp() const { return language_ == LanguageId::cpp; }
-
   void add(std::string name, const std::string& expression, double of_model) {
-    const char* const pattern =
-        is_cpp() ? "  *to++ = static_cast<double>({});\n" : "  *to++ = (double)({});\n";
-    statements_ += fmt::format(fmt::runtime(pattern), expression);
+    statements_ += fmt::format(fmt::runtime(row_.statement), expression);
     numbers_.push_back({std::move(name), 0, of_model});
   }
 
   void add_count(const std::string& name, std::size_t count) {
     const std::string& space = name_space(input_.scene);
-    const std::string constant = is_cpp() ? fmt::format("::{}::{}", space, name)
-                                          : capitals(fmt::format("{}_{}", space, name));
-    add(name, constant, static_cast<double>(count));
+    const std::string in_capitals = capitals(fmt::format("{}_{}", space, name));
+    add(name, fmt::format(fmt::runtime(row_.constant), space, name, in_capitals),
+        static_cast<double>(count));
   }
 
   void add_counts() {
@@ -78,13 +95,9 @@ class DeclarationText {
     const std::string type(name_of(scalar));
     const std::string& space = name_space(input_.scene);
     const std::string all = "in_" + type;
-    variables_ += is_cpp()
-                      ? fmt::format("static const ::{}::Parameters<{}> {}{{}};\n", space, type, all)
-                      : fmt::format("static const {}_parameters {} = {}_DEFAULT_PARAMETERS;\n",
-                                    space, all, capitals(space));
+    variables_ += fmt::format(fmt::runtime(row_.parameters), space, type, all, capitals(space));
     const auto address = [&](const std::string& of) {
-      return is_cpp() ? fmt::format("reinterpret_cast<const {}*>(&{})", type, of)
-                      : fmt::format("(const {}*)&{}", type, of);
+      return fmt::format(fmt::runtime(row_.address), type, of);
     };
     std::size_t position = 0;
     for (const ParameterArray& array : arrays) {
@@ -149,7 +162,7 @@ class DeclarationText {
   }
 
   const DriverInput& input_;
-  LanguageId language_;
+  const DeclarationRow& row_;
   std::string variables_ = {};
   std::string statements_ = {};
   std::vector<DeclaredNumber> numbers_ = {};

@@ -120,14 +120,14 @@ std::vector<Driver> drivers(const DriverInput& input, Build build) {
 }
 
 std::vector<DriverUnit> units_of(const DriverInput& input, Build build, const std::string& more) {
-  const bool is_c = input.scene.emission.language == LanguageId::c99;
   const bool is_long = length_of(input.program) > longest_together;
   std::vector<DriverUnit> units;
   for (Driver& driver : drivers(input, build)) {
     if (units.empty() || (is_long && driver.has_functions)) {
       units.push_back({{}, build, {}});
       units.back().source.file =
-          fmt::format("driver_{}_{}.{}", static_cast<int>(build), units.size(), is_c ? "c" : "cpp");
+          fmt::format("driver_{}_{}.{}", static_cast<int>(build), units.size(),
+                      language_row(input.scene.emission.language).ending);
     }
     Source& source = units.back().source;
     const std::string& needs = driver.needs;

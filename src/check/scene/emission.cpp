@@ -16,7 +16,7 @@ namespace {
 LanguageId language_named(std::string_view name) {
   const auto* const row = std::find_if(language_table.begin(), language_table.end(),
                                        [name](const LanguageRow& r) { return r.name == name; });
-  return row == language_table.end() ? LanguageId::cpp : row->id;
+  return row == language_table.end() ? default_language : row->id;
 }
 
 bool fits_one_scalar(const Numerics& numerics) {
@@ -33,7 +33,7 @@ void check_together(const FileSyntax* syntax, const Emission& emission, const Sc
     report.add(Code::E610, scalar->value.span,
                "code in " + name + " is written for one scalar, `float` or `double`");
   }
-  if (emission.eigen && emission.language != LanguageId::cpp) {
+  if (emission.eigen && !language.has_more_headers) {
     report.add(Code::E611, find_key(syntax, "emit", "eigen")->key_span,
                "`eigen` needs C++, and `language` is " + name);
   }
@@ -76,10 +76,10 @@ class BatchReader {
   }
 
   void check_scalars(const KeySyntax& batch) {
-    if (scene_.emission.language != LanguageId::cpp) {
+    const LanguageRow& language = language_row(scene_.emission.language);
+    if (!language.has_more_headers) {
       context_.report.add(Code::E611, batch.key_span,
-                          "`batch` needs C++, and `language` is " +
-                              in_backticks(language_row(scene_.emission.language).name));
+                          "`batch` needs C++, and `language` is " + in_backticks(language.name));
     } else if (has_scalar(scene_, ScalarKind::long_double)) {
       refuse(find_key(syntax_, "numeric", "scalar")->value.span,
              "packs have elements of type `float` or `double`");

@@ -176,9 +176,10 @@ std::string sidecar(const EmissionInput& input) {
   if (!input.scene.paths.scene.empty()) json["scene"] = input.scene.paths.scene;
   json["format"] = 1;
   json["name"] = input.scene.base_name;
-  // Entries are listed row by row; the code is C++17 and stores them likewise unless said here.
+  // Entries are listed row by row; the code is in the default language and stores them likewise
+  // unless said here.
   const Emission& emission = input.scene.emission;
-  if (emission.language != LanguageId::cpp) {
+  if (emission.language != default_language) {
     json["language"] = language_row(emission.language).name;
   }
   if (emission.storage != Storage::row_major) json["storage"] = name_of(emission.storage);
