@@ -35,9 +35,12 @@ template <class Rules, class Values>
       return rules.square_root(values[i.a]);
     case Opcode::call:
       return rules.call(i.function, values[i.a], values[i.b]);
-    default:
-      return rules.leaf(i.opcode, i.a);
+#define ELGEN_LEAVES(kind, ...) case Opcode::kind:
+#include "elgen/leaves.def"
+#undef ELGEN_LEAVES
+      break;
   }
+  return rules.leaf(i.opcode, i.a);
 }
 
 /// The values of all instructions, in order.

@@ -67,35 +67,35 @@ void for_each_list(const F& f, Leaves&& leaves) {
 /// The list of a kind with many leaves; null of a kind with one.
 template <class List, class One>
 [[nodiscard]] const List* list_of(const PerLeaf<List, One>& leaves, Opcode kind) {
-  switch (kind) {
+  switch (leaf_kind(kind)) {
 #define ELGEN_LEAVES(kind, member, ...) \
-  case Opcode::kind:                    \
+  case LeafKind::kind:                  \
     return &leaves.member;
-#define ELGEN_LEAF(kind, member, ...)
+#define ELGEN_LEAF(kind, member, ...) \
+  case LeafKind::kind:                \
+    break;
 #include "elgen/leaves.def"
 #undef ELGEN_LEAVES
 #undef ELGEN_LEAF
-    default:
-      return nullptr;
   }
+  return nullptr;
 }
 
 /// The leaf of this kind and number.
 template <class T>
 [[nodiscard]] const T& leaf_of(const LeafValues<T>& leaves, Opcode kind, std::uint32_t number) {
-  switch (kind) {
+  switch (leaf_kind(kind)) {
 #define ELGEN_LEAVES(kind, member, ...) \
-  case Opcode::kind:                    \
+  case LeafKind::kind:                  \
     return leaves.member[number];
 #define ELGEN_LEAF(kind, member, ...) \
-  case Opcode::kind:                  \
+  case LeafKind::kind:                \
     return leaves.member;
 #include "elgen/leaves.def"
 #undef ELGEN_LEAVES
 #undef ELGEN_LEAF
-    default:
-      return leaves.t;
   }
+  return leaves.t;
 }
 
 /// How many there are of a kind.

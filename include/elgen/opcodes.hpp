@@ -68,6 +68,18 @@ inline constexpr std::array leaf_table{
   return opcode >= leaf_table.front().id && opcode <= leaf_table.back().id;
 }
 
+/// The leaves alone, for switches over them.
+enum class LeafKind : std::uint8_t {
+#define ELGEN_LEAVES(kind, ...) kind,
+#include "elgen/leaves.def"
+#undef ELGEN_LEAVES
+};
+
+/// None of the enumerators where the operation is no leaf.
+[[nodiscard]] constexpr LeafKind leaf_kind(Opcode opcode) {
+  return static_cast<LeafKind>(static_cast<int>(opcode) - static_cast<int>(leaf_table.front().id));
+}
+
 /// Of a leaf.
 [[nodiscard]] constexpr const LeafRow& leaf_row(Opcode leaf) {
   return leaf_table[static_cast<std::size_t>(leaf) -

@@ -345,9 +345,19 @@ std::optional<cl_RA> known_value(FunctionId function, const cl_RA& x, const cl_R
     case FunctionId::min:
     case FunctionId::max:
       return std::nullopt;
-    default:
-      return at(0, 0);
+    case FunctionId::sin:
+    case FunctionId::tan:
+    case FunctionId::asin:
+    case FunctionId::atan:
+    case FunctionId::sinh:
+    case FunctionId::tanh:
+    case FunctionId::log1p:
+    case FunctionId::expm1:
+    case FunctionId::abs:
+    case FunctionId::sign:
+      break;
   }
+  return at(0, 0);
 }
 
 }  // namespace elgen

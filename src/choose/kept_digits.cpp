@@ -3,6 +3,7 @@
 #include "choose/kept_digits.hpp"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "choose/graph_terms.hpp"
@@ -14,6 +15,21 @@ using cln::cl_RA;
 
 /// Longer sums are left as they are.
 constexpr std::size_t most_terms_in_pairs = 24;
+
+/// f(a) - f(b) = ±2 g((a + b)/2) h((a - b)/2)
+struct DifferenceOfCalls {
+  FunctionId function;
+  FunctionId of_mean;
+  FunctionId of_half;
+  bool is_negative = false;
+};
+
+constexpr std::array differences_of_calls{
+    DifferenceOfCalls{FunctionId::sin, FunctionId::cos, FunctionId::sin},
+    DifferenceOfCalls{FunctionId::cos, FunctionId::sin, FunctionId::sin, true},
+    DifferenceOfCalls{FunctionId::sinh, FunctionId::cosh, FunctionId::sinh},
+    DifferenceOfCalls{FunctionId::cosh, FunctionId::sinh, FunctionId::sinh},
+    DifferenceOfCalls{FunctionId::exp, FunctionId::exp, FunctionId::sinh}};
 
 /// The one factor of a term beside what another term shares; `one` where nothing is left.
 struct Rest {
@@ -200,20 +216,12 @@ class KeptSum : GraphTerms {
   /// f - 1
   std::optional<Ref> less_one(const Rest& f) {
     const Ref a = f.argument;
-    switch (f.function) {
-      case FunctionId::exp:
-        return call(FunctionId::expm1, a);
-      case FunctionId::cos:
-        return -doubled(square(call(FunctionId::sin, half(a))));
-      case FunctionId::cosh:
-        return doubled(square(call(FunctionId::sinh, half(a))));
-      case FunctionId::tanh: {
-        const Ref grown = graph_.sum({one(), call(FunctionId::exp, doubled(a))});
-        return -quotient(graph_.rational(2), grown);
-      }
-      default:
-        return std::nullopt;
-    }
+    if (f.function == FunctionId::exp) return call(FunctionId::expm1, a);
+    if (f.function == FunctionId::cos) return -doubled(square(call(FunctionId::sin, half(a))));
+    if (f.function == FunctionId::cosh) return doubled(square(call(FunctionId::sinh, half(a))));
+    if (f.function != FunctionId::tanh) return std::nullopt;
+    const Ref grown = graph_.sum({one(), call(FunctionId::exp, doubled(a))});
+    return -quotient(graph_.rational(2), grown);
   }
 
   /// 1/a - 1/b = (b - a)/(a b), where b - a is kept in its turn.
@@ -239,33 +247,21 @@ class KeptSum : GraphTerms {
     if (term_count(a) < term_count(b)) return std::nullopt;
     const Ref less = sum({a, -b});
     const Ref mean = half(sum({a, b}));
-    const auto products = [&](FunctionId of_mean, FunctionId of_half, int sign) {
-      const Ref first = call(of_mean, mean);
-      const Ref second = call(of_half, half(less));
-      return with_sign(doubled(times(first, second)), sign < 0);
-    };
-    switch (f.function) {
-      case FunctionId::sin:
-        return products(FunctionId::cos, FunctionId::sin, 1);
-      case FunctionId::cos:
-        return products(FunctionId::sin, FunctionId::sin, -1);
-      case FunctionId::sinh:
-        return products(FunctionId::cosh, FunctionId::sinh, 1);
-      case FunctionId::cosh:
-        return products(FunctionId::sinh, FunctionId::sinh, 1);
-      case FunctionId::tan:
-        return graph_.product({{call(FunctionId::sin, less), 1},
-                               {call(FunctionId::cos, a), -1},
-                               {call(FunctionId::cos, b), -1}});
-      case FunctionId::exp:
-        return products(FunctionId::exp, FunctionId::sinh, 1);
-      case FunctionId::log:
-        return call(FunctionId::log1p, quotient(less, b));
-      case FunctionId::atan:
-        return graph_.call(FunctionId::atan2, {less, sum({one(), times(a, b)})});
-      default:
-        return std::nullopt;
+    const auto* const rule =
+        std::ranges::find(differences_of_calls, f.function, &DifferenceOfCalls::function);
+    if (rule != differences_of_calls.end()) {
+      const Ref first = call(rule->of_mean, mean);
+      const Ref second = call(rule->of_half, half(less));
+      return with_sign(doubled(times(first, second)), rule->is_negative);
     }
+    if (f.function == FunctionId::log) return call(FunctionId::log1p, quotient(less, b));
+    if (f.function == FunctionId::atan) {
+      return graph_.call(FunctionId::atan2, {less, sum({one(), times(a, b)})});
+    }
+    if (f.function != FunctionId::tan) return std::nullopt;
+    return graph_.product({{call(FunctionId::sin, less), 1},
+                           {call(FunctionId::cos, a), -1},
+                           {call(FunctionId::cos, b), -1}});
   }
 
   /// Of a sum with one root, its conjugate.

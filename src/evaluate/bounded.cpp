@@ -92,9 +92,24 @@ std::optional<Real> limit_value(FunctionId function, const Real& x, const Roundi
       return infinite;
     case FunctionId::tanh:
       return sign(x);
-    default:
-      return std::nullopt;
+    case FunctionId::sin:
+    case FunctionId::cos:
+    case FunctionId::tan:
+    case FunctionId::asin:
+    case FunctionId::acos:
+    case FunctionId::atan:
+    case FunctionId::atan2:
+    case FunctionId::log:
+    case FunctionId::log1p:
+    case FunctionId::hypot:
+    case FunctionId::stumpff:
+    case FunctionId::abs:
+    case FunctionId::sign:
+    case FunctionId::min:
+    case FunctionId::max:
+      break;
   }
+  return std::nullopt;
 }
 
 /// Errors of u in a value of the mathematical library. The manual of glibc 2.36 lists 2 ulp, which

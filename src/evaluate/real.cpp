@@ -63,9 +63,16 @@ bool in_domain(FunctionId function, const cln::cl_F& x) {
       return cln::plusp(x);
     case FunctionId::log1p:
       return x > cln::cl_R(-1);
-    default:
-      return true;
+    case FunctionId::atan:
+    case FunctionId::atan2:
+    case FunctionId::hypot:
+    case FunctionId::abs:
+    case FunctionId::sign:
+    case FunctionId::min:
+    case FunctionId::max:
+      break;
   }
+  return true;
 }
 
 Real called(FunctionId function, const Real& x, const Real& y) {

@@ -48,9 +48,15 @@ std::optional<std::uint32_t> Composition::trivial(const Instruction& i) {
       return is_zero(i.a) || is_one(i.b) ? std::optional(i.a) : std::nullopt;
     case Opcode::negate:
       return is_zero(i.a) ? std::optional(i.a) : std::nullopt;
-    default:
-      return std::nullopt;
+    case Opcode::constant:
+    case Opcode::square_root:
+    case Opcode::call:
+#define ELGEN_LEAVES(kind, ...) case Opcode::kind:
+#include "elgen/leaves.def"
+#undef ELGEN_LEAVES
+      break;
   }
+  return std::nullopt;
 }
 
 std::uint32_t Composition::add(const Instruction& instruction) {

@@ -87,7 +87,11 @@ OperationCounts count_operations(const Function& function) {
           ++counts.other;
         }
         break;
-      default:
+      case Opcode::constant:
+      case Opcode::negate:
+#define ELGEN_LEAVES(kind, ...) case Opcode::kind:
+#include "elgen/leaves.def"
+#undef ELGEN_LEAVES
         break;
     }
   }

@@ -91,18 +91,22 @@ std::size_t leaf_count(const Model& model, Opcode kind) {
 }
 
 std::optional<Interval> declared_range(const Model& model, Opcode kind, std::uint32_t number) {
-  switch (kind) {
-    case Opcode::parameter:
+  switch (leaf_row(kind).of) {
+    case LeafOwner::parameters:
       return model.parameter_arrays[model.parameters[number].array].range;
-    case Opcode::coordinate:
+    case LeafOwner::coordinates:
       return model.coordinates[number].range;
-    case Opcode::velocity:
+    case LeafOwner::velocities:
+      if (kind != Opcode::velocity) break;
       return model.velocities[number].rate_range;
-    case Opcode::input:
+    case LeafOwner::inputs:
       return model.inputs[number].limits;
-    default:
-      return std::nullopt;
+    case LeafOwner::open_values:
+    case LeafOwner::constraints:
+    case LeafOwner::system:
+      break;
   }
+  return std::nullopt;
 }
 
 }  // namespace elgen

@@ -152,16 +152,10 @@ Jet Evaluation::leaf(const Expression& e, unsigned time_order) const {
   if (e.kind == ExpressionKind::number) return Jet(e.number);
   if (e.kind == ExpressionKind::pi) return Jet(real_pi());
   const Jet s = elapsed_time(time_order);
-  switch (e.leaf) {
-    case Opcode::time:
-      return motion_.t + s;
-    case Opcode::coordinate:
-      return position(e.index, s);
-    case Opcode::velocity:
-      return motion_.v[e.index] + motion_.a[e.index] * s;
-    default:
-      return leaf_of(motion_, e.leaf, e.index);
-  }
+  if (e.leaf == Opcode::time) return motion_.t + s;
+  if (e.leaf == Opcode::coordinate) return position(e.index, s);
+  if (e.leaf == Opcode::velocity) return motion_.v[e.index] + motion_.a[e.index] * s;
+  return leaf_of(motion_, e.leaf, e.index);
 }
 
 /// q + dq/dt s + 1/2 d2q/dt2 s^2

@@ -146,9 +146,24 @@ cl_R value_at_zero(FunctionId function, const cl_R& zero) {
       return real_pi() / 2;
     case FunctionId::log:
       return logarithm(zero);
-    default:
-      return 0;
+    case FunctionId::sin:
+    case FunctionId::tan:
+    case FunctionId::asin:
+    case FunctionId::atan:
+    case FunctionId::atan2:
+    case FunctionId::sinh:
+    case FunctionId::tanh:
+    case FunctionId::log1p:
+    case FunctionId::expm1:
+    case FunctionId::hypot:
+    case FunctionId::stumpff:
+    case FunctionId::abs:
+    case FunctionId::sign:
+    case FunctionId::min:
+    case FunctionId::max:
+      break;
   }
+  return 0;
 }
 
 /// Every function but sin and cos.

@@ -166,25 +166,30 @@ class Rates {
   }
 
   Value of_leaf(const Atom& atom) {
-    switch (atom.leaf) {
-      case Opcode::coordinate:
+    switch (leaf_kind(atom.leaf)) {
+      case LeafKind::coordinate:
         if (atom.index < motion_.coordinates.size()) return motion_.coordinates[atom.index];
         return arithmetic_.leaf(Opcode::velocity, atom.index);
-      case Opcode::velocity:
+      case LeafKind::velocity:
         if (atom.index >= motion_.velocities.size()) return std::nullopt;
         return motion_.velocities[atom.index];
-      case Opcode::acceleration:
+      case LeafKind::acceleration:
         if (atom.index >= motion_.accelerations.size()) return std::nullopt;
         return motion_.accelerations[atom.index];
-      case Opcode::open_value:
+      case LeafKind::open_value:
         return of_open_value(atom.index);
-      case Opcode::time:
+      case LeafKind::time:
         return motion_.time;
-      case Opcode::parameter:
+      case LeafKind::parameter:
         return Fraction{};
-      default:
-        return std::nullopt;
+      case LeafKind::momentum:
+      case LeafKind::multiplier:
+      case LeafKind::input:
+      case LeafKind::step:
+      case LeafKind::energy:
+        break;
     }
+    return std::nullopt;
   }
 
   Value of_open_value(std::uint32_t index) {

@@ -17,23 +17,27 @@ constexpr std::uint32_t rank_of_functions = 1'000'000;
 FactorGroup group_of(const Atom& atom) {
   if (atom.kind == AtomKind::pi) return FactorGroup::parameter;
   if (atom.kind != AtomKind::leaf) return FactorGroup::function;
-  switch (atom.leaf) {
-    case Opcode::parameter:
+  switch (leaf_kind(atom.leaf)) {
+    case LeafKind::parameter:
       return FactorGroup::parameter;
-    case Opcode::velocity:
-    case Opcode::momentum:
+    case LeafKind::velocity:
+    case LeafKind::momentum:
       return FactorGroup::rate;
-    case Opcode::acceleration:
+    case LeafKind::acceleration:
       return FactorGroup::acceleration;
-    case Opcode::input:
+    case LeafKind::input:
       return FactorGroup::input;
-    case Opcode::multiplier:
+    case LeafKind::multiplier:
       return FactorGroup::multiplier;
-    case Opcode::open_value:
+    case LeafKind::open_value:
       return FactorGroup::function;
-    default:
-      return FactorGroup::coordinate;
+    case LeafKind::coordinate:
+    case LeafKind::time:
+    case LeafKind::step:
+    case LeafKind::energy:
+      break;
   }
+  return FactorGroup::coordinate;
 }
 
 bool is_same(const BookFactor& x, const BookFactor& y);

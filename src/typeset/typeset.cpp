@@ -3,6 +3,7 @@
 #include "elgen/typeset.hpp"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "lower/graph/prune.hpp"
@@ -53,20 +54,8 @@ const Fraction& readable_form(const std::optional<Fraction>& form) {
 
 /// Sums of forces are read like an equation: nothing stands in front of them.
 bool is_sum_of_forces(OutputKind kind) {
-  switch (kind) {
-    case OutputKind::velocity_force:
-    case OutputKind::gravity:
-    case OutputKind::drift:
-    case OutputKind::dissipation:
-    case OutputKind::applied_force:
-    case OutputKind::bias:
-    case OutputKind::inverse_dynamics:
-    case OutputKind::momentum:
-    case OutputKind::position_gradient:
-      return true;
-    default:
-      return false;
-  }
+  const std::span<const FieldRow> fields = output_row(kind).fields;
+  return fields.size() == 1 && fields.front().type == "Forces<Scalar>";
 }
 
 /// Longer accelerations are no easier to read than the rows themselves.

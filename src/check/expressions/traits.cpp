@@ -110,24 +110,28 @@ class TraitFinder {
   }
 
   [[nodiscard]] static Traits of_leaf(Opcode kind) {
-    switch (kind) {
-      case Opcode::time:
+    switch (leaf_kind(kind)) {
+      case LeafKind::time:
         return leaf(uses_time);
-      case Opcode::coordinate:
+      case LeafKind::coordinate:
         return leaf(uses_coordinate);
-      case Opcode::velocity:
+      case LeafKind::velocity:
         return {uses_rate, 1, 1, 0, false};
-      case Opcode::acceleration:
+      case LeafKind::acceleration:
         return leaf(uses_acceleration);
-      case Opcode::input:
+      case LeafKind::input:
         return {uses_input, 0, 0, 1, false};
-      case Opcode::momentum:
+      case LeafKind::momentum:
         return leaf(uses_momentum);
-      case Opcode::energy:
+      case LeafKind::energy:
         return leaf(uses_energy);
-      default:
-        return leaf(uses_parameter);
+      case LeafKind::parameter:
+      case LeafKind::open_value:
+      case LeafKind::multiplier:
+      case LeafKind::step:
+        break;
     }
+    return leaf(uses_parameter);
   }
 
   [[nodiscard]] Traits of_open_value(const Expression& node) const {

@@ -104,26 +104,29 @@ class UnitInference {
   }
 
   [[nodiscard]] InferredUnit of_leaf(const Expression& node) const {
-    switch (node.leaf) {
-      case Opcode::time:
+    switch (leaf_kind(node.leaf)) {
+      case LeafKind::time:
         return known(*find_unit("s"));
-      case Opcode::coordinate:
+      case LeafKind::coordinate:
         return declared(model_.coordinates[node.index].unit);
-      case Opcode::velocity:
+      case LeafKind::velocity:
         return declared(model_.velocities[node.index].unit);
-      case Opcode::acceleration:
+      case LeafKind::acceleration:
         return rate(declared(model_.velocities[node.index].unit));
-      case Opcode::momentum:
+      case LeafKind::momentum:
         return quotient(known(*find_unit("J")), declared(model_.velocities[node.index].unit));
-      case Opcode::energy:
+      case LeafKind::energy:
         return known(*find_unit("J"));
-      case Opcode::input:
+      case LeafKind::input:
         return declared(model_.inputs[node.index].unit);
-      case Opcode::open_value:
+      case LeafKind::open_value:
         return of_open_value(model_.open_values[node.index]);
-      default:
-        return declared(model_.parameters[node.index].unit);
+      case LeafKind::parameter:
+      case LeafKind::multiplier:
+      case LeafKind::step:
+        break;
     }
+    return declared(model_.parameters[node.index].unit);
   }
 
   /// [f]/([x_i] [x_j])

@@ -44,20 +44,21 @@ std::optional<UnitDeclaration> variable_declaration(const Model& model, const Ex
                                  : std::optional(declared_here(row.name, row.unit_text, row.span));
   };
   if (node.kind != ExpressionKind::leaf) return std::nullopt;
-  switch (node.leaf) {
-    case Opcode::coordinate:
+  switch (leaf_row(node.leaf).of) {
+    case LeafOwner::coordinates:
       return of(model.coordinates[node.index]);
-    case Opcode::velocity:
-    case Opcode::momentum:
-    case Opcode::acceleration:
+    case LeafOwner::velocities:
       return of(model.coordinates[model.velocities[node.index].coordinate]);
-    case Opcode::input:
+    case LeafOwner::inputs:
       return of(model.inputs[node.index]);
-    case Opcode::open_value:
+    case LeafOwner::open_values:
       return of(model.functions[model.open_values[node.index].function]);
-    default:
-      return std::nullopt;
+    case LeafOwner::parameters:
+    case LeafOwner::constraints:
+    case LeafOwner::system:
+      break;
   }
+  return std::nullopt;
 }
 
 }  // namespace

@@ -71,19 +71,12 @@ StateFunction::Rated StateFunction::value_of(const Expression& node, ExpressionI
 
 StateFunction::Rated StateFunction::leaf(const Expression& node) const {
   if (node.kind == ExpressionKind::pi) return {std::numbers::pi, 0};
-  switch (node.leaf) {
-    case Opcode::time:
-      return {t_, 1};
-    case Opcode::coordinate:
-      return coordinate(node.index);
-    case Opcode::velocity:
-      return {v_[node.index], others_.a[node.index]};
-    default: {
-      const bool is_constant = leaf_row(node.leaf).of == LeafOwner::parameters;
-      return {leaf_of(others_, node.leaf, node.index),
-              is_constant ? 0 : std::numeric_limits<double>::quiet_NaN()};
-    }
-  }
+  if (node.leaf == Opcode::time) return {t_, 1};
+  if (node.leaf == Opcode::coordinate) return coordinate(node.index);
+  if (node.leaf == Opcode::velocity) return {v_[node.index], others_.a[node.index]};
+  const bool is_constant = leaf_row(node.leaf).of == LeafOwner::parameters;
+  return {leaf_of(others_, node.leaf, node.index),
+          is_constant ? 0 : std::numeric_limits<double>::quiet_NaN()};
 }
 
 /// de/dt = 1/2 e w of a quaternion.
