@@ -43,7 +43,7 @@ class Real {
 [[nodiscard]] Real sqrt(const Real& x);
 #define ELGEN_REAL_1(name) [[nodiscard]] Real name(const Real& x);
 #define ELGEN_REAL_2(name) [[nodiscard]] Real name(const Real& x, const Real& y);
-#define ELGEN_FUNCTION(name, arity, use, parity, smoothness, first, second) ELGEN_REAL_##arity(name)
+#define ELGEN_FUNCTION(name, arity) ELGEN_REAL_##arity(name)
 #include "elgen/functions.def"
 #undef ELGEN_FUNCTION
 #undef ELGEN_REAL_2
@@ -108,8 +108,8 @@ template <class Scalar>
   switch (function) {
 #define ELGEN_CALL_1(name) name(x)
 #define ELGEN_CALL_2(name) name(x, y)
-#define ELGEN_FUNCTION(name, arity, use, parity, smoothness, first, second) \
-  case FunctionId::name:                                                    \
+#define ELGEN_FUNCTION(name, arity) \
+  case FunctionId::name:            \
     return ELGEN_CALL_##arity(name);
 #include "elgen/functions.def"
 #undef ELGEN_FUNCTION

@@ -1,15 +1,16 @@
-// The function table of the model language (functions.def), as an enumeration with its laws.
+// The functions of the model language (functions.def), and the table of their laws.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string_view>
 
 namespace elgen {
 
 enum class FunctionId : std::uint8_t {
-#define ELGEN_FUNCTION(name, arity, use, parity, smoothness, first, second) name,
+#define ELGEN_FUNCTION(name, arity) name,
 #include "elgen/functions.def"
 #undef ELGEN_FUNCTION
 };
@@ -18,32 +19,44 @@ enum class FunctionUse : std::uint8_t { anywhere, forces };
 
 enum class Parity : std::uint8_t { none, even, odd };
 
-/// See functions.def.
+/// See src/base/functions.cpp, as for the other laws.
 enum class Smoothness : std::uint8_t { everywhere, positive, poles, real, half_plane, branches };
 
+enum class FunctionDomain : std::uint8_t { all, up_to_one, above_zero, above_minus_one };
+
+enum class FunctionUnits : std::uint8_t { pure, kept, shared, ratio, ignored };
+
+/// The limits far to the left and to the right, which may be infinite.
+struct FarValues {
+  double left;
+  double right;
+};
+
 struct FunctionRow {
-  FunctionId id;
-  std::string_view name;
-  std::size_t arity;
   FunctionUse use;
   Parity parity;
   Smoothness smoothness;
+  FunctionDomain domain;
+  FunctionUnits units;
+  std::uint32_t roundings;    ///< of a value, in u
+  std::string_view own_name;  ///< "sign_of": in emitted code, which defines it itself
+  std::string_view latex;     ///< "\\sin"
+  int exact_at;
+  int exact_value;
+  std::optional<FarValues> far_values;
+  FunctionId id = {};
+  std::string_view name = {};
+  std::size_t arity = 0;
 };
 
-inline constexpr std::array function_table{
-#define ELGEN_FUNCTION(name, arity, use, parity, smoothness, first, second) \
-  FunctionRow{FunctionId::name, #name,          arity,                      \
-              FunctionUse::use, Parity::parity, Smoothness::smoothness},
-#include "elgen/functions.def"
-#undef ELGEN_FUNCTION
-};
+[[nodiscard]] std::span<const FunctionRow> function_table();
+[[nodiscard]] const FunctionRow& function_row(FunctionId id);
 
-[[nodiscard]] constexpr const FunctionRow& function_row(FunctionId id) {
-  return function_table[static_cast<std::size_t>(id)];
-}
+/// Null where no function has that name.
+[[nodiscard]] const FunctionRow* find_function(std::string_view name);
 
 /// Whether it has no derivative somewhere, so that forces alone may call it.
-[[nodiscard]] constexpr bool is_kinked(FunctionId id) {
+[[nodiscard]] inline bool is_kinked(FunctionId id) {
   return function_row(id).use == FunctionUse::forces;
 }
 
@@ -55,14 +68,6 @@ inline constexpr std::array function_table{
 /// The name of stumpff(x, k) where k has one of its own.
 [[nodiscard]] constexpr std::string_view name_of_order(std::string_view k) {
   return k == "1" ? "sinc" : k == "2" ? "cosc" : "";
-}
-
-/// Null where no function has that name.
-[[nodiscard]] constexpr const FunctionRow* find_function(std::string_view name) {
-  for (const FunctionRow& row : function_table) {
-    if (row.name == name) return &row;
-  }
-  return nullptr;
 }
 
 }  // namespace elgen

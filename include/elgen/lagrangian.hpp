@@ -260,7 +260,7 @@ DECLARE_FUNCTION_7P(elgen_open)
 /// The number of the leaf that an elgen_open is; none beyond second derivatives.
 [[nodiscard]] std::optional<std::uint32_t> open_leaf(const GiNaC::ex& value);
 
-/// The functions that GiNaC has not, with the derivatives of functions.def; those with kinks have
+/// The functions that GiNaC has not, with the derivatives of the table; those with kinks have
 /// none.
 DECLARE_FUNCTION_1P(elgen_log1p)
 DECLARE_FUNCTION_1P(elgen_expm1)

@@ -323,41 +323,18 @@ cl_R function_value(FunctionId function, const cl_F& x, const cl_F& y) {
 }
 
 std::optional<cl_RA> known_value(FunctionId function, const cl_RA& x, const cl_RA& y) {
+  const FunctionRow& row = function_row(function);
   const auto at = [&x](const cl_RA& place, const cl_RA& value) {
     return x == place ? std::optional<cl_RA>(value) : std::nullopt;
   };
-  switch (function) {
-    case FunctionId::cos:
-    case FunctionId::cosh:
-    case FunctionId::exp:
-      return at(0, 1);
-    case FunctionId::log:
-    case FunctionId::acos:
-      return at(1, 0);
-    case FunctionId::atan2:
-      return cln::plusp(y) ? at(0, 0) : std::nullopt;
-    case FunctionId::hypot: {
-      cl_RA root;
-      return cln::sqrtp(x * x + y * y, &root) ? std::optional(root) : std::nullopt;
-    }
-    case FunctionId::stumpff:
-      return at(0, cln::recip(cl_RA(cln::factorial(static_cast<unsigned>(whole_number(y))))));
-    case FunctionId::min:
-    case FunctionId::max:
-      return std::nullopt;
-    case FunctionId::sin:
-    case FunctionId::tan:
-    case FunctionId::asin:
-    case FunctionId::atan:
-    case FunctionId::sinh:
-    case FunctionId::tanh:
-    case FunctionId::log1p:
-    case FunctionId::expm1:
-    case FunctionId::abs:
-    case FunctionId::sign:
-      break;
+  if (row.arity == 1) return at(row.exact_at, row.exact_value);
+  if (function == FunctionId::atan2 && cln::plusp(y)) return at(0, 0);
+  if (function == FunctionId::stumpff) {
+    return at(0, cln::recip(cl_RA(cln::factorial(static_cast<unsigned>(whole_number(y))))));
   }
-  return at(0, 0);
+  cl_RA root;
+  const bool is_root = function == FunctionId::hypot && cln::sqrtp(x * x + y * y, &root);
+  return is_root ? std::optional(root) : std::nullopt;
 }
 
 }  // namespace elgen

@@ -12,28 +12,6 @@
 namespace elgen {
 namespace {
 
-/// The LaTeX command of a function: `\name`, unless LaTeX spells it differently. \operatorname is
-/// not known wherever formulas are shown.
-std::string latex_head(FunctionId function) {
-  switch (function) {
-    case FunctionId::asin:
-      return "\\arcsin";
-    case FunctionId::acos:
-      return "\\arccos";
-    case FunctionId::atan:
-      return "\\arctan";
-    case FunctionId::atan2:
-    case FunctionId::stumpff:
-      return fmt::format("\\mathrm{{{}}}", function_row(function).name);
-    case FunctionId::log:
-      return "\\ln";
-    case FunctionId::sign:
-      return "\\mathrm{sgn}";
-    default:
-      return fmt::format("\\{}", function_row(function).name);
-  }
-}
-
 /// Brackets grow with what is taller than a line.
 std::string in_brackets(const Spelling& spelling, const std::string& text) {
   const bool is_tall = spelling.is_two_dimensional && (text.find("\\frac") != std::string::npos ||
@@ -201,7 +179,7 @@ Formula call(const Spelling& spelling, FunctionId function, const std::vector<Fo
   const bool is_fraction = first.binding == Binding::power && list.starts_with("\\frac");
   const bool is_command = function != FunctionId::sign;
   const bool stands_free = is_command && arguments.size() == 1 && (is_alone || is_fraction);
-  return {latex_head(function), Binding::power,
+  return {std::string(function_row(function).latex), Binding::power,
           stands_free ? " " + list : in_brackets(spelling, list)};
 }
 

@@ -177,7 +177,7 @@ std::vector<std::string> known_names() {
   for (const OutputRow& output : output_table()) {
     if (!output.of_user) names.emplace_back(output.name);
   }
-  for (const FunctionRow& function : function_table) names.emplace_back(function.name);
+  for (const FunctionRow& function : function_table()) names.emplace_back(function.name);
   for (const WordRow& word : word_table) names.emplace_back(word.name);
   return names;
 }

@@ -2,6 +2,7 @@
 #include "evaluate/bounded.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -79,57 +80,12 @@ Real argument_part(FunctionId function, const Bound& x, const Bound& y, bool in_
 /// threshold.
 std::optional<Real> limit_value(FunctionId function, const Real& x, const Rounding& rounding) {
   static const Real far(cln::cl_R(1 << 20));
-  if (!is_less(far, abs(x))) return std::nullopt;
+  const std::optional<FarValues>& limits = function_row(function).far_values;
+  if (!limits || !is_less(far, abs(x))) return std::nullopt;
+  const double limit = cln::plusp(x.value()) ? limits->right : limits->left;
+  if (std::isfinite(limit)) return Real(static_cast<int>(limit));
   const Real infinite = rounding.largest * Real(32);
-  switch (function) {
-    case FunctionId::exp:
-      return cln::plusp(x.value()) ? infinite : Real();
-    case FunctionId::expm1:
-      return cln::plusp(x.value()) ? infinite : Real(-1);
-    case FunctionId::sinh:
-      return sign(x) * infinite;
-    case FunctionId::cosh:
-      return infinite;
-    case FunctionId::tanh:
-      return sign(x);
-    case FunctionId::sin:
-    case FunctionId::cos:
-    case FunctionId::tan:
-    case FunctionId::asin:
-    case FunctionId::acos:
-    case FunctionId::atan:
-    case FunctionId::atan2:
-    case FunctionId::log:
-    case FunctionId::log1p:
-    case FunctionId::hypot:
-    case FunctionId::stumpff:
-    case FunctionId::abs:
-    case FunctionId::sign:
-    case FunctionId::min:
-    case FunctionId::max:
-      break;
-  }
-  return std::nullopt;
-}
-
-/// Errors of u in a value of the mathematical library. The manual of glibc 2.36 lists 2 ulp, which
-/// are 4 u, for the hyperbolic functions, and 1 ulp for log1p, expm1 and hypot; the others are off
-/// by 0.6 ulp in its tests. Of stumpff 8 u were seen at k = 44, 4 u up to k = 20.
-std::uint32_t roundings_of(FunctionId function) {
-  switch (function) {
-    case FunctionId::sinh:
-    case FunctionId::cosh:
-    case FunctionId::tanh:
-      return 4;
-    case FunctionId::log1p:
-    case FunctionId::expm1:
-    case FunctionId::hypot:
-      return 2;
-    case FunctionId::stumpff:
-      return 8;
-    default:
-      return 1;
-  }
+  return limit < 0 ? -infinite : infinite;
 }
 
 /// abs, min and max pass an operand on; sign is 1 in magnitude.
@@ -238,7 +194,7 @@ Bound BoundRules::call(FunctionId function, const Bound& x, const Bound& slot) c
   Real bound = abs(value) + argument_part(function, x, y, true, rounding);
   if (is_binary) bound = bound + argument_part(function, x, y, false, rounding);
   Bound result = inherit(computed(value, bound, rounding), x, y);
-  result.roundings = std::max(result.roundings, roundings_of(function));
+  result.roundings = std::max(result.roundings, function_row(function).roundings);
   return result;
 }
 

@@ -81,10 +81,9 @@ template <class Base>
     [[maybe_unused]] const Base one = ScalarTraits<Base>::from_real(1);            \
     return {f, (first)*left.slope + (second)*right.slope};                         \
   }
-#define ELGEN_FUNCTION(name, arity, use, parity, smoothness, first, second) \
-  ELGEN_DUAL_##arity(name, first, second)
-#include "elgen/functions.def"
-#undef ELGEN_FUNCTION
+#define ELGEN_DERIVATIVES(name, arity, first, second) ELGEN_DUAL_##arity(name, first, second)
+#include "base/function_derivatives.def"
+#undef ELGEN_DERIVATIVES
 #undef ELGEN_DUAL_2
 #undef ELGEN_DUAL_1
 #undef ELGEN_OF_FLOATS

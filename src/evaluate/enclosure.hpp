@@ -46,8 +46,7 @@ struct Enclosure {
 #define ELGEN_ENCLOSURE_1(name) [[nodiscard]] Enclosure name(const Enclosure& x);
 #define ELGEN_ENCLOSURE_2(name) \
   [[nodiscard]] Enclosure name(const Enclosure& x, const Enclosure& y);
-#define ELGEN_FUNCTION(name, arity, use, parity, smoothness, first, second) \
-  ELGEN_ENCLOSURE_##arity(name)
+#define ELGEN_FUNCTION(name, arity) ELGEN_ENCLOSURE_##arity(name)
 #include "elgen/functions.def"
 #undef ELGEN_FUNCTION
 #undef ELGEN_ENCLOSURE_2

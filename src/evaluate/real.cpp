@@ -42,35 +42,24 @@ cln::cl_F lengthened(const Real& x) {
 /// The largest exponent of an angle that is reduced: beyond the range of every built-in float.
 constexpr std::int64_t maximal_angle_exponent = 20'000;
 
+bool is_periodic(FunctionId function) {
+  return is_circular(function) || function == FunctionId::tan || function == FunctionId::stumpff;
+}
+
 bool in_domain(FunctionId function, const cln::cl_F& x) {
   constexpr std::int64_t maximal_exponent = 30;  // beyond, CLN's overflow without a word
-  switch (function) {
-    case FunctionId::sin:
-    case FunctionId::cos:
-    case FunctionId::tan:
-    case FunctionId::stumpff:
-      return cln::float_exponent(x) < maximal_angle_exponent;
-    case FunctionId::sinh:
-    case FunctionId::cosh:
-    case FunctionId::tanh:
-    case FunctionId::exp:
-    case FunctionId::expm1:
-      return cln::float_exponent(x) < maximal_exponent;
-    case FunctionId::asin:
-    case FunctionId::acos:
-      return cln::abs(x) <= cln::cl_R(1);
-    case FunctionId::log:
-      return cln::plusp(x);
-    case FunctionId::log1p:
-      return x > cln::cl_R(-1);
-    case FunctionId::atan:
-    case FunctionId::atan2:
-    case FunctionId::hypot:
-    case FunctionId::abs:
-    case FunctionId::sign:
-    case FunctionId::min:
-    case FunctionId::max:
+  const FunctionRow& row = function_row(function);
+  if (is_periodic(function)) return cln::float_exponent(x) < maximal_angle_exponent;
+  if (row.far_values) return cln::float_exponent(x) < maximal_exponent;
+  switch (row.domain) {
+    case FunctionDomain::all:
       break;
+    case FunctionDomain::up_to_one:
+      return cln::abs(x) <= cln::cl_R(1);
+    case FunctionDomain::above_zero:
+      return cln::plusp(x);
+    case FunctionDomain::above_minus_one:
+      return x > cln::cl_R(-1);
   }
   return true;
 }
@@ -79,10 +68,8 @@ Real called(FunctionId function, const Real& x, const Real& y) {
   if (!both(x, y)) return Real::undefined();
   const bool is_origin = cln::zerop(number(x)) && cln::zerop(number(y));
   if (function == FunctionId::atan2 && is_origin) return Real();  // as the C library has it
-  const bool is_periodic =
-      is_circular(function) || function == FunctionId::tan || function == FunctionId::stumpff;
   return guarded(in_domain(function, number(x)), [&] {
-    return function_value(function, is_periodic ? lengthened(x) : number(x), number(y));
+    return function_value(function, is_periodic(function) ? lengthened(x) : number(x), number(y));
   });
 }
 
@@ -119,7 +106,7 @@ Real sqrt(const Real& x) {
   Real name(const Real& x) { return called(FunctionId::name, x, x); }
 #define ELGEN_REAL_2(name) \
   Real name(const Real& x, const Real& y) { return called(FunctionId::name, x, y); }
-#define ELGEN_FUNCTION(name, arity, use, parity, smoothness, first, second) ELGEN_REAL_##arity(name)
+#define ELGEN_FUNCTION(name, arity) ELGEN_REAL_##arity(name)
 #include "elgen/functions.def"
 #undef ELGEN_FUNCTION
 #undef ELGEN_REAL_2

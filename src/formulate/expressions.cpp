@@ -40,8 +40,8 @@ ex call(FunctionId function, const ex& x, const ex& y) {
   switch (function) {
 #define ELGEN_CALL_1(name) name(x)
 #define ELGEN_CALL_2(name) name(x, y)
-#define ELGEN_FUNCTION(name, arity, use, parity, smoothness, first, second) \
-  case FunctionId::name:                                                    \
+#define ELGEN_FUNCTION(name, arity) \
+  case FunctionId::name:            \
     return ELGEN_CALL_##arity(name);
 #include "elgen/functions.def"
 #undef ELGEN_FUNCTION
@@ -59,11 +59,11 @@ ex slope(FunctionId function, const ex& x, const ex& y, unsigned argument) {
   const ex f = call(function, x, y);
   const ex one = 1;
   switch (function) {
-#define ELGEN_FUNCTION(name, arity, use, parity, smoothness, first, second) \
-  case FunctionId::name:                                                    \
+#define ELGEN_DERIVATIVES(name, arity, first, second) \
+  case FunctionId::name:                              \
     return argument == 0 ? ex(first) : ex(second);
-#include "elgen/functions.def"
-#undef ELGEN_FUNCTION
+#include "base/function_derivatives.def"
+#undef ELGEN_DERIVATIVES
   }
   return 0;
 }

@@ -135,26 +135,11 @@ std::vector<DeclaredArray> declared_arrays(const Model& model) {
   return list;
 }
 
-std::string_view own_name(FunctionId function) {
-  switch (function) {
-    case FunctionId::sign:
-      return "sign_of";
-    case FunctionId::min:
-      return "smaller";
-    case FunctionId::max:
-      return "larger";
-    case FunctionId::stumpff:
-      return "stumpff";
-    default:
-      return {};
-  }
-}
-
 bool needs_order(const Function& function) {
-  return std::any_of(function.instructions.begin(), function.instructions.end(),
-                     [](const Instruction& i) {
-                       return i.opcode == Opcode::call && !own_name(i.function).empty();
-                     });
+  return std::any_of(
+      function.instructions.begin(), function.instructions.end(), [](const Instruction& i) {
+        return i.opcode == Opcode::call && !function_row(i.function).own_name.empty();
+      });
 }
 
 bool calls(const Program& program, FunctionId function) {
@@ -165,8 +150,8 @@ bool calls(const Program& program, FunctionId function) {
 
 std::vector<std::string_view> library_calls(const Program& program, std::size_t arity) {
   std::vector<std::string_view> names;
-  for (const FunctionRow& row : function_table) {
-    const bool is_own = is_circular(row.id) || !own_name(row.id).empty() || row.arity != arity;
+  for (const FunctionRow& row : function_table()) {
+    const bool is_own = is_circular(row.id) || !row.own_name.empty() || row.arity != arity;
     if (!is_own && calls(program, row.id)) names.push_back(row.name);
   }
   const auto is_root = [](const Instruction& i) { return i.opcode == Opcode::square_root; };

@@ -43,10 +43,6 @@ struct DeclaredArray {
 /// Where nothing rotates, velocities are called as their coordinates.
 [[nodiscard]] std::vector<DeclaredArray> declared_arrays(const Model& model);
 
-/// "sign_of", "smaller", "larger", "stumpff": what the code has of its own; empty for what
-/// libraries have.
-[[nodiscard]] std::string_view own_name(FunctionId function);
-
 /// Whether the instruction is the sine of an angle whose cosine comes next: one call computes both,
 /// where the language has it.
 [[nodiscard]] bool is_sine_with_cosine(const Function& function, std::size_t at);

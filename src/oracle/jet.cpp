@@ -1,5 +1,5 @@
 // Jets: sums merge terms, products multiply terms of disjoint generators, quotients go by the chain
-// rule, and so do functions: their derivatives are those of functions.def and nothing else.
+// rule, and so do functions: their derivatives are those of the table and nothing else.
 #include "oracle/jet.hpp"
 
 #include <cln/integer.h>
@@ -207,11 +207,11 @@ JetFunctions::Gradient JetFunctions::gradient(FunctionId function, const Jet& x,
   };
   const auto sqrt = [this](const Jet& z) { return power(z, cl_RA(1) / 2); };
   switch (function) {
-#define ELGEN_FUNCTION(name, arity, use, parity, smoothness, first, second) \
-  case FunctionId::name:                                                    \
+#define ELGEN_DERIVATIVES(name, arity, first, second) \
+  case FunctionId::name:                              \
     return {first, second};
-#include "elgen/functions.def"
-#undef ELGEN_FUNCTION
+#include "base/function_derivatives.def"
+#undef ELGEN_DERIVATIVES
   }
   throw OutsideDomain("function without a derivative");
 }

@@ -10,7 +10,7 @@
 // reaches 256 vanishes. With grade 64 for s, s^3 is the last power, and the coefficients of 1, s,
 // s^2, s^3 in f(x + y s) are those of Taylor's formula.
 //
-// Functions of jets, by the chain rule from the derivatives in functions.def:
+// Functions of jets, by the chain rule from the table of derivatives:
 //
 //     f(x0 + x1 e, y0 + y1 e) = f(x0, y0) + (f_x x1 + f_y y1) e
 //

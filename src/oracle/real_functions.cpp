@@ -135,37 +135,6 @@ cl_R stumpff_sum(const cl_R& x, const cl_R& order) {
   }
 }
 
-/// Values at an exact 0 that are exact themselves.
-cl_R value_at_zero(FunctionId function, const cl_R& zero) {
-  switch (function) {
-    case FunctionId::cos:
-    case FunctionId::cosh:
-    case FunctionId::exp:
-      return 1;
-    case FunctionId::acos:
-      return real_pi() / 2;
-    case FunctionId::log:
-      return logarithm(zero);
-    case FunctionId::sin:
-    case FunctionId::tan:
-    case FunctionId::asin:
-    case FunctionId::atan:
-    case FunctionId::atan2:
-    case FunctionId::sinh:
-    case FunctionId::tanh:
-    case FunctionId::log1p:
-    case FunctionId::expm1:
-    case FunctionId::hypot:
-    case FunctionId::stumpff:
-    case FunctionId::abs:
-    case FunctionId::sign:
-    case FunctionId::min:
-    case FunctionId::max:
-      break;
-  }
-  return 0;
-}
-
 /// Every function but sin and cos.
 cl_R computed(FunctionId function, const cl_R& x, const cl_R& y) {
   switch (function) {
@@ -247,8 +216,11 @@ cl_R real_power(const cl_R& x, const cl_RA& exponent) {
 }
 
 cl_R RealFunctions::value(FunctionId function, const cl_R& x, const cl_R& y) {
-  const bool exact_zero = is_rational(x) && cln::zerop(x);
-  if (exact_zero && function_row(function).arity == 1) return value_at_zero(function, x);
+  const FunctionRow& row = function_row(function);
+  if (row.arity == 1 && is_rational(x) && cln::zerop(x)) {
+    if (row.exact_at == 0) return row.exact_value;
+    if (function == FunctionId::acos) return real_pi() / 2;
+  }
   const auto entry = known_.find(Call{function, x, y});
   return entry != known_.end() ? entry->second : remembered(function, x, y);
 }

@@ -12,7 +12,7 @@ using cln::cl_RA;
 
 namespace {
 
-/// An operand that carries its arithmetic, so that the laws of functions.def can be written over it
+/// An operand that carries its arithmetic, so that derivatives of functions can be written over it
 /// as they are over numbers.
 struct ArithmeticValue {
   Arithmetic* arithmetic;
@@ -59,11 +59,11 @@ std::vector<ArithmeticValue> slopes(FunctionId function, const ArithmeticValue& 
                                     const ArithmeticValue& y, const ArithmeticValue& f) {
   const ArithmeticValue one{f.arithmetic, fraction_of(cl_RA(1))};
   switch (function) {
-#define ELGEN_FUNCTION(name, arity, use, parity, smoothness, first, second) \
-  case FunctionId::name:                                                    \
+#define ELGEN_DERIVATIVES(name, arity, first, second) \
+  case FunctionId::name:                              \
     return {first, second};
-#include "elgen/functions.def"
-#undef ELGEN_FUNCTION
+#include "base/function_derivatives.def"
+#undef ELGEN_DERIVATIVES
   }
   return {};
 }

@@ -48,7 +48,7 @@ constexpr int points_in_box = 6;
 
 TEST_CASE("enclosures of all functions hold the values inside of their boxes") {
   Random random(7);
-  for (const FunctionRow& row : function_table) {
+  for (const FunctionRow& row : function_table()) {
     INFO(row.name);
     int defined = 0;
     for (int i = 0; i < boxes; ++i) {

@@ -120,10 +120,10 @@ TEST_CASE("sign, min, max and Stumpff's functions are the code's own, and compar
   CHECK_FALSE(needs_order(program.functions[0]));
   program.functions[0].instructions = {{Opcode::call, FunctionId::sign, 0, 0}};
   CHECK(needs_order(program.functions[0]));
-  CHECK(own_name(FunctionId::sign) == "sign_of");
-  CHECK(own_name(FunctionId::min) == "smaller");
-  CHECK(own_name(FunctionId::max) == "larger");
-  CHECK(own_name(FunctionId::stumpff) == "stumpff");
+  CHECK(function_row(FunctionId::sign).own_name == "sign_of");
+  CHECK(function_row(FunctionId::min).own_name == "smaller");
+  CHECK(function_row(FunctionId::max).own_name == "larger");
+  CHECK(function_row(FunctionId::stumpff).own_name == "stumpff");
 }
 
 TEST_CASE("forward dynamics gives pivots") {

@@ -312,7 +312,7 @@ class ModelBuilder {
     if (word == "sqrt") return power_of(arguments[0], exact("1/2"));
     if (word == "ddt") return node(ExpressionKind::time_derivative, arguments);
     const ExpressionId id = node(ExpressionKind::function, arguments);
-    for (const FunctionRow& row : function_table) {
+    for (const FunctionRow& row : function_table()) {
       if (row.name == word) model.expressions[id].function = row.id;
     }
     return id;

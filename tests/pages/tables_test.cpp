@@ -73,7 +73,7 @@ TEST_CASE("the page of the language has every entry of models and of scenes") {
 }
 
 TEST_CASE("the page of the language names every function, unit and output") {
-  for (const FunctionRow& row : function_table) {
+  for (const FunctionRow& row : function_table()) {
     INFO(row.name);
     CHECK(mentions(language(), "`" + std::string(row.name) + "`"));
   }

@@ -214,20 +214,19 @@ class UnitInference {
   }
 
   InferredUnit of_call(const Expression& node) {
-    switch (node.function) {
-      case FunctionId::abs:
+    switch (function_row(node.function).units) {
+      case FunctionUnits::kept:
         return units_[node.operands[0]];
-      case FunctionId::min:
-      case FunctionId::max:
-      case FunctionId::hypot:
+      case FunctionUnits::shared:
         return common(node, "the other argument");
-      case FunctionId::atan2:
+      case FunctionUnits::ratio:
         return ratio(common(node, "the other argument"));
-      case FunctionId::sign:
+      case FunctionUnits::ignored:
         return ratio(units_[node.operands[0]]);
-      default:
-        return pure(node);
+      case FunctionUnits::pure:
+        break;
     }
+    return pure(node);
   }
 
   InferredUnit pure(const Expression& node) {

@@ -144,7 +144,7 @@ bool is_macro(std::string_view name) {
 
 const std::vector<std::string>& function_names() {
   static const std::vector<std::string> all{
-#define ELGEN_FUNCTION(name, arity, use, parity, smoothness, first, second) #name,
+#define ELGEN_FUNCTION(name, arity) #name,
 #include "elgen/functions.def"
 #undef ELGEN_FUNCTION
 #define ELGEN_EXPANDED(name, rule) #name,

@@ -35,7 +35,8 @@ std::vector<std::string> local_names(const Dialect& dialect, const Program& prog
 void use(const Instruction& instruction, UsedNames& used) {
   if (is_leaf(instruction.opcode)) used.variables.insert(leaf_row(instruction.opcode).symbol);
   if (instruction.opcode == Opcode::square_root) used.functions.insert("sqrt");
-  if (instruction.opcode != Opcode::call || !own_name(instruction.function).empty()) return;
+  if (instruction.opcode != Opcode::call || !function_row(instruction.function).own_name.empty())
+    return;
   used.functions.insert(function_row(instruction.function).name);
 }
 

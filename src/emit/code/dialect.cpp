@@ -28,7 +28,7 @@ Formula Dialect::square_root(const Formula& radicand) const {
 }
 
 Formula Dialect::call(FunctionId function, const std::vector<Formula>& arguments) const {
-  const std::string_view own = own_name(function);
+  const std::string_view own = function_row(function).own_name;
   return called(own.empty() ? library_function(function_row(function).name) : own_function(own),
                 arguments);
 }

@@ -40,7 +40,7 @@ class Naming {
     for (const LeafRow& row : leaf_table) {
       if (is_passed(program.leaves, row.id)) taken_.emplace(row.symbol);
     }
-    for (const FunctionRow& row : function_table) taken_.emplace(row.name);
+    for (const FunctionRow& row : function_table()) taken_.emplace(row.name);
     for_each_leaf([this](Opcode, std::uint32_t,
                          const std::string& leaf) { taken_.insert(identifier_of(leaf)); },
                   program.leaves);
