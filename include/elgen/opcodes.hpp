@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 namespace elgen {
@@ -42,32 +44,6 @@ enum class LeafOwner : std::uint8_t {
   inputs
 };
 
-/// A kind of leaf.
-struct LeafRow {
-  Opcode id;
-  std::string_view member;  ///< "parameters": of PerLeaf
-  LeafOwner of;
-  std::string_view symbol;      ///< "q"
-  std::string_view type;        ///< "Coordinates<Scalar>"
-  int rank;                     ///< of a factor, among those of a product
-  std::string_view text;        ///< "dot({})", of the owner's name
-  std::string_view identifier;  ///< "{}_dot"
-  std::string_view latex;       ///< "\\dot{{{}}}{}", of the base and the scripts of its symbol
-  std::string_view own_latex;   ///< of those of a velocity that has a symbol of its own
-};
-
-/// leaves.def
-inline constexpr std::array leaf_table{
-#define ELGEN_LEAVES(kind, member, of, symbol, type, tag, ...) \
-  LeafRow{Opcode::kind, #member, LeafOwner::of, symbol, type, __VA_ARGS__},
-#include "elgen/leaves.def"
-#undef ELGEN_LEAVES
-};
-
-[[nodiscard]] constexpr bool is_leaf(Opcode opcode) {
-  return opcode >= leaf_table.front().id && opcode <= leaf_table.back().id;
-}
-
 /// The leaves alone, for switches over them.
 enum class LeafKind : std::uint8_t {
 #define ELGEN_LEAVES(kind, ...) kind,
@@ -77,23 +53,37 @@ enum class LeafKind : std::uint8_t {
 
 /// None of the enumerators where the operation is no leaf.
 [[nodiscard]] constexpr LeafKind leaf_kind(Opcode opcode) {
-  return static_cast<LeafKind>(static_cast<int>(opcode) - static_cast<int>(leaf_table.front().id));
+  return static_cast<LeafKind>(static_cast<int>(opcode) - static_cast<int>(Opcode::constant) - 1);
 }
 
-/// Of a leaf.
-[[nodiscard]] constexpr const LeafRow& leaf_row(Opcode leaf) {
-  return leaf_table[static_cast<std::size_t>(leaf) -
-                    static_cast<std::size_t>(leaf_table.front().id)];
+/// Leaves stand between these, see opcodes.def.
+[[nodiscard]] constexpr bool is_leaf(Opcode opcode) {
+  return opcode > Opcode::constant && opcode < Opcode::negate;
 }
+
+/// A kind of leaf.
+struct LeafRow {
+  std::string_view symbol;      ///< "q"
+  std::string_view type;        ///< "Coordinates<Scalar>"
+  int rank;                     ///< of a factor, among those of a product
+  std::string_view text;        ///< "dot({})", of the owner's name
+  std::string_view identifier;  ///< "{}_dot"
+  std::string_view latex;       ///< "\\dot{{{}}}{}", of the base and the scripts of its symbol
+  std::string_view own_latex;   ///< of those of a velocity that has a symbol of its own
+  Opcode id = {};
+  std::string_view member = {};  ///< "parameters": of PerLeaf
+  LeafOwner of = {};
+};
+
+[[nodiscard]] std::span<const LeafRow> leaf_table();
+[[nodiscard]] const LeafRow& leaf_row(Opcode leaf);
 
 /// Whether a system has one leaf of the kind, not a list of them.
-[[nodiscard]] constexpr bool is_single(Opcode leaf) {
-  return leaf_row(leaf).of == LeafOwner::system;
-}
+[[nodiscard]] inline bool is_single(Opcode leaf) { return leaf_row(leaf).of == LeafOwner::system; }
 
 /// Whether they exist for emitted functions only where a system has some, or where a function takes
 /// them: the other lists are passed though they are empty.
-[[nodiscard]] constexpr bool is_optional(Opcode leaf) {
+[[nodiscard]] inline bool is_optional(Opcode leaf) {
   return leaf_row(leaf).of == LeafOwner::open_values || leaf == Opcode::momentum;
 }
 

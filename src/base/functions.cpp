@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
 // The table of functions: the laws of each, in the order of elgen/functions.def.
 //
 // use: `anywhere`, or `forces` (kinks: no derivative is ever taken of them).

@@ -86,7 +86,7 @@ std::vector<Opcode> arguments_of(const Model& model, const Function& function) {
   if (model.uses_time) taken |= Opcode::time;
   if (!model.open_values.empty()) taken |= Opcode::open_value;
   std::vector<Opcode> list;
-  for (const LeafRow& leaf : leaf_table) {
+  for (const LeafRow& leaf : leaf_table()) {
     if (taken.has_any(leaf.id)) list.push_back(leaf.id);
   }
   return list;

@@ -72,7 +72,7 @@ std::string c99_driver(const DriverInput& input) {
       fmt::arg("position", stored_position(scene)), fmt::arg("name_space", name_space(scene)),
       fmt::arg("parameters", parameter_assignments(input)));
   std::string unused;
-  for (const LeafRow& leaf : leaf_table) unused += fmt::format("(void){};", leaf.member);
+  for (const LeafRow& leaf : leaf_table()) unused += fmt::format("(void){};", leaf.member);
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     text += fmt::format(c99_wrapper, fmt::arg("symbol", driver_symbol("c99", scalar, i)),
                         fmt::arg("scalar", scalar), fmt::arg("name_space", name_space(scene)),

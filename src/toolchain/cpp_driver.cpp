@@ -129,7 +129,7 @@ std::string driver_of(const DriverInput& input, const Types& types) {
   std::string text = calls_of(input, types);
   const Program& program = input.program;
   std::vector<std::string_view> names;
-  for (const LeafRow& leaf : leaf_table) names.push_back(leaf.member);
+  for (const LeafRow& leaf : leaf_table()) names.push_back(leaf.member);
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     for (const ScalarKind kind : driver_scalars(input)) {
       const std::string scalar(name_of(kind));

@@ -70,7 +70,7 @@ constexpr PerArtifact<DriverRow> driver_table{
 
 std::string declared_leaves(std::string_view scalar, std::string_view attribute) {
   std::string text;
-  for (const LeafRow& leaf : leaf_table) {
+  for (const LeafRow& leaf : leaf_table()) {
     const char* const pattern = is_single(leaf.id) ? "{}{} {}, " : "{}const {}* {}, ";
     text += fmt::format(fmt::runtime(pattern), attribute, scalar, leaf.member);
   }

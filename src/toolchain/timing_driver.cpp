@@ -144,7 +144,7 @@ constexpr std::string_view step_clock =
 /// "const double* parameters, const double* q, …, const double* t, "
 std::string declared(std::string_view scalar, std::string_view attribute = "") {
   std::string text;
-  for (const LeafRow& leaf : leaf_table) {
+  for (const LeafRow& leaf : leaf_table()) {
     text += fmt::format("{}const {}* {}, ", attribute, scalar, leaf.member);
   }
   return text;
@@ -216,7 +216,7 @@ const char* call_of(const TimedVariant& variant) {
 
 std::string entry_of(const TimedVariant& variant, std::size_t number) {
   std::vector<std::string_view> names;
-  for (const LeafRow& leaf : leaf_table) names.push_back(leaf.member);
+  for (const LeafRow& leaf : leaf_table()) names.push_back(leaf.member);
   const std::string scalar(name_of(variant.scalar));
   return fmt::format(entry, fmt::arg("symbol", timed_symbol(number)), fmt::arg("scalar", scalar),
                      fmt::arg("leaves", declared(scalar)), fmt::arg("call", call_of(variant)),

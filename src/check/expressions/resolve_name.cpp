@@ -11,8 +11,9 @@
 namespace elgen {
 namespace {
 
-constexpr std::string_view energy_symbol = leaf_row(Opcode::energy).symbol;
 constexpr std::string_view energy_function = "energy_function";
+
+std::string_view energy_symbol() { return leaf_row(Opcode::energy).symbol; }
 
 /// The expression that the name of such a symbol stands for, without its index and place.
 std::optional<Expression> named(SymbolKind kind) {
@@ -116,11 +117,11 @@ bool Resolver::is_energy(const ExpressionSyntax& name) const {
   if ((allowed_ & uses_energy) == 0 || !name.operands.empty()) return false;
   const DeclaredNames& symbols = context_.symbols;
   const bool is_free = symbols.find(name.text) == nullptr && !symbols.has_failed(name.text);
-  return name.text == energy_function || (name.text == energy_symbol && is_free);
+  return name.text == energy_function || (name.text == energy_symbol() && is_free);
 }
 
 void Resolver::note_own_energy(const ExpressionSyntax& name, const DeclaredName& symbol) {
-  const bool hides = (allowed_ & uses_energy) != 0 && name.text == energy_symbol;
+  const bool hides = (allowed_ & uses_energy) != 0 && name.text == energy_symbol();
   if (!hides || std::exchange(context_.told_of_own_energy, true)) return;
   Diagnostic note{Code::E213, name.span,
                   "`E` is the " + std::string(noun(symbol.kind)) + " of the model here",

@@ -65,7 +65,7 @@ class DefinitionWriter {
     FunctionDefinition result;
     result.workspace = take_shared(cut.crosses);
     UsedNames passed_on;
-    for (const LeafRow& leaf : leaf_table) passed_on.variables.insert(leaf.symbol);
+    for (const LeafRow& leaf : leaf_table()) passed_on.variables.insert(leaf.symbol);
     result.whole = {dialect_.signature(function_, passed_on),
                     dialect_.calling_body(function_, cut.parts.size())};
     for (std::size_t part = 0; part < cut.parts.size(); ++part) {

@@ -38,10 +38,9 @@ bool Dialect::is_function(std::string_view name) {
 }
 
 std::string Dialect::temporary(const std::string& name) const {
-  const bool is_argument =
-      std::any_of(leaf_table.begin(), leaf_table.end(), [&](const LeafRow& leaf) {
-        return leaf.symbol == name && is_passed(program_.leaves, leaf.id);
-      });
+  const bool is_argument = std::ranges::any_of(leaf_table(), [&](const LeafRow& leaf) {
+    return leaf.symbol == name && is_passed(program_.leaves, leaf.id);
+  });
   const bool hides =
       is_argument || name == "w" || name == "result" || is_function(name) || is_reserved(name);
   return hides ? name + "_" : name;

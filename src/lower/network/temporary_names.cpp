@@ -37,7 +37,7 @@ class Naming {
   Naming(const Program& program, const Function& function)
       : program_(program), function_(function) {
     for (const std::string_view name : reserved_names) taken_.emplace(name);
-    for (const LeafRow& row : leaf_table) {
+    for (const LeafRow& row : leaf_table()) {
       if (is_passed(program.leaves, row.id)) taken_.emplace(row.symbol);
     }
     for (const FunctionRow& row : function_table()) taken_.emplace(row.name);
