@@ -12,10 +12,10 @@
 #include "analyse/searched_range.hpp"
 #include "analyse/stability.hpp"
 #include "base/exact_number.hpp"
-#include "check/names/requests.hpp"
 #include "elgen/fold.hpp"
 #include "elgen/references.hpp"
 #include "evaluate/subject.hpp"
+#include "model/requests.hpp"
 
 namespace elgen {
 namespace {

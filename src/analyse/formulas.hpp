@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "base/formula.hpp"
 #include "elgen/closed_forms.hpp"
 #include "elgen/evaluate.hpp"
 #include "elgen/model.hpp"
+#include "model/formula.hpp"
 #include "present/arithmetic.hpp"
 
 namespace elgen {

@@ -9,9 +9,9 @@
 #include "analyse/exact_roots.hpp"
 #include "analyse/frequencies.hpp"
 #include "analyse/page.hpp"
-#include "check/judge/output_units.hpp"
 #include "elgen/leaf_names.hpp"
 #include "evaluate/subject.hpp"
+#include "model/output_units.hpp"
 
 namespace elgen {
 namespace {

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "base/exact_number.hpp"
-#include "check/names/requests.hpp"
 #include "elgen/oracle.hpp"
 #include "evaluate/dual.hpp"
+#include "model/requests.hpp"
 
 namespace elgen {
 namespace {

@@ -15,8 +15,8 @@
 #include "analyse/total_integral.hpp"
 #include "base/exact_number.hpp"
 #include "base/more_digits.hpp"
-#include "check/names/requests.hpp"
 #include "elgen/analyse.hpp"
+#include "model/requests.hpp"
 #include "present/polynomial.hpp"
 
 namespace elgen {

@@ -17,9 +17,9 @@
 #include "check/judge/expectations.hpp"
 #include "check/judge/mechanics.hpp"
 #include "check/names/context.hpp"
-#include "check/names/requests.hpp"
 #include "check/scene/scene.hpp"
 #include "elgen/scene.hpp"
+#include "model/requests.hpp"
 
 namespace elgen {
 namespace {

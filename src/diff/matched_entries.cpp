@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "check/judge/output_units.hpp"
-#include "check/names/requests.hpp"
 #include "diff/renamed.hpp"
 #include "lower/code_interface.hpp"
+#include "model/output_units.hpp"
+#include "model/requests.hpp"
 
 namespace elgen {
 namespace {

@@ -1,8 +1,8 @@
 // Values and derivatives of a program at one state, in 64 digits.
 #include "evaluate/exact_values.hpp"
 
-#include "check/names/requests.hpp"
 #include "elgen/outputs.hpp"
+#include "model/requests.hpp"
 
 namespace elgen {
 namespace {

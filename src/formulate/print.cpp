@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "base/formula.hpp"
+#include "model/formula.hpp"
 
 namespace elgen {
 

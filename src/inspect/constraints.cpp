@@ -9,12 +9,12 @@
 #include <algorithm>
 
 #include "base/exact_number.hpp"
-#include "check/judge/output_units.hpp"
 #include "inspect/checks.hpp"
 #include "inspect/null_space.hpp"
 #include "inspect/readable.hpp"
 #include "inspect/samples.hpp"
 #include "inspect/singular_mass.hpp"
+#include "model/output_units.hpp"
 
 namespace elgen {
 namespace {

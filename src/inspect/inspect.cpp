@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "check/names/report.hpp"
+#include "base/report.hpp"
 #include "inspect/checks.hpp"
 
 namespace elgen {

@@ -7,11 +7,11 @@
 #include <cassert>
 #include <numeric>
 
-#include "check/names/requests.hpp"
 #include "elgen/step_methods.hpp"
 #include "evaluate/subject.hpp"
 #include "integrate/methods.hpp"
 #include "lower/graph/prune.hpp"
+#include "model/requests.hpp"
 
 namespace elgen {
 namespace {

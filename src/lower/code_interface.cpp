@@ -7,8 +7,8 @@
 #include <cctype>
 #include <set>
 
-#include "check/judge/output_units.hpp"
 #include "elgen/arguments.hpp"
+#include "model/output_units.hpp"
 
 namespace elgen {
 namespace {

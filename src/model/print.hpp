@@ -3,8 +3,8 @@
 
 #include <functional>
 
-#include "base/formula.hpp"
 #include "elgen/model.hpp"
+#include "model/formula.hpp"
 
 namespace elgen {
 

@@ -4,8 +4,8 @@
 
 #include <functional>
 
-#include "check/names/requests.hpp"
 #include "elgen/oracle.hpp"
+#include "model/requests.hpp"
 #include "oracle/constraints.hpp"
 #include "oracle/derivatives.hpp"
 #include "oracle/mechanics.hpp"

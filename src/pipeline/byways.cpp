@@ -9,7 +9,6 @@
 #include <new>
 #include <utility>
 
-#include "check/names/requests.hpp"
 #include "elgen/cancel.hpp"
 #include "elgen/certificate.hpp"
 #include "elgen/choose.hpp"
@@ -19,6 +18,7 @@
 #include "elgen/typeset.hpp"
 #include "evaluate/subject.hpp"
 #include "lower/graph/prune.hpp"
+#include "model/requests.hpp"
 
 namespace elgen {
 namespace {

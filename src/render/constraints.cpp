@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "check/judge/output_units.hpp"
+#include "model/output_units.hpp"
 #include "model/print.hpp"
 #include "render/drawing.hpp"
 #include "render/headings.hpp"

@@ -7,10 +7,10 @@
 
 #include <algorithm>
 
-#include "check/judge/output_units.hpp"
 #include "elgen/references.hpp"
 #include "elgen/render.hpp"
 #include "evaluate/subject.hpp"
+#include "model/output_units.hpp"
 #include "render/constraints.hpp"
 #include "render/headings.hpp"
 #include "render/symbols.hpp"

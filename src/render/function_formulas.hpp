@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "base/formula.hpp"
 #include "elgen/model.hpp"
 #include "elgen/program.hpp"
+#include "model/formula.hpp"
 
 namespace elgen {
 

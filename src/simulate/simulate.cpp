@@ -8,11 +8,11 @@
 #include <chrono>
 #include <cmath>
 
-#include "check/judge/output_units.hpp"
-#include "check/names/requests.hpp"
 #include "elgen/evaluate.hpp"
 #include "elgen/wording.hpp"
 #include "evaluate/subject.hpp"
+#include "model/output_units.hpp"
+#include "model/requests.hpp"
 #include "simulate/ranks.hpp"
 #include "simulate/recorder.hpp"
 #include "simulate/start.hpp"

@@ -6,7 +6,7 @@
 #include <ctime>
 #include <filesystem>
 
-#include "check/names/report.hpp"
+#include "base/report.hpp"
 #include "check_testing.hpp"
 #include "model_text.hpp"
 

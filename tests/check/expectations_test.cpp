@@ -1,9 +1,9 @@
 // Closed forms that a model expects, and the units of outputs.
 #include <catch2/catch.hpp>
 
-#include "check/judge/output_units.hpp"
-#include "check/names/requests.hpp"
 #include "check_testing.hpp"
+#include "model/output_units.hpp"
+#include "model/requests.hpp"
 
 namespace elgen::test {
 

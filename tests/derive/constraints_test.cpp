@@ -3,10 +3,10 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "check/names/requests.hpp"
 #include "derive/outputs/outputs.hpp"
 #include "derived.hpp"
 #include "framed.hpp"
+#include "model/requests.hpp"
 
 using namespace elgen;
 using namespace elgen::test;

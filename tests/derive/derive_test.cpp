@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "check/names/requests.hpp"
 #include "derived.hpp"
 #include "elgen/equations_of_motion.hpp"
 #include "elgen/specialise.hpp"
+#include "model/requests.hpp"
 
 using namespace elgen;
 using namespace elgen::test;

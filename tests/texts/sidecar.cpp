@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "check/judge/output_units.hpp"
 #include "elgen/wording.hpp"
 #include "lower/code_interface.hpp"
 #include "lower/operation_columns.hpp"
+#include "model/output_units.hpp"
 #include "texts/readers.hpp"
 
 namespace elgen::texts {

@@ -8,10 +8,10 @@
 #include <set>
 #include <sstream>
 
-#include "check/names/requests.hpp"
 #include "elgen/oracle.hpp"
 #include "elgen/pipeline.hpp"
 #include "elgen/render.hpp"
+#include "model/requests.hpp"
 #include "random/generator.hpp"
 #include "support/inputs.hpp"
 #include "texts/fold_expression.hpp"

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "check/names/report.hpp"
+#include "base/report.hpp"
 #include "elgen/syntax.hpp"
 #include "elgen/units.hpp"
 

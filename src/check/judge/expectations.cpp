@@ -9,8 +9,8 @@
 #include "check/expressions/open_functions.hpp"
 #include "check/expressions/places.hpp"
 #include "check/expressions/values.hpp"
-#include "check/judge/output_units.hpp"
-#include "check/names/requests.hpp"
+#include "model/output_units.hpp"
+#include "model/requests.hpp"
 
 namespace elgen {
 namespace {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "base/exact_number.hpp"
+#include "base/report.hpp"
 #include "check/names/constants.hpp"
 #include "check/names/integers.hpp"
-#include "check/names/report.hpp"
 #include "check/names/symbols.hpp"
 #include "elgen/limits.hpp"
 #include "elgen/model.hpp"

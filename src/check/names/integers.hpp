@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "check/names/report.hpp"
+#include "base/report.hpp"
 #include "elgen/syntax.hpp"
 
 namespace elgen {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "check/names/report.hpp"
+#include "base/report.hpp"
 
 namespace elgen {
 

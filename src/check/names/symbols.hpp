@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "check/names/report.hpp"
+#include "base/report.hpp"
 
 namespace elgen {
 

@@ -12,8 +12,8 @@
 #include "check/entries/stated_point.hpp"
 #include "check/expressions/places.hpp"
 #include "check/expressions/values.hpp"
-#include "check/names/requests.hpp"
 #include "check/scene/scene.hpp"
+#include "model/requests.hpp"
 
 namespace elgen {
 namespace {

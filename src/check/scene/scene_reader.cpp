@@ -7,16 +7,16 @@
 #include <numeric>
 #include <set>
 
+#include "base/report.hpp"
 #include "check/expressions/options.hpp"
 #include "check/expressions/parameters.hpp"
 #include "check/expressions/values.hpp"
-#include "check/names/report.hpp"
-#include "check/names/requests.hpp"
 #include "check/names/reserved_names.hpp"
 #include "check/scene/scene.hpp"
 #include "elgen/scene.hpp"
 #include "elgen/step_methods.hpp"
 #include "elgen/wording.hpp"
+#include "model/requests.hpp"
 
 namespace elgen {
 namespace {

@@ -8,10 +8,10 @@
 #include <set>
 #include <sstream>
 
-#include "check/judge/output_units.hpp"
 #include "elgen/step_methods.hpp"
 #include "emit/text/layout.hpp"
 #include "lower/code_interface.hpp"
+#include "model/output_units.hpp"
 #include "render/headings.hpp"
 
 namespace elgen {

@@ -4,13 +4,13 @@
 
 #include "base/number_text.hpp"
 #include "base/utf8.hpp"
-#include "check/judge/output_units.hpp"
 #include "emit/pages/page_artifacts.hpp"
 #include "emit/text/layout.hpp"
 #include "emit/text/parameters.hpp"
 #include "emit/text/stamp.hpp"
 #include "lower/code_interface.hpp"
 #include "lower/operation_columns.hpp"
+#include "model/output_units.hpp"
 
 namespace elgen {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "base/enclosed_number.hpp"
-#include "base/formula.hpp"
 #include "elgen/constant.hpp"
+#include "model/formula.hpp"
 
 namespace elgen {
 

@@ -3,8 +3,8 @@
 #include "verify/bounds/oracle_cache.hpp"
 
 #include "base/exact_number.hpp"
-#include "check/names/requests.hpp"
 #include "elgen/oracle.hpp"
+#include "model/requests.hpp"
 
 namespace elgen {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "check/names/requests.hpp"
 #include "elgen/certificate.hpp"
 #include "elgen/outputs.hpp"
+#include "model/requests.hpp"
 
 namespace elgen {
 namespace {

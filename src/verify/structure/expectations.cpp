@@ -11,8 +11,8 @@
 #include "analyse/substitution.hpp"
 #include "base/exact_number.hpp"
 #include "base/random.hpp"
-#include "check/names/requests.hpp"
 #include "elgen/references.hpp"
+#include "model/requests.hpp"
 #include "verify/states/kinks.hpp"
 #include "verify/states/tally.hpp"
 

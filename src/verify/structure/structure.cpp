@@ -8,8 +8,8 @@
 #include <cmath>
 #include <limits>
 
-#include "check/names/requests.hpp"
 #include "elgen/outputs.hpp"
+#include "model/requests.hpp"
 #include "verify/states/tally.hpp"
 #include "verify/structure/identities.hpp"
 

@@ -1,5 +1,5 @@
 // Texts: formulas, TOML and user text on one line.
-#include "base/formula.hpp"
+#include "model/formula.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // Units of the entries of outputs, by the rules of the output table.
-#include "check/judge/output_units.hpp"
+#include "model/output_units.hpp"
 
 namespace elgen {
 namespace {

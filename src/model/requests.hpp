@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "check/names/report.hpp"
+#include "base/report.hpp"
 #include "elgen/scene.hpp"
 
 namespace elgen {

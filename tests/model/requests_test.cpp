@@ -1,10 +1,10 @@
 // Requests: availability, shapes and names of outputs.
-#include "check/names/requests.hpp"
+#include "model/requests.hpp"
 
 #include <catch2/catch.hpp>
 #include <utility>
 
-#include "check_testing.hpp"
+#include "check/check_testing.hpp"
 
 namespace elgen::test {
 namespace {

@@ -1,5 +1,5 @@
 // formula: the rows of spellings, and where brackets stand.
-#include "base/formula.hpp"
+#include "model/formula.hpp"
 
 #include <cln/integer.h>
 #include <fmt/format.h>

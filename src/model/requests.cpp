@@ -1,5 +1,5 @@
 // Requests: which outputs a model has, and their shapes.
-#include "check/names/requests.hpp"
+#include "model/requests.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,5 +1,5 @@
 // Report: collects the diagnostics of one run, each once.
-#include "check/names/report.hpp"
+#include "base/report.hpp"
 
 #include "base/ascii.hpp"
 
