@@ -9,30 +9,12 @@
 
 #include "elgen/fold.hpp"
 #include "elgen/leaves.hpp"
+#include "elgen/real.hpp"
 
 namespace elgen {
 
 template <class Scalar>
 using Arguments = LeafValues<Scalar>;
-
-/// How a scalar type is made from an exact number; specialised for float, double, long double,
-/// cl_F, …
-template <class Scalar>
-struct ScalarTraits;
-
-/// Correctly rounded to the nearest binary value.
-template <>
-struct ScalarTraits<float> {
-  [[nodiscard]] static float from_real(const cln::cl_R& value);
-};
-template <>
-struct ScalarTraits<double> {
-  [[nodiscard]] static double from_real(const cln::cl_R& value);
-};
-template <>
-struct ScalarTraits<long double> {
-  [[nodiscard]] static long double from_real(const cln::cl_R& value);
-};
 
 }  // namespace elgen
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "evaluate/dual.hpp"
+#include "numbers/dual.hpp"
 
 namespace elgen {
 namespace {

@@ -12,8 +12,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "elgen/evaluate.hpp"
 #include "elgen/program.hpp"
-#include "evaluate/enclosure.hpp"
+#include "numbers/enclosure.hpp"
 
 namespace elgen {
 

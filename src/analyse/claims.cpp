@@ -7,8 +7,8 @@
 #include <array>
 
 #include "analyse/searched_range.hpp"
-#include "base/exact_number.hpp"
 #include "evaluate/subject.hpp"
+#include "numbers/exact_number.hpp"
 #include "present/arithmetic.hpp"
 
 namespace elgen {

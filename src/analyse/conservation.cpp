@@ -6,9 +6,9 @@
 #include <array>
 
 #include "analyse/rest.hpp"
-#include "base/exact_number.hpp"
-#include "evaluate/dual.hpp"
 #include "evaluate/subject.hpp"
+#include "numbers/dual.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {

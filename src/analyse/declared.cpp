@@ -7,10 +7,10 @@
 #include "analyse/polish.hpp"
 #include "analyse/rest.hpp"
 #include "analyse/substitution.hpp"
-#include "base/exact_number.hpp"
-#include "base/random.hpp"
 #include "elgen/analyse.hpp"
 #include "evaluate/subject.hpp"
+#include "numbers/exact_number.hpp"
+#include "numbers/random.hpp"
 
 namespace elgen {
 namespace {

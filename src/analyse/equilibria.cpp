@@ -11,11 +11,11 @@
 #include "analyse/polish.hpp"
 #include "analyse/searched_range.hpp"
 #include "analyse/stability.hpp"
-#include "base/exact_number.hpp"
 #include "elgen/fold.hpp"
 #include "elgen/references.hpp"
 #include "evaluate/subject.hpp"
 #include "model/requests.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "analyse/formulas.hpp"
 #include "analyse/leaf_search.hpp"
-#include "base/exact_number.hpp"
+#include "numbers/exact_number.hpp"
 #include "present/polynomial.hpp"
 
 namespace elgen {

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <map>
 
-#include "base/exact_number.hpp"
 #include "choose/closed_graph.hpp"
 #include "choose/entries.hpp"
 #include "elgen/typeset.hpp"
 #include "lower/network/linearise.hpp"
+#include "numbers/exact_number.hpp"
 #include "render/function_formulas.hpp"
 
 namespace elgen {

@@ -10,8 +10,8 @@
 
 #include "analyse/linear_equations.hpp"
 #include "analyse/stability.hpp"
-#include "base/exact_number.hpp"
 #include "elgen/evaluate.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {

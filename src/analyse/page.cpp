@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "base/exact_number.hpp"
 #include "elgen/leaf_names.hpp"
 #include "evaluate/subject.hpp"
+#include "numbers/exact_number.hpp"
 #include "present/arithmetic.hpp"
 #include "render/headings.hpp"
 #include "render/symbols.hpp"

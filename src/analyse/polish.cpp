@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "base/exact_number.hpp"
 #include "elgen/oracle.hpp"
-#include "evaluate/dual.hpp"
 #include "model/requests.hpp"
+#include "numbers/dual.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {

@@ -8,9 +8,9 @@
 #include <array>
 #include <utility>
 
-#include "base/exact_number.hpp"
-#include "base/more_digits.hpp"
-#include "base/random.hpp"
+#include "numbers/exact_number.hpp"
+#include "numbers/more_digits.hpp"
+#include "numbers/random.hpp"
 
 namespace elgen {
 namespace {

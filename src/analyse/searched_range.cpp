@@ -1,7 +1,7 @@
 // A range of an angle holds its values and those a whole number of turns on.
 #include "analyse/searched_range.hpp"
 
-#include "base/exact_number.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 

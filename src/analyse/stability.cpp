@@ -8,8 +8,8 @@
 
 #include "analyse/linear_equations.hpp"
 #include "analyse/modes.hpp"
-#include "base/exact_number.hpp"
 #include "elgen/evaluate.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {

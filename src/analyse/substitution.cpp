@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "base/exact_number.hpp"
+#include "numbers/exact_number.hpp"
 #include "present/polynomial.hpp"
 
 namespace elgen {

@@ -13,10 +13,10 @@
 #include "analyse/substitution.hpp"
 #include "analyse/symmetry_basis.hpp"
 #include "analyse/total_integral.hpp"
-#include "base/exact_number.hpp"
-#include "base/more_digits.hpp"
 #include "elgen/analyse.hpp"
 #include "model/requests.hpp"
+#include "numbers/exact_number.hpp"
+#include "numbers/more_digits.hpp"
 #include "present/polynomial.hpp"
 
 namespace elgen {

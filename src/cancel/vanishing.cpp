@@ -6,10 +6,10 @@
 
 #include <algorithm>
 
-#include "base/random.hpp"
 #include "evaluate/bounded.hpp"
 #include "lower/graph/prune.hpp"
 #include "lower/network/analytic.hpp"
+#include "numbers/random.hpp"
 
 namespace elgen {
 namespace {

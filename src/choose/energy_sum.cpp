@@ -1,10 +1,10 @@
 // energy_sum: see energy_sum.hpp. Both energies are appended to one function, nothing twice.
 #include "choose/energy_sum.hpp"
 
-#include "base/exact_number.hpp"
-#include "base/random.hpp"
 #include "elgen/evaluate.hpp"
 #include "lower/network/instructions.hpp"
+#include "numbers/exact_number.hpp"
+#include "numbers/random.hpp"
 
 namespace elgen {
 namespace {

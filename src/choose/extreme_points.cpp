@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/random.hpp"
 #include "choose/points.hpp"
 #include "lower/graph/prune.hpp"
+#include "numbers/random.hpp"
 
 namespace elgen {
 namespace {

@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "base/exact_number.hpp"
 #include "lower/network/linearise.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {

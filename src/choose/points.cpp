@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "base/random.hpp"
 #include "choose/cancelling_places.hpp"
 #include "evaluate/rough_errors.hpp"
 #include "lower/graph/prune.hpp"
+#include "numbers/random.hpp"
 
 namespace elgen {
 namespace {

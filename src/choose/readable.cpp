@@ -7,13 +7,13 @@
 #include <numeric>
 #include <set>
 
-#include "base/random.hpp"
 #include "choose/ways.hpp"
 #include "lower/graph/angle_sums.hpp"
 #include "lower/graph/flatten.hpp"
 #include "lower/graph/from_program.hpp"
 #include "lower/graph/prune.hpp"
 #include "lower/network/linearise.hpp"
+#include "numbers/random.hpp"
 
 namespace elgen {
 namespace {

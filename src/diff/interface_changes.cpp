@@ -5,12 +5,12 @@
 #include <array>
 #include <optional>
 
-#include "base/number_text.hpp"
 #include "diff/renamed.hpp"
 #include "elgen/diff.hpp"
 #include "elgen/step_methods.hpp"
 #include "elgen/wording.hpp"
 #include "lower/code_interface.hpp"
+#include "numbers/number_text.hpp"
 
 namespace elgen {
 namespace {

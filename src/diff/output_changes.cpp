@@ -9,8 +9,6 @@
 #include <optional>
 #include <span>
 
-#include "base/exact_number.hpp"
-#include "base/random.hpp"
 #include "choose/entries.hpp"
 #include "choose/finish.hpp"
 #include "diff/joint_program.hpp"
@@ -24,6 +22,8 @@
 #include "evaluate/subject.hpp"
 #include "lower/graph/prune.hpp"
 #include "lower/network/instructions.hpp"
+#include "numbers/exact_number.hpp"
+#include "numbers/random.hpp"
 
 namespace elgen {
 namespace {

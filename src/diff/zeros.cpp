@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <array>
 
-#include "base/exact_number.hpp"
-#include "base/random.hpp"
 #include "elgen/closed_forms.hpp"
 #include "elgen/fold.hpp"
 #include "evaluate/bounded.hpp"
 #include "lower/graph/prune.hpp"
 #include "lower/network/analytic.hpp"
+#include "numbers/exact_number.hpp"
+#include "numbers/random.hpp"
 
 namespace elgen {
 namespace {

@@ -6,8 +6,9 @@
 // (an input times +- a power of two). A result that may underflow adds eta/u.
 #pragma once
 
-#include "base/exact_number.hpp"
-#include "evaluate/dual.hpp"
+#include "elgen/evaluate.hpp"
+#include "numbers/dual.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 

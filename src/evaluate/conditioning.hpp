@@ -10,7 +10,8 @@
 
 #include <vector>
 
-#include "evaluate/dual.hpp"
+#include "elgen/evaluate.hpp"
+#include "numbers/dual.hpp"
 
 namespace elgen {
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "evaluate/dual.hpp"
 #include "evaluate/subject.hpp"
+#include "numbers/dual.hpp"
 
 namespace elgen {
 

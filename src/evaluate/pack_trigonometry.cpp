@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "base/exact_number.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {

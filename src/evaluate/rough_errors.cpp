@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "base/exact_number.hpp"
-#include "evaluate/dual.hpp"
+#include "numbers/dual.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {

@@ -11,8 +11,8 @@
 #include <numeric>
 #include <type_traits>
 
-#include "base/random.hpp"
 #include "elgen/leaf_names.hpp"
+#include "numbers/random.hpp"
 
 namespace elgen {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "base/random.hpp"
 #include "elgen/domain.hpp"
 #include "evaluate/subject.hpp"
+#include "numbers/random.hpp"
 
 namespace elgen {
 

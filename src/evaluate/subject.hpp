@@ -4,12 +4,12 @@
 
 #include <string>
 
-#include "base/exact_number.hpp"
 #include "elgen/evaluate.hpp"
 #include "elgen/model.hpp"
 #include "elgen/oracle.hpp"
 #include "elgen/program.hpp"
 #include "elgen/scene.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 

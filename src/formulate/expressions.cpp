@@ -5,9 +5,9 @@
 #include <array>
 #include <stdexcept>
 
-#include "base/enclosed_number.hpp"
 #include "elgen/lagrangian.hpp"
 #include "elgen/references.hpp"
+#include "numbers/enclosed_number.hpp"
 
 namespace elgen {
 

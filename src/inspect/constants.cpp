@@ -15,12 +15,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/exact_number.hpp"
 #include "elgen/references.hpp"
 #include "elgen/wording.hpp"
 #include "inspect/checks.hpp"
 #include "inspect/readable.hpp"
 #include "inspect/roots.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {

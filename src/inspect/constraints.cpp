@@ -8,13 +8,13 @@
 
 #include <algorithm>
 
-#include "base/exact_number.hpp"
 #include "inspect/checks.hpp"
 #include "inspect/null_space.hpp"
 #include "inspect/readable.hpp"
 #include "inspect/samples.hpp"
 #include "inspect/singular_mass.hpp"
 #include "model/output_units.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {

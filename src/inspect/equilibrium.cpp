@@ -9,11 +9,11 @@
 #include <algorithm>
 #include <numeric>
 
-#include "base/exact_number.hpp"
-#include "base/random.hpp"
 #include "elgen/oracle.hpp"
 #include "inspect/checks.hpp"
 #include "inspect/readable.hpp"
+#include "numbers/exact_number.hpp"
+#include "numbers/random.hpp"
 
 namespace elgen {
 namespace {

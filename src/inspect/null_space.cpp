@@ -1,7 +1,7 @@
 // Gauss-Jordan elimination on scaled rows; columns without a pivot span the null space.
 #include "inspect/null_space.hpp"
 
-#include "base/exact_number.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {

@@ -9,10 +9,10 @@
 
 #include <algorithm>
 
-#include "base/exact_number.hpp"
 #include "elgen/references.hpp"
 #include "inspect/checks.hpp"
 #include "inspect/samples.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {

@@ -6,7 +6,7 @@
 #include <cln/rational.h>
 #include <fmt/format.h>
 
-#include "base/number_text.hpp"
+#include "numbers/number_text.hpp"
 
 namespace elgen {
 namespace {

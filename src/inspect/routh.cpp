@@ -2,11 +2,11 @@
 // that is not 0 at one state proves that L changes with the coordinate; where it is 0 at all
 // sampled ones L is taken not to change, and what is derived is compared with the whole model
 // anyway.
-#include "base/exact_number.hpp"
 #include "check/scene/scene.hpp"
 #include "elgen/inspect.hpp"
 #include "elgen/wording.hpp"
 #include "inspect/samples.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {

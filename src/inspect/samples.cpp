@@ -1,9 +1,9 @@
 // Sampled states: the model at its own values, moving anywhere.
 #include "inspect/samples.hpp"
 
-#include "base/exact_number.hpp"
-#include "base/more_digits.hpp"
-#include "base/random.hpp"
+#include "numbers/exact_number.hpp"
+#include "numbers/more_digits.hpp"
+#include "numbers/random.hpp"
 
 namespace elgen {
 namespace {

@@ -8,9 +8,9 @@
 // of motion of the Lagrangian L = w.
 #include <fmt/format.h>
 
-#include "base/exact_number.hpp"
 #include "inspect/checks.hpp"
 #include "inspect/samples.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "base/ascii.hpp"
-#include "base/number_text.hpp"
+#include "numbers/number_text.hpp"
 
 namespace elgen {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <span>
 
-#include "base/exact_number.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {

@@ -8,8 +8,8 @@
 #include <numeric>
 #include <utility>
 
-#include "base/exact_number.hpp"
 #include "elgen/oracle.hpp"
+#include "numbers/exact_number.hpp"
 #include "oracle/constraints.hpp"
 #include "oracle/guarded.hpp"
 #include "oracle/real_functions.hpp"

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-#include "base/more_digits.hpp"
+#include "numbers/more_digits.hpp"
 #include "oracle/real_functions.hpp"
 
 namespace elgen::oracle {

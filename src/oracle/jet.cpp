@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "base/exact_number.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen::oracle {
 

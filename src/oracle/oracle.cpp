@@ -3,9 +3,9 @@
 
 #include <array>
 
-#include "base/random.hpp"
 #include "elgen/leaf_names.hpp"
 #include "elgen/references.hpp"
+#include "numbers/random.hpp"
 #include "oracle/guarded.hpp"
 #include "oracle/mechanics.hpp"
 #include "oracle/output_values.hpp"

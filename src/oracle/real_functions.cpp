@@ -7,8 +7,8 @@
 #include <cln/integer.h>
 #include <cln/rational.h>
 
-#include "base/exact_number.hpp"
-#include "base/more_digits.hpp"
+#include "numbers/exact_number.hpp"
+#include "numbers/more_digits.hpp"
 
 namespace elgen::oracle {
 namespace {

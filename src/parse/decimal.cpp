@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "base/ascii.hpp"
-#include "base/number_text.hpp"
+#include "numbers/number_text.hpp"
 
 namespace elgen {
 

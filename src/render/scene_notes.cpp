@@ -1,9 +1,9 @@
 // scene_notes: what a reader must know of a scene to read its equations.
 #include <fmt/format.h>
 
-#include "base/number_text.hpp"
 #include "elgen/render.hpp"
 #include "evaluate/subject.hpp"
+#include "numbers/number_text.hpp"
 
 namespace elgen {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "base/number_text.hpp"
 #include "elgen/render.hpp"
+#include "numbers/number_text.hpp"
 #include "render/constraints.hpp"
 #include "render/headings.hpp"
 #include "render/named_parts.hpp"

@@ -7,9 +7,9 @@
 #include <limits>
 #include <utility>
 
-#include "base/exact_number.hpp"
 #include "elgen/oracle.hpp"
 #include "inspect/checks.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {

@@ -12,11 +12,11 @@
 #include <string_view>
 #include <utility>
 
-#include "base/exact_number.hpp"
 #include "elgen/artifacts.hpp"
 #include "elgen/evaluate.hpp"
 #include "evaluate/pack_trigonometry.hpp"
 #include "lower/code_interface.hpp"
+#include "numbers/exact_number.hpp"
 #include "toolchain/driver.hpp"
 
 namespace elgen {

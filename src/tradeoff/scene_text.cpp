@@ -5,10 +5,10 @@
 #include <map>
 
 #include "base/ascii.hpp"
-#include "base/number_text.hpp"
 #include "base/toml_text.hpp"
 #include "check/expressions/values.hpp"
 #include "elgen/tradeoff.hpp"
+#include "numbers/number_text.hpp"
 
 namespace elgen {
 namespace {

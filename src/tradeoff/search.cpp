@@ -9,10 +9,10 @@
 #include <numeric>
 #include <vector>
 
-#include "base/random.hpp"
 #include "elgen/evaluate.hpp"
 #include "elgen/oracle.hpp"
 #include "evaluate/states.hpp"
+#include "numbers/random.hpp"
 #include "tradeoff/errors.hpp"
 
 namespace elgen {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "analyse/found.hpp"
-#include "base/random.hpp"
+#include "numbers/random.hpp"
 
 using namespace elgen;
 using namespace elgen::test;

@@ -8,9 +8,9 @@
 #include <map>
 #include <sstream>
 
-#include "base/number_text.hpp"
 #include "check/names/constants.hpp"
 #include "check_testing.hpp"
+#include "numbers/number_text.hpp"
 
 namespace elgen::test {
 namespace {

@@ -4,9 +4,9 @@
 #include <catch2/catch.hpp>
 #include <ctime>
 
-#include "base/number_text.hpp"
 #include "check/names/integers.hpp"
 #include "check_testing.hpp"
+#include "numbers/number_text.hpp"
 
 namespace elgen::test {
 

@@ -1,9 +1,9 @@
 // Scenes: outputs, fixed parameters, scalars and names.
 #include <catch2/catch.hpp>
 
-#include "base/number_text.hpp"
 #include "check/scene/scene.hpp"
 #include "check_testing.hpp"
+#include "numbers/number_text.hpp"
 
 namespace elgen::test {
 namespace {

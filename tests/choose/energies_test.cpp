@@ -14,11 +14,11 @@
 #include <optional>
 #include <stdexcept>
 
-#include "base/exact_number.hpp"
 #include "choose/chosen.hpp"
 #include "elgen/evaluate.hpp"
 #include "elgen/oracle.hpp"
 #include "evaluate/subject.hpp"
+#include "numbers/exact_number.hpp"
 
 using namespace elgen;
 using namespace elgen::test;

@@ -3,9 +3,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/random.hpp"
 #include "elgen/evaluate.hpp"
 #include "lower/expression_leaves.hpp"
+#include "numbers/random.hpp"
 
 using namespace elgen;
 using elgen::testing::Texts;

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "base/random.hpp"
 #include "diff/versions.hpp"
+#include "numbers/random.hpp"
 
 using namespace elgen;
 using namespace elgen::test;

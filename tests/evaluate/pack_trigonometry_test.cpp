@@ -10,9 +10,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "base/exact_number.hpp"
-#include "base/random.hpp"
 #include "elgen/evaluate.hpp"
+#include "numbers/exact_number.hpp"
+#include "numbers/random.hpp"
 
 using namespace elgen;
 using cln::cl_R;

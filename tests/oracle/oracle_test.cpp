@@ -8,7 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "base/random.hpp"
+#include "numbers/random.hpp"
 #include "oracle/samples.hpp"
 
 using namespace elgen;

@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/exact_number.hpp"
-#include "base/more_digits.hpp"
+#include "numbers/exact_number.hpp"
+#include "numbers/more_digits.hpp"
 #include "oracle/samples.hpp"
 
 using namespace elgen;

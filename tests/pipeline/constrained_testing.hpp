@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "base/exact_number.hpp"
 #include "evaluate/subject.hpp"
+#include "numbers/exact_number.hpp"
 #include "oracle/model_builder.hpp"
 #include "pipeline/pipeline_testing.hpp"
 

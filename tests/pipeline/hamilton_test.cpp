@@ -2,9 +2,9 @@
 // in all languages, and as pages.
 #include <catch2/catch.hpp>
 
-#include "base/random.hpp"
 #include "elgen/oracle.hpp"
 #include "evaluate/exact_values.hpp"
+#include "numbers/random.hpp"
 #include "pipeline/pipeline_testing.hpp"
 
 namespace elgen::test {

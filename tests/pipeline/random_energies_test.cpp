@@ -7,7 +7,7 @@
 #include <iterator>
 #include <string>
 
-#include "base/random.hpp"
+#include "numbers/random.hpp"
 #include "pipeline/pipeline_testing.hpp"
 
 namespace elgen::test {

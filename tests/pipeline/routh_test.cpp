@@ -2,10 +2,10 @@
 // model at the momenta held, and its rates are those of the whole.
 #include <catch2/catch.hpp>
 
-#include "base/exact_number.hpp"
-#include "base/random.hpp"
 #include "elgen/simulate.hpp"
 #include "evaluate/subject.hpp"
+#include "numbers/exact_number.hpp"
+#include "numbers/random.hpp"
 #include "pipeline/pipeline_testing.hpp"
 
 namespace elgen::test {

@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "analyse/formulas.hpp"
-#include "base/random.hpp"
 #include "elgen/pipeline.hpp"
 #include "evaluate/subject.hpp"
+#include "numbers/random.hpp"
 #include "support/inputs.hpp"
 #include "texts/fold_expression.hpp"
 #include "texts/written_equations.hpp"

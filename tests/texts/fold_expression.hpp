@@ -12,10 +12,10 @@
 
 #include <string>
 
-#include "base/number_text.hpp"
 #include "elgen/functions.hpp"
 #include "elgen/syntax.hpp"
 #include "elgen/wording.hpp"
+#include "numbers/number_text.hpp"
 
 namespace elgen {
 

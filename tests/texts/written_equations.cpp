@@ -6,10 +6,10 @@
 
 #include <algorithm>
 
-#include "base/number_text.hpp"
-#include "base/random.hpp"
 #include "elgen/oracle.hpp"
 #include "elgen/wording.hpp"
+#include "numbers/number_text.hpp"
+#include "numbers/random.hpp"
 #include "texts/fold_expression.hpp"
 
 namespace elgen::texts {

@@ -3,13 +3,13 @@
 #include <utility>
 #include <vector>
 
-#include "base/number_text.hpp"
 #include "check/entries/entries.hpp"
 #include "check/expressions/open_functions.hpp"
 #include "check/expressions/places.hpp"
 #include "check/expressions/rotations.hpp"
 #include "check/expressions/unit_expression.hpp"
 #include "check/expressions/values.hpp"
+#include "numbers/number_text.hpp"
 
 namespace elgen {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "base/exact_number.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 

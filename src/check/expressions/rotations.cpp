@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "base/exact_number.hpp"
 #include "check/expressions/unit_expression.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "base/exact_number.hpp"
-#include "base/number_text.hpp"
 #include "check/expressions/resolver.hpp"
+#include "numbers/exact_number.hpp"
+#include "numbers/number_text.hpp"
 
 namespace elgen {
 namespace {

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/exact_number.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {

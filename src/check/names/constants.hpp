@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "base/enclosed_number.hpp"
 #include "elgen/diagnostic.hpp"
 #include "elgen/model.hpp"
+#include "numbers/enclosed_number.hpp"
 
 namespace elgen {
 

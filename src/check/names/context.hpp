@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "base/exact_number.hpp"
 #include "base/report.hpp"
 #include "check/names/constants.hpp"
 #include "check/names/integers.hpp"
@@ -15,6 +14,7 @@
 #include "elgen/limits.hpp"
 #include "elgen/model.hpp"
 #include "elgen/syntax.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 
-#include "base/exact_number.hpp"
 #include "check/expressions/values.hpp"
 #include "check/names/reserved_names.hpp"
 #include "check/scene/scene.hpp"
 #include "elgen/wording.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 

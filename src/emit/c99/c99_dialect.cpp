@@ -6,8 +6,8 @@
 
 #include "emit/text/emission_input.hpp"
 #include "emit/text/layout.hpp"
-#include "evaluate/scalar_literal.hpp"
 #include "lower/code_interface.hpp"
+#include "numbers/scalar_literal.hpp"
 
 namespace elgen {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "base/ascii.hpp"
 #include "base/content_hash.hpp"
-#include "base/number_text.hpp"
-#include "evaluate/scalar_literal.hpp"
+#include "numbers/number_text.hpp"
+#include "numbers/scalar_literal.hpp"
 
 namespace elgen {
 namespace {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 
-#include "base/exact_number.hpp"
 #include "elgen/arguments.hpp"
 #include "emit/code/function_docs.hpp"
 #include "emit/code/header_data.hpp"
@@ -13,8 +12,9 @@
 #include "emit/text/emission_checks.hpp"
 #include "emit/text/layout.hpp"
 #include "evaluate/pack_trigonometry.hpp"
-#include "evaluate/scalar_literal.hpp"
 #include "lower/code_interface.hpp"
+#include "numbers/exact_number.hpp"
+#include "numbers/scalar_literal.hpp"
 
 namespace elgen {
 namespace {

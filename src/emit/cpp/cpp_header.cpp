@@ -4,15 +4,15 @@
 
 #include <algorithm>
 
-#include "base/number_text.hpp"
 #include "emit/code/cpp_constant.hpp"
 #include "emit/code/header_data.hpp"
 #include "emit/cpp/cpp_artifacts.hpp"
 #include "emit/cpp/cpp_dialect.hpp"
 #include "emit/text/layout.hpp"
 #include "emit/text/parameters.hpp"
-#include "evaluate/scalar_literal.hpp"
 #include "lower/code_interface.hpp"
+#include "numbers/number_text.hpp"
+#include "numbers/scalar_literal.hpp"
 
 namespace elgen {
 namespace {

@@ -2,7 +2,6 @@
 // one-term change is a one-line diff.
 #include <nlohmann/json.hpp>
 
-#include "base/number_text.hpp"
 #include "base/utf8.hpp"
 #include "emit/pages/page_artifacts.hpp"
 #include "emit/text/layout.hpp"
@@ -11,6 +10,7 @@
 #include "lower/code_interface.hpp"
 #include "lower/operation_columns.hpp"
 #include "model/output_units.hpp"
+#include "numbers/number_text.hpp"
 
 namespace elgen {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "base/number_text.hpp"
 #include "emit/text/parameters.hpp"
-#include "evaluate/scalar_literal.hpp"
+#include "numbers/number_text.hpp"
+#include "numbers/scalar_literal.hpp"
 
 namespace elgen {
 namespace {

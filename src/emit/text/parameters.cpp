@@ -6,8 +6,8 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "base/number_text.hpp"
 #include "emit/text/layout.hpp"
+#include "numbers/number_text.hpp"
 
 namespace elgen {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "base/enclosed_number.hpp"
 #include "elgen/constant.hpp"
 #include "model/formula.hpp"
+#include "numbers/enclosed_number.hpp"
 
 namespace elgen {
 

@@ -5,7 +5,7 @@
 
 #include "elgen/evaluate.hpp"
 #include "elgen/model.hpp"
-#include "evaluate/dual.hpp"
+#include "numbers/dual.hpp"
 
 namespace elgen {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "base/more_digits.hpp"
+#include "numbers/more_digits.hpp"
 
 namespace elgen {
 namespace {

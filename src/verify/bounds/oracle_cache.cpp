@@ -2,9 +2,9 @@
 // ones. Agreement has one rule, and two numbers in it.
 #include "verify/bounds/oracle_cache.hpp"
 
-#include "base/exact_number.hpp"
 #include "elgen/oracle.hpp"
 #include "model/requests.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/more_digits.hpp"
+#include "numbers/more_digits.hpp"
 
 namespace elgen {
 namespace {

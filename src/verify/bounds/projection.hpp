@@ -2,7 +2,7 @@
 // that program and oracle both give at small cost.
 #pragma once
 
-#include "base/random.hpp"
+#include "numbers/random.hpp"
 #include "verify/bounds/field_place.hpp"
 #include "verify/bounds/oracle_cache.hpp"
 

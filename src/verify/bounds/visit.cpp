@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "base/more_digits.hpp"
 #include "elgen/outputs.hpp"
+#include "numbers/more_digits.hpp"
 #include "verify/bounds/projection.hpp"
 
 namespace elgen {

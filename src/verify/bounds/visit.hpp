@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "base/random.hpp"
 #include "elgen/toolchain.hpp"
 #include "evaluate/states.hpp"
+#include "numbers/random.hpp"
 #include "verify/bounds/field_place.hpp"
 #include "verify/bounds/loss.hpp"
 #include "verify/bounds/oracle_cache.hpp"

@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "analyse/substitution.hpp"
-#include "base/exact_number.hpp"
-#include "base/random.hpp"
 #include "elgen/references.hpp"
 #include "model/requests.hpp"
+#include "numbers/exact_number.hpp"
+#include "numbers/random.hpp"
 #include "verify/states/kinks.hpp"
 #include "verify/states/tally.hpp"
 

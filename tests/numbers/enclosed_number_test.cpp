@@ -1,11 +1,11 @@
 // Enclosed numbers: exact where they can be, bounded elsewhere, refused outside of a domain.
-#include "base/enclosed_number.hpp"
+#include "numbers/enclosed_number.hpp"
 
 #include <cln/integer.h>
 
 #include <catch2/catch.hpp>
 
-#include "base/exact_number.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {

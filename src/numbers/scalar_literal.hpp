@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "elgen/scene.hpp"
+#include "elgen/scalars.hpp"
 
 namespace elgen {
 

@@ -1,5 +1,5 @@
 // MoreDigits: one sum per thread.
-#include "base/more_digits.hpp"
+#include "numbers/more_digits.hpp"
 
 #include <algorithm>
 #include <utility>

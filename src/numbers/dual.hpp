@@ -4,7 +4,8 @@
 
 #include <vector>
 
-#include "elgen/evaluate.hpp"
+#include "elgen/leaves.hpp"
+#include "elgen/real.hpp"
 
 namespace elgen {
 
@@ -90,8 +91,8 @@ template <class Base>
 
 /// A point that moves with epsilon: values at `point`, slopes from `direction`.
 template <class Base>
-[[nodiscard]] Arguments<Dual<Base>> moving(const Arguments<Base>& point,
-                                           const Arguments<Base>& direction) {
+[[nodiscard]] LeafValues<Dual<Base>> moving(const LeafValues<Base>& point,
+                                            const LeafValues<Base>& direction) {
   return map_leaves(
       [](const Base& value, const Base& slope) {
         return Dual<Base>{value, slope};

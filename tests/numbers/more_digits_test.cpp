@@ -1,5 +1,5 @@
 // More digits add up while they live.
-#include "base/more_digits.hpp"
+#include "numbers/more_digits.hpp"
 
 #include <catch2/catch.hpp>
 

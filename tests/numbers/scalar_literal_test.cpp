@@ -1,5 +1,5 @@
 // scalar_literal: the binary values of exact numbers, known texts, and properties over random ones.
-#include "evaluate/scalar_literal.hpp"
+#include "numbers/scalar_literal.hpp"
 
 #include <cln/float.h>
 #include <cln/integer.h>
@@ -13,8 +13,8 @@
 #include <cstring>
 #include <limits>
 
-#include "base/number_text.hpp"
 #include "elgen/evaluate.hpp"
+#include "numbers/number_text.hpp"
 
 using namespace elgen;
 using cln::cl_RA;

@@ -1,6 +1,6 @@
 // Exact numbers, and numbers as text: exact for rationals, thirty digits for the rest, in any
 // locale.
-#include "base/number_text.hpp"
+#include "numbers/number_text.hpp"
 
 #include <cln/cln.h>
 #include <cln/rational.h>
@@ -10,7 +10,7 @@
 #include <clocale>
 #include <limits>
 
-#include "base/exact_number.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 

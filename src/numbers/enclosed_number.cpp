@@ -1,5 +1,5 @@
 // Enclosed numbers: a float, and a bound that needs few digits.
-#include "base/enclosed_number.hpp"
+#include "numbers/enclosed_number.hpp"
 
 #include <cln/integer.h>
 #include <cln/rational.h>
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/exact_number.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {

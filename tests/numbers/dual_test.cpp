@@ -1,5 +1,5 @@
 // Dual numbers: derivatives of every function against differences in 64 digits, and nested ones.
-#include "evaluate/dual.hpp"
+#include "numbers/dual.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -10,7 +10,7 @@
 // Source: R. E. Moore, R. B. Kearfott, M. J. Cloud, Introduction to Interval Analysis, 2009.
 #pragma once
 
-#include "elgen/evaluate.hpp"
+#include "elgen/real.hpp"
 
 namespace elgen {
 

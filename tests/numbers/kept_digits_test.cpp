@@ -7,9 +7,9 @@
 #include <cmath>
 #include <string>
 
-#include "base/exact_number.hpp"
-#include "evaluate/dual.hpp"
-#include "evaluate/enclosure.hpp"
+#include "numbers/dual.hpp"
+#include "numbers/enclosure.hpp"
+#include "numbers/exact_number.hpp"
 #include "support/real.hpp"
 
 using namespace elgen;

@@ -1,5 +1,5 @@
 // number_text: exact integer arithmetic only, so that no locale and no libm decides a digit.
-#include "base/number_text.hpp"
+#include "numbers/number_text.hpp"
 
 #include <cln/integer_io.h>
 #include <cln/rational.h>

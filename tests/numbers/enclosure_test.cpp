@@ -1,15 +1,16 @@
 // Enclosures hold every value on the box: all functions at random points, in 64 digits, and the
 // cases in which bounds are exact.
-#include "evaluate/enclosure.hpp"
+#include "numbers/enclosure.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 
-#include "base/exact_number.hpp"
-#include "base/random.hpp"
-#include "evaluate/dual.hpp"
+#include "elgen/evaluate.hpp"
+#include "numbers/dual.hpp"
+#include "numbers/exact_number.hpp"
+#include "numbers/random.hpp"
 
 using namespace elgen;
 

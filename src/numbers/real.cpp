@@ -1,13 +1,14 @@
 // Real: CLN floats of 64 digits or more with the domain of every function guarded.
+#include "elgen/real.hpp"
+
 #include <cln/exception.h>
 #include <cln/real.h>
 
 #include <algorithm>
 #include <cstdint>
 
-#include "base/enclosed_number.hpp"
-#include "base/more_digits.hpp"
-#include "elgen/evaluate.hpp"
+#include "numbers/enclosed_number.hpp"
+#include "numbers/more_digits.hpp"
 
 namespace elgen {
 namespace {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "base/exact_number.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 

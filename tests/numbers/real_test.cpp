@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/more_digits.hpp"
+#include "numbers/more_digits.hpp"
 
 using namespace elgen;
 using test::real;

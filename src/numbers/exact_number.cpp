@@ -1,5 +1,5 @@
 // Significand times a power of the base.
-#include "base/exact_number.hpp"
+#include "numbers/exact_number.hpp"
 
 #include <cln/float.h>
 #include <cln/integer.h>

@@ -1,13 +1,13 @@
 // Interval arithmetic without a change of the rounding mode: the exact error of a rounded sum,
 // product, quotient or root is a number that has a sign, and the sign says which bound moves.
-#include "evaluate/enclosure.hpp"
+#include "numbers/enclosure.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "base/exact_number.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {

@@ -3,7 +3,7 @@
 // Binary values of exact numbers are correctly rounded, subnormals and overflow included: CLN's own
 // double_approx stops at the smallest normal number, so the significand is rounded here, as an
 // integer of as many bits as the result has at its exponent.
-#include "evaluate/scalar_literal.hpp"
+#include "numbers/scalar_literal.hpp"
 
 #include <cln/float.h>
 #include <cln/integer.h>
@@ -14,9 +14,9 @@
 #include <cmath>
 #include <limits>
 
-#include "base/exact_number.hpp"
-#include "base/number_text.hpp"
-#include "elgen/evaluate.hpp"
+#include "elgen/real.hpp"
+#include "numbers/exact_number.hpp"
+#include "numbers/number_text.hpp"
 
 namespace elgen {
 namespace {

@@ -1,6 +1,6 @@
 // SplitMix64 after Steele, Lea, Flood, "Fast splittable pseudorandom number generators" (OOPSLA
 // 2014).
-#include "base/random.hpp"
+#include "numbers/random.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // The generator: known values, ranges kept, nothing dependent on the platform.
-#include "base/random.hpp"
+#include "numbers/random.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

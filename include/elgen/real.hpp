@@ -1,0 +1,124 @@
+// Real: floats of 64 digits or more. ScalarTraits: how a type of numbers is made from exact ones.
+// Beside them the functions of functions.def that the standard library lacks for built-in floats.
+#pragma once
+
+#include <cln/float.h>
+#include <cln/real.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+#include "elgen/functions.hpp"
+
+namespace elgen {
+
+/// How a scalar type is made from an exact number; specialised for float, double, long double,
+/// cl_F, …
+template <class Scalar>
+struct ScalarTraits;
+
+/// Correctly rounded to the nearest binary value.
+template <>
+struct ScalarTraits<float> {
+  [[nodiscard]] static float from_real(const cln::cl_R& value);
+};
+template <>
+struct ScalarTraits<double> {
+  [[nodiscard]] static double from_real(const cln::cl_R& value);
+};
+template <>
+struct ScalarTraits<long double> {
+  [[nodiscard]] static long double from_real(const cln::cl_R& value);
+};
+
+/// A float of 64 decimal digits (or more: numbers/more_digits.hpp) that carries "undefined" (a
+/// division by zero, sqrt(-1)) like a NaN.
+class Real {
+ public:
+  Real() : Real(cln::cl_R(0)) {}
+  explicit Real(const cln::cl_R& value) : value_(cln::cl_float(value, format())) {}
+
+  [[nodiscard]] static cln::float_format_t format();
+  [[nodiscard]] static Real undefined();
+
+  [[nodiscard]] bool is_defined() const { return defined_; }
+  [[nodiscard]] const cln::cl_F& value() const { return value_; }
+
+ private:
+  cln::cl_F value_;
+  bool defined_ = true;
+};
+
+[[nodiscard]] Real operator-(const Real& x);
+[[nodiscard]] Real operator+(const Real& x, const Real& y);
+[[nodiscard]] Real operator-(const Real& x, const Real& y);
+[[nodiscard]] Real operator*(const Real& x, const Real& y);
+[[nodiscard]] Real operator/(const Real& x, const Real& y);
+[[nodiscard]] Real sqrt(const Real& x);
+#define ELGEN_REAL_1(name) [[nodiscard]] Real name(const Real& x);
+#define ELGEN_REAL_2(name) [[nodiscard]] Real name(const Real& x, const Real& y);
+#define ELGEN_FUNCTION(name, arity) ELGEN_REAL_##arity(name)
+#include "elgen/functions.def"
+#undef ELGEN_FUNCTION
+#undef ELGEN_REAL_2
+#undef ELGEN_REAL_1
+
+template <>
+struct ScalarTraits<Real> {
+  [[nodiscard]] static Real from_real(const cln::cl_R& value) { return Real(value); }
+};
+
+namespace interpreter {
+
+/// The kinked functions for built-in floats; sign(0) = 0, and a NaN stays one.
+template <class Scalar>
+requires std::is_floating_point_v<Scalar>
+[[nodiscard]] Scalar sign(Scalar x) {
+  if (x > 0) return 1;
+  if (x < 0) return -1;
+  return x;
+}
+template <class Scalar>
+requires std::is_floating_point_v<Scalar>
+[[nodiscard]] Scalar min(Scalar x, Scalar y) { return y < x ? y : x; }
+template <class Scalar>
+requires std::is_floating_point_v<Scalar>
+[[nodiscard]] Scalar max(Scalar x, Scalar y) { return x < y ? y : x; }
+
+/// c_k(x), k > 0, by the operations of the emitted code: the series where its terms fall from the
+/// first one on, as a polynomial that suffices at the end of that range; else c_1 = sin(x)/x,
+/// c_2 = 2 (sin(x/2)/x)^2 and c_(n+2) = (1/n! - c_n)/x^2.
+template <class Scalar>
+requires std::is_floating_point_v<Scalar>
+[[nodiscard]] Scalar stumpff(Scalar x, Scalar order) {
+  const int k = static_cast<int>(order);
+  const int largest = std::max(1, k * (k - 1));
+  const Scalar square = x * x;
+  if (square < static_cast<Scalar>(largest)) {
+    double size = 1;
+    for (int i = 0; i < std::numeric_limits<Scalar>::max_digits10; ++i) size *= 10;
+    int n = k;
+    for (; size > 1; n += 2) size = size * largest / ((n + 1) * (n + 2));
+    Scalar sum = 1;
+    for (; n > k; n -= 2) sum = 1 - square * sum / static_cast<Scalar>(n * (n - 1));
+    for (; n > 1; --n) sum = sum / static_cast<Scalar>(n);
+    return sum;
+  }
+  const bool is_odd = k % 2 != 0;
+  const Scalar ratio = std::sin(is_odd ? x : x / 2) / x;
+  Scalar value = is_odd ? ratio : 2 * ratio * ratio;
+  auto factorial = static_cast<Scalar>(is_odd ? 1 : 2);
+  for (int n = is_odd ? 1 : 2; n < k; n += 2) {
+    value = (1 / factorial - value) / square;
+    factorial = factorial * static_cast<Scalar>((n + 1) * (n + 2));
+  }
+  return value;
+}
+
+}  // namespace interpreter
+
+}  // namespace elgen
