@@ -20,7 +20,7 @@ struct Range {
 };
 
 struct Domain {
-  /// Drawn over the ranges (evaluate/states.hpp), parameters at their values. The same on every
+  /// Drawn over the ranges (sample/states.hpp), parameters at their values. The same on every
   /// machine.
   std::vector<LeafValues<double>> states = {};
   LeafValues<std::optional<Range>> declared = {};

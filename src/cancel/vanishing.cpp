@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "evaluate/bounded.hpp"
+#include "accuracy/bounded.hpp"
 #include "lower/graph/prune.hpp"
 #include "lower/network/analytic.hpp"
 #include "numbers/random.hpp"

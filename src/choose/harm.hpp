@@ -4,9 +4,9 @@
 //                                         where it has another value or none
 //     E / max(least known E, |x|)         the loss: digits that another known way keeps
 //
-// E is the running error in u (evaluate/running_errors.hpp). The text is the recursive form: the
+// E is the running error in u (accuracy/running_errors.hpp). The text is the recursive form: the
 // energies as they were typed, differentiated. At the extremes of accuracy, where one way or
-// another is lucky, K stands in the place of the least E (evaluate/conditioning.hpp). Harm is
+// another is lucky, K stands in the place of the least E (accuracy/conditioning.hpp). Harm is
 // decided in double first, and where that is not sure in 64 digits, so that every machine decides
 // alike; losses are compared in double, where they have one.
 #pragma once
@@ -17,10 +17,10 @@
 #include <optional>
 #include <vector>
 
+#include "accuracy/conditioning.hpp"
+#include "accuracy/rough_errors.hpp"
+#include "accuracy/running_errors.hpp"
 #include "choose/points.hpp"
-#include "evaluate/conditioning.hpp"
-#include "evaluate/rough_errors.hpp"
-#include "evaluate/running_errors.hpp"
 #include "lower/graph/rebuild.hpp"
 
 namespace elgen {

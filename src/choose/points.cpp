@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "accuracy/rough_errors.hpp"
 #include "choose/cancelling_places.hpp"
-#include "evaluate/rough_errors.hpp"
 #include "lower/graph/prune.hpp"
 #include "numbers/random.hpp"
 

@@ -11,9 +11,9 @@
 #include <optional>
 #include <vector>
 
+#include "accuracy/running_errors.hpp"
 #include "elgen/closed_forms.hpp"
 #include "elgen/leaf_names.hpp"
-#include "evaluate/running_errors.hpp"
 #include "lower/graph/rebuild.hpp"
 
 namespace elgen {

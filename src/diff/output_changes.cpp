@@ -18,12 +18,12 @@
 #include "elgen/closed_forms.hpp"
 #include "elgen/diff.hpp"
 #include "elgen/render.hpp"
-#include "evaluate/states.hpp"
 #include "evaluate/subject.hpp"
 #include "lower/graph/prune.hpp"
 #include "lower/network/instructions.hpp"
 #include "numbers/exact_number.hpp"
 #include "numbers/random.hpp"
+#include "sample/states.hpp"
 
 namespace elgen {
 namespace {

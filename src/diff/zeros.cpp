@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 
+#include "accuracy/bounded.hpp"
 #include "elgen/closed_forms.hpp"
 #include "elgen/fold.hpp"
-#include "evaluate/bounded.hpp"
 #include "lower/graph/prune.hpp"
 #include "lower/network/analytic.hpp"
 #include "numbers/exact_number.hpp"

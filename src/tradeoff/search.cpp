@@ -11,8 +11,8 @@
 
 #include "elgen/evaluate.hpp"
 #include "elgen/oracle.hpp"
-#include "evaluate/states.hpp"
 #include "numbers/random.hpp"
+#include "sample/states.hpp"
 #include "tradeoff/errors.hpp"
 
 namespace elgen {

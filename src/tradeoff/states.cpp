@@ -1,5 +1,5 @@
 // tradeoff_states: random states inside the ranges, and what is exact there.
-#include "evaluate/states.hpp"
+#include "sample/states.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "elgen/certificate.hpp"
-#include "evaluate/states.hpp"
+#include "sample/states.hpp"
 
 namespace elgen {
 

@@ -7,7 +7,7 @@
 
 #include "elgen/certificate.hpp"
 #include "emit/text/emission_checks.hpp"
-#include "evaluate/states.hpp"
+#include "sample/states.hpp"
 #include "verify/bounds/accuracy.hpp"
 #include "verify/bounds/visit.hpp"
 #include "verify/compiled_code.hpp"

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "accuracy/running_errors.hpp"
 #include "choose/chosen.hpp"
-#include "evaluate/running_errors.hpp"
 
 using namespace elgen;
 using namespace elgen::test;

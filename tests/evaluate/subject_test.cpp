@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "evaluate/conditioning.hpp"
+#include "accuracy/conditioning.hpp"
 #include "verify/systems.hpp"
 
 using namespace elgen;

@@ -6,7 +6,7 @@
 
 #include "elgen/equations_of_motion.hpp"
 #include "elgen/lower.hpp"
-#include "evaluate/states.hpp"
+#include "sample/states.hpp"
 #include "support/models.hpp"
 #include "verify/systems.hpp"
 

@@ -4,7 +4,7 @@
 //
 // Where x* is 0 on paper the largest |x*| of the field takes its place in R, as errors are noise
 // beside it.
-// K = sum |z dx/dz| (evaluate/conditioning.hpp) is what one rounding of every input would cost, so
+// K = sum |z dx/dz| (accuracy/conditioning.hpp) is what one rounding of every input would cost, so
 // that an angle of 1e15 rad, which is known to a tenth, excuses what is made of it. In solutions of
 // M x = b the norm |D^1/2 x| is taken of errors and of R alike. It is looked at only where |x - x*|
 // > 64 u |x*|; elsewhere it is less.
@@ -14,8 +14,8 @@
 #include <memory>
 #include <vector>
 
-#include "evaluate/conditioning.hpp"
-#include "evaluate/running_errors.hpp"
+#include "accuracy/conditioning.hpp"
+#include "accuracy/running_errors.hpp"
 #include "verify/bounds/field_place.hpp"
 #include "verify/bounds/solution_bound.hpp"
 

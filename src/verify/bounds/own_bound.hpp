@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "evaluate/bounded.hpp"
+#include "accuracy/bounded.hpp"
 #include "evaluate/subject.hpp"
 
 namespace elgen {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "elgen/toolchain.hpp"
-#include "evaluate/states.hpp"
 #include "numbers/random.hpp"
+#include "sample/states.hpp"
 #include "verify/bounds/field_place.hpp"
 #include "verify/bounds/loss.hpp"
 #include "verify/bounds/oracle_cache.hpp"

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "evaluate/states.hpp"
+#include "sample/states.hpp"
 
 namespace elgen {
 

@@ -1,5 +1,5 @@
 // Sampled states: deterministic, within the ranges, with the extremes.
-#include "evaluate/states.hpp"
+#include "sample/states.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // The rules of rough errors.
-#include "evaluate/rough_errors.hpp"
+#include "accuracy/rough_errors.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 // The rules of error bounds and of running errors, one by one, and that they bound what rounding
 // does.
-#include "evaluate/bounded.hpp"
+#include "accuracy/bounded.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "evaluate/running_errors.hpp"
+#include "accuracy/running_errors.hpp"
 #include "oracle/model_builder.hpp"
 
 using namespace elgen;

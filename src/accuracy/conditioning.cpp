@@ -1,5 +1,5 @@
 // conditioning: every instruction's slopes by its operands once, then one sweep for each value.
-#include "evaluate/conditioning.hpp"
+#include "accuracy/conditioning.hpp"
 
 #include <utility>
 

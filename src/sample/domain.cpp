@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "evaluate/states.hpp"
+#include "sample/states.hpp"
 
 namespace elgen {
 namespace {

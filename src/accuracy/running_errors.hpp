@@ -5,7 +5,7 @@
 // Algorithms, 2nd ed., section 3.3.
 #pragma once
 
-#include "evaluate/bounded.hpp"
+#include "accuracy/bounded.hpp"
 
 namespace elgen {
 

@@ -1,5 +1,5 @@
 // The rules of error bounds.
-#include "evaluate/bounded.hpp"
+#include "accuracy/bounded.hpp"
 
 #include <algorithm>
 #include <cmath>

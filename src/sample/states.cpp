@@ -1,6 +1,6 @@
 // Sampled states. The extremes of float are milder than those of double: its exponents are an
 // eighth as wide.
-#include "evaluate/states.hpp"
+#include "sample/states.hpp"
 
 #include <fmt/format.h>
 

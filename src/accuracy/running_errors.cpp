@@ -1,5 +1,5 @@
 // The rules of running errors.
-#include "evaluate/running_errors.hpp"
+#include "accuracy/running_errors.hpp"
 
 namespace elgen {
 namespace {
