@@ -11,7 +11,7 @@
 #include "cli/process/progress.hpp"
 #include "cli/process/resources.hpp"
 #include "elgen/wording.hpp"
-#include "lower/code_interface.hpp"
+#include "emit/interface/code_interface.hpp"
 
 namespace elgen::cli {
 namespace {

@@ -15,7 +15,7 @@
 #include "cli/process/progress.hpp"
 #include "cli/process/resources.hpp"
 #include "cli/shown_pipeline.hpp"
-#include "lower/code_interface.hpp"
+#include "emit/interface/code_interface.hpp"
 
 namespace elgen::cli {
 

@@ -9,7 +9,7 @@
 #include "elgen/diff.hpp"
 #include "elgen/step_methods.hpp"
 #include "elgen/wording.hpp"
-#include "lower/code_interface.hpp"
+#include "emit/interface/code_interface.hpp"
 #include "numbers/number_text.hpp"
 
 namespace elgen {

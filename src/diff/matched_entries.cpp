@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "diff/renamed.hpp"
-#include "lower/code_interface.hpp"
+#include "emit/interface/code_interface.hpp"
 #include "model/output_units.hpp"
 #include "model/requests.hpp"
 

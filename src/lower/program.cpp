@@ -3,6 +3,8 @@
 // The table of costs is one function; which opcode counts as what is one switch.
 #include "elgen/program.hpp"
 
+#include <fmt/format.h>
+
 #include <set>
 
 namespace elgen {
@@ -23,6 +25,12 @@ std::size_t entry_count(const Function& function) {
   std::size_t count = 0;
   for (const Field& field : function.fields) count += field.entries.size();
   return count;
+}
+
+std::string index_text(const Field& field, std::size_t entry) {
+  if (field.entries.size() == 1) return {};
+  if (field.columns == 1) return fmt::format("[{}]", entry + 1);
+  return fmt::format("[{},{}]", entry / field.columns + 1, entry % field.columns + 1);
 }
 
 std::vector<Constant> executed_constants(const Program& program) {

@@ -6,7 +6,6 @@
 
 #include "elgen/render.hpp"
 #include "elgen/scalars.hpp"
-#include "lower/code_interface.hpp"
 #include "render/constraints.hpp"
 #include "render/headings.hpp"
 #include "render/named_parts.hpp"

@@ -6,7 +6,7 @@
 
 #include "elgen/arguments.hpp"
 #include "elgen/artifacts.hpp"
-#include "lower/code_interface.hpp"
+#include "emit/interface/code_interface.hpp"
 #include "toolchain/driver.hpp"
 
 namespace elgen {

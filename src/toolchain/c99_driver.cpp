@@ -3,8 +3,8 @@
 
 #include "elgen/arguments.hpp"
 #include "elgen/artifacts.hpp"
+#include "emit/interface/code_interface.hpp"
 #include "emit/text/emission_input.hpp"
-#include "lower/code_interface.hpp"
 #include "toolchain/driver.hpp"
 
 namespace elgen {

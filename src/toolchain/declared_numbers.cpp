@@ -14,8 +14,8 @@
 
 #include "elgen/artifacts.hpp"
 #include "elgen/evaluate.hpp"
-#include "evaluate/pack_trigonometry.hpp"
-#include "lower/code_interface.hpp"
+#include "emit/interface/code_interface.hpp"
+#include "emit/interface/pack_trigonometry.hpp"
 #include "numbers/exact_number.hpp"
 #include "toolchain/driver.hpp"
 

@@ -14,9 +14,9 @@
 
 #include "elgen/arguments.hpp"
 #include "elgen/artifacts.hpp"
+#include "emit/interface/code_interface.hpp"
 #include "emit/text/emission_checks.hpp"
 #include "emit/text/parameters.hpp"
-#include "lower/code_interface.hpp"
 
 namespace elgen {
 namespace {

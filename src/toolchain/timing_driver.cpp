@@ -15,7 +15,7 @@
 
 #include "elgen/arguments.hpp"
 #include "elgen/artifacts.hpp"
-#include "lower/code_interface.hpp"
+#include "emit/interface/code_interface.hpp"
 
 namespace elgen {
 namespace {

@@ -14,8 +14,8 @@
 #include "check/expressions/values.hpp"
 #include "elgen/tradeoff.hpp"
 #include "elgen/wording.hpp"
+#include "emit/interface/code_interface.hpp"
 #include "emit/text/emission_checks.hpp"
-#include "lower/code_interface.hpp"
 
 namespace elgen {
 namespace {

@@ -10,8 +10,8 @@
 #include <cmath>
 #include <limits>
 
-#include "evaluate/pack_trigonometry.hpp"
-#include "lower/code_interface.hpp"
+#include "emit/interface/code_interface.hpp"
+#include "emit/interface/pack_trigonometry.hpp"
 
 namespace elgen {
 namespace {

@@ -3,8 +3,8 @@
 #include "emit/cpp/cpp_dialect.hpp"
 
 #include "emit/code/definition.hpp"
+#include "emit/interface/code_interface.hpp"
 #include "fixture.hpp"
-#include "lower/code_interface.hpp"
 
 using namespace elgen;
 using elgen::testing::cart_pole;

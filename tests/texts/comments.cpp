@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "elgen/wording.hpp"
-#include "lower/code_interface.hpp"
+#include "emit/interface/code_interface.hpp"
 #include "texts/readers.hpp"
 
 namespace elgen::texts {

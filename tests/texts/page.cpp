@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "elgen/program.hpp"
 #include "elgen/wording.hpp"
-#include "lower/code_interface.hpp"
 #include "texts/readers.hpp"
 
 namespace elgen::texts {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "elgen/wording.hpp"
-#include "lower/code_interface.hpp"
+#include "emit/interface/code_interface.hpp"
 #include "lower/operation_columns.hpp"
 #include "model/output_units.hpp"
 #include "texts/readers.hpp"

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "emit/interface/code_interface.hpp"
 #include "emit/text/emission_input.hpp"
 #include "emit/text/layout.hpp"
-#include "lower/code_interface.hpp"
 #include "numbers/scalar_literal.hpp"
 
 namespace elgen {

@@ -9,10 +9,10 @@
 #include "emit/c99/c99_artifact.hpp"
 #include "emit/c99/c99_dialect.hpp"
 #include "emit/code/header_data.hpp"
+#include "emit/interface/code_interface.hpp"
 #include "emit/text/emission_checks.hpp"
 #include "emit/text/layout.hpp"
 #include "emit/text/parameters.hpp"
-#include "lower/code_interface.hpp"
 
 namespace elgen {
 namespace {

@@ -13,8 +13,8 @@
 #include <algorithm>
 
 #include "emit/code/statements.hpp"
+#include "emit/interface/code_interface.hpp"
 #include "emit/text/layout.hpp"
-#include "lower/code_interface.hpp"
 
 namespace elgen {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "emit/interface/code_interface.hpp"
 #include "emit/text/parameters.hpp"
-#include "lower/code_interface.hpp"
 
 namespace elgen {
 

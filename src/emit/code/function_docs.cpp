@@ -9,8 +9,8 @@
 #include <sstream>
 
 #include "elgen/step_methods.hpp"
+#include "emit/interface/code_interface.hpp"
 #include "emit/text/layout.hpp"
-#include "lower/code_interface.hpp"
 #include "model/output_units.hpp"
 #include "render/headings.hpp"
 

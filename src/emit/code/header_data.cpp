@@ -5,11 +5,11 @@
 
 #include "emit/code/definition.hpp"
 #include "emit/code/function_docs.hpp"
+#include "emit/interface/code_interface.hpp"
 #include "emit/pages/introduction.hpp"
 #include "emit/text/layout.hpp"
 #include "emit/text/parameters.hpp"
 #include "emit/text/stamp.hpp"
-#include "lower/code_interface.hpp"
 
 namespace elgen {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "lower/code_interface.hpp"
+#include "emit/interface/code_interface.hpp"
 
 namespace elgen {
 namespace {

@@ -10,8 +10,8 @@
 #include "emit/code/cpp_constant.hpp"
 #include "emit/code/definition.hpp"
 #include "emit/cpp/cpp_names.hpp"
+#include "emit/interface/code_interface.hpp"
 #include "emit/text/layout.hpp"
-#include "lower/code_interface.hpp"
 
 namespace elgen {
 namespace {

@@ -8,9 +8,9 @@
 #include "emit/code/header_data.hpp"
 #include "emit/cpp/cpp_artifacts.hpp"
 #include "emit/cpp/cpp_dialect.hpp"
+#include "emit/interface/code_interface.hpp"
 #include "emit/text/layout.hpp"
 #include "emit/text/parameters.hpp"
-#include "lower/code_interface.hpp"
 #include "numbers/number_text.hpp"
 #include "numbers/scalar_literal.hpp"
 

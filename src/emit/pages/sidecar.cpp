@@ -3,11 +3,11 @@
 #include <nlohmann/json.hpp>
 
 #include "base/utf8.hpp"
+#include "emit/interface/code_interface.hpp"
 #include "emit/pages/page_artifacts.hpp"
 #include "emit/text/layout.hpp"
 #include "emit/text/parameters.hpp"
 #include "emit/text/stamp.hpp"
-#include "lower/code_interface.hpp"
 #include "lower/operation_columns.hpp"
 #include "model/output_units.hpp"
 #include "numbers/number_text.hpp"

@@ -6,7 +6,7 @@
 
 #include "elgen/model.hpp"
 #include "elgen/program.hpp"
-#include "lower/code_interface.hpp"
+#include "emit/interface/code_interface.hpp"
 
 namespace elgen {
 

@@ -1,6 +1,6 @@
 // code_interface: which parameters are emitted, which arguments a function takes, structs and plain
 // results, numbers and arrays of one, storage.
-#include "lower/code_interface.hpp"
+#include "emit/interface/code_interface.hpp"
 
 #include "elgen/arguments.hpp"
 #include "emit/fixture.hpp"

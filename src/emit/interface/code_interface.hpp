@@ -1,5 +1,5 @@
 // code_interface: what callers see of emitted code: its name space, the parameters it takes, and
-// what holds the results of a function, and how pages number its entries.
+// what holds the results of a function.
 #pragma once
 
 #include <string>
@@ -90,9 +90,6 @@ struct DeclaredArray {
 ///
 ///     2 x 3: a b c d e f   ->   3 x 2: a d b e c f
 [[nodiscard]] Function stored(const Function& function, Storage storage);
-
-/// "[1,2]", "[2]", or nothing for one entry alone: how pages number the entries of a field.
-[[nodiscard]] std::string index_text(const Field& field, std::size_t entry);
 
 /// Outputs beyond so many entries are not returned: they would not fit a stack.
 inline constexpr std::size_t largest_returned = 4096;

@@ -1,5 +1,5 @@
 // code_interface: small questions, answered by the output table and the instructions.
-#include "lower/code_interface.hpp"
+#include "emit/interface/code_interface.hpp"
 
 #include <fmt/format.h>
 
@@ -228,12 +228,6 @@ Function stored(const Function& function, Storage storage) {
     if (field.rows > 1 && field.columns > 1) field = transposed(field);
   }
   return result;
-}
-
-std::string index_text(const Field& field, std::size_t entry) {
-  if (field.entries.size() == 1) return {};
-  if (field.columns == 1) return fmt::format("[{}]", entry + 1);
-  return fmt::format("[{},{}]", entry / field.columns + 1, entry % field.columns + 1);
 }
 
 bool is_returned(const Function& function) { return entry_count(function) <= largest_returned; }

@@ -1,6 +1,6 @@
 // PackTrigonometry: the errors of the table of polynomials, measured again in 40 digits; sines and
 // cosines are off by at most what a scene asks for, on the whole domain.
-#include "evaluate/pack_trigonometry.hpp"
+#include "emit/interface/pack_trigonometry.hpp"
 
 #include <cln/float.h>
 #include <cln/integer.h>

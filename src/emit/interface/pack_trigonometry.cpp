@@ -1,5 +1,5 @@
 // The order of the operations is that of templates/cpp/batch.hpp.mustache: every bit is the same.
-#include "evaluate/pack_trigonometry.hpp"
+#include "emit/interface/pack_trigonometry.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -48,7 +48,7 @@ const std::vector<SinePolynomial>& sine_polynomials() {
   static const std::vector<SinePolynomial> all{
 #define ELGEN_SINE(degree, error, ...) {degree, error, {__VA_ARGS__}},
 #define ELGEN_COSINE(degree, error, ...)
-#include "evaluate/sine_polynomials.def"
+#include "emit/interface/sine_polynomials.def"
   };
   return all;
 }
@@ -57,7 +57,7 @@ const std::vector<SinePolynomial>& cosine_polynomials() {
   static const std::vector<SinePolynomial> all{
 #define ELGEN_SINE(degree, error, ...)
 #define ELGEN_COSINE(degree, error, ...) {degree, error, {__VA_ARGS__}},
-#include "evaluate/sine_polynomials.def"
+#include "emit/interface/sine_polynomials.def"
   };
   return all;
 }
