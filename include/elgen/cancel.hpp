@@ -7,8 +7,8 @@
 // A value that cancels on paper but not in the definitions of a recursion is computed as noise:
 // 1e-14 instead of 0. Such a value is found by numbers: at a random point it is below 1e-40 of its
 // error bound, in 60 digits. It is 0 where its closed form is the empty sum, or where it is
-// analytic and so at 64 points (lower/network/analytic.hpp); the entries that rest on points alone
-// are kept in Function::sampled_zeros.
+// analytic and so at 64 points (program/network/analytic.hpp); the entries that rest on points
+// alone are kept in Function::sampled_zeros.
 #pragma once
 
 #include "elgen/program.hpp"

@@ -11,9 +11,9 @@
 #include "analyse/linear_solution.hpp"
 #include "analyse/polish.hpp"
 #include "analyse/searched_range.hpp"
-#include "evaluate/subject.hpp"
-#include "lower/graph/prune.hpp"
 #include "numbers/exact_number.hpp"
+#include "program/evaluate/subject.hpp"
+#include "program/graph/prune.hpp"
 
 namespace elgen {
 namespace {

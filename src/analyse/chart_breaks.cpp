@@ -7,7 +7,7 @@
 #include "analyse/formulas.hpp"
 #include "analyse/polish.hpp"
 #include "analyse/stability.hpp"
-#include "evaluate/subject.hpp"
+#include "program/evaluate/subject.hpp"
 
 namespace elgen {
 namespace {

@@ -7,9 +7,9 @@
 #include <array>
 
 #include "analyse/searched_range.hpp"
-#include "evaluate/subject.hpp"
 #include "numbers/exact_number.hpp"
 #include "present/arithmetic.hpp"
+#include "program/evaluate/subject.hpp"
 
 namespace elgen {
 namespace {

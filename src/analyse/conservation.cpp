@@ -6,9 +6,9 @@
 #include <array>
 
 #include "analyse/rest.hpp"
-#include "evaluate/subject.hpp"
 #include "numbers/dual.hpp"
 #include "numbers/exact_number.hpp"
+#include "program/evaluate/subject.hpp"
 
 namespace elgen {
 namespace {

@@ -8,9 +8,9 @@
 #include "analyse/rest.hpp"
 #include "analyse/substitution.hpp"
 #include "elgen/analyse.hpp"
-#include "evaluate/subject.hpp"
 #include "numbers/exact_number.hpp"
 #include "numbers/random.hpp"
+#include "program/evaluate/subject.hpp"
 
 namespace elgen {
 namespace {

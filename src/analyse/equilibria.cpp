@@ -13,9 +13,9 @@
 #include "analyse/stability.hpp"
 #include "elgen/fold.hpp"
 #include "elgen/references.hpp"
-#include "evaluate/subject.hpp"
 #include "model/requests.hpp"
 #include "numbers/exact_number.hpp"
+#include "program/evaluate/subject.hpp"
 
 namespace elgen {
 namespace {

@@ -8,7 +8,7 @@
 #include "analyse/page.hpp"
 #include "analyse/searched_range.hpp"
 #include "elgen/inspect.hpp"
-#include "evaluate/subject.hpp"
+#include "program/evaluate/subject.hpp"
 
 namespace elgen {
 namespace {

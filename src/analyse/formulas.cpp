@@ -8,8 +8,8 @@
 #include "choose/closed_graph.hpp"
 #include "choose/entries.hpp"
 #include "elgen/typeset.hpp"
-#include "lower/network/linearise.hpp"
 #include "numbers/exact_number.hpp"
+#include "program/network/linearise.hpp"
 #include "render/function_formulas.hpp"
 
 namespace elgen {

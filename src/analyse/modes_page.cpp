@@ -10,8 +10,8 @@
 #include "analyse/frequencies.hpp"
 #include "analyse/page.hpp"
 #include "elgen/leaf_names.hpp"
-#include "evaluate/subject.hpp"
 #include "model/output_units.hpp"
+#include "program/evaluate/subject.hpp"
 
 namespace elgen {
 namespace {

@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "elgen/leaf_names.hpp"
-#include "evaluate/subject.hpp"
 #include "numbers/exact_number.hpp"
 #include "present/arithmetic.hpp"
+#include "program/evaluate/subject.hpp"
 #include "render/headings.hpp"
 #include "render/symbols.hpp"
 

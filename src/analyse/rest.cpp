@@ -13,10 +13,10 @@
 #include "elgen/fold.hpp"
 #include "elgen/oracle.hpp"
 #include "elgen/references.hpp"
-#include "evaluate/subject.hpp"
-#include "lower/graph/from_program.hpp"
-#include "lower/network/cheapest.hpp"
-#include "lower/network/linearise.hpp"
+#include "program/evaluate/subject.hpp"
+#include "program/graph/from_program.hpp"
+#include "program/network/cheapest.hpp"
+#include "program/network/linearise.hpp"
 
 namespace elgen {
 namespace {

@@ -11,7 +11,7 @@
 #include "analyse/generators.hpp"
 #include "elgen/program.hpp"
 #include "elgen/scene.hpp"
-#include "evaluate/exact_values.hpp"
+#include "program/evaluate/exact_values.hpp"
 
 namespace elgen {
 

@@ -6,11 +6,11 @@
 
 #include "cancel/vanishing.hpp"
 #include "elgen/closed_forms.hpp"
-#include "lower/graph/from_program.hpp"
-#include "lower/graph/prune.hpp"
-#include "lower/network/cheapest.hpp"
-#include "lower/network/linearise.hpp"
-#include "lower/network/turn_signs.hpp"
+#include "program/graph/from_program.hpp"
+#include "program/graph/prune.hpp"
+#include "program/network/cheapest.hpp"
+#include "program/network/linearise.hpp"
+#include "program/network/turn_signs.hpp"
 
 namespace elgen {
 namespace {

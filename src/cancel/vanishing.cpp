@@ -1,5 +1,5 @@
 // An analytic function that is zero at random points is zero. Three things are guarded against:
-// values that are not analytic are variables of their own (lower/network/analytic.hpp); where 64
+// values that are not analytic are variables of their own (program/network/analytic.hpp); where 64
 // digits hide a difference (1 - tanh(500), 1 + 1e-70 - 1) nothing is concluded; nor is it from a
 // point at which something that depends on a value is undefined.
 #include "cancel/vanishing.hpp"
@@ -7,9 +7,9 @@
 #include <algorithm>
 
 #include "accuracy/bounded.hpp"
-#include "lower/graph/prune.hpp"
-#include "lower/network/analytic.hpp"
 #include "numbers/random.hpp"
+#include "program/graph/prune.hpp"
+#include "program/network/analytic.hpp"
 
 namespace elgen {
 namespace {

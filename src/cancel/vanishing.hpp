@@ -14,8 +14,8 @@ namespace elgen {
                                                    const Function& function);
 
 /// Whether every entry, in the order of the fields, is so at as many points more as make it
-/// `zero_points`, whatever the values are that are not analytic (lower/network/analytic.hpp): then
-/// it is 0 at every state.
+/// `zero_points`, whatever the values are that are not analytic (program/network/analytic.hpp):
+/// then it is 0 at every state.
 [[nodiscard]] std::vector<bool> vanishing_elsewhere(const Program& program,
                                                     const Function& function);
 

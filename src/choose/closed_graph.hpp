@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "choose/real_terms.hpp"
-#include "lower/graph/graph.hpp"
+#include "program/graph/graph.hpp"
 
 namespace elgen {
 

@@ -2,9 +2,9 @@
 #include "choose/energy_sum.hpp"
 
 #include "elgen/evaluate.hpp"
-#include "lower/network/instructions.hpp"
 #include "numbers/exact_number.hpp"
 #include "numbers/random.hpp"
+#include "program/network/instructions.hpp"
 
 namespace elgen {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "choose/kept_digits.hpp"
 #include "choose/ways.hpp"
-#include "lower/network/cheapest.hpp"
-#include "lower/network/linearise.hpp"
-#include "lower/network/turn_signs.hpp"
+#include "program/network/cheapest.hpp"
+#include "program/network/linearise.hpp"
+#include "program/network/turn_signs.hpp"
 
 namespace elgen {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "choose/harm.hpp"
 #include "choose/readable.hpp"
-#include "lower/graph/angle_sums.hpp"
+#include "program/graph/angle_sums.hpp"
 
 namespace elgen {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "choose/points.hpp"
-#include "lower/graph/prune.hpp"
 #include "numbers/random.hpp"
+#include "program/graph/prune.hpp"
 
 namespace elgen {
 namespace {

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "elgen/model.hpp"
-#include "lower/graph/prune.hpp"
-#include "lower/network/instructions.hpp"
+#include "program/graph/prune.hpp"
+#include "program/network/instructions.hpp"
 
 namespace elgen {
 namespace {

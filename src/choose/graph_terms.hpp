@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "lower/graph/graph.hpp"
+#include "program/graph/graph.hpp"
 
 namespace elgen {
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "lower/network/linearise.hpp"
 #include "numbers/exact_number.hpp"
+#include "program/network/linearise.hpp"
 
 namespace elgen {
 namespace {

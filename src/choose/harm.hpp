@@ -21,7 +21,7 @@
 #include "accuracy/rough_errors.hpp"
 #include "accuracy/running_errors.hpp"
 #include "choose/points.hpp"
-#include "lower/graph/rebuild.hpp"
+#include "program/graph/rebuild.hpp"
 
 namespace elgen {
 

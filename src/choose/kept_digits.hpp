@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "lower/graph/rebuild.hpp"
+#include "program/graph/rebuild.hpp"
 
 namespace elgen {
 

@@ -6,8 +6,8 @@
 
 #include "accuracy/rough_errors.hpp"
 #include "choose/cancelling_places.hpp"
-#include "lower/graph/prune.hpp"
 #include "numbers/random.hpp"
+#include "program/graph/prune.hpp"
 
 namespace elgen {
 namespace {

@@ -8,12 +8,12 @@
 #include <set>
 
 #include "choose/ways.hpp"
-#include "lower/graph/angle_sums.hpp"
-#include "lower/graph/flatten.hpp"
-#include "lower/graph/from_program.hpp"
-#include "lower/graph/prune.hpp"
-#include "lower/network/linearise.hpp"
 #include "numbers/random.hpp"
+#include "program/graph/angle_sums.hpp"
+#include "program/graph/flatten.hpp"
+#include "program/graph/from_program.hpp"
+#include "program/graph/prune.hpp"
+#include "program/network/linearise.hpp"
 
 namespace elgen {
 namespace {

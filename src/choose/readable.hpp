@@ -14,7 +14,7 @@
 #include "accuracy/running_errors.hpp"
 #include "elgen/closed_forms.hpp"
 #include "elgen/leaf_names.hpp"
-#include "lower/graph/rebuild.hpp"
+#include "program/graph/rebuild.hpp"
 
 namespace elgen {
 

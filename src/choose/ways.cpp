@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "choose/closed_graph.hpp"
-#include "lower/graph/flatten.hpp"
-#include "lower/network/cheapest.hpp"
+#include "program/graph/flatten.hpp"
+#include "program/network/cheapest.hpp"
 
 namespace elgen {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "elgen/closed_forms.hpp"
-#include "lower/graph/rebuild.hpp"
+#include "program/graph/rebuild.hpp"
 
 namespace elgen {
 

@@ -13,7 +13,7 @@
 #include "cli/shown_pipeline.hpp"
 #include "elgen/pipeline.hpp"
 #include "elgen/render.hpp"
-#include "evaluate/subject.hpp"
+#include "program/evaluate/subject.hpp"
 
 namespace elgen::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "base/diagnostic_words.hpp"
-#include "lower/operation_columns.hpp"
+#include "program/operation_columns.hpp"
 
 namespace elgen {
 namespace {

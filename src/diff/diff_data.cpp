@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "elgen/diff.hpp"
-#include "lower/operation_columns.hpp"
+#include "program/operation_columns.hpp"
 
 namespace elgen {
 namespace {

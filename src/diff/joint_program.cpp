@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "diff/renamed.hpp"
-#include "lower/network/instructions.hpp"
+#include "program/network/instructions.hpp"
 
 namespace elgen {
 namespace {

@@ -18,11 +18,11 @@
 #include "elgen/closed_forms.hpp"
 #include "elgen/diff.hpp"
 #include "elgen/render.hpp"
-#include "evaluate/subject.hpp"
-#include "lower/graph/prune.hpp"
-#include "lower/network/instructions.hpp"
 #include "numbers/exact_number.hpp"
 #include "numbers/random.hpp"
+#include "program/evaluate/subject.hpp"
+#include "program/graph/prune.hpp"
+#include "program/network/instructions.hpp"
 #include "sample/states.hpp"
 
 namespace elgen {

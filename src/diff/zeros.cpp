@@ -1,5 +1,5 @@
-// zeros: sampled twice where values are not analytic (lower/network/analytic.hpp): as variables of
-// their own, which decides, and as computed, which tells a difference from an open question.
+// zeros: sampled twice where values are not analytic (program/network/analytic.hpp): as variables
+// of their own, which decides, and as computed, which tells a difference from an open question.
 #include "diff/zeros.hpp"
 
 #include <algorithm>
@@ -8,10 +8,10 @@
 #include "accuracy/bounded.hpp"
 #include "elgen/closed_forms.hpp"
 #include "elgen/fold.hpp"
-#include "lower/graph/prune.hpp"
-#include "lower/network/analytic.hpp"
 #include "numbers/exact_number.hpp"
 #include "numbers/random.hpp"
+#include "program/graph/prune.hpp"
+#include "program/network/analytic.hpp"
 
 namespace elgen {
 namespace {

@@ -11,7 +11,7 @@ namespace elgen {
 enum class Zero : std::uint8_t {
   no,
   not_decided,  ///< vanishes at `zero_points` points or more, but is not analytic: another may tell
-  sampled,      ///< analytic (lower/network/analytic.hpp), and vanishes at `zero_points` points
+  sampled,      ///< analytic (program/network/analytic.hpp), and vanishes at `zero_points` points
   proved,       ///< its closed form is the empty sum
 };
 

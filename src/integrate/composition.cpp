@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "elgen/leaf_names.hpp"
-#include "lower/graph/prune.hpp"
+#include "program/graph/prune.hpp"
 
 namespace elgen {
 

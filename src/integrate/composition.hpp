@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "elgen/program.hpp"
-#include "lower/network/instructions.hpp"
+#include "program/network/instructions.hpp"
 
 namespace elgen {
 

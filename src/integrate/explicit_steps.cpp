@@ -1,6 +1,6 @@
 // The explicit methods, which call nothing but accelerations (and rates, where rotations turn).
-#include "evaluate/subject.hpp"
 #include "integrate/methods.hpp"
+#include "program/evaluate/subject.hpp"
 
 namespace elgen {
 namespace {

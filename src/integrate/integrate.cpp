@@ -8,10 +8,10 @@
 #include <numeric>
 
 #include "elgen/step_methods.hpp"
-#include "evaluate/subject.hpp"
 #include "integrate/methods.hpp"
-#include "lower/graph/prune.hpp"
 #include "model/requests.hpp"
+#include "program/evaluate/subject.hpp"
+#include "program/graph/prune.hpp"
 
 namespace elgen {
 namespace {

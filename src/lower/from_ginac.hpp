@@ -3,7 +3,7 @@
 
 #include "elgen/leaf_names.hpp"
 #include "elgen/scene.hpp"
-#include "lower/graph/graph.hpp"
+#include "program/graph/graph.hpp"
 
 namespace elgen {
 

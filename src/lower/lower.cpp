@@ -10,8 +10,8 @@
 #include "elgen/outputs.hpp"
 #include "inspect/singular_mass.hpp"
 #include "lower/from_ginac.hpp"
-#include "lower/network/cheapest.hpp"
-#include "lower/network/linearise.hpp"
+#include "program/network/cheapest.hpp"
+#include "program/network/linearise.hpp"
 
 namespace elgen {
 namespace {

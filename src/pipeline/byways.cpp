@@ -16,9 +16,9 @@
 #include "elgen/lower.hpp"
 #include "elgen/steps.hpp"
 #include "elgen/typeset.hpp"
-#include "evaluate/subject.hpp"
-#include "lower/graph/prune.hpp"
 #include "model/requests.hpp"
+#include "program/evaluate/subject.hpp"
+#include "program/graph/prune.hpp"
 
 namespace elgen {
 namespace {

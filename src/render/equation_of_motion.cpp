@@ -9,8 +9,8 @@
 
 #include "elgen/references.hpp"
 #include "elgen/render.hpp"
-#include "evaluate/subject.hpp"
 #include "model/output_units.hpp"
+#include "program/evaluate/subject.hpp"
 #include "render/constraints.hpp"
 #include "render/headings.hpp"
 #include "render/symbols.hpp"

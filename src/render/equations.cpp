@@ -11,8 +11,8 @@
 #include <algorithm>
 
 #include "elgen/render.hpp"
-#include "lower/graph/prune.hpp"
-#include "lower/graph/written_out.hpp"
+#include "program/graph/prune.hpp"
+#include "program/graph/written_out.hpp"
 #include "render/function_formulas.hpp"
 #include "render/named_parts.hpp"
 #include "render/symbols.hpp"

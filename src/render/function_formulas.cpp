@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "elgen/fold.hpp"
-#include "lower/constants/constants.hpp"
+#include "program/constants/constants.hpp"
 
 namespace elgen {
 

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "elgen/references.hpp"
-#include "lower/network/instructions.hpp"
+#include "program/network/instructions.hpp"
 #include "render/named_parts.hpp"
 
 namespace elgen {

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "elgen/render.hpp"
-#include "evaluate/subject.hpp"
 #include "numbers/number_text.hpp"
+#include "program/evaluate/subject.hpp"
 
 namespace elgen {
 namespace {

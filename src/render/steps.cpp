@@ -7,7 +7,7 @@
 
 #include "elgen/render.hpp"
 #include "elgen/typeset.hpp"
-#include "lower/graph/prune.hpp"
+#include "program/graph/prune.hpp"
 #include "render/derivation_step.hpp"
 #include "render/headings.hpp"
 #include "render/step_words.hpp"

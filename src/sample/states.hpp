@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "elgen/domain.hpp"
-#include "evaluate/subject.hpp"
 #include "numbers/random.hpp"
+#include "program/evaluate/subject.hpp"
 
 namespace elgen {
 

@@ -12,7 +12,7 @@
 #include <limits>
 
 #include "elgen/simulate.hpp"
-#include "evaluate/subject.hpp"
+#include "program/evaluate/subject.hpp"
 #include "simulate/ranks.hpp"
 #include "simulate/start.hpp"
 

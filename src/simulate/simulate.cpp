@@ -10,9 +10,9 @@
 
 #include "elgen/evaluate.hpp"
 #include "elgen/wording.hpp"
-#include "evaluate/subject.hpp"
 #include "model/output_units.hpp"
 #include "model/requests.hpp"
+#include "program/evaluate/subject.hpp"
 #include "simulate/ranks.hpp"
 #include "simulate/recorder.hpp"
 #include "simulate/start.hpp"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "elgen/tradeoff.hpp"
-#include "evaluate/subject.hpp"
+#include "program/evaluate/subject.hpp"
 
 namespace elgen {
 namespace {

@@ -6,9 +6,9 @@
 #include <span>
 #include <utility>
 
-#include "lower/graph/prune.hpp"
-#include "lower/graph/written_out.hpp"
 #include "present/arithmetic.hpp"
+#include "program/graph/prune.hpp"
+#include "program/graph/written_out.hpp"
 #include "typeset/equations.hpp"
 #include "typeset/write.hpp"
 

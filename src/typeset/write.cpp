@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "lower/graph/prune.hpp"
+#include "program/graph/prune.hpp"
 
 namespace elgen {
 namespace {

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "elgen/program.hpp"
-#include "lower/network/instructions.hpp"
+#include "program/network/instructions.hpp"
 #include "typeset/arrange.hpp"
 
 namespace elgen {

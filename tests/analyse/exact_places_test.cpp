@@ -4,7 +4,7 @@
 #include "analyse/formulas.hpp"
 #include "analyse/found.hpp"
 #include "elgen/oracle.hpp"
-#include "evaluate/subject.hpp"
+#include "program/evaluate/subject.hpp"
 
 using namespace elgen;
 using namespace elgen::test;

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "lower/read_program.hpp"
+#include "program/read_program.hpp"
 
 using namespace elgen;
 

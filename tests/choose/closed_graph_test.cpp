@@ -3,9 +3,9 @@
 #include <catch2/catch.hpp>
 
 #include "elgen/render.hpp"
-#include "lower/network/linearise.hpp"
-#include "lower/network/network.hpp"
-#include "lower/read_program.hpp"
+#include "program/network/linearise.hpp"
+#include "program/network/network.hpp"
+#include "program/read_program.hpp"
 
 using namespace elgen;
 

@@ -17,8 +17,8 @@
 #include "choose/chosen.hpp"
 #include "elgen/evaluate.hpp"
 #include "elgen/oracle.hpp"
-#include "evaluate/subject.hpp"
 #include "numbers/exact_number.hpp"
+#include "program/evaluate/subject.hpp"
 
 using namespace elgen;
 using namespace elgen::test;

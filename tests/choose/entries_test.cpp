@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "lower/expression_leaves.hpp"
+#include "program/expression_leaves.hpp"
 
 using namespace elgen;
 using testing::Texts;

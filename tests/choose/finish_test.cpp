@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "elgen/evaluate.hpp"
-#include "lower/read_program.hpp"
+#include "program/read_program.hpp"
 
 using namespace elgen;
 

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "choose/chosen.hpp"
-#include "lower/expression_leaves.hpp"
-#include "lower/read_program.hpp"
+#include "program/expression_leaves.hpp"
+#include "program/read_program.hpp"
 
 using namespace elgen;
 using namespace elgen::test;

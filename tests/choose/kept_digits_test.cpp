@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 
 #include "elgen/evaluate.hpp"
-#include "lower/expression_leaves.hpp"
 #include "numbers/random.hpp"
+#include "program/expression_leaves.hpp"
 
 using namespace elgen;
 using elgen::testing::Texts;

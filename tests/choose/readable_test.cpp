@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 
 #include "choose/chosen.hpp"
-#include "lower/expression_leaves.hpp"
-#include "lower/graph/from_program.hpp"
+#include "program/expression_leaves.hpp"
+#include "program/graph/from_program.hpp"
 #include "support/systems.hpp"
 
 using namespace elgen;

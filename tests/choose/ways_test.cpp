@@ -6,7 +6,7 @@
 
 #include "choose/closed_graph.hpp"
 #include "choose/homogeneous_terms.hpp"
-#include "lower/expression_leaves.hpp"
+#include "program/expression_leaves.hpp"
 
 using namespace elgen;
 

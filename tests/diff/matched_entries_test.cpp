@@ -7,9 +7,9 @@
 
 #include "diff/joint_program.hpp"
 #include "diff/versions.hpp"
-#include "evaluate/subject.hpp"
-#include "lower/graph/prune.hpp"
-#include "lower/read_program.hpp"
+#include "program/evaluate/subject.hpp"
+#include "program/graph/prune.hpp"
+#include "program/read_program.hpp"
 
 using namespace elgen;
 using namespace elgen::test;

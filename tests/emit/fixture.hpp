@@ -11,7 +11,7 @@
 #include "elgen/model.hpp"
 #include "elgen/program.hpp"
 #include "elgen/scene.hpp"
-#include "lower/read_program.hpp"
+#include "program/read_program.hpp"
 
 namespace elgen::testing {
 

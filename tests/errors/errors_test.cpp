@@ -109,7 +109,7 @@ const std::filesystem::path folder = std::filesystem::path(ELGEN_SOURCE_DIR) / "
 const std::map<std::string, std::string>& unreachable_codes() {
   static const std::map<std::string, std::string> reasons{
       {"E911", "a derivation that disagrees with the oracle: tests/verify breaks one by hand"},
-      {"E912", "a broken invariant of elgen: tests/lower and tests/pipeline break some by hand"},
+      {"E912", "a broken invariant of elgen: tests/program and tests/pipeline break some by hand"},
       {"E915", "a page that elgen fails to write: tests/pipeline breaks one by hand"},
   };
   return reasons;

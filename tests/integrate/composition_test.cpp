@@ -3,8 +3,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "lower/graph/prune.hpp"
-#include "lower/read_program.hpp"
+#include "program/graph/prune.hpp"
+#include "program/read_program.hpp"
 
 namespace elgen::testing {
 namespace {

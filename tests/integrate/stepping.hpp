@@ -10,7 +10,7 @@
 #include "elgen/evaluate.hpp"
 #include "elgen/oracle.hpp"
 #include "elgen/pipeline.hpp"
-#include "evaluate/subject.hpp"
+#include "program/evaluate/subject.hpp"
 #include "support/models.hpp"
 #include "support/shell.hpp"
 

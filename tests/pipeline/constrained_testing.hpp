@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "evaluate/subject.hpp"
 #include "numbers/exact_number.hpp"
 #include "oracle/model_builder.hpp"
 #include "pipeline/pipeline_testing.hpp"
+#include "program/evaluate/subject.hpp"
 
 namespace elgen::test {
 

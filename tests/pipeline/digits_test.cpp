@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "evaluate/subject.hpp"
 #include "pipeline/pipeline_testing.hpp"
+#include "program/evaluate/subject.hpp"
 
 namespace elgen::test {
 

@@ -3,9 +3,9 @@
 #include <catch2/catch.hpp>
 
 #include "elgen/oracle.hpp"
-#include "evaluate/exact_values.hpp"
 #include "numbers/random.hpp"
 #include "pipeline/pipeline_testing.hpp"
+#include "program/evaluate/exact_values.hpp"
 
 namespace elgen::test {
 namespace {

@@ -13,8 +13,8 @@
 #include "elgen/evaluate.hpp"
 #include "elgen/oracle.hpp"
 #include "elgen/pipeline.hpp"
-#include "evaluate/subject.hpp"
 #include "parse/decimal.hpp"
+#include "program/evaluate/subject.hpp"
 #include "verify/bounds/field_place.hpp"
 
 using namespace elgen;

@@ -3,10 +3,10 @@
 #include <catch2/catch.hpp>
 
 #include "elgen/simulate.hpp"
-#include "evaluate/subject.hpp"
 #include "numbers/exact_number.hpp"
 #include "numbers/random.hpp"
 #include "pipeline/pipeline_testing.hpp"
+#include "program/evaluate/subject.hpp"
 
 namespace elgen::test {
 namespace {

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "elgen/closed_forms.hpp"
-#include "lower/read_program.hpp"
+#include "program/read_program.hpp"
 
 using namespace elgen;
 

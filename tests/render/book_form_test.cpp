@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "elgen/pipeline.hpp"
-#include "evaluate/subject.hpp"
+#include "program/evaluate/subject.hpp"
 #include "render/small_sheet.hpp"
 #include "support/systems.hpp"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "elgen/constant.hpp"
-#include "lower/graph/graph.hpp"
+#include "program/graph/graph.hpp"
 
 namespace elgen::test {
 

@@ -12,8 +12,8 @@
 
 #include "analyse/formulas.hpp"
 #include "elgen/pipeline.hpp"
-#include "evaluate/subject.hpp"
 #include "numbers/random.hpp"
+#include "program/evaluate/subject.hpp"
 #include "support/inputs.hpp"
 #include "texts/fold_expression.hpp"
 #include "texts/written_equations.hpp"

@@ -1,6 +1,6 @@
 // Values, slopes and curvatures of a program at one state. Balances: zero is zero relative to the
 // terms, and undefined is no figure.
-#include "evaluate/exact_values.hpp"
+#include "program/evaluate/exact_values.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "elgen/outputs.hpp"
-#include "evaluate/subject.hpp"
 #include "oracle/samples.hpp"
+#include "program/evaluate/subject.hpp"
 #include "support/parse_program.hpp"
 
 namespace elgen::test {

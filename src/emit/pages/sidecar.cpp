@@ -8,9 +8,9 @@
 #include "emit/text/layout.hpp"
 #include "emit/text/parameters.hpp"
 #include "emit/text/stamp.hpp"
-#include "lower/operation_columns.hpp"
 #include "model/output_units.hpp"
 #include "numbers/number_text.hpp"
+#include "program/operation_columns.hpp"
 
 namespace elgen {
 namespace {

@@ -10,7 +10,7 @@
 #include "check/expressions/traits.hpp"
 #include "elgen/references.hpp"
 #include "elgen/wording.hpp"
-#include "evaluate/subject.hpp"
+#include "program/evaluate/subject.hpp"
 
 namespace elgen {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "evaluate/subject.hpp"
+#include "program/evaluate/subject.hpp"
 #include "verify/bounds/own_bound.hpp"
 
 namespace elgen {

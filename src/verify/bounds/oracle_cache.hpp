@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "evaluate/subject.hpp"
+#include "program/evaluate/subject.hpp"
 
 namespace elgen {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "accuracy/bounded.hpp"
-#include "evaluate/subject.hpp"
+#include "program/evaluate/subject.hpp"
 
 namespace elgen {
 

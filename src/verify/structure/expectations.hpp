@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "elgen/certificate.hpp"
-#include "evaluate/subject.hpp"
+#include "program/evaluate/subject.hpp"
 
 namespace elgen {
 

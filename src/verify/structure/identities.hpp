@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "evaluate/exact_values.hpp"
+#include "program/evaluate/exact_values.hpp"
 
 namespace elgen {
 

@@ -1,0 +1,199 @@
+// Constants as forms: equality and signs, values, formulas.
+//
+// Where digits cancel, or an angle is large, a form is evaluated again with more digits. In
+// formulas weights are signs, or exponents: those below zero stand below a stacked fraction.
+#include "program/constants/constants.hpp"
+
+#include <cln/integer.h>
+#include <cln/rational.h>
+
+#include <algorithm>
+#include <array>
+
+#include "numbers/exact_number.hpp"
+
+namespace elgen {
+namespace {
+
+/// The digits to which a constant is known.
+constexpr int promised_digits = 200;
+/// Of the floats, one after the other until that is kept.
+constexpr std::array<int, 4> working_digits{220, 440, 880, 1760};
+
+Enclosed value_of(const ConstantForm& form, const EnclosedArithmetic& with);
+
+Enclosed value_of(const ConstantPart& part, bool is_factor, const EnclosedArithmetic& with) {
+  const Enclosed value = value_of(part.form, with);
+  if (!value.number || part.weight == 1) return value;
+  return is_factor ? with.power(*value.number, part.weight) : Enclosed(-*value.number);
+}
+
+EnclosedNumber folded(const ConstantForm& form, const std::vector<EnclosedNumber>& parts,
+                      const EnclosedArithmetic& with) {
+  const bool is_sum = form.kind == ConstantKind::sum;
+  EnclosedNumber total{is_sum ? 0 : 1, 0};
+  for (const EnclosedNumber& part : parts) {
+    total = is_sum ? with.sum(total, part) : with.product(total, part);
+  }
+  return total;
+}
+
+Enclosed value_of(const ConstantForm& form, const EnclosedArithmetic& with) {
+  std::vector<EnclosedNumber> parts;
+  for (const ConstantPart& part : form.parts) {
+    const Enclosed value = value_of(part, form.kind == ConstantKind::product, with);
+    if (!value.number) return value;
+    parts.push_back(*value.number);
+  }
+  switch (form.kind) {
+    case ConstantKind::rational:
+      return EnclosedNumber{form.number, 0};
+    case ConstantKind::pi:
+      return with.pi();
+    case ConstantKind::square_root:
+      return with.power(parts.front(), cln::cl_RA(1) / 2);
+    case ConstantKind::call:
+      return with.call(form.function, parts.front(), parts.back());
+    default:
+      return folded(form, parts, with);
+  }
+}
+
+/// Errors of what no length tells may grow beyond all floats.
+Enclosed value_with(const ConstantForm& form, int digits) {
+  try {
+    return value_of(form, EnclosedArithmetic(digits));
+  } catch (const cln::floating_point_exception&) {
+    return NoValue::unknown;
+  }
+}
+
+Formula sum_of(const Spelling& spelling, const std::vector<ConstantPart>& parts) {
+  std::vector<Summand> terms;
+  for (const ConstantPart& part : parts) {
+    terms.push_back({constant_formula(spelling, part.form), part.weight < 0});
+  }
+  return sum(spelling, terms);
+}
+
+/// The base with its exponent; a sum of one term keeps its sign in brackets.
+Formula raised(const Spelling& spelling, const ConstantPart& factor, std::int32_t exponent) {
+  Formula base = constant_formula(spelling, factor.form);
+  const bool is_signed = factor.form.kind == ConstantKind::sum && base.binding == Binding::negation;
+  if (is_signed) base = at_least(spelling, base, Binding::product);
+  return exponent == 1 ? base : power(spelling, base, number(spelling, exponent));
+}
+
+Formula product_of(const Spelling& spelling, const std::vector<ConstantPart>& factors) {
+  std::vector<Formula> above;
+  std::vector<Formula> below;
+  for (const ConstantPart& factor : factors) {
+    const bool is_below = spelling.is_two_dimensional && factor.weight < 0;
+    (is_below ? below : above)
+        .push_back(raised(spelling, factor, is_below ? -factor.weight : factor.weight));
+  }
+  if (above.empty()) above.push_back({"1"});
+  const Formula numerator = product(spelling, above);
+  return below.empty() ? numerator : quotient(spelling, numerator, product(spelling, below));
+}
+
+std::vector<Formula> arguments_of(const Spelling& spelling, const ConstantForm& form) {
+  std::vector<Formula> arguments;
+  for (const ConstantPart& part : form.parts) {
+    arguments.push_back(
+        constant_formula(spelling, part.weight < 0 ? negated(part.form) : part.form));
+  }
+  return arguments;
+}
+
+}  // namespace
+
+bool operator==(const ConstantForm& x, const ConstantForm& y) {
+  return x.kind == y.kind && x.number == y.number && x.function == y.function && x.parts == y.parts;
+}
+
+bool operator==(const ConstantPart& x, const ConstantPart& y) {
+  return x.weight == y.weight && x.form == y.form;
+}
+
+ConstantForm rational_form(const cln::cl_RA& number) { return {.number = number, .parts = {}}; }
+
+ConstantForm negated(ConstantForm x) {
+  if (x.kind == ConstantKind::rational) return rational_form(-x.number);
+  if (x.kind == ConstantKind::sum) {
+    for (ConstantPart& term : x.parts) term.weight = -term.weight;
+    const bool is_single = x.parts.size() == 1 && x.parts.front().weight > 0;
+    return is_single ? ConstantForm(x.parts.front().form) : x;
+  }
+  if (x.kind == ConstantKind::product) {
+    const auto takes_sign = [](const ConstantPart& factor) {
+      const ConstantKind kind = factor.form.kind;
+      return factor.weight % 2 != 0 &&
+             (kind == ConstantKind::rational || kind == ConstantKind::sum);
+    };
+    const auto factor = std::find_if(x.parts.begin(), x.parts.end(), takes_sign);
+    if (factor != x.parts.end()) {
+      factor->form = negated(factor->form);
+      return x;
+    }
+  }
+  return {.kind = ConstantKind::sum, .parts = {{std::move(x), -1}}};
+}
+
+Constant rational_constant(const cln::cl_RA& number) { return {number, rational_form(number)}; }
+
+std::optional<Constant> constant_of(ConstantForm form) {
+  const std::optional<EnclosedNumber> enclosure = enclosure_of(form);
+  if (!enclosure) return std::nullopt;
+  const bool is_told = sign_of(*enclosure).has_value();
+  return Constant{is_told ? enclosure->value : cln::cl_R(0), std::move(form)};
+}
+
+bool is_rational(const Constant& constant) { return constant.form.kind == ConstantKind::rational; }
+
+std::uint32_t position_of(const Constant& wanted, std::vector<Constant>& constants) {
+  const auto known = std::find_if(constants.begin(), constants.end(), [&](const Constant& one) {
+    return one.value == wanted.value && one.form == wanted.form;
+  });
+  const auto position = static_cast<std::uint32_t>(known - constants.begin());
+  if (known == constants.end()) constants.push_back(wanted);
+  return position;
+}
+
+std::optional<EnclosedNumber> enclosure_of(const ConstantForm& form) {
+  static const cln::cl_RA share = power_of_ten(-promised_digits);
+  std::optional<EnclosedNumber> last;
+  for (const int digits : working_digits) {
+    const Enclosed found = value_with(form, digits);
+    if (!found.number) continue;
+    last = found.number;
+    if (last->error <= share * cln::abs(last->value)) return last;
+  }
+  // A sum that cancels to so little at full length is taken for 0. Where no length tells, there is
+  // no value.
+  const bool is_negligible = last && last->error <= share;
+  return is_negligible ? last : std::nullopt;
+}
+
+Formula constant_formula(const Spelling& spelling, const ConstantForm& form) {
+  switch (form.kind) {
+    case ConstantKind::rational:
+      return number(spelling, form.number);
+    case ConstantKind::pi:
+      return {spelling.is_two_dimensional ? "\\pi" : "pi"};
+    case ConstantKind::sum:
+      return sum_of(spelling, form.parts);
+    case ConstantKind::product:
+      return product_of(spelling, form.parts);
+    case ConstantKind::square_root:
+      return square_root(spelling, arguments_of(spelling, form).front());
+    default:
+      return call(spelling, form.function, arguments_of(spelling, form));
+  }
+}
+
+std::string text_of(const ConstantForm& form) {
+  return constant_formula(model_spelling(), form).text();
+}
+
+}  // namespace elgen

@@ -1,0 +1,136 @@
+// Values and derivatives of a program at one state, in 64 digits.
+#include "program/evaluate/exact_values.hpp"
+
+#include "elgen/outputs.hpp"
+#include "model/requests.hpp"
+
+namespace elgen {
+namespace {
+
+std::vector<Real> from_oracle(const Subject& subject, const State& state, OutputKind kind,
+                              std::uint32_t user) {
+  const OutputRequest request = request_of(subject.model, kind, user);
+  const OracleValues exact = oracle_values(subject.model, request, state);
+  const std::size_t entries = std::size_t{request.rows} * request.columns;
+  if (!exact) return std::vector<Real>(entries, Real::undefined());
+  std::vector<Real> values;
+  for (const cln::cl_R& value : *exact) values.emplace_back(value);
+  return values;
+}
+
+/// Undefined where one of them is.
+Real largest_magnitude(const std::vector<Real>& values) {
+  Real largest;
+  for (const Real& value : values) largest = max(largest, abs(value));
+  return largest;
+}
+
+}  // namespace
+
+ExactValues::ExactValues(const Subject& subject, State state)
+    : subject_(subject), state_(std::move(state)), arguments_(arguments_at<Real>(state_)) {
+  Real largest;
+  for (const Function& function : subject_.program.functions) {
+    const std::vector<Real> values = evaluate_instructions(subject_.program, function, arguments_);
+    const Real here = largest_magnitude(values);
+    // A function undefined here fails or skips its own rows only.
+    if (here.is_defined()) largest = max(largest, here);
+    values_[{function.kind, function.user}] = entries_of(function, values);
+  }
+  floor_ = largest * Real(power_of_ten(-20));
+}
+
+const std::vector<Real>& ExactValues::value(OutputKind kind, std::uint32_t user) {
+  const auto key = std::make_pair(kind, user);
+  const auto known = values_.find(key);
+  if (known != values_.end()) return known->second;
+  return values_[key] = from_oracle(subject_, state_, kind, user);
+}
+
+std::vector<Real> ExactValues::value_at(OutputKind kind, const Arguments<Real>& arguments) const {
+  return evaluate(subject_.program, *find_function(subject_.program, kind), arguments);
+}
+
+std::vector<Real> ExactValues::slopes(OutputKind kind, const Arguments<Real>& direction,
+                                      std::uint32_t user) const {
+  const Function& function = *find_function(subject_.program, kind, user);
+  std::vector<Real> result;
+  for (const Dual<Real>& entry :
+       evaluate(subject_.program, function, moving(arguments_, with_open_values(direction)))) {
+    result.push_back(entry.slope);
+  }
+  return result;
+}
+
+/// df = sum_i f_i dx_i
+Arguments<Real> ExactValues::with_open_values(Arguments<Real> direction) const {
+  const Model& model = subject_.model;
+  if (model.functions.empty()) return direction;
+  const State along = map_leaves([](const Real& x) -> cln::cl_R { return x.value(); }, direction);
+  // Functions and their derivatives share arguments, whose slopes cost most.
+  std::map<std::uint32_t, Real> found;
+  const auto slope_of = [&](std::uint32_t argument) {
+    const auto known = found.find(argument);
+    if (known != found.end()) return known->second;
+    const auto slope = oracle_slope(model, argument, state_, along);
+    return found[argument] = slope ? Real(*slope) : Real::undefined();
+  };
+  for (std::uint32_t i = 0; i < direction.f.size(); ++i) {
+    const OpenFunction& function = model.functions[model.open_values[i].function];
+    Real rate;
+    for (std::uint32_t k = 0; k < function.arguments.size(); ++k) {
+      const auto derivative = derivative_of(model, i, k);
+      if (!derivative) continue;
+      rate = rate + arguments_.f[*derivative] * slope_of(function.arguments[k]);
+    }
+    direction.f[i] = rate;
+  }
+  return direction;
+}
+
+std::vector<Real> ExactValues::curvatures(OutputKind kind, const Arguments<Real>& direction,
+                                          std::uint32_t user) const {
+  const Function& function = *find_function(subject_.program, kind, user);
+  const auto once = moving(arguments_, direction);
+  const auto twice = moving(once, moving(direction, at_rest()));
+  std::vector<Real> result;
+  for (const Dual<Dual<Real>>& entry : evaluate(subject_.program, function, twice)) {
+    result.push_back(entry.slope.slope);
+  }
+  return result;
+}
+
+std::vector<Real> ExactValues::coordinate_rates(const std::vector<Real>& v) const {
+  State state = state_;
+  for (std::size_t i = 0; i < v.size(); ++i) state.v[i] = v[i].value();
+  return from_oracle(subject_, state, OutputKind::coordinate_rates, 0);
+}
+
+std::vector<Real> ExactValues::coasting_accelerations() const {
+  const Model& model = subject_.model;
+  if (model.rotations.empty()) return std::vector<Real>(state_.q.size());
+  State state = state_;
+  const std::vector<Real> rates = coordinate_rates(arguments_.v);
+  for (std::size_t i = 0; i < rates.size(); ++i) state.q[i] = rates[i].value();
+  std::vector<Real> result = from_oracle(subject_, state, OutputKind::coordinate_rates, 0);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (!model.coordinates[i].rotation) result[i] = Real();
+  }
+  return result;
+}
+
+Arguments<Real> ExactValues::at_rest() const {
+  return map_leaves([](const Real&) { return Real(); }, arguments_);
+}
+
+std::optional<double> Balance::figure(const Real& floor) const {
+  const Real difference = largest_magnitude(sums_);
+  const Real scale = largest_magnitude(sizes_) + floor;
+  if (!difference.is_defined() || !scale.is_defined()) return std::nullopt;
+  if (cln::zerop(difference.value())) return 0.0;
+  const Real quotient = difference / scale;
+  if (!quotient.is_defined()) return std::nullopt;
+  return ScalarTraits<double>::from_real(quotient.value());
+}
+
+}  // namespace elgen

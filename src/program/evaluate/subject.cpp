@@ -1,0 +1,150 @@
+// States between views: binary arguments become exact rationals, and text for people.
+#include "program/evaluate/subject.hpp"
+
+#include <cln/dfloat.h>
+#include <cln/ffloat.h>
+#include <cln/float.h>
+#include <cln/integer.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace elgen {
+namespace {
+
+using cln::cl_R;
+
+/// As many digits as tell a double from its neighbours, or six.
+std::string text_of(const cl_R& value, bool exactly) {
+  if (!exactly) return short_text(value);
+  return fmt::format("{:.17g}", ScalarTraits<double>::from_real(value));
+}
+
+std::string list(std::string_view name, const std::vector<cl_R>& values, bool exactly) {
+  if (values.empty()) return {};
+  std::string text = fmt::format("{} = (", name);
+  const std::size_t shown = exactly ? values.size() : std::min<std::size_t>(values.size(), 8);
+  for (std::size_t i = 0; i < shown; ++i) {
+    text += (i == 0 ? "" : ", ") + text_of(values[i], exactly);
+  }
+  return text + (shown < values.size() ? ", …)" : ")");
+}
+
+std::string changed_parameters(const Subject& subject, const State& state, bool exactly) {
+  const std::vector<double> nominal =
+      arguments_at<double>(nominal_state(subject.model, subject.scene)).parameters;
+  const std::vector<double> actual = arguments_at<double>(state).parameters;
+  std::string text;
+  for (std::size_t i = 0; i < actual.size(); ++i) {
+    const double scale = std::max(std::abs(nominal[i]), std::abs(actual[i]));
+    // A float's rounding of the nominal value is no change.
+    if (std::abs(actual[i] - nominal[i]) <= 1e-6 * scale) continue;
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", subject.model.parameters[i].name,
+                        text_of(state.parameters[i], exactly));
+  }
+  return text;
+}
+
+std::string description(const Subject& subject, const State& state, bool exactly) {
+  std::vector<std::string> parts;
+  const auto add = [&parts](std::string part) {
+    if (!part.empty()) parts.push_back(std::move(part));
+  };
+  for_each_list(
+      [&](const LeafRow& row, const std::vector<cl_R>& values) {
+        const bool is_shown =
+            row.id != Opcode::parameter && is_passed(subject.program.leaves, row.id);
+        if (is_shown) add(list(row.symbol, values, exactly));
+      },
+      state);
+  if (subject.model.uses_time) add("t = " + text_of(state.t, exactly));
+  if (!subject.program.leaves.h.empty()) add("h = " + text_of(state.h, exactly));
+  add(changed_parameters(subject, state, exactly));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+/// Where quaternions are of length 1 only to rounding, the two sides of a comparison may go on
+/// differently off the unit sphere; on it, and by a few roundings from the arguments, they must
+/// not.
+void scale_to_length_one(const Model& model, State& state) {
+  if (model.rotations.empty()) return;
+  const OracleValues scaled = oracle_values(model, {.kind = OutputKind::normalized}, state);
+  if (scaled) state.q = *scaled;
+}
+
+}  // namespace
+
+template <class Scalar>
+State exact_state(const Subject& subject, const Arguments<Scalar>& arguments) {
+  State state = map_leaves(
+      [](Scalar value) -> cl_R { return exact_value(static_cast<double>(value)); }, arguments);
+  const State nominal = nominal_state(subject.model, subject.scene);
+  for (const auto& fixed : subject.scene.specialisation.fixed) {
+    state.parameters[fixed.first] = nominal.parameters[fixed.first];
+  }
+  scale_to_length_one(subject.model, state);
+  return state;
+}
+
+template State exact_state(const Subject&, const Arguments<double>&);
+template State exact_state(const Subject&, const Arguments<float>&);
+
+OracleValues defined_values(const std::vector<Real>& values) {
+  std::vector<cl_R> numbers;
+  for (const Real& value : values) {
+    if (!value.is_defined()) return std::nullopt;
+    numbers.push_back(value.value());
+  }
+  return numbers;
+}
+
+const Function* find_function(const Program& program, OutputKind kind, std::uint32_t user) {
+  const auto found =
+      std::find_if(program.functions.begin(), program.functions.end(),
+                   [&](const Function& f) { return f.kind == kind && f.user == user; });
+  return found == program.functions.end() ? nullptr : &*found;
+}
+
+std::vector<Real> stabilising_terms(const Model& model, const State& state,
+                                    const std::vector<Real>& residual) {
+  const auto gain = [&](const std::optional<ExpressionId>& expression) {
+    if (!expression) return Real();
+    const std::optional<cl_R> value = oracle_expression(model, *expression, state);
+    return value ? Real(*value) : Real::undefined();
+  };
+  std::size_t position = 0;
+  std::size_t rate = residual.size() - model.constraints.size();
+  std::vector<Real> terms;
+  for (const Constraint& constraint : model.constraints) {
+    const Real omega = gain(constraint.omega);
+    Real& term = terms.emplace_back(Real(2) * gain(constraint.zeta) * omega * residual[rate++]);
+    if (constraint.is_position) term = term + omega * omega * residual[position++];
+  }
+  return terms;
+}
+
+std::string describe(const Subject& subject, const State& state) {
+  return description(subject, state, false);
+}
+
+std::string describe_exactly(const Subject& subject, const State& state) {
+  return description(subject, state, true);
+}
+
+std::string short_text(const cl_R& value) {
+  if (cln::zerop(value)) return "0";
+  const cln::cl_F number = cln::cl_float(value, cln::float_format(20));
+  const double rounded = ScalarTraits<double>::from_real(value);
+  if (std::isfinite(rounded) && std::abs(rounded) > std::numeric_limits<double>::min()) {
+    return fmt::format("{:.6g}", rounded);
+  }
+  // Beyond double: the leading digit by a power of ten from the binary exponent.
+  const long decimal = std::lround(std::floor(decimal_exponent(number)));
+  const cl_R scaled = number / cln::expt(cln::cl_float(10, number), cln::cl_I(decimal));
+  return fmt::format("{:.3g}e{}", ScalarTraits<double>::from_real(scaled), decimal);
+}
+
+}  // namespace elgen

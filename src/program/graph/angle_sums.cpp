@@ -1,0 +1,201 @@
+// angle_sums: see angle_sums.hpp. Angles are compared as rational combinations of nodes.
+#include "program/graph/angle_sums.hpp"
+
+#include <cln/integer.h>
+#include <cln/rational.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <utility>
+
+namespace elgen {
+namespace {
+
+using cln::cl_RA;
+
+using Combination = std::map<NodeId, cl_RA>;
+
+void add_scaled(Combination& to, NodeId node, const cl_RA& coefficient) {
+  const auto [at, is_new] = to.try_emplace(node, coefficient);
+  if (is_new) return;
+  at->second = at->second + coefficient;
+  if (cln::zerop(at->second)) to.erase(at);
+}
+
+/// Adds coefficient * node, taken apart into terms.
+void add_terms(const Graph& graph, NodeId id, const cl_RA& coefficient, Combination& to) {
+  const Node& node = graph.node(id);
+  if (node.kind == NodeKind::sum) {
+    for (const Operand& term : node.operands) {
+      add_terms(graph, term.node, coefficient * term.weight, to);
+    }
+    return;
+  }
+  const bool is_multiple = node.kind == NodeKind::product && node.operands.size() == 2 &&
+                           node.operands[0].weight == 1 && node.operands[1].weight == 1 &&
+                           graph.is_rational(node.operands[0].node);
+  if (is_multiple) {
+    const cl_RA& factor = graph.rational_of(node.operands[0].node);
+    add_terms(graph, node.operands[1].node, coefficient * factor, to);
+    return;
+  }
+  add_scaled(to, id, coefficient);
+}
+
+Combination plus(Combination x, const Combination& y, int sign) {
+  for (const auto& [node, coefficient] : y) add_scaled(x, node, coefficient * sign);
+  return x;
+}
+
+struct AngleTerms {
+  NodeId argument = 0;
+  Combination terms = {};
+  cl_RA size = 0;  ///< sum of |coefficients|: simpler angles are smaller
+};
+
+/// argument = first + sign * second
+struct Split {
+  NodeId first = 0;
+  NodeId second = 0;
+  int sign = 1;
+};
+
+bool is_circular(const Node& node) {
+  return node.kind == NodeKind::call && is_circular(node.function);
+}
+
+std::vector<AngleTerms> angles_of(const Expressions& expressions) {
+  const Graph& graph = expressions.graph;
+  std::vector<AngleTerms> angles;
+  for (const NodeId id : reachable(graph, expressions.values)) {
+    if (!is_circular(graph.node(id))) continue;
+    const NodeId argument = graph.node(id).operands[0].node;
+    const auto same = [&](const AngleTerms& known) { return known.argument == argument; };
+    if (std::any_of(angles.begin(), angles.end(), same)) continue;
+    AngleTerms angle{argument};
+    add_terms(graph, argument, 1, angle.terms);
+    for (const auto& [node, coefficient] : angle.terms) {
+      angle.size = angle.size + cln::abs(coefficient);
+    }
+    angles.push_back(std::move(angle));
+  }
+  return angles;
+}
+
+/// Larger sets take cubic time.
+constexpr std::size_t most_angles = 40;
+
+/// angle = first + second, or first - second, where nothing cancels: q1 + q3 as (q1 + q2) - (q2 -
+/// q3) would have the rounding of a q2 that it does not hold.
+std::optional<Split> split_into(const AngleTerms& angle, const AngleTerms& first,
+                                const AngleTerms& second, Splits which) {
+  if (first.size + second.size != angle.size) return std::nullopt;
+  for (const int sign : {1, -1}) {
+    if (sign < 0 && which == Splits::sums) continue;
+    if (plus(first.terms, second.terms, sign) == angle.terms) {
+      return Split{first.argument, second.argument, sign};
+    }
+  }
+  return std::nullopt;
+}
+
+/// The angle as a sum or difference of two of the simpler ones.
+std::optional<Split> split_of(const AngleTerms& angle, const std::vector<AngleTerms>& simpler,
+                              Splits which) {
+  for (const AngleTerms& first : simpler) {
+    for (const AngleTerms& second : simpler) {
+      if (const auto split = split_into(angle, first, second, which)) return split;
+    }
+  }
+  return std::nullopt;
+}
+
+std::map<NodeId, Split> splits_of(const Expressions& expressions, Splits which) {
+  std::map<NodeId, Split> splits;
+  const std::vector<AngleTerms> angles = angles_of(expressions);
+  if (angles.size() > most_angles) return splits;
+  for (const AngleTerms& angle : angles) {
+    // A difference of squares loses the digits where it is small.
+    if (is_exact_multiple(expressions.graph, angle.argument)) continue;
+    std::vector<AngleTerms> simpler;
+    std::copy_if(angles.begin(), angles.end(), std::back_inserter(simpler),
+                 [&](const AngleTerms& other) { return other.size < angle.size; });
+    if (const auto split = split_of(angle, simpler, which)) splits[angle.argument] = *split;
+  }
+  return splits;
+}
+
+/// The rule of one rebuild: what it has built of the new graph is built once, as a chain of splits
+/// refers to each of its angles again and again.
+class AngleSums {
+ public:
+  AngleSums(std::map<NodeId, Split> splits, std::size_t nodes)
+      : splits_(std::move(splits)), arguments_(nodes), is_built_(nodes) {}
+
+  Ref operator()(Graph& graph, const RebuildStep& step) {
+    const Node& node = step.old_graph.node(step.old_node);
+    if (!is_circular(node) || splits_.count(node.operands[0].node) == 0) return copy(graph, step);
+    const Ref value = circular(graph, step, node.function, node.operands[0].node);
+    const bool negative = node.function == FunctionId::sin && node.operands[0].weight < 0;
+    return with_sign(value, negative);
+  }
+
+ private:
+  /// An argument in the new graph, built anew: it may come later in the old one.
+  Ref argument(Graph& graph, const RebuildStep& step, NodeId id) {
+    if (is_built_[id]) return arguments_[id];
+    for (const Operand& operand : step.old_graph.node(id).operands) {
+      (void)argument(graph, step, operand.node);
+    }
+    is_built_[id] = true;
+    return arguments_[id] = copy(graph, {step.old_graph, id, arguments_});
+  }
+
+  Ref circular(Graph& graph, const RebuildStep& step, FunctionId function, NodeId id) {
+    const auto known = circular_.find({function, id});
+    if (known != circular_.end()) return known->second;
+    return circular_[{function, id}] = new_circular(graph, step, function, id);
+  }
+
+  Ref new_circular(Graph& graph, const RebuildStep& step, FunctionId function, NodeId id) {
+    const auto split = splits_.find(id);
+    if (split == splits_.end()) return graph.call(function, {argument(graph, step, id)});
+    const auto& [first, second, sign] = split->second;
+    const Ref sine1 = circular(graph, step, FunctionId::sin, first);
+    const Ref cosine1 = circular(graph, step, FunctionId::cos, first);
+    const Ref sine2 = with_sign(circular(graph, step, FunctionId::sin, second), sign < 0);
+    const Ref cosine2 = circular(graph, step, FunctionId::cos, second);
+    if (function == FunctionId::sin) {
+      const Ref left = graph.product({{sine1}, {cosine2}});
+      return graph.sum({left, graph.product({{cosine1}, {sine2}})});
+    }
+    const Ref left = graph.product({{cosine1}, {cosine2}});
+    return graph.sum({left, -graph.product({{sine1}, {sine2}})});
+  }
+
+  std::map<NodeId, Split> splits_;
+  std::vector<Ref> arguments_;  ///< in the new graph, by old node
+  std::vector<bool> is_built_;
+  std::map<std::pair<FunctionId, NodeId>, Ref> circular_;  ///< likewise
+};
+
+}  // namespace
+
+bool is_exact_multiple(const Graph& graph, NodeId id) {
+  const Node& node = graph.node(id);
+  if (node.kind != NodeKind::product) return node.kind == NodeKind::leaf;
+  if (node.operands.size() != 2 || !graph.is_rational(node.operands[0].node)) return false;
+  const cl_RA& factor = graph.rational_of(node.operands[0].node);
+  const cln::cl_I powers = cln::numerator(factor) * cln::denominator(factor);
+  return node.operands[1].weight == 1 && cln::power2p(powers) > 0 &&
+         is_exact_multiple(graph, node.operands[1].node);
+}
+
+std::optional<Expressions> expand_angle_sums(const Expressions& expressions, Splits which) {
+  std::map<NodeId, Split> splits = splits_of(expressions, which);
+  if (splits.empty()) return std::nullopt;
+  return rebuild(expressions, AngleSums(std::move(splits), expressions.graph.size()));
+}
+
+}  // namespace elgen

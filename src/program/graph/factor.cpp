@@ -1,0 +1,150 @@
+// factor: see factor.hpp.
+#include "program/graph/factor.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+namespace elgen {
+namespace {
+
+/// Sums longer than this stay as they are; the greedy search takes quadratic time.
+constexpr std::size_t maximal_terms = 400;
+
+/// A term as its factors; one that is not divisible is not to be taken apart.
+struct FactoredTerm {
+  bool negative = false;
+  std::vector<Power> factors = {};
+  bool is_divisible = false;
+};
+
+/// Each base stands once: a term is divided by a factor in one place.
+void multiply(FactoredTerm& term, NodeId factor, std::int32_t exponent) {
+  const auto known = std::find_if(term.factors.begin(), term.factors.end(),
+                                  [&](const Power& power) { return power.base.node == factor; });
+  if (known == term.factors.end()) {
+    term.factors.push_back({{factor, false}, exponent});
+  } else {
+    known->exponent += exponent;
+  }
+}
+
+bool has_factor(const FactoredTerm& term, NodeId factor) {
+  return term.is_divisible &&
+         std::any_of(term.factors.begin(), term.factors.end(), [&](const Power& power) {
+           return power.base.node == factor && power.exponent > 0;
+         });
+}
+
+void divide(FactoredTerm& term, NodeId factor) {
+  for (Power& power : term.factors) {
+    if (power.base.node == factor) --power.exponent;
+  }
+  std::erase_if(term.factors, [](const Power& power) { return power.exponent == 0; });
+}
+
+class Factoring {
+ public:
+  explicit Factoring(const Expressions& expressions)
+      : uses_(use_counts(expressions.graph, expressions.values)) {}
+
+  Ref operator()(Graph& graph, const RebuildStep& step) const {
+    const Node& node = step.old_graph.node(step.old_node);
+    if (node.kind != NodeKind::sum || node.operands.size() > maximal_terms) {
+      return copy(graph, step);
+    }
+    std::vector<FactoredTerm> terms;
+    for (const Operand& operand : node.operands) terms.push_back(term(graph, step, operand));
+    return sum_of_terms(graph, std::move(terms));
+  }
+
+ private:
+  FactoredTerm term(const Graph& graph, const RebuildStep& step, const Operand& operand) const {
+    const Ref value = with_sign(step.renewed[operand.node], operand.weight < 0);
+    FactoredTerm result{value.negative, {}, true};
+    const Node& node = graph.node(value.node);
+    if (node.kind == NodeKind::product && uses_[operand.node] == 1) {
+      append_factors(graph, step.old_graph, operand.node, node, result);
+      return result;
+    }
+    result.factors = {{{value.node, false}, 1}};
+    result.is_divisible = node.kind != NodeKind::rational;
+    return result;
+  }
+
+  /// A coefficient times a product used nowhere else has the factors of both.
+  void append_factors(const Graph& graph, const Graph& old_graph, NodeId old_node,
+                      const Node& product, FactoredTerm& term) const {
+    const std::vector<Operand>& old = old_graph.node(old_node).operands;
+    const bool is_scaled = product.operands.size() == 2 &&
+                           graph.is_rational(product.operands[0].node) && old.size() == 2 &&
+                           uses_[old[1].node] == 1;
+    for (const Operand& factor : product.operands) {
+      const bool is_rest =
+          is_scaled && factor.weight == 1 && graph.node(factor.node).kind == NodeKind::product;
+      if (!is_rest) {
+        multiply(term, factor.node, factor.weight);
+        continue;
+      }
+      for (const Operand& inner : graph.node(factor.node).operands) {
+        multiply(term, inner.node, inner.weight);
+      }
+    }
+  }
+
+  /// The factor of most terms, or nothing where no two terms share one.
+  static std::optional<NodeId> most_common(const Graph& graph,
+                                           const std::vector<FactoredTerm>& terms) {
+    std::map<NodeId, std::size_t> counts;
+    for (const FactoredTerm& term : terms) {
+      for (const Power& power : term.factors) {
+        if (has_factor(term, power.base.node)) ++counts[power.base.node];
+      }
+    }
+    std::optional<NodeId> best;
+    for (const auto& [factor, count] : counts) {
+      if (count < 2) continue;
+      const std::size_t most = best ? counts[*best] : 0;
+      if (count > most || (count == most && graph.less(factor, *best))) best = factor;
+    }
+    return best;
+  }
+
+  static Ref sum_of_terms(Graph& graph, std::vector<FactoredTerm> terms) {
+    std::vector<Ref> finished;
+    while (const std::optional<NodeId> common = most_common(graph, terms)) {
+      const auto rest = std::stable_partition(
+          terms.begin(), terms.end(),
+          [&](const FactoredTerm& term) { return has_factor(term, *common); });
+      std::vector<FactoredTerm> inner(terms.begin(), rest);
+      terms.erase(terms.begin(), rest);
+      for (FactoredTerm& term : inner) divide(term, *common);
+      terms.push_back(product_term(graph, *common, sum_of_terms(graph, std::move(inner))));
+    }
+    for (const FactoredTerm& term : terms) {
+      finished.push_back(with_sign(graph.product(term.factors), term.negative));
+    }
+    return graph.sum(finished);
+  }
+
+  /// common * inner; where inner is itself a product, its factors can be common again.
+  static FactoredTerm product_term(Graph& graph, NodeId common, Ref inner) {
+    FactoredTerm result{inner.negative, {{{common, false}, 1}}, true};
+    const Node& node = graph.node(inner.node);
+    const bool is_product = node.kind == NodeKind::product;
+    const std::vector<Operand> factors =
+        is_product ? node.operands : std::vector<Operand>{{inner.node, 1}};
+    for (const Operand& factor : factors) multiply(result, factor.node, factor.weight);
+    return result;
+  }
+
+  std::vector<std::uint32_t> uses_;
+};
+
+}  // namespace
+
+Expressions factor(const Expressions& expressions) {
+  return rebuild(expressions, Factoring(expressions));
+}
+
+}  // namespace elgen

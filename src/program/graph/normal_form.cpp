@@ -1,0 +1,248 @@
+// Graph::sum and Graph::product: the normal forms of n-ary nodes.
+//
+//     sum:      y - x + 2*x          -> x + y        equal terms merged, leading term positive
+//               2*y - 2*x            -> -2*(x - y)   a coefficient all terms share pulled out
+//               m*sin(x)^2 + m*cos(x)^2 -> m
+//               x + (y - x)          -> y
+//     product:  (y - x)*x*(x - y)    -> -x*(x - y)^2 signs pulled out, equal bases merged
+//               2*pi*x/4             -> 1/2*pi*x     rational numbers are one coefficient
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "program/graph/graph.hpp"
+
+namespace elgen {
+
+/// A product taken apart: its rational coefficient, and powers of other nodes.
+struct Graph::Factors {
+  cln::cl_RA coefficient = 1;  ///< signed
+  std::vector<Operand> powers = {};
+};
+
+/// coefficient * node; the node carries no rational coefficient of its own.
+struct Graph::Term {
+  cln::cl_RA coefficient = 1;
+  NodeId node = 0;
+};
+
+void Graph::collect(const Power& power, Factors& factors) {
+  const bool is_odd = power.exponent % 2 != 0;
+  if (power.base.negative && is_odd) factors.coefficient = -factors.coefficient;
+  if (is_rational(power.base.node)) {
+    const cln::cl_RA value = cln::expt(rational_of(power.base.node), power.exponent);
+    factors.coefficient = factors.coefficient * value;
+    return;
+  }
+  // A constant is one product, so that it has one form.
+  const Node& base = node(power.base.node);
+  if (base.kind == NodeKind::product && is_constant(power.base.node)) {
+    const std::vector<Operand> operands = base.operands;
+    for (const Operand& operand : operands) {
+      collect({{operand.node, false}, operand.weight * power.exponent}, factors);
+    }
+    return;
+  }
+  // Coefficients meet outside; what they scale stays whole, because it may be shared.
+  if (const std::optional<Term> scaled = scaled_product(power.base.node)) {
+    factors.coefficient = factors.coefficient * cln::expt(scaled->coefficient, power.exponent);
+    collect({{scaled->node, false}, power.exponent}, factors);
+    return;
+  }
+  factors.powers.push_back({power.base.node, power.exponent});
+}
+
+/// Equal bases become one; sqrt(x)^2 becomes x, which may meet other powers of x.
+void Graph::merge_factors(Factors& factors) {
+  std::vector<Operand>& powers = factors.powers;
+  for (bool changed = true; changed;) {
+    changed = false;
+    std::map<NodeId, std::int32_t> merged;
+    for (const Operand& power : powers) merged[power.node] += power.weight;
+    powers.clear();
+    for (const auto& [id, exponent] : merged) {
+      const Node& base = node(id);
+      const bool is_squared = base.kind == NodeKind::square_root && std::abs(exponent) > 1;
+      const std::int32_t left = is_squared ? exponent % 2 : exponent;
+      if (left != 0) powers.push_back({id, left});
+      if (!is_squared) continue;
+      changed = true;
+      const Operand radicand = base.operands[0];
+      collect({{radicand.node, radicand.weight < 0}, exponent / 2}, factors);
+    }
+  }
+}
+
+Ref Graph::build_product(Factors factors) {
+  if (cln::zerop(factors.coefficient)) return rational(0);
+  const bool negative = cln::minusp(factors.coefficient);
+  const Ref coefficient = rational(cln::abs(factors.coefficient));
+  if (factors.powers.empty()) return with_sign(coefficient, negative);
+  const bool has_coefficient = cln::abs(factors.coefficient) != 1;
+  if (!has_coefficient && factors.powers.size() == 1 && factors.powers[0].weight == 1) {
+    return {factors.powers[0].node, negative};
+  }
+  if (has_coefficient) factors.powers.push_back({coefficient.node, 1});
+  sort(factors.powers);
+  return {intern({.kind = NodeKind::product, .operands = std::move(factors.powers)}), negative};
+}
+
+Ref Graph::product(const std::vector<Power>& powers) {
+  Factors factors;
+  for (const Power& power : powers) collect(power, factors);
+  merge_factors(factors);
+  return build_product(std::move(factors));
+}
+
+/// c and the product without it, where a product has a rational coefficient c.
+std::optional<Graph::Term> Graph::scaled_product(NodeId id) {
+  const Node& product = node(id);
+  const bool is_scaled = product.kind == NodeKind::product && is_rational(product.operands[0].node);
+  if (!is_scaled) return std::nullopt;
+  const NodeId coefficient = product.operands[0].node;
+  Factors rest;
+  rest.powers.assign(product.operands.begin() + 1, product.operands.end());
+  const NodeId scaled = build_product(std::move(rest)).node;
+  return Term{rational_of(coefficient), scaled};
+}
+
+Graph::Term Graph::split_coefficient(Ref term) {
+  Term result = scaled_product(term.node).value_or(Term{1, term.node});
+  if (term.negative) result.coefficient = -result.coefficient;
+  return result;
+}
+
+Ref Graph::build_sum(const std::vector<Term>& terms, const cln::cl_RA& constant) {
+  const bool has_constant = !cln::zerop(constant);
+  if (terms.empty()) return rational(constant);
+  const cln::cl_RA first = cln::abs(terms[0].coefficient);
+  const bool is_common =
+      !has_constant && std::all_of(terms.begin(), terms.end(),
+                                   [&](const Term& t) { return cln::abs(t.coefficient) == first; });
+  std::vector<Operand> operands;
+  for (const Term& term : terms) {
+    const cln::cl_RA magnitude = is_common ? cln::cl_RA(1) : cln::abs(term.coefficient);
+    const Ref scaled = product({{rational(magnitude)}, {{term.node, false}}});
+    operands.push_back({scaled.node, cln::minusp(term.coefficient) ? -1 : 1});
+  }
+  if (has_constant) {
+    operands.push_back({rational(constant).node, cln::minusp(constant) ? -1 : 1});
+  }
+  sort(operands);
+  const bool negative = operands[0].weight < 0;
+  if (negative) {
+    for (Operand& operand : operands) operand.weight = -operand.weight;
+  }
+  Ref result{operands[0].node, negative};
+  if (operands.size() > 1) {
+    result.node = intern({.kind = NodeKind::sum, .operands = std::move(operands)});
+  }
+  return is_common ? product({{rational(first)}, {result}}) : result;
+}
+
+/// The position of sin(x)^2 among the factors of a product, or its size.
+std::size_t Graph::squared_sine(NodeId id) const {
+  const std::vector<Operand>& factors = node(id).operands;
+  if (node(id).kind != NodeKind::product) return factors.size();
+  const auto is_squared_sine = [this](const Operand& factor) {
+    const Node& base = node(factor.node);
+    return factor.weight == 2 && base.kind == NodeKind::call && base.function == FunctionId::sin;
+  };
+  const auto it = std::find_if(factors.begin(), factors.end(), is_squared_sine);
+  return static_cast<std::size_t>(it - factors.begin());
+}
+
+/// Some of the terms in the order of the graph.
+template <class Choice>
+std::vector<Graph::Term*> Graph::in_order(std::vector<Term>& terms, const Choice& is_chosen) const {
+  std::vector<Term*> sorted;
+  for (Term& term : terms) {
+    if (is_chosen(term.node)) sorted.push_back(&term);
+  }
+  std::sort(sorted.begin(), sorted.end(),
+            [this](const Term* x, const Term* y) { return less(x->node, y->node); });
+  return sorted;
+}
+
+/// Replaces the first f*sin(x)^2 that has an f*cos(x)^2 beside it by f. First in the order of the
+/// graph, because another pair could leave another sum.
+bool Graph::join_squares(std::vector<Term>& terms) {
+  const auto has_squared_sine = [this](NodeId id) {
+    return squared_sine(id) < node(id).operands.size();
+  };
+  for (Term* term : in_order(terms, has_squared_sine)) {
+    const std::size_t position = squared_sine(term->node);
+    const Operand angle = node(node(term->node).operands[position].node).operands[0];
+    std::vector<Power> powers;
+    for (const Operand& factor : node(term->node).operands) {
+      powers.push_back({{factor.node, false}, factor.weight});
+    }
+    powers[position].base = call(FunctionId::cos, {{angle.node, false}});
+    const NodeId partner = product(powers).node;
+    const auto other = std::find_if(terms.begin(), terms.end(), [&](const Term& t) {
+      return t.node == partner && t.coefficient == term->coefficient;
+    });
+    if (other == terms.end()) continue;
+    powers.erase(powers.begin() + static_cast<std::ptrdiff_t>(position));
+    term->node = product(powers).node;
+    terms.erase(other);
+    return true;
+  }
+  return false;
+}
+
+void Graph::merge_terms(std::vector<Term>& terms) {
+  std::map<NodeId, cln::cl_RA> merged;
+  for (const Term& term : terms) merged[term.node] = merged[term.node] + term.coefficient;
+  terms.clear();
+  for (const auto& [node, coefficient] : merged) {
+    if (!cln::zerop(coefficient)) terms.push_back({coefficient, node});
+  }
+}
+
+/// Writes out the first sum among the terms that holds the opposite of another term: where the two
+/// do not meet, what is left is rounded as if it were as large as they are.
+bool Graph::write_out_opposed(std::vector<Term>& terms) {
+  const auto has_opposite = [&terms](const Term& part) {
+    return std::any_of(terms.begin(), terms.end(), [&part](const Term& term) {
+      return term.node == part.node && cln::zerop(term.coefficient + part.coefficient);
+    });
+  };
+  const auto is_sum = [this](NodeId id) { return node(id).kind == NodeKind::sum; };
+  for (Term* sum : in_order(terms, is_sum)) {
+    const std::vector<Operand> operands = node(sum->node).operands;
+    std::vector<Term> parts;
+    for (const Operand& operand : operands) {
+      Term part = split_coefficient({operand.node, operand.weight < 0});
+      part.coefficient = part.coefficient * sum->coefficient;
+      parts.push_back(part);
+    }
+    if (std::none_of(parts.begin(), parts.end(), has_opposite)) continue;
+    terms.erase(terms.begin() + (sum - terms.data()));
+    terms.insert(terms.end(), parts.begin(), parts.end());
+    return true;
+  }
+  return false;
+}
+
+Ref Graph::sum(const std::vector<Ref>& terms) {
+  cln::cl_RA constant = 0;
+  std::vector<Term> split;
+  for (const Ref term : terms) {
+    if (const auto number = rational_value(term)) {
+      constant = constant + *number;
+    } else {
+      split.push_back(split_coefficient(term));
+    }
+  }
+  merge_terms(split);
+  if (!join_squares(split) && !write_out_opposed(split)) return build_sum(split, constant);
+  std::vector<Ref> fewer;
+  for (const Term& term : split) {
+    fewer.push_back(product({{rational(term.coefficient)}, {{term.node, false}}}));
+  }
+  fewer.push_back(rational(constant));
+  return sum(fewer);
+}
+
+}  // namespace elgen

@@ -1,0 +1,73 @@
+// rebuild: the frame of every pass from Graph to Graph; operands are renewed before their users.
+#include "program/graph/rebuild.hpp"
+
+namespace elgen {
+
+namespace {
+
+/// The old node's operands in the new graph: terms of a sum or arguments, with their signs.
+std::vector<Ref> renewed_terms(const RebuildStep& step) {
+  std::vector<Ref> terms;
+  for (const Operand& operand : step.old_graph.node(step.old_node).operands) {
+    terms.push_back(with_sign(step.renewed[operand.node], operand.weight < 0));
+  }
+  return terms;
+}
+
+/// The factors of a product in the new graph.
+std::vector<Power> renewed_factors(const RebuildStep& step) {
+  std::vector<Power> factors;
+  for (const Operand& operand : step.old_graph.node(step.old_node).operands) {
+    factors.push_back({step.renewed[operand.node], operand.weight});
+  }
+  return factors;
+}
+
+}  // namespace
+
+Ref copy(Graph& graph, const RebuildStep& step) {
+  const Node& node = step.old_graph.node(step.old_node);
+  switch (node.kind) {
+    case NodeKind::rational:
+      return graph.rational(step.old_graph.rational_of(step.old_node));
+    case NodeKind::pi:
+      return graph.pi();
+    case NodeKind::leaf:
+      return graph.leaf(node.leaf, node.index);
+    case NodeKind::product:
+      return graph.product(renewed_factors(step));
+    case NodeKind::square_root:
+      return graph.square_root(renewed_terms(step)[0]);
+    case NodeKind::call:
+      return graph.call(node.function, renewed_terms(step));
+    case NodeKind::sum:
+      return graph.sum(renewed_terms(step));
+  }
+  return {};
+}
+
+Ref copied(Graph& graph, const Expressions& from) {
+  std::vector<Ref> renewed(from.graph.size());
+  for (const NodeId id : reachable(from.graph, from.values)) {
+    renewed[id] = copy(graph, {from.graph, id, renewed});
+  }
+  const Ref value = from.values[0];
+  return with_sign(renewed[value.node], value.negative);
+}
+
+Expressions rebuild(const Expressions& expressions, const RebuildRule& rule) {
+  const Graph& old_graph = expressions.graph;
+  Expressions result;
+  std::vector<Ref> renewed(old_graph.size());
+  for (const NodeId id : reachable(old_graph, expressions.values)) {
+    result.graph.set_birth(old_graph.node(id).birth);
+    renewed[id] = rule(result.graph, {old_graph, id, renewed});
+    result.graph.name(renewed[id], old_graph.node(id).name);
+  }
+  for (const Ref value : expressions.values) {
+    result.values.push_back(with_sign(renewed[value.node], value.negative));
+  }
+  return result;
+}
+
+}  // namespace elgen

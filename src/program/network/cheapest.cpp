@@ -1,0 +1,55 @@
+// cheapest: see cheapest.hpp.
+#include "program/network/cheapest.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "program/graph/factor.hpp"
+#include "program/graph/flatten.hpp"
+#include "program/network/linearise.hpp"
+#include "program/network/share.hpp"
+#include "program/network/turn_signs.hpp"
+
+namespace elgen {
+namespace {
+
+/// Larger graphs are not tried with all products written out, which takes them longest.
+constexpr std::size_t maximal_nodes_written_out = 20'000;
+
+CostedNetwork candidate(const Expressions& expressions, const Function& unfilled) {
+  CostedNetwork result{make_network(expressions)};
+  share(result.network);
+  turn_signs(result.network);
+  Program scratch;
+  Function function = unfilled;
+  linearise(result.network, scratch, function);
+  result.cost = cost(count_operations(function));
+  return result;
+}
+
+}  // namespace
+
+Expressions factored(const Expressions& flat) { return factor(flatten(factor(flat))); }
+
+std::vector<CostedNetwork> networks_by_cost(const Expressions& expressions,
+                                            const Function& unfilled, Splits splits) {
+  std::vector<CostedNetwork> networks;
+  const auto add = [&](const Expressions& form) { networks.push_back(candidate(form, unfilled)); };
+  const auto add_forms = [&](const Expressions& all) {
+    const Expressions flat = flatten(all);
+    add(factored(flat));
+    add(flat);
+    if (flat.graph.size() > maximal_nodes_written_out) return;
+    add(factored(flatten(flat, Flattened::all_products)));
+  };
+  add_forms(expressions);
+  if (const auto expanded = expand_angle_sums(expressions, splits)) add_forms(*expanded);
+  std::ranges::stable_sort(networks, {}, &CostedNetwork::cost);
+  return networks;
+}
+
+Network cheapest_network(const Expressions& expressions, const Function& unfilled, Splits splits) {
+  return std::move(networks_by_cost(expressions, unfilled, splits).front().network);
+}
+
+}  // namespace elgen

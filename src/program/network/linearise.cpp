@@ -1,0 +1,132 @@
+// linearise: see linearise.hpp. Instructions are value numbers: nothing is computed twice.
+#include "program/network/linearise.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "program/network/instructions.hpp"
+
+namespace elgen {
+namespace {
+
+class Linearising {
+ public:
+  Linearising(const Network& network, Program& program, Function& function)
+      : network_(network),
+        program_(program),
+        function_(function),
+        done_(network.operations.size()),
+        instructions_(function) {}
+
+  std::uint32_t value(Ref ref) {
+    std::vector<NodeId> pending = {ref.node};
+    while (!pending.empty()) {
+      const NodeId id = pending.back();
+      const std::size_t before = pending.size();
+      const std::vector<Ref>& operands = network_.operations[id].operands;
+      for (std::size_t i = operands.size(); i-- > 0;) {
+        if (!done_[operands[i].node]) pending.push_back(operands[i].node);
+      }
+      if (pending.size() > before) continue;
+      pending.pop_back();
+      if (!done_[id]) finish(id);
+    }
+    return signed_value(ref);
+  }
+
+ private:
+  void finish(NodeId id) {
+    const Operation& operation = network_.operations[id];
+    const std::uint32_t result = emit_operation(operation);
+    done_[id] = result;
+    std::string& name = function_.names[result];
+    if (name.empty()) name = operation.name;
+  }
+
+  std::uint32_t signed_value(Ref ref) {
+    const std::uint32_t magnitude = *done_[ref.node];
+    return ref.negative ? instructions_.add(Opcode::negate, magnitude) : magnitude;
+  }
+
+  std::uint32_t emit_operation(const Operation& operation) {
+    switch (operation.kind) {
+      case OperationKind::constant:
+        return instructions_.add(Opcode::constant, constant(operation.index));
+      case OperationKind::leaf:
+        return instructions_.add(operation.leaf, operation.index);
+      case OperationKind::product:
+        return product(operation);
+      case OperationKind::quotient:
+        return instructions_.add(Opcode::divide, *done_[operation.operands[0].node],
+                                 *done_[operation.operands[1].node]);
+      case OperationKind::square_root:
+        return instructions_.add(Opcode::square_root, signed_value(operation.operands[0]));
+      case OperationKind::call:
+        return call(operation);
+      case OperationKind::sum:
+        return sum(operation);
+    }
+    return 0;
+  }
+
+  std::uint32_t constant(std::uint32_t index) {
+    return position_of(network_.constants[index], program_.constants);
+  }
+
+  std::uint32_t product(const Operation& operation) {
+    std::uint32_t result = *done_[operation.operands[0].node];
+    for (std::size_t i = 1; i < operation.operands.size(); ++i) {
+      result = instructions_.add(Opcode::multiply, result, *done_[operation.operands[i].node]);
+    }
+    return result;
+  }
+
+  std::uint32_t call(const Operation& operation) {
+    Instruction instruction{.opcode = Opcode::call, .function = operation.function};
+    instruction.a = signed_value(operation.operands[0]);
+    if (operation.operands.size() > 1) instruction.b = signed_value(operation.operands[1]);
+    return instructions_.add(instruction);
+  }
+
+  /// Starts from the first positive term, so that nothing needs to be negated where there is one.
+  std::uint32_t sum(const Operation& operation) {
+    const std::vector<Ref>& terms = operation.operands;
+    auto start = std::find_if(terms.begin(), terms.end(), [](Ref term) { return !term.negative; });
+    if (start == terms.end()) start = terms.begin();
+    std::uint32_t result = signed_value(*start);
+    for (auto term = terms.begin(); term != terms.end(); ++term) {
+      if (term == start) continue;
+      result = instructions_.add(term->negative ? Opcode::subtract : Opcode::add, result,
+                                 *done_[term->node]);
+    }
+    return result;
+  }
+
+  const Network& network_;
+  Program& program_;
+  Function& function_;
+  std::vector<std::optional<std::uint32_t>> done_;
+  Instructions instructions_;
+};
+
+}  // namespace
+
+Function unfilled(const Function& function) {
+  Function result{.kind = function.kind, .user = function.user, .name = function.name};
+  result.sampled_zeros = function.sampled_zeros;
+  std::uint32_t next = 0;
+  for (const Field& field : function.fields) {
+    Field& copy = result.fields.emplace_back(field);
+    for (std::uint32_t& entry : copy.entries) entry = next++;
+  }
+  return result;
+}
+
+void linearise(const Network& network, Program& program, Function& function) {
+  Linearising linearising(network, program, function);
+  for (Field& field : function.fields) {
+    for (std::uint32_t& entry : field.entries) entry = linearising.value(network.values[entry]);
+  }
+}
+
+}  // namespace elgen

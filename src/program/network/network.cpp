@@ -1,0 +1,212 @@
+// make_network: Graph -> Network, numbered depth-first from the values through operands in
+// canonical order.
+#include "program/network/network.hpp"
+
+#include <map>
+#include <optional>
+
+namespace elgen {
+namespace {
+
+/// Powers above this are squared repeatedly; up to it their factors may meet others.
+constexpr std::int32_t written_out_power = 4;
+
+/// The operands of a sum or product: what depends on leaves, and the constants as one number.
+struct Operands {
+  std::vector<Operand> rest = {};
+  std::optional<NodeId> constant = {};  ///< an operation
+  bool is_negative = false;             ///< the constant's sign
+};
+
+class Conversion {
+ public:
+  explicit Conversion(const Expressions& expressions)
+      : graph_(expressions.graph), converted_(graph_.size()), divisions_(graph_.size(), 0) {
+    for (const NodeId id : reachable(graph_, expressions.values)) {
+      if (graph_.node(id).kind != NodeKind::product) continue;
+      for (const Operand& factor : graph_.node(id).operands) {
+        if (factor.weight < 0) ++divisions_[factor.node];
+      }
+    }
+  }
+
+  Ref convert(Ref value) {
+    std::vector<NodeId> pending = {value.node};
+    while (!pending.empty()) {
+      const NodeId id = pending.back();
+      const std::size_t before = pending.size();
+      const std::vector<Operand> operands = needed_operands(id);
+      for (std::size_t i = operands.size(); i-- > 0;) {
+        if (!converted_[operands[i].node]) pending.push_back(operands[i].node);
+      }
+      if (pending.size() > before) continue;
+      pending.pop_back();
+      if (!converted_[id]) converted_[id] = convert_node(id);
+    }
+    const Ref result = *converted_[value.node];
+    return with_sign(result, value.negative && !graph_.is_zero(value.node));
+  }
+
+  Network network = {};
+
+ private:
+  NodeId add(Operation operation) {
+    network.operations.push_back(std::move(operation));
+    return static_cast<NodeId>(network.operations.size() - 1);
+  }
+
+  NodeId add_constant(const Constant& constant) {
+    const std::uint32_t index = position_of(constant, network.constants);
+    if (index == constant_operations_.size()) {
+      constant_operations_.push_back(add({.kind = OperationKind::constant, .index = index}));
+    }
+    return constant_operations_[index];
+  }
+
+  /// The number that a form stands for, its sign apart; none where it has no value.
+  std::optional<Ref> folded(const ConstantForm& form) {
+    Graph scratch;
+    std::optional<Constant> constant = constant_of(scratch.form_of(scratch.constant(form)));
+    if (!constant) return std::nullopt;
+    const bool negative = cln::minusp(constant->value);
+    if (negative) *constant = {-constant->value, negated(std::move(constant->form))};
+    return Ref{add_constant(*constant), negative};
+  }
+
+  /// Each once: 1/2*pi*x multiplies x by one number.
+  const Operands& operands_of(NodeId id) {
+    const auto [at, is_new] = operands_.try_emplace(id);
+    if (!is_new) return at->second;
+    Operands result;
+    ConstantForm form;
+    const Node& node = graph_.node(id);
+    form.kind = node.kind == NodeKind::sum ? ConstantKind::sum : ConstantKind::product;
+    for (const Operand& operand : node.operands) {
+      if (graph_.has_form(operand.node)) {
+        form.parts.push_back({graph_.form_of(operand.node), operand.weight});
+      } else {
+        result.rest.push_back(operand);
+      }
+    }
+    const auto number = form.parts.empty() ? std::nullopt : folded(form);
+    if (number) {
+      result.constant = number->node;
+      result.is_negative = number->negative;
+    } else {
+      result.rest = node.operands;
+    }
+    return at->second = std::move(result);
+  }
+
+  /// Operands that have to be converted before the node.
+  std::vector<Operand> needed_operands(NodeId id) {
+    const NodeKind kind = graph_.node(id).kind;
+    if (graph_.has_form(id) && fold(id)) return {};
+    const bool is_n_ary = kind == NodeKind::sum || kind == NodeKind::product;
+    return is_n_ary ? operands_of(id).rest : graph_.node(id).operands;
+  }
+
+  /// Whether the node became a number.
+  bool fold(NodeId id) {
+    if (!converted_[id]) converted_[id] = folded(graph_.form_of(id));
+    return converted_[id].has_value();
+  }
+
+  Ref convert_node(NodeId id) {
+    const Node& node = graph_.node(id);
+    if (node.kind == NodeKind::product) return convert_product(id);
+    Operation operation{.leaf = node.leaf, .function = node.function, .index = node.index};
+    operation.kind = node.kind == NodeKind::leaf          ? OperationKind::leaf
+                     : node.kind == NodeKind::square_root ? OperationKind::square_root
+                     : node.kind == NodeKind::call        ? OperationKind::call
+                                                          : OperationKind::sum;
+    operation.name = node.name;
+    if (node.kind == NodeKind::sum) return convert_sum(id, std::move(operation));
+    for (const Operand& operand : node.operands) {
+      operation.operands.push_back(with_sign(*converted_[operand.node], operand.weight < 0));
+    }
+    return {add(std::move(operation))};
+  }
+
+  /// The constant stands where the first of its terms stood: at the front.
+  Ref convert_sum(NodeId id, Operation operation) {
+    const Operands& operands = operands_of(id);
+    if (operands.constant) {
+      operation.operands.push_back({*operands.constant, operands.is_negative});
+    }
+    for (const Operand& term : operands.rest) {
+      operation.operands.push_back(with_sign(*converted_[term.node], term.weight < 0));
+    }
+    return {add(std::move(operation))};
+  }
+
+  Ref convert_product(NodeId id) {
+    const Node& node = graph_.node(id);
+    const Operands& operands = operands_of(id);
+    std::vector<Ref> numerator;
+    std::vector<Ref> denominator;
+    bool negative = operands.is_negative;
+    if (operands.constant) numerator.push_back({*operands.constant});
+    for (const Operand& factor : operands.rest) {
+      const Ref base = *converted_[factor.node];
+      negative = negative != (base.negative && factor.weight % 2 != 0);
+      if (factor.weight > 0) {
+        append_power(base.node, factor.weight, numerator);
+      } else if (divisions_[factor.node] > 1) {
+        append_power(reciprocal(base.node), -factor.weight, numerator);
+      } else {
+        append_power(base.node, -factor.weight, denominator);
+      }
+    }
+    const NodeId product = product_of(std::move(numerator));
+    const NodeId result =
+        denominator.empty() ? product : quotient({product, product_of(std::move(denominator))});
+    std::string& name = network.operations[result].name;
+    if (name.empty() && !negative) name = node.name;
+    return {result, negative};
+  }
+
+  void append_power(NodeId base, std::int32_t exponent, std::vector<Ref>& factors) {
+    if (exponent <= written_out_power) {
+      factors.insert(factors.end(), static_cast<std::size_t>(exponent), Ref{base});
+      return;
+    }
+    if (exponent % 2 != 0) factors.push_back({base});
+    append_power(product_of({{base}, {base}}), exponent / 2, factors);
+  }
+
+  NodeId product_of(std::vector<Ref> factors) {
+    if (factors.empty()) return add_constant(rational_constant(1));
+    if (factors.size() == 1) return factors[0].node;
+    return add({.kind = OperationKind::product, .operands = std::move(factors)});
+  }
+
+  NodeId quotient(std::vector<NodeId> operands) {
+    return add({.kind = OperationKind::quotient, .operands = {{operands[0]}, {operands[1]}}});
+  }
+
+  NodeId reciprocal(NodeId base) {
+    const auto [it, is_new] = reciprocals_.emplace(base, NodeId{0});
+    if (is_new) it->second = quotient({product_of({}), base});
+    return it->second;
+  }
+
+  const Graph& graph_;
+  std::vector<std::optional<Ref>> converted_;
+  std::vector<std::uint32_t> divisions_;  ///< products that divide by the node
+  std::map<NodeId, Operands> operands_;   ///< of sums and products
+  std::map<NodeId, NodeId> reciprocals_;
+  std::vector<NodeId> constant_operations_;  ///< parallel to Network::constants
+};
+
+}  // namespace
+
+Network make_network(const Expressions& expressions) {
+  Conversion conversion(expressions);
+  std::vector<Ref> values;
+  for (const Ref value : expressions.values) values.push_back(conversion.convert(value));
+  conversion.network.values = std::move(values);
+  return std::move(conversion.network);
+}
+
+}  // namespace elgen

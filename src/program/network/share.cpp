@@ -1,0 +1,169 @@
+// share: see share.hpp. Counts are kept too high rather than exact: a pair is recounted when its
+// turn comes.
+#include "program/network/share.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <queue>
+#include <unordered_map>
+
+namespace elgen {
+namespace {
+
+/// In longer operations only neighbours this near are paired, so that time stays linear in their
+/// length.
+constexpr std::size_t pairing_distance = 24;
+
+struct Pair {
+  OperationKind kind;
+  bool opposite;  ///< a - b rather than a + b
+  NodeId a;       ///< a <= b
+  NodeId b;
+  friend auto operator<=>(const Pair&, const Pair&) = default;
+};
+
+struct PairHash {
+  std::size_t operator()(const Pair& pair) const {
+    const std::uint64_t operands = (std::uint64_t{pair.a} << 32U) | pair.b;
+    const bool is_sum = pair.kind == OperationKind::sum;
+    return (operands ^ (is_sum ? 2U : 0U) ^ (pair.opposite ? 1U : 0U)) * 0x9E3779B97F4A7C15U;
+  }
+};
+
+struct SharedPair {
+  std::size_t count;
+  Pair pair;
+  /// std::priority_queue takes the largest: most users, then the first pair.
+  friend bool operator<(const SharedPair& x, const SharedPair& y) {
+    return x.count != y.count ? x.count < y.count : y.pair < x.pair;
+  }
+};
+
+bool is_n_ary(OperationKind kind) {
+  return kind == OperationKind::sum || kind == OperationKind::product;
+}
+
+Pair pair_of(OperationKind kind, Ref x, Ref y) {
+  return {kind, x.negative != y.negative, std::min(x.node, y.node), std::max(x.node, y.node)};
+}
+
+/// Positions of the pair's operands in an operation, the earlier first.
+using Places = std::pair<std::size_t, std::size_t>;
+
+std::optional<Places> find(const Operation& operation, const Pair& pair) {
+  const std::vector<Ref>& operands = operation.operands;
+  for (std::size_t i = 0; i < operands.size(); ++i) {
+    if (operands[i].node != pair.a && operands[i].node != pair.b) continue;
+    for (std::size_t j = i + 1; j < operands.size(); ++j) {
+      if (pair_of(operation.kind, operands[i], operands[j]) == pair) return Places{i, j};
+    }
+  }
+  return std::nullopt;
+}
+
+class Sharing {
+ public:
+  explicit Sharing(Network& network) : network_(network) {}
+
+  void run() {
+    for (NodeId id = 0; id < network_.operations.size(); ++id) register_pairs(id);
+    for (const auto& [pair, users] : users_) {
+      if (users.size() > 1) queue_.push({users.size(), pair});
+    }
+    while (!queue_.empty()) {
+      const SharedPair candidate = queue_.top();
+      queue_.pop();
+      take_turn(candidate);
+    }
+  }
+
+ private:
+  void register_pairs(NodeId id) {
+    const Operation& operation = network_.operations[id];
+    if (!is_n_ary(operation.kind)) return;
+    for (std::size_t i = 0; i < operation.operands.size(); ++i) {
+      const std::size_t end = std::min(operation.operands.size(), i + 1 + pairing_distance);
+      for (std::size_t j = i + 1; j < end; ++j) register_pair(id, i, j);
+    }
+  }
+
+  void register_pair(NodeId id, std::size_t i, std::size_t j) {
+    const Operation& operation = network_.operations[id];
+    const Pair pair = pair_of(operation.kind, operation.operands[i], operation.operands[j]);
+    std::vector<NodeId>& users = users_[pair];
+    if (users.empty() || users.back() != id) users.push_back(id);
+  }
+
+  void take_turn(const SharedPair& candidate) {
+    std::vector<NodeId>& users = users_[candidate.pair];
+    std::sort(users.begin(), users.end());
+    users.erase(std::unique(users.begin(), users.end()), users.end());
+    std::erase_if(users, [&](NodeId id) { return !find(network_.operations[id], candidate.pair); });
+    if (users.size() < 2) return;
+    if (users.size() < candidate.count) {
+      queue_.push({users.size(), candidate.pair});
+      return;
+    }
+    extract(candidate.pair, std::vector<NodeId>(users));
+  }
+
+  void extract(const Pair& pair, const std::vector<NodeId>& users) {
+    NodeId shared = existing_operation(users);
+    if (shared == network_.operations.size()) {
+      Operation operation{.kind = pair.kind};
+      const Operation& user = network_.operations[users[0]];
+      const auto [first, second] = *find(user, pair);
+      operation.operands = {{user.operands[first].node, false},
+                            {user.operands[second].node, pair.opposite}};
+      network_.operations.push_back(std::move(operation));
+    }
+    for (const NodeId user : users) {
+      if (user != shared) replace(pair, user, shared);
+    }
+  }
+
+  /// A user that is nothing but the pair, or one past the end.
+  NodeId existing_operation(const std::vector<NodeId>& users) const {
+    for (const NodeId user : users) {
+      if (network_.operations[user].operands.size() == 2) return user;
+    }
+    return static_cast<NodeId>(network_.operations.size());
+  }
+
+  void replace(const Pair& pair, NodeId user, NodeId shared) {
+    Operation& operation = network_.operations[user];
+    const Ref reference = network_.operations[shared].operands[0];
+    while (const std::optional<Places> places = find(operation, pair)) {
+      const auto [first, second] = *places;
+      std::vector<Ref>& operands = operation.operands;
+      const Ref same = operands[first].node == reference.node ? operands[first] : operands[second];
+      operands[first] = {shared, same.negative != reference.negative};
+      operands.erase(operands.begin() + static_cast<std::ptrdiff_t>(second));
+      announce(user, first);
+    }
+  }
+
+  /// The new operand makes new pairs with those that are left.
+  void announce(NodeId user, std::size_t place) {
+    const std::vector<Ref>& operands = network_.operations[user].operands;
+    const std::size_t begin = place > pairing_distance ? place - pairing_distance : 0;
+    const std::size_t end = std::min(operands.size(), place + 1 + pairing_distance);
+    for (std::size_t other = begin; other < end; ++other) {
+      if (other == place) continue;
+      register_pair(user, std::min(place, other), std::max(place, other));
+      const Pair pair = pair_of(network_.operations[user].kind, operands[place], operands[other]);
+      const std::size_t count = users_[pair].size();
+      if (count > 1) queue_.push({count, pair});
+    }
+  }
+
+  Network& network_;
+  std::unordered_map<Pair, std::vector<NodeId>, PairHash> users_;
+  std::priority_queue<SharedPair> queue_;
+};
+
+}  // namespace
+
+void share(Network& network) { Sharing(network).run(); }
+
+}  // namespace elgen

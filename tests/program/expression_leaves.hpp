@@ -1,0 +1,79 @@
+// Expressions over coordinates a, b, c, d, e: read from text, and written again.
+#pragma once
+
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "elgen/program.hpp"
+#include "elgen/render.hpp"
+#include "program/network/linearise.hpp"
+#include "program/network/network.hpp"
+#include "support/graph_reader.hpp"
+
+namespace elgen::testing {
+
+using Texts = std::vector<std::string>;
+
+inline Ref value_of(Graph& graph, const std::string& text) {
+  const auto value = test::read_value(graph, text, {"a", "b", "c", "d", "e"});
+  if (!value) FAIL("cannot read " << text);
+  return *value;
+}
+
+/// The sums and products of the texts as they have them: a bracket is a node of its own.
+inline Expressions expressions_of(const Texts& texts) {
+  Expressions result;
+  for (const std::string& text : texts) result.values.push_back(value_of(result.graph, text));
+  return result;
+}
+
+/// The leaves themselves.
+struct ExpressionLeaves {
+  Expressions expressions = {};
+  Graph& graph = expressions.graph;
+  Ref a = graph.leaf(Opcode::coordinate, 0);
+  Ref b = graph.leaf(Opcode::coordinate, 1);
+  Ref c = graph.leaf(Opcode::coordinate, 2);
+  Ref d = graph.leaf(Opcode::coordinate, 3);
+  Ref e = graph.leaf(Opcode::coordinate, 4);
+};
+
+/// The values as one program, in order.
+inline Program program_of(const Network& network) {
+  Program program;
+  program.leaves.q = program.leaves.v = program.leaves.a = {"a", "b", "c", "d", "e"};
+  Function function;
+  function.name = "bias";
+  function.kind = OutputKind::bias;
+  Field field;
+  field.columns = static_cast<std::uint32_t>(network.values.size());
+  for (std::uint32_t i = 0; i < field.columns; ++i) field.entries.push_back(i);
+  function.fields = {field};
+  linearise(network, program, function);
+  program.functions = {function};
+  return program;
+}
+
+inline Program program_of(const Texts& texts) {
+  return program_of(make_network(expressions_of(texts)));
+}
+
+inline Texts texts_of(const Network& network) {
+  const Program program = program_of(network);
+  return equations(program, program.functions[0]).entries.at(0);
+}
+
+inline Texts texts_of(const Expressions& expressions) {
+  return texts_of(make_network(expressions));
+}
+
+inline OperationCounts counts_of(const Network& network) {
+  return count_operations(program_of(network).functions[0]);
+}
+
+inline OperationCounts counts_of(const Expressions& expressions) {
+  return counts_of(make_network(expressions));
+}
+
+}  // namespace elgen::testing

@@ -1,0 +1,51 @@
+// Instructions as sums and products again.
+#include "program/graph/from_program.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "program/network/linearise.hpp"
+#include "program/network/network.hpp"
+#include "program/read_program.hpp"
+
+using namespace elgen;
+
+namespace {
+
+const char* const text =
+    "parameters m l\ncoordinates x\nfunction gravity\n"
+    "  0 = parameter m\n  1 = parameter l\n  2 = coordinate x\n  3 = sin 2\n  4 = multiply 0 3\n"
+    "  5 = negate 4\n  6 = divide 5 1\n  7 = subtract 6 0\n  result 2 1 = 7 3\n";
+
+Program program() { return testing::read_program(text); }
+
+/// `wanted` of the program, lowered again.
+std::string again(const std::vector<std::uint32_t>& wanted, const std::vector<bool>& zeros = {}) {
+  Program result = program();
+  const Function function = result.functions[0];
+  const Expressions expressions = from_program(result, function, wanted, zeros);
+  Function renewed{.kind = function.kind, .user = function.user, .name = function.name};
+  Field field{"", static_cast<std::uint32_t>(wanted.size()), 1, {}};
+  for (std::uint32_t i = 0; i < wanted.size(); ++i) field.entries.push_back(i);
+  renewed.fields = {field};
+  linearise(make_network(expressions), result, renewed);
+  result.functions = {renewed};
+  return dump(result);
+}
+
+}  // namespace
+
+TEST_CASE("wanted values come back as they were computed") {
+  CHECK(again({3}).find("  0 = coordinate x\n  1 = sin 0\n") != std::string::npos);
+  const std::string whole = again({7, 3});
+  CHECK(whole.find("divide") != std::string::npos);
+  CHECK(whole.find("negate") != std::string::npos);
+}
+
+TEST_CASE("zeros are gone from what used them") {
+  std::vector<bool> zeros(8, false);
+  zeros[3] = true;
+  const std::string left = again({7, 3}, zeros);
+  CHECK(left.find("sin") == std::string::npos);
+  CHECK(left.find("divide") == std::string::npos);
+  CHECK(left.find("negate") != std::string::npos);  // -m
+}

@@ -1,0 +1,196 @@
+// From Graph to Function: the network, what is shared and turned in it, its instructions, and which
+// form is cheapest.
+#include "program/network/network.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "elgen/evaluate.hpp"
+#include "program/expression_leaves.hpp"
+#include "program/network/cheapest.hpp"
+#include "program/network/share.hpp"
+#include "program/network/turn_signs.hpp"
+
+using namespace elgen;
+using testing::counts_of;
+using testing::expressions_of;
+using testing::program_of;
+using testing::Texts;
+using testing::texts_of;
+
+namespace {
+
+Network network_of(const Texts& texts) { return make_network(expressions_of(texts)); }
+
+std::size_t cheapest_cost(const Texts& texts) {
+  Function unfilled;
+  Field field;
+  for (std::uint32_t i = 0; i < texts.size(); ++i) field.entries.push_back(i);
+  unfilled.fields = {field};
+  return cost(counts_of(cheapest_network(expressions_of(texts), unfilled)));
+}
+
+}  // namespace
+
+TEST_CASE("powers are repeated factors, denominators one division") {
+  const Network network = network_of({"a^2*b*c^(-1)*d^(-2)"});
+  CHECK(texts_of(network) == Texts{"a^2*b/(c*d^2)"});
+  CHECK(counts_of(network) == OperationCounts{.mul = 4, .div = 1});
+  // A divisor of two products becomes a reciprocal.
+  CHECK(counts_of(network_of({"a*c^(-1)", "b*c^(-1)"})) == OperationCounts{.mul = 2, .div = 1});
+  // High powers are squared repeatedly: a * ((a^2)^2)^3.
+  CHECK(counts_of(network_of({"a^13"})).mul == 5);
+  CHECK(texts_of(network_of({"a^13"})) == Texts{"a^13"});
+}
+
+TEST_CASE("the constants of a sum or product are folded into one number") {
+  const Network network = network_of({"2*pi*cos(1)*a", "2 - pi + a", "-(1 - exp(2))"});
+  CHECK(counts_of(network) == OperationCounts{.add = 1, .mul = 1});
+  CHECK(texts_of(network) == Texts{"2*pi*cos(1)*a", "a - (-2 + pi)", "-1 + exp(2)"});
+  // A constant without a value stays an operation.
+  CHECK(texts_of(network_of({"2*log(-1)*a"})) == Texts{"2*log(-1)*a"});
+}
+
+TEST_CASE("a constant has one form, whatever its parts were shared with") {
+  const Texts texts =
+      texts_of(network_of({"(4 + pi) + (40 - cos(4 + pi)) + a", "(4 + pi)*b",
+                           "(40 - cos(4 + pi))*c", "pi + (40 - cos(4 + pi)) + (4 + pi) + d"}));
+  CHECK(texts[0] == "44 + pi - cos(4 + pi) + a");
+  CHECK(texts[3] == "44 + 2*pi - cos(4 + pi) + d");
+}
+
+TEST_CASE("operations follow their operands in canonical order") {
+  const Network network = network_of({"e + d*c + a"});
+  std::vector<std::uint32_t> leaves;
+  for (NodeId id = 0; id < network.operations.size(); ++id) {
+    const Operation& operation = network.operations[id];
+    if (operation.kind == OperationKind::leaf) leaves.push_back(operation.index);
+    for (const Ref operand : operation.operands) CHECK(operand.node < id);
+  }
+  CHECK(leaves == std::vector<std::uint32_t>{0, 4, 2, 3});
+}
+
+TEST_CASE("share: common sub-sums and sub-products are computed once, and no value changes") {
+  struct SharedRow {
+    Texts texts;
+    std::size_t add;
+    std::size_t mul;
+  };
+  const SharedRow row = GENERATE(values<SharedRow>({
+      {{"a*b*c", "a*b*d", "a*b*e"}, 0, 4},
+      // b - c in the first and last; the second has b + c and c - d.
+      {{"a + b - c", "b + c - d", "-b - d + c + e"}, 6, 0},
+      // An operation that is the pair serves the others.
+      {{"a*c", "a*b*c"}, 0, 2},
+      {{"a^2", "a^2*b", "a^4"}, 0, 3},
+      {{"a*b + c - d", "d - a*b + e", "c - d + a*b + e", "(a*b)*c*d"}, 4, 3},
+  }));
+  Network network = network_of(row.texts);
+  const Program before = program_of(network);
+  share(network);
+  const Program after = program_of(network);
+  CHECK(check_invariants(after) == "");
+  CHECK(counts_of(network) == OperationCounts{.add = row.add, .mul = row.mul});
+  Arguments<double> arguments;
+  arguments.q = {2, 3, 5, 7, 11};  // integers: every order of evaluation is exact
+  CHECK(evaluate(before, before.functions[0], arguments) ==
+        evaluate(after, after.functions[0], arguments));
+}
+
+TEST_CASE("share: long sums are shared with their neighbours only, and correctly") {
+  Network network;
+  std::vector<Ref> terms;
+  for (std::uint32_t i = 0; i < 200; ++i) {
+    network.operations.push_back(
+        {.kind = OperationKind::leaf, .leaf = Opcode::coordinate, .index = i});
+    terms.push_back({i});
+  }
+  network.operations.push_back({.kind = OperationKind::sum, .operands = terms});
+  terms.back().negative = true;
+  network.operations.push_back({.kind = OperationKind::sum, .operands = terms});
+  network.values = {{200}, {201}};
+  share(network);
+  CHECK(counts_of(network).add == 200);
+}
+
+TEST_CASE("turn_signs: what is only needed negative is computed negative") {
+  struct TurnedRow {
+    const char* what;
+    Texts before;
+    Texts after;
+  };
+  const TurnedRow row = GENERATE(values<TurnedRow>({
+      {"a difference", {"-(a - b)", "-(a - b)"}, {"b - a", "b - a"}},
+      {"a difference among factors",
+       {"-(c*(a - b))", "-(d*(c - e)^(-1))"},
+       {"c*(b - a)", "d/(e - c)"}},
+      {"arguments; terms of a sum need not be",
+       {"exp(b - a)", "a - b*(c - d)"},
+       {"exp(b - a)", "a - b*(c - d)"}},
+      {"nothing that something else needs positive, or that has no difference",
+       {"-(a - b)", "a - b", "-(c*(a - b))", "-(a + d)", "-sin(a)"},
+       {"-(a - b)", "a - b", "-c*(a - b)", "-(a + d)", "-sin(a)"}},
+  }));
+  INFO(row.what);
+  Network network = network_of(row.before);
+  turn_signs(network);
+  CHECK(check_invariants(program_of(network)) == "");
+  CHECK(texts_of(network) == row.after);
+}
+
+TEST_CASE("linearise: operands come before use, terms and factors left to right") {
+  CHECK(dump(program_of(network_of({"a - b + c*d"}))) ==
+        "coordinates a b c d e\n"
+        "function bias\n"
+        "  0 = coordinate a\n"
+        "  1 = coordinate b\n"
+        "  2 = coordinate c\n"
+        "  3 = coordinate d\n"
+        "  4 = multiply 2 3\n"
+        "  5 = subtract 0 1\n"
+        "  6 = add 5 4\n"
+        "  result 1 1 = 6\n");
+}
+
+TEST_CASE("linearise: signs become subtractions, and negations where there is no minuend") {
+  CHECK(dump(program_of(network_of({"-(a*b)", "exp(-a)", "sqrt(-b)"}))) ==
+        "coordinates a b c d e\n"
+        "function bias\n"
+        "  0 = coordinate a\n"
+        "  1 = coordinate b\n"
+        "  2 = multiply 0 1\n"
+        "  3 = negate 2\n"
+        "  4 = negate 0\n"
+        "  5 = exp 4\n"
+        "  6 = negate 1\n"
+        "  7 = square_root 6\n"
+        "  result 1 3 = 3 5 7\n");
+}
+
+TEST_CASE("linearise: a sum starts from its first positive term, if it has one") {
+  Network network;
+  network.operations = {{.kind = OperationKind::leaf, .leaf = Opcode::coordinate, .index = 0},
+                        {.kind = OperationKind::leaf, .leaf = Opcode::coordinate, .index = 1},
+                        {.kind = OperationKind::sum, .operands = {{0, true}, {1, false}}},
+                        {.kind = OperationKind::sum, .operands = {{0, true}, {1, true}}}};
+  network.values = {{2}, {3}};
+  CHECK(texts_of(network) == Texts{"b - a", "-a - b"});
+}
+
+TEST_CASE("linearise: what turns out equal is computed once, and names are kept") {
+  Network network;
+  network.operations = {{.kind = OperationKind::leaf, .leaf = Opcode::coordinate, .index = 0},
+                        {.kind = OperationKind::product, .operands = {{0}, {0}}},
+                        {.kind = OperationKind::product, .operands = {{0}, {0}}, .name = "area"}};
+  network.values = {{1}, {2, true}};
+  const Program program = program_of(network);
+  CHECK(check_invariants(program) == "");
+  CHECK(program.functions[0].instructions.size() == 3);
+  CHECK(program.functions[0].names == Texts{"", "area", ""});
+  CHECK(program_of(network_of({"3*a", "3 + b"})).constants.size() == 1);
+}
+
+TEST_CASE("the cheapest form collects factors, and takes angles apart whose parts are there") {
+  CHECK(cheapest_cost({"a*b*c + a*b*d"}) == 3);  // a*b*(c + d)
+  CHECK(cheapest_cost({"cos(a + b)"}) == 1 + 26);
+  CHECK(cheapest_cost({"cos(a + b)", "cos(a)", "cos(b)"}) == 3 + 2 * 26);
+}

@@ -1,0 +1,209 @@
+// The passes from Graph to Graph: rebuild, factor, flatten and angle_sums, and prune of a Program.
+#include <catch2/catch.hpp>
+
+#include "program/expression_leaves.hpp"
+#include "program/graph/angle_sums.hpp"
+#include "program/graph/factor.hpp"
+#include "program/graph/flatten.hpp"
+#include "program/graph/prune.hpp"
+#include "program/read_program.hpp"
+
+using namespace elgen;
+using testing::counts_of;
+using testing::expressions_of;
+using testing::Texts;
+using testing::texts_of;
+
+namespace {
+
+struct PassRow {
+  const char* what;
+  Texts before;
+  Texts after;
+};
+
+template <class Pass>
+void check_rows(const std::vector<PassRow>& rows, const Pass& pass) {
+  for (const PassRow& row : rows) {
+    INFO(row.what);
+    CHECK(texts_of(pass(expressions_of(row.before))) == row.after);
+  }
+}
+
+Program program_of(const std::string& function) {
+  return testing::read_program("parameters m l\nfunction gravity\n" + function);
+}
+
+}  // namespace
+
+TEST_CASE("an unchanging rule copies values, names and births, and leaves out what is unused") {
+  testing::ExpressionLeaves l;
+  l.graph.set_birth(3);
+  const Ref root = l.graph.square_root(l.graph.sum({l.a, -l.b}));
+  l.graph.name(root, "distance");
+  const Ref pi = l.graph.pi();
+  const Ref call = l.graph.call(FunctionId::atan2, {-l.c, root});
+  l.expressions.values = {-l.graph.product({{call, 2}, {pi}, {l.d, -1}})};
+  const Expressions copied = rebuild(l.expressions, copy);
+  CHECK(texts_of(copied) == texts_of(l.expressions));
+  CHECK(copied.graph.size() < l.graph.size());  // e is used by nothing
+  std::size_t named = 0;
+  for (NodeId id = 0; id < copied.graph.size(); ++id) {
+    const Node& node = copied.graph.node(id);
+    if (node.name != "distance") continue;
+    ++named;
+    CHECK(node.birth == 3);
+  }
+  CHECK(named == 1);
+}
+
+TEST_CASE("a rule may turn signs: users see the renewed operand") {
+  const auto turn_b = [](Graph& graph, const RebuildStep& step) {
+    const Ref same = copy(graph, step);
+    return same == graph.leaf(Opcode::coordinate, 1) ? -same : same;
+  };
+  CHECK(texts_of(rebuild(expressions_of({"a + b", "a*b"}), turn_b)) == Texts{"a - b", "-a*b"});
+}
+
+TEST_CASE("a copy in another graph meets what is there") {
+  const Expressions one = expressions_of({"-(a + b)"});
+  Expressions other;
+  const Ref first = copied(other.graph, one);
+  const std::size_t size = other.graph.size();
+  CHECK(copied(other.graph, one) == first);
+  CHECK(other.graph.size() == size);
+  other.values = {first};
+  CHECK(texts_of(other) == texts_of(one));
+}
+
+TEST_CASE("factor: common factors are multiplied once") {
+  check_rows(
+      {{"the factor of most terms goes first",
+        {"a*b*c + a*c*d - e", "a^2*b + a*c"},
+        {"-(e - a*c*(b + d))", "a*(c + a*b)"}},
+       {"a product that something else needs too is left alone",
+        {"a*b + a*c", "a*b + d"},
+        {"a*b + a*c", "d + a*b"}},
+       {"a term that is the factor leaves 1", {"a - a*b"}, {"a*(1 - b)"}},
+       {"a common factor that is left alone meets itself",
+        {"a^2*sin(b)^2*c + a^2*cos(b)^2*c + c*d", "a^2*b^2 + a^2*d"},
+        {"c*(d + a^2)", "a^2*(d + b^2)"}},
+       {"a coefficient does not hide common factors", {"2*a*b*c + a*b*d"}, {"a*b*(d + 2*c)"}},
+       {"a coefficient that the scaled product has too is one base with its power",
+        {"sqrt(2)*(sqrt(2)*a*b) + sqrt(2)*c"},
+        {"sqrt(2)*(c + sqrt(2)*a*b)"}},
+       {"a common factor keeps its power", {"a*b^2*c^2 + a*b^2*d^2"}, {"a*b^2*(c^2 + d^2)"}}},
+      factor);
+  // The rest is factored again, inside and outside: a*(e + b*(c + d)) + c*(d + e).
+  CHECK(counts_of(factor(expressions_of({"a*b*c + a*b*d + a*e + c*d + c*e"}))) ==
+        OperationCounts{.add = 4, .mul = 3});
+}
+
+TEST_CASE("flatten: what is used once is written out where it is used") {
+  const auto used_once = [](const Expressions& before) { return flatten(before); };
+  check_rows({{"sums in sums and products in products",
+               {"(b + d) - c", "(b*e)*c"},
+               {"b - c + d", "b*c*e"}},
+              {"signs go with the terms, and terms that meet merge",
+               {"c - (a - b)", "a + (a + d)"},
+               {"-(a - b - c)", "d + 2*a"}}},
+             used_once);
+  // A node used twice stays, and powers of a product are not written out.
+  CHECK(counts_of(flatten(expressions_of({"(a + b) + c", "(a + b) + d"}))).add == 3);
+  CHECK(counts_of(flatten(expressions_of({"(a*b)^2*c"}))).mul == 3);
+}
+
+TEST_CASE("flatten, all products: written out wherever they stand, so that factors meet") {
+  const auto all = [](const Expressions& x) { return flatten(x, Flattened::all_products); };
+  check_rows(
+      {{"two products that are used again",
+        {"(a*sin(b))*sin(b) + (a*cos(b))*cos(b)", "(a*sin(b))^(-2)*c", "a*sin(b)", "a*cos(b)"},
+        {"a", "c/(a^2*sin(b)^2)", "a*sin(b)", "a*cos(b)"}}},
+      all);
+}
+
+TEST_CASE("angle_sums: an angle is taken apart into others that occur") {
+  check_rows(
+      {{"sums",
+        {"cos(a + b)", "sin(a + b)", "cos(a)", "sin(b)"},
+        {"-(sin(a)*sin(b) - cos(a)*cos(b))", "sin(a)*cos(b) + sin(b)*cos(a)", "cos(a)", "sin(b)"}},
+       {"differences and multiples are sums too, but for exact multiples of a leaf",
+        {"sin(a - b)", "cos(2*a)", "sin(a)", "sin(b)", "cos(3*a)"},
+        {"sin(a)*cos(b) - sin(b)*cos(a)", "cos(2*a)", "sin(a)", "sin(b)",
+         "-(sin(a)*sin(2*a) - cos(a)*cos(2*a))"}}},
+      [](const Expressions& before) { return expand_angle_sums(before).value(); });
+}
+
+TEST_CASE("angle_sums: angles that stay whole") {
+  // Parts that do not occur; parts in which something cancels; differences, which may be small.
+  CHECK_FALSE(expand_angle_sums(expressions_of({"cos(a + b)", "sin(a)"})));
+  CHECK_FALSE(expand_angle_sums(expressions_of({"cos(a + 5*c)", "sin(a - b)", "cos(b + 5*c)"})));
+  const Expressions difference = expressions_of({"sin(a - b)", "sin(a)", "sin(b)"});
+  CHECK(expand_angle_sums(difference, Splits::sums_and_differences));
+  CHECK_FALSE(expand_angle_sums(difference, Splits::sums));
+}
+
+TEST_CASE("angle_sums: a chain of splits grows with its length, not with its number of paths") {
+  testing::ExpressionLeaves l;
+  const auto cosine = [&l](Ref x) { return l.graph.call(FunctionId::cos, {x}); };
+  // S_k = S_(k-1) + x^k, each part an angle too: 2^19 paths lead from the last to the first.
+  constexpr int length = 20;
+  Ref sum = l.a;
+  l.expressions.values = {cosine(l.a)};
+  for (int k = 1; k < length; ++k) {
+    const Ref joint = l.graph.product({{l.b, k}});
+    sum = l.graph.sum({sum, joint});
+    l.expressions.values.push_back(cosine(joint));
+    l.expressions.values.push_back(cosine(sum));
+  }
+  const auto expanded = expand_angle_sums(l.expressions);
+  REQUIRE(expanded);
+  // Of each link two sums of two products, and the four calls they are made of.
+  CHECK(expanded->graph.size() < 12 * length);
+}
+
+TEST_CASE("what an entry needs") {
+  const Program program = program_of(
+      "  0 = parameter m\n  1 = parameter l\n  2 = multiply 0 0\n  3 = add 2 1\n"
+      "  result 1 1 = 3\n");
+  CHECK(needed_for(program.functions[0], {2}) == std::vector<bool>{true, false, true, false});
+  CHECK(needed_for(program.functions[0], {3}) == std::vector<bool>{true, true, true, true});
+}
+
+TEST_CASE("instructions that nothing needs are gone, the others renumbered") {
+  Program program = program_of(
+      "  0 = parameter m\n  1 = parameter l\n  2 = multiply 0 0  ; square\n  3 = add 2 1\n"
+      "  result 1 1 = 3\n");
+  program.functions[0].fields[0].entries = {2};
+  program.functions[0] = pruned(program.functions[0]);
+  CHECK(check_invariants(program).empty());
+  CHECK(dump(program) ==
+        dump(program_of("  0 = parameter m\n  1 = multiply 0 0  ; square\n  result 1 1 = 1\n")));
+}
+
+TEST_CASE("instructions become the entries of one field") {
+  const Program program = program_of(
+      "  0 = parameter m\n  1 = parameter l\n  2 = multiply 0 0\n  3 = add 2 1\n"
+      "  result 1 1 = 3\n");
+  CHECK(dump(Program{program.leaves, {}, {with_entries(program.functions[0], {2, 0})}}) ==
+        dump(program_of("  0 = parameter m\n  1 = multiply 0 0\n  result 2 1 = 1 0\n")));
+}
+
+TEST_CASE("names stay with their instructions, moved or not") {
+  Program program = program_of(
+      "  0 = parameter m\n  1 = multiply 0 0  ; square\n  2 = parameter l\n"
+      "  3 = multiply 1 0  ; cube\n  result 1 1 = 3\n");
+  program.functions[0] = pruned(program.functions[0]);
+  CHECK(program.functions[0].names == std::vector<std::string>{"", "square", "cube"});
+}
+
+TEST_CASE("another order computes the same") {
+  Program program = program_of(
+      "  0 = parameter m\n  1 = multiply 0 0  ; square\n  2 = parameter l\n  3 = add 1 2\n"
+      "  result 1 1 = 3\n");
+  program.functions[0] = reordered(program.functions[0], {2, 0, 1, 3});
+  CHECK(check_invariants(program).empty());
+  CHECK(dump(program) == dump(program_of("  0 = parameter l\n  1 = parameter m\n"
+                                         "  2 = multiply 1 1  ; square\n  3 = add 2 0\n"
+                                         "  result 1 1 = 3\n")));
+}

@@ -1,0 +1,117 @@
+// Programs: their entries, invariants, and instructions that are added once.
+#include "elgen/program.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "program/network/instructions.hpp"
+#include "program/read_program.hpp"
+
+using namespace elgen;
+
+TEST_CASE("the entries of all fields are counted") {
+  Function function;
+  CHECK(entry_count(function) == 0);
+  function.fields = {{"A", 2, 2, {0, 1, 2, 3}}, {"B", 2, 1, {4, 5}}};
+  CHECK(entry_count(function) == 6);
+}
+
+TEST_CASE("operations are counted as the emitted function executes them") {
+  const Program program = testing::read_program(
+      "parameters m\n"
+      "coordinates x y\n"
+      "function bias\n"
+      "  0 = parameter m\n"
+      "  1 = coordinate x\n"
+      "  2 = coordinate y\n"
+      "  3 = sin 1\n"
+      "  4 = cos 1\n"
+      "  5 = cos 2\n"
+      "  6 = tan 2\n"
+      "  7 = add 3 4\n"
+      "  8 = subtract 7 5\n"
+      "  9 = negate 8\n"
+      "  10 = multiply 9 6\n"
+      "  11 = divide 10 0\n"
+      "  12 = square_root 11\n"
+      "  13 = atan2 12 0\n"
+      "  result 1 1 = 13\n");
+  const OperationCounts counts = count_operations(program.functions[0]);
+  // sin x and cos x are one angle, cos y another; tan and atan2 are other calls; negation is free.
+  CHECK(counts ==
+        OperationCounts{.add = 2, .mul = 1, .div = 1, .sqrt = 1, .sincos = 2, .other = 2});
+  CHECK(cost(counts) == 2 + 1 + 4 + 8 + 2 * 26 + 2 * 16);
+}
+
+TEST_CASE("operand counts follow the opcode and the function's arity") {
+  CHECK(operand_count({.opcode = Opcode::time}) == 0);
+  CHECK(operand_count({.opcode = Opcode::negate}) == 1);
+  CHECK(operand_count({.opcode = Opcode::subtract}) == 2);
+  CHECK(operand_count({.opcode = Opcode::call, .function = FunctionId::sin}) == 1);
+  CHECK(operand_count({.opcode = Opcode::call, .function = FunctionId::atan2}) == 2);
+}
+
+TEST_CASE("what is found is where it stands first, also where something stands twice") {
+  Function function;
+  const Instruction m{.opcode = Opcode::parameter, .a = 0};
+  const Instruction l{.opcode = Opcode::parameter, .a = 1};
+  function.instructions = {m, m, l};
+  function.names.resize(3);
+  Instructions instructions(function);
+  CHECK(instructions.add(m) == 0);
+  CHECK(instructions.add(l) == 2);
+  CHECK(instructions.add({.opcode = Opcode::parameter, .a = 2}) == 3);
+}
+
+TEST_CASE("what is there already is found, what is not comes last") {
+  Program program = testing::read_program(
+      "parameters m l\nfunction gravity\n  0 = parameter m\n  1 = multiply 0 0\n"
+      "  result 1 1 = 1\n");
+  Instructions instructions(program.functions[0]);
+  CHECK(instructions.add(Opcode::multiply, 0, 0) == 1);
+  const std::uint32_t l = instructions.add({.opcode = Opcode::parameter, .a = 1});
+  CHECK(l == 2);
+  CHECK(instructions.add(Opcode::add, 1, l) == 3);
+  program.functions[0].fields[0].entries = {3};
+  CHECK(check_invariants(program).empty());
+}
+
+namespace {
+
+/// A sound program, broken in one place.
+struct BrokenRow {
+  void (*damage)(Function& function);
+  const char* broken;
+};
+
+}  // namespace
+
+TEST_CASE("every invariant is watched, and names function and instruction") {
+  const BrokenRow row = GENERATE(values<BrokenRow>({
+      {[](Function& f) { f.instructions[0].a = 1; }, "instruction 0: there is no leaf 1"},
+      {[](Function& f) { f.instructions[0].opcode = Opcode::time; },
+       "instruction 0: there is no leaf 0"},
+      {[](Function& f) { f.instructions[0].opcode = Opcode::momentum; },
+       "instruction 0: there is no leaf 0"},
+      {[](Function& f) { f.instructions[0].opcode = Opcode::step; },
+       "instruction 0: there is no leaf 0"},
+      {[](Function& f) { f.instructions[1].a = 2; },
+       "instruction 1: operand 2 is not computed before"},
+      {[](Function& f) { f.instructions[2].b = 2; },
+       "instruction 2: operand 2 is not computed before"},
+      {[](Function& f) { f.instructions[1].b = 1; }, "instruction 1: the unused operand is not 0"},
+      {[](Function& f) { f.instructions[2].function = FunctionId::cos; },
+       "instruction 2: only a call names a function"},
+      {[](Function& f) { f.instructions[2] = f.instructions[1]; },
+       "instruction 2: computed before"},
+      {[](Function& f) { f.fields[0].entries[0] = 1; }, "instruction 2: dead"},
+      {[](Function& f) { f.names.pop_back(); }, "2 names for 3 instructions"},
+      {[](Function& f) { f.fields[0].columns = 2; }, "field `` has 1 entries, not 1 x 2"},
+      {[](Function& f) { f.fields[0].entries[0] = 3; }, "field `` refers to instruction 3"},
+  }));
+  Program program = testing::read_program(
+      "coordinates x\nfunction bias\n  0 = coordinate x\n  1 = sin 0\n  2 = multiply 0 1\n"
+      "  result 1 1 = 2\n");
+  CHECK(check_invariants(program) == "");
+  row.damage(program.functions[0]);
+  CHECK(check_invariants(program) == std::string("function `bias`: ") + row.broken);
+}
