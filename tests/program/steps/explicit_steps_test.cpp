@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "elgen/step_methods.hpp"
-#include "integrate/compiled_step.hpp"
+#include "program/steps/compiled_step.hpp"
 #include "simulate/compiled_model.hpp"
 
 namespace elgen::test {

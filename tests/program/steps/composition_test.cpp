@@ -1,5 +1,5 @@
 // Calls as copies with other leaves: a(q, u) = q*u at q + h v.
-#include "integrate/composition.hpp"
+#include "program/steps/composition.hpp"
 
 #include <catch2/catch.hpp>
 

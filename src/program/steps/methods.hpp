@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "elgen/scene.hpp"
-#include "integrate/composition.hpp"
+#include "program/steps/composition.hpp"
 
 namespace elgen {
 

@@ -14,9 +14,9 @@
 // Hairer, Lubich, Wanner, Geometric Numerical Integration, 2nd ed., sec. VIII.6.
 #include <algorithm>
 
-#include "integrate/factorised.hpp"
-#include "integrate/methods.hpp"
 #include "program/evaluate/subject.hpp"
+#include "program/steps/factorised.hpp"
+#include "program/steps/methods.hpp"
 
 namespace elgen {
 namespace {

@@ -1,6 +1,6 @@
 // The explicit methods, which call nothing but accelerations (and rates, where rotations turn).
-#include "integrate/methods.hpp"
 #include "program/evaluate/subject.hpp"
+#include "program/steps/methods.hpp"
 
 namespace elgen {
 namespace {

@@ -1,5 +1,5 @@
 // L D L^T of symbols, evaluated.
-#include "integrate/factorised.hpp"
+#include "program/steps/factorised.hpp"
 
 #include <catch2/catch.hpp>
 

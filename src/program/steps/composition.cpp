@@ -1,5 +1,5 @@
 // Composition: instruction by instruction; what two calls compute alike is one value.
-#include "integrate/composition.hpp"
+#include "program/steps/composition.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "integrate/compiled_step.hpp"
+#include "program/steps/compiled_step.hpp"
 
 namespace elgen::test {
 namespace {

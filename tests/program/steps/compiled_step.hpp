@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "elgen/toolchain.hpp"
-#include "integrate/stepping.hpp"
+#include "program/steps/stepping.hpp"
 
 namespace elgen::test {
 

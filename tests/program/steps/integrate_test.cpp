@@ -3,8 +3,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "integrate/methods.hpp"
-#include "integrate/stepping.hpp"
+#include "program/steps/methods.hpp"
+#include "program/steps/stepping.hpp"
 
 namespace elgen::test {
 namespace {

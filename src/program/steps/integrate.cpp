@@ -8,10 +8,10 @@
 #include <numeric>
 
 #include "elgen/step_methods.hpp"
-#include "integrate/methods.hpp"
 #include "model/requests.hpp"
 #include "program/evaluate/subject.hpp"
 #include "program/graph/prune.hpp"
+#include "program/steps/methods.hpp"
 
 namespace elgen {
 namespace {

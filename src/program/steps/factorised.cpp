@@ -1,5 +1,5 @@
 // L D L^T and its substitutions, value by value; Composition leaves out what is 0.
-#include "integrate/factorised.hpp"
+#include "program/steps/factorised.hpp"
 
 #include <algorithm>
 #include <numeric>

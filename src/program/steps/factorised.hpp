@@ -9,7 +9,7 @@
 #pragma once
 
 #include "elgen/model.hpp"
-#include "integrate/composition.hpp"
+#include "program/steps/composition.hpp"
 
 namespace elgen {
 
