@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
+#include "derive/formulate/print.hpp"
 #include "derive/lagrangian/node_limit.hpp"
 #include "derive/lagrangian/symmetric_solve.hpp"
 #include "derive/lagrangian/turning.hpp"
 #include "derive/outputs/outputs.hpp"
 #include "elgen/equations_of_motion.hpp"
-#include "formulate/print.hpp"
 #include "inspect/singular_mass.hpp"
 
 namespace elgen {

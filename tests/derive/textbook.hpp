@@ -5,8 +5,8 @@
 
 #include <vector>
 
+#include "derive/formulate/written_out.hpp"
 #include "elgen/equations_of_motion.hpp"
-#include "formulate/written_out.hpp"
 
 namespace elgen::test {
 

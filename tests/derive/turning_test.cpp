@@ -3,9 +3,9 @@
 
 #include <catch2/catch.hpp>
 
+#include "derive/formulate/chain_rule.hpp"
+#include "derive/formulate/written_out.hpp"
 #include "derive/outputs/outputs.hpp"
-#include "formulate/chain_rule.hpp"
-#include "formulate/written_out.hpp"
 
 namespace elgen::test {
 namespace {

@@ -2,10 +2,10 @@
 // order.
 #include <catch2/catch.hpp>
 
+#include "derive/formulate/written_out.hpp"
 #include "elgen/equations_of_motion.hpp"
 #include "elgen/evaluate.hpp"
 #include "elgen/specialise.hpp"
-#include "formulate/written_out.hpp"
 #include "pipeline/pipeline_testing.hpp"
 #include "support/models.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <array>
 
+#include "derive/formulate/needed.hpp"
 #include "derive/lagrangian/turning.hpp"
-#include "formulate/needed.hpp"
 
 namespace elgen {
 

@@ -16,8 +16,8 @@
 #include <optional>
 #include <vector>
 
+#include "derive/formulate/chain_rule.hpp"
 #include "elgen/equations_of_motion.hpp"
-#include "formulate/chain_rule.hpp"
 
 namespace elgen {
 

@@ -1,8 +1,8 @@
 // Turning: rotations among coordinates and velocities.
 #include "derive/lagrangian/turning.hpp"
 
+#include "derive/formulate/rotations.hpp"
 #include "derive/lagrangian/vector_algebra.hpp"
-#include "formulate/rotations.hpp"
 
 namespace elgen {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <string>
 
-#include "formulate/chain_rule.hpp"
+#include "derive/formulate/chain_rule.hpp"
 
 namespace elgen {
 

@@ -1,0 +1,189 @@
+// The chain rule through definitions. Nothing here recurses along the list, so chains may be long.
+#include "derive/formulate/chain_rule.hpp"
+
+#include <map>
+#include <utility>
+
+#include "derive/formulate/needed.hpp"
+
+namespace elgen {
+
+using GiNaC::ex;
+
+namespace {
+
+LeafSet mask_of(const Definitions& definitions, const Seeds& seeds) {
+  LeafSet mask;
+  for (const auto& [leaf, seed] : seeds) mask |= definitions.places.at(leaf).depends;
+  return mask;
+}
+
+template <class IsWanted>
+void append_partials(const Definitions& definitions, const ex& term, const IsWanted& is_wanted,
+                     std::vector<Partial>& result) {
+  for (const ex& symbol : symbols_of(definitions, term)) {
+    if (!is_wanted(symbol)) continue;
+    const ex partial = term.diff(GiNaC::ex_to<GiNaC::symbol>(symbol));
+    if (!partial.is_zero()) result.push_back({symbol, partial});
+  }
+}
+
+bool is_sum(const ex& value) { return GiNaC::is_a<GiNaC::add>(value); }
+
+/// By the wanted ones of its symbols.
+template <class IsWanted>
+std::vector<Partial> wanted_partials(const Definitions& definitions, const ex& value,
+                                     const IsWanted& is_wanted) {
+  std::vector<Partial> result;
+  if (!is_sum(value)) {
+    append_partials(definitions, value, is_wanted, result);
+    return result;
+  }
+  // Term by term: differentiating a sum of n terms by its n symbols would cost n^2.
+  ExpressionMap<GiNaC::exvector> by_symbol;
+  for (std::size_t i = 0; i < value.nops(); ++i) {
+    std::vector<Partial> of_term;
+    append_partials(definitions, value.op(i), is_wanted, of_term);
+    for (const Partial& partial : of_term) by_symbol[partial.variable].push_back(partial.value);
+  }
+  for (const ex& symbol : symbols_of(definitions, value)) {
+    const auto terms = by_symbol.find(symbol);
+    if (terms == by_symbol.end()) continue;
+    const ex sum = GiNaC::add(terms->second);
+    if (!sum.is_zero()) result.push_back({symbol, sum});
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Partial> partials(const Definitions& definitions, const ex& value, LeafSet mask) {
+  return wanted_partials(definitions, value, [&](const ex& symbol) {
+    return definitions.places.at(symbol).depends.has_any(mask);
+  });
+}
+
+Seeds motion_seeds(const Symbols& symbols) {
+  Seeds seeds;
+  for (std::size_t i = 0; i < symbols.q.size(); ++i) {
+    seeds.emplace(symbols.q[i], symbols.q_rates[i]);
+  }
+  for (std::size_t i = 0; i < symbols.v.size(); ++i) seeds.emplace(symbols.v[i], symbols.a[i]);
+  seeds.emplace(symbols.t, 1);
+  return seeds;
+}
+
+Tangent::Tangent(Definitions& definitions, Seeds seeds, std::string suffix)
+    : definitions_(definitions), tangents_(std::move(seeds)), suffix_(std::move(suffix)) {
+  mask_ = mask_of(definitions_, tangents_);
+}
+
+ex Tangent::from_known(const ex& value) const {
+  GiNaC::exvector terms;
+  // By what moves alone: by all n symbols, each of the n columns of a matrix would cost all of
+  // them.
+  const auto moves = [this](const ex& symbol) { return tangents_.find(symbol) != tangents_.end(); };
+  for (const Partial& partial : wanted_partials(definitions_, value, moves)) {
+    terms.push_back(partial.value * tangents_.at(partial.variable));
+  }
+  return GiNaC::add(terms);
+}
+
+void Tangent::differentiate(std::uint32_t definition) {
+  const ex symbol = definitions_.list[definition].symbol;
+  const std::string& base = definitions_.list[definition].name;
+  Label label{base.empty() || suffix_.empty() ? std::string() : base + suffix_,
+              definitions_.list[definition].origin};
+  const ex rate = from_known(definitions_.list[definition].value);
+  const ex defined = define(definitions_, rate, std::move(label));
+  if (!defined.is_zero()) tangents_.emplace(symbol, defined);
+}
+
+ex Tangent::operator()(const ex& value) {
+  visit_needed(definitions_, value, mask_, known_,
+               [this](std::uint32_t definition) { differentiate(definition); });
+  return from_known(value);
+}
+
+namespace {
+
+/// Terms of the adjoints still to be visited, latest definition first, and of the variables.
+struct Adjoints {
+  std::map<std::uint32_t, GiNaC::exvector, std::greater<>> of_definitions;
+  ExpressionMap<GiNaC::exvector> of_variables;
+};
+
+void accumulate(const Definitions& definitions, const std::vector<Partial>& factors,
+                const ex& weight, Adjoints& adjoints) {
+  for (const Partial& factor : factors) {
+    const SymbolPlace& at = definitions.places.at(factor.variable);
+    const ex term = weight * factor.value;
+    if (at.is_definition) {
+      adjoints.of_definitions[at.index].push_back(term);
+    } else if (const auto found = adjoints.of_variables.find(factor.variable);
+               found != adjoints.of_variables.end()) {
+      found->second.push_back(term);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<ex> gradient(Definitions& definitions, const std::vector<Weighted>& sum,
+                         const std::vector<ex>& variables) {
+  Adjoints adjoints;
+  LeafSet mask;
+  for (const ex& variable : variables) {
+    adjoints.of_variables.emplace(variable, GiNaC::exvector());
+    mask |= definitions.places.at(variable).depends;
+  }
+  for (const Weighted& term : sum) {
+    if (term.weight.is_zero()) continue;
+    accumulate(definitions, partials(definitions, term.value, mask), term.weight, adjoints);
+  }
+  while (!adjoints.of_definitions.empty()) {
+    const auto latest = adjoints.of_definitions.begin();
+    const std::uint32_t index = latest->first;
+    const ex adjoint = define(definitions, GiNaC::add(latest->second));
+    adjoints.of_definitions.erase(latest);
+    if (adjoint.is_zero()) continue;
+    const std::vector<Partial> factors = partials(definitions, definitions.list[index].value, mask);
+    accumulate(definitions, factors, adjoint, adjoints);
+  }
+  std::vector<ex> result;
+  result.reserve(variables.size());
+  for (const ex& variable : variables) {
+    result.emplace_back(GiNaC::add(adjoints.of_variables.at(variable)));
+  }
+  return result;
+}
+
+Substitution::Substitution(Definitions& definitions, Seeds values)
+    : definitions_(definitions), values_(std::move(values)) {
+  mask_ = mask_of(definitions_, values_);
+}
+
+ex Substitution::from_known(const ex& value) const {
+  GiNaC::exmap replacements;
+  for (const ex& symbol : symbols_of(definitions_, value)) {
+    const auto found = values_.find(symbol);
+    if (found != values_.end()) replacements.emplace(symbol, found->second);
+  }
+  return replacements.empty() ? value : value.subs(replacements, GiNaC::subs_options::no_pattern);
+}
+
+void Substitution::substitute(std::uint32_t definition) {
+  const Definition& old = definitions_.list[definition];
+  const ex symbol = old.symbol;
+  Label label{old.name, old.origin};
+  const ex replaced = define(definitions_, from_known(old.value), std::move(label));
+  if (!replaced.is_equal(symbol)) values_.emplace(symbol, replaced);
+}
+
+ex Substitution::operator()(const ex& value) {
+  visit_needed(definitions_, value, mask_, known_,
+               [this](std::uint32_t definition) { substitute(definition); });
+  return from_known(value);
+}
+
+}  // namespace elgen

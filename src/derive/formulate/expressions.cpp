@@ -1,0 +1,350 @@
+// Model expressions -> GiNaC over definitions, each when it is asked for, after what it refers to.
+#include "derive/formulate/expressions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "elgen/lagrangian.hpp"
+#include "elgen/references.hpp"
+#include "numbers/enclosed_number.hpp"
+
+namespace elgen {
+
+using GiNaC::ex;
+
+namespace {
+
+/// Written-out size from which a part is named: small enough that GiNaC's derivative of one value,
+/// and the products of the chain rule, stay small; large enough that `l*sin(q1 + q2)` stays in one
+/// piece.
+constexpr unsigned largest_inline_size = 10;
+
+constexpr std::array<const char*, 3> axes{"_x", "_y", "_z"};
+
+ex number(const cln::cl_RA& value) { return GiNaC::numeric(value); }
+
+// GiNaC has none of these.
+ex log1p(const ex& x) { return elgen_log1p(x); }
+ex expm1(const ex& x) { return elgen_expm1(x); }
+ex hypot(const ex& x, const ex& y) { return elgen_hypot(x, y); }
+ex stumpff(const ex& x, const ex& k) { return elgen_stumpff(x, k); }
+ex abs(const ex& x) { return elgen_abs(x); }
+ex sign(const ex& x) { return elgen_sign(x); }
+ex min(const ex& x, const ex& y) { return elgen_min(x, y); }
+ex max(const ex& x, const ex& y) { return elgen_max(x, y); }
+
+ex call(FunctionId function, const ex& x, const ex& y) {
+  using GiNaC::sin, GiNaC::cos, GiNaC::tan, GiNaC::asin, GiNaC::acos, GiNaC::atan, GiNaC::atan2;
+  using GiNaC::sinh, GiNaC::cosh, GiNaC::tanh, GiNaC::exp, GiNaC::log;
+  switch (function) {
+#define ELGEN_CALL_1(name) name(x)
+#define ELGEN_CALL_2(name) name(x, y)
+#define ELGEN_FUNCTION(name, arity) \
+  case FunctionId::name:            \
+    return ELGEN_CALL_##arity(name);
+#include "elgen/functions.def"
+#undef ELGEN_FUNCTION
+#undef ELGEN_CALL_1
+#undef ELGEN_CALL_2
+  }
+  return 0;
+}
+
+/// The derivative by one argument. check() lets functions with kinks stand in forces only, so that
+/// of one of these is a mistake of elgen's own.
+ex slope(FunctionId function, const ex& x, const ex& y, unsigned argument) {
+  using GiNaC::sin, GiNaC::cos, GiNaC::sinh, GiNaC::cosh, GiNaC::exp, GiNaC::sqrt;
+  if (is_kinked(function)) throw std::logic_error("derivative of a kinked function");
+  const ex f = call(function, x, y);
+  const ex one = 1;
+  switch (function) {
+#define ELGEN_DERIVATIVES(name, arity, first, second) \
+  case FunctionId::name:                              \
+    return argument == 0 ? ex(first) : ex(second);
+#include "base/function_derivatives.def"
+#undef ELGEN_DERIVATIVES
+  }
+  return 0;
+}
+template <FunctionId function>
+ex slope_1(const ex& x, unsigned argument) {
+  return slope(function, x, x, argument);
+}
+template <FunctionId function>
+ex slope_2(const ex& x, const ex& y, unsigned argument) {
+  return slope(function, x, y, argument);
+}
+
+/// The value of a call that is known without computing, else the call as it is.
+ex evaluated(FunctionId function, const ex& x, const ex& y, const ex& held) {
+  const bool is_known = x.info(GiNaC::info_flags::rational) && y.info(GiNaC::info_flags::rational);
+  if (!is_known) return held;
+  const auto exact = [](const ex& operand) {
+    return cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(operand).to_cl_N());
+  };
+  const auto value = known_value(function, exact(x), exact(y));
+  return value ? number(*value) : held;
+}
+ex evaluated_log1p(const ex& x) {
+  return evaluated(FunctionId::log1p, x, x, elgen_log1p(x).hold());
+}
+ex evaluated_expm1(const ex& x) {
+  return evaluated(FunctionId::expm1, x, x, elgen_expm1(x).hold());
+}
+ex evaluated_hypot(const ex& x, const ex& y) {
+  return evaluated(FunctionId::hypot, x, y, elgen_hypot(x, y).hold());
+}
+ex evaluated_stumpff(const ex& x, const ex& k) {
+  return evaluated(FunctionId::stumpff, x, k, elgen_stumpff(x, k).hold());
+}
+
+/// 1 by argument 2 -> 12, 2 by argument 1 -> 12
+int with_digit(int digits, int digit) {
+  const int last = digits % 10;
+  return last <= digit ? digits * 10 + digit : with_digit(digits / 10, digit) * 10 + last;
+}
+
+int integer(const ex& number) { return GiNaC::ex_to<GiNaC::numeric>(number).to_int(); }
+
+// The first three operands are numbers, so that GiNaC asks for derivatives by the others only.
+// NOLINTNEXTLINE(readability-function-size): GiNaC passes every operand by itself.
+ex open_slope(const ex& first, const ex& count, const ex& digits, const ex& x1, const ex& x2,
+              const ex& x3, const ex& x4, unsigned operand) {
+  const int by = static_cast<int>(operand) - 2;
+  return elgen_open(first, count, with_digit(integer(digits), by), x1, x2, x3, x4);
+}
+
+}  // namespace
+
+Translation::Translation(const Model& model, Lagrangian& lagrangian)
+    : model_(model), lagrangian_(lagrangian), translated_(model.expressions.size()) {}
+
+/// The references of an expression come first; chains are long, so nothing is recursive.
+ex Translation::value(ExpressionId id) {
+  if (!errors_.empty()) return 0;
+  std::vector<ExpressionId> stack{id};
+  const auto is_done = [this](ExpressionId each) { return translated_[each].size != 0; };
+  while (!stack.empty()) {
+    const ExpressionId next = stack.back();
+    const std::size_t size = stack.size();
+    const std::vector<ExpressionId> parts = references(model_, next);
+    std::remove_copy_if(parts.rbegin(), parts.rend(), std::back_inserter(stack), is_done);
+    if (stack.size() > size) continue;
+    stack.pop_back();
+    if (!is_done(next) && !translate(next)) return 0;
+  }
+  return translated_[id].value;
+}
+
+bool Translation::translate(ExpressionId id) {
+  const auto refuse = [&](Code code, const std::string& what) {
+    errors_.push_back({code, model_.expressions[id].span,
+                       "`" + to_string(model_, id) + "` " + what + ", whatever the state is"});
+    return false;
+  };
+  try {
+    translated_[id] = small(compose(model_.expressions[id]));
+    return true;
+  } catch (const GiNaC::pole_error&) {
+    return refuse(Code::E312, "divides by zero");
+  } catch (const std::domain_error&) {
+    return refuse(Code::E313, "has no value");
+  }
+}
+
+ex Translation::named(ExpressionId id, const std::string& name, Entity origin) {
+  return define(lagrangian_.definitions, value(id), {name, origin});
+}
+
+ExVector3 Translation::vector(const Vector3& values, const std::string& name, Entity origin) {
+  ExVector3 result;
+  for (std::size_t i = 0; i < 3; ++i) result[i] = named(values[i], name + axes[i], origin);
+  return result;
+}
+
+Translation::Sized Translation::small(const Sized& sized) {
+  if (sized.size <= largest_inline_size) return sized;
+  return {define(lagrangian_.definitions, sized.value), 1};
+}
+
+Translation::Sized Translation::leaf(const Expression& expression) const {
+  if (expression.kind == ExpressionKind::number) return {number(expression.number), 1};
+  if (expression.kind == ExpressionKind::pi) return {GiNaC::Pi, 1};
+  return {leaf_of(lagrangian_.symbols, expression.leaf, expression.index), 1};
+}
+
+Translation::Sized Translation::compose(const Expression& expression) {
+  const auto operand = [&](std::size_t i) { return translated_[expression.operands[i]]; };
+  switch (expression.kind) {
+    case ExpressionKind::negate:
+      return {-operand(0).value, operand(0).size};
+    case ExpressionKind::add:
+      return sum(expression.operands);
+    case ExpressionKind::multiply:
+      return product(expression.operands);
+    case ExpressionKind::divide:
+      return {operand(0).value / operand(1).value, operand(0).size + operand(1).size + 1};
+    case ExpressionKind::power:
+      return {GiNaC::pow(operand(0).value, number(expression.number)), operand(0).size + 1};
+    case ExpressionKind::function:
+      return function(expression);
+    case ExpressionKind::time_derivative:
+      return {define(lagrangian_.definitions, (*along_motion_)(operand(0).value)), 1};
+    case ExpressionKind::definition:
+    case ExpressionKind::prescribed:
+    case ExpressionKind::point_component:
+    case ExpressionKind::frame_component:
+      return component(expression);
+    default:
+      return is_leaf(expression, Opcode::open_value) ? open(expression) : leaf(expression);
+  }
+}
+
+/// One leaf, whatever its arguments: it is written as such.
+Translation::Sized Translation::open(const Expression& expression) const {
+  const OpenValue& value = model_.open_values[expression.index];
+  std::array<ex, most_arguments> x{};
+  for (std::size_t i = 0; i < expression.operands.size(); ++i) {
+    x[i] = translated_[expression.operands[i]].value;
+  }
+  int digits = 0;
+  for (const std::uint32_t argument : value.by) {
+    digits = with_digit(digits, static_cast<int>(argument) + 1);
+  }
+  const std::uint32_t first = open_value(model_, value.function, {}).value_or(0);
+  const auto count = static_cast<unsigned>(expression.operands.size());
+  return {elgen_open(first, count, digits, x[0], x[1], x[2], x[3]), 1};
+}
+
+Translation::Sized Translation::function(const Expression& expression) {
+  const Sized x = translated_[expression.operands[0]];
+  const Sized y = expression.operands.size() > 1 ? translated_[expression.operands[1]] : Sized{};
+  return {call(expression.function, x.value, y.value), x.size + y.size + 1};
+}
+
+/// Long sums become a tree of short ones, so that each definition stays small.
+Translation::Sized Translation::sum(const std::vector<ExpressionId>& operands) {
+  std::vector<Sized> terms;
+  for (const ExpressionId id : operands) terms.push_back(translated_[id]);
+  while (true) {
+    std::vector<Sized> shorter;
+    Sized group{0, 0};
+    for (const Sized& term : terms) {
+      if (group.size != 0 && group.size + term.size > largest_inline_size) {
+        shorter.push_back(group);
+        group = {0, 0};
+      }
+      group = {group.value + term.value, group.size + term.size};
+    }
+    shorter.push_back(group);
+    if (shorter.size() == 1) return shorter.front();
+    for (Sized& part : shorter) part = {define(lagrangian_.definitions, part.value), 1};
+    terms = std::move(shorter);
+  }
+}
+
+Translation::Sized Translation::product(const std::vector<ExpressionId>& operands) {
+  Sized result{1, 0};
+  for (const ExpressionId id : operands) {
+    const Sized& factor = translated_[id];
+    if (result.size != 0 && result.size + factor.size > largest_inline_size)
+      result = small({result.value, largest_inline_size + 1});
+    result = {result.value * factor.value, result.size + factor.size};
+  }
+  return result;
+}
+
+/// The definition that a name stands for; R of a frame as link_R11 …, its origin as link_x …
+Translation::Sized Translation::component(const Expression& expression) {
+  static constexpr std::array<const char*, components_per_frame> suffixes{
+      "_R11", "_R12", "_R13", "_R21", "_R22", "_R23", "_R31", "_R32", "_R33", "_x", "_y", "_z"};
+  const auto defined = [&](ExpressionId value, const std::string& name, Entity origin) {
+    return Sized{named(value, name, origin), 1};
+  };
+  const std::uint32_t i = expression.index;
+  switch (expression.kind) {
+    case ExpressionKind::definition:
+      return defined(model_.definitions[i].value, model_.definitions[i].identifier,
+                     {EntityKind::definition, i});
+    case ExpressionKind::prescribed:
+      return defined(model_.prescribed[i].value, model_.prescribed[i].identifier,
+                     {EntityKind::prescribed, i});
+    case ExpressionKind::point_component:
+      return defined(model_.points[i / 3].at[i % 3], model_.points[i / 3].identifier + axes[i % 3],
+                     {EntityKind::point, i / 3});
+    default: {
+      const std::uint32_t frame = i / components_per_frame;
+      return defined(component_of_frame(model_, i),
+                     model_.frames[frame].identifier + suffixes[i % components_per_frame],
+                     {EntityKind::frame, frame});
+    }
+  }
+}
+
+void Translation::define_named() {
+  along_motion_.emplace(lagrangian_.definitions, motion_seeds(lagrangian_.symbols), "_dot");
+  const auto define_rows = [&](const std::vector<NamedExpression>& rows, EntityKind kind) {
+    for (std::uint32_t i = 0; i < rows.size(); ++i) {
+      (void)named(rows[i].value, rows[i].identifier, {kind, i});
+    }
+  };
+  define_rows(model_.definitions, EntityKind::definition);
+  define_rows(model_.prescribed, EntityKind::prescribed);
+  for (std::uint32_t i = 0; i < model_.points.size(); ++i) {
+    const Point& point = model_.points[i];
+    if (point.local && !model_.approximation) continue;
+    (void)vector(point.at, point.identifier, {EntityKind::point, i});
+  }
+  std::vector<ExpressionId> forces;
+  for (const Force& force : model_.forces) {
+    forces.insert(forces.end(), force.value.begin(), force.value.end());
+  }
+  for (const ExpressionId id : reached(model_, forces)) {
+    Expression entry = model_.expressions[id];
+    if (entry.kind != ExpressionKind::frame_component) continue;
+    entry.index -= entry.index % components_per_frame;
+    for (std::uint32_t k = 0; k < components_per_frame; ++k, ++entry.index) (void)component(entry);
+  }
+}
+
+std::optional<std::uint32_t> open_leaf(const ex& value) {
+  const int first = integer(value.op(0));
+  const int count = integer(value.op(1));
+  const int digits = integer(value.op(2));
+  // V, V_1 to V_n, then the rows of the upper triangle of second derivatives.
+  const int i = digits / 10;
+  const int j = digits % 10;
+  if (i >= 10) return std::nullopt;
+  const int above = (i - 1) * count - (i - 1) * (i - 2) / 2;
+  const int number = i == 0 ? first + j : first + count + above + j - i + 1;
+  return static_cast<std::uint32_t>(number);
+}
+
+ex constant_value(const Model& model, ExpressionId value) {
+  Lagrangian scratch;
+  Translation translation(model, scratch);
+  ex result = translation.value(value);
+  if (!translation.errors().empty()) throw std::domain_error("the constant has no value");
+  const std::vector<Definition>& parts = scratch.definitions.list;
+  for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
+    result = result.subs(part->symbol == part->value);
+  }
+  return result;
+}
+
+REGISTER_FUNCTION(elgen_open, derivative_func(open_slope))
+REGISTER_FUNCTION(elgen_log1p,
+                  eval_func(evaluated_log1p).derivative_func(slope_1<FunctionId::log1p>))
+REGISTER_FUNCTION(elgen_expm1,
+                  eval_func(evaluated_expm1).derivative_func(slope_1<FunctionId::expm1>))
+REGISTER_FUNCTION(elgen_hypot,
+                  eval_func(evaluated_hypot).derivative_func(slope_2<FunctionId::hypot>))
+REGISTER_FUNCTION(elgen_stumpff,
+                  eval_func(evaluated_stumpff).derivative_func(slope_2<FunctionId::stumpff>))
+REGISTER_FUNCTION(elgen_abs, derivative_func(slope_1<FunctionId::abs>))
+REGISTER_FUNCTION(elgen_sign, derivative_func(slope_1<FunctionId::sign>))
+REGISTER_FUNCTION(elgen_min, derivative_func(slope_2<FunctionId::min>))
+REGISTER_FUNCTION(elgen_max, derivative_func(slope_2<FunctionId::max>))
+
+}  // namespace elgen

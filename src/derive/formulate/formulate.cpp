@@ -1,0 +1,283 @@
+// formulate: Model -> Lagrangian. Symbols, then every named thing as definitions, then the energies
+// and forces as terms over them.
+//
+//     T = [energy] T + sum 1/2 m |dp/dt|^2 + sum 1/2 w.I w + sum 1/2 J v^2
+//     V = [energy] V - sum m gravity.p
+//
+// Quantities that move with frames go into their tree, except where a scene expands the energies or
+// takes cyclic coordinates out: that needs them as sums, so everything is then written in the
+// world.
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "derive/formulate/expressions.hpp"
+#include "derive/formulate/frame_tree.hpp"
+#include "derive/formulate/rotations.hpp"
+#include "elgen/lagrangian.hpp"
+
+namespace elgen {
+
+using GiNaC::ex;
+
+namespace {
+
+const ex half = GiNaC::numeric(1, 2);
+
+/// A positive symbol lets GiNaC take roots of squares.
+ex symbol_of(const Parameter& parameter, const std::string& name) {
+  if (parameter.assumption == Assumption::positive) return GiNaC::possymbol(name);
+  return GiNaC::realsymbol(name);
+}
+
+template <class Entry>
+ex symbol_of(const Entry& /*entry*/, const std::string& name) {
+  return GiNaC::realsymbol(name);
+}
+
+void add_symbols(const Model& model, Lagrangian& lagrangian) {
+  LeafValues<ex>& symbols = lagrangian.symbols;
+  symbols = leaves_of<ex>(
+      model,
+      [](Opcode kind, const auto& entry) {
+        return symbol_of(entry,
+                         fmt::format(fmt::runtime(leaf_row(kind).identifier), entry.identifier));
+      },
+      [](Opcode kind) { return GiNaC::realsymbol(std::string(leaf_row(kind).symbol)); });
+  for_each_leaf([&](Opcode kind, std::uint32_t,
+                    const ex& symbol) { add_leaf(lagrangian.definitions, symbol, kind); },
+                symbols);
+  add_coordinate_rates(model, lagrangian);
+}
+
+/// Builds the parts of a Lagrangian one after another; the first error ends it.
+class Formulation {
+ public:
+  explicit Formulation(const Model& model) : model_(model), translation_(model, lagrangian_) {
+    lagrangian_.leaves = leaf_names(model);
+    lagrangian_.quadratic = model.quadratic;
+    lagrangian_.eliminates_last_first = eliminates_last_first(model);
+    add_symbols(model, lagrangian_);
+  }
+
+  Result<Lagrangian> build() && {
+    translation_.define_named();
+    if (!translation_.errors().empty()) return translation_.errors().front();
+    using F = Formulation;
+    for (void (F::*const add)() :
+         {&F::add_gravity, &F::add_points, &F::add_bodies, &F::add_energies, &F::add_forces,
+          &F::add_constraints, &F::add_outputs, &F::add_locks, &F::add_cyclic, &F::add_expansion,
+          &F::add_tree}) {
+      (this->*add)();
+      if (!translation_.errors().empty()) return translation_.errors();
+    }
+    return std::move(lagrangian_);
+  }
+
+ private:
+  void add_tree() { add_frame_tree(model_, translation_, lagrangian_); }
+
+  void add_gravity() {
+    if (!model_.gravity) return;
+    const auto& gravity = *model_.gravity;
+    lagrangian_.gravity = {translation_.value(gravity[0]), translation_.value(gravity[1]),
+                           translation_.value(gravity[2])};
+  }
+
+  /// Whether the tree of frames takes it.
+  template <class Placed>
+  [[nodiscard]] bool is_in_tree(const Placed& placed) const {
+    return placed.local && !sums_energies(model_);
+  }
+
+  void add_points() {
+    for (std::uint32_t i = 0; i < model_.points.size(); ++i) {
+      const Point& point = model_.points[i];
+      if (!point.mass || is_in_tree(point)) continue;
+      const Entity origin{EntityKind::point, i};
+      const ex mass = translation_.named(*point.mass, point.identifier + "_mass", origin);
+      lagrangian_.masses.push_back(
+          {mass, translation_.vector(point.at, point.identifier, origin), origin});
+    }
+  }
+
+  void add_bodies() {
+    for (std::uint32_t i = 0; i < model_.bodies.size(); ++i) {
+      const Body& body = model_.bodies[i];
+      if (is_in_tree(body)) continue;
+      const Entity origin{EntityKind::body, i};
+      if (body.mass) {
+        const ex mass = translation_.named(*body.mass, body.identifier + "_mass", origin);
+        lagrangian_.masses.push_back(
+            {mass, translation_.vector(body.com, body.identifier, origin), origin});
+      }
+      add_rotation(body, origin);
+    }
+    lagrangian_.kinetic_of_bodies = lagrangian_.kinetic.size();
+  }
+
+  /// 1/2 w.I w, with I = [xx xy xz; xy yy yz; xz yz zz] in the axes of w.
+  void add_rotation(const Body& body, Entity origin) {
+    if (body.inertia.empty() || body.spin.empty()) return;
+    static constexpr std::array<const char*, 3> axes{"_x", "_y", "_z"};
+    std::vector<ex> inertia;
+    for (const ExpressionId id : body.inertia)
+      inertia.push_back(translation_.named(id, body.identifier + "_inertia", origin));
+    std::vector<ex> spin;
+    for (const ExpressionId id : body.spin) {
+      const std::string axis = body.spin.size() == 1 ? "" : axes[spin.size()];
+      spin.push_back(translation_.named(id, body.identifier + "_spin" + axis, origin));
+    }
+    auto& kinetic = lagrangian_.kinetic;
+    for (std::size_t i = 0; i < spin.size(); ++i)
+      kinetic.push_back(half * inertia[i] * spin[i] * spin[i]);
+    if (inertia.size() < 6) return;
+    kinetic.push_back(inertia[3] * spin[0] * spin[1]);
+    kinetic.push_back(inertia[4] * spin[0] * spin[2]);
+    kinetic.push_back(inertia[5] * spin[1] * spin[2]);
+  }
+
+  /// The terms of a sum, each small.
+  void add_terms(std::optional<ExpressionId> energy, std::vector<ex>& terms) {
+    if (!energy) return;
+    const Expression& expression = model_.expressions[*energy];
+    if (expression.kind != ExpressionKind::add) {
+      terms.push_back(translation_.value(*energy));
+      return;
+    }
+    for (const ExpressionId operand : expression.operands)
+      terms.push_back(translation_.value(operand));
+  }
+
+  void add_energies() {
+    add_terms(model_.energies.T, lagrangian_.kinetic);
+    add_terms(model_.energies.V, lagrangian_.potential);
+    add_terms(model_.energies.D, lagrangian_.dissipation);
+    add_terms(model_.energies.L, lagrangian_.lagrangian);
+    for (const Coordinate& coordinate : model_.coordinates) {
+      if (!coordinate.armature) continue;
+      const ex rate = lagrangian_.symbols.v[coordinate.velocity];
+      auto& kinetic = lagrangian_.lagrangian.empty() ? lagrangian_.kinetic : lagrangian_.lagrangian;
+      kinetic.push_back(half * translation_.value(*coordinate.armature) * rate * rate);
+    }
+  }
+
+  void add_forces() {
+    std::vector<GiNaC::exvector> on(model_.velocities.size());
+    for (std::size_t i = 0; i < model_.inputs.size(); ++i) {
+      if (model_.inputs[i].on) on[*model_.inputs[i].on].push_back(lagrangian_.symbols.u[i]);
+    }
+    for (const Force& force : model_.forces) {
+      if (force.on) {
+        on[*force.on].push_back(translation_.value(force.value.front()));
+      } else if (force.at) {
+        add_point_force(force);
+      } else if (sums_energies(model_)) {
+        add_torque(force, on);
+      }
+    }
+    for (const GiNaC::exvector& terms : on) lagrangian_.forces.emplace_back(GiNaC::add(terms));
+  }
+
+  void add_point_force(const Force& force) {
+    const auto at = [&](std::uint32_t point) {
+      return translation_.vector(model_.points[point].at, model_.points[point].identifier,
+                                 {EntityKind::point, point});
+    };
+    const bool acts_in_world = !is_in_tree(model_.points[*force.at]);
+    const bool reacts_in_world = force.from && !is_in_tree(model_.points[*force.from]);
+    if (!acts_in_world && !reacts_in_world) return;
+    const std::array<ex, 3> value{translation_.value(force.value[0]),
+                                  translation_.value(force.value[1]),
+                                  translation_.value(force.value[2])};
+    if (acts_in_world) lagrangian_.point_forces.push_back({at(*force.at), value});
+    if (!reacts_in_world) return;
+    lagrangian_.point_forces.push_back({at(*force.from), {-value[0], -value[1], -value[2]}});
+  }
+
+  /// Spins are linear in the rates, so the work of a torque per unit of v_i is torque.dw/dv_i.
+  void add_torque(const Force& force, std::vector<GiNaC::exvector>& on) {
+    std::vector<Weighted> work;
+    const auto add = [&](std::uint32_t frame, const std::vector<ExpressionId>& torque, int sign) {
+      for (std::size_t i = 0; i < torque.size(); ++i) {
+        const ex spin = translation_.value(model_.frames[frame].spin[i]);
+        work.push_back({spin, sign * translation_.value(torque[i])});
+      }
+    };
+    add(*force.frame, force.value, 1);
+    if (force.from_frame) add(*force.from_frame, force.reaction, -1);
+    const std::vector<ex> forces = gradient(lagrangian_.definitions, work, lagrangian_.symbols.v);
+    for (std::size_t i = 0; i < forces.size(); ++i) on[i].push_back(forces[i]);
+  }
+
+  void add_expansion() {
+    if (!model_.approximation) return;
+    const Approximation& approximation = *model_.approximation;
+    const Symbols& symbols = lagrangian_.symbols;
+    Expansion expansion{approximation.order, {}};
+    for (std::size_t i = 0; i < symbols.q.size(); ++i) {
+      if (!approximation.small[i]) continue;
+      expansion.small.push_back({symbols.q[i], translation_.value(*approximation.coordinates[i])});
+      expansion.small.push_back({symbols.v[model_.coordinates[i].velocity], 0});
+    }
+    for (std::size_t i = 0; approximation.small_inputs && i < symbols.u.size(); ++i) {
+      const std::optional<ExpressionId>& value = approximation.inputs[i];
+      expansion.small.push_back({symbols.u[i], value ? translation_.value(*value) : ex(0)});
+    }
+    lagrangian_.expansion = std::move(expansion);
+  }
+
+  void add_constraints() {
+    for (std::uint32_t i = 0; i < model_.constraints.size(); ++i) {
+      const Constraint& constraint = model_.constraints[i];
+      const Entity origin{EntityKind::constraint, i};
+      const auto gain = [&](const std::optional<ExpressionId>& value) {
+        return value ? translation_.value(*value) : ex(0);
+      };
+      const ex omega = gain(constraint.omega);
+      const ex stiffness = constraint.is_position ? omega * omega : ex(0);
+      const ex value = translation_.named(constraint.value, constraint.identifier, origin);
+      lagrangian_.constraints.push_back(
+          {value, constraint.is_position, 2 * gain(constraint.zeta) * omega, stiffness, origin});
+    }
+  }
+
+  void add_outputs() {
+    for (const UserOutput& output : model_.outputs) {
+      NamedOutput named{output.name, {}, {}};
+      for (const ExpressionId id : output.values) named.values.push_back(translation_.value(id));
+      lagrangian_.outputs.push_back(std::move(named));
+    }
+  }
+
+  void add_locks() {
+    for (const Lock& lock : model_.locks) {
+      LockedVariable locked{lock, {}};
+      for (std::uint32_t i = 0; i < lock.values.size(); ++i) {
+        const Coordinate& coordinate = model_.coordinates[lock.coordinate + i];
+        const Entity origin{EntityKind::coordinate, lock.coordinate + i};
+        locked.values.push_back(translation_.named(lock.values[i], coordinate.identifier, origin));
+      }
+      lagrangian_.locked.push_back(std::move(locked));
+    }
+  }
+
+  void add_cyclic() {
+    for (const Cyclic& cyclic : model_.cyclic) {
+      lagrangian_.cyclic.push_back(
+          {Held(cyclic), lagrangian_.symbols.parameters[cyclic.parameter]});
+    }
+  }
+
+  const Model& model_;
+  Lagrangian lagrangian_;
+  Translation translation_;
+};
+
+}  // namespace
+
+Result<Lagrangian> formulate(const Model& model) {
+  return Formulation(model.unlocked ? *model.unlocked : model).build();
+}
+
+}  // namespace elgen

@@ -1,0 +1,308 @@
+// Frames, parents first; then bodies, masses, wrenches and outputs by the step they move with.
+#include "derive/formulate/frame_tree.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace elgen {
+
+using GiNaC::ex;
+
+namespace {
+
+bool is_zero(const ExVector3& vector) {
+  return std::all_of(vector.begin(), vector.end(), [](const ex& x) { return x.is_zero(); });
+}
+
+/// The frames that carry something, with all they hang on. Where the energies are expanded they
+/// carry nothing but outputs.
+std::vector<bool> carrying(const Model& model) {
+  std::vector<bool> needed(model.frames.size(), false);
+  const auto mark = [&](std::optional<std::uint32_t> frame) {
+    for (; frame && !needed[*frame]; frame = model.frames[*frame].parent) needed[*frame] = true;
+  };
+  const auto mark_point = [&](std::optional<std::uint32_t> point) {
+    if (point && model.points[*point].local) mark(model.points[*point].local->frame);
+  };
+  for (const UserOutput& output : model.outputs) mark(output.frame);
+  if (sums_energies(model)) return needed;
+  for (const Body& body : model.bodies) {
+    if (body.local) mark(body.local->com.frame);
+  }
+  for (std::uint32_t i = 0; i < model.points.size(); ++i) {
+    if (model.points[i].mass) mark_point(i);
+  }
+  for (const Force& force : model.forces) {
+    mark(force.frame);
+    mark(force.from_frame);
+    mark_point(force.at);
+    mark_point(force.from);
+    const bool uses_axes = force.frame || (force.at && model.points[*force.at].local) ||
+                           (force.from && model.points[*force.from].local);
+    if (uses_axes) mark(force.axes);
+  }
+  return needed;
+}
+
+/// Those frames, each after its parent; otherwise as declared.
+std::vector<std::uint32_t> parents_first(const Model& model, const std::vector<bool>& wanted) {
+  std::vector<std::uint32_t> order;
+  std::vector<bool> done(model.frames.size(), false);
+  for (std::uint32_t i = 0; i < model.frames.size(); ++i) {
+    std::vector<std::uint32_t> path;
+    std::optional<std::uint32_t> frame = i;
+    for (; frame && wanted[*frame] && !done[*frame]; frame = model.frames[*frame].parent) {
+      done[*frame] = true;
+      path.push_back(*frame);
+    }
+    order.insert(order.end(), path.rbegin(), path.rend());
+  }
+  return order;
+}
+
+/// Moves nothing.
+bool is_trivial(const TreeStep& step) {
+  if (step.kind == FrameStepKind::turn) return step.angle.is_zero();
+  return step.kind == FrameStepKind::translation && is_zero(step.vector);
+}
+
+/// Turns x by a constant quarter turn about a coordinate axis, backwards; false for other turns.
+bool undo_quarter_turn(const TreeStep& step, ExVector3& x) {
+  const ex cosine = GiNaC::cos(step.angle);
+  const ex sine = GiNaC::sin(step.angle);
+  if (!GiNaC::is_a<GiNaC::numeric>(cosine) || !GiNaC::is_a<GiNaC::numeric>(sine)) return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!(step.vector[k] * step.vector[k]).is_equal(1)) continue;
+    const std::size_t i = (k + 1) % 3;
+    const std::size_t j = (k + 2) % 3;
+    const ex turned = cosine * x[i] + step.vector[k] * sine * x[j];
+    x[j] = cosine * x[j] - step.vector[k] * sine * x[i];
+    x[i] = turned;
+    return true;
+  }
+  return false;
+}
+
+/// The one coordinate axis along which x lies; none where it has more components.
+std::optional<std::size_t> single_axis(const ExVector3& x) {
+  std::optional<std::size_t> axis;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (x[k].is_zero()) continue;
+    if (axis) return std::nullopt;
+    axis = k;
+  }
+  return axis;
+}
+
+/// A shift along the axis of a turn commutes with it. It comes last, so that frames whose axes meet
+/// share their origin, and no force has to be passed on for its moment.
+///
+///     before    shift (a, d, 0), turn -pi/2 about x, turn q about z
+///     after     shift (a, 0, 0), turn -pi/2 about x, turn q about z, shift (0, 0, d)
+std::vector<TreeStep> with_slides_last(std::vector<TreeStep> steps) {
+  if (steps.size() < 2 || steps.front().kind != FrameStepKind::translation) return steps;
+  const TreeStep& turn = steps.back();
+  if (turn.kind != FrameStepKind::turn) return steps;
+  const std::optional<std::size_t> axis = single_axis(turn.vector);
+  if (!axis) return steps;
+  ExVector3 shift = steps.front().vector;
+  for (std::size_t k = 1; k + 1 < steps.size(); ++k) {
+    if (steps[k].kind != FrameStepKind::turn || !undo_quarter_turn(steps[k], shift)) return steps;
+  }
+  if (shift[*axis].is_zero()) return steps;
+  TreeStep slide = steps.front();
+  slide.vector = {0, 0, 0};
+  slide.vector[*axis] = shift[*axis];
+  // The rest of the shift, in its own axes: the components that were not along the turn's axis.
+  for (std::size_t k = 0; k < 3; ++k) {
+    ExVector3 unit{0, 0, 0};
+    unit[k] = 1;
+    for (std::size_t i = 1; i + 1 < steps.size(); ++i) (void)undo_quarter_turn(steps[i], unit);
+    if (!unit[*axis].is_zero()) steps.front().vector[k] = 0;
+  }
+  steps.push_back(std::move(slide));
+  if (is_trivial(steps.front())) steps.erase(steps.begin());
+  return steps;
+}
+
+class TreeFormulation {
+ public:
+  TreeFormulation(const Model& model, Translation& translation, Lagrangian& lagrangian)
+      : model_(model),
+        translation_(translation),
+        definitions_(lagrangian.definitions),
+        lagrangian_(lagrangian),
+        tree_(lagrangian.tree),
+        last_step_(model.frames.size()),
+        point_places_(model.points.size()) {}
+
+  void build() {
+    for (const std::uint32_t frame : parents_first(model_, carrying(model_))) add_frame(frame);
+    if (!sums_energies(model_)) add_what_is_carried();
+    add_twists();
+  }
+
+ private:
+  using Step = std::optional<std::uint32_t>;
+
+  void add_what_is_carried() {
+    for (std::uint32_t i = 0; i < model_.bodies.size(); ++i) add_body(i);
+    for (std::uint32_t i = 0; i < model_.points.size(); ++i) add_mass(i);
+    for (const Force& force : model_.forces) add_wrenches(force);
+  }
+
+  void add_frame(std::uint32_t index) {
+    const Frame& frame = model_.frames[index];
+    std::vector<TreeStep> steps;
+    for (const FrameStep& step : frame.steps) {
+      TreeStep translated_step = translate_step(index, step);
+      if (!is_trivial(translated_step)) steps.push_back(std::move(translated_step));
+    }
+    Step last = frame.parent ? last_step_[*frame.parent] : Step{};
+    for (TreeStep& step : with_slides_last(std::move(steps))) {
+      step.parent = last;
+      last = append(std::move(step));
+    }
+    last_step_[index] = last;
+  }
+
+  TreeStep translate_step(std::uint32_t index, const FrameStep& step) {
+    const std::string& name = model_.frames[index].identifier;
+    TreeStep result;
+    result.kind = step.kind;
+    if (step.rotation) result.rotation = model_.rotations[*step.rotation].first_velocity;
+    result.name = name;
+    result.origin = {EntityKind::frame, index};
+    result.vector = translation_.vector(step.vector, name + "_offset", result.origin);
+    if (step.kind == FrameStepKind::turn) {
+      result.angle = translation_.value(step.angle);
+      // Of a constant the sine is exact only while it is seen to be one.
+      if (!symbols_of(definitions_, result.angle).empty()) {
+        result.angle = define(definitions_, result.angle, {name + "_angle", result.origin});
+      }
+    }
+    for (std::size_t i = 0; step.kind == FrameStepKind::quaternion && i < 4; ++i) {
+      result.quaternion[i] =
+          translation_.named(step.quaternion[i], name + "_quaternion", result.origin);
+    }
+    return result;
+  }
+
+  Step append(TreeStep step) {
+    tree_.steps.push_back(std::move(step));
+    return static_cast<std::uint32_t>(tree_.steps.size() - 1);
+  }
+
+  void append_body(Step step, RigidBody body) {
+    body.step = step;
+    tree_.bodies.push_back(std::move(body));
+  }
+
+  void add_body(std::uint32_t index) {
+    const Body& body = model_.bodies[index];
+    if (!body.local) return;
+    const Entity origin{EntityKind::body, index};
+    RigidBody rigid;
+    rigid.origin = origin;
+    rigid.about_origin = body.local->about_origin;
+    if (body.mass) rigid.mass = translation_.named(*body.mass, body.identifier + "_mass", origin);
+    rigid.com = translation_.vector(body.local->com.at, body.identifier + "_com", origin);
+    for (const ExpressionId id : body.local->inertia) {
+      rigid.inertia.push_back(translation_.named(id, body.identifier + "_inertia", origin));
+    }
+    if (rigid.inertia.size() == 1) rigid.inertia = {0, 0, rigid.inertia.front(), 0, 0, 0};
+    append_body(last_step_[body.local->com.frame], std::move(rigid));
+  }
+
+  /// The step a point moves with, and where it is in the axes after that.
+  struct PointPlace {
+    Step step;
+    ExVector3 at;
+  };
+
+  /// A point that moves in its frame gets a step of its own.
+  const PointPlace& place_of(std::uint32_t index) {
+    std::optional<PointPlace>& known = point_places_[index];
+    if (known) return *known;
+    const Point& point = model_.points[index];
+    const Entity origin{EntityKind::point, index};
+    known = PointPlace{last_step_[point.local->frame],
+                       translation_.vector(point.local->at, point.identifier, origin)};
+    const bool moves = std::any_of(known->at.begin(), known->at.end(), [&](const ex& x) {
+      return dependence(definitions_, x).has_any(Opcode::coordinate | Opcode::time);
+    });
+    if (!moves) return *known;
+    TreeStep shift;
+    shift.parent = known->step;
+    shift.vector = std::exchange(known->at, {0, 0, 0});
+    shift.name = point.identifier;
+    shift.origin = origin;
+    known->step = append(std::move(shift));
+    return *known;
+  }
+
+  void add_mass(std::uint32_t index) {
+    const Point& point = model_.points[index];
+    if (!point.mass || !point.local) return;
+    const Entity origin{EntityKind::point, index};
+    RigidBody rigid;
+    rigid.origin = origin;
+    rigid.mass = translation_.named(*point.mass, point.identifier + "_mass", origin);
+    const PointPlace& place = place_of(index);
+    rigid.com = place.at;
+    append_body(place.step, std::move(rigid));
+  }
+
+  void add_wrenches(const Force& force) {
+    ExVector3 components;
+    const auto translate_components = [&] {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const bool given = i < force.written.size();
+        components[i] = given ? translation_.value(force.written[i]) : ex(0);
+      }
+    };
+    const Step axes = force.axes ? last_step_[*force.axes] : Step{};
+    const auto negative = [&] { return ExVector3{-components[0], -components[1], -components[2]}; };
+    if (force.frame) {
+      translate_components();
+      tree_.wrenches.push_back({last_step_[*force.frame], axes, {0, 0, 0}, {0, 0, 0}, components});
+      if (!force.from_frame) return;
+      const Step from = last_step_[*force.from_frame];
+      tree_.wrenches.push_back({from, axes, {0, 0, 0}, {0, 0, 0}, negative()});
+    } else if (force.at) {
+      translate_components();
+      add_force_at(*force.at, axes, components);
+      if (force.from) add_force_at(*force.from, axes, negative());
+    }
+  }
+
+  void add_force_at(std::uint32_t index, Step axes, const ExVector3& components) {
+    if (!model_.points[index].local) return;  // a PointForce
+    const PointPlace& place = place_of(index);
+    tree_.wrenches.push_back({place.step, axes, place.at, components, {0, 0, 0}});
+  }
+
+  void add_twists() {
+    for (std::size_t i = 0; i < model_.outputs.size(); ++i) {
+      const UserOutput& output = model_.outputs[i];
+      if (!output.frame) continue;
+      lagrangian_.outputs[i].twist = TwistOutput{last_step_[*output.frame], output.in_world};
+    }
+  }
+
+  const Model& model_;
+  Translation& translation_;
+  Definitions& definitions_;
+  Lagrangian& lagrangian_;
+  FrameTree& tree_;
+  std::vector<Step> last_step_;  ///< of each frame; none where it does not move from the world
+  std::vector<std::optional<PointPlace>> point_places_;  ///< of those in frames that carry or bear
+};
+
+}  // namespace
+
+void add_frame_tree(const Model& model, Translation& translation, Lagrangian& lagrangian) {
+  TreeFormulation(model, translation, lagrangian).build();
+}
+
+}  // namespace elgen

@@ -1,0 +1,219 @@
+// from_ginac: each needed definition becomes one signed reference, in the order of the list.
+//
+// A definition's symbol stands for its node from then on; the node keeps the definition's name.
+#include "derive/lower/from_ginac.hpp"
+
+#include <cln/number.h>
+#include <cln/real.h>
+#include <fmt/core.h>
+
+#include "derive/lagrangian/node_limit.hpp"
+#include "elgen/equations_of_motion.hpp"
+
+namespace elgen {
+namespace {
+
+class Importer {
+ public:
+  Importer(const EquationsOfMotion& equations, const OutputRequest& request)
+      : equations_(equations), request_(request) {
+    for_each_leaf([this](Opcode kind, std::uint32_t number,
+                         const GiNaC::ex& symbol) { known_[symbol] = graph.leaf(kind, number); },
+                  equations.symbols);
+  }
+
+  void add_definition(std::uint32_t position) {
+    const Definition& definition = equations_.definitions.list[position];
+    graph.set_birth(position);
+    const Ref value = import(definition.value);
+    graph.name(value, definition.name);
+    known_[definition.symbol] = value;
+  }
+
+  Ref import(const GiNaC::ex& e) {
+    if (GiNaC::is_a<GiNaC::symbol>(e)) return symbol(e);
+    if (GiNaC::is_a<GiNaC::numeric>(e)) return numeric(GiNaC::ex_to<GiNaC::numeric>(e));
+    if (GiNaC::is_a<GiNaC::add>(e)) return sum(e);
+    if (GiNaC::is_a<GiNaC::mul>(e)) return product(e);
+    if (GiNaC::is_a<GiNaC::power>(e)) return graph.product(powers(e));
+    if (GiNaC::is_a<GiNaC::function>(e)) return call(e);
+    if (e.is_equal(GiNaC::Pi)) return graph.pi();
+    return fail(Code::E912, fmt::format("cannot import the GiNaC class `{}`", class_name(e)));
+  }
+
+  Graph graph = {};
+  std::optional<Diagnostic> problem = {};  ///< the first thing that could not be imported
+
+ private:
+  static std::string class_name(const GiNaC::ex& e) {
+    return GiNaC::ex_to<GiNaC::basic>(e).class_name();
+  }
+
+  Ref fail(Code code, std::string message) {
+    if (!problem) problem = Diagnostic{code, request_.span, std::move(message)};
+    return graph.rational(0);
+  }
+
+  Ref symbol(const GiNaC::ex& e) {
+    const auto it = known_.find(e);
+    if (it != known_.end()) return it->second;
+    return fail(Code::E912, fmt::format("symbol `{}` is not defined before its use",
+                                        GiNaC::ex_to<GiNaC::symbol>(e).get_name()));
+  }
+
+  Ref numeric(const GiNaC::numeric& number) {
+    if (!number.is_real()) return fail(Code::E912, "a complex number reached the equations");
+    if (!number.is_rational()) return fail(Code::E912, "a rounded number reached the equations");
+    return graph.rational(cln::the<cln::cl_RA>(number.to_cl_N()));
+  }
+
+  Ref sum(const GiNaC::ex& e) {
+    std::vector<Ref> terms;
+    for (std::size_t i = 0; i < e.nops(); ++i) terms.push_back(import(e.op(i)));
+    return graph.sum(terms);
+  }
+
+  Ref product(const GiNaC::ex& e) {
+    std::vector<Power> factors;
+    for (std::size_t i = 0; i < e.nops(); ++i) {
+      const std::vector<Power> factor = powers(e.op(i));
+      factors.insert(factors.end(), factor.begin(), factor.end());
+    }
+    return graph.product(factors);
+  }
+
+  /// x^(5/2) as x^2 sqrt(x), other exponents y as exp(y log x).
+  std::vector<Power> powers(const GiNaC::ex& e) {
+    if (!GiNaC::is_a<GiNaC::power>(e)) return {{import(e), 1}};
+    const Ref base = import(e.op(0));
+    const GiNaC::ex exponent = e.op(1);
+    const bool is_half_integer =
+        GiNaC::is_a<GiNaC::numeric>(exponent) && (exponent * 2).info(GiNaC::info_flags::integer);
+    if (!is_half_integer) {
+      const Ref log = graph.call(FunctionId::log, {base});
+      return {{graph.call(FunctionId::exp, {graph.product({{import(exponent)}, {log}})}), 1}};
+    }
+    const int halves = GiNaC::ex_to<GiNaC::numeric>(exponent * 2).to_int();
+    if (halves < 0 && graph.is_zero(base.node)) {
+      fail(Code::E312, "a denominator is 0");
+      return {};
+    }
+    std::vector<Power> result;
+    if (halves / 2 != 0) result.push_back({base, halves / 2});
+    if (halves % 2 != 0) result.push_back({graph.square_root(base), halves % 2});
+    return result;
+  }
+
+  Ref call(const GiNaC::ex& e) {
+    std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
+    constexpr std::string_view own = "elgen_";
+    if (name.rfind(own, 0) == 0) name.erase(0, own.size());
+    if (name == "open") return open_value(e);
+    std::vector<Ref> arguments;
+    for (std::size_t i = 0; i < e.nops(); ++i) arguments.push_back(import(e.op(i)));
+    const FunctionRow* row = find_function(name);
+    if (row != nullptr && row->arity == arguments.size()) return graph.call(row->id, arguments);
+    return fail(Code::E912, fmt::format("cannot import the GiNaC function `{}`", name));
+  }
+
+  /// A leaf: what it is a function of is left to whoever computes it.
+  Ref open_value(const GiNaC::ex& e) {
+    const std::optional<std::uint32_t> number = open_leaf(e);
+    if (number) return graph.leaf(Opcode::open_value, *number);
+    return fail(Code::E912, "a third derivative of an open function reached the equations");
+  }
+
+  const EquationsOfMotion& equations_;
+  const OutputRequest& request_;
+  ExpressionMap<Ref> known_;
+};
+
+/// Marks the definitions whose symbols occur in e.
+void mark_symbols(const GiNaC::ex& e, const ExpressionMap<std::uint32_t>& positions,
+                  std::vector<bool>& needed) {
+  if (GiNaC::is_a<GiNaC::symbol>(e)) {
+    const auto it = positions.find(e);
+    if (it != positions.end()) needed[it->second] = true;
+    return;
+  }
+  for (std::size_t i = 0; i < e.nops(); ++i) mark_symbols(e.op(i), positions, needed);
+}
+
+std::vector<bool> needed_definitions(const Definitions& definitions,
+                                     const std::vector<const OutputEquations*>& outputs) {
+  ExpressionMap<std::uint32_t> positions;
+  for (std::uint32_t i = 0; i < definitions.list.size(); ++i) {
+    positions[definitions.list[i].symbol] = i;
+  }
+  std::vector<bool> needed(definitions.list.size(), false);
+  for (const OutputEquations* output : outputs) {
+    for (const FieldEquations& field : output->fields) {
+      for (const GiNaC::ex& entry : field.entries) mark_symbols(entry, positions, needed);
+    }
+  }
+  for (std::size_t i = needed.size(); i-- > 0;) {
+    if (!needed[i]) continue;
+    for (const std::uint32_t used : definitions.list[i].uses) needed[used] = true;
+  }
+  return needed;
+}
+
+/// The equations a request stands for: its own, or all that it repeats.
+std::vector<const OutputEquations*> equations_for(const EquationsOfMotion& equations,
+                                                  const OutputRequest& request) {
+  std::vector<const OutputEquations*> wanted;
+  for (const OutputEquations& output : equations.outputs) {
+    const bool is_wanted =
+        output_row(request.kind).repeats
+            ? is_repeated(output.request.kind)
+            : output.request.kind == request.kind && output.request.user == request.user;
+    if (is_wanted) wanted.push_back(&output);
+  }
+  return wanted;
+}
+
+/// The fields of a function that repeats other outputs have the names of these.
+std::vector<Field> import_fields(Importer& importer, const OutputRequest& request,
+                                 const std::vector<const OutputEquations*>& outputs,
+                                 std::vector<Ref>& values) {
+  const bool repeats = output_row(request.kind).repeats;
+  std::vector<Field> fields;
+  for (const OutputEquations* output : outputs) {
+    for (const FieldEquations& equations : output->fields) {
+      Field& field = fields.emplace_back(Field{
+          repeats ? output->request.name : equations.name, equations.rows, equations.columns, {}});
+      for (const GiNaC::ex& entry : equations.entries) {
+        field.entries.push_back(static_cast<std::uint32_t>(values.size()));
+        values.push_back(importer.import(entry));
+      }
+    }
+  }
+  return fields;
+}
+
+}  // namespace
+
+Result<ImportedOutput> from_ginac(const EquationsOfMotion& equations, const OutputRequest& request,
+                                  std::uint64_t maximum_nodes) {
+  const std::vector<const OutputEquations*> outputs = equations_for(equations, request);
+  if (outputs.empty()) {
+    return Diagnostic{Code::E912, request.span, fmt::format("`{}` was not derived", request.name)};
+  }
+  Importer importer(equations, request);
+  const std::vector<bool> needed = needed_definitions(equations.definitions, outputs);
+  for (std::uint32_t i = 0; i < needed.size(); ++i) {
+    if (needed[i]) importer.add_definition(i);
+    if (importer.problem) return *importer.problem;
+    if (importer.graph.size() > maximum_nodes) return too_many_nodes(request, maximum_nodes);
+  }
+  importer.graph.set_birth(static_cast<std::uint32_t>(needed.size()));
+  ImportedOutput imported;
+  imported.fields = import_fields(importer, request, outputs, imported.values);
+  if (importer.problem) return *importer.problem;
+  imported.graph = std::move(importer.graph);
+  return imported;
+}
+
+LeafNames leaf_names(const EquationsOfMotion& equations) { return equations.leaves; }
+
+}  // namespace elgen

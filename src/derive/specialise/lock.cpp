@@ -1,0 +1,77 @@
+// lock: locked coordinates become given functions of time, and are no unknowns any more.
+//
+//     before    x = l*cos(q1) + l*cos(q1 + q2)     q = (q1, q2)     q1 locked at 0
+//     after     x = l + l*cos(q2)                  q = (q2)
+#include <memory>
+
+#include "derive/specialise/passes.hpp"
+
+namespace elgen {
+
+namespace {
+
+using GiNaC::ex;
+
+/// Where the locked variables and their rates stand.
+Seeds values_of(Lagrangian& lagrangian) {
+  const Symbols& symbols = lagrangian.symbols;
+  Definitions& definitions = lagrangian.definitions;
+  Tangent passing(definitions, {{symbols.t, 1}}, "_dot");
+  Seeds values;
+  for (const LockedVariable& locked : lagrangian.locked) {
+    for (std::size_t i = 0; i < locked.values.size(); ++i) {
+      values.emplace(symbols.q[locked.coordinate + i], locked.values[i]);
+    }
+    // A rotation is locked at constants.
+    const ex rate =
+        locked.is_rotation ? ex(0) : define(definitions, passing(locked.values.front()));
+    const ex acceleration = define(definitions, passing(rate));
+    for (std::uint32_t i = 0; i < locked.velocity_count(); ++i) {
+      values.emplace(symbols.v[locked.velocity + i], rate);
+      values.emplace(symbols.a[locked.velocity + i], acceleration);
+    }
+  }
+  return values;
+}
+
+std::vector<std::uint32_t> held(const Lagrangian& lagrangian) {
+  std::vector<std::uint32_t> velocities;
+  for (const LockedVariable& locked : lagrangian.locked) {
+    if (!locked.reaction) continue;
+    for (std::uint32_t i = 0; i < locked.velocity_count(); ++i) {
+      velocities.push_back(locked.velocity + i);
+    }
+  }
+  return velocities;
+}
+
+/// The definitions stay where they are: later ones are appended to the same list.
+std::shared_ptr<const Lagrangian> without_definitions(Lagrangian& lagrangian) {
+  Definitions definitions = std::move(lagrangian.definitions);
+  lagrangian.definitions = {};
+  auto copy = std::make_shared<const Lagrangian>(lagrangian);
+  lagrangian.definitions = std::move(definitions);
+  return copy;
+}
+
+}  // namespace
+
+void lock(Lagrangian& lagrangian) {
+  for (const LockedVariable& locked : lagrangian.locked) {
+    for (const ex& value : locked.values) {
+      const bool moves = dependence(lagrangian.definitions, value).has_any(Opcode::time);
+      lagrangian.leaves.uses_time = lagrangian.leaves.uses_time || moves;
+    }
+  }
+  Holding holding;
+  holding.velocities = held(lagrangian);
+  holding.values = values_of(lagrangian);
+  if (!holding.velocities.empty()) holding.whole = without_definitions(lagrangian);
+  replace(lagrangian, holding.values);
+  const std::vector<Held> variables(lagrangian.locked.begin(), lagrangian.locked.end());
+  lagrangian.locked.clear();
+  remove_variables(lagrangian, variables);
+  if (holding.whole) lagrangian.holding = std::move(holding);
+}
+
+}  // namespace elgen

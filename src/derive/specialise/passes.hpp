@@ -1,0 +1,32 @@
+// The passes of specialise over a Lagrangian, one after another.
+#pragma once
+
+#include <vector>
+
+#include "derive/formulate/chain_rule.hpp"
+#include "elgen/lagrangian.hpp"
+
+namespace elgen {
+
+/// Every energy, force, frame and output over new definitions; the old ones stay in the list,
+/// unreached.
+void replace(Lagrangian& lagrangian, const Seeds& values);
+
+/// q_i = s(t), v_i = ds/dt in every energy, force and frame; the row and the column of q_i are
+/// gone. Where a reaction is wanted, the Lagrangian before is kept in `holding`.
+void lock(Lagrangian& lagrangian);
+
+/// Cyclic coordinates leave: L becomes R, a function of what is left and of their momenta.
+void routh(Lagrangian& lagrangian);
+
+/// The rows, columns and leaves of these variables are gone.
+void remove_variables(Lagrangian& lagrangian, const std::vector<Held>& variables);
+
+/// Masses, points and their forces become terms of T, V and the generalized forces.
+void write_sums(Lagrangian& lagrangian);
+
+/// Replaces masses, energies and forces by their expansions, as `lagrangian.expansion` says. User
+/// outputs stay exact.
+[[nodiscard]] Lagrangian expanded(Lagrangian lagrangian);
+
+}  // namespace elgen

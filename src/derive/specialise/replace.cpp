@@ -1,0 +1,79 @@
+// Every expression a Lagrangian holds, in the order of its members.
+#include "derive/specialise/passes.hpp"
+
+namespace elgen {
+
+namespace {
+
+using GiNaC::ex;
+
+class Replacing {
+ public:
+  Replacing(Definitions& definitions, const Seeds& values) : substitution_(definitions, values) {}
+
+  void operator()(ex& value) { value = substitution_(value); }
+  template <class List>
+  void operator()(List& list) {
+    for (auto& entry : list) (*this)(entry);
+  }
+  void operator()(PointMass& mass) {
+    (*this)(mass.mass);
+    (*this)(mass.position);
+  }
+  void operator()(PointForce& force) {
+    (*this)(force.position);
+    (*this)(force.force);
+  }
+  void operator()(TreeStep& step) {
+    (*this)(step.vector);
+    (*this)(step.angle);
+    (*this)(step.quaternion);
+  }
+  void operator()(RigidBody& body) {
+    (*this)(body.mass);
+    (*this)(body.com);
+    (*this)(body.inertia);
+  }
+  void operator()(Wrench& wrench) {
+    (*this)(wrench.at);
+    (*this)(wrench.force);
+    (*this)(wrench.moment);
+  }
+  void operator()(ConstraintEquation& constraint) {
+    (*this)(constraint.value);
+    (*this)(constraint.damping);
+    (*this)(constraint.stiffness);
+  }
+  void operator()(NamedOutput& output) { (*this)(output.values); }
+  void operator()(LockedVariable& locked) { (*this)(locked.values); }
+  void operator()(CyclicVariable& cyclic) { (*this)(cyclic.momentum); }
+  void operator()(SmallLeaf& small) { (*this)(small.value); }
+
+ private:
+  Substitution substitution_;
+};
+
+}  // namespace
+
+void replace(Lagrangian& lagrangian, const Seeds& values) {
+  Replacing replacing(lagrangian.definitions, values);
+  replacing(lagrangian.masses);
+  if (lagrangian.gravity) replacing(*lagrangian.gravity);
+  replacing(lagrangian.kinetic);
+  replacing(lagrangian.potential);
+  replacing(lagrangian.dissipation);
+  replacing(lagrangian.lagrangian);
+  replacing(lagrangian.forces);
+  replacing(lagrangian.point_forces);
+  replacing(lagrangian.tree.steps);
+  replacing(lagrangian.tree.bodies);
+  replacing(lagrangian.tree.wrenches);
+  replacing(lagrangian.constraints);
+  replacing(lagrangian.outputs);
+  replacing(lagrangian.locked);
+  replacing(lagrangian.cyclic);
+  replacing(lagrangian.cyclic_rates);
+  if (lagrangian.expansion) replacing(lagrangian.expansion->small);
+}
+
+}  // namespace elgen

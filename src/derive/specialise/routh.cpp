@@ -1,0 +1,102 @@
+// routh: cyclic coordinates leave a Lagrangian, and their momenta p are parameters of what is left.
+//
+//     before    L = 1/2*m*r_dot^2 + 1/2*m*r^2*phi_dot^2 - V(r)        phi at the momentum p_phi
+//     after     R = 1/2*m*r_dot^2 - V(r) - 1/2*p_phi^2/(m*r^2)
+//
+//     R = L0 - 1/2 w.v_c,   M_cc v_c = w = p - dL/dv_c,   all at v_c = 0
+//
+// L does not depend on the coordinate, so that 0 is put in its place wherever it stands. Source:
+// Goldstein, Poole, Safko, Classical Mechanics, 3rd ed., sec. 8.3.
+#include <utility>
+
+#include "derive/specialise/passes.hpp"
+
+namespace elgen {
+
+namespace {
+
+using GiNaC::ex;
+
+/// x of A x = b, by elimination from the first row to the last; every entry is a definition.
+/// GiNaC's pole_error where a pivot is 0.
+std::vector<ex> eliminated(Definitions& definitions, std::vector<ex> a, std::vector<ex> b) {
+  const std::size_t n = b.size();
+  std::vector<ex> reciprocals;
+  for (std::size_t k = 0; k < n; ++k) {
+    reciprocals.push_back(define(definitions, 1 / a[k * n + k]));
+    for (std::size_t i = k + 1; i < n; ++i) {
+      const ex factor = define(definitions, a[i * n + k] * reciprocals[k]);
+      for (std::size_t j = k + 1; j < n; ++j) {
+        a[i * n + j] = define(definitions, a[i * n + j] - factor * a[k * n + j]);
+      }
+      b[i] = define(definitions, b[i] - factor * b[k]);
+    }
+  }
+  for (std::size_t k = n; k-- > 0;) {
+    for (std::size_t j = k + 1; j < n; ++j) b[k] -= a[k * n + j] * b[j];
+    b[k] = define(definitions, b[k] * reciprocals[k]);
+  }
+  return b;
+}
+
+/// The terms of L, and those of T and V as such.
+void join_energies(Lagrangian& lagrangian) {
+  std::vector<ex>& whole = lagrangian.lagrangian;
+  for (const ex& term : lagrangian.kinetic) whole.push_back(term);
+  for (const ex& term : lagrangian.potential) whole.push_back(-term);
+  lagrangian.kinetic.clear();
+  lagrangian.potential.clear();
+}
+
+/// M_cc and w, over definitions at v_c = 0.
+struct CyclicEquations {
+  std::vector<ex> mass = {};
+  std::vector<ex> excess = {};
+};
+
+CyclicEquations cyclic_equations(Lagrangian& lagrangian, const Seeds& standing) {
+  Definitions& definitions = lagrangian.definitions;
+  std::vector<ex> rates;
+  for (const CyclicVariable& cyclic : lagrangian.cyclic) {
+    rates.push_back(lagrangian.symbols.v[cyclic.velocity]);
+  }
+  std::vector<Weighted> terms;
+  for (const ex& term : lagrangian.lagrangian) terms.push_back({term, 1});
+  const std::vector<ex> momenta = gradient(definitions, terms, rates);
+  Substitution at_rest(definitions, standing);
+  CyclicEquations equations;
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    const ex momentum = define(definitions, momenta[i]);
+    for (const ex& entry : gradient(definitions, {{momentum, 1}}, rates)) {
+      equations.mass.push_back(define(definitions, at_rest(define(definitions, entry))));
+    }
+    const ex excess = lagrangian.cyclic[i].momentum - at_rest(momentum);
+    equations.excess.push_back(define(definitions, excess));
+  }
+  return equations;
+}
+
+}  // namespace
+
+void routh(Lagrangian& lagrangian) {
+  write_sums(lagrangian);
+  join_energies(lagrangian);
+  Seeds standing;
+  for (const CyclicVariable& cyclic : lagrangian.cyclic) {
+    standing.emplace(lagrangian.symbols.q[cyclic.coordinate], 0);
+    standing.emplace(lagrangian.symbols.v[cyclic.velocity], 0);
+    standing.emplace(lagrangian.symbols.a[cyclic.velocity], 0);
+  }
+  const CyclicEquations equations = cyclic_equations(lagrangian, standing);
+  std::vector<ex> rates = eliminated(lagrangian.definitions, equations.mass, equations.excess);
+  replace(lagrangian, standing);
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    lagrangian.lagrangian.push_back(-equations.excess[i] * rates[i] / 2);
+  }
+  lagrangian.cyclic_rates = std::move(rates);
+  const std::vector<Held> variables(lagrangian.cyclic.begin(), lagrangian.cyclic.end());
+  lagrangian.cyclic.clear();
+  remove_variables(lagrangian, variables);
+}
+
+}  // namespace elgen

@@ -1,0 +1,155 @@
+// specialise: fixed parameters become numbers throughout a Lagrangian, then what is locked leaves
+// it, and what is cyclic where the scene says so.
+//
+//     before    p = l*sin(q), T = 1/2*m*p_dot^2      l = 1/2 fixed
+//     after     p = 1/2*sin(q), T = 1/2*m*p_dot^2
+//
+// Definitions that vanish are no longer reached from any energy, force or output, so later stages
+// never see them. Then a scene that asks for an expansion gets it.
+#include "elgen/specialise.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <stdexcept>
+#include <utility>
+
+#include "derive/formulate/expressions.hpp"
+#include "derive/specialise/passes.hpp"
+
+namespace elgen {
+
+namespace {
+
+using GiNaC::ex;
+
+void fix(Lagrangian& lagrangian, const Model& model, const FixedParameters& fixed) {
+  Seeds values;
+  for (const auto& [parameter, value] : fixed) {
+    const ex number =
+        value.form ? constant_value(model, *value.form) : ex(GiNaC::numeric(value.number));
+    values.emplace(lagrangian.symbols.parameters[parameter], number);
+  }
+  replace(lagrangian, values);
+}
+
+bool is_complex(const ex& value) {
+  if (GiNaC::is_a<GiNaC::numeric>(value)) return !GiNaC::ex_to<GiNaC::numeric>(value).is_real();
+  for (std::size_t i = 0; i < value.nops(); ++i) {
+    if (is_complex(value.op(i))) return true;
+  }
+  return false;
+}
+
+struct Problem {
+  Code code;
+  const char* text;
+};
+
+constexpr Problem division{Code::E312, "a denominator 0"};
+constexpr Problem undefined{Code::E313, "a value undefined"};
+constexpr Problem complex{Code::E314, "a value complex"};
+
+using Step = std::function<void(Lagrangian&)>;
+
+/// Does a step; what is wrong with the values it leads to.
+std::optional<Problem> problem_of(const Step& step, Lagrangian& lagrangian) {
+  const std::size_t known = lagrangian.definitions.list.size();
+  try {
+    step(lagrangian);
+  } catch (const GiNaC::pole_error& pole) {
+    return pole.degree() == 0 ? undefined : division;  // 0: of a logarithm
+  } catch (const std::domain_error&) {
+    return undefined;
+  }
+  const auto& list = lagrangian.definitions.list;
+  for (std::size_t i = known; i < list.size(); ++i) {
+    if (is_complex(list[i].value)) return complex;
+  }
+  // Small terms are no definitions.
+  for (const auto* terms : {&lagrangian.kinetic, &lagrangian.potential, &lagrangian.dissipation,
+                            &lagrangian.lagrangian, &lagrangian.forces}) {
+    if (std::any_of(terms->begin(), terms->end(), is_complex)) return complex;
+  }
+  return std::nullopt;
+}
+
+/// Part of a step that is taken apart to find what is wrong with it.
+struct StepPart {
+  std::string name;
+  Span span;
+  Step step;
+};
+
+struct Circumstance {
+  std::string one;
+  std::string many;
+};
+
+/// The first part that fails by itself is to blame; where none does, all are.
+Diagnostic blamed(const Problem& problem, const std::vector<StepPart>& parts,
+                  const Lagrangian& before, const Circumstance& at) {
+  std::string names;
+  for (const StepPart& part : parts) {
+    Lagrangian trial = before;
+    const auto found = problem_of(part.step, trial);
+    if (found) {
+      return {
+          found->code, part.span,
+          "`" + part.name + "` " + at.one + " makes " + found->text + ", whatever the state is"};
+    }
+    names += (names.empty() ? "`" : ", `") + part.name + "`";
+  }
+  return {problem.code, parts.front().span,
+          names + " " + at.many + " make " + problem.text + ", whatever the state is"};
+}
+
+Diagnostics fix_parameters(Lagrangian& lagrangian, const CheckedModel& checked) {
+  const auto& fixed = checked.scene.specialisation.fixed;
+  const Model& model = checked.model;
+  const Lagrangian before = lagrangian;
+  const auto problem = problem_of([&](Lagrangian& whole) { fix(whole, model, fixed); }, lagrangian);
+  if (!problem) return {};
+  std::vector<StepPart> parts;
+  for (const auto& entry : fixed) {
+    const Parameter& parameter = model.parameters[entry.first];
+    parts.push_back({parameter.name, model.parameter_arrays[parameter.array].span,
+                     [&](Lagrangian& part) { fix(part, model, {entry}); }});
+  }
+  return {blamed(*problem, parts, before, {"at its fixed value", "at their fixed values"})};
+}
+
+Diagnostics lock_coordinates(Lagrangian& lagrangian, const CheckedModel& checked) {
+  const Lagrangian before = lagrangian;
+  const auto problem = problem_of(lock, lagrangian);
+  if (!problem) return {};
+  std::vector<StepPart> parts;
+  const Model& unlocked = checked.model.unlocked ? *checked.model.unlocked : checked.model;
+  for (std::size_t i = 0; i < before.locked.size(); ++i) {
+    parts.push_back({before.leaves.q[before.locked[i].coordinate], unlocked.locks[i].span,
+                     [i](Lagrangian& part) {
+                       part.locked = {part.locked[i]};
+                       lock(part);
+                     }});
+  }
+  return {blamed(*problem, parts, before, {"where it is locked", "where they are locked"})};
+}
+
+Diagnostics take_out(Lagrangian& lagrangian, const CheckedModel& checked) {
+  const auto problem = problem_of(routh, lagrangian);
+  if (!problem) return {};
+  return {{problem->code, checked.model.moving->cyclic.front().span,
+           "`[routh]` makes " + std::string(problem->text) + ", whatever the state is"}};
+}
+
+}  // namespace
+
+Result<Lagrangian> specialise(Lagrangian lagrangian, const CheckedModel& checked) {
+  Diagnostics errors;
+  if (!checked.scene.specialisation.fixed.empty()) errors = fix_parameters(lagrangian, checked);
+  if (errors.empty() && !lagrangian.locked.empty()) errors = lock_coordinates(lagrangian, checked);
+  if (errors.empty() && !lagrangian.cyclic.empty()) errors = take_out(lagrangian, checked);
+  if (!errors.empty()) return errors;
+  return lagrangian.expansion ? expanded(std::move(lagrangian)) : std::move(lagrangian);
+}
+
+}  // namespace elgen

@@ -1,0 +1,174 @@
+// Fixed parameters become numbers, what they make zero is gone, and locked variables leave every
+// part of a Lagrangian.
+#include "elgen/specialise.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "derive/formulate/print.hpp"
+#include "derive/specialise/passes.hpp"
+#include "support/systems.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+SceneOptions fixing(const std::vector<std::string>& settings) {
+  SceneOptions options;
+  for (const std::string& setting : settings) {
+    options.fixed.push_back(make_source("command line", setting));
+  }
+  return options;
+}
+
+Lagrangian specialised(const std::string& text, const std::vector<std::string>& settings) {
+  const CheckedModel checked = checked_model(text, fixing(settings));
+  return *specialise(*formulate(checked.model), checked);
+}
+
+/// Definitions, masses, energies and forces.
+std::string text_of(const Lagrangian& lagrangian) {
+  const ExpressionPrinter print(lagrangian.definitions);
+  std::string text = dump(lagrangian.definitions);
+  for (const PointMass& mass : lagrangian.masses) {
+    text += print(mass.mass);
+    for (const GiNaC::ex& component : mass.position) text += " " + print(component);
+    text += "\n";
+  }
+  for (const auto* terms :
+       {&lagrangian.kinetic, &lagrangian.potential, &lagrangian.dissipation, &lagrangian.forces}) {
+    for (const GiNaC::ex& term : *terms) text += print(term) + "\n";
+  }
+  return text;
+}
+
+std::string refused(const std::string& parameters, const std::string& potential,
+                    const std::vector<std::string>& settings) {
+  const CheckedModel checked = checked_model(model_text("one", R"toml(
+[[coordinate]]
+name = "x"
+[parameters]
+)toml" + parameters + R"toml([energy]
+T = "dot(x)^2/2"
+V = ")toml" + potential + "\"\n"),
+                                             fixing(settings));
+  const Result<Lagrangian> result = specialise(*formulate(checked.model), checked);
+  REQUIRE_FALSE(result);
+  const Diagnostic& error = result.diagnostics.at(0);
+  return std::string(code_row(error.code).name) + " " + std::string(covered_text(error.span)) +
+         ": " + error.message;
+}
+
+Lagrangian locked(const std::string& text, const std::string& scene) {
+  const CheckedModel checked = checked_scene(text, scene);
+  return *specialise(*formulate(checked.model), checked);
+}
+
+}  // namespace
+
+TEST_CASE("nothing fixed changes nothing") {
+  CHECK(text_of(specialised(cart_pole_text(), {})) ==
+        text_of(*formulate(checked_model(cart_pole_text()).model)));
+}
+
+TEST_CASE("a fixed parameter is an exact number everywhere") {
+  const Lagrangian lagrangian = specialised(cart_pole_text(), {"l=1/3", "M=4"});
+  CHECK(lagrangian.masses[0].mass.is_equal(4));
+  const GiNaC::ex& x = lagrangian.masses[1].position[0];
+  const Definition& bob = lagrangian.definitions.list[lagrangian.definitions.places.at(x).index];
+  const GiNaC::ex& q = lagrangian.symbols.q[0];
+  const GiNaC::ex& theta = lagrangian.symbols.q[1];
+  CHECK(bob.value.is_equal(q + GiNaC::numeric(1, 3) * sin(theta)));
+}
+
+TEST_CASE("every part of a Lagrangian is specialised") {
+  const Lagrangian lagrangian =
+      specialised(everything_text(), {"m", "J", "k", "b", "c", "Omega", "A", "nu", "g", "e"});
+  LeafSet depends;
+  const auto look = [&](const std::vector<GiNaC::ex>& values) {
+    for (const GiNaC::ex& value : values) depends |= dependence(lagrangian.definitions, value);
+  };
+  for (const PointMass& mass : lagrangian.masses) {
+    look({mass.mass, mass.position[0], mass.position[1], mass.position[2]});
+  }
+  look({(*lagrangian.gravity)[0], (*lagrangian.gravity)[1]});
+  look(lagrangian.kinetic);
+  look(lagrangian.potential);
+  look(lagrangian.dissipation);
+  look(lagrangian.forces);
+  for (const PointForce& force : lagrangian.point_forces) {
+    look({force.position[0], force.position[1], force.force[0], force.force[1]});
+  }
+  for (const NamedOutput& output : lagrangian.outputs) look(output.values);
+  CHECK_FALSE(depends.has_any(Opcode::parameter));
+  CHECK(depends.has_any(Opcode::coordinate));
+}
+
+TEST_CASE("values that leave nothing to compute are refused, naming the parameter") {
+  CHECK(refused("j = 1\nk = 1\n", "x^2/k", {"j", "k=0"}) ==
+        "E312 k: `k` at its fixed value makes a denominator 0, whatever the state is");
+  CHECK(refused("j = 1\nk = 1\n", "x^2*log(k)", {"j", "k=0"}) ==
+        "E313 k: `k` at its fixed value makes a value undefined, whatever the state is");
+  CHECK(refused("j = 1\nk = 1\n", "x^2*sqrt(k)", {"j", "k=-1"}) ==
+        "E314 k: `k` at its fixed value makes a value complex, whatever the state is");
+  CHECK(refused("j = 2\nk = 1\n", "x^2/(j - k)", {"j=1", "k=1"}) ==
+        "E312 j: `j`, `k` at their fixed values make a denominator 0, whatever the state is");
+}
+
+TEST_CASE("the coordinate, its velocity and its force are gone") {
+  const Lagrangian l = locked(cart_pole_text(), "[lock]\nx = { value = \"2*t\" }\n");
+  REQUIRE(l.symbols.q.size() == 1);
+  CHECK(l.symbols.v.size() == 1);
+  CHECK(l.symbols.a.size() == 1);
+  CHECK(l.symbols.q_rates.size() == 1);
+  CHECK(l.forces.size() == 1);
+  CHECK(l.leaves.q == std::vector<std::string>{"theta"});
+  CHECK(l.leaves.uses_time);
+  CHECK(l.locked.empty());
+  CHECK_FALSE(l.holding.has_value());
+}
+
+TEST_CASE("positions are those at the function of time") {
+  const Lagrangian l = locked(cart_pole_text(), "[lock]\nx = { value = \"2*t\" }\n");
+  const GiNaC::ex& x = l.masses[1].position[0];
+  const Definition& bob = l.definitions.list[l.definitions.places.at(x).index];
+  CHECK(bob.depends.has_any(Opcode::time));
+  CHECK(bob.depends.has_any(Opcode::coordinate));
+}
+
+TEST_CASE("a wanted reaction keeps the whole Lagrangian") {
+  const Lagrangian l = locked(cart_pole_text(), "[lock]\ntheta = { value = 0, reaction = true }\n");
+  REQUIRE(l.holding.has_value());
+  CHECK(l.holding->velocities == std::vector<std::uint32_t>{1});
+  CHECK(l.holding->whole->symbols.q.size() == 2);
+  CHECK(l.holding->whole->definitions.list.empty());
+  CHECK(l.holding->values.at(l.holding->whole->symbols.v[1]).is_zero());
+}
+
+TEST_CASE("parameters fixed and coordinates locked in one scene") {
+  const Lagrangian l = locked(cart_pole_text(),
+                              "[parameters]\nfixed = { l = \"1/3\" }\n"
+                              "[lock]\ntheta = { value = \"l*t\" }\n");
+  LeafSet depends;
+  for (const PointMass& mass : l.masses) {
+    for (const GiNaC::ex& x : mass.position) depends |= dependence(l.definitions, x);
+  }
+  CHECK_FALSE(depends.has_any(Opcode::parameter));
+  CHECK(depends.has_any(Opcode::time));
+}
+
+TEST_CASE("a leaf is replaced through definitions, and equal values share one") {
+  Lagrangian lagrangian = *formulate(checked_model(cart_pole_text()).model);
+  const std::vector<Definition> old = lagrangian.definitions.list;
+  replace(lagrangian, {{lagrangian.symbols.q[1], 0}});
+  // The bob stands above the cart: its x is the cart's.
+  CHECK(lagrangian.masses[1].position[0].is_equal(lagrangian.masses[0].position[0]));
+  // The old definitions stay, unreached.
+  REQUIRE(lagrangian.definitions.list.size() >= old.size());
+  for (std::size_t i = 0; i < old.size(); ++i) {
+    CHECK(lagrangian.definitions.list[i].symbol.is_equal(old[i].symbol));
+    CHECK(lagrangian.definitions.list[i].value.is_equal(old[i].value));
+  }
+  CHECK_FALSE(dependence(lagrangian.definitions, lagrangian.masses[1].position[1])
+                  .has_any(Opcode::coordinate));
+}
