@@ -7,8 +7,8 @@
 #include <array>
 
 #include "analyse/searched_range.hpp"
+#include "forms/present/arithmetic.hpp"
 #include "numbers/exact_number.hpp"
-#include "present/arithmetic.hpp"
 #include "program/evaluate/subject.hpp"
 
 namespace elgen {

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "analyse/leaf_search.hpp"
-#include "present/polynomial.hpp"
+#include "forms/present/polynomial.hpp"
 
 namespace elgen {
 namespace {

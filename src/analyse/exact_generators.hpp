@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analyse/generators.hpp"
-#include "present/arithmetic.hpp"
+#include "forms/present/arithmetic.hpp"
 
 namespace elgen {
 

@@ -10,8 +10,8 @@
 
 #include "analyse/formulas.hpp"
 #include "analyse/leaf_search.hpp"
+#include "forms/present/polynomial.hpp"
 #include "numbers/exact_number.hpp"
-#include "present/polynomial.hpp"
 
 namespace elgen {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <map>
 
-#include "choose/closed_graph.hpp"
 #include "choose/entries.hpp"
 #include "elgen/typeset.hpp"
+#include "forms/write/closed_graph.hpp"
 #include "numbers/exact_number.hpp"
 #include "program/network/linearise.hpp"
 #include "render/function_formulas.hpp"

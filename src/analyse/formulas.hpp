@@ -9,8 +9,8 @@
 #include "elgen/closed_forms.hpp"
 #include "elgen/evaluate.hpp"
 #include "elgen/model.hpp"
+#include "forms/present/arithmetic.hpp"
 #include "model/formula.hpp"
-#include "present/arithmetic.hpp"
 
 namespace elgen {
 

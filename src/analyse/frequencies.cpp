@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <map>
 
-#include "present/arithmetic.hpp"
-#include "present/polynomial.hpp"
+#include "forms/present/arithmetic.hpp"
+#include "forms/present/polynomial.hpp"
 
 namespace elgen {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "elgen/leaf_names.hpp"
+#include "forms/present/arithmetic.hpp"
 #include "numbers/exact_number.hpp"
-#include "present/arithmetic.hpp"
 #include "program/evaluate/subject.hpp"
 #include "render/headings.hpp"
 #include "render/symbols.hpp"

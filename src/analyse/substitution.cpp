@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "forms/present/polynomial.hpp"
 #include "numbers/exact_number.hpp"
-#include "present/polynomial.hpp"
 
 namespace elgen {
 namespace {

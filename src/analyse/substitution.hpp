@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "elgen/analyse.hpp"
-#include "present/arithmetic.hpp"
+#include "forms/present/arithmetic.hpp"
 
 namespace elgen {
 

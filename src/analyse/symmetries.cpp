@@ -14,10 +14,10 @@
 #include "analyse/symmetry_basis.hpp"
 #include "analyse/total_integral.hpp"
 #include "elgen/analyse.hpp"
+#include "forms/present/polynomial.hpp"
 #include "model/requests.hpp"
 #include "numbers/exact_number.hpp"
 #include "numbers/more_digits.hpp"
-#include "present/polynomial.hpp"
 
 namespace elgen {
 namespace {

@@ -9,7 +9,7 @@
 #include "analyse/generators.hpp"
 #include "analyse/leaf_search.hpp"
 #include "analyse/page.hpp"
-#include "present/arithmetic.hpp"
+#include "forms/present/arithmetic.hpp"
 
 namespace elgen {
 namespace {

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "analyse/formulas.hpp"
-#include "present/arithmetic.hpp"
+#include "forms/present/arithmetic.hpp"
 
 namespace elgen {
 namespace {

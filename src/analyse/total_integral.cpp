@@ -3,8 +3,8 @@
 #include "analyse/total_integral.hpp"
 
 #include "analyse/leaf_search.hpp"
-#include "present/arithmetic.hpp"
-#include "present/polynomial.hpp"
+#include "forms/present/arithmetic.hpp"
+#include "forms/present/polynomial.hpp"
 
 namespace elgen {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "choose/kept_digits.hpp"
-#include "choose/ways.hpp"
+#include "forms/write/kept_digits.hpp"
+#include "forms/write/ways.hpp"
 #include "program/network/cheapest.hpp"
 #include "program/network/linearise.hpp"
 #include "program/network/turn_signs.hpp"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "present/arithmetic.hpp"
+#include "forms/present/arithmetic.hpp"
 #include "support/models.hpp"
 
 using namespace elgen;

@@ -1,0 +1,134 @@
+// cancel: see cancel.hpp. Function by function; where nothing vanishes nothing changes.
+#include "elgen/cancel.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "elgen/closed_forms.hpp"
+#include "forms/cancel/vanishing.hpp"
+#include "program/graph/from_program.hpp"
+#include "program/graph/prune.hpp"
+#include "program/network/cheapest.hpp"
+#include "program/network/linearise.hpp"
+#include "program/network/turn_signs.hpp"
+
+namespace elgen {
+namespace {
+
+using Places = std::vector<std::uint32_t>;  ///< of instructions
+
+std::vector<bool> marked(const Function& function, const Places& places) {
+  std::vector<bool> result(function.instructions.size(), false);
+  for (const std::uint32_t at : places) result[at] = true;
+  return result;
+}
+
+/// Those of `zeros` that an entry is, or that go into something else.
+Places outermost(const Function& function, const Places& zeros) {
+  const std::vector<bool> is_zero = marked(function, zeros);
+  std::vector<bool> used = marked(function, entries_of(function));
+  for (std::size_t at = 0; at < used.size(); ++at) {
+    const Instruction& i = function.instructions[at];
+    if (is_zero[at]) continue;
+    if (operand_count(i) > 0) used[i.a] = true;
+    if (operand_count(i) > 1) used[i.b] = true;
+  }
+  Places result;
+  std::copy_if(zeros.begin(), zeros.end(), std::back_inserter(result),
+               [&used](std::uint32_t at) { return used[at]; });
+  return result;
+}
+
+/// Zeros of a function that nothing but zeros are made of, by what is known of them.
+struct Zeros {
+  Places proved = {};   ///< the closed form is the empty sum
+  Places sampled = {};  ///< analytic, and 0 at `zero_points` points
+
+  [[nodiscard]] Places all() const {
+    Places places = proved;
+    places.insert(places.end(), sampled.begin(), sampled.end());
+    return places;
+  }
+};
+
+Zeros told_apart(const Program& program, const Function& function, const Places& places) {
+  Zeros zeros;
+  Places open;
+  const std::vector<ZeroProof> proofs = proved_zeros(program, with_entries(function, places));
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (proofs[i] == ZeroProof::zero) zeros.proved.push_back(places[i]);
+    if (proofs[i] == ZeroProof::open) open.push_back(places[i]);
+  }
+  const std::vector<bool> vanish = vanishing_elsewhere(program, with_entries(function, open));
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    if (vanish[i]) zeros.sampled.push_back(open[i]);
+  }
+  return zeros;
+}
+
+/// The outermost zeros. Where one of the candidates is none, those that it is made of may be.
+Zeros found_zeros(const Program& program, const Function& function) {
+  const Places candidates = vanishing(program, function);
+  const Places places = outermost(function, candidates);
+  Zeros zeros = told_apart(program, function, places);
+  if (zeros.proved.size() + zeros.sampled.size() == places.size()) return zeros;
+  zeros = told_apart(program, function, candidates);
+  const std::vector<bool> is_outermost = marked(function, outermost(function, zeros.all()));
+  const auto is_inside = [&is_outermost](std::uint32_t at) { return !is_outermost[at]; };
+  std::erase_if(zeros.proved, is_inside);
+  std::erase_if(zeros.sampled, is_inside);
+  return zeros;
+}
+
+/// The entries, numbered over all fields, that one of `places` goes into.
+Places resting_on(const Function& function, const Places& places) {
+  std::vector<bool> rests = marked(function, places);
+  for (std::size_t at = 0; at < rests.size(); ++at) {
+    const Instruction& i = function.instructions[at];
+    if (operand_count(i) > 0 && rests[i.a]) rests[at] = true;
+    if (operand_count(i) > 1 && rests[i.b]) rests[at] = true;
+  }
+  Places result;
+  const Places entries = entries_of(function);
+  for (std::uint32_t i = 0; i < entries.size(); ++i) {
+    if (rests[entries[i]]) result.push_back(i);
+  }
+  return result;
+}
+
+/// Longer functions keep the sums and products they have: a few zeros fewer make no others worth
+/// looking for, which would take as long as lowering did.
+constexpr std::size_t most_lowered_again = 2'000;
+
+Network network_of(const Expressions& expressions, const Function& function) {
+  if (expressions.graph.size() <= most_lowered_again) {
+    return cheapest_network(expressions, function);
+  }
+  Network network = make_network(expressions);
+  turn_signs(network);
+  return network;
+}
+
+/// The function with 0 at those places, lowered again.
+Function without(const Zeros& zeros, const Function& function, Program& program) {
+  const Expressions expressions =
+      from_program(program, function, entries_of(function), marked(function, zeros.all()));
+  Function result = unfilled(function);
+  linearise(network_of(expressions, result), program, result);
+  result.sampled_zeros = resting_on(function, zeros.sampled);
+  return result;
+}
+
+}  // namespace
+
+Program cancel(Program program) {
+  for (Function& function : program.functions) {
+    const Zeros zeros = found_zeros(program, function);
+    if (zeros.proved.empty() && zeros.sampled.empty()) continue;
+    function = without(zeros, function, program);
+  }
+  assert(check_invariants(program).empty());
+  return program;
+}
+
+}  // namespace elgen

@@ -1,0 +1,148 @@
+// An analytic function that is zero at random points is zero. Three things are guarded against:
+// values that are not analytic are variables of their own (program/network/analytic.hpp); where 64
+// digits hide a difference (1 - tanh(500), 1 + 1e-70 - 1) nothing is concluded; nor is it from a
+// point at which something that depends on a value is undefined.
+#include "forms/cancel/vanishing.hpp"
+
+#include <algorithm>
+
+#include "accuracy/bounded.hpp"
+#include "numbers/random.hpp"
+#include "program/graph/prune.hpp"
+#include "program/network/analytic.hpp"
+
+namespace elgen {
+namespace {
+
+using Values = std::vector<Bound>;
+
+constexpr std::uint64_t first_seed = 1;
+constexpr std::uint64_t other_seed = 2;
+
+/// x below a share of y.
+bool is_below(const Real& x, const Real& y, const Real& share) {
+  return abs(x).value() <= (abs(y) * share).value();
+}
+
+bool is_zero(const Bound& x) { return x.value.is_defined() && cln::zerop(x.value.value()); }
+
+Bound drawn(const cln::cl_RA& value) { return leaf_bound(value, rounding<double>()); }
+
+/// Parameters are positive, as most masses and lengths have to be.
+LeafValues<Bound> random_point(const LeafNames& leaves, Random& random) {
+  LeafValues<Bound> point = draw_leaves(leaves, [&] { return drawn(random.rational()); });
+  for (Bound& bound : point.parameters) bound.value = abs(bound.value);
+  return point;
+}
+
+/// The functions with kinks, which may be zero in a whole region. Roots are computed.
+std::vector<bool> kinks(const Function& function) {
+  std::vector<bool> result;
+  for (const Instruction& i : function.instructions) {
+    result.push_back(i.opcode == Opcode::call && is_kinked(i.function));
+  }
+  return result;
+}
+
+/// A sum of which one term is so small beside the other that twenty digits of it are gone, or a
+/// function that its argument hardly moves, or moves so much that its own digits are gone.
+bool hides_something(const Instruction& i, const Values& values, const Bound& x) {
+  static const Real hidden(power_of_ten(-20));
+  if (i.opcode == Opcode::add || i.opcode == Opcode::subtract) {
+    const Bound& a = values[i.a];
+    const Bound& b = values[i.b];
+    if (is_zero(a) || is_zero(b)) return false;
+    return is_below(a.value, b.value, hidden) || is_below(b.value, a.value, hidden);
+  }
+  const bool has_argument = i.opcode == Opcode::call && !values[i.a].exact;
+  return has_argument &&
+         (is_below(x.bound - abs(x.value), x.value, hidden) || is_below(x.value, x.bound, hidden));
+}
+
+/// Whether what rounding may leave of a zero is little beside the terms: a bound that many products
+/// have raised says nothing.
+bool is_sharp(const Instruction& i, const Values& values, const Real& noise) {
+  static const Real hidden(power_of_ten(-20));
+  Real terms = abs(values[i.a].value);
+  if (operand_count(i) > 1) terms = max(terms, abs(values[i.b].value));
+  return is_below(noise, terms, hidden);
+}
+
+/// The value at the point: exactly 0 where it vanishes, lost where its digits do not tell.
+Bound settled(const Instruction& i, const Values& values, Bound x) {
+  static const Real vanished(power_of_ten(-40));
+  if (!x.value.is_defined() || operand_count(i) == 0) return x;
+  x.lost = x.lost || hides_something(i, values, x);
+  const bool vanishes =
+      !x.lost && is_below(x.value, x.bound, vanished) && is_sharp(i, values, x.bound * vanished);
+  return vanishes ? leaf_bound(Real(), true) : x;
+}
+
+/// The instructions that are `needed`, at the next random point; the `variables` among them are
+/// drawn, not computed.
+Values run(const Program& program, const Function& function, const std::vector<bool>& needed,
+           const std::vector<bool>& variables, Random& random) {
+  const LeafValues<Bound> point = random_point(program.leaves, random);
+  const BoundRules rules{point, rounding<double>()};
+  Values values(function.instructions.size());
+  for (std::size_t at = 0; at < values.size(); ++at) {
+    if (!needed[at]) continue;
+    const Instruction& i = function.instructions[at];
+    values[at] = variables[at] ? drawn(cln::abs(random.rational()))
+                               : settled(i, values, folded(rules, program, i, values));
+  }
+  return values;
+}
+
+/// The instructions that undefined values are made of.
+std::vector<bool> needed_for_undefined(const Function& function, const Values& values,
+                                       const std::vector<bool>& needed) {
+  std::vector<std::uint32_t> undefined;
+  for (std::uint32_t at = 0; at < values.size(); ++at) {
+    if (needed[at] && !values[at].value.is_defined()) undefined.push_back(at);
+  }
+  return needed_for(function, undefined);
+}
+
+/// Of `candidates` those that vanish at one more point, too.
+std::vector<std::uint32_t> still_vanishing(const Program& program, const Function& function,
+                                           const std::vector<std::uint32_t>& candidates,
+                                           const std::vector<bool>& variables, Random& random) {
+  const std::vector<bool> needed = needed_for(function, candidates);
+  const Values values = run(program, function, needed, variables, random);
+  const std::vector<bool> excluded = needed_for_undefined(function, values, needed);
+  std::vector<std::uint32_t> result;
+  for (const std::uint32_t at : candidates) {
+    const bool vanishes = is_zero(values[at]) && !values[at].lost;
+    if (vanishes && !excluded[at]) result.push_back(at);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> vanishing(const Program& program, const Function& function) {
+  std::vector<std::uint32_t> operations;
+  for (std::uint32_t at = 0; at < function.instructions.size(); ++at) {
+    if (operand_count(function.instructions[at]) > 0) operations.push_back(at);
+  }
+  Random random(first_seed);
+  return still_vanishing(program, function, operations, kinks(function), random);
+}
+
+std::vector<bool> vanishing_elsewhere(const Program& program, const Function& function) {
+  const std::vector<std::uint32_t> entries = entries_of(function);
+  const std::vector<bool> variables = unknowns(program, function);
+  std::vector<std::uint32_t> left = entries;
+  Random random(other_seed);
+  for (std::size_t i = 1; i < zero_points && !left.empty(); ++i) {
+    left = still_vanishing(program, function, left, variables, random);
+  }
+  std::vector<bool> result;
+  for (const std::uint32_t at : entries) {
+    result.push_back(std::find(left.begin(), left.end(), at) != left.end());
+  }
+  return result;
+}
+
+}  // namespace elgen

@@ -1,0 +1,318 @@
+// Field operations. Denominators stay products of factors that were met before, so that what one
+// division put there the next one takes away, without a general gcd.
+#include "forms/present/arithmetic.hpp"
+
+#include <algorithm>
+
+#include "forms/present/polynomial.hpp"
+
+namespace elgen {
+
+using cln::cl_RA;
+
+Fraction fraction_of(const Polynomial& numerator) { return {numerator, {}}; }
+Fraction fraction_of(const cl_RA& value) { return {constant(value), {}}; }
+
+namespace {
+
+bool same_polynomial(const Polynomial& x, const Polynomial& y) {
+  return x.size() == y.size() &&
+         std::equal(x.begin(), x.end(), y.begin(), [](const auto& s, const auto& t) {
+           return s.first == t.first && s.second.real == t.second.real &&
+                  s.second.imaginary == t.second.imaginary;
+         });
+}
+
+bool same_atom(const Atom& x, const Atom& y) {
+  const auto same_fraction = [](const Fraction& a, const Fraction& b) {
+    return a.denominator == b.denominator && same_polynomial(a.numerator, b.numerator);
+  };
+  return x.kind == y.kind && x.leaf == y.leaf && x.index == y.index && x.function == y.function &&
+         x.divisor == y.divisor &&
+         std::equal(x.arguments.begin(), x.arguments.end(), y.arguments.begin(), y.arguments.end(),
+                    same_fraction);
+}
+
+/// The same for the same atoms: all of them but their numbers.
+std::size_t hash_of(const Atom& atom) {
+  std::size_t hash = 0;
+  const auto mix = [&hash](std::size_t part) { hash = hash * 1'000'003 + part; };
+  mix(static_cast<std::size_t>(atom.kind));
+  mix(static_cast<std::size_t>(atom.leaf));
+  mix(atom.index);
+  mix(static_cast<std::size_t>(atom.function));
+  for (const Fraction& argument : atom.arguments) {
+    for (const auto& [monomial, coefficient] : argument.numerator) {
+      for (const AtomPower& power : monomial) {
+        mix(power.atom);
+        mix(static_cast<std::size_t>(power.exponent));
+      }
+    }
+  }
+  return hash;
+}
+
+/// The common monomial (least exponents) of a sum, also those below 0.
+Monomial common_monomial(const Polynomial& x, bool only_positive, const Algebra& algebra) {
+  std::map<AtomId, std::pair<std::int32_t, std::size_t>> least;
+  for (const auto& [monomial, coefficient] : x) {
+    for (const AtomPower& factor : monomial) {
+      auto [at, is_new] = least.try_emplace(factor.atom, factor.exponent, 0);
+      at->second.first = std::min(at->second.first, factor.exponent);
+      ++at->second.second;
+    }
+  }
+  Monomial result;
+  for (const auto& [atom, found] : least) {
+    std::int32_t exponent = found.first;
+    if (found.second < x.size()) exponent = std::min(exponent, 0);
+    // Exponentials are left in the sum, so that the printed factors stay real.
+    const bool is_circular = algebra.atoms[atom].kind == AtomKind::circular;
+    if (only_positive && (exponent < 0 || is_circular)) continue;
+    if (exponent != 0) result.push_back({atom, exponent});
+  }
+  return result;
+}
+
+/// The angles of a sum's exponentials, and their halves where there are such.
+std::vector<Monomial> angles_of(const Polynomial& x, const Algebra& algebra) {
+  std::vector<Monomial> angles;
+  const auto add = [&](const Monomial& angle) {
+    if (std::find(angles.begin(), angles.end(), angle) == angles.end()) angles.push_back(angle);
+  };
+  for (const auto& [monomial, coefficient] : x) {
+    Monomial angle;
+    for (const AtomPower& power : monomial) {
+      if (algebra.atoms[power.atom].kind == AtomKind::circular) angle.push_back(power);
+    }
+    if (angle.empty() || angle.front().exponent < 0) continue;
+    const bool is_even = std::all_of(angle.begin(), angle.end(),
+                                     [](const AtomPower& part) { return part.exponent % 2 == 0; });
+    if (is_even) {
+      Monomial half = angle;
+      for (AtomPower& part : half) part.exponent /= 2;
+      add(half);
+    }
+    add(angle);
+  }
+  return angles;
+}
+
+}  // namespace
+
+Fraction Arithmetic::atom(Atom wanted) {
+  const auto [first, last] = algebra_.known.equal_range(hash_of(wanted));
+  const auto found = std::find_if(first, last, [&](const auto& known) {
+    return same_atom(algebra_.atoms[known.second], wanted);
+  });
+  const auto id = found == last ? static_cast<AtomId>(algebra_.atoms.size()) : found->second;
+  if (found == last) {
+    algebra_.known.emplace(hash_of(wanted), id);
+    algebra_.atoms.push_back(std::move(wanted));
+  }
+  return fraction_of(Polynomial{{Monomial{{id, 1}}, Gaussian{1, 0}}});
+}
+
+Value Arithmetic::leaf(Opcode leaf, std::uint32_t index) {
+  return atom({.kind = AtomKind::leaf, .leaf = leaf, .index = index});
+}
+
+Value Arithmetic::limited(Fraction x) const {
+  if (x.numerator.size() > terms_) return std::nullopt;
+  return x;
+}
+
+std::optional<Polynomial> Arithmetic::multiplied(const Polynomial& x, const Polynomial& y) {
+  const std::size_t products = x.size() * y.size();
+  if (products > work_) {
+    work_ = 0;
+    return std::nullopt;
+  }
+  work_ -= products;
+  return product(x, y);
+}
+
+/// x times a power of a denominator factor.
+std::optional<Polynomial> Arithmetic::times_factor(Polynomial x, std::uint32_t factor,
+                                                   std::int32_t exponent) {
+  for (std::int32_t i = 0; i < exponent; ++i) {
+    auto next = multiplied(x, algebra_.factors[factor].shown);
+    if (!next) return std::nullopt;
+    x = std::move(*next);
+  }
+  return x;
+}
+
+/// The numerator of x over a denominator that its own divides.
+std::optional<Polynomial> Arithmetic::over(
+    const Fraction& x, const std::map<std::uint32_t, std::int32_t>& denominator) {
+  std::optional<Polynomial> result = x.numerator;
+  for (const auto& [factor, exponent] : denominator) {
+    const auto own = x.denominator.find(factor);
+    const std::int32_t missing = exponent - (own == x.denominator.end() ? 0 : own->second);
+    if (result) result = times_factor(std::move(*result), factor, missing);
+  }
+  return result;
+}
+
+Value Arithmetic::add(const Value& x, const Value& y) {
+  if (!x || !y) return std::nullopt;
+  if (x->denominator == y->denominator) {
+    Fraction result{sum(x->numerator, y->numerator), x->denominator};
+    return result.denominator.empty() ? limited(std::move(result)) : cancelled(std::move(result));
+  }
+  std::map<std::uint32_t, std::int32_t> common = x->denominator;
+  for (const auto& [factor, exponent] : y->denominator) {
+    common[factor] = std::max(common[factor], exponent);
+  }
+  const auto left = over(*x, common);
+  const auto right = over(*y, common);
+  if (!left || !right) return std::nullopt;
+  return reduced_roots({sum(*left, *right), common});
+}
+
+Value Arithmetic::negate(const Value& x) const {
+  if (!x) return std::nullopt;
+  return Fraction{scaled(x->numerator, {-1, 0}), x->denominator};
+}
+
+Value Arithmetic::multiply(const Value& x, const Value& y) {
+  if (!x || !y) return std::nullopt;
+  auto numerator = multiplied(x->numerator, y->numerator);
+  if (!numerator) return std::nullopt;
+  Fraction result{std::move(*numerator), x->denominator};
+  for (const auto& [factor, exponent] : y->denominator) result.denominator[factor] += exponent;
+  return reduced_roots(std::move(result));
+}
+
+Value Arithmetic::cancelled(Fraction x) {
+  if (x.numerator.empty()) return Fraction{};
+  divide_out(x, algebra_, work_);
+  return limited(std::move(x));
+}
+
+/// sqrt(r)^k as sqrt(r)^(k mod 2) r^(k div 2).
+Value Arithmetic::reduced_roots(Fraction x) {
+  const auto excess = [&](const AtomPower& factor) {
+    return algebra_.atoms[factor.atom].kind == AtomKind::root &&
+           (factor.exponent < 0 || factor.exponent > 1);
+  };
+  const auto is_reducible = [&](const auto& term) {
+    return std::any_of(term.first.begin(), term.first.end(), excess);
+  };
+  if (std::none_of(x.numerator.begin(), x.numerator.end(), is_reducible)) {
+    return cancelled(std::move(x));
+  }
+  Value result = Fraction{};
+  Fraction reduced;
+  for (const auto& term : x.numerator) {
+    if (!is_reducible(term)) {
+      reduced.numerator.insert(term);
+      continue;
+    }
+    Monomial rest;
+    Value factor = fraction_of(cl_RA(1));
+    for (AtomPower power : term.first) {
+      if (excess(power)) {
+        const std::int32_t odd = ((power.exponent % 2) + 2) % 2;
+        const Fraction radicand = algebra_.atoms[power.atom].arguments[0];
+        factor = multiply(factor, this->power(radicand, (power.exponent - odd) / 2));
+        power.exponent = odd;
+      }
+      if (power.exponent != 0) rest.push_back(power);
+    }
+    const Fraction own{{{rest, term.second}}, {}};
+    result = add(result, multiply(own, factor));
+  }
+  result = add(result, reduced);
+  if (!result) return std::nullopt;
+  for (const auto& [factor, exponent] : x.denominator) result->denominator[factor] += exponent;
+  return cancelled(std::move(*result));
+}
+
+/// The factor equal to `polynomial` but for a monomial, which becomes `unit`; a new one where none
+/// is known.
+std::uint32_t Arithmetic::factor_index(const Polynomial& polynomial, Polynomial& unit) {
+  const auto inverse = [](const Monomial& x) { return elgen::power(x, -1); };
+  Polynomial normal =
+      scaled(polynomial, {1, 0}, inverse(common_monomial(polynomial, false, algebra_)));
+  normal = scaled(normal, elgen::reciprocal(normal.rbegin()->second));
+  std::uint32_t index = 0;
+  while (index < algebra_.factors.size() &&
+         !same_polynomial(algebra_.factors[index].normal, normal)) {
+    ++index;
+  }
+  if (index == algebra_.factors.size()) {
+    const Monomial common = common_monomial(polynomial, true, algebra_);
+    algebra_.factors.push_back({scaled(polynomial, {1, 0}, inverse(common)), normal});
+  }
+  const Polynomial& shown = algebra_.factors[index].shown;
+  unit =
+      Polynomial{{product(polynomial.rbegin()->first, inverse(shown.rbegin()->first)),
+                  product(polynomial.rbegin()->second, elgen::reciprocal(shown.rbegin()->second))}};
+  return index;
+}
+
+/// Takes known factors out of `rest`.
+bool Arithmetic::split_factors(Polynomial& rest,
+                               std::map<std::uint32_t, std::int32_t>& denominator) {
+  for (std::uint32_t i = 0; i < algebra_.factors.size(); ++i) {
+    while (rest.size() > 1) {
+      auto divided = quotient(rest, algebra_.factors[i].shown, work_);
+      if (!divided) break;
+      rest = std::move(*divided);
+      ++denominator[i];
+    }
+  }
+  return work_ > 0;
+}
+
+/// Makes factors of the sines and cosines that divide `rest`: 1 - cos(2 x) is sin(x) twice.
+void Arithmetic::note_circular_factors(const Polynomial& rest) {
+  const cl_RA half = cl_RA(1) / 2;
+  for (const Monomial& angle : angles_of(rest, algebra_)) {
+    const Monomial opposite = elgen::power(angle, -1);
+    const Polynomial sine{{angle, Gaussian{0, -half}}, {opposite, Gaussian{0, half}}};
+    const Polynomial cosine{{angle, Gaussian{half, 0}}, {opposite, Gaussian{half, 0}}};
+    for (const Polynomial& factor : {sine, cosine}) {
+      Polynomial unit;
+      if (quotient(rest, factor, work_)) (void)factor_index(factor, unit);
+    }
+  }
+}
+
+Value Arithmetic::reciprocal(const Fraction& x) {
+  if (x.numerator.empty()) return std::nullopt;
+  Fraction result = fraction_of(cl_RA(1));
+  Polynomial rest = x.numerator;
+  if (rest.size() > 1) note_circular_factors(rest);
+  if (!split_factors(rest, result.denominator)) return std::nullopt;
+  if (rest.size() > 1) {
+    Polynomial unit;
+    ++result.denominator[factor_index(rest, unit)];
+    rest = std::move(unit);
+  }
+  const auto& [monomial, coefficient] = *rest.begin();
+  result.numerator = Polynomial{{elgen::power(monomial, -1), elgen::reciprocal(coefficient)}};
+  for (const auto& [factor, exponent] : x.denominator) {
+    auto numerator = times_factor(std::move(result.numerator), factor, exponent);
+    if (!numerator) return std::nullopt;
+    result.numerator = std::move(*numerator);
+  }
+  return reduced_roots(std::move(result));
+}
+
+Value Arithmetic::divide(const Value& x, const Value& y) {
+  if (!x || !y) return std::nullopt;
+  return multiply(x, reciprocal(*y));
+}
+
+Value Arithmetic::power(const Value& x, std::int32_t exponent) {
+  if (!x) return std::nullopt;
+  if (exponent < 0) return power(reciprocal(*x), -exponent);
+  Value result = fraction_of(cl_RA(1));
+  for (std::int32_t i = 0; i < exponent; ++i) result = multiply(result, x);
+  return result;
+}
+
+}  // namespace elgen

@@ -1,0 +1,215 @@
+// Functions of closed forms. Sines and cosines become exponentials of their angle's terms; roots of
+// numbers are taken apart into primes; everything else is opaque, with a canonical argument.
+#include <cln/integer.h>
+
+#include <algorithm>
+#include <array>
+
+#include "forms/present/arithmetic.hpp"
+#include "forms/present/polynomial.hpp"
+
+namespace elgen {
+
+using cln::cl_I;
+using cln::cl_RA;
+
+namespace {
+
+/// Larger primes stay together under one root.
+constexpr int largest_prime = 10'000;
+
+bool is_pi(const Algebra& algebra, const Monomial& monomial) {
+  return monomial.size() == 1 && monomial[0].exponent == 1 &&
+         algebra.atoms[monomial[0].atom].kind == AtomKind::pi;
+}
+
+bool has_exponential(const Algebra& algebra, const Monomial& monomial) {
+  return std::any_of(monomial.begin(), monomial.end(), [&](const AtomPower& factor) {
+    return algebra.atoms[factor.atom].kind == AtomKind::circular;
+  });
+}
+
+/// The sign that makes the leading coefficient positive.
+bool has_negative_lead(const Fraction& x) {
+  if (x.numerator.empty()) return false;
+  const Gaussian& lead = x.numerator.rbegin()->second;
+  return cln::zerop(lead.real) ? cln::minusp(lead.imaginary) : cln::minusp(lead.real);
+}
+
+}  // namespace
+
+/// sqrt of a positive integer: squares outside, one root per prime.
+Value Arithmetic::root_of_integer(cl_I value) {
+  cl_RA outside = 1;
+  std::vector<cl_I> primes;
+  for (cl_I p = 2; p <= largest_prime && p * p <= value; p = p + 1) {
+    while (cln::zerop(cln::mod(value, p * p))) {
+      outside = outside * p;
+      value = cln::exquo(value, p * p);
+    }
+    if (cln::zerop(cln::mod(value, p))) {
+      primes.push_back(p);
+      value = cln::exquo(value, p);
+    }
+  }
+  cl_I root;
+  if (cln::sqrtp(value, &root)) {
+    outside = outside * root;
+  } else {
+    primes.push_back(value);
+  }
+  Value result = fraction_of(outside);
+  for (const cl_I& prime : primes) {
+    result =
+        multiply(result, atom({.kind = AtomKind::root, .arguments = {fraction_of(cl_RA(prime))}}));
+  }
+  return result;
+}
+
+Value Arithmetic::square_root(const Value& x) {
+  if (!x) return std::nullopt;
+  const auto number = x->denominator.empty() ? rational_value(x->numerator) : std::nullopt;
+  if (!number) return atom({.kind = AtomKind::root, .arguments = {*x}});
+  if (cln::minusp(*number)) return std::nullopt;
+  if (cln::zerop(*number)) return x;
+  const cl_I denominator = cln::denominator(*number);
+  return multiply(root_of_integer(cln::numerator(*number) * denominator),
+                  fraction_of(cl_RA(1) / denominator));
+}
+
+/// cos(k pi/12) + i sin(k pi/12) by sqrt(2) and sqrt(3).
+Value Arithmetic::circle_twelfths(long twelfths) {
+  // cos(k pi/12) = (a + b sqrt2 + c sqrt3 + d sqrt6)/4 for k = 0 … 6
+  static constexpr std::array<std::array<int, 4>, 7> cosines{
+      {{4, 0, 0, 0}, {0, 1, 0, 1}, {0, 0, 2, 0}, {0, 2, 0, 0}, {2, 0, 0, 0}, {0, -1, 0, 1}, {}}};
+  const Value root2 = root_of_integer(2);
+  const Value root3 = root_of_integer(3);
+  const std::array<Value, 4> basis{fraction_of(cl_RA(1)), root2, root3, multiply(root2, root3)};
+  const auto cosine = [&](long k) {
+    k = ((k % 24) + 24) % 24;
+    if (k > 12) k = 24 - k;
+    const int sign = k > 6 ? -1 : 1;
+    const auto& row = cosines[static_cast<std::size_t>(k > 6 ? 12 - k : k)];
+    Value value = Fraction{};
+    for (std::size_t i = 0; i < basis.size(); ++i) {
+      const Value weight = fraction_of(cl_RA(sign * row[i]) / 4);
+      value = add(value, multiply(weight, basis[i]));
+    }
+    return value;
+  };
+  const Value real = cosine(twelfths);
+  const Value imaginary = cosine(twelfths - 6);
+  return add(real, multiply(imaginary, fraction_of(Polynomial{{Monomial{}, Gaussian{0, 1}}})));
+}
+
+/// e^(i coefficient monomial)
+Value Arithmetic::exponential_of_term(const Monomial& monomial, const cl_RA& coefficient) {
+  const cl_RA twelfths = coefficient * angle_parts;
+  const cl_I divisor = cln::denominator(twelfths);
+  const cl_I exponent = cln::numerator(twelfths);
+  if (cln::abs(exponent) > 1'000'000) return std::nullopt;
+  const long power = cln::cl_I_to_long(exponent);
+  if (is_pi(algebra_, monomial) && divisor == 1) {
+    return circle_twelfths(power);
+  }
+  const Fraction unit = atom({.kind = AtomKind::circular,
+                              .divisor = cl_RA(divisor) * angle_parts,
+                              .arguments = {fraction_of(Polynomial{{monomial, Gaussian{1, 0}}})}});
+  const Monomial base = unit.numerator.begin()->first;
+  return fraction_of(
+      Polynomial{{elgen::power(base, static_cast<std::int32_t>(power)), Gaussian{1, 0}}});
+}
+
+/// e^(i x), or e^(-i x): the product over the terms of x, where it is a sum of real monomials.
+Value Arithmetic::exponential(const Fraction& x, bool conjugate) {
+  Value result = fraction_of(cl_RA(1));
+  for (const auto& [monomial, coefficient] : x.numerator) {
+    const cl_RA signed_part = conjugate ? -coefficient.real : coefficient.real;
+    result = multiply(result, exponential_of_term(monomial, signed_part));
+  }
+  return result;
+}
+
+Value Arithmetic::sine_or_cosine(FunctionId function, const Fraction& x) {
+  const bool is_sum_of_monomials =
+      x.denominator.empty() &&
+      std::none_of(x.numerator.begin(), x.numerator.end(),
+                   [&](const auto& term) { return has_exponential(algebra_, term.first); });
+  Value forward;
+  Value backward;
+  if (is_sum_of_monomials) {
+    forward = exponential(x, false);
+    backward = exponential(x, true);
+  } else {
+    const bool turned = has_negative_lead(x);
+    const Value angle = turned ? negate(x) : Value(x);
+    const Fraction unit = atom({.kind = AtomKind::circular, .arguments = {*angle}});
+    forward = power(unit, turned ? -1 : 1);
+    backward = power(unit, turned ? 1 : -1);
+  }
+  const bool is_sine = function == FunctionId::sin;
+  const Gaussian half = is_sine ? Gaussian{0, cl_RA(-1) / 2} : Gaussian{cl_RA(1) / 2, 0};
+  const Value both = add(forward, is_sine ? negate(backward) : backward);
+  return multiply(both, fraction_of(Polynomial{{Monomial{}, half}}));
+}
+
+/// log1p, expm1 and hypot are written by log, exp and a root.
+Value Arithmetic::call(FunctionId function, const Value& x, const Value& y) {
+  const FunctionRow& row = function_row(function);
+  if (!x || (row.arity > 1 && !y)) return std::nullopt;
+  const Fraction one = fraction_of(cl_RA(1));
+  if (is_circular(function)) return sine_or_cosine(function, *x);
+  if (function == FunctionId::tan) {
+    const Value sine = sine_or_cosine(FunctionId::sin, *x);
+    return divide(sine, sine_or_cosine(FunctionId::cos, *x));
+  }
+  if (function == FunctionId::log1p) return call(FunctionId::log, add(one, x), {});
+  if (function == FunctionId::expm1) return subtract(call(FunctionId::exp, x, {}), one);
+  if (function == FunctionId::hypot) return square_root(add(multiply(x, x), multiply(y, y)));
+  std::vector<Fraction> values{*x};
+  if (row.arity > 1) values.push_back(*y);
+  bool turned = false;
+  if (row.parity != Parity::none && has_negative_lead(values[0])) {
+    values[0] = *negate(values[0]);
+    turned = row.parity == Parity::odd;
+  }
+  const Value value =
+      atom({.kind = AtomKind::call, .function = function, .arguments = std::move(values)});
+  return turned ? negate(value) : value;
+}
+
+Value Arithmetic::pi() { return atom({.kind = AtomKind::pi}); }
+
+Value Arithmetic::constant(const ConstantForm& form) {
+  std::vector<Value> operands;
+  for (const ConstantPart& part : form.parts) {
+    const Value value = constant(part.form);
+    const bool is_factor = form.kind == ConstantKind::product;
+    operands.push_back(is_factor         ? power(value, part.weight)
+                       : part.weight < 0 ? negate(value)
+                                         : value);
+  }
+  switch (form.kind) {
+    case ConstantKind::rational:
+      return fraction_of(form.number);
+    case ConstantKind::pi:
+      return pi();
+    case ConstantKind::square_root:
+      return square_root(operands.front());
+    case ConstantKind::call:
+      return call(form.function, operands.front(), operands.back());
+    case ConstantKind::sum: {
+      Value total = Fraction{};
+      for (const Value& term : operands) total = add(total, term);
+      return total;
+    }
+    case ConstantKind::product: {
+      Value total = fraction_of(cl_RA(1));
+      for (const Value& factor : operands) total = multiply(total, factor);
+      return total;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace elgen

@@ -1,0 +1,147 @@
+// A model's own expression as a closed form, by a route that shares nothing with the derivation:
+// what [[expect]] says is read here and compared with what was derived.
+#include <cln/integer.h>
+
+#include <utility>
+
+#include "elgen/closed_forms.hpp"
+#include "elgen/model.hpp"
+#include "elgen/references.hpp"
+#include "forms/present/arithmetic.hpp"
+#include "forms/present/polynomial.hpp"
+
+namespace elgen {
+
+using cln::cl_RA;
+
+namespace {
+
+class ModelExpressions {
+ public:
+  ModelExpressions(Arithmetic& arithmetic, const Model& model, const FixedParameters& fixed)
+      : arithmetic_(arithmetic), model_(model), fixed_(fixed), known_(model.expressions.size()) {}
+
+  /// Operands precede their users in the arena, so the depth is that of named things only.
+  Value operator()(ExpressionId wanted) {
+    if (known_[wanted].done) return known_[wanted].form;
+    std::vector<ExpressionId> pending{wanted};
+    while (!pending.empty()) {
+      const ExpressionId id = pending.back();
+      const std::size_t before = pending.size();
+      for (const ExpressionId operand : needs(id)) {
+        if (!known_[operand].done) pending.push_back(operand);
+      }
+      if (pending.size() > before) continue;
+      pending.pop_back();
+      if (!known_[id].done) known_[id] = {true, compose(id)};
+    }
+    return known_[wanted].form;
+  }
+
+ private:
+  struct Known {
+    bool done = false;
+    Value form = {};
+  };
+
+  /// The form of a fixed parameter counts, too.
+  [[nodiscard]] std::vector<ExpressionId> needs(ExpressionId id) const {
+    const Expression& e = model_.expressions[id];
+    if (!is_leaf(e, Opcode::parameter)) return references(model_, id);
+    const auto fixed = fixed_.find(e.index);
+    if (fixed == fixed_.end() || !fixed->second.form) return {};
+    return {*fixed->second.form};
+  }
+
+  Value parameter(std::uint32_t index) {
+    const auto fixed = fixed_.find(index);
+    if (fixed == fixed_.end()) return arithmetic_.leaf(Opcode::parameter, index);
+    const FixedValue& value = fixed->second;
+    if (value.form) return known_[*value.form].form;
+    return fraction_of(cln::rational(value.number));
+  }
+
+  Value compose(ExpressionId id) {
+    const Expression& e = model_.expressions[id];
+    const auto operand = [&](std::size_t i) -> const Value& { return known_[e.operands[i]].form; };
+    switch (e.kind) {
+      case ExpressionKind::number:
+        return fraction_of(e.number);
+      case ExpressionKind::pi:
+        return arithmetic_.pi();
+      case ExpressionKind::leaf:
+        return e.leaf == Opcode::parameter ? parameter(e.index) : arithmetic_.leaf(e.leaf, e.index);
+      case ExpressionKind::prescribed:
+      case ExpressionKind::definition:
+      case ExpressionKind::point_component:
+      case ExpressionKind::frame_component:
+        return known_[needs(id).front()].form;
+      case ExpressionKind::negate:
+        return arithmetic_.negate(operand(0));
+      case ExpressionKind::add:
+        return joined(e, Fraction{}, &Arithmetic::add);
+      case ExpressionKind::multiply:
+        return joined(e, fraction_of(cl_RA(1)), &Arithmetic::multiply);
+      case ExpressionKind::divide:
+        return arithmetic_.divide(operand(0), operand(1));
+      case ExpressionKind::power:
+        return power(operand(0), e.number);
+      case ExpressionKind::function:
+        return call(e);
+      case ExpressionKind::time_derivative:
+        return std::nullopt;  // of a leaf it is a leaf; of more it is left to sampling
+    }
+    return std::nullopt;
+  }
+
+  using Join = Value (Arithmetic::*)(const Value&, const Value&);
+
+  /// A sum or product, from what it is of no operands.
+  Value joined(const Expression& e, Value total, Join join) {
+    for (const ExpressionId id : e.operands) total = (arithmetic_.*join)(total, known_[id].form);
+    return total;
+  }
+
+  Value power(const Value& base, const cl_RA& exponent) {
+    const cl_RA halves = exponent * 2;
+    if (cln::denominator(halves) != 1 || cln::abs(halves) > 128) return std::nullopt;
+    const auto count = static_cast<std::int32_t>(cln::cl_I_to_long(cln::numerator(halves)));
+    if (count % 2 == 0) return arithmetic_.power(base, count / 2);
+    return arithmetic_.power(arithmetic_.square_root(base), count);
+  }
+
+  Value call(const Expression& e) {
+    return arithmetic_.call(e.function, known_[e.operands.front()].form,
+                            known_[e.operands.back()].form);
+  }
+
+  Arithmetic& arithmetic_;
+  const Model& model_;
+  const FixedParameters& fixed_;
+  std::vector<Known> known_;
+};
+
+}  // namespace
+
+std::optional<Fraction> closed_form(ClosedForms& forms, const Model& model,
+                                    const FixedParameters& fixed, ExpressionId expression) {
+  Arithmetic arithmetic(forms.algebra, PresentBudget{}.products_per_function);
+  return ModelExpressions(arithmetic, model, fixed)(expression);
+}
+
+OpenTerms open_terms(ClosedForms& forms, const Model& model, const FixedParameters& fixed) {
+  OpenTerms all(model.open_values.size());
+  for (std::uint32_t i = 0; i < all.size(); ++i) {
+    const OpenFunction& function = model.functions[model.open_values[i].function];
+    std::vector<OpenTerm> terms;
+    for (std::uint32_t k = 0; k < function.arguments.size(); ++k) {
+      const auto derivative = derivative_of(model, i, k);
+      const auto argument = closed_form(forms, model, fixed, function.arguments[k]);
+      if (derivative && argument) terms.push_back({*derivative, *argument});
+    }
+    if (terms.size() == function.arguments.size()) all[i] = std::move(terms);
+  }
+  return all;
+}
+
+}  // namespace elgen

@@ -1,0 +1,293 @@
+// Rates along the motion: de/dt = de/dq v + de/dv a + de/dt, by the chain rule on canonical sums.
+#include <algorithm>
+#include <array>
+
+#include "elgen/model.hpp"
+#include "forms/present/arithmetic.hpp"
+#include "forms/present/polynomial.hpp"
+
+namespace elgen {
+
+using cln::cl_RA;
+
+namespace {
+
+/// An operand that carries its arithmetic, so that derivatives of functions can be written over it
+/// as they are over numbers.
+struct ArithmeticValue {
+  Arithmetic* arithmetic;
+  Value value;
+
+  friend ArithmeticValue operator+(const ArithmeticValue& x, const ArithmeticValue& y) {
+    return {x.arithmetic, x.arithmetic->add(x.value, y.value)};
+  }
+  friend ArithmeticValue operator-(const ArithmeticValue& x) {
+    return {x.arithmetic, x.arithmetic->negate(x.value)};
+  }
+  friend ArithmeticValue operator-(const ArithmeticValue& x, const ArithmeticValue& y) {
+    return x + (-y);
+  }
+  friend ArithmeticValue operator*(const ArithmeticValue& x, const ArithmeticValue& y) {
+    return {x.arithmetic, x.arithmetic->multiply(x.value, y.value)};
+  }
+  friend ArithmeticValue operator*(const ArithmeticValue& x, int factor) {
+    return {x.arithmetic, x.arithmetic->multiply(x.value, fraction_of(cl_RA(factor)))};
+  }
+  friend ArithmeticValue operator/(const ArithmeticValue& x, const ArithmeticValue& y) {
+    return {x.arithmetic, x.arithmetic->divide(x.value, y.value)};
+  }
+};
+
+ArithmeticValue sqrt(const ArithmeticValue& x) {
+  return {x.arithmetic, x.arithmetic->square_root(x.value)};
+}
+
+ArithmeticValue called(FunctionId function, const ArithmeticValue& x, const Value& y = {}) {
+  return {x.arithmetic, x.arithmetic->call(function, x.value, y)};
+}
+ArithmeticValue sin(const ArithmeticValue& x) { return called(FunctionId::sin, x); }
+ArithmeticValue cos(const ArithmeticValue& x) { return called(FunctionId::cos, x); }
+ArithmeticValue sinh(const ArithmeticValue& x) { return called(FunctionId::sinh, x); }
+ArithmeticValue cosh(const ArithmeticValue& x) { return called(FunctionId::cosh, x); }
+ArithmeticValue exp(const ArithmeticValue& x) { return called(FunctionId::exp, x); }
+ArithmeticValue stumpff(const ArithmeticValue& x, const ArithmeticValue& k) {
+  return called(FunctionId::stumpff, x, k.value);
+}
+
+/// By the first and the second argument.
+std::vector<ArithmeticValue> slopes(FunctionId function, const ArithmeticValue& x,
+                                    const ArithmeticValue& y, const ArithmeticValue& f) {
+  const ArithmeticValue one{f.arithmetic, fraction_of(cl_RA(1))};
+  switch (function) {
+#define ELGEN_DERIVATIVES(name, arity, first, second) \
+  case FunctionId::name:                              \
+    return {first, second};
+#include "base/function_derivatives.def"
+#undef ELGEN_DERIVATIVES
+  }
+  return {};
+}
+
+/// The derivatives of a function that closed forms do not take apart by each argument; `call` is
+/// the atom as a sum. None beyond the budget, and of functions with kinks.
+///
+///     tanh(x) -> 1 - tanh(x)^2      atan2(x, y) -> y/(x^2 + y^2), -x/(x^2 + y^2)
+std::vector<Value> call_slopes(Arithmetic& arithmetic, const Atom& atom, const Fraction& call) {
+  std::vector<Value> result(atom.arguments.size());
+  if (is_kinked(atom.function)) return result;
+  const ArithmeticValue x{&arithmetic, atom.arguments.front()};
+  const ArithmeticValue y{&arithmetic, atom.arguments.back()};
+  const std::vector<ArithmeticValue> all = slopes(atom.function, x, y, {&arithmetic, call});
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = all[i].value;
+  return result;
+}
+
+bool is_input(const Atom& atom) {
+  return atom.kind == AtomKind::leaf && atom.leaf == Opcode::input;
+}
+
+class Rates {
+ public:
+  Rates(Arithmetic& arithmetic, const Algebra& algebra, const LeafRates& motion)
+      : arithmetic_(arithmetic), algebra_(algebra), motion_(motion) {}
+
+  Value of(const Fraction& x) {
+    Value result = arithmetic_.multiply(of(x.numerator), over(x));
+    // (1/d^k)' = -k d'/d^(k+1)
+    for (const auto& [factor, exponent] : x.denominator) {
+      const Polynomial shown = algebra_.factors[factor].shown;
+      const Value relative = arithmetic_.divide(of(shown), fraction_of(shown));
+      const Value term = arithmetic_.multiply(fraction_of(cl_RA(-exponent)), relative);
+      result = arithmetic_.add(result, arithmetic_.multiply(term, x));
+    }
+    return result;
+  }
+
+ private:
+  static Fraction over(const Fraction& x) { return {constant(1), x.denominator}; }
+
+  Value of(const Polynomial& sum) {
+    Value result = Fraction{};
+    for (const auto& [monomial, coefficient] : sum) {
+      for (const AtomPower& power : monomial) {
+        const Value own = of_atom(power.atom);
+        if (!own) return std::nullopt;
+        if (own->numerator.empty()) continue;
+        // n x^(n-1) x'
+        const Gaussian factor = elgen::product(coefficient, {power.exponent, 0});
+        const Monomial lowered = elgen::product(monomial, {{power.atom, -1}});
+        const Fraction slope = fraction_of(Polynomial{{lowered, factor}});
+        result = arithmetic_.add(result, arithmetic_.multiply(slope, own));
+      }
+    }
+    return result;
+  }
+
+  Value of_atom(AtomId id) {
+    if (const auto known = known_.find(id); known != known_.end()) return known->second;
+    const Atom atom = algebra_.atoms[id];  // a copy: atoms may be added
+    const Value rate = rate_of(atom, fraction_of(Polynomial{{Monomial{{id, 1}}, Gaussian{1, 0}}}));
+    known_[id] = rate;
+    return rate;
+  }
+
+  Value rate_of(const Atom& atom, const Fraction& itself) {
+    switch (atom.kind) {
+      case AtomKind::leaf:
+        return of_leaf(atom);
+      case AtomKind::pi:
+        return Fraction{};
+      case AtomKind::circular: {
+        const Gaussian i{0, 1 / atom.divisor};
+        const Fraction slope{elgen::scaled(itself.numerator, i), {}};
+        return arithmetic_.multiply(slope, of(atom.arguments[0]));
+      }
+      case AtomKind::root: {
+        const Value twice = arithmetic_.multiply(fraction_of(cl_RA(2)), itself);
+        return arithmetic_.divide(of(atom.arguments[0]), twice);
+      }
+      case AtomKind::call:
+        return of_call(atom, itself);
+    }
+    return std::nullopt;
+  }
+
+  /// df(x, y)/dt = df/dx x' + df/dy y'; a kink that stands still has a rate too, 0.
+  Value of_call(const Atom& atom, const Fraction& itself) {
+    std::vector<Value> slopes;
+    Value result = Fraction{};
+    for (std::size_t i = 0; i < atom.arguments.size(); ++i) {
+      const Value own = of(atom.arguments[i]);
+      if (own && own->numerator.empty()) continue;
+      if (slopes.empty()) slopes = call_slopes(arithmetic_, atom, itself);
+      result = arithmetic_.add(result, arithmetic_.multiply(slopes[i], own));
+    }
+    return result;
+  }
+
+  Value of_leaf(const Atom& atom) {
+    switch (leaf_kind(atom.leaf)) {
+      case LeafKind::coordinate:
+        if (atom.index < motion_.coordinates.size()) return motion_.coordinates[atom.index];
+        return arithmetic_.leaf(Opcode::velocity, atom.index);
+      case LeafKind::velocity:
+        if (atom.index >= motion_.velocities.size()) return std::nullopt;
+        return motion_.velocities[atom.index];
+      case LeafKind::acceleration:
+        if (atom.index >= motion_.accelerations.size()) return std::nullopt;
+        return motion_.accelerations[atom.index];
+      case LeafKind::open_value:
+        return of_open_value(atom.index);
+      case LeafKind::time:
+        return motion_.time;
+      case LeafKind::parameter:
+        return Fraction{};
+      case LeafKind::momentum:
+      case LeafKind::multiplier:
+      case LeafKind::input:
+      case LeafKind::step:
+      case LeafKind::energy:
+        break;
+    }
+    return std::nullopt;
+  }
+
+  Value of_open_value(std::uint32_t index) {
+    if (index >= motion_.open_values.size() || motion_.open_values[index].empty()) {
+      return std::nullopt;
+    }
+    Value result = Fraction{};
+    for (const OpenTerm& term : motion_.open_values[index]) {
+      const Value slope = arithmetic_.leaf(Opcode::open_value, term.derivative);
+      result = arithmetic_.add(result, arithmetic_.multiply(slope, of(term.argument)));
+    }
+    return result;
+  }
+
+  Arithmetic& arithmetic_;
+  const Algebra& algebra_;
+  const LeafRates& motion_;
+  std::map<AtomId, Value> known_;
+};
+
+/// A component of 1/2 e (0, w), the product of the quaternion and its angular velocity.
+Value quaternion_rate(Arithmetic& arithmetic, const Rotation& rotation, std::uint32_t coordinate) {
+  struct Product {
+    std::uint32_t component;
+    std::uint32_t axis;
+    int sign;
+  };
+  static constexpr std::array<std::array<Product, axis_count>, quaternion_size> rows{
+      {{{{1, 0, -1}, {2, 1, -1}, {3, 2, -1}}},
+       {{{0, 0, 1}, {2, 2, 1}, {3, 1, -1}}},
+       {{{0, 1, 1}, {3, 0, 1}, {1, 2, -1}}},
+       {{{0, 2, 1}, {1, 1, 1}, {2, 0, -1}}}}};
+  Value sum = Fraction{};
+  for (const auto& [component, axis, sign] : rows[coordinate - rotation.first_coordinate]) {
+    const Value e = arithmetic.leaf(Opcode::coordinate, rotation.first_coordinate + component);
+    const Value w = arithmetic.leaf(Opcode::velocity, rotation.first_velocity + axis);
+    const Value half = fraction_of(cl_RA(sign) / 2);
+    sum = arithmetic.add(sum, arithmetic.multiply(half, arithmetic.multiply(e, w)));
+  }
+  return sum;
+}
+
+/// x at u = 0; none where a denominator holds an input.
+Value without_inputs(const Algebra& algebra, const Fraction& x) {
+  const auto has_input = [&](const auto& term) {
+    return std::any_of(term.first.begin(), term.first.end(),
+                       [&](const AtomPower& power) { return is_input(algebra.atoms[power.atom]); });
+  };
+  for (const auto& [factor, exponent] : x.denominator) {
+    const Polynomial& shown = algebra.factors[factor].shown;
+    if (std::any_of(shown.begin(), shown.end(), has_input)) return std::nullopt;
+  }
+  Fraction result{{}, x.denominator};
+  for (const auto& term : x.numerator) {
+    if (!has_input(term)) result.numerator.insert(term);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Fraction> coordinate_rates(ClosedForms& forms, const Model& model) {
+  std::vector<Fraction> rates;
+  if (model.rotations.empty()) return rates;
+  Arithmetic arithmetic(forms.algebra);
+  for (std::uint32_t i = 0; i < model.coordinates.size(); ++i) {
+    const Coordinate& coordinate = model.coordinates[i];
+    const Value rate = coordinate.rotation
+                           ? quaternion_rate(arithmetic, model.rotations[*coordinate.rotation], i)
+                           : arithmetic.leaf(Opcode::velocity, coordinate.velocity);
+    rates.push_back(rate.value());  // a few products never outgrow the budget
+  }
+  return rates;
+}
+
+std::optional<Fraction> rate_along(ClosedForms& forms, const Fraction& x, const LeafRates& rates) {
+  Arithmetic arithmetic(forms.algebra);
+  return Rates(arithmetic, forms.algebra, rates).of(x);
+}
+
+std::optional<Fraction> partial_derivative(ClosedForms& forms, const Fraction& x,
+                                           std::uint32_t coordinate, std::size_t coordinates) {
+  LeafRates alone{std::vector<Fraction>(coordinates)};
+  alone.coordinates[coordinate] = fraction_of(cl_RA(1));
+  return rate_along(forms, x, alone);
+}
+
+bool proved_conserved(ClosedForms& forms, const Fraction& x,
+                      const std::vector<Fraction>& accelerations,
+                      const std::vector<Fraction>& coordinate_rates, const OpenTerms& open_values) {
+  LeafRates free_motion{coordinate_rates, {}, {}, open_values, fraction_of(cl_RA(1))};
+  for (const Fraction& acceleration : accelerations) {
+    Value free = without_inputs(forms.algebra, acceleration);
+    if (!free) return false;
+    free_motion.velocities.push_back(std::move(*free));
+  }
+  const Value rate = rate_along(forms, x, free_motion);
+  return rate && rate->numerator.empty();
+}
+
+}  // namespace elgen

@@ -1,0 +1,266 @@
+// arrange: see arrange.hpp. Sums and fractions, put together from what take.cpp and collect.cpp
+// make of them.
+#include "forms/typeset/arrange.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "forms/present/polynomial.hpp"
+#include "forms/typeset/factors.hpp"
+#include "forms/typeset/polynomials.hpp"
+#include "forms/write/closed_graph.hpp"
+
+namespace elgen {
+namespace {
+
+/// Of the product of rates of a term, in the order of a book: accelerations, the row's own first;
+/// squares; other products; single rates; inputs; multipliers; none.
+int rank_of_rates(const Algebra& algebra, const Monomial& rates, std::optional<std::uint32_t> own) {
+  std::int32_t degree = 0;
+  bool is_input = false;
+  bool is_multiplier = false;
+  for (const AtomPower& power : rates) {
+    const Atom& atom = algebra.atoms[power.atom];
+    if (atom.leaf == Opcode::acceleration) return own && atom.index == *own ? 0 : 1;
+    is_input = is_input || atom.leaf == Opcode::input;
+    is_multiplier = is_multiplier || atom.leaf == Opcode::multiplier;
+    degree += power.exponent;
+  }
+  if (rates.empty()) return 7;
+  if (is_multiplier) return 6;
+  if (is_input) return 5;
+  if (degree < 2) return 4;
+  return rates.size() == 1 ? 2 : 3;
+}
+
+/// By the numbers of the leaves: atoms are numbered as they were met.
+std::vector<std::pair<std::uint32_t, std::int32_t>> numbers_of(const Algebra& algebra,
+                                                               const Monomial& rates) {
+  std::vector<std::pair<std::uint32_t, std::int32_t>> numbers;
+  for (const AtomPower& power : rates) {
+    numbers.emplace_back(algebra.atoms[power.atom].index, -power.exponent);
+  }
+  std::ranges::sort(numbers);
+  return numbers;
+}
+
+struct RateGroup {
+  Monomial rates = {};
+  Polynomial rest = {};
+};
+
+std::vector<RateGroup> rate_groups(const Algebra& algebra, const Polynomial& sum,
+                                   std::optional<std::uint32_t> own) {
+  std::map<Monomial, Polynomial, MonomialLess> parts;
+  for (const auto& [monomial, coefficient] : sum) {
+    Monomial rates;
+    Monomial rest;
+    for (const AtomPower& power : monomial) {
+      (is_moving(algebra.atoms[power.atom]) ? rates : rest).push_back(power);
+    }
+    parts[rates].emplace(rest, coefficient);
+  }
+  std::vector<RateGroup> groups;
+  for (auto& [rates, rest] : parts) groups.push_back({rates, std::move(rest)});
+  std::ranges::stable_sort(groups, {}, [&](const RateGroup& group) {
+    return std::pair(rank_of_rates(algebra, group.rates, own), numbers_of(algebra, group.rates));
+  });
+  return groups;
+}
+
+/// 1 - v^2/c^2 under a root.
+BookSum positive_first(BookSum sum) {
+  const auto first = std::ranges::find_if(
+      sum.terms, [](const BookProduct& term) { return cln::plusp(term.number); });
+  if (first != sum.terms.end()) std::rotate(sum.terms.begin(), first, first + 1);
+  return sum;
+}
+
+bool divides_only(const BookProduct& product) {
+  return std::ranges::all_of(product.factors,
+                             [](const BookFactor& factor) { return factor.exponent < 0; });
+}
+
+/// Whether a parameter that stands first in a term of a sum would stand before the front:
+/// -g ((m1 + m2) a + m2 b) is not what books write.
+bool hides_leading_factors(const BookProduct& product) {
+  const FactorPlace first = product.factors.front().place;
+  const auto sum = std::ranges::find(product.factors, BookFactorKind::sum, &BookFactor::kind);
+  if (sum == product.factors.end() || sum->exponent != 1) return false;
+  return std::ranges::any_of(sum->sum.terms, [&](const BookProduct& term) {
+    return !term.factors.empty() && term.factors.front().place < first;
+  });
+}
+
+}  // namespace
+
+BookSum Arranger::terms_without_rates(const Polynomial& sum) {
+  Taken whole{{1, {}}, sum};
+  if (!take_typed(whole.rest, whole.front)) return collected(mixed(sum));
+  take_monomial(whole.rest, whole.front);
+  return {{product(whole)}};
+}
+
+BookSum Arranger::terms(const Polynomial& sum, std::optional<std::uint32_t> own) {
+  BookSum result;
+  for (const auto& [rates, rest] : rate_groups(algebra_, sum, own)) {
+    if (rates.empty()) {
+      for (BookProduct& term : terms_without_rates(rest).terms) {
+        result.terms.push_back(std::move(term));
+      }
+      continue;
+    }
+    result.terms.push_back(product(rest));
+    multiply(result.terms.back(), rates);
+  }
+  return result;
+}
+
+/// The parts of a fraction by rates, each over what does not divide it.
+BookSum Arranger::parts(const Fraction& form, std::optional<std::uint32_t> own) {
+  BookSum result;
+  for (auto& [rates, rest] : rate_groups(algebra_, form.numerator, own)) {
+    Fraction part{std::move(rest), form.denominator};
+    divide_out(part, algebra_, work_);
+    result.terms.push_back(product(part));
+    multiply(result.terms.back(), rates);
+  }
+  return result;
+}
+
+BookSum Arranger::by_motion(const Fraction& form) {
+  Fraction moving{{}, form.denominator};
+  Fraction resting{{}, form.denominator};
+  for (const auto& [monomial, coefficient] : form.numerator) {
+    (moves(algebra_, monomial) ? moving : resting).numerator.emplace(monomial, coefficient);
+  }
+  if (moving.numerator.empty() || resting.numerator.empty()) return in_front(form);
+  BookSum typed = in_front_of_typed(form);
+  if (!typed.terms.empty()) return typed;
+  divide_out(moving, algebra_, work_);
+  divide_out(resting, algebra_, work_);
+  BookSum result = in_front(moving);
+  append(result, in_front(resting));
+  return result;
+}
+
+/// One product, where a sum that was typed divides the form; else none.
+BookSum Arranger::in_front_of_typed(const Fraction& form) {
+  Taken whole{{1, {}}, form.numerator};
+  if (!form.denominator.empty() || !take_typed(whole.rest, whole.front)) return {};
+  take_monomial(whole.rest, whole.front);
+  return {{product(whole)}};
+}
+
+BookSum Arranger::in_front(const Fraction& form) {
+  if (form.numerator.empty()) return {};
+  Taken whole = taken(form.numerator);
+  if (form.denominator.empty()) {
+    if (whole.front.factors.empty()) return positive_first(terms(whole.rest));
+    if (divides_only(whole.front)) return terms(form.numerator);
+    BookProduct product = this->product(whole);
+    if (hides_leading_factors(product)) return terms(form.numerator);
+    return {{std::move(product)}};
+  }
+  const std::vector<Fraction> roots = by_roots(algebra_, form);
+  if (roots.size() > 1) {
+    BookSum result;
+    for (const Fraction& part : roots) append(result, in_front(part));
+    return result;
+  }
+  BookSum sum = parts({whole.rest, form.denominator});
+  const auto divided = std::ranges::count_if(sum.terms, [](const BookProduct& term) {
+    return std::ranges::any_of(term.factors,
+                               [](const BookFactor& factor) { return factor.exponent < 0; });
+  });
+  const bool is_nested = std::ranges::any_of(whole.rest, [&](const auto& term) {
+    return std::ranges::any_of(split(algebra_, term.first).powers,
+                               [](const AtomPower& power) { return power.exponent < 0; });
+  });
+  if (sum.terms.size() > 1 && (divided < 2 || is_nested)) {
+    if (divides_only(whole.front)) {
+      for (BookProduct& term : sum.terms) elgen::multiply(term, whole.front);
+      return sum;
+    }
+    multiply(whole.front, std::move(sum), 1);
+    return {{std::move(whole.front)}};
+  }
+  BookProduct product = this->product(whole);
+  divide(product, form);
+  return {{std::move(product)}};
+}
+
+BookSum Arranger::summand(const Fraction& form, std::uint32_t own) {
+  BookSum typed = in_front_of_typed(form);
+  return typed.terms.empty() ? spread(form, own) : typed;
+}
+
+BookSum Arranger::spread(const Fraction& form, std::optional<std::uint32_t> own) {
+  const Polynomial numerator = by_hyperbolic_squares(algebra_, form.numerator);
+  if (form.denominator.empty()) return terms(numerator, own);
+  const std::vector<Fraction> roots = by_roots(algebra_, {numerator, form.denominator});
+  if (roots.size() == 1) return parts(roots.front(), own);
+  BookSum result;
+  for (const Fraction& part : roots) append(result, spread(part, own));
+  return result;
+}
+
+bool Arranger::is_one_product(const Fraction& form) {
+  const BookSum written = in_front(form);
+  return written.terms.size() == 1 &&
+         std::ranges::none_of(written.terms.front().factors, [](const BookFactor& factor) {
+           return factor.kind == BookFactorKind::sum;
+         });
+}
+
+BookSum Arranger::quotient(const Fraction& above, const Fraction& below) {
+  if (above.numerator.empty()) return {};
+  if (above.denominator != below.denominator) throw TooLongForABook();
+  Taken numerator{{1, {}}, by_hyperbolic_squares(algebra_, above.numerator)};
+  Taken denominator{{1, {}}, by_hyperbolic_squares(algebra_, below.numerator)};
+  for (Taken* const part : {&numerator, &denominator}) {
+    take_monomial(part->rest, part->front);
+    const Monomial divisors = lowest_powers(algebra_, part->rest);
+    multiply(part->front, divisors);
+    part->rest = scaled(part->rest, {1, 0}, power(divisors, -1));
+  }
+  BookProduct front = std::move(numerator.front);
+  for (BookFactor factor : denominator.front.factors) {
+    factor.exponent = -factor.exponent;
+    add_factor(front, std::move(factor));
+  }
+  BookSum divisor = terms(denominator.rest);
+  sort_terms(divisor);
+  front.number = front.number / take_number(divisor);
+  BookSum dividend = terms(numerator.rest);
+  BookSum result;
+  if (divisor.terms.size() > 1) {
+    BookFactor factor;
+    factor.kind = BookFactorKind::sum;
+    factor.place = {FactorGroup::sum, UINT32_MAX};
+    factor.exponent = -1;
+    factor.sum = std::move(divisor);
+    add_factor(front, std::move(factor));
+    sort_terms(dividend);
+    front.number = front.number * take_number(dividend);
+    if (dividend.terms.size() == 1) {
+      elgen::multiply(front, dividend.terms.front());
+    } else {
+      multiply(front, std::move(dividend), 1);
+    }
+    result.terms.push_back(std::move(front));
+    return result;
+  }
+  for (BookFactor factor : divisor.terms.front().factors) {
+    factor.exponent = -factor.exponent;
+    add_factor(front, std::move(factor));
+  }
+  for (BookProduct& term : dividend.terms) {
+    elgen::multiply(term, front);
+    result.terms.push_back(std::move(term));
+  }
+  return result;
+}
+
+}  // namespace elgen

@@ -1,0 +1,114 @@
+// arrange: closed forms -> sums of products as books write them.
+//
+//     in front    1/2 m r'^2 + 1/2 m r^2 phi'^2   ->   1/2 m (r'^2 + r^2 phi'^2)
+//     spread      nothing stands in front; what multiplies one product of rates stands together,
+//                 accelerations first
+//
+// Sums stay together as the model has them: k (r - l0)^2. What multiplies one product of parameters
+// has its sines and cosines written in the shortest way for itself, so that A sin^2 + C cos^2 is
+// not C + (A - C) sin^2.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "forms/typeset/book_sum.hpp"
+#include "forms/typeset/typed.hpp"
+#include "forms/write/real_terms.hpp"
+
+namespace elgen {
+
+/// Thrown where a sum has more terms than anybody reads.
+struct TooLongForABook : std::length_error {
+  TooLongForABook() : std::length_error("a sum of too many terms") {}
+};
+
+/// Operations that an entry may have as it is written out, and factors of a typed sum. Functions of
+/// functions are short as they are shared, and double with every level as they are written.
+inline constexpr std::size_t longest_entry_of_a_book = 5'000;
+
+/// The rank of sums that no model has typed.
+inline constexpr std::uint32_t untyped = 10'000;
+
+/// Terms of a sum; of longer ones nobody sees what their terms share.
+inline constexpr std::size_t longest_collected = 40;
+
+class Arranger {
+ public:
+  Arranger(const Algebra& algebra, const TypedForms& typed) : algebra_(algebra), typed_(typed) {}
+
+  [[nodiscard]] BookSum in_front(const Fraction& form);
+  /// The same of the terms with rates or momenta, and of those without: T and V of one energy.
+  [[nodiscard]] BookSum by_motion(const Fraction& form);
+  /// `own` is the velocity whose acceleration comes first.
+  [[nodiscard]] BookSum spread(const Fraction& form, std::optional<std::uint32_t> own = {});
+  /// One product where a sum that was typed divides the form, else spread.
+  [[nodiscard]] BookSum summand(const Fraction& form, std::uint32_t own);
+  /// above / below: the terms of `above` over one divisor, powers that both have gone.
+  [[nodiscard]] BookSum quotient(const Fraction& above, const Fraction& below);
+  /// Whether a form is written without sums.
+  [[nodiscard]] bool is_one_product(const Fraction& form);
+
+ private:
+  /// One term of a sum whose sines and cosines are real.
+  struct Mixed {
+    cln::cl_RA number = 1;
+    Monomial powers = {};  ///< of all atoms that are no exponentials
+    std::vector<CircularPower> circular = {};
+  };
+  using MixedSum = std::vector<Mixed>;
+  /// A fixed order.
+  struct MixedLess {
+    [[nodiscard]] bool operator()(const MixedSum& x, const MixedSum& y) const;
+  };
+
+  /// front * rest.
+  struct Taken {
+    BookProduct front;
+    Polynomial rest = {};
+  };
+
+  [[nodiscard]] Taken taken(Polynomial sum);
+  void take_monomial(Polynomial& sum, BookProduct& front) const;
+  bool take_typed(Polynomial& sum, BookProduct& front);
+  void take_square(Taken& taken);
+  bool take_coefficient(Taken& taken);
+  [[nodiscard]] BookFactor typed_factor(std::size_t typed);
+
+  [[nodiscard]] BookSum in_front_of_typed(const Fraction& form);
+  [[nodiscard]] BookProduct product(const Polynomial& sum);
+  [[nodiscard]] BookProduct product(const Taken& taken);
+  [[nodiscard]] BookProduct product(const Fraction& form);
+  void divide(BookProduct& product, const Fraction& form);
+  void divide(BookProduct& product, const Polynomial& factor, std::int32_t exponent);
+
+  [[nodiscard]] BookSum parts(const Fraction& form, std::optional<std::uint32_t> own = {});
+  [[nodiscard]] BookSum terms(const Polynomial& sum, std::optional<std::uint32_t> own = {});
+  [[nodiscard]] BookSum terms_without_rates(const Polynomial& sum);
+  [[nodiscard]] MixedSum mixed(const Polynomial& sum);
+  [[nodiscard]] const BookSum& collected(const MixedSum& sum);
+  [[nodiscard]] BookSum newly_collected(const MixedSum& sum);
+  [[nodiscard]] bool share_a_factor(const MixedSum& sum) const;
+  [[nodiscard]] BookSum by_kinds(const MixedSum& sum);
+  [[nodiscard]] std::optional<BookSum> by_shared_parameter(const MixedSum& sum);
+  [[nodiscard]] BookProduct product(MixedSum sum);
+  [[nodiscard]] BookProduct product(const Mixed& term) const;
+
+  void multiply(BookProduct& product, const Monomial& powers) const;
+  void multiply(BookProduct& product, BookSum sum, std::int32_t exponent) const;
+  [[nodiscard]] FactorPlace place_of_sum(const BookSum& sum, std::uint32_t rank) const;
+  [[nodiscard]] BookFactor atom_factor(const AtomPower& power) const;
+
+  const Algebra& algebra_;
+  const TypedForms& typed_;
+  std::size_t first_typed_ = 0;   ///< of the typed sums that are looked for
+  std::size_t work_ = 1'000'000;  ///< term products that divisions may take
+  /// Written before, by their number among the typed sums: each holds others, and is met again.
+  std::shared_ptr<std::map<std::size_t, BookFactor>> typed_factors_ =
+      std::make_shared<std::map<std::size_t, BookFactor>>();
+  std::map<MixedSum, BookSum, MixedLess> collected_ = {};  ///< likewise
+};
+
+}  // namespace elgen

@@ -1,0 +1,203 @@
+// collect: the terms of a sum put together: (m1 + m2) g l1 sin x + m2 g l2 sin y.
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "forms/present/polynomial.hpp"
+#include "forms/typeset/arrange.hpp"
+#include "forms/typeset/factors.hpp"
+#include "forms/typeset/polynomials.hpp"
+#include "forms/write/ways.hpp"
+
+namespace elgen {
+namespace {
+
+bool holds_typed_sum(const BookProduct& product) {
+  return std::ranges::any_of(product.factors, [](const BookFactor& factor) {
+    return factor.place.group == FactorGroup::sum && factor.place.rank < untyped;
+  });
+}
+
+bool same_waves(const std::vector<CircularPower>& x, const std::vector<CircularPower>& y) {
+  return std::ranges::equal(x, y, [](const CircularPower& a, const CircularPower& b) {
+    return a.angle == b.angle && a.cosine == b.cosine && a.sine == b.sine;
+  });
+}
+
+}  // namespace
+
+Arranger::MixedSum Arranger::mixed(const Polynomial& sum) {
+  std::map<Monomial, Polynomial, MonomialLess> parts;
+  for (const auto& [monomial, coefficient] : sum) {
+    const auto [powers, angle] = split(algebra_, monomial);
+    parts[powers].emplace(angle, coefficient);
+  }
+  MixedSum result;
+  for (const auto& [powers, circular] : parts) {
+    if (circular.size() == 1 && circular.begin()->first.empty()) {
+      result.push_back({circular.begin()->second.real, powers, {}});
+      continue;
+    }
+    const auto terms = shortest_terms(algebra_, circular, most_terms);
+    if (!terms) throw TooLongForABook();
+    for (const RealTerm& term : *terms) result.push_back({term.coefficient, powers, term.circular});
+  }
+  if (result.size() > most_terms) throw TooLongForABook();
+  return result;
+}
+
+BookProduct Arranger::product(const Mixed& term) const {
+  BookProduct result;
+  result.number = term.number;
+  multiply(result, term.powers);
+  for (const CircularPower& power : term.circular) elgen::multiply(result, algebra_, power);
+  return result;
+}
+
+bool Arranger::share_a_factor(const MixedSum& sum) const {
+  Polynomial powers;
+  for (const Mixed& term : sum) powers.emplace(term.powers, Gaussian{1, 0});
+  BookProduct front;
+  take_monomial(powers, front);
+  return !front.factors.empty();
+}
+
+/// What all terms have in common, times the sum of what is left of them.
+BookProduct Arranger::product(MixedSum sum) {
+  Polynomial powers;
+  for (const Mixed& term : sum) powers.emplace(term.powers, Gaussian{1, 0});
+  BookProduct result;
+  Polynomial left = powers;
+  take_monomial(left, result);
+  Monomial taken;
+  for (const BookFactor& factor : result.factors) taken.push_back({factor.atom, -factor.exponent});
+  std::ranges::sort(taken, {}, &AtomPower::atom);
+  for (Mixed& term : sum) term.powers = elgen::product(term.powers, taken);
+  const bool is_plain =
+      std::ranges::all_of(sum, [](const Mixed& term) { return term.circular.empty(); });
+  if (is_plain) {
+    Polynomial plain;
+    for (const Mixed& term : sum) add_term(plain, term.powers, {term.number, 0});
+    const Taken whole = this->taken(std::move(plain));
+    if (!whole.front.factors.empty()) {
+      elgen::multiply(result, product(whole));
+      return result;
+    }
+  }
+  BookSum rest = collected(sum);
+  if (rest.terms.size() == 1) {
+    elgen::multiply(result, rest.terms.front());
+  } else {
+    multiply(result, std::move(rest), 1);
+  }
+  return result;
+}
+
+/// One product for all terms with the same coordinates, sines and cosines.
+BookSum Arranger::by_kinds(const MixedSum& sum) {
+  struct Kind {
+    Mixed shared = {};
+    MixedSum of_parameters = {};
+  };
+  std::vector<Kind> kinds;
+  for (const Mixed& term : sum) {
+    Mixed shared{1, {}, term.circular};
+    Mixed rest{term.number, {}, {}};
+    for (const AtomPower& power : term.powers) {
+      const bool is_parameter = atom_factor(power).place.group == FactorGroup::parameter;
+      (is_parameter ? rest : shared).powers.push_back(power);
+    }
+    auto known = std::ranges::find_if(kinds, [&](const Kind& kind) {
+      return kind.shared.powers == shared.powers &&
+             same_waves(kind.shared.circular, shared.circular);
+    });
+    if (known == kinds.end()) known = kinds.insert(known, Kind{std::move(shared), {}});
+    known->of_parameters.push_back(std::move(rest));
+  }
+  BookSum result;
+  for (const auto& [shared, of_parameters] : kinds) {
+    const bool stands_alone =
+        shared.powers.empty() && shared.circular.empty() && !share_a_factor(of_parameters);
+    if (stands_alone || of_parameters.size() == 1) {
+      for (const Mixed& term : of_parameters) {
+        result.terms.push_back(product(term));
+        elgen::multiply(result.terms.back(), product(shared));
+      }
+    } else {
+      result.terms.push_back(product(of_parameters));
+      elgen::multiply(result.terms.back(), product(shared));
+    }
+  }
+  return result;
+}
+
+/// m (a + b) + c, m the parameter of the most terms, where not all have one.
+std::optional<BookSum> Arranger::by_shared_parameter(const MixedSum& sum) {
+  std::map<std::pair<FactorPlace, AtomId>, std::size_t> parameters;  // all numbers have one place
+  for (const Mixed& term : sum) {
+    for (const AtomPower& power : term.powers) {
+      const FactorPlace place = atom_factor(power).place;
+      if (place.group != FactorGroup::parameter || power.exponent < 1) continue;
+      ++parameters[{place, power.atom}];
+    }
+  }
+  std::pair<AtomId, std::size_t> most{0, 1};
+  for (const auto& [parameter, count] : parameters) {
+    if (count > most.second && count < sum.size()) most = {parameter.second, count};
+  }
+  if (most.second < 2) return std::nullopt;
+  MixedSum with;
+  MixedSum without;
+  for (const Mixed& term : sum) {
+    const bool has_it = std::ranges::any_of(
+        term.powers, [&](const AtomPower& p) { return p.atom == most.first && p.exponent > 0; });
+    (has_it ? with : without).push_back(term);
+  }
+  BookSum result = collected(without);
+  BookProduct whole = product(with);
+  for (Mixed& term : with) {
+    term.powers = elgen::product(term.powers, Monomial{{most.first, -1}});
+  }
+  BookProduct group;
+  multiply(group, Monomial{{most.first, 1}});
+  multiply(group, collected(with), 1);
+  const bool is_whole =
+      holds_typed_sum(whole) || written_factors({{whole}}) < written_factors({{group}});
+  result.terms.push_back(is_whole ? std::move(whole) : std::move(group));
+  return result;
+}
+
+bool Arranger::MixedLess::operator()(const MixedSum& x, const MixedSum& y) const {
+  const auto wave_less = [](const CircularPower& a, const CircularPower& b) {
+    if (a.angle != b.angle) return MonomialLess()(a.angle, b.angle);
+    return std::pair(a.cosine, a.sine) < std::pair(b.cosine, b.sine);
+  };
+  return std::ranges::lexicographical_compare(x, y, [&](const Mixed& a, const Mixed& b) {
+    if (a.number != b.number) return a.number < b.number;
+    if (a.powers != b.powers) return MonomialLess()(a.powers, b.powers);
+    return std::ranges::lexicographical_compare(a.circular, b.circular, wave_less);
+  });
+}
+
+const BookSum& Arranger::collected(const MixedSum& sum) {
+  const auto known = collected_.find(sum);
+  if (known != collected_.end()) return known->second;
+  return collected_.emplace(sum, newly_collected(sum)).first->second;
+}
+
+/// The shorter way; one with a sum as typed, where they are as long.
+BookSum Arranger::newly_collected(const MixedSum& sum) {
+  BookSum best = by_kinds(sum);
+  if (sum.size() > 2 && sum.size() <= longest_collected) {
+    std::optional<BookSum> other = by_shared_parameter(sum);
+    const bool is_typed = other && std::ranges::any_of(other->terms, holds_typed_sum);
+    const std::size_t margin = is_typed ? 1 : 0;
+    if (other && written_factors(*other) < written_factors(best) + margin) {
+      best = std::move(*other);
+    }
+  }
+  sort_terms(best);
+  return best;
+}
+
+}  // namespace elgen

@@ -1,0 +1,202 @@
+// equations: see equations.hpp.
+#include "forms/typeset/equations.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "elgen/typeset.hpp"
+#include "forms/present/polynomial.hpp"
+#include "forms/typeset/factors.hpp"
+
+namespace elgen {
+namespace {
+
+bool moves(const Algebra& algebra, const Fraction& form) {
+  return std::ranges::any_of(form.numerator,
+                             [&](const auto& term) { return elgen::moves(algebra, term.first); });
+}
+
+/// The acceleration that a term has, at most one; else the end.
+Monomial::const_iterator acceleration_in(const Algebra& algebra, const Monomial& term) {
+  return std::ranges::find_if(term, [&](const AtomPower& power) {
+    const Atom& atom = algebra.atoms[power.atom];
+    return atom.kind == AtomKind::leaf && atom.leaf == Opcode::acceleration;
+  });
+}
+
+Fraction opposite(const Fraction& form) {
+  return {scaled(form.numerator, {-1, 0}), form.denominator};
+}
+
+bool cancels(const Fraction& x, const Fraction& y) {
+  return x.denominator == y.denominator && sum(x.numerator, y.numerator).empty();
+}
+
+/// Without pairs that cancel each other, and without zeros: V = a*x + b - a*x has no force.
+std::vector<Fraction> uncancelled(std::vector<Fraction> summands) {
+  for (std::size_t i = 0; i < summands.size(); ++i) {
+    for (std::size_t k = i + 1; k < summands.size(); ++k) {
+      if (!cancels(summands[i], summands[k])) continue;
+      summands[i] = {};
+      summands[k] = {};
+    }
+  }
+  std::erase_if(summands, [](const Fraction& form) { return form.numerator.empty(); });
+  return summands;
+}
+
+}  // namespace
+
+BookSum each_in_front(Arranger& arranger, const std::vector<Fraction>& summands) {
+  BookSum result;
+  for (const Fraction& form : summands) append(result, arranger.in_front(form));
+  return result;
+}
+
+BookSum Equations::each(const std::vector<Fraction>& summands) {
+  return each_in_front(arranger_, settled(summands));
+}
+
+/// None where all of them together are 0: V = a*x + b*x - (a + b)*x has no force either.
+std::vector<Fraction> Equations::settled(const std::vector<Fraction>& summands) {
+  Value sum = Fraction{};
+  for (const Fraction& form : summands) sum = arithmetic_.add(sum, form);
+  if (sum && sum->numerator.empty()) return {};
+  return uncancelled(summands);
+}
+
+Fraction Equations::total(const std::vector<Fraction>& summands) {
+  Value sum = Fraction{};
+  for (const Fraction& form : summands) sum = arithmetic_.add(sum, form);
+  if (!sum) throw TooLongForABook();
+  return *sum;
+}
+
+std::optional<EquationRow> Equations::row(const ClosedFunction& function) {
+  EquationRow result;
+  const auto forms = [&](BookLine field) {
+    return function.fields[static_cast<std::size_t>(field)].entries;
+  };
+  const auto rates = forms(BookLine::momentum_rate);
+  const auto partials = forms(BookLine::partial);
+  for (std::size_t k = 0; k < rates.size(); ++k) {
+    const Value part = arithmetic_.subtract(rates[k], partials[k]);
+    if (!part) return std::nullopt;
+    result.inertia.push_back(*part);
+  }
+  for (const std::optional<Fraction>& form : forms(BookLine::dissipation)) {
+    if (!form) return std::nullopt;
+    result.dissipation.push_back(*form);
+  }
+  const std::optional<Fraction> force = forms(BookLine::force).front();
+  if (!force) return std::nullopt;
+  result.force = *force;
+  return result;
+}
+
+BookSum Equations::arranged(std::vector<Fraction> summands, std::uint32_t own) {
+  const auto resting =
+      std::stable_partition(summands.begin(), summands.end(),
+                            [&](const Fraction& form) { return moves(algebra_, form); });
+  BookSum result = arranger_.spread(total({summands.begin(), resting}), own);
+  for (const Fraction& form : settled({resting, summands.end()})) {
+    append(result, arranger_.summand(form, own));
+  }
+  return result;
+}
+
+BookSum Equations::left(const EquationRow& row, std::uint32_t own) {
+  std::vector<Fraction> resting = row.inertia;
+  const auto first = std::stable_partition(resting.begin(), resting.end(),
+                                           [&](const Fraction& f) { return moves(algebra_, f); });
+  BookSum result = arranger_.spread(total({resting.begin(), first}), own);
+  for (const Fraction& form : settled(row.dissipation)) {
+    append(result, arranger_.summand(form, own));
+  }
+  for (const Fraction& form : settled({first, resting.end()})) {
+    append(result, arranger_.summand(form, own));
+  }
+  return result;
+}
+
+struct Equations::Linear {
+  std::map<std::uint32_t, Fraction> inertia = {};  ///< of each acceleration in the row
+  Fraction rest = {};                              ///< force - all other terms
+};
+
+std::optional<Equations::Linear> Equations::linear(const std::optional<EquationRow>& row) {
+  if (!row) return std::nullopt;
+  std::vector<Fraction> all = row->inertia;
+  all.insert(all.end(), row->dissipation.begin(), row->dissipation.end());
+  all.push_back(opposite(row->force));
+  const Fraction whole = total(all);
+  Linear result;
+  result.rest.denominator = whole.denominator;
+  for (const auto& [monomial, coefficient] : whole.numerator) {
+    const auto at = acceleration_in(algebra_, monomial);
+    if (at == monomial.end()) {
+      add_term(result.rest.numerator, monomial, {-coefficient.real, -coefficient.imaginary});
+      continue;
+    }
+    Fraction& inertia = result.inertia[algebra_.atoms[at->atom].index];
+    inertia.denominator = whole.denominator;
+    add_term(inertia.numerator, product(monomial, Monomial{{at->atom, -1}}), coefficient);
+  }
+  return result;
+}
+
+/// Term by term: what divides them is one product.
+BookSum Equations::divided_terms(const EquationRow& row, const Fraction& inertia,
+                                 std::uint32_t own) {
+  std::vector<Fraction> moving;
+  std::vector<Fraction> resting;
+  for (const Fraction& form : row.inertia) {
+    (moves(algebra_, form) ? moving : resting).push_back(opposite(form));
+  }
+  Fraction whole = total(moving);
+  std::erase_if(whole.numerator, [&](const auto& term) {
+    return acceleration_in(algebra_, term.first) != term.first.end();
+  });
+  std::vector<Fraction> parts = settled(resting);
+  parts.insert(parts.begin(), std::move(whole));
+  for (const Fraction& form : settled(row.dissipation)) parts.push_back(opposite(form));
+  parts.push_back(row.force);
+  BookSum result;
+  for (const Fraction& part : parts) {
+    const Value divided = arithmetic_.divide(part, inertia);
+    if (!divided) throw TooLongForABook();
+    append(result, arranger_.summand(*divided, own));
+  }
+  return result;
+}
+
+std::optional<BookSum> Equations::solved(const std::vector<std::optional<EquationRow>>& rows,
+                                         std::uint32_t own) {
+  const std::optional<Linear> first = linear(rows[own]);
+  if (!first || first->inertia.count(own) == 0 || first->inertia.size() > 2) return std::nullopt;
+  const Fraction& inertia = first->inertia.at(own);
+  if (first->inertia.size() == 1) {
+    const bool is_product = arranger_.is_one_product(inertia);
+    if (is_product) return divided_terms(*rows[own], inertia, own);
+    return arranger_.quotient(first->rest, inertia);
+  }
+  const std::uint32_t other = first->inertia.begin()->first == own
+                                  ? std::next(first->inertia.begin())->first
+                                  : first->inertia.begin()->first;
+  const std::optional<Linear> second = linear(rows[other]);
+  const bool is_pair = second && second->inertia.size() == 2 && second->inertia.count(own) == 1;
+  if (!is_pair) return std::nullopt;
+  // Cramer's rule.
+  const auto minor = [&](const Fraction& a, const Fraction& b, const Fraction& c,
+                         const Fraction& d) {
+    return arithmetic_.subtract(arithmetic_.multiply(a, b), arithmetic_.multiply(c, d));
+  };
+  const Fraction& coupling = first->inertia.at(other);
+  const Fraction& theirs = second->inertia.at(other);
+  const Value above = minor(theirs, first->rest, coupling, second->rest);
+  const Value below = minor(inertia, theirs, coupling, second->inertia.at(own));
+  if (!above || !below) return std::nullopt;
+  return arranger_.quotient(*above, *below);
+}
+
+}  // namespace elgen

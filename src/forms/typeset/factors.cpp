@@ -1,0 +1,229 @@
+// factors: see factors.hpp.
+#include "forms/typeset/factors.hpp"
+
+#include <cln/integer.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "forms/present/polynomial.hpp"
+
+namespace elgen {
+namespace {
+
+/// Calls and roots stand behind sines and cosines; sinh in front of cosh.
+constexpr std::uint32_t rank_of_functions = 1'000'000;
+
+FactorGroup group_of(const Atom& atom) {
+  if (atom.kind == AtomKind::pi) return FactorGroup::parameter;
+  if (atom.kind != AtomKind::leaf) return FactorGroup::function;
+  switch (leaf_kind(atom.leaf)) {
+    case LeafKind::parameter:
+      return FactorGroup::parameter;
+    case LeafKind::velocity:
+    case LeafKind::momentum:
+      return FactorGroup::rate;
+    case LeafKind::acceleration:
+      return FactorGroup::acceleration;
+    case LeafKind::input:
+      return FactorGroup::input;
+    case LeafKind::multiplier:
+      return FactorGroup::multiplier;
+    case LeafKind::open_value:
+      return FactorGroup::function;
+    case LeafKind::coordinate:
+    case LeafKind::time:
+    case LeafKind::step:
+    case LeafKind::energy:
+      break;
+  }
+  return FactorGroup::coordinate;
+}
+
+bool is_same(const BookFactor& x, const BookFactor& y);
+
+bool are_same(const BookSum& x, const BookSum& y) {
+  const auto same_power = [](const BookFactor& a, const BookFactor& b) {
+    return a.exponent == b.exponent && is_same(a, b);
+  };
+  return std::ranges::equal(x.terms, y.terms, [&](const BookProduct& a, const BookProduct& b) {
+    return a.number == b.number && std::ranges::equal(a.factors, b.factors, same_power);
+  });
+}
+
+/// Whatever their exponents are.
+bool is_same(const BookFactor& x, const BookFactor& y) {
+  return x.kind == y.kind && x.atom == y.atom && x.angle == y.angle &&
+         x.definition == y.definition && are_same(x.sum, y.sum);
+}
+
+/// The order of terms: by their last group of factors (l1^2 + l2^2 + 2 l1 l2 cos x), by how many
+/// factors they have, and by the places of these.
+struct TermKey {
+  std::optional<FactorGroup> last = {};
+  std::size_t count = 0;
+  std::vector<std::pair<FactorPlace, std::int32_t>> factors = {};
+  friend auto operator<=>(const TermKey&, const TermKey&) = default;
+};
+
+TermKey key_of(const BookProduct& product) {
+  TermKey key;
+  if (!product.factors.empty()) key.last = product.factors.back().place.group;
+  key.count = product.factors.size();
+  for (const BookFactor& factor : product.factors) {
+    key.factors.emplace_back(factor.place, -factor.exponent);
+  }
+  return key;
+}
+
+/// The first coordinate in a sum, counted from 1; 0 where there is none.
+std::uint32_t first_coordinate(const Algebra& algebra, const Polynomial& sum) {
+  std::uint32_t first = 0;
+  for (const AtomId id : atoms_of(sum)) {
+    const Atom& atom = algebra.atoms[id];
+    const bool is_coordinate = atom.kind == AtomKind::leaf && atom.leaf == Opcode::coordinate;
+    if (is_coordinate && (first == 0 || atom.index + 1 < first)) first = atom.index + 1;
+  }
+  return first;
+}
+
+std::uint32_t rank_of_angle(const Algebra& algebra, const Monomial& angle) {
+  std::uint32_t rank = 0;
+  for (const AtomPower& part : angle) {
+    const Polynomial& argument = algebra.atoms[part.atom].arguments[0].numerator;
+    const std::uint32_t first = first_coordinate(algebra, argument);
+    if (first > 0 && (rank == 0 || first < rank)) rank = first;
+  }
+  return rank;
+}
+
+}  // namespace
+
+FactorPlace place_of(const Atom& atom, const std::vector<std::uint32_t>& places) {
+  const FactorGroup group = group_of(atom);
+  if (atom.kind == AtomKind::leaf && atom.leaf == Opcode::parameter) {
+    return {group, 1 + places[atom.index]};
+  }
+  if (group == FactorGroup::coordinate && atom.leaf != Opcode::coordinate) return {group, 10'000};
+  if (atom.kind == AtomKind::leaf) return {group, atom.index};
+  if (is_number(atom)) return {FactorGroup::parameter, 0};
+  return {group, rank_of_functions + (atom.function == FunctionId::cosh ? 1U : 0U)};
+}
+
+bool is_number(const Atom& atom) {
+  return atom.kind != AtomKind::leaf &&
+         std::ranges::all_of(atom.arguments, [](const Fraction& argument) {
+           return argument.denominator.empty() && rational_value(argument.numerator);
+         });
+}
+
+bool is_moving(const Atom& atom) {
+  const FactorGroup group = group_of(atom);
+  return group == FactorGroup::rate || group == FactorGroup::acceleration ||
+         group == FactorGroup::input || group == FactorGroup::multiplier;
+}
+
+bool moves(const Algebra& algebra, const Monomial& term) {
+  return std::ranges::any_of(
+      term, [&](const AtomPower& power) { return is_moving(algebra.atoms[power.atom]); });
+}
+
+bool is_of_parameters(const Algebra& algebra, const Polynomial& sum) {
+  return std::ranges::all_of(sum, [&](const auto& term) {
+    return std::ranges::all_of(term.first, [&](const AtomPower& power) {
+      return group_of(algebra.atoms[power.atom]) == FactorGroup::parameter;
+    });
+  });
+}
+
+std::size_t written_factors(const BookSum& sum, bool opens_names) {
+  std::size_t count = 0;
+  for (const BookProduct& product : sum.terms) {
+    count += product.number == 1 || product.number == -1 ? 0 : 1;
+    for (const BookFactor& factor : product.factors) {
+      const bool is_opened = factor.kind == BookFactorKind::sum ||
+                             (opens_names && factor.kind == BookFactorKind::name);
+      count += is_opened ? written_factors(factor.sum, opens_names) : 1;
+    }
+  }
+  return count;
+}
+
+void add_factor(BookProduct& product, BookFactor factor) {
+  const auto at = std::ranges::find_if(
+      product.factors, [&](const BookFactor& known) { return is_same(known, factor); });
+  if (at != product.factors.end()) {
+    at->exponent += factor.exponent;
+    if (at->exponent == 0) product.factors.erase(at);
+    return;
+  }
+  const auto place =
+      std::ranges::upper_bound(product.factors, factor.place, {}, &BookFactor::place);
+  product.factors.insert(place, std::move(factor));
+}
+
+void multiply(BookProduct& product, const BookProduct& by) {
+  product.number = product.number * by.number;
+  for (const BookFactor& factor : by.factors) add_factor(product, factor);
+}
+
+void multiply(BookProduct& product, const Algebra& algebra, const CircularPower& power) {
+  const std::uint32_t rank = 2 * rank_of_angle(algebra, power.angle);
+  const auto add = [&](BookFactorKind kind, std::int32_t exponent, std::uint32_t place) {
+    if (exponent == 0) return;
+    BookFactor factor;
+    factor.place = {FactorGroup::function, place};
+    factor.kind = kind;
+    factor.exponent = exponent;
+    factor.angle = power.angle;
+    add_factor(product, std::move(factor));
+  };
+  add(BookFactorKind::sine, power.sine, rank);
+  add(BookFactorKind::cosine, power.cosine, rank + 1);
+}
+
+void append(BookSum& to, BookSum from) {
+  for (BookProduct& term : from.terms) to.terms.push_back(std::move(term));
+}
+
+cln::cl_RA take_number(BookSum& sum) {
+  cln::cl_I above = 0;
+  cln::cl_I below = 1;
+  for (const BookProduct& term : sum.terms) {
+    above = cln::gcd(above, cln::numerator(term.number));
+    below = cln::lcm(below, cln::denominator(term.number));
+  }
+  const bool is_negative = cln::minusp(sum.terms.front().number);
+  const cln::cl_RA number = (is_negative ? -cln::cl_RA(above) : cln::cl_RA(above)) / below;
+  for (BookProduct& term : sum.terms) term.number = term.number / number;
+  return number;
+}
+
+std::vector<BookFactor> take_waves(BookSum& sum) {
+  std::vector<BookFactor> common;
+  for (BookFactor wave : sum.terms.front().factors) {
+    const bool is_wave = wave.kind == BookFactorKind::sine || wave.kind == BookFactorKind::cosine;
+    for (const BookProduct& term : sum.terms) {
+      const auto own = std::ranges::find_if(
+          term.factors, [&](const BookFactor& factor) { return is_same(factor, wave); });
+      wave.exponent = own == term.factors.end() ? 0 : std::min(wave.exponent, own->exponent);
+    }
+    if (is_wave && wave.exponent > 0) common.push_back(std::move(wave));
+  }
+  for (const BookFactor& wave : common) {
+    for (BookProduct& term : sum.terms) {
+      BookFactor inverse = wave;
+      inverse.exponent = -wave.exponent;
+      add_factor(term, std::move(inverse));
+    }
+  }
+  return common;
+}
+
+void sort_terms(BookSum& sum) {
+  std::ranges::stable_sort(sum.terms, {}, key_of);
+  std::stable_partition(sum.terms.begin(), sum.terms.end(),
+                        [](const BookProduct& term) { return cln::plusp(term.number); });
+}
+
+}  // namespace elgen

@@ -1,0 +1,256 @@
+// take: what stands in front of a sum: powers that all its terms have, sums as typed, squares.
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "forms/present/polynomial.hpp"
+#include "forms/typeset/arrange.hpp"
+#include "forms/typeset/factors.hpp"
+#include "forms/typeset/polynomials.hpp"
+#include "forms/write/ways.hpp"
+
+namespace elgen {
+
+using cln::cl_RA;
+
+namespace {
+
+/// Longer sums get a name where the model has one for them.
+constexpr std::size_t longest_filled_in = 12;
+
+bool is_root_of(const Algebra& algebra, const BookFactor& factor, const Polynomial& radicand) {
+  if (factor.kind != BookFactorKind::atom || factor.exponent < 1) return false;
+  const Atom& atom = algebra.atoms[factor.atom];
+  return atom.kind == AtomKind::root && atom.arguments[0].denominator.empty() &&
+         sum(radicand, scaled(atom.arguments[0].numerator, {-1, 0})).empty();
+}
+
+}  // namespace
+
+BookFactor Arranger::atom_factor(const AtomPower& power) const {
+  BookFactor factor;
+  factor.place = place_of(algebra_.atoms[power.atom], typed_.places);
+  factor.atom = power.atom;
+  factor.exponent = power.exponent;
+  return factor;
+}
+
+void Arranger::multiply(BookProduct& product, const Monomial& powers) const {
+  for (const AtomPower& power : powers) add_factor(product, atom_factor(power));
+}
+
+/// (m1 + m2) g l, but m R (g - R Omega^2): sums of parameters stand where their first parameter
+/// would, unless that is g.
+FactorPlace Arranger::place_of_sum(const BookSum& sum, std::uint32_t rank) const {
+  BookFactor first;
+  first.kind = BookFactorKind::sum;  // numbers alone have no parameter
+  first.place = {FactorGroup::parameter, UINT32_MAX};
+  for (const BookProduct& term : sum.terms) {
+    for (const BookFactor& each : term.factors) {
+      if (each.place.group != FactorGroup::parameter) return {FactorGroup::sum, rank};
+      if (each.place < first.place) first = each;
+    }
+  }
+  if (first.kind != BookFactorKind::atom) return first.place;
+  const Atom& atom = algebra_.atoms[first.atom];
+  const bool is_acceleration = atom.kind == AtomKind::leaf && typed_.are_accelerations[atom.index];
+  return is_acceleration ? FactorPlace{FactorGroup::sum, rank} : first.place;
+}
+
+void Arranger::multiply(BookProduct& product, BookSum sum, std::int32_t exponent) const {
+  for (BookFactor& wave : take_waves(sum)) {
+    wave.exponent *= exponent;
+    add_factor(product, std::move(wave));
+  }
+  sort_terms(sum);
+  product.number = product.number * cln::expt(take_number(sum), exponent);
+  BookFactor factor;
+  factor.kind = BookFactorKind::sum;
+  factor.place = place_of_sum(sum, untyped);
+  factor.exponent = exponent;
+  factor.sum = std::move(sum);
+  add_factor(product, std::move(factor));
+}
+
+/// Powers that all terms have, of one sign; exponentials stay.
+void Arranger::take_monomial(Polynomial& sum, BookProduct& front) const {
+  if (sum.empty()) return;
+  Monomial common;
+  for (const AtomPower& power : sum.begin()->first) {
+    if (algebra_.atoms[power.atom].kind != AtomKind::circular) common.push_back(power);
+  }
+  for (const auto& [monomial, coefficient] : sum) {
+    for (AtomPower& power : common) {
+      const auto own = std::ranges::find(monomial, power.atom, &AtomPower::atom);
+      const std::int32_t exponent = own == monomial.end() ? 0 : own->exponent;
+      const bool is_opposite = (exponent < 0) != (power.exponent < 0);
+      if (exponent == 0 || is_opposite) {
+        power.exponent = 0;
+      } else if (std::abs(exponent) < std::abs(power.exponent)) {
+        power.exponent = exponent;
+      }
+    }
+    std::erase_if(common, [](const AtomPower& power) { return power.exponent == 0; });
+  }
+  if (common.empty()) return;
+  sum = scaled(sum, {1, 0}, power(common, -1));
+  multiply(front, common);
+}
+
+BookFactor Arranger::typed_factor(std::size_t typed) {
+  const auto known = typed_factors_->find(typed);
+  if (known != typed_factors_->end()) return known->second;
+  const TypedSum& sum = typed_.sums[typed];
+  BookFactor factor;
+  factor.kind = BookFactorKind::sum;
+  // The terms hold shorter sums only, so that this ends.
+  Arranger inner(algebra_, typed_);
+  inner.first_typed_ = typed + 1;
+  inner.typed_factors_ = typed_factors_;
+  for (const Fraction& term : sum.terms) append(factor.sum, inner.in_front(term));
+  // No entry with this factor is printed, and its function keeps the forms of code.
+  const bool is_too_long = written_factors(factor.sum, true) > longest_entry_of_a_book;
+  if (is_too_long) throw std::length_error("a typed sum");
+  factor.place = place_of_sum(factor.sum, static_cast<std::uint32_t>(typed));
+  const bool of_parameters = is_of_parameters(algebra_, sum.value);
+  if (sum.definition && (of_parameters || written_factors(factor.sum) > longest_filled_in)) {
+    factor.kind = BookFactorKind::name;
+    factor.definition = *sum.definition;
+  }
+  return typed_factors_->emplace(typed, std::move(factor)).first->second;
+}
+
+bool Arranger::take_typed(Polynomial& sum, BookProduct& front) {
+  bool is_taken = false;
+  const std::vector<AtomId> atoms = atoms_of(sum);
+  for (std::size_t i = first_typed_; i < typed_.sums.size() && sum.size() > 1; ++i) {
+    if (!std::ranges::includes(atoms, typed_.sums[i].atoms)) continue;
+    std::int32_t exponent = 0;
+    const auto divide_by = [&](const Polynomial& divisor, std::int32_t power) {
+      while (sum.size() > 1) {
+        auto divided = elgen::quotient(sum, divisor, work_);
+        if (!divided) break;
+        sum = std::move(*divided);
+        exponent += power;
+      }
+    };
+    divide_by(typed_.sums[i].value, 1);
+    if (!typed_.sums[i].square.empty()) divide_by(typed_.sums[i].square, 2);
+    if (exponent == 0) continue;
+    is_taken = true;
+    BookFactor factor = typed_factor(i);
+    factor.exponent = exponent;
+    add_factor(front, std::move(factor));
+  }
+  return is_taken;
+}
+
+Arranger::Taken Arranger::taken(Polynomial sum) {
+  Taken result;
+  result.rest = by_hyperbolic_squares(algebra_, std::move(sum));
+  take_monomial(result.rest, result.front);
+  if (take_typed(result.rest, result.front)) take_monomial(result.rest, result.front);
+  take_square(result);
+  while (take_coefficient(result)) continue;
+  return result;
+}
+
+/// c (a + b)^2, a and b real: of sines the root found is i times a real sum.
+void Arranger::take_square(Taken& taken) {
+  if (taken.rest.size() < 3 || taken.rest.size() > longest_collected) return;
+  const Gaussian lead = taken.rest.rbegin()->second;
+  if (!cln::zerop(lead.imaginary)) return;
+  std::optional<Polynomial> root = square_root(scaled(taken.rest, {cl_RA(1) / lead.real, 0}));
+  if (!root) return;
+  cl_RA number = lead.real;
+  if (!is_real(algebra_, *root)) {
+    root = scaled(*root, {0, 1});
+    number = -number;
+    if (!is_real(algebra_, *root)) return;
+  }
+  const Monomial below = lowest_powers(algebra_, *root);
+  BookSum base = terms(scaled(*root, {1, 0}, power(below, -1)));
+  if (base.terms.size() < 2) return;
+  multiply(taken.front, power(below, 2));
+  multiply(taken.front, std::move(base), 2);
+  taken.rest = constant(number);
+}
+
+/// (a + b) (c + d): what multiplies the highest power of a parameter, where it divides the sum. For
+/// the sine of a number, whose exponentials are numbers too, that is imaginary.
+bool Arranger::take_coefficient(Taken& taken) {
+  if (taken.rest.size() < 4 || taken.rest.size() > longest_collected) return false;
+  for (const AtomId id : atoms_of(taken.rest)) {
+    if (atom_factor({id, 1}).place.group != FactorGroup::parameter) continue;
+    const Polynomial coefficient = highest_coefficient(taken.rest, id);
+    if (coefficient.size() < 2 || !is_of_parameters(algebra_, coefficient)) continue;
+    if (!is_real(algebra_, coefficient)) continue;
+    auto divided = elgen::quotient(taken.rest, coefficient, work_);
+    if (!divided || divided->size() < 2) continue;
+    BookSum factor = terms(coefficient);
+    if (factor.terms.size() < 2) continue;
+    multiply(taken.front, std::move(factor), 1);
+    taken.rest = std::move(*divided);
+    return true;
+  }
+  return false;
+}
+
+/// Powers that stand below some of its terms stand below all of it.
+BookProduct Arranger::product(const Taken& taken) {
+  BookProduct result = taken.front;
+  if (is_one(taken.rest)) return result;
+  const Monomial below = lowest_powers(algebra_, taken.rest);
+  multiply(result, below);
+  BookSum rest = terms(scaled(taken.rest, {1, 0}, power(below, -1)));
+  if (rest.terms.size() == 1) {
+    elgen::multiply(result, rest.terms.front());
+  } else if (!rest.terms.empty()) {
+    multiply(result, std::move(rest), 1);
+  } else {
+    result = {0, {}};
+  }
+  return result;
+}
+
+BookProduct Arranger::product(const Polynomial& sum) { return product(taken(sum)); }
+
+void Arranger::divide(BookProduct& product, const Polynomial& factor, std::int32_t exponent) {
+  if (exponent == 0) return;
+  const BookProduct below = this->product(factor);
+  product.number = product.number / cln::expt(below.number, exponent);
+  for (BookFactor part : below.factors) {
+    part.exponent *= -exponent;
+    add_factor(product, std::move(part));
+  }
+}
+
+/// Factors of sines and cosines are multiplied: present has sin x as 2 sin(x/2) cos(x/2).
+void Arranger::divide(BookProduct& product, const Fraction& form) {
+  Polynomial waves = constant(1);
+  for (const auto& [factor, exponent] : form.denominator) {
+    const Polynomial& shown = algebra_.factors[factor].shown;
+    const auto root = std::ranges::find_if(
+        product.factors, [&](const BookFactor& each) { return is_root_of(algebra_, each, shown); });
+    if (root != product.factors.end()) {  // sqrt(r)/r
+      BookFactor twice = *root;
+      twice.exponent = -2;
+      add_factor(product, std::move(twice));
+      divide(product, shown, exponent - 1);
+    } else if (!holds_exponentials(algebra_, shown)) {
+      divide(product, shown, exponent);
+    } else {
+      for (std::int32_t i = 0; i < exponent; ++i) waves = elgen::product(waves, shown);
+    }
+    if (waves.size() > most_terms) throw TooLongForABook();
+  }
+  if (!is_one(waves)) divide(product, waves, 1);
+}
+
+BookProduct Arranger::product(const Fraction& form) {
+  BookProduct result = product(form.numerator);
+  divide(result, form);
+  return result;
+}
+
+}  // namespace elgen

@@ -1,0 +1,255 @@
+// typed: see typed.hpp. Expectations are no part of what is typed: they say how it should come out.
+#include "forms/typeset/typed.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "elgen/references.hpp"
+#include "forms/present/arithmetic.hpp"
+#include "forms/typeset/factors.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr std::size_t most_sums = 200;
+constexpr std::size_t most_terms_of_a_sum = 30;
+
+/// Energies, forces, places, inertias, definitions and constraints; not what elgen writes for
+/// bodies in frames.
+std::vector<ExpressionId> roots_of(const Model& model) {
+  std::vector<ExpressionId> roots;
+  const auto add = [&roots](const auto& list) {
+    roots.insert(roots.end(), std::begin(list), std::end(list));
+  };
+  for (const auto& energy :
+       {model.energies.T, model.energies.V, model.energies.D, model.energies.L}) {
+    if (energy) roots.push_back(*energy);
+  }
+  for (const NamedExpression& definition : model.definitions) roots.push_back(definition.value);
+  for (const Point& point : model.points) {
+    if (!point.local) add(point.at);
+    if (point.mass) roots.push_back(*point.mass);
+  }
+  for (const Body& body : model.bodies) {
+    if (!body.local) {
+      add(body.com);
+      add(body.inertia);
+      add(body.spin);
+    }
+    if (body.mass) roots.push_back(*body.mass);
+  }
+  for (const Force& force : model.forces) add(force.value);
+  if (!model.frames.empty()) return roots;
+  for (const Constraint& constraint : model.constraints) roots.push_back(constraint.value);
+  return roots;
+}
+
+std::vector<ExpressionId> sums_of(const Model& model, const std::vector<ExpressionId>& all) {
+  std::vector<ExpressionId> sums;
+  for (const ExpressionId id : all) {
+    const Expression& e = model.expressions[id];
+    if (e.kind == ExpressionKind::add && e.operands.size() <= most_terms_of_a_sum) {
+      sums.push_back(id);
+    }
+  }
+  return sums;
+}
+
+bool same_up_to_factor(const Polynomial& x, const Polynomial& y) {
+  if (x.size() != y.size()) return false;
+  const Gaussian& a = x.begin()->second;
+  const Gaussian& b = y.begin()->second;
+  return std::equal(x.begin(), x.end(), y.begin(), [&](const auto& s, const auto& t) {
+    return s.first == t.first &&
+           s.second.real * b.real - s.second.imaginary * b.imaginary ==
+               t.second.real * a.real - t.second.imaginary * a.imaginary &&
+           s.second.real * b.imaginary + s.second.imaginary * b.real ==
+               t.second.real * a.imaginary + t.second.imaginary * a.real;
+  });
+}
+
+std::optional<TypedSum> typed_sum(ClosedForms& forms, const Model& model,
+                                  const FixedParameters& fixed, ExpressionId id) {
+  const std::optional<Fraction> whole = closed_form(forms, model, fixed, id);
+  if (!whole || !whole->denominator.empty() || whole->numerator.size() < 2) return std::nullopt;
+  TypedSum sum{whole->numerator, atoms_of(whole->numerator)};
+  for (const ExpressionId operand : model.expressions[id].operands) {
+    std::optional<Fraction> term = closed_form(forms, model, fixed, operand);
+    if (!term) return std::nullopt;
+    if (!term->numerator.empty()) sum.terms.push_back(std::move(*term));
+  }
+  const bool is_number = std::ranges::all_of(
+      sum.atoms, [&forms](AtomId atom) { return elgen::is_number(forms.algebra.atoms[atom]); });
+  if (sum.terms.size() < 2 || is_number) return std::nullopt;  // numbers are added up
+  const bool holds_root = std::ranges::any_of(sum.atoms, [&forms](AtomId atom) {
+    return forms.algebra.atoms[atom].kind == AtomKind::root;
+  });
+  if (holds_root) {
+    const Value square = Arithmetic(forms.algebra).multiply(*whole, *whole);
+    if (square && square->denominator.empty()) sum.square = square->numerator;
+  }
+  const auto named =
+      std::ranges::find(model.definitions, id, [](const NamedExpression& d) { return d.value; });
+  if (named != model.definitions.end()) {
+    sum.definition = static_cast<std::uint32_t>(named - model.definitions.begin());
+  }
+  return sum;
+}
+
+/// Whether each parameter has this unit, or is a leaf of one of the expressions.
+std::vector<bool> marked(const Model& model, const Unit& unit,
+                         const std::vector<ExpressionId>& expressions) {
+  std::vector<bool> result;
+  for (const Parameter& parameter : model.parameters) {
+    result.push_back(parameter.unit && *parameter.unit == unit);
+  }
+  for (const ExpressionId id : reached(model, expressions)) {
+    const Expression& e = model.expressions[id];
+    if (is_leaf(e, Opcode::parameter)) result[e.index] = true;
+  }
+  return result;
+}
+
+/// g, and other accelerations.
+std::vector<bool> accelerations(const Model& model) {
+  static const Unit second = *find_unit("s");
+  std::vector<ExpressionId> gravity;
+  if (model.gravity) gravity.assign(model.gravity->begin(), model.gravity->end());
+  return marked(model, *find_unit("m") / (second * second), gravity);
+}
+
+std::vector<bool> masses(const Model& model) {
+  std::vector<ExpressionId> given;
+  for (const Point& point : model.points) {
+    if (point.mass) given.push_back(*point.mass);
+  }
+  for (const Body& body : model.bodies) {
+    if (body.mass) given.push_back(*body.mass);
+  }
+  return marked(model, *find_unit("kg"), given);
+}
+
+/// As declared; g stands behind the last mass.
+std::vector<std::uint32_t> declared_order(const Model& model,
+                                          const std::vector<bool>& are_accelerations) {
+  const std::vector<bool> are_masses = masses(model);
+  std::vector<std::uint32_t> order;
+  std::vector<std::uint32_t> weights;
+  std::size_t behind_masses = 0;
+  for (std::uint32_t i = 0; i < model.parameters.size(); ++i) {
+    if (are_accelerations[i]) {
+      weights.push_back(i);
+      continue;
+    }
+    order.push_back(i);
+    if (are_masses[i]) behind_masses = order.size();
+  }
+  order.insert(order.begin() + static_cast<std::ptrdiff_t>(behind_masses), weights.begin(),
+               weights.end());
+  return order;
+}
+
+/// The parameters in each factor of a typed product: k and l of k*(x - l)^2.
+std::vector<std::vector<std::uint32_t>> factors_of(const Model& model, const Expression& product) {
+  std::vector<std::vector<std::uint32_t>> factors;
+  for (const ExpressionId operand : product.operands) {
+    std::vector<std::uint32_t>& parameters = factors.emplace_back();
+    for (const ExpressionId id : reached(model, {operand})) {
+      const Expression& e = model.expressions[id];
+      if (is_leaf(e, Opcode::parameter)) parameters.push_back(e.index);
+    }
+  }
+  return factors;
+}
+
+/// Moves what a product has in another order; the first product that says so decides.
+class ProductOrder {
+ public:
+  explicit ProductOrder(std::vector<std::uint32_t> declared)
+      : order_(std::move(declared)), is_known_(order_.size() * order_.size()) {}
+
+  void follow(const std::vector<std::vector<std::uint32_t>>& factors) {
+    for (std::size_t i = 0; i + 1 < factors.size(); ++i) {
+      for (std::size_t k = i + 1; k < factors.size(); ++k) {
+        for (const std::uint32_t first : factors[i]) {
+          for (const std::uint32_t second : factors[k]) put_before(first, second);
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] std::vector<std::uint32_t> places() const {
+    std::vector<std::uint32_t> result(order_.size());
+    for (std::uint32_t i = 0; i < order_.size(); ++i) result[order_[i]] = i;
+    return result;
+  }
+
+ private:
+  void put_before(std::uint32_t first, std::uint32_t second) {
+    const std::size_t pair = first * order_.size() + second;
+    const std::size_t opposite = second * order_.size() + first;
+    if (first == second || is_known_[pair] || is_known_[opposite]) return;
+    is_known_[pair] = true;
+    const auto at = std::ranges::find(order_, first);
+    const auto other = std::ranges::find(order_, second);
+    if (at < other) return;
+    // What stands between them keeps its place unless a product put it behind `second`.
+    const bool is_bound = std::any_of(other, at, [&](std::uint32_t between) {
+      return is_known_[second * order_.size() + between] ||
+             is_known_[between * order_.size() + first];
+    });
+    if (!is_bound) std::rotate(other, at, at + 1);
+  }
+
+  std::vector<std::uint32_t> order_;
+  std::vector<bool> is_known_;
+};
+
+}  // namespace
+
+std::vector<AtomId> atoms_of(const Polynomial& sum) {
+  std::vector<AtomId> atoms;
+  for (const auto& [monomial, coefficient] : sum) {
+    for (const AtomPower& power : monomial) atoms.push_back(power.atom);
+  }
+  std::ranges::sort(atoms);
+  atoms.erase(std::unique(atoms.begin(), atoms.end()), atoms.end());
+  return atoms;
+}
+
+TypedForms typed_forms(Algebra& algebra, const Model& model, const FixedParameters& fixed) {
+  const std::vector<ExpressionId> all = reached(model, roots_of(model));
+  const std::vector<ExpressionId> ids = sums_of(model, all);
+  TypedForms result;
+  result.are_accelerations = accelerations(model);
+  ProductOrder order(declared_order(model, result.are_accelerations));
+  if (ids.size() > most_sums) {
+    result.places = order.places();
+    return result;
+  }
+  for (const ExpressionId id : all) {
+    const Expression& e = model.expressions[id];
+    if (e.kind == ExpressionKind::multiply) order.follow(factors_of(model, e));
+  }
+  result.places = order.places();
+  ClosedForms forms{std::move(algebra), {}};
+  for (const ExpressionId id : ids) {
+    std::optional<TypedSum> sum = typed_sum(forms, model, fixed, id);
+    const auto is_same = [&](const TypedSum& known) {
+      return same_up_to_factor(known.value, sum->value);
+    };
+    if (!sum) continue;
+    const auto known = std::ranges::find_if(result.sums, is_same);
+    if (known == result.sums.end()) {
+      result.sums.push_back(std::move(*sum));
+    } else if (sum->definition && !known->definition) {
+      *known = std::move(*sum);  // its name stands for its own value
+    }
+  }
+  algebra = std::move(forms.algebra);
+  std::ranges::stable_sort(result.sums, std::greater<>(),
+                           [](const TypedSum& sum) { return sum.value.size(); });
+  return result;
+}
+
+}  // namespace elgen

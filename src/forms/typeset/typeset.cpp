@@ -1,0 +1,318 @@
+// typeset: see elgen/typeset.hpp. Sums are arranged (arrange.hpp) and written as instructions
+// (write.hpp); here is what stands in which sum.
+#include "elgen/typeset.hpp"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include "forms/present/arithmetic.hpp"
+#include "forms/typeset/equations.hpp"
+#include "forms/typeset/write.hpp"
+#include "program/graph/prune.hpp"
+#include "program/graph/written_out.hpp"
+
+namespace elgen {
+namespace {
+
+bool is_written_out(const Function& function) {
+  const std::vector<std::size_t> sizes = written_out_sizes(function, longest_entry_of_a_book);
+  return std::ranges::all_of(entries_of(function), [&sizes](std::uint32_t entry) {
+    return sizes[entry] <= longest_entry_of_a_book;
+  });
+}
+
+/// The function with other entries; none where one has no form that can be read.
+template <class Write>
+Function written(const Function& like, const Write& write) {
+  Function result{.kind = like.kind, .user = like.user, .name = like.name};
+  result.form = Form::closed;
+  try {
+    write(result);
+    if (!is_written_out(result)) throw TooLongForABook();
+  } catch (const std::length_error&) {
+    result.fields.clear();
+    result.instructions.clear();
+    result.names.clear();
+    return result;
+  }
+  return pruned(result);
+}
+
+/// Terms over exponentials, about twice as many as are read. Longer entries, as accelerations of
+/// arms and their derivatives are, keep the form that choose found to be the shortest.
+constexpr std::size_t longest_form = 120;
+
+bool is_short(const std::optional<Fraction>& form) {
+  return form && form->numerator.size() <= longest_form;
+}
+
+const Fraction& readable_form(const std::optional<Fraction>& form) {
+  if (!is_short(form)) throw TooLongForABook();
+  return *form;
+}
+
+/// Sums of forces are read like an equation: nothing stands in front of them.
+bool is_sum_of_forces(OutputKind kind) {
+  const std::span<const FieldRow> fields = output_row(kind).fields;
+  return fields.size() == 1 && fields.front().type == "Forces<Scalar>";
+}
+
+/// Longer accelerations are no easier to read than the rows themselves.
+constexpr std::size_t longest_solution = 40;
+
+class Typesetting {
+ public:
+  Typesetting(const CheckedModel& checked, const ClosedForms& forms, Program& program)
+      : model_(checked.model),
+        forms_(forms),
+        program_(program),
+        algebra_(forms.algebra),
+        typed_(typed_forms(algebra_, model_, checked.scene.specialisation.fixed)) {}
+
+  /// Entries that are too long keep the form that they have for readers.
+  Function output(std::size_t index) {
+    const Function& function = program_.functions[index];
+    const bool is_read =
+        index < program_.readable.size() && !program_.readable[index].fields.empty();
+    const std::vector<ClosedField>& fields = forms_.functions[index].fields;
+    return written(function, [&](Function& result) {
+      Arranger arranger(algebra_, typed_);
+      BookWriter write(model_, algebra_, arranger, program_, result);
+      for (std::size_t f = 0; f < function.fields.size(); ++f) {
+        Field& field = result.fields.emplace_back(function.fields[f]);
+        const ClosedField& closed = closed_field(fields, f, field.name);
+        for (std::uint32_t i = 0; i < field.entries.size(); ++i) {
+          const std::optional<std::uint32_t> entry =
+              entry_of({arranger, write}, closed.entries[i], function.kind, i);
+          if (!entry && !is_read) throw TooLongForABook();
+          field.entries[i] = entry ? *entry : copied(write, index, f, i);
+        }
+      }
+      write.name_shared_divisors();
+    });
+  }
+
+  Function energies(std::size_t index) {
+    return written(program_.functions[index], [&](Function& result) {
+      Arranger arranger(algebra_, typed_);
+      BookWriter write(model_, algebra_, arranger, program_, result);
+      const std::vector<ClosedField>& fields = forms_.functions[index].fields;
+      BookSum whole;
+      for (const ClosedField& field : fields) {
+        BookSum sum = each_in_front(arranger, summands(field));
+        add_scalar(result, field.name, write(sum));
+        for (BookProduct& term : sum.terms) {
+          if (field.name == "V") term.number = -term.number;
+          whole.terms.push_back(std::move(term));
+        }
+      }
+      if (fields.size() > 1) add_scalar(result, "L", write(whole));
+    });
+  }
+
+  /// The lines of a velocity: see BookLine.
+  Function equation(std::size_t index, std::uint32_t velocity) {
+    return written(program_.functions[index], [&](Function& result) {
+      Arranger arranger(algebra_, typed_);
+      Equations equations(algebra_, arranger);
+      BookWriter write(model_, algebra_, arranger, program_, result);
+      for (const ClosedField& field : forms_.functions[index].fields) {
+        add_scalar(result, field.name, write(equations.arranged(summands(field), velocity)));
+      }
+      const auto rows = rows_around(equations, index - velocity);
+      if (!rows[velocity]) throw TooLongForABook();
+      add_scalar(result, "left", write(equations.left(*rows[velocity], velocity)));
+    });
+  }
+
+  Function accelerations(std::size_t first) {
+    Function like;
+    like.kind = OutputKind::user_value;
+    like.name = "accelerations";
+    return written(like, [&](Function& result) {
+      Arranger arranger(algebra_, typed_);
+      Equations equations(algebra_, arranger);
+      BookWriter write(model_, algebra_, arranger, program_, result);
+      const auto rows = rows_around(equations, first);
+      for (std::uint32_t i = 0; i < rows.size(); ++i) {
+        Field& field = result.fields.emplace_back(Field{model_.velocities[i].name, 0, 1, {}});
+        // What an expansion leaves out counts in a quotient; multipliers are not known.
+        if (model_.approximation || !model_.constraints.empty()) continue;
+        const std::optional<BookSum> solution = equations.solved(rows, i);
+        if (!solution || written_factors(*solution) > longest_solution) continue;
+        field.rows = 1;
+        field.entries = {write(*solution)};
+      }
+      write.name_shared_divisors();
+    });
+  }
+
+  Function invariants(std::size_t index) {
+    return written(program_.functions[index], [&](Function& result) {
+      Arranger arranger(algebra_, typed_);
+      Equations equations(algebra_, arranger);
+      BookWriter write(model_, algebra_, arranger, program_, result);
+      for (const ClosedField& field : forms_.functions[index].fields) {
+        add_scalar(result, field.name, write(equations.each(summands(field))));
+      }
+    });
+  }
+
+ private:
+  /// Fields that readers do not see are not in the function; some have no names.
+  static const ClosedField& closed_field(const std::vector<ClosedField>& fields, std::size_t place,
+                                         const std::string& name) {
+    if (place < fields.size() && fields[place].name == name) return fields[place];
+    const auto found = std::ranges::find(fields, name, &ClosedField::name);
+    if (found == fields.end()) throw TooLongForABook();
+    return *found;
+  }
+
+  [[nodiscard]] std::uint32_t copied(BookWriter& write, std::size_t index, std::size_t field,
+                                     std::size_t entry) const {
+    const Function& known = program_.readable[index];
+    return write.copied(known, known.fields[field].entries[entry]);
+  }
+
+  struct Hands {
+    Arranger& arranger;
+    BookWriter& write;
+  };
+
+  /// None of an entry that is too long.
+  static std::optional<std::uint32_t> entry_of(const Hands& hands,
+                                               const std::optional<Fraction>& form, OutputKind kind,
+                                               std::uint32_t row) {
+    if (!is_short(form)) return std::nullopt;
+    try {
+      return hands.write(is_sum_of_forces(kind) ? hands.arranger.spread(*form, row)
+                                                : hands.arranger.by_motion(*form));
+    } catch (const TooLongForABook&) {
+      return std::nullopt;
+    }
+  }
+
+  static std::vector<Fraction> summands(const ClosedField& field) {
+    std::vector<Fraction> result;
+    for (const std::optional<Fraction>& entry : field.entries) {
+      result.push_back(readable_form(entry));
+    }
+    return result;
+  }
+
+  [[nodiscard]] std::vector<std::optional<EquationRow>> rows_around(Equations& equations,
+                                                                    std::size_t first) const {
+    std::vector<std::optional<EquationRow>> rows;
+    for (std::size_t i = 0; i < model_.velocities.size(); ++i) {
+      rows.push_back(equations.row(forms_.functions[first + i]));
+    }
+    return rows;
+  }
+
+  static void add_scalar(Function& function, const std::string& name, std::uint32_t entry) {
+    function.fields.push_back({name, 1, 1, {entry}});
+  }
+
+  const Model& model_;
+  const ClosedForms& forms_;
+  Program& program_;
+  Algebra algebra_;
+  TypedForms typed_;
+};
+
+}  // namespace
+
+bool is_readable(const ClosedFunction& function) {
+  return std::ranges::all_of(function.fields, [](const ClosedField& field) {
+    return std::ranges::all_of(field.entries, is_short);
+  });
+}
+
+bool has_short_entry(const ClosedFunction& function) {
+  return std::ranges::any_of(function.fields, [](const ClosedField& field) {
+    return std::ranges::any_of(field.entries, is_short);
+  });
+}
+
+Program typeset(const CheckedModel& checked, const ClosedForms& forms, Program program) {
+  if (checked.model.approximation || checked.model.moving) return program;
+  if (std::ranges::none_of(forms.functions, has_short_entry)) return program;
+  Typesetting typesetting(checked, forms, program);
+  program.readable.resize(program.functions.size());
+  for (std::size_t i = 0; i < forms.functions.size(); ++i) {
+    Function read = typesetting.output(i);
+    if (!read.fields.empty()) program.readable[i] = std::move(read);
+  }
+  return program;
+}
+
+namespace {
+
+/// A function of the derivation with its summands added up, over the definitions of the derivation:
+/// read where there is no closed form.
+Function added_up(Program& program, Function function, bool is_velocity) {
+  Instructions instructions(function);
+  const auto zero = position_of(rational_constant(0), program.constants);
+  for (Field& field : function.fields) {
+    std::optional<std::uint32_t> total;
+    for (const std::uint32_t term : field.entries) {
+      if (loads_zero(program, function.instructions[term])) continue;
+      total = total ? instructions.add(Opcode::add, *total, term) : term;
+    }
+    field = {field.name, 1, 1, {total ? *total : instructions.add(Opcode::constant, zero)}};
+  }
+  const auto entry = [&function](std::size_t field) { return function.fields[field].entries[0]; };
+  if (is_velocity) {
+    const auto of = [&entry](BookLine line) { return entry(static_cast<std::size_t>(line)); };
+    const std::uint32_t inertia =
+        instructions.add(Opcode::subtract, of(BookLine::momentum_rate), of(BookLine::partial));
+    const std::uint32_t damping = of(BookLine::dissipation);
+    const bool is_damped = !loads_zero(program, function.instructions[damping]);
+    const std::uint32_t left =
+        is_damped ? instructions.add(Opcode::add, inertia, damping) : inertia;
+    function.fields.push_back({"left", 1, 1, {left}});
+  } else if (function.fields.size() == 2 && function.fields[1].name == "V") {
+    const std::uint32_t whole = instructions.add(Opcode::subtract, entry(0), entry(1));
+    function.fields.push_back({"L", 1, 1, {whole}});
+  }
+  return pruned(function);
+}
+
+}  // namespace
+
+Program typeset_steps(const CheckedModel& checked, const ClosedForms& forms, Program derived) {
+  Typesetting typesetting(checked, forms, derived);
+  const std::size_t count = derived.functions.size();
+  const std::size_t velocities = checked.model.velocities.size();
+  const std::size_t first = count - 1 - velocities;
+  for (std::size_t i = 0; i + 1 < first; ++i) derived.readable.push_back(typesetting.output(i));
+  derived.readable.push_back(typesetting.energies(first - 1));
+  for (std::size_t i = 0; i < velocities; ++i) {
+    derived.readable.push_back(typesetting.equation(first + i, static_cast<std::uint32_t>(i)));
+  }
+  derived.readable.push_back(typesetting.invariants(count - 1));
+  derived.readable.push_back(typesetting.accelerations(first));
+  for (std::size_t i = first - 1; i < count; ++i) {
+    derived.functions[i] =
+        added_up(derived, std::move(derived.functions[i]), i >= first && i + 1 < count);
+  }
+  Function unsolved = derived.readable.back();
+  if (unsolved.fields.empty()) unsolved.fields.resize(velocities, Field{"", 0, 1, {}});
+  derived.functions.push_back(std::move(unsolved));
+  return derived;
+}
+
+Function typeset_value(const Model& model, const FixedParameters& fixed, const Algebra& algebra,
+                       const Fraction& form, Program& program) {
+  Algebra own = algebra;
+  TypedForms typed = typed_forms(own, model, fixed);
+  for (TypedSum& sum : typed.sums) sum.definition.reset();
+  return written({}, [&](Function& result) {
+    Arranger arranger(own, typed);
+    BookWriter write(model, own, arranger, program, result);
+    result.fields = {Field{"", 1, 1, {write(arranger.by_motion(form))}}};
+  });
+}
+
+}  // namespace elgen

@@ -1,0 +1,51 @@
+// write: sums of products -> instructions that a reader's languages print in this very order.
+#pragma once
+
+#include <map>
+
+#include "elgen/program.hpp"
+#include "forms/typeset/arrange.hpp"
+#include "program/network/instructions.hpp"
+
+namespace elgen {
+
+/// Writes into a function of a program, whose constants grow. What the model names has that name
+/// among the names of the function.
+class BookWriter {
+ public:
+  BookWriter(const Model& model, const Algebra& algebra, Arranger& arranger, Program& program,
+             Function& function)
+      : model_(model),
+        algebra_(algebra),
+        arranger_(arranger),
+        program_(program),
+        function_(function),
+        instructions_(function) {}
+
+  [[nodiscard]] std::uint32_t operator()(const BookSum& sum);
+  /// An instruction of another function of the program, with what it needs.
+  [[nodiscard]] std::uint32_t copied(const Function& function, std::uint32_t instruction);
+  /// Names what divides two or more products of those written: Delta, or Delta_1, …
+  void name_shared_divisors();
+
+ private:
+  [[nodiscard]] std::uint32_t product(const BookProduct& product);
+  [[nodiscard]] std::uint32_t factor(const BookFactor& factor);
+  [[nodiscard]] std::uint32_t wave(FunctionId function, const Monomial& angle);
+  [[nodiscard]] std::uint32_t angle(const Monomial& parts);
+  [[nodiscard]] std::uint32_t atom(AtomId id);
+  [[nodiscard]] std::uint32_t new_atom(AtomId id);
+  [[nodiscard]] std::uint32_t number(const cln::cl_RA& value);
+
+  const Model& model_;
+  const Algebra& algebra_;
+  Arranger& arranger_;
+  Program& program_;
+  Function& function_;
+  Instructions instructions_;
+  std::map<AtomId, std::uint32_t> atoms_ = {};                   ///< written before: arguments nest
+  std::map<Monomial, std::uint32_t, MonomialLess> angles_ = {};  ///< likewise
+  std::map<std::uint32_t, std::size_t> divisors_ = {};  ///< sums, and how often each divides
+};
+
+}  // namespace elgen

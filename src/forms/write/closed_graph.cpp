@@ -1,0 +1,272 @@
+// closed_graph: see closed_graph.hpp. A factor of the whole numerator that stands in a denominator
+// too (sqrt(r)/r^2) is written as one power.
+#include "forms/write/closed_graph.hpp"
+
+#include <algorithm>
+
+#include "forms/present/polynomial.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_RA;
+
+/// Thrown where a sum has more terms than it may.
+struct TooLong {};
+
+class ClosedGraph {
+ public:
+  ClosedGraph(Graph& graph, const Algebra& algebra, Layout layout, std::size_t most)
+      : graph_(graph), algebra_(algebra), layout_(layout), most_(most) {}
+
+  Ref fraction(const Fraction& form) {
+    std::vector<Ref> parts;
+    for (const Fraction& part : by_roots(algebra_, form)) parts.push_back(part_of_fraction(part));
+    return graph_.sum(parts);
+  }
+
+ private:
+  Ref part_of_fraction(Fraction form) {
+    std::vector<Power> factors;
+    take_root(form, factors);
+    take_divisors(form, factors);
+    factors.push_back({sum(form.numerator), 1});
+    for (const auto& [factor, exponent] : form.denominator) {
+      factors.push_back({sum(algebra_.factors[factor].shown), -exponent});
+    }
+    return graph_.product(factors);
+  }
+
+  /// A divisor of two or more terms divides the whole sum: x/l + y/l^2 = (x l + y)/l^2.
+  void take_divisors(Fraction& form, std::vector<Power>& factors) {
+    struct Divisor {
+      std::int32_t exponent = 0;
+      std::size_t terms = 0;
+    };
+    std::map<AtomId, Divisor> divisors;
+    for (const auto& [monomial, coefficient] : form.numerator) {
+      for (const AtomPower& power : monomial) {
+        if (power.exponent > 0 || is_exponential(power.atom)) continue;
+        Divisor& divisor = divisors[power.atom];
+        divisor.exponent = std::min(divisor.exponent, power.exponent);
+        ++divisor.terms;
+      }
+    }
+    Monomial taken;
+    for (const auto& [id, divisor] : divisors) {
+      if (divisor.terms < 2) continue;
+      taken.push_back({id, -divisor.exponent});
+      factors.push_back({atom(id), divisor.exponent});
+    }
+    if (!taken.empty()) form.numerator = scaled(form.numerator, {1, 0}, taken);
+  }
+
+  [[nodiscard]] bool is_exponential(AtomId id) const {
+    return algebra_.atoms[id].kind == AtomKind::circular;
+  }
+
+  /// n sqrt(r) / r^k -> n sqrt(r)^-1 / r^(k-1)
+  void take_root(Fraction& form, std::vector<Power>& factors) {
+    for (auto& [factor, exponent] : form.denominator) {
+      const std::optional<AtomId> root = root_of(algebra_.factors[factor].shown);
+      if (!root || exponent == 0 || !divides(*root, form.numerator)) continue;
+      form.numerator = scaled(form.numerator, {1, 0}, Monomial{{*root, -1}});
+      --exponent;
+      const Ref radicand = arguments_of(*root)[0];
+      factors.push_back({graph_.square_root(radicand), -1});
+    }
+    std::erase_if(form.denominator, [](const auto& factor) { return factor.second == 0; });
+  }
+
+  [[nodiscard]] std::optional<AtomId> root_of(const Polynomial& radicand) const {
+    for (AtomId id = 0; id < algebra_.atoms.size(); ++id) {
+      const Atom& atom = algebra_.atoms[id];
+      if (atom.kind != AtomKind::root || !atom.arguments[0].denominator.empty()) continue;
+      const Polynomial difference =
+          elgen::sum(radicand, scaled(atom.arguments[0].numerator, {-1, 0}));
+      if (difference.empty()) return id;
+    }
+    return std::nullopt;
+  }
+
+  static bool divides(AtomId atom, const Polynomial& sum) {
+    return std::all_of(sum.begin(), sum.end(), [&](const auto& term) {
+      return std::any_of(term.first.begin(), term.first.end(), [&](const AtomPower& power) {
+        return power.atom == atom && power.exponent > 0;
+      });
+    });
+  }
+
+  /// The factors of one term, from what it is grouped by to what is left.
+  struct Factors {
+    std::vector<Power> rates = {};
+    std::vector<Power> coordinates = {};
+    std::vector<Power> rest = {};
+  };
+
+  /// The terms of a sum, each part that multiplies one product of rates in its own way.
+  [[nodiscard]] std::vector<RealTerm> terms_of(const Polynomial& polynomial) const {
+    if (layout_.trigonometry) {
+      return unless_too_long(real_terms(algebra_, polynomial, *layout_.trigonometry, most_));
+    }
+    std::map<Monomial, Polynomial, MonomialLess> by_rates;
+    for (const auto& [monomial, coefficient] : polynomial) {
+      Monomial rates;
+      for (const AtomPower& power : monomial) {
+        if (is_rate(algebra_.atoms[power.atom])) rates.push_back(power);
+      }
+      by_rates[rates].emplace(monomial, coefficient);
+    }
+    std::vector<RealTerm> all;
+    for (const auto& [rates, part] : by_rates) {
+      const auto terms = unless_too_long(shortest_terms(algebra_, part, most_));
+      if (all.size() + terms.size() > most_) throw TooLong();
+      all.insert(all.end(), terms.begin(), terms.end());
+    }
+    return all;
+  }
+
+  static std::vector<RealTerm> unless_too_long(std::optional<std::vector<RealTerm>> terms) {
+    if (!terms) throw TooLong();
+    return std::move(*terms);
+  }
+
+  Ref sum(const Polynomial& polynomial) {
+    std::vector<Factors> factors;
+    for (const RealTerm& term : terms_of(polynomial)) factors.push_back(factors_of(term));
+    if (layout_.grouping == Grouping::none) return sum_of_products(factors);
+    return sum_of_groups(factors, &Factors::rates);
+  }
+
+  Ref sum_of_products(const std::vector<Factors>& terms) {
+    std::vector<Ref> refs;
+    for (const Factors& term : terms) {
+      std::vector<Power> all = term.rest;
+      all.insert(all.end(), term.coordinates.begin(), term.coordinates.end());
+      all.insert(all.end(), term.rates.begin(), term.rates.end());
+      refs.push_back(graph_.product(all));
+    }
+    return graph_.sum(refs);
+  }
+
+  /// One product per group: what its terms share, times the sum of what is left of them.
+  Ref sum_of_groups(const std::vector<Factors>& terms, std::vector<Power> Factors::*key) {
+    using Group = std::pair<Ref, std::vector<Factors>>;
+    std::vector<Group> groups;
+    for (Factors term : terms) {
+      const Ref shared = graph_.product(term.*key);
+      (term.*key).clear();
+      auto known = std::ranges::find(groups, shared, &Group::first);
+      if (known == groups.end()) known = groups.insert(known, Group{shared, {}});
+      known->second.push_back(std::move(term));
+    }
+    const bool is_split_again =
+        key == &Factors::rates && layout_.grouping == Grouping::by_rates_and_coordinates;
+    std::vector<Ref> refs;
+    for (const auto& [shared, members] : groups) {
+      const Ref rest =
+          is_split_again ? sum_of_groups(members, &Factors::coordinates) : sum_of_products(members);
+      refs.push_back(graph_.product({{shared, 1}, {rest, 1}}));
+    }
+    return graph_.sum(refs);
+  }
+
+  Factors factors_of(const RealTerm& term) {
+    Factors factors;
+    factors.rest.push_back({graph_.rational(term.coefficient), 1});
+    for (const AtomPower& power : term.powers) {
+      const Atom& atom = algebra_.atoms[power.atom];
+      auto& part = is_rate(atom)        ? factors.rates
+                   : is_parameter(atom) ? factors.rest
+                                        : factors.coordinates;
+      part.push_back({this->atom(power.atom), power.exponent});
+    }
+    for (const CircularPower& power : term.circular) {
+      const Ref value = angle(power.angle);
+      const Ref cosine = graph_.call(FunctionId::cos, {value});
+      const Ref sine = graph_.call(FunctionId::sin, {value});
+      if (power.cosine != 0) factors.coordinates.push_back({cosine, power.cosine});
+      if (power.sine != 0) factors.coordinates.push_back({sine, power.sine});
+    }
+    return factors;
+  }
+
+  Ref angle(const Monomial& parts) {
+    std::vector<Ref> terms;
+    for (const AtomPower& part : parts) {
+      const Atom& atom = algebra_.atoms[part.atom];
+      const Ref argument = arguments_of(part.atom)[0];
+      const Ref multiple = graph_.rational(cl_RA(part.exponent) / atom.divisor);
+      terms.push_back(graph_.product({{multiple, 1}, {argument, 1}}));
+    }
+    return graph_.sum(terms);
+  }
+
+  Ref atom(AtomId id) {
+    const Atom& atom = algebra_.atoms[id];
+    if (atom.kind == AtomKind::leaf) return graph_.leaf(atom.leaf, atom.index);
+    if (atom.kind == AtomKind::pi) return graph_.pi();
+    const std::vector<Ref>& arguments = arguments_of(id);
+    if (atom.kind == AtomKind::root) return graph_.square_root(arguments[0]);
+    return graph_.call(atom.function, arguments);
+  }
+
+  /// Made once: arguments nest, and each is made of several atoms.
+  const std::vector<Ref>& arguments_of(AtomId id) {
+    const auto known = arguments_.find(id);
+    if (known != arguments_.end()) return known->second;
+    std::vector<Ref> arguments;
+    for (const Fraction& argument : algebra_.atoms[id].arguments) {
+      arguments.push_back(fraction(argument));
+    }
+    return arguments_.emplace(id, std::move(arguments)).first->second;
+  }
+
+  Graph& graph_;
+  const Algebra& algebra_;
+  Layout layout_;
+  std::size_t most_;
+  std::map<AtomId, std::vector<Ref>> arguments_ = {};
+};
+
+}  // namespace
+
+std::vector<Fraction> by_roots(const Algebra& algebra, const Fraction& form) {
+  std::map<Monomial, Fraction, MonomialLess> parts;
+  for (const auto& [monomial, coefficient] : form.numerator) {
+    Monomial roots;
+    for (const AtomPower& power : monomial) {
+      if (algebra.atoms[power.atom].kind == AtomKind::root) roots.push_back(power);
+    }
+    parts[roots].numerator.emplace(monomial, coefficient);
+  }
+  std::vector<Fraction> result;
+  for (auto& [roots, part] : parts) {
+    std::size_t work = 100'000;
+    part.denominator = form.denominator;
+    if (parts.size() > 1) divide_out(part, algebra, work);
+    result.push_back(std::move(part));
+  }
+  return result;
+}
+
+bool is_rate(const Atom& atom) {
+  constexpr LeafSet others = Opcode::parameter | Opcode::coordinate | Opcode::time;
+  return atom.kind == AtomKind::leaf && !others.has_any(atom.leaf);
+}
+
+bool is_parameter(const Atom& atom) {
+  return atom.kind == AtomKind::pi ||
+         (atom.kind == AtomKind::leaf && atom.leaf == Opcode::parameter);
+}
+
+std::optional<Ref> closed_graph(Graph& graph, const Algebra& algebra, const Fraction& form,
+                                Layout layout, std::size_t most) {
+  try {
+    return ClosedGraph(graph, algebra, layout, most).fraction(form);
+  } catch (const TooLong&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace elgen

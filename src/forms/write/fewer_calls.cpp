@@ -1,0 +1,82 @@
+// fewer_calls: calls that are made of others of the same argument.
+#include <algorithm>
+#include <set>
+
+#include "forms/write/graph_terms.hpp"
+#include "forms/write/kept_digits.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_RA;
+
+bool is_call_of(const Node& node, FunctionId function) {
+  return node.kind == NodeKind::call && node.function == function;
+}
+
+/// Whether a call has one beside it that it may be made of.
+class Replaceable {
+ public:
+  explicit Replaceable(const Expressions& expressions)
+      : graph_(expressions.graph), nodes_(reachable(graph_, expressions.values)) {}
+
+  [[nodiscard]] std::set<NodeId> calls() {
+    std::set<NodeId> found;
+    for (const NodeId id : nodes_) {
+      const Node node = graph_.node(id);
+      const bool is_circular_call = node.kind == NodeKind::call && is_circular(node.function);
+      if (!is_circular_call && !is_call_of(node, FunctionId::exp)) continue;
+      Ref argument = argument_of(node);
+      if (is_circular_call) {
+        argument = graph_.product({{graph_.rational(cl_RA(1) / 2), 1}, {argument, 1}});
+      }
+      if (has_call(is_circular_call ? FunctionId::sin : FunctionId::expm1, argument)) {
+        found.insert(id);
+      }
+    }
+    return found;
+  }
+
+ private:
+  /// Sines have no sign in their arguments.
+  [[nodiscard]] bool has_call(FunctionId function, Ref argument) const {
+    return std::ranges::any_of(nodes_, [&](NodeId id) {
+      const Node& node = graph_.node(id);
+      if (!is_call_of(node, function)) return false;
+      const Ref other = argument_of(node);
+      return function == FunctionId::sin ? other.node == argument.node : other == argument;
+    });
+  }
+
+  Graph graph_;
+  std::vector<NodeId> nodes_;
+};
+
+Ref with_shared_call(Graph& graph, FunctionId function, Ref argument) {
+  const Ref one = graph.rational(1);
+  if (function == FunctionId::exp) {
+    return graph.sum({one, graph.call(FunctionId::expm1, {argument})});
+  }
+  const Ref half = graph.product({{graph.rational(cl_RA(1) / 2), 1}, {argument, 1}});
+  const Ref sine = graph.call(FunctionId::sin, {half});
+  const Ref two = graph.rational(2);
+  if (function == FunctionId::cos) return graph.sum({one, -graph.product({{two, 1}, {sine, 2}})});
+  return graph.product({{two, 1}, {sine, 1}, {graph.call(FunctionId::cos, {half}), 1}});
+}
+
+}  // namespace
+
+std::optional<Expressions> with_fewer_calls(const Expressions& expressions) {
+  const std::set<NodeId> calls = Replaceable(expressions).calls();
+  if (calls.empty()) return std::nullopt;
+  const auto rule = [&calls](Graph& graph, const RebuildStep& step) {
+    if (!calls.contains(step.old_node)) return copy(graph, step);
+    const Node& node = step.old_graph.node(step.old_node);
+    const Operand& argument = node.operands[0];
+    const Ref renewed = with_sign(step.renewed[argument.node], argument.weight < 0);
+    return with_shared_call(graph, node.function, renewed);
+  };
+  return rebuild(expressions, rule);
+}
+
+}  // namespace elgen

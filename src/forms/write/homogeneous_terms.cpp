@@ -1,0 +1,150 @@
+// homogeneous_terms: the terms of a polynomial by what multiplies them, and then by their angles.
+#include "forms/write/homogeneous_terms.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "forms/present/polynomial.hpp"
+
+namespace elgen {
+namespace {
+
+/// Sums of a higher degree are longer than people read, and gain nothing.
+constexpr std::int32_t highest_degree = 8;
+
+/// Multiple of a direction -> coefficient of its exponential; of each conjugate pair the one with
+/// the positive multiple.
+using Multiples = std::map<std::int32_t, Gaussian>;
+
+/// The factor of one product of other atoms.
+struct Factor {
+  cln::cl_RA constant = 0;
+  std::map<Monomial, Multiples, MonomialLess> directions = {};
+};
+
+using Factors = std::map<Monomial, Factor, MonomialLess>;
+
+Factors factors_of(const Algebra& algebra, const Polynomial& sum) {
+  Factors factors;
+  for (const auto& [monomial, coefficient] : sum) {
+    const auto [powers, angle] = split(algebra, monomial);
+    Factor& factor = factors[powers];
+    if (angle.empty()) {
+      factor.constant = coefficient.real;
+    } else if (angle.front().exponent > 0) {
+      factor.directions[direction(angle)][common_divisor(angle)] = coefficient;
+    }
+  }
+  // A constant goes with the only angle there is.
+  for (auto& [powers, factor] : factors) {
+    if (factor.directions.size() != 1 || cln::zerop(factor.constant)) continue;
+    factor.directions.begin()->second[0] = {factor.constant / 2, 0};
+    factor.constant = 0;
+  }
+  return factors;
+}
+
+/// The angle whose multiples these are, all even or all odd; 0 where there is none.
+std::int32_t base_of(const Multiples& multiples) {
+  std::int32_t base = whole_angle;
+  for (const auto& [multiple, coefficient] : multiples) base = std::gcd(base, multiple);
+  const auto is_odd = [&base](const auto& term) { return (term.first / base) % 2 != 0; };
+  const auto odd = std::ranges::count_if(multiples, is_odd);
+  if (odd == 0 || static_cast<std::size_t>(odd) == multiples.size()) return base;
+  return base % 2 == 0 ? base / 2 : 0;
+}
+
+/// 2 Re sum(coefficient e^(i multiple)), homogeneous in the cosine and the sine of the base.
+TwoPowers homogeneous(const Multiples& multiples, std::int32_t base) {
+  const std::int32_t degree = multiples.rbegin()->first / base;
+  TwoPowers result;
+  for (const auto& [multiple, coefficient] : multiples) {
+    TwoPowers power{{{0, 0}, coefficient}};
+    for (std::int32_t k = 0; k < (degree + multiple / base) / 2; ++k) {
+      power = times_exponential(power, 1);
+    }
+    for (std::int32_t k = 0; k < (degree - multiple / base) / 2; ++k) {
+      power = times_exponential(power, -1);
+    }
+    for (const auto& [powers, value] : power) {
+      if (!cln::zerop(value.real)) add_term(result, powers, {value.real * 2, 0});
+    }
+  }
+  return result;
+}
+
+/// coefficient sin(angle), or cos(angle).
+struct Wave {
+  Monomial angle = {};
+  cln::cl_RA coefficient = 0;
+  bool is_sine = false;
+};
+
+/// The only wave of a direction.
+std::optional<Wave> wave_of(const Monomial& direction, const Multiples& multiples) {
+  if (multiples.size() != 1) return std::nullopt;
+  const auto& [multiple, coefficient] = *multiples.begin();
+  const bool is_sine = cln::zerop(coefficient.real);
+  if (!is_sine && !cln::zerop(coefficient.imaginary)) return std::nullopt;
+  return Wave{power(direction, multiple),
+              is_sine ? coefficient.imaginary * -2 : coefficient.real * 2, is_sine};
+}
+
+/// (x + y)/2 or (x - y)/2; none where that is no multiple of what angles are counted in.
+std::optional<Monomial> half(const Monomial& x, const Monomial& y, std::int32_t sign) {
+  Monomial sum = product(x, power(y, sign));
+  for (AtomPower& part : sum) {
+    if (part.exponent % 2 != 0) return std::nullopt;
+    part.exponent /= 2;
+  }
+  return sum;
+}
+
+/// sin x + sin y = 2 sin((x + y)/2) cos((x - y)/2), and so on: two waves that may cancel as one
+/// product.
+std::optional<RealTerm> product_of_waves(const Monomial& powers, const Factor& factor) {
+  if (factor.directions.size() != 2 || !cln::zerop(factor.constant)) return std::nullopt;
+  const auto x = wave_of(factor.directions.begin()->first, factor.directions.begin()->second);
+  const auto y = wave_of(factor.directions.rbegin()->first, factor.directions.rbegin()->second);
+  if (!x || !y || x->is_sine != y->is_sine) return std::nullopt;
+  const bool is_difference = x->coefficient == -y->coefficient;
+  if (!is_difference && x->coefficient != y->coefficient) return std::nullopt;
+  const auto sum = half(x->angle, y->angle, 1);
+  const auto difference = half(x->angle, y->angle, -1);
+  if (!sum || !difference) return std::nullopt;
+  const bool has_sine_of_sum = x->is_sine != is_difference;
+  const bool has_sine_of_difference = is_difference;
+  const bool is_negative = !x->is_sine && is_difference;
+  const auto wave = [](const Monomial& angle, bool is_sine) {
+    return CircularPower{angle, is_sine ? 0 : 1, is_sine ? 1 : 0};
+  };
+  return RealTerm{x->coefficient * (is_negative ? -2 : 2),
+                  powers,
+                  {wave(*sum, has_sine_of_sum), wave(*difference, has_sine_of_difference)}};
+}
+
+}  // namespace
+
+std::optional<std::vector<RealTerm>> homogeneous_terms(const Algebra& algebra,
+                                                       const Polynomial& sum, std::size_t most) {
+  std::vector<RealTerm> terms;
+  for (const auto& [powers, factor] : factors_of(algebra, sum)) {
+    if (const auto product = product_of_waves(powers, factor)) {
+      terms.push_back(*product);
+      continue;
+    }
+    if (!cln::zerop(factor.constant)) terms.push_back({factor.constant, powers, {}});
+    for (const auto& [direction, multiples] : factor.directions) {
+      const std::int32_t base = base_of(multiples);
+      if (base == 0 || multiples.rbegin()->first / base > highest_degree) return std::nullopt;
+      const Monomial angle = power(direction, base);
+      for (const auto& [exponents, value] : homogeneous(multiples, base)) {
+        terms.push_back({value.real, powers, {{angle, exponents.first, exponents.second}}});
+      }
+    }
+    if (terms.size() > most) return std::nullopt;
+  }
+  return terms;
+}
+
+}  // namespace elgen

@@ -1,0 +1,176 @@
+// readable: see readable.hpp. Two ways that are compared are one function of two entries, so that
+// what they share, sines above all, is evaluated once.
+#include "forms/write/readable.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "forms/write/ways.hpp"
+#include "numbers/random.hpp"
+#include "program/graph/angle_sums.hpp"
+#include "program/graph/flatten.hpp"
+#include "program/graph/from_program.hpp"
+#include "program/graph/prune.hpp"
+#include "program/network/linearise.hpp"
+
+namespace elgen {
+namespace {
+
+/// Of three terms that are drawn alike each outweighs the others in a third of all points: that
+/// none of 12 wide points shows it happens in one of 130 cases.
+constexpr std::size_t point_count = 16;
+constexpr int widest = 26;
+
+Arguments<double> point(const LeafNames& leaves, int lowest, int highest, Random& random) {
+  Arguments<double> result =
+      draw_leaves(leaves, [&] { return random.log_uniform(lowest, highest); });
+  for (double& value : result.parameters) value = std::abs(value);
+  return result;
+}
+
+using NodeSet = std::set<NodeId>;
+
+/// Of every angle that is rounded before its sine or cosine is taken, the leaves in it: x - y and
+/// 2 x - 2 y are rounded alike.
+std::set<NodeSet> rounded_angles(const Graph& graph, Ref value) {
+  std::set<NodeSet> angles;
+  for (const NodeId id : reachable(graph, {value})) {
+    const Node& node = graph.node(id);
+    const bool is_wave = node.kind == NodeKind::call && is_circular(node.function);
+    if (!is_wave || is_exact_multiple(graph, node.operands[0].node)) continue;
+    NodeSet leaves;
+    for (const NodeId part : reachable(graph, {{node.operands[0].node, false}})) {
+      if (graph.node(part).kind == NodeKind::leaf) leaves.insert(part);
+    }
+    if (!leaves.empty()) angles.insert(std::move(leaves));
+  }
+  return angles;
+}
+
+/// Whether `way` takes sines of sums that the reference has taken apart: q1 - q2 is rounded, q1 and
+/// q2 are not. Few points show it, where all else is small and the angles are large.
+bool rounds_more_angles(const Expressions& way, const Expressions& reference) {
+  Graph both;
+  const Ref own = copied(both, way);
+  const Ref known = copied(both, reference);
+  const auto known_angles = rounded_angles(both, known);
+  const auto is_known = [&known_angles](const NodeSet& angle) {
+    return std::any_of(known_angles.begin(), known_angles.end(), [&angle](const NodeSet& other) {
+      return std::includes(other.begin(), other.end(), angle.begin(), angle.end());
+    });
+  };
+  const auto own_angles = rounded_angles(both, own);
+  return !std::all_of(own_angles.begin(), own_angles.end(), is_known);
+}
+
+/// The error that may take the place of x's.
+Real admitted_error(const Running& x) {
+  static const Real recounted(3);
+  static const Real always(8);
+  return max(x.error * recounted, abs(x.value) * always);
+}
+
+/// Two ways as one function of two entries, with its constants.
+struct BothWays {
+  Program program = {};
+  Function function = {};
+};
+
+BothWays both_ways(const Expressions& way, const Expressions& reference) {
+  Expressions both;
+  both.values = {copied(both.graph, way), copied(both.graph, reference)};
+  BothWays result;
+  result.function.fields = {Field{"", 1, 2, {0, 1}}};
+  linearise(make_network(both), result.program, result.function);
+  return result;
+}
+
+/// Written out over the leaves, an entry as derived may have this many operations. Longer ones are
+/// never the shortest way: 1000 gives the same pages for models/; 20 makes some longer.
+constexpr std::size_t longest_derived = 60;
+
+std::size_t shortest_weighted(const std::vector<Collected>& ways) {
+  const auto shorter = [](const Collected& x, const Collected& y) {
+    return x.weighted_length < y.weighted_length;
+  };
+  return static_cast<std::size_t>(
+      std::distance(ways.begin(), std::min_element(ways.begin(), ways.end(), shorter)));
+}
+
+/// The shortest of those that are as precise as `judge`, by whose B the code is judged.
+std::size_t shortest_precise(const std::vector<Collected>& ways, std::size_t judge,
+                             const MixedPoints& points) {
+  std::vector<std::size_t> order(ways.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t x, std::size_t y) { return ways[x].length < ways[y].length; });
+  return *std::find_if(order.begin(), order.end(), [&](std::size_t way) {
+    return ways[way].terms == ways[judge].terms ||
+           is_as_precise(ways[way].expressions, ways[judge].expressions, points, Leaves::exact);
+  });
+}
+
+}  // namespace
+
+MixedPoints mixed_points(const LeafNames& leaves) {
+  Random random(1);
+  MixedPoints points;
+  for (std::size_t i = 0; i < point_count; ++i) {
+    const bool is_ordinary = i % 4 == 0;
+    points.push_back(is_ordinary ? point(leaves, -3, 0, random)
+                                 : point(leaves, -widest, widest, random));
+  }
+  return points;
+}
+
+bool is_as_precise(const Expressions& way, const Expressions& reference, const MixedPoints& points,
+                   Leaves leaves) {
+  if (leaves == Leaves::exact && rounds_more_angles(way, reference)) return false;
+  const BothWays both = both_ways(way, reference);
+  bool is_compared = false;
+  for (const Arguments<double>& point : points) {
+    const std::vector<Running> entries =
+        entries_of(both.function, fold<Running>(RunningErrorRules{running_leaves(point, leaves)},
+                                                both.program, both.function));
+    const Real& own = entries[0].error;
+    const Real admitted = admitted_error(entries[1]);
+    if (!admitted.is_defined()) continue;
+    if (!own.is_defined() || own.value() > admitted.value()) return false;
+    is_compared = true;
+  }
+  return is_compared;
+}
+
+std::optional<ReadableForm> shortest(const Algebra& algebra, const Fraction& form,
+                                     const Expressions* derived, const MixedPoints& points) {
+  std::vector<Collected> ways = collected_ways(algebra, form);
+  if (ways.empty() && derived == nullptr) return std::nullopt;
+  std::size_t readable = ways.empty() ? 0 : shortest_weighted(ways);
+  if (derived != nullptr) {
+    ways.push_back(derived_way(*derived));
+    const std::size_t last = ways.size() - 1;
+    const bool is_shorter = ways[last].weighted_length < ways[readable].weighted_length;
+    if (is_shorter && is_as_precise(ways[last].expressions, ways[readable].expressions, points,
+                                    Leaves::rounded)) {
+      readable = last;
+    }
+  }
+  const std::size_t compact = shortest_precise(ways, readable, points);
+  return ReadableForm{ways[readable].expressions, ways[compact].expressions, ways[readable].length};
+}
+
+std::optional<DerivedEntry> as_derived(const Program& program, const Function& function,
+                                       std::uint32_t entry) {
+  const std::vector<bool> needed = needed_for(function, {entry});
+  if (static_cast<std::size_t>(std::count(needed.begin(), needed.end(), true)) > longest_derived) {
+    return std::nullopt;
+  }
+  DerivedEntry derived{from_program(program, function, {entry}), {}};
+  derived.written_out = flatten(derived.as_it_stands, Flattened::all_products);
+  if (written_length(derived.written_out) > longest_derived) return std::nullopt;
+  return derived;
+}
+
+}  // namespace elgen

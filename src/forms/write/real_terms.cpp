@@ -1,0 +1,281 @@
+// real_terms: see real_terms.hpp. (cos + i sin)^k is multiplied out and reduced by sin^2 + cos^2 =
+// 1 in the direction asked for; of each conjugate pair of exponentials one is visited.
+#include "forms/write/real_terms.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "forms/present/polynomial.hpp"
+#include "forms/write/homogeneous_terms.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_RA;
+
+bool precedes(const CircularPower& x, const CircularPower& y) {
+  const MonomialLess less;
+  if (less(y.angle, x.angle)) return true;
+  if (less(x.angle, y.angle)) return false;
+  return std::tie(x.cosine, x.sine) < std::tie(y.cosine, y.sine);
+}
+
+struct CircularLess {
+  bool operator()(const std::vector<CircularPower>& x, const std::vector<CircularPower>& y) const {
+    return std::lexicographical_compare(x.begin(), x.end(), y.begin(), y.end(), precedes);
+  }
+};
+
+/// A sum of products of sines and cosines.
+using CircularSum = std::map<std::vector<CircularPower>, Gaussian, CircularLess>;
+
+/// One step of sin^2 = 1 - cos^2, or cos^2 = 1 - sin^2.
+TwoPowers reduced(const TwoPowers& sum, bool by_sines) {
+  TwoPowers result;
+  for (const auto& [powers, value] : sum) {
+    const auto [cosine, sine] = powers;
+    const Gaussian opposite{-value.real, -value.imaginary};
+    if (by_sines && cosine >= 2) {
+      add_term(result, {cosine - 2, sine}, value);
+      add_term(result, {cosine - 2, sine + 2}, opposite);
+    } else if (!by_sines && sine >= 2) {
+      add_term(result, {cosine, sine - 2}, value);
+      add_term(result, {cosine + 2, sine - 2}, opposite);
+    } else {
+      add_term(result, powers, value);
+    }
+  }
+  return result;
+}
+
+/// (cos + i sin)^multiple
+TwoPowers power_of_exponential(std::int32_t multiple, bool by_sines) {
+  TwoPowers result{{{0, 0}, Gaussian{1, 0}}};
+  for (std::int32_t k = 0; k < std::abs(multiple); ++k) {
+    result = reduced(times_exponential(result, multiple < 0 ? -1 : 1), by_sines);
+  }
+  return result;
+}
+
+/// Products of sines and cosines that the terms of one sum are multiplied out to, for each that may
+/// be left: k unit angles in one exponential make 2^k, of which almost all cancel again.
+constexpr std::size_t work_per_term = 64;
+
+/// cos(24 x) is a sum of 13 powers: longer by far than the call, and the work grows with the cube.
+constexpr std::int32_t most_powers = 24;
+
+class RealTerms {
+ public:
+  RealTerms(const Algebra& algebra, const Polynomial& sum, Trigonometry trigonometry)
+      : algebra_(algebra), trigonometry_(trigonometry) {
+    by_sines_ = trigonometry == Trigonometry::directions_by_sines ||
+                trigonometry == Trigonometry::units_by_sines;
+    for (const auto& [monomial, coefficient] : sum) note_angle(split(algebra, monomial).angle);
+  }
+
+  /// The highest power that the angle's sines and cosines would be expanded to.
+  [[nodiscard]] std::int32_t highest_power(const Monomial& monomial) const {
+    const Monomial angle = split(algebra_, monomial).angle;
+    if (angle.empty() || trigonometry_ == Trigonometry::multiple_angles) return 0;
+    if (!by_units()) return common_divisor(angle) / base_of_direction_.at(direction(angle));
+    std::int32_t highest = 0;
+    for (const AtomPower& part : angle) {
+      highest = std::max(highest, std::abs(part.exponent) / base_of_unit_.at(part.atom));
+    }
+    return highest;
+  }
+
+  void add(const Monomial& monomial, const Gaussian& coefficient) {
+    const auto [powers, angle] = split(algebra_, monomial);
+    if (!angle.empty() && angle.front().exponent < 0) return;  // its conjugate says the same
+    CircularSum& sum = sums_[powers];
+    if (angle.empty()) return add_term(sum, {}, {coefficient.real, 0});
+    if (trigonometry_ == Trigonometry::multiple_angles) {
+      add_real(sum, {{angle, 1, 0}}, coefficient.real * 2);
+      return add_real(sum, {{angle, 0, 1}}, coefficient.imaginary * -2);
+    }
+    const CircularSum products = expanded(angle);
+    work_ += products.size();
+    for (const auto& [circular, value] : products) {
+      add_real(sum, circular, product(value, coefficient).real * 2);
+    }
+  }
+
+  /// Products that were added so far.
+  [[nodiscard]] std::size_t work() const { return work_; }
+
+  [[nodiscard]] std::size_t size() const {
+    std::size_t count = 0;
+    for (const auto& [powers, sum] : sums_) count += sum.size();
+    return count;
+  }
+
+  [[nodiscard]] std::vector<RealTerm> take() const {
+    std::vector<RealTerm> terms;
+    for (const auto& [powers, sum] : sums_) {
+      for (const auto& [circular, value] : sum) terms.push_back({value.real, powers, circular});
+    }
+    return terms;
+  }
+
+ private:
+  [[nodiscard]] bool by_units() const {
+    return trigonometry_ == Trigonometry::units_by_cosines ||
+           trigonometry_ == Trigonometry::units_by_sines;
+  }
+
+  static void add_real(CircularSum& sum, const std::vector<CircularPower>& powers,
+                       const cl_RA& value) {
+    if (!cln::zerop(value)) add_term(sum, powers, {value, 0});
+  }
+
+  /// The angle of which all multiples of a direction, or of a unit, are multiples: at most the
+  /// angle itself.
+  void note_angle(const Monomial& angle) {
+    if (angle.empty()) return;
+    for (const AtomPower& part : angle) {
+      std::int32_t& base = base_of_unit_.try_emplace(part.atom, whole_angle).first->second;
+      base = std::gcd(base, part.exponent);
+    }
+    const std::int32_t multiple = common_divisor(angle);
+    std::int32_t& base =
+        base_of_direction_.try_emplace(direction(angle), whole_angle).first->second;
+    base = std::gcd(base, multiple);
+  }
+
+  [[nodiscard]] CircularSum expanded(const Monomial& angle) const {
+    if (!by_units()) {
+      const Monomial along = direction(angle);
+      const std::int32_t base = base_of_direction_.at(along);
+      return factor(power(along, base), common_divisor(angle) / base);
+    }
+    CircularSum result{{{}, Gaussian{1, 0}}};
+    for (const AtomPower& part : angle) {
+      const std::int32_t base = base_of_unit_.at(part.atom);
+      CircularSum next;
+      for (const auto& [more, b] : factor({{part.atom, base}}, part.exponent / base)) {
+        for (const auto& [own, a] : result) {
+          std::vector<CircularPower> powers = own;
+          powers.insert(powers.end(), more.begin(), more.end());
+          add_term(next, powers, product(a, b));
+        }
+      }
+      result = std::move(next);
+    }
+    return result;
+  }
+
+  [[nodiscard]] CircularSum factor(const Monomial& angle, std::int32_t multiple) const {
+    CircularSum result;
+    for (const auto& [powers, value] : power_of_exponential(multiple, by_sines_)) {
+      const bool is_one = powers.first == 0 && powers.second == 0;
+      add_term(result,
+               is_one ? std::vector<CircularPower>()
+                      : std::vector<CircularPower>{{angle, powers.first, powers.second}},
+               value);
+    }
+    return result;
+  }
+
+  const Algebra& algebra_;
+  Trigonometry trigonometry_;
+  bool by_sines_ = false;
+  std::size_t work_ = 0;
+  std::map<AtomId, std::int32_t> base_of_unit_;
+  std::map<Monomial, std::int32_t, MonomialLess> base_of_direction_;
+  std::map<Monomial, CircularSum, MonomialLess> sums_;
+};
+
+}  // namespace
+
+SplitMonomial split(const Algebra& algebra, const Monomial& monomial) {
+  SplitMonomial result;
+  for (const AtomPower& factor : monomial) {
+    const bool is_circular = algebra.atoms[factor.atom].kind == AtomKind::circular;
+    (is_circular ? result.angle : result.powers).push_back(factor);
+  }
+  return result;
+}
+
+std::int32_t common_divisor(const Monomial& angle) {
+  std::int32_t result = 0;
+  for (const AtomPower& part : angle) result = std::gcd(result, part.exponent);
+  return result;
+}
+
+Monomial direction(const Monomial& angle) {
+  const std::int32_t divisor = common_divisor(angle);
+  Monomial result = angle;
+  for (AtomPower& part : result) part.exponent /= angle.front().exponent < 0 ? -divisor : divisor;
+  return result;
+}
+
+TwoPowers times_exponential(const TwoPowers& x, int sign) {
+  const Gaussian i{0, sign};
+  TwoPowers result;
+  for (const auto& [powers, value] : x) {
+    add_term(result, {powers.first + 1, powers.second}, value);
+    add_term(result, {powers.first, powers.second + 1}, product(value, i));
+  }
+  return result;
+}
+
+std::optional<std::vector<RealTerm>> real_terms(const Algebra& algebra, const Polynomial& sum,
+                                                Trigonometry trigonometry, std::size_t most) {
+  if (trigonometry == Trigonometry::homogeneous) return homogeneous_terms(algebra, sum, most);
+  RealTerms terms(algebra, sum, trigonometry);
+  for (const auto& [monomial, coefficient] : sum) {
+    if (terms.highest_power(monomial) > most_powers) return std::nullopt;
+    terms.add(monomial, coefficient);
+    // Terms may still cancel, but not from far beyond the limit.
+    if (terms.size() > 4 * most || terms.work() > work_per_term * most) return std::nullopt;
+  }
+  if (terms.size() > most) return std::nullopt;
+  return terms.take();
+}
+
+namespace {
+
+std::size_t circular_length(const Algebra& algebra, const CircularPower& power) {
+  std::size_t angle = call_length + power.angle.size() - 1;
+  for (const AtomPower& part : power.angle) {
+    const bool is_itself = algebra.atoms[part.atom].divisor == std::abs(part.exponent);
+    if (!is_itself) angle += multiple_length;
+  }
+  std::size_t length = 0;
+  for (const std::int32_t exponent : {power.cosine, power.sine}) {
+    if (exponent > 0) length += angle + (exponent > 1 ? 1 : 0);
+  }
+  return length;
+}
+
+}  // namespace
+
+std::size_t written_length(const Algebra& algebra, const std::vector<RealTerm>& terms) {
+  std::size_t length = 0;
+  for (const RealTerm& term : terms) {
+    length += term.powers.size() + 1;
+    if (cln::abs(term.coefficient) != 1) ++length;
+    for (const CircularPower& power : term.circular) length += 1 + circular_length(algebra, power);
+  }
+  return length;
+}
+
+std::optional<std::vector<RealTerm>> shortest_terms(const Algebra& algebra, const Polynomial& sum,
+                                                    std::size_t most) {
+  std::optional<std::vector<RealTerm>> best;
+  std::size_t least = 0;
+  for (const Trigonometry trigonometry : trigonometries) {
+    auto terms = real_terms(algebra, sum, trigonometry, most);
+    if (!terms) continue;
+    const std::size_t length = written_length(algebra, *terms);
+    if (best && length >= least) continue;
+    least = length;
+    best = std::move(terms);
+  }
+  return best;
+}
+
+}  // namespace elgen

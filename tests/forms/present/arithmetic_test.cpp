@@ -1,0 +1,68 @@
+#include "forms/present/arithmetic.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "forms/present/polynomial.hpp"
+
+using namespace elgen;
+
+namespace {
+
+struct Leaves {
+  Algebra algebra = {};
+  Arithmetic arithmetic{algebra};
+  Value x = arithmetic.leaf(Opcode::coordinate, 0);
+  Value y = arithmetic.leaf(Opcode::coordinate, 1);
+
+  bool equal(const Value& a, const Value& b) {
+    const Value difference = arithmetic.add(a, arithmetic.negate(b));
+    return difference && difference->numerator.empty();
+  }
+};
+
+}  // namespace
+
+TEST_CASE("what one division puts below, the next takes away") {
+  Leaves l;
+  Arithmetic& a = l.arithmetic;
+  const Value sum = a.add(l.x, l.y);
+  const Value quotient = a.divide(l.x, sum);
+  REQUIRE(quotient);
+  CHECK(quotient->denominator.size() == 1);
+  const Value product = a.multiply(quotient, sum);
+  REQUIRE(product);
+  CHECK(product->denominator.empty());
+  CHECK(l.equal(product, l.x));
+}
+
+TEST_CASE("a factor is found again up to a monomial") {
+  Leaves l;
+  Arithmetic& a = l.arithmetic;
+  const Value sum = a.add(l.x, l.y);
+  (void)a.divide(l.x, sum);
+  (void)a.divide(l.y, a.multiply(sum, a.multiply(l.x, fraction_of(cln::cl_RA(3)))));
+  CHECK(l.algebra.factors.size() == 1);
+}
+
+TEST_CASE("division by zero, and an exhausted budget, give nothing") {
+  Leaves l;
+  CHECK_FALSE(l.arithmetic.divide(l.x, Fraction{}));
+  std::size_t little = 3;
+  Arithmetic poor(l.algebra, little, 1000);
+  const Value sum = l.arithmetic.add(l.x, l.y);
+  CHECK_FALSE(poor.multiply(sum, sum));
+  CHECK_FALSE(poor.add(poor.multiply(sum, sum), l.x));
+}
+
+TEST_CASE("atoms are found again") {
+  Leaves l;
+  CHECK(l.equal(l.arithmetic.leaf(Opcode::coordinate, 0), l.x));
+  CHECK(l.algebra.atoms.size() == 2);
+}
+
+TEST_CASE("integer powers of either sign") {
+  Leaves l;
+  Arithmetic& a = l.arithmetic;
+  CHECK(l.equal(a.multiply(a.power(l.x, -2), a.power(l.x, 3)), l.x));
+  CHECK(l.equal(a.power(l.x, 0), fraction_of(cln::cl_RA(1))));
+}

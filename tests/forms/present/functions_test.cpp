@@ -1,0 +1,73 @@
+// Functions of closed forms; model_expression_test has the identities.
+#include <catch2/catch.hpp>
+
+#include "forms/present/arithmetic.hpp"
+#include "forms/present/polynomial.hpp"
+
+using namespace elgen;
+
+namespace {
+
+struct Space {
+  Algebra algebra = {};
+  Arithmetic arithmetic{algebra};
+  Value x = arithmetic.leaf(Opcode::coordinate, 0);
+
+  std::size_t atoms(AtomKind kind) const {
+    std::size_t count = 0;
+    for (const Atom& atom : algebra.atoms) count += atom.kind == kind ? 1 : 0;
+    return count;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("sines and cosines of one angle share one exponential") {
+  Space s;
+  (void)s.arithmetic.call(FunctionId::sin, s.x, {});
+  (void)s.arithmetic.call(FunctionId::cos, s.arithmetic.negate(s.x), {});
+  (void)s.arithmetic.call(FunctionId::tan, s.x, {});
+  CHECK(s.atoms(AtomKind::circular) == 1);
+}
+
+TEST_CASE("roots of numbers are roots of primes") {
+  Space s;
+  const Value twelve = s.arithmetic.square_root(fraction_of(cln::cl_RA(12)));
+  REQUIRE(twelve);
+  CHECK(twelve->numerator.begin()->second.real == 2);
+  CHECK(s.atoms(AtomKind::root) == 1);
+  CHECK_FALSE(s.arithmetic.square_root(fraction_of(cln::cl_RA(-1))));
+}
+
+TEST_CASE("constants are taken apart by their form") {
+  Space s;
+  const ConstantForm pi{.kind = ConstantKind::pi, .parts = {}};
+  const ConstantForm half = rational_form(cln::cl_RA(1) / 2);
+  const ConstantForm three = rational_form(3);
+  const ConstantForm root{.kind = ConstantKind::square_root, .parts = {{three, 1}}};
+  const Value half_pi =
+      s.arithmetic.constant({.kind = ConstantKind::product, .parts = {{half, 1}, {pi, 1}}});
+  REQUIRE(half_pi);
+  CHECK(half_pi->numerator.begin()->second.real == cln::cl_RA(1) / 2);
+  CHECK(s.algebra.atoms[half_pi->numerator.begin()->first.at(0).atom].kind == AtomKind::pi);
+  const Value sine = s.arithmetic.call(FunctionId::sin, half_pi, {});
+  REQUIRE(sine);
+  CHECK(rational_value(sine->numerator) == cln::cl_RA(1));
+  const ConstantForm difference{.kind = ConstantKind::sum, .parts = {{three, 1}, {root, -1}}};
+  const Value product = s.arithmetic.multiply(
+      s.arithmetic.constant(difference),
+      s.arithmetic.constant({.kind = ConstantKind::sum, .parts = {{three, 1}, {root, 1}}}));
+  REQUIRE(product);
+  CHECK(rational_value(product->numerator) == cln::cl_RA(6));
+}
+
+TEST_CASE("odd and even functions have one atom for both signs") {
+  Space s;
+  const Value minus = s.arithmetic.negate(s.x);
+  (void)s.arithmetic.call(FunctionId::tanh, s.x, {});
+  (void)s.arithmetic.call(FunctionId::tanh, minus, {});
+  CHECK(s.atoms(AtomKind::call) == 1);
+  (void)s.arithmetic.call(FunctionId::exp, s.x, {});
+  (void)s.arithmetic.call(FunctionId::exp, minus, {});
+  CHECK(s.atoms(AtomKind::call) == 3);
+}

@@ -1,0 +1,57 @@
+#include "forms/write/closed_graph.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "elgen/render.hpp"
+#include "program/network/linearise.hpp"
+#include "program/network/network.hpp"
+#include "program/read_program.hpp"
+
+using namespace elgen;
+
+namespace {
+
+/// The entry of a one-line function in a layout, as text.
+std::string written(const std::string& function, Layout layout) {
+  const Program program = testing::read_program("parameters m l\ncoordinates x y\n" + function);
+  const ClosedForms forms = present(program);
+  Expressions expressions;
+  const auto value = closed_graph(expressions.graph, forms.algebra,
+                                  *forms.functions.at(0).fields.at(0).entries.at(0), layout, 100);
+  REQUIRE(value);
+  expressions.values.push_back(*value);
+  Program result;
+  result.leaves = program.leaves;
+  Function filled = program.functions[0];
+  filled.instructions.clear();
+  filled.names.clear();
+  filled.fields[0].entries = {0};
+  linearise(make_network(expressions), result, filled);
+  return equations(result, filled).entries.at(0).at(0);
+}
+
+const std::string two_rates =
+    "function bias\n  0 = parameter m\n  1 = velocity x\n  2 = multiply 0 1\n  3 = parameter l\n"
+    "  4 = multiply 3 1\n  5 = velocity y\n  6 = add 4 5\n  7 = add 2 6\n  result 1 1 = 7\n";
+
+}  // namespace
+
+TEST_CASE("terms are grouped by the rates they hold") {
+  CHECK(written(two_rates, {std::nullopt, Grouping::none}) == "m*dot(x) + l*dot(x) + dot(y)");
+  CHECK(written(two_rates, {std::nullopt, Grouping::by_rates}) == "(m + l)*dot(x) + dot(y)");
+}
+
+TEST_CASE("what several terms are divided by divides their sum") {
+  const std::string text =
+      "function bias\n  0 = coordinate x\n  1 = coordinate y\n  2 = parameter l\n"
+      "  3 = divide 0 2\n  4 = multiply 2 2\n  5 = divide 1 4\n  6 = add 3 5\n"
+      "  result 1 1 = 6\n";
+  CHECK(written(text, {}) == "(y + l*x)/l^2");
+}
+
+TEST_CASE("more terms than are wanted give nothing") {
+  const Program program = testing::read_program("parameters m l\ncoordinates x y\n" + two_rates);
+  const ClosedForms forms = present(program);
+  Graph graph;
+  CHECK_FALSE(closed_graph(graph, forms.algebra, *forms.functions[0].fields[0].entries[0], {}, 2));
+}

@@ -1,0 +1,123 @@
+// Differences of nearly equal values, written so that nothing cancels.
+#include "forms/write/kept_digits.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "elgen/evaluate.hpp"
+#include "numbers/random.hpp"
+#include "program/expression_leaves.hpp"
+
+using namespace elgen;
+using elgen::testing::Texts;
+
+namespace {
+
+std::string kept(const std::string& text) {
+  const Expressions before = testing::expressions_of({text});
+  const auto better = with_kept_digits(before, Squares::whole);
+  if (better) return testing::texts_of(*better).at(0);
+  const auto apart = with_kept_digits(before, Squares::apart);
+  return apart ? testing::texts_of(*apart).at(0) : "none";
+}
+
+Real value_of(const Expressions& expressions, const Arguments<Real>& point) {
+  const Program program = testing::program_of(make_network(expressions));
+  return evaluate(program, program.functions[0], point).at(0);
+}
+
+}  // namespace
+
+TEST_CASE("each difference that may cancel, and what is written in its place") {
+  struct KeptRow {
+    const char* before;
+    const char* after;
+  };
+  const auto row = GENERATE(
+      KeptRow{"sqrt(4 + b^2) - 2", "b^2/(2 + sqrt(4 + b^2))"},
+      KeptRow{"2 - sqrt(4 + b^2)", "-b^2/(2 + sqrt(4 + b^2))"},
+      KeptRow{"c*exp(a) - c", "c*expm1(a)"},
+      KeptRow{"exp(a + b) - exp(b)", "2*sinh(1/2*a)*exp(1/2*(a + 2*b))"},
+      KeptRow{"log(1 + a)", "log1p(a)"}, KeptRow{"log(a + b) - log(b)", "log1p(a/b)"},
+      KeptRow{"1 - cos(a)", "2*sin(1/2*a)^2"}, KeptRow{"cosh(a) - 1", "2*sinh(1/2*a)^2"},
+      KeptRow{"1 - tanh(a)", "2*(1/(1 + exp(2*a)))"},
+      KeptRow{"1 + tanh(a)", "2*(1/(1 + exp(-2*a)))"}, KeptRow{"1/(a - b) - 1/a", "b/(a*(a - b))"},
+      KeptRow{"a^2 - b^2", "(a + b)*(a - b)"}, KeptRow{"c*a^2 - c", "-c*(1 + a)*(1 - a)"},
+      KeptRow{"sqrt(1 + a) - sqrt(1 + b)", "(a - b)/(sqrt(1 + a) + sqrt(1 + b))"},
+      KeptRow{"atan(a + b) - atan(a)", "atan2(b, 1 + a^2 + a*b)"},
+      KeptRow{"sin(a + b) - sin(a)", "2*sin(1/2*b)*cos(1/2*(b + 2*a))"},
+      KeptRow{"sin(a) - sin(b)", "2*sin(1/2*(a - b))*cos(1/2*(a + b))"},
+      KeptRow{"log(a) - log(b)", "log1p((a - b)/b)"}, KeptRow{"log(a/b)", "log1p((a - b)/b)"},
+      KeptRow{"log(cosh(a))", "log1p(2*sinh(1/2*a)^2)"}, KeptRow{"a - sin(a)", "a^3*stumpff(a, 3)"},
+      KeptRow{"a^2 + b^2 - 2*a*b*cos(c)", "4*a*b*sin(1/2*c)^2 + (a - b)^2"},
+      KeptRow{"1/sqrt(1 - a^2) - 1", "a^2/(sqrt(1 - a^2)*(1 + sqrt(1 - a^2)))"});
+  INFO(row.before);
+  CHECK(kept(row.before) == row.after);
+}
+
+TEST_CASE("every rewriting has the value of what it replaces") {
+  Random random(1);
+  for (const char* text : {"sqrt(4 + b^2) - 2",
+                           "c*exp(a) - c",
+                           "exp(a + b) - exp(b)",
+                           "log(1 + a)",
+                           "log(a + b) - log(b)",
+                           "1 - cos(a)",
+                           "cosh(a) - 1",
+                           "1 - tanh(a)",
+                           "1 + tanh(a)",
+                           "1/(a - b) - 1/a",
+                           "c*a^2 - c",
+                           "sqrt(1 + a) - sqrt(1 + b)",
+                           "atan(a + b) - atan(a)",
+                           "atan(a + b) + atan(a)",
+                           "sin(a + b) - sin(a)",
+                           "sin(a) + sin(b - a)",
+                           "cos(a + b) - cos(a)",
+                           "sinh(a + b) - sinh(a)",
+                           "cosh(a + b) - cosh(a)",
+                           "tan(a + b) - tan(a)",
+                           "a - sin(a)",
+                           "a^2 + b^2 - 2*a*b*cos(c)",
+                           "a^2 + 4*b^2 + 4*a*b*cos(c)",
+                           "1 - cos(a)*cos(b)",
+                           "log(a/b)",
+                           "log(cosh(a))",
+                           "1/a - 1/b",
+                           "1/sqrt(1 - a^2/4) - 1",
+                           "d*(a^2 - b^2) + e"}) {
+    INFO(text);
+    const Expressions before = testing::expressions_of({text});
+    const auto after = with_kept_digits(before, Squares::apart);
+    REQUIRE(after);
+    for (int i = 0; i < 4; ++i) {
+      Arguments<Real> point;
+      for (int k = 0; k < 5; ++k) point.q.push_back(Real(cln::abs(random.rational())));
+      const Real x = value_of(before, point);
+      const Real y = value_of(*after, point);
+      REQUIRE(x.is_defined() == y.is_defined());
+      if (x.is_defined()) CHECK(abs(x - y).value() < 1e-40);
+    }
+  }
+}
+
+TEST_CASE("sums that have nothing in common stay") {
+  for (const char* text :
+       {"sqrt(a^2 + b^2) - c", "sqrt(a^2 + b^2) + sqrt(a^2 + b^2)", "a + b", "log(2 + a)",
+        "exp(a) - 2", "sqrt(a^2) + a", "sqrt(a^2 + b^2) - a", "sqrt(1 + a^2)*sqrt(1 + b^2) - 1",
+        "sin(tan(a)) + tan(a)", "tan(a) + sin(tan(a))", "sqrt(2*a^2 + 2*a*abs(a)) + 2*a",
+        "a^2 + b^2 - 2*a*b", "a^2 + b^2 - a*b*cos(c)"}) {
+    INFO(text);
+    CHECK(kept(text) == "none");
+  }
+}
+
+TEST_CASE("calls of one argument are made of those that keep digits") {
+  const auto fewer = [](const std::string& text) {
+    const auto better = with_fewer_calls(testing::expressions_of({text}));
+    return better ? testing::texts_of(*better).at(0) : "none";
+  };
+  CHECK(fewer("a*expm1(b) + exp(b)") == "a*expm1(b) + (1 + expm1(b))");
+  CHECK(fewer("sin(1/2*a)*b + sin(a)") == "2*sin(1/2*a)*cos(1/2*a) + b*sin(1/2*a)");
+  CHECK(fewer("sin(1/2*a)*b + cos(a)") == "b*sin(1/2*a) + (1 - 2*sin(1/2*a)^2)");
+  CHECK(fewer("sin(1/2*a) + sin(b)") == "none");
+}

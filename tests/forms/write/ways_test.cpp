@@ -1,0 +1,69 @@
+// The ways to write a closed form, and those of them that keep their digits.
+#include "forms/write/ways.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "forms/write/closed_graph.hpp"
+#include "forms/write/homogeneous_terms.hpp"
+#include "program/expression_leaves.hpp"
+
+using namespace elgen;
+
+namespace {
+
+std::vector<std::string> texts(const std::vector<Collected>& ways) {
+  std::vector<std::string> all;
+  for (const Collected& way : ways) all.push_back(testing::texts_of(way.expressions).at(0));
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("people write no half angles, code does where they keep digits") {
+  const ClosedForms forms = present(testing::program_of(testing::Texts{"a - a*cos(b)"}));
+  const Fraction& entry = *forms.functions[0].fields[0].entries[0];
+  const auto read = texts(collected_ways(forms.algebra, entry));
+  CHECK(std::ranges::count(read, "a*(1 - cos(b))") > 0);
+  CHECK(std::ranges::count(read, "2*a*sin(1/2*b)^2") == 0);
+  const auto precise = texts(precise_ways(forms.algebra, entry));
+  REQUIRE_FALSE(precise.empty());
+  CHECK(std::ranges::count(precise, "2*a*sin(1/2*b)^2") == static_cast<long>(precise.size()));
+}
+
+TEST_CASE("lengths count signs and calls") {
+  const Expressions sum = testing::expressions_of({"a + b"});
+  CHECK(written_length(sum) == 1);
+  CHECK(derived_way(sum).length == 1);
+}
+
+TEST_CASE("sums of sines and cosines in homogeneous terms") {
+  struct TermsRow {
+    const char* sum;
+    const char* written;
+  };
+  const TermsRow row = GENERATE(values<TermsRow>({
+      {"1 - cos(e)", "2*sin(1/2*e)^2"},
+      {"1 + cos(e)", "2*cos(1/2*e)^2"},
+      {"a + (b - a)*cos(e)^2", "a*sin(e)^2 + b*cos(e)^2"},
+      // Terms without an angle stay beside the others.
+      {"a + b - b*cos(e)^2", "a + b*sin(e)^2"},
+      // A constant of several angles is not divided among them.
+      {"1 - cos(d) - cos(e)", "1 - cos(d) - cos(e)"},
+      // Two sines or cosines of as much are one product.
+      {"sin(d) + sin(e)", "2*sin(1/2*(d + e))*cos(1/2*(d - e))"},
+      {"sin(d) - sin(e)", "2*sin(1/2*(d - e))*cos(1/2*(d + e))"},
+      {"cos(d) + cos(e)", "2*cos(1/2*(d + e))*cos(1/2*(d - e))"},
+      {"cos(d) - cos(e)", "-2*sin(1/2*(d + e))*sin(1/2*(d - e))"},
+      // High multiples are not written out.
+      {"cos(40*e) + 1 - cos(e)", "none"},
+  }));
+  INFO(row.sum);
+  const ClosedForms forms = present(testing::program_of(testing::Texts{row.sum}));
+  Expressions expressions;
+  const auto value =
+      closed_graph(expressions.graph, forms.algebra, *forms.functions[0].fields[0].entries[0],
+                   {Trigonometry::homogeneous, Grouping::none}, 100);
+  if (value) expressions.values = {*value};
+  CHECK((value ? testing::texts_of(expressions).at(0) : "none") == row.written);
+}
