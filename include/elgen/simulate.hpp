@@ -18,7 +18,7 @@ namespace elgen {
 /// Times in s. Of step and tolerance at most one is given: a method of fixed step takes a step, the
 /// others choose theirs to an error of `tolerance` absolute and relative.
 struct SimulationOptions {
-  std::string method = "dopri5";            ///< of simulate/steps/methods.cpp
+  std::string method = "dopri5";            ///< of run/steps/methods.cpp
   std::optional<std::uint32_t> order = {};  ///< none: that of the method without composition
   double from = 0;
   double time = 0;                       ///< how long

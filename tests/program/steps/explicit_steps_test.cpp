@@ -6,7 +6,7 @@
 
 #include "elgen/step_methods.hpp"
 #include "program/steps/compiled_step.hpp"
-#include "simulate/compiled_model.hpp"
+#include "run/simulate/compiled_model.hpp"
 
 namespace elgen::test {
 

@@ -1,0 +1,119 @@
+// Pivots at every state that a run reaches, beside those before.
+#include "run/simulate/ranks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace elgen {
+namespace {
+
+/// Half of the 16 digits of double are lost to such a pivot. Beyond it the step back onto the
+/// constraints goes where rounding says, and takes energy with it: at 1e-11 some 1e-9 of it.
+constexpr double smallest_share = 1e-8;
+
+/// A step that turns a row by more than 120 degrees has no digit left, unless the row went through
+/// 0.
+constexpr double turned_round = -0.5;
+
+/// The pivots of X Y^T, of n columns each, without interchanges.
+Numbers pivots_of_product(const Numbers& x, const Numbers& y, std::size_t n) {
+  const std::size_t m = x.size() / n;
+  Numbers product(m * m);
+  for (std::size_t i = 0; i < m; ++i) {
+    for (std::size_t k = 0; k < m * n; ++k) product[i * m + k / n] += x[i * n + k % n] * y[k];
+  }
+  Numbers pivots;
+  for (std::size_t k = 0; k < m; ++k) {
+    pivots.push_back(product[k * m + k]);
+    for (std::size_t i = k + 1; i < m; ++i) {
+      const double factor = product[i * m + k] / pivots.back();
+      for (std::size_t j = k + 1; j < m; ++j) product[i * m + j] -= factor * product[k * m + j];
+    }
+  }
+  return pivots;
+}
+
+}  // namespace
+
+Diagnostics RankWatch::look(const Numbers& state, double t) {
+  const Numbers pivots = pivots_;
+  const Numbers rows = rows_;
+  measure(state, t);
+  const std::string what = lost(pivots.empty() ? pivots_ : pivots, pivots.empty() ? rows_ : rows);
+  if (what.empty()) return {};
+  return {{Code::E624,
+           {},
+           fmt::format("rank is {} t = {:.6g}, where {}", what, t, system_.text_of(state)),
+           hint_}};
+}
+
+std::string RankWatch::weakest() const {
+  std::size_t least = 0;
+  for (std::size_t i = 1; i < largest_.size(); ++i) {
+    if (share(i) < share(least)) least = i;
+  }
+  // A pivot that kept its first four digits does not make a step too short.
+  if (largest_.empty() || share(least) > 1e-4) return "";
+  return fmt::format(": the pivot of {} is {:.1e} of its largest", name(least), share(least));
+}
+
+void RankWatch::measure(const Numbers& state, double t) {
+  const double* const q = state.data();
+  const double* const v = system_.v_of(state);
+  const std::size_t n = system_.velocities();
+  Numbers diagonal(n);
+  system_.acceleration(q, v, t, diagonal.data());
+  const std::span<const double> relative = system_.relative_pivots().first(n);
+  pivots_.assign(relative.begin(), relative.end());
+  const Numbers& mass = system_.mass_matrix(q, v, t);
+  for (std::size_t i = 0; i < n; ++i) diagonal[i] = mass[i * n + i];
+  rows_ = system_.constraint_jacobian(q, v, t);
+  for (std::size_t k = 0; k < rows_.size(); ++k) rows_[k] /= std::sqrt(std::abs(diagonal[k % n]));
+  const Numbers of_rows = pivots_of_product(rows_, rows_, n);
+  pivots_.insert(pivots_.end(), of_rows.begin(), of_rows.end());
+  for (std::size_t i = 0; i < n; ++i) pivots_.push_back(pivots_[i] * diagonal[i]);
+  largest_.resize(pivots_.size());
+  for (std::size_t i = 0; i < pivots_.size(); ++i) {
+    largest_[i] = std::max(largest_[i], std::abs(pivots_[i]));
+  }
+}
+
+/// The share of its largest value that a pivot has; 1 where it was always 0.
+double RankWatch::share(std::size_t i) const {
+  return largest_[i] > 0 ? std::abs(pivots_[i]) / largest_[i] : 1;
+}
+
+std::string RankWatch::name(std::size_t i) const {
+  const std::size_t n = system_.velocities();
+  const std::size_t both = pivots_.size() - n;
+  if (n <= i && i < both) return fmt::format("`{}` in A", system_.model().constraints[i - n].name);
+  const auto velocity = static_cast<std::uint32_t>(i < n ? i : i - both);
+  return fmt::format("`{}` in M", leaf_text(system_.leaves(), Opcode::velocity, velocity));
+}
+
+/// D_i alone may be small where a coordinate is: m r^2 of an orbit that comes near its centre.
+std::string RankWatch::lost(const Numbers& pivots_before, const Numbers& rows_before) const {
+  const std::size_t n = system_.velocities();
+  const std::size_t both = pivots_.size() - n;
+  for (std::size_t i = 0; i < both; ++i) {
+    if (share(i) >= smallest_share) continue;
+    return fmt::format("nearly lost, since the pivot of {} is {:.1e} of its largest, at", name(i),
+                       share(i));
+  }
+  for (std::size_t i = both; i < pivots_.size(); ++i) {
+    if (!(pivots_[i] * pivots_before[i] < 0)) continue;
+    return fmt::format("lost, since the pivot of {} changes its sign, before", name(i));
+  }
+  const Numbers turns = pivots_of_product(rows_before, rows_, n);
+  for (std::size_t k = 0; k < turns.size(); ++k) {
+    const double size = std::sqrt(std::abs(pivots_before[n + k] * pivots_[n + k]));
+    if (!(turns[k] < turned_round * size)) continue;
+    return fmt::format("lost, since the row of {} turns round, before", name(n + k));
+  }
+  return "";
+}
+
+}  // namespace elgen

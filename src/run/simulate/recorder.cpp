@@ -1,0 +1,172 @@
+// Rows and drifts, sample by sample.
+#include "run/simulate/recorder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "run/steps/methods.hpp"
+
+namespace elgen {
+namespace {
+
+/// The estimate of a step's error is that of a method of lower order, so that most runs stay far
+/// inside what it allows. It may be too small by this factor where a step is long for its order.
+constexpr double energy_margin = 10;
+
+bool is_finite(const Numbers& values) {
+  return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+}
+
+}  // namespace
+
+void DriftMeter::add(double part, double weight, double deviation, double magnitude) {
+  worst_ = std::max(worst_, std::abs(deviation));
+  scale_ = std::max(scale_, magnitude);
+  if (part <= 0.1) first_tenth_.add(deviation, weight);
+  if (part >= 0.9) last_tenth_.add(deviation, weight);
+}
+
+Drift DriftMeter::drift(std::string name, std::string measure) const {
+  const double scale = scale_ > 0 ? scale_ : 1;
+  const double secular = last_tenth_.value() - first_tenth_.value();
+  return {std::move(name), std::move(measure), worst_ / scale, secular / scale, scale};
+}
+
+Recorder::Recorder(System& system, const SimulationOptions& options, const TrajectorySample& start)
+    : system_(system),
+      options_(options),
+      momenta_at_start_(system.velocities()),
+      momenta_(system.velocities()),
+      conserved_(system.conserved()),
+      tolerance_(options.step ? 0 : options.tolerance.value_or(default_tolerance)),
+      of_momenta_(system.cyclic().size()),
+      last_(start) {
+  const double* const q = start.state.data();
+  energy_at_start_ = system.energy(q, system.v_of(start.state), start.t);
+  system.momentum(q, system.v_of(start.state), start.t, momenta_at_start_.data());
+  const Numbers& values = system.conserved_values(q, system.v_of(start.state), start.t);
+  for (std::size_t i = 0; i < values.size(); ++i) conserved_[i].start = values[i];
+}
+
+Diagnostics Recorder::add(const TrajectorySample& sample) {
+  const double* const q = sample.state.data();
+  const double* const v = system_.v_of(sample.state);
+  const double energy = system_.energy(q, v, sample.t);
+  if (!is_finite(sample.state) || !std::isfinite(energy)) {
+    return {ended("the numbers are no longer finite")};
+  }
+  const double part = (sample.t - options_.from) / options_.time;
+  const double deviation = energy - energy_at_start_ - sample.state.back();
+  energy_.add(part, sample.after, deviation, system_.magnitude(q, v, sample.t));
+  if (tolerance_ > 0 && warnings_.empty()) look_at_energy(sample, energy);
+  if (!of_momenta_.empty()) add_momenta(sample, part);
+  add_conserved(sample);
+  add_offset(sample);
+  if (sample.is_row) {
+    rows_.push_back(row(sample, energy));
+    work_.push_back(sample.state.back());
+  }
+  last_ = sample;
+  return {};
+}
+
+Diagnostic Recorder::ended(std::string_view why, std::string_view besides) const {
+  return {Code::E624,
+          {},
+          fmt::format("{} after t = {:.6g}, where {}{}", why, last_.t, system_.text_of(last_.state),
+                      besides),
+          "a shorter step, or a smaller tolerance, shows whether the method is to blame"};
+}
+
+void Recorder::finish(Trajectory& trajectory) && {
+  const double* const q = last_.state.data();
+  trajectory.last = row(last_, system_.energy(q, system_.v_of(last_.state), last_.t));
+  trajectory.rows = std::move(rows_);
+  if (system_.does_work()) trajectory.work = std::move(work_);
+  trajectory.energy = energy_.drift(std::string(energy_name()),
+                                    system_.has_energies() ? "|T| + |V|" : "|v.p| + |L|");
+  for (std::size_t i = 0; i < of_momenta_.size(); ++i) {
+    const std::string& name = system_.leaves().v[system_.cyclic()[i]];
+    trajectory.momenta.push_back(of_momenta_[i].drift(name, "sum |M v|"));
+  }
+  trajectory.conserved = std::move(conserved_);
+  if (!system_.model().constraints.empty()) trajectory.constraints.emplace().largest = offset_;
+}
+
+std::string_view Recorder::energy_name() const {
+  return system_.does_work() ? "E - E0 - work" : "E - E0";
+}
+
+/// A step may change E - work by what its error is worth, each number taken by itself, and by the
+/// rounding of E. None of it grows later, since the exact motion keeps E - work.
+void Recorder::look_at_energy(const TrajectorySample& sample, double energy) {
+  const std::size_t work = sample.state.size() - 1;
+  const auto error = [&](std::size_t i) {
+    const double x = sample.state[i];
+    return energy_margin * tolerance_ * (1 + std::abs(x) + std::abs(x - last_.state[i]));
+  };
+  allowed_ += energy_margin * std::numeric_limits<double>::epsilon() * energy_.scale();
+  if (system_.does_work()) allowed_ += error(work);
+  Numbers moved = sample.state;
+  for (std::size_t i = 0; i < work; ++i) {
+    moved[i] += error(i);
+    allowed_ += std::abs(system_.energy(moved.data(), system_.v_of(moved), sample.t) - energy);
+    moved[i] = sample.state[i];
+  }
+  const double deviation = energy - energy_at_start_ - sample.state[work];
+  if (!(std::abs(deviation) > allowed_)) return;
+  warnings_.push_back(
+      {Code::E648,
+       {},
+       fmt::format("{} is {:.1e} at t = {:.6g}, beyond the {:.1e} that the tolerance of the steps "
+                   "allows",
+                   energy_name(), deviation, sample.t, allowed_),
+       "a smaller `--tolerance`, or a short `--step`, shows what is true"});
+}
+
+std::vector<double> Recorder::row(const TrajectorySample& sample, double energy) const {
+  std::vector<double> values{sample.t};
+  const Numbers& q = system_.shown(sample.state.data());
+  values.insert(values.end(), q.begin(), q.end());
+  values.insert(values.end(), system_.v_of(sample.state), &sample.state.back());
+  const auto& inputs = system_.model().inputs;
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    if (inputs[k].law) values.push_back(sample.inputs[k]);
+  }
+  values.push_back(energy);
+  return values;
+}
+
+void Recorder::add_momenta(const TrajectorySample& sample, double part) {
+  const double* const q = sample.state.data();
+  const double* const v = system_.v_of(sample.state);
+  system_.momentum(q, v, sample.t, momenta_.data());
+  const Numbers& scales = system_.momentum_scales(q, v, sample.t);
+  for (std::size_t i = 0; i < of_momenta_.size(); ++i) {
+    const std::uint32_t place = system_.cyclic()[i];
+    of_momenta_[i].add(part, sample.after, momenta_[place] - momenta_at_start_[place],
+                       std::max(std::abs(momenta_[place]), scales[place]));
+  }
+}
+
+void Recorder::add_conserved(const TrajectorySample& sample) {
+  const Numbers& values =
+      system_.conserved_values(sample.state.data(), system_.v_of(sample.state), sample.t);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    ConservedDrift& quantity = conserved_[i];
+    quantity.drift = std::max(quantity.drift, std::abs(values[i] - quantity.start));
+  }
+}
+
+void Recorder::add_offset(const TrajectorySample& sample) {
+  const ConstraintOffset offset =
+      system_.offset(sample.state.data(), system_.v_of(sample.state), sample.t);
+  offset_.position = std::max(offset_.position, offset.position);
+  offset_.rate = std::max(offset_.rate, offset.rate);
+}
+
+}  // namespace elgen

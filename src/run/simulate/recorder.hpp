@@ -1,0 +1,98 @@
+// Recorder: what is kept of a run: rows, and the drifts of what should stay.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "elgen/simulate.hpp"
+#include "run/steps/system.hpp"
+
+namespace elgen {
+
+/// A mean of numbers with weights.
+class WeightedMean {
+ public:
+  void add(double value, double weight) {
+    sum_ += value * weight;
+    weight_ += weight;
+  }
+  [[nodiscard]] double value() const { return weight_ > 0 ? sum_ / weight_ : 0; }
+
+ private:
+  double sum_ = 0;
+  double weight_ = 0;
+};
+
+/// How far a number goes that should stay, in one pass over a run: the worst deviation, and the
+/// means of the first and the last tenth.
+class DriftMeter {
+ public:
+  /// `deviation` at `part` of the run (0 to 1), for the time `weight`; `magnitude` is that of what
+  /// deviates.
+  void add(double part, double weight, double deviation, double magnitude);
+
+  /// The largest magnitude.
+  [[nodiscard]] double scale() const { return scale_; }
+
+  /// Relative to the largest magnitude, or absolute where that is 0.
+  [[nodiscard]] Drift drift(std::string name, std::string measure) const;
+
+ private:
+  double worst_ = 0;
+  double scale_ = 0;
+  WeightedMean first_tenth_ = {};
+  WeightedMean last_tenth_ = {};
+};
+
+/// A state that was reached, q, v and work, and the inputs there.
+struct TrajectorySample {
+  double t = 0;
+  double after = 0;  ///< time since the sample before
+  bool is_row = false;
+  Numbers state = {};
+  Numbers inputs = {};
+};
+
+class Recorder {
+ public:
+  Recorder(System& system, const SimulationOptions& options, const TrajectorySample& start);
+
+  /// E624 where a number is not finite, with the last state that was.
+  [[nodiscard]] Diagnostics add(const TrajectorySample& sample);
+
+  /// Why the run ends at the last sample; `besides` is said of it.
+  [[nodiscard]] Diagnostic ended(std::string_view why, std::string_view besides = "") const;
+
+  /// E648 where E - E0 - work went farther than the tolerance of the steps allows.
+  [[nodiscard]] const Diagnostics& warnings() const { return warnings_; }
+
+  /// Puts the rows that were kept into `trajectory`.
+  void finish(Trajectory& trajectory) &&;
+
+ private:
+  [[nodiscard]] std::vector<double> row(const TrajectorySample& sample, double energy) const;
+  [[nodiscard]] std::string_view energy_name() const;
+  void look_at_energy(const TrajectorySample& sample, double energy);
+  void add_momenta(const TrajectorySample& sample, double part);
+  void add_conserved(const TrajectorySample& sample);
+  void add_offset(const TrajectorySample& sample);
+
+  System& system_;
+  const SimulationOptions& options_;
+  double energy_at_start_ = 0;
+  Numbers momenta_at_start_;
+  Numbers momenta_;
+  std::vector<ConservedDrift> conserved_;
+  ConstraintOffset offset_ = {};
+  DriftMeter energy_ = {};
+  double tolerance_ = 0;  ///< of a step; 0: steps of one length
+  double allowed_ = 0;    ///< the largest |E - E0 - work|, by the steps until now
+  Diagnostics warnings_ = {};
+  std::vector<DriftMeter> of_momenta_;
+  std::vector<std::vector<double>> rows_ = {};
+  std::vector<double> work_ = {};  ///< until each
+  TrajectorySample last_;
+};
+
+}  // namespace elgen

@@ -1,0 +1,183 @@
+// reference_run: the same equations twice, in double and in long double, by Boost.odeint's method
+// of Fehlberg, whose steps are as long as its estimate of their error allows. Their distance at the
+// end is what either is known to. Hairer, Norsett, Wanner, Solving Ordinary Differential Equations
+// I, 2nd ed., sec. II.10.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
+#include <boost/numeric/odeint/stepper/generation.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+#include <cmath>
+#include <limits>
+
+#include "elgen/simulate.hpp"
+#include "program/evaluate/subject.hpp"
+#include "run/simulate/ranks.hpp"
+#include "run/simulate/start.hpp"
+
+namespace elgen {
+namespace {
+
+namespace odeint = boost::numeric::odeint;
+
+/// Constants of a program are rounded once, not at every state.
+template <class Scalar>
+struct RoundedOnce : interpreter::NumberRules<Scalar> {
+  const Program& program;
+  const std::vector<Scalar>& constants;
+
+  [[nodiscard]] Scalar constant(const Constant& constant) const {
+    return constants[static_cast<std::size_t>(&constant - program.constants.data())];
+  }
+};
+
+/// d(q, v)/dt of q and v in one list.
+template <class Scalar>
+class ReferenceSystem {
+ public:
+  using Values = std::vector<Scalar>;
+
+  /// `system` gives the inputs, whose laws are in double.
+  ReferenceSystem(System& system, const CheckedModel& checked, const Program& program)
+      : system_(system),
+        program_(program),
+        ranks_(system, "a run that ends before that place, or starts elsewhere, can be measured"),
+        at_(arguments_at<Scalar>(nominal_state(checked.model, checked.scene))) {
+    for (const Constant& constant : program.constants) {
+      constants_.push_back(ScalarTraits<Scalar>::from_real(constant.value));
+    }
+  }
+
+  [[nodiscard]] Values start() {
+    Values state;
+    for (const Coordinate& coordinate : system_.model().coordinates) {
+      state.push_back(ScalarTraits<Scalar>::from_real(coordinate.start_value));
+    }
+    for (const Velocity& velocity : system_.model().velocities) {
+      state.push_back(ScalarTraits<Scalar>::from_real(velocity.start_rate));
+    }
+    restore(state, 0);
+    return state;
+  }
+
+  void find_rates(const Values& state, Values& rates, Scalar t) {
+    move_to(state);
+    at_.t = t;
+    if (!system_.model().inputs.empty()) {
+      const Numbers seen(state.begin(), state.end());
+      const Numbers& u = system_.inputs(seen.data(), system_.v_of(seen), static_cast<double>(t));
+      at_.u.assign(u.begin(), u.end());
+    }
+    const Function* const turning = find_function(program_, OutputKind::coordinate_rates);
+    const Values of_q = turning == nullptr ? at_.v : values_of(*turning);
+    const Function& dynamics = *find_function(program_, OutputKind::forward_dynamics);
+    const Values of_v = values_of(dynamics);
+    const auto middle = std::copy(of_q.begin(), of_q.end(), rates.begin());
+    std::copy_n(of_v.data() + first_entry_of(dynamics, "acceleration"), system_.velocities(),
+                middle);
+  }
+
+  /// E624 where M or A loses rank.
+  [[nodiscard]] Diagnostics look(const Values& state, Scalar t) {
+    return ranks_.look({state.begin(), state.end()}, static_cast<double>(t));
+  }
+
+  /// Quaternions to length 1, and back onto the constraints.
+  void restore(Values& state, Scalar t) {
+    const bool is_projected = !system_.model().constraints.empty();
+    const Function* const restored =
+        find_function(program_, is_projected ? OutputKind::projected : OutputKind::normalized);
+    if (restored == nullptr) return;
+    move_to(state);
+    at_.t = t;
+    std::ranges::copy(values_of(*restored), state.begin());
+  }
+
+ private:
+  void move_to(const Values& state) {
+    const auto middle = state.begin() + static_cast<std::ptrdiff_t>(system_.positions());
+    at_.q.assign(state.begin(), middle);
+    at_.v.assign(middle, state.end());
+  }
+
+  [[nodiscard]] Values values_of(const Function& function) const {
+    const RoundedOnce<Scalar> rules{{at_}, program_, constants_};
+    return entries_of(function, fold<Scalar>(rules, program_, function));
+  }
+
+  System& system_;
+  const Program& program_;
+  RankWatch ranks_;
+  Arguments<Scalar> at_;
+  Values constants_ = {};
+};
+
+struct ReferenceEnd {
+  std::vector<double> last = {};
+  std::vector<double> largest = {};
+};
+
+template <class Values>
+bool take(const Values& state, ReferenceEnd& end) {
+  end.last.assign(state.begin(), state.end());
+  end.largest.resize(end.last.size());
+  for (std::size_t i = 0; i < end.last.size(); ++i) {
+    end.largest[i] = std::max(end.largest[i], std::abs(end.last[i]));
+  }
+  return std::ranges::all_of(end.last, [](double x) { return std::isfinite(x); });
+}
+
+/// E624 where it does not come to its end, or past a place where M or A loses rank.
+template <class Scalar>
+Result<ReferenceEnd> run_to(Scalar tolerance, Scalar time, ReferenceSystem<Scalar> system) {
+  using Values = std::vector<Scalar>;
+  auto steps = odeint::make_controlled(tolerance, tolerance,
+                                       odeint::runge_kutta_fehlberg78<Values, Scalar>());
+  const auto rates = [&system](const Values& x, Values& dxdt, Scalar at) {
+    system.find_rates(x, dxdt, at);
+  };
+  const Scalar shortest = 4 * std::numeric_limits<Scalar>::epsilon() * time;
+  Values state = system.start();
+  ReferenceEnd end;
+  bool goes_on = take(state, end);
+  Diagnostics lost = system.look(state, 0);
+  Scalar t = 0;
+  for (Scalar length = time / 100; goes_on && lost.empty() && t < time;) {
+    const bool is_last = length >= time - t;
+    Scalar h = is_last ? time - t : length;
+    goes_on = h >= shortest || is_last;
+    if (!goes_on) break;
+    const bool is_made = steps.try_step(rates, state, t, h) == odeint::success;
+    length = is_made && is_last ? std::max(length, h) : h;
+    if (!is_made) continue;
+    if (is_last) t = time;
+    system.restore(state, t);
+    goes_on = take(state, end);
+    if (goes_on) lost = system.look(state, t);
+  }
+  if (!lost.empty()) return lost;
+  if (goes_on) return end;
+  return Diagnostic{
+      Code::E624, {}, fmt::format("the reference ends after t = {:.6g}", static_cast<double>(t))};
+}
+
+}  // namespace
+
+Result<ReferenceRun> reference_run(const CheckedModel& checked, const Program& program,
+                                   double time) {
+  const Result<CheckedModel> assembled = assembled_model(checked, 0);
+  if (!assembled) return assembled.diagnostics;
+  System system(*assembled, program, nullptr);
+  Diagnostics refused = refuse_start(system, system.start(), 0);
+  if (!refused.empty()) return refused;
+  const Result<ReferenceEnd> rougher =
+      run_to<double>(1e-12, time, ReferenceSystem<double>(system, *assembled, program));
+  if (!rougher) return rougher.diagnostics;
+  const Result<ReferenceEnd> finer =
+      run_to<long double>(1e-15L, time, ReferenceSystem<long double>(system, *assembled, program));
+  if (!finer) return finer.diagnostics;
+  return ReferenceRun{finer->last, rougher->last, finer->largest};
+}
+
+}  // namespace elgen

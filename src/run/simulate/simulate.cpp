@@ -1,0 +1,280 @@
+// A run: from row to row, and where inputs are held from one of their instants to the next; steps
+// are timed in blocks, between which what they reached is looked at.
+#include "elgen/simulate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "elgen/evaluate.hpp"
+#include "elgen/wording.hpp"
+#include "model/output_units.hpp"
+#include "model/requests.hpp"
+#include "program/evaluate/subject.hpp"
+#include "run/simulate/ranks.hpp"
+#include "run/simulate/recorder.hpp"
+#include "run/simulate/start.hpp"
+#include "run/steps/methods.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr std::size_t block_size = 256;
+
+constexpr const char* go_elsewhere =
+    "`--through singular` goes on by a fixed `--step`, and E - E0 says how well; another start or "
+    "other coordinates may avoid the place";
+
+/// The instants of one period, from `begin` on; none: the end alone.
+class Instants {
+ public:
+  Instants(double begin, double end, std::optional<double> period)
+      : begin_(begin), end_(end), period_(period.value_or(end - begin)) {}
+
+  /// The first one that was not passed; what rounding parts from the end is the end.
+  [[nodiscard]] double next() const {
+    const double instant = begin_ + static_cast<double>(passed_ + 1) * period_;
+    return instant > end_ - 1e-9 * period_ ? end_ : instant;
+  }
+  void pass() { ++passed_; }
+
+ private:
+  double begin_;
+  double end_;
+  double period_;
+  std::uint64_t passed_ = 0;
+};
+
+class Run {
+ public:
+  Run(System& system, Stepper& stepper, const SimulationOptions& options)
+      : system_(system),
+        stepper_(stepper),
+        options_(options),
+        end_(options.from + options.time),
+        rows_(options.from, end_, options.every),
+        holds_(options.from, end_, options.hold),
+        current_(started(system, options)),
+        recorder_(system, options, current_),
+        ranks_(system, go_elsewhere) {
+    block_.reserve(block_size);
+  }
+
+  Result<Trajectory> operator()() && {
+    Diagnostics wrong = record(current_);
+    if (!wrong.empty()) return wrong;
+    resume();
+    while (wrong.empty() && current_.t < end_) wrong = advance();
+    if (!wrong.empty()) return wrong;
+    Trajectory trajectory;
+    trajectory.steps = steps_;
+    trajectory.nanoseconds = elapsed_.count() * 1e9 / static_cast<double>(steps_);
+    const Diagnostics warnings = recorder_.warnings();
+    std::move(recorder_).finish(trajectory);
+    return {std::move(trajectory), warnings};
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  static TrajectorySample started(System& system, const SimulationOptions& options) {
+    TrajectorySample start{options.from, 0, options.every.has_value(), system.start(), {}};
+    const double* const q = start.state.data();
+    if (options.hold) system.hold(q, system.v_of(start.state), start.t);
+    start.inputs = system.inputs(q, system.v_of(start.state), start.t);
+    return start;
+  }
+
+  /// To the next instant at which something happens. All until then is looked at before it does.
+  Diagnostics advance() {
+    const double row = rows_.next();
+    const double hold = holds_.next();
+    const double target = std::min(row, hold);
+    stepper_.aim(current_.t, target);
+    while (current_.t < target) {
+      const std::optional<double> reached = stepper_.step(current_.state);
+      if (!reached) {
+        Diagnostics wrong = flush();
+        if (!wrong.empty()) return wrong;
+        return {recorder_.ended(stepper_.obstacle(), ranks_.weakest())};
+      }
+      ++steps_;
+      current_.after = *reached - current_.t;
+      current_.t = *reached;
+      current_.is_row = options_.every && current_.t >= row;
+      block_.push_back(current_);
+      if (block_.size() < block_size && current_.t < target) continue;
+      if (Diagnostics wrong = flush(); !wrong.empty()) return wrong;
+      if (options_.watch) options_.watch(current_.t);
+    }
+    if (row <= target) rows_.pass();
+    if (hold <= target) hold_again();
+    return {};
+  }
+
+  void hold_again() {
+    holds_.pass();
+    if (!options_.hold) return;
+    system_.hold(current_.state.data(), system_.v_of(current_.state), current_.t);
+  }
+
+  /// The clock stands while samples are looked at.
+  Diagnostics flush() {
+    elapsed_ += Clock::now() - resumed_;
+    Diagnostics wrong;
+    for (TrajectorySample& sample : block_) {
+      sample.inputs = system_.inputs(sample.state.data(), system_.v_of(sample.state), sample.t);
+      wrong = record(sample);
+      if (!wrong.empty()) break;
+    }
+    block_.clear();
+    resume();
+    return wrong;
+  }
+
+  Diagnostics record(const TrajectorySample& sample) {
+    Diagnostics wrong = recorder_.add(sample);
+    if (!wrong.empty() || options_.through_singular) return wrong;
+    return ranks_.look(sample.state, sample.t);
+  }
+
+  void resume() { resumed_ = Clock::now(); }
+
+  System& system_;
+  Stepper& stepper_;
+  const SimulationOptions& options_;
+  double end_;
+  Instants rows_;
+  Instants holds_;
+  TrajectorySample current_;
+  Recorder recorder_;
+  RankWatch ranks_;
+  std::vector<TrajectorySample> block_ = {};
+  std::uint64_t steps_ = 0;
+  Clock::time_point resumed_ = {};
+  std::chrono::duration<double> elapsed_ = {};
+};
+
+std::vector<TrajectoryColumn> columns_of(const Model& model, const LeafNames& leaves,
+                                         bool does_work) {
+  std::vector<TrajectoryColumn> columns{{"t", "s", ""}};
+  const auto name = [&](Opcode kind, std::size_t i) {
+    return leaf_text(leaves, kind, static_cast<std::uint32_t>(i));
+  };
+  for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
+    const Coordinate& coordinate = model.coordinates[i];
+    const std::string own = name(Opcode::coordinate, i);
+    columns.push_back({own, coordinate.unit_text,
+                       coordinate.rotation ? model.rotations[*coordinate.rotation].name : own});
+  }
+  for (std::size_t i = 0; i < model.velocities.size(); ++i) {
+    const Velocity& velocity = model.velocities[i];
+    const std::string& unit = model.coordinates[velocity.coordinate].unit_text;
+    const std::string rate = unit.empty() ? "" : unit + "/s";
+    columns.push_back({name(Opcode::velocity, i), velocity.rotation ? "rad/s" : rate, ""});
+  }
+  for (const Input& input : model.inputs) {
+    if (input.law) columns.push_back({input.name, input.unit_text, input.name});
+  }
+  const bool has_units = std::ranges::any_of(
+      model.velocities, [](const Velocity& velocity) { return velocity.unit.has_value(); });
+  columns.push_back({"E", has_units ? "J" : "", does_work ? "E − E₀ − work" : "E − E₀", true});
+  return columns;
+}
+
+/// That of all rows of a field of the residual; "" where they differ, or are 1 or not known.
+std::string common_unit(const Model& model, std::string_view field, Extent rows) {
+  std::vector<std::optional<Unit>> units;
+  for (std::size_t row = 0; row < extent_of(model, rows); ++row) {
+    units.push_back(unit_of_entry(model, {OutputKind::constraint_residual, field, row, 0}));
+  }
+  const auto other = std::ranges::find_if(
+      units, [&](const std::optional<Unit>& unit) { return unit != units.front(); });
+  const bool has_one = other == units.end() && units.front() && *units.front() != Unit{};
+  return has_one ? to_string(*units.front()) : "";
+}
+
+/// `columns`: of t, q and v.
+std::vector<StartMove> moves_of(const Model& model, const Model& assembled,
+                                const std::vector<TrajectoryColumn>& columns) {
+  const Numbers from = stated_start(model);
+  const Numbers to = stated_start(assembled);
+  std::vector<StartMove> moves;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    if (!is_visible_move(from[i], to[i])) continue;
+    moves.push_back({columns[i + 1].name, columns[i + 1].unit, to[i] - from[i]});
+  }
+  return moves;
+}
+
+void add_units(KeptConstraints& kept, const Model& model) {
+  const bool has_positions = extent_of(model, Extent::positions) > 0;
+  if (has_positions) kept.unit = common_unit(model, "position", Extent::positions);
+  kept.rate_unit = common_unit(model, "rate", Extent::constraints);
+}
+
+/// E518: laws of one number beyond the limits of their inputs, which run as they are.
+Diagnostics laws_beyond_limits(System& system, double t) {
+  Diagnostics found;
+  const Model& model = system.model();
+  const Numbers start = system.start();
+  for (const Input& input : model.inputs) {
+    if (!input.limits || !input.law || !is_one_number(model, *input.law)) continue;
+    const double value = system.value(*input.law, start.data(), system.v_of(start), t);
+    const auto low = ScalarTraits<double>::from_real(input.limits->low);
+    const auto high = ScalarTraits<double>::from_real(input.limits->high);
+    if (!(value < low || value > high)) continue;
+    const Span& span = model.expressions[*input.law].span;
+    found.push_back({Code::E518, span,
+                     fmt::format("{} is beyond [{:g}, {:g}], the limits of `{}`, and runs as it is",
+                                 in_backticks(span), low, high, input.name)});
+  }
+  return found;
+}
+
+}  // namespace
+
+std::string outputs_of_run(const Model& model) {
+  std::string names =
+      "mass_matrix,dissipation,applied_force,momentum,position_gradient,energy_function,"
+      "forward_dynamics";
+  if (!has_whole_lagrangian(model)) names += ",kinetic_energy,total_energy";
+  if (!model.inputs.empty()) names += ",input_matrix";
+  if (!model.rotations.empty()) names += ",coordinate_rates,normalized";
+  if (!model.constraints.empty()) names += ",constraint_residual,constraint_jacobian,projected";
+  return names;
+}
+
+Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
+                            const CompiledModel* compiled, const SimulationOptions& options) {
+  const Result<MethodRow> method = find_method(options);
+  if (!method) return method.diagnostics;
+  const Result<StepRule> rule = step_rule(*method, options);
+  if (!rule) return rule.diagnostics;
+  const Result<CheckedModel> assembled = assembled_model(checked, options.from);
+  if (!assembled) return assembled.diagnostics;
+  System system(*assembled, program, compiled, options.project);
+  Diagnostics refused = refuse_start(system, system.start(), options.from);
+  if (!refused.empty()) return refused;
+  const std::unique_ptr<Stepper> stepper = method->make(system, *rule);
+  Result<Trajectory> trajectory = Run(system, *stepper, options)();
+  if (!trajectory) return trajectory;
+  trajectory->model = checked.scene.base_name;
+  trajectory->method = method->name;
+  if (options.order && *options.order != method->order) {
+    trajectory->method += fmt::format(" of order {}", *options.order);
+  }
+  trajectory->from = options.from;
+  trajectory->columns = columns_of(checked.model, program.leaves, system.does_work());
+  if (trajectory->constraints) {
+    trajectory->constraints->start = moves_of(checked.model, assembled->model, trajectory->columns);
+    add_units(*trajectory->constraints, checked.model);
+  }
+  const Diagnostics beyond = laws_beyond_limits(system, options.from);
+  trajectory.diagnostics.insert(trajectory.diagnostics.end(), beyond.begin(), beyond.end());
+  return trajectory;
+}
+
+}  // namespace elgen

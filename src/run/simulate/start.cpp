@@ -1,0 +1,115 @@
+// The start of a run: assembled in 60 digits, and looked at once before the first step.
+#include "run/simulate/start.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "elgen/oracle.hpp"
+#include "inspect/checks.hpp"
+#include "numbers/exact_number.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// The sine of the double nearest to pi is 1e-16.
+constexpr double zero = 64 * epsilon;
+
+constexpr const char* start_elsewhere = "`--state` starts the run elsewhere";
+
+Diagnostic singular(std::string message) {
+  return {Code::E623, {}, std::move(message), start_elsewhere};
+}
+
+KeptStart named_start(const Model& model) {
+  KeptStart kept;
+  for (const Velocity& velocity : model.velocities) {
+    kept.positions.push_back(model.coordinates[velocity.coordinate].is_start_named);
+    kept.rates.push_back(velocity.is_start_named);
+  }
+  return kept;
+}
+
+CheckedModel started_at(CheckedModel checked, const State& state) {
+  for (std::size_t i = 0; i < state.q.size(); ++i) {
+    checked.model.coordinates[i].start_value = state.q[i];
+  }
+  for (std::size_t i = 0; i < state.v.size(); ++i) {
+    checked.model.velocities[i].start_rate = state.v[i];
+  }
+  return checked;
+}
+
+/// Whether what was named moved by less than is told: a state that was printed meets the
+/// constraints but for its last digits.
+bool keeps_named(const Model& model, const Model& moved) {
+  const Numbers from = stated_start(model);
+  const Numbers to = stated_start(moved);
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const std::size_t q = model.coordinates.size();
+    const bool is_named =
+        i < q ? model.coordinates[i].is_start_named : model.velocities[i - q].is_start_named;
+    if (is_named && is_visible_move(from[i], to[i])) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<CheckedModel> assembled_model(const CheckedModel& checked, double t) {
+  const Model& model = checked.model;
+  if (model.constraints.empty()) return checked;
+  State start = start_state(model, checked.scene);
+  start.t = exact_value(t);
+  const std::optional<Assembly> at = oracle_assembly(model, start, named_start(model));
+  if (at && at->has_rates) return started_at(checked, at->state);
+  const std::optional<State> near = oracle_assembled(model, std::move(start));
+  if (!near) {
+    return Diagnostic{
+        Code::E538, {}, "near the start no pose meets the constraints", start_elsewhere};
+  }
+  CheckedModel moved = started_at(checked, *near);
+  if (keeps_named(model, moved.model)) return moved;
+  return Diagnostic{
+      Code::E538,
+      {},
+      fmt::format("with what `--state` names no {} near the start meet the constraints: what is "
+                  "left is {}",
+                  at && at->has_pose ? "rates" : "coordinates",
+                  at ? what_is_left(model, *at) : "no value"),
+      "name less, since the others are solved for, or other values"};
+}
+
+Diagnostics refuse_start(System& system, const Numbers& state, double t) {
+  const double* const q = state.data();
+  const double* const v = system.v_of(state);
+  const Model& model = system.model();
+  for (const Coordinate& coordinate : model.coordinates) {
+    if (!coordinate.singular) continue;
+    if (std::abs(system.value(*coordinate.singular, q, v, t)) > zero) continue;
+    const std::string_view factor = covered_text(model.expressions[*coordinate.singular].span);
+    return {singular(fmt::format("the chart of `{}` breaks at the start, where `{}` is zero",
+                                 coordinate.name, factor))};
+  }
+  Numbers a(system.velocities());
+  system.acceleration(q, v, t, a.data());
+  const std::span<const double> pivots = system.relative_pivots();
+  for (std::size_t i = 0; i < pivots.size(); ++i) {
+    const double pivot = pivots[i];
+    if (std::abs(pivot) > static_cast<double>(pivots.size()) * epsilon) continue;
+    const bool is_of_mass = i < a.size();
+    const std::string name =
+        is_of_mass ? leaf_text(system.leaves(), Opcode::velocity, static_cast<std::uint32_t>(i))
+                   : model.constraints[i - a.size()].name;
+    const std::string value = std::isfinite(pivot) ? fmt::format("{:.1e}", pivot) : "no number";
+    return {singular(fmt::format("{} is singular at the start: the relative pivot of `{}` is {}",
+                                 is_of_mass ? "M" : "A M^-1 A^T", name, value))};
+  }
+  return {};
+}
+
+}  // namespace elgen

@@ -1,0 +1,110 @@
+// Methods of integration: what makes their steps, the table of them, and the choice of one.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "elgen/simulate.hpp"
+#include "elgen/step_methods.hpp"
+#include "run/steps/system.hpp"
+
+namespace elgen {
+
+/// One step after another from the begin of an interval to its end.
+class Stepper {
+ public:
+  Stepper() = default;
+  Stepper(const Stepper&) = delete;
+  Stepper& operator=(const Stepper&) = delete;
+  virtual ~Stepper() = default;
+
+  /// The next steps lead from `begin` to `end`. Inputs may have jumped at `begin`.
+  virtual void aim(double begin, double end) = 0;
+
+  /// One step; the time it reaches, in the end `end` itself. None where it cannot be made.
+  [[nodiscard]] virtual std::optional<double> step(Numbers& state) = 0;
+
+  /// Why not.
+  [[nodiscard]] virtual std::string_view obstacle() const = 0;
+};
+
+/// A method (System&) with restart() and step(state, t, h), in steps of one length.
+template <class Method>
+class FixedSteps final : public Stepper {
+ public:
+  FixedSteps(System& system, double longest) : method_(system), longest_(longest) {}
+
+  void aim(double begin, double end) override {
+    // A quotient that is whole but for rounding is whole.
+    const double count = std::ceil((end - begin) / longest_ * (1 - 1e-12));
+    count_ = static_cast<std::uint64_t>(std::max(count, 1.0));
+    begin_ = begin;
+    end_ = end;
+    length_ = (end - begin) / static_cast<double>(count_);
+    done_ = 0;
+    method_.restart();
+  }
+
+  std::optional<double> step(Numbers& state) override {
+    if (!method_.step(state, begin_ + static_cast<double>(done_) * length_, length_)) {
+      return std::nullopt;
+    }
+    ++done_;
+    return done_ == count_ ? end_ : begin_ + static_cast<double>(done_) * length_;
+  }
+
+  [[nodiscard]] std::string_view obstacle() const override {
+    return "the equations of the step are not solved";
+  }
+
+ private:
+  Method method_;
+  double longest_;
+  double begin_ = 0;
+  double end_ = 0;
+  double length_ = 0;
+  std::uint64_t count_ = 0;
+  std::uint64_t done_ = 0;
+};
+
+/// The error of a step, where neither it nor the length of steps is given.
+inline constexpr double default_tolerance = 1e-9;
+
+/// One of the two: the length of steps, or the error they are chosen by.
+struct StepRule {
+  std::optional<double> step = {};
+  double tolerance = 0;
+  double shortest = 0;  ///< chosen steps are not shorter
+};
+
+/// Of one length, or adapted to a tolerance unless a length is given.
+enum class StepKind : std::uint8_t { fixed, adapted };
+
+struct MethodRow {
+  std::string_view name;
+  std::uint32_t order;  ///< without composition
+  StepKind step;
+  std::optional<StepMethod> program;  ///< the `step` that it runs; none: it calls accelerations
+  std::unique_ptr<Stepper> (*make)(System& system, const StepRule& rule);
+};
+
+/// Those that are offered, in their order.
+[[nodiscard]] std::span<const MethodRow> method_table();
+
+[[nodiscard]] std::unique_ptr<Stepper> make_rk4(System& system, const StepRule& rule);
+[[nodiscard]] std::unique_ptr<Stepper> make_dopri5(System& system, const StepRule& rule);
+[[nodiscard]] std::unique_ptr<Stepper> make_step_program(System& system, const StepRule& rule);
+
+/// The row of the method that is asked for. E620 with a suggestion, E647.
+[[nodiscard]] Result<MethodRow> find_method(const SimulationOptions& options);
+
+/// The rule of its steps. E621: impossible numbers, a step and a tolerance, or neither where the
+/// method needs one.
+[[nodiscard]] Result<StepRule> step_rule(const MethodRow& method, const SimulationOptions& options);
+
+}  // namespace elgen

@@ -1,0 +1,100 @@
+// An expression node by node, each after what it refers to.
+#include "run/steps/state_function.hpp"
+
+#include <limits>
+#include <numbers>
+
+#include "elgen/references.hpp"
+
+namespace elgen {
+namespace {
+
+/// Numbers are rounded once, not at every state.
+bool is_number(const Expression& node) { return node.kind == ExpressionKind::number; }
+
+}  // namespace
+
+StateFunction::StateFunction(const Model& model, ExpressionId root, const Arguments<double>& others)
+    : model_(model),
+      others_(others),
+      order_(reached(model, {root})),
+      known_(model.expressions.size()) {
+  for (const ExpressionId id : order_) {
+    const Expression& node = model.expressions[id];
+    if (is_number(node)) known_[id] = {ScalarTraits<double>::from_real(node.number), 0};
+  }
+  result_ = order_.back();
+  std::erase_if(order_, [&model](ExpressionId id) { return is_number(model.expressions[id]); });
+}
+
+double StateFunction::operator()(const double* q, const double* v, double t) {
+  q_ = q;
+  v_ = v;
+  t_ = t;
+  for (const ExpressionId id : order_) known_[id] = value_of(model_.expressions[id], id);
+  return known_[result_].value;
+}
+
+StateFunction::Rated StateFunction::value_of(const Expression& node, ExpressionId id) const {
+  const auto operand = [&](std::size_t i) { return known_[node.operands[i]]; };
+  switch (node.kind) {
+    case ExpressionKind::prescribed:
+    case ExpressionKind::definition:
+    case ExpressionKind::point_component:
+    case ExpressionKind::frame_component:
+      return known_[references(model_, id).front()];
+    case ExpressionKind::negate:
+      return -operand(0);
+    case ExpressionKind::add: {
+      Rated sum;
+      for (const ExpressionId each : node.operands) sum = sum + known_[each];
+      return sum;
+    }
+    case ExpressionKind::multiply: {
+      Rated product{1, 0};
+      for (const ExpressionId each : node.operands) product = product * known_[each];
+      return product;
+    }
+    case ExpressionKind::divide:
+      return operand(0) / operand(1);
+    case ExpressionKind::power:
+      return power(operand(0), ScalarTraits<double>::from_real(node.number));
+    case ExpressionKind::function:
+      return interpreter::call(node.function, known_[node.operands.front()],
+                               known_[node.operands.back()]);
+    case ExpressionKind::time_derivative:
+      return {operand(0).slope, std::numeric_limits<double>::quiet_NaN()};
+    default:
+      return leaf(node);
+  }
+}
+
+StateFunction::Rated StateFunction::leaf(const Expression& node) const {
+  if (node.kind == ExpressionKind::pi) return {std::numbers::pi, 0};
+  if (node.leaf == Opcode::time) return {t_, 1};
+  if (node.leaf == Opcode::coordinate) return coordinate(node.index);
+  if (node.leaf == Opcode::velocity) return {v_[node.index], others_.a[node.index]};
+  const bool is_constant = leaf_row(node.leaf).of == LeafOwner::parameters;
+  return {leaf_of(others_, node.leaf, node.index),
+          is_constant ? 0 : std::numeric_limits<double>::quiet_NaN()};
+}
+
+/// de/dt = 1/2 e w of a quaternion.
+StateFunction::Rated StateFunction::coordinate(std::uint32_t index) const {
+  const Coordinate& coordinate = model_.coordinates[index];
+  if (!coordinate.rotation) return {q_[index], v_[coordinate.velocity]};
+  const Rotation& rotation = model_.rotations[*coordinate.rotation];
+  const double* const e = q_ + rotation.first_coordinate;
+  const double* const w = v_ + rotation.first_velocity;
+  const double rates[] = {
+      -e[1] * w[0] - e[2] * w[1] - e[3] * w[2], e[0] * w[0] + e[2] * w[2] - e[3] * w[1],
+      e[0] * w[1] + e[3] * w[0] - e[1] * w[2], e[0] * w[2] + e[1] * w[1] - e[2] * w[0]};
+  return {q_[index], rates[index - rotation.first_coordinate] / 2};
+}
+
+StateFunction::Rated StateFunction::power(const Rated& base, double exponent) const {
+  const double slope = exponent * std::pow(base.value, exponent - 1);
+  return {std::pow(base.value, exponent), base.slope == 0 ? 0 : slope * base.slope};
+}
+
+}  // namespace elgen

@@ -1,0 +1,64 @@
+// verlet and midpoint: the program of the output `step`, once for each step, with the inputs of its
+// start. The work of a step is its length times the power in its middle, at the mean rate.
+#include <algorithm>
+#include <cmath>
+
+#include "run/steps/methods.hpp"
+
+namespace elgen {
+namespace {
+
+/// The residual that the equations of an implicit step may keep, relative to p.
+constexpr double largest_residual = 1e-3;
+
+class StepProgram {
+ public:
+  explicit StepProgram(System& system)
+      : system_(system),
+        middle_(system.positions()),
+        rates_(system.velocities()),
+        momentum_(system.velocities()) {}
+
+  void restart() {}
+
+  bool step(Numbers& state, double t, double h) {
+    const Numbers& next = system_.stepped(state, t, h);
+    if (!is_solved(state, next, t, h)) return false;
+    // A model with rotations has no such step, so that dq/dt is v.
+    for (std::size_t i = 0; i < rates_.size(); ++i) {
+      rates_[i] = (next[i] - state[i]) / h;
+      middle_[i] = state[i] + h / 2 * rates_[i];
+    }
+    System::work_of(state) += h * system_.held_power(middle_.data(), rates_.data(), t + h / 2);
+    std::copy_n(next.begin(), state.size() - 1, state.begin());
+    return true;
+  }
+
+ private:
+  [[nodiscard]] bool is_solved(const Numbers& state, const Numbers& next, double t, double h) {
+    const std::size_t residual = state.size() - 1;
+    double left = 0;
+    for (std::size_t i = residual; i < next.size(); ++i) left += std::abs(next[i]);
+    return left == 0 || left <= largest_residual * (size_of_p(state, t) + size_of_p(next, t + h));
+  }
+
+  double size_of_p(const Numbers& state, double t) {
+    system_.momentum(state.data(), system_.v_of(state), t, momentum_.data());
+    double sum = 0;
+    for (const double p : momentum_) sum += std::abs(p);
+    return sum;
+  }
+
+  System& system_;
+  Numbers middle_;
+  Numbers rates_;
+  Numbers momentum_;
+};
+
+}  // namespace
+
+std::unique_ptr<Stepper> make_step_program(System& system, const StepRule& rule) {
+  return std::make_unique<FixedSteps<StepProgram>>(system, *rule.step);
+}
+
+}  // namespace elgen

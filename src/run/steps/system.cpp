@@ -1,0 +1,387 @@
+// The functions of a system, and what follows from which of their entries are zero.
+#include "run/steps/system.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "check/expressions/traits.hpp"
+#include "elgen/references.hpp"
+#include "elgen/wording.hpp"
+#include "program/evaluate/subject.hpp"
+
+namespace elgen {
+namespace {
+
+/// A run has no open functions, so that only t itself stands in code.
+bool reads_time(const Function* function) {
+  return function != nullptr &&
+         std::ranges::any_of(function->instructions, [](const Instruction& instruction) {
+           return instruction.opcode == Opcode::time;
+         });
+}
+
+/// [-inf, inf] where the model declares no limits, and where a law is one number.
+std::vector<InputLaw> laws_of(const Model& model, const Arguments<double>& at) {
+  std::vector<InputLaw> laws(model.inputs.size());
+  for (std::size_t k = 0; k < laws.size(); ++k) {
+    const Input& input = model.inputs[k];
+    if (input.law) laws[k].law.emplace(model, *input.law, at);
+    if (!input.limits || (input.law && is_one_number(model, *input.law))) continue;
+    laws[k].low = ScalarTraits<double>::from_real(input.limits->low);
+    laws[k].high = ScalarTraits<double>::from_real(input.limits->high);
+  }
+  return laws;
+}
+
+/// Of a result; 0 where there is no function.
+std::size_t result_size(const Function* function) {
+  return function == nullptr ? 0 : entry_count(*function);
+}
+
+/// Whether a constraint does work, by f_t or by what of phi is left at rest.
+bool are_moving(const Model& model) {
+  if (model.constraints.empty()) return false;
+  const std::vector<Traits> traits = find_traits(model);
+  return std::ranges::any_of(model.constraints, [&traits](const Constraint& constraint) {
+    const Traits& of = traits[constraint.value];
+    const bool is_left_at_rest = !constraint.is_position && of.lowest_rate_degree == 0;
+    return is_left_at_rest || (of.ingredients & uses_time) != 0;
+  });
+}
+
+constexpr std::size_t most_shown = 8;
+
+/// In (-pi, pi].
+double wrapped(double angle) {
+  const double turn = 2 * std::numbers::pi;
+  const double rest = std::remainder(angle, turn);
+  return rest <= -std::numbers::pi ? rest + turn : rest;
+}
+
+}  // namespace
+
+bool is_one_number(const Model& model, ExpressionId law) {
+  return !holds_leaf(model, law, Opcode::coordinate | Opcode::velocity | Opcode::time);
+}
+
+System::System(const CheckedModel& checked, const Program& program, const CompiledModel* compiled,
+               bool projects)
+    : model_(checked.model),
+      program_(program),
+      compiled_(compiled),
+      at_(arguments_at<double>(nominal_state(checked.model, checked.scene))),
+      laws_(laws_of(model_, at_)),
+      mass_matrix_(callee(OutputKind::mass_matrix)),
+      acceleration_(callee(OutputKind::forward_dynamics)),
+      coordinate_rates_(callee(OutputKind::coordinate_rates)),
+      input_matrix_(callee(OutputKind::input_matrix)),
+      applied_force_(callee(OutputKind::applied_force)),
+      dissipation_(callee(OutputKind::dissipation)),
+      momentum_(callee(OutputKind::momentum)),
+      energy_(callee(OutputKind::energy_function)),
+      kinetic_energy_(callee(OutputKind::kinetic_energy)),
+      total_energy_(callee(OutputKind::total_energy)),
+      normalized_(callee(OutputKind::normalized)),
+      step_(callee(OutputKind::step)),
+      constraint_residual_(callee(OutputKind::constraint_residual)),
+      constraint_jacobian_(callee(OutputKind::constraint_jacobian)),
+      restored_(callee(projects && !model_.constraints.empty() ? OutputKind::projected
+                                                               : OutputKind::normalized)),
+      first_acceleration_(first_entry_of(*acceleration_.function, "acceleration")),
+      first_pivot_(first_entry_of(*acceleration_.function, "relative_pivots")),
+      first_multiplier_(first_entry_of(*acceleration_.function, "multipliers")),
+      shown_(positions()),
+      solution_(result_size(acceleration_.function)),
+      moved_(result_size(step_.function)),
+      residual_(result_size(constraint_residual_.function)),
+      jacobian_(result_size(constraint_jacobian_.function)),
+      force_(velocities()),
+      more_force_(velocities()),
+      matrix_(velocities() * model_.inputs.size()),
+      mass_(velocities() * velocities()),
+      scales_(velocities()) {
+  is_driven_ = std::ranges::any_of(laws_, [](const InputLaw& law) { return law.law.has_value(); });
+  has_explicit_time_ = reads_time(find_function(program, OutputKind::energy_function)) ||
+                       reads_time(find_function(program, OutputKind::momentum));
+  for (std::uint32_t i = 0; i < velocities(); ++i) {
+    is_forced_ = is_forced_ || is_forced(i);
+    const bool is_cyclic = vanishes(OutputKind::position_gradient, i) && !is_forced(i);
+    const bool is_free = is_cyclic && !is_constrained(i);
+    if (is_free && !model_.velocities[i].rotation) cyclic_.push_back(i);
+  }
+  has_moving_constraints_ = are_moving(model_);
+  does_work_ = is_forced_ || has_explicit_time_ || has_moving_constraints_;
+  for (const Expectation& expectation : model_.expectations) add_conserved(expectation);
+}
+
+/// They speak of the exact model.
+void System::add_conserved(const Expectation& expectation) {
+  if (!expectation.is_conserved() || model_.approximation) return;
+  for (std::size_t i = 0; i < expectation.entries.size(); ++i) {
+    const ExpressionId id = expectation.entries[i];
+    const auto unit = i < expectation.units.size() ? expectation.units[i] : std::nullopt;
+    const bool has_unit = unit && *unit != Unit{};
+    conserved_.push_back({one_line(covered_text(model_.expressions[id].span)),
+                          has_unit ? to_string(*unit) : "", 0, 0});
+    conserved_functions_.emplace_back(model_, id, at_);
+  }
+  conserved_values_.resize(conserved_.size());
+}
+
+System::Callee System::callee(OutputKind kind) const {
+  const auto found = std::ranges::find(program_.functions, kind, &Function::kind);
+  if (found == program_.functions.end()) return {};
+  return {&*found, compiled_ == nullptr ? nullptr : compiled_->find(found->name)};
+}
+
+/// Whether all entries of a row are the number 0.
+bool System::vanishes(OutputKind kind, std::size_t row) const {
+  const Function* const function = find_function(program_, kind);
+  if (function == nullptr) return true;
+  const Field& field = function->fields.front();
+  const auto begin = field.entries.begin() + static_cast<std::ptrdiff_t>(row * field.columns);
+  return std::all_of(begin, begin + field.columns, [&](std::uint32_t entry) {
+    return loads_zero(program_, function->instructions[entry]);
+  });
+}
+
+/// Whether its column of A has an entry that is not the number 0.
+bool System::is_constrained(std::size_t velocity) const {
+  const Function* const function = constraint_jacobian_.function;
+  if (function == nullptr) return false;
+  const Field& field = function->fields.front();
+  for (std::size_t k = velocity; k < field.entries.size(); k += field.columns) {
+    if (!loads_zero(program_, function->instructions[field.entries[k]])) return true;
+  }
+  return false;
+}
+
+bool System::is_forced(std::size_t velocity) const {
+  return !vanishes(OutputKind::applied_force, velocity) ||
+         !vanishes(OutputKind::dissipation, velocity) ||
+         (is_driven_ && !vanishes(OutputKind::input_matrix, velocity));
+}
+
+Numbers stated_start(const Model& model) {
+  Numbers start;
+  for (const Coordinate& coordinate : model.coordinates) {
+    start.push_back(ScalarTraits<double>::from_real(coordinate.start_value));
+  }
+  for (const Velocity& velocity : model.velocities) {
+    start.push_back(ScalarTraits<double>::from_real(velocity.start_rate));
+  }
+  return start;
+}
+
+std::string System::text_of(const Numbers& state) const {
+  std::vector<std::string> parts;
+  const auto add = [&](Opcode kind, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      parts.push_back(fmt::format("{} = {:.6g}",
+                                  leaf_text(leaves(), kind, static_cast<std::uint32_t>(i)),
+                                  state[parts.size()]));
+    }
+  };
+  add(Opcode::coordinate, positions());
+  add(Opcode::velocity, velocities());
+  const bool is_long = parts.size() > most_shown;
+  parts.resize(std::min(parts.size(), most_shown));
+  return fmt::format("{}{}", fmt::join(parts, ", "), is_long ? ", …" : "");
+}
+
+Numbers System::start() {
+  Numbers state = stated_start(model_);
+  state.push_back(0);
+  if (normalized_.function != nullptr) {
+    call(normalized_, state.data(), v_of(state), 0, state.data());
+  }
+  return state;
+}
+
+void System::hold(const double* q, const double* v, double t) {
+  is_held_ = false;
+  (void)inputs(q, v, t);
+  is_held_ = true;
+}
+
+const Numbers& System::inputs(const double* q, const double* v, double t) {
+  if (is_held_ || !is_driven_) return at_.u;
+  const Numbers& seen = shown(q);
+  for (std::size_t k = 0; k < laws_.size(); ++k) {
+    auto& [law, low, high] = laws_[k];
+    if (!law) continue;
+    const double value = (*law)(seen.data(), v, t);
+    // A NaN stays one.
+    at_.u[k] = value < low ? low : value > high ? high : value;
+  }
+  return at_.u;
+}
+
+const Numbers& System::shown(const double* q) {
+  for (std::size_t i = 0; i < shown_.size(); ++i) {
+    shown_[i] = model_.coordinates[i].wrap ? wrapped(q[i]) : q[i];
+  }
+  return shown_;
+}
+
+void System::call(const Callee& called, const double* q, const double* v, double t,
+                  double* result) {
+  if (called.code != nullptr) {
+    called.code(at_.parameters.data(), at_.f.data(), q, v, nullptr, nullptr, nullptr, at_.u.data(),
+                t, at_.h, at_.E, result);
+    return;
+  }
+  std::copy_n(q, positions(), at_.q.begin());
+  std::copy_n(v, velocities(), at_.v.begin());
+  at_.t = t;
+  std::ranges::copy(evaluate(program_, *called.function, at_), result);
+}
+
+const Numbers& System::stepped(const Numbers& state, double t, double h) {
+  (void)inputs(state.data(), v_of(state), t);
+  at_.h = h;
+  call(step_, state.data(), v_of(state), t, moved_.data());
+  return moved_;
+}
+
+void System::acceleration(const double* q, const double* v, double t, double* a) {
+  (void)inputs(q, v, t);
+  call(acceleration_, q, v, t, solution_.data());
+  std::copy_n(solution_.data() + first_acceleration_, velocities(), a);
+}
+
+void System::coordinate_rates(const double* q, const double* v, double* rates) {
+  if (coordinate_rates_.function == nullptr) {
+    std::copy_n(v, velocities(), rates);
+  } else {
+    call(coordinate_rates_, q, v, 0, rates);
+  }
+}
+
+void System::find_force(const double* q, const double* v, double t) {
+  call(applied_force_, q, v, t, force_.data());
+  call(dissipation_, q, v, t, more_force_.data());
+  for (std::size_t i = 0; i < velocities(); ++i) force_[i] -= more_force_[i];
+  if (has_moving_constraints_) add_constraint_force(q, v, t);
+  if (input_matrix_.function == nullptr) return;
+  call(input_matrix_, q, v, t, matrix_.data());
+  const Numbers& u = at_.u;
+  for (std::size_t i = 0; i < velocities(); ++i) {
+    for (std::size_t k = 0; k < u.size(); ++k) force_[i] += matrix_[i * u.size() + k] * u[k];
+  }
+}
+
+/// A^T lambda, by the inputs that were last asked for.
+void System::add_constraint_force(const double* q, const double* v, double t) {
+  const std::size_t n = velocities();
+  call(acceleration_, q, v, t, solution_.data());
+  (void)constraint_jacobian(q, v, t);
+  for (std::size_t k = 0; k < jacobian_.size(); ++k) {
+    force_[k % n] += jacobian_[k] * solution_[first_multiplier_ + k / n];
+  }
+}
+
+double System::power(const double* q, const double* v, double t) {
+  if (does_work_) (void)inputs(q, v, t);
+  return held_power(q, v, t);
+}
+
+double System::held_power(const double* q, const double* v, double t) {
+  double sum = has_explicit_time_ ? explicit_power(q, v, t) : 0;
+  if (!is_forced_ && !has_moving_constraints_) return sum;
+  find_force(q, v, t);
+  for (std::size_t i = 0; i < velocities(); ++i) sum += v[i] * force_[i];
+  return sum;
+}
+
+/// -dL/dt = dE/dt - v.dp/dt, both at rest, since L = v.p - E. No output has it: the program is
+/// evaluated on numbers that move with time.
+double System::explicit_power(const double* q, const double* v, double t) const {
+  Arguments<Dual<double>> at = map_leaves([](double x) { return Dual<double>{x, 0}; }, at_);
+  for (std::size_t i = 0; i < positions(); ++i) at.q[i].value = q[i];
+  for (std::size_t i = 0; i < velocities(); ++i) at.v[i].value = v[i];
+  at.t = {t, 1};
+  const auto slopes = [&](OutputKind kind) {
+    return evaluate(program_, *find_function(program_, kind), at);
+  };
+  double result = slopes(OutputKind::energy_function).front().slope;
+  const std::vector<Dual<double>> momentum = slopes(OutputKind::momentum);
+  for (std::size_t i = 0; i < velocities(); ++i) result -= v[i] * momentum[i].slope;
+  return result;
+}
+
+const Numbers& System::mass_matrix(const double* q, const double* v, double t) {
+  call(mass_matrix_, q, v, t, mass_.data());
+  return mass_;
+}
+
+const Numbers& System::constraint_jacobian(const double* q, const double* v, double t) {
+  if (!jacobian_.empty()) call(constraint_jacobian_, q, v, t, jacobian_.data());
+  return jacobian_;
+}
+
+void System::momentum(const double* q, const double* v, double t, double* result) {
+  call(momentum_, q, v, t, result);
+}
+
+const Numbers& System::momentum_scales(const double* q, const double* v, double t) {
+  const std::size_t n = velocities();
+  (void)mass_matrix(q, v, t);
+  for (std::size_t i = 0; i < n; ++i) {
+    scales_[i] = 0;
+    for (std::size_t j = 0; j < n; ++j) scales_[i] += std::abs(mass_[i * n + j] * v[j]);
+  }
+  return scales_;
+}
+
+const Numbers& System::conserved_values(const double* q, const double* v, double t) {
+  if (conserved_.empty()) return conserved_values_;
+  acceleration(q, v, t, at_.a.data());
+  momentum(q, v, t, at_.momenta.data());
+  at_.E = energy(q, v, t);
+  for (std::size_t i = 0; i < conserved_.size(); ++i) {
+    conserved_values_[i] = conserved_functions_[i](q, v, t);
+  }
+  return conserved_values_;
+}
+
+double System::energy(const double* q, const double* v, double t) {
+  double result = 0;
+  call(energy_, q, v, t, &result);
+  return result;
+}
+
+double System::magnitude(const double* q, const double* v, double t) {
+  double whole = 0;
+  double part = 0;
+  if (has_energies()) {
+    call(total_energy_, q, v, t, &whole);
+    call(kinetic_energy_, q, v, t, &part);
+  } else {
+    whole = energy(q, v, t);
+    momentum(q, v, t, force_.data());
+    for (std::size_t i = 0; i < velocities(); ++i) part += v[i] * force_[i];
+  }
+  return std::abs(part) + std::abs(whole - part);
+}
+
+ConstraintOffset System::offset(const double* q, const double* v, double t) {
+  ConstraintOffset result;
+  if (residual_.empty()) return result;
+  call(constraint_residual_, q, v, t, residual_.data());
+  const std::size_t first_rate = first_entry_of(*constraint_residual_.function, "rate");
+  for (std::size_t i = 0; i < residual_.size(); ++i) {
+    double& largest = i < first_rate ? result.position : result.rate;
+    largest = std::max(largest, std::abs(residual_[i]));
+  }
+  return result;
+}
+
+void System::restore(Numbers& state, double t) {
+  call(restored_, state.data(), v_of(state), t, state.data());
+}
+
+}  // namespace elgen

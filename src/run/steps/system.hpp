@@ -1,0 +1,166 @@
+// System: what steps in time ask of a model, by its functions, on flat numbers.
+//
+// A state lies in one list: q, then v, then the work that forces and time have done, with
+//
+//     dq/dt = N v,   M dv/dt = B u - bias + A^T lambda,   dW/dt = v.F - dL/dt,
+//     F = B u + Q - dD/dv + A^T lambda
+//
+// so that E - W is constant along the motion. W stays 0 where nothing does work; constraints do
+// some where they move by themselves.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "elgen/program.hpp"
+#include "elgen/scene.hpp"
+#include "elgen/simulate.hpp"
+#include "elgen/toolchain.hpp"
+#include "run/steps/state_function.hpp"
+
+namespace elgen {
+
+using Numbers = std::vector<double>;
+
+/// q and v of a model's own start.
+[[nodiscard]] Numbers stated_start(const Model& model);
+
+/// Whether a law is one number along a run, and so is not cut off at limits.
+[[nodiscard]] bool is_one_number(const Model& model, ExpressionId law);
+
+/// The law of an input, and the limits at which it is cut off.
+struct InputLaw {
+  std::optional<StateFunction> law = {};
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+};
+
+class System {
+ public:
+  /// Functions run as they were compiled; where `compiled` is null, in the evaluator. `projects`:
+  /// states are put back onto constraints.
+  System(const CheckedModel& checked, const Program& program, const CompiledModel* compiled,
+         bool projects = true);
+  System(const System&) = delete;
+  System& operator=(const System&) = delete;
+
+  [[nodiscard]] const Model& model() const { return model_; }
+  [[nodiscard]] const LeafNames& leaves() const { return program_.leaves; }
+  [[nodiscard]] std::size_t positions() const { return model_.coordinates.size(); }
+  [[nodiscard]] std::size_t velocities() const { return model_.velocities.size(); }
+
+  /// Where the parts of a list begin.
+  [[nodiscard]] double* v_of(Numbers& state) const { return state.data() + positions(); }
+  [[nodiscard]] const double* v_of(const Numbers& state) const {
+    return state.data() + positions();
+  }
+  [[nodiscard]] static double& work_of(Numbers& state) { return state.back(); }
+  /// "theta = 1, dot(theta) = 2", of the first few q and v.
+  [[nodiscard]] std::string text_of(const Numbers& state) const;
+
+  /// The model's own start, quaternions scaled to length 1.
+  [[nodiscard]] Numbers start();
+
+  /// Inputs keep what their laws are here, until held again.
+  void hold(const double* q, const double* v, double t);
+  /// By the laws, which see the angles that are shown, inside `limits`; 0 where there is no law.
+  [[nodiscard]] const Numbers& inputs(const double* q, const double* v, double t);
+  /// q as rows show it: an angle with `wrap` in (-pi, pi].
+  [[nodiscard]] const Numbers& shown(const double* q);
+
+  /// Of an expression of the model in q, v and t.
+  [[nodiscard]] double value(ExpressionId expression, const double* q, const double* v,
+                             double t) const {
+    return StateFunction(model_, expression, at_)(q, v, t);
+  }
+
+  /// The result of the program's `step` of length h from a state, with its inputs there: q, v, and
+  /// the residual of an implicit method.
+  [[nodiscard]] const Numbers& stepped(const Numbers& state, double t, double h);
+
+  void acceleration(const double* q, const double* v, double t, double* a);
+  /// D_i / M_ii of M = L D L^T, then those of A M^-1 A^T, as the acceleration was last made.
+  [[nodiscard]] std::span<const double> relative_pivots() const {
+    return {solution_.data() + first_pivot_, velocities() + model_.constraints.size()};
+  }
+  void coordinate_rates(const double* q, const double* v, double* rates);
+  /// v.F - dL/dt; 0 where no work is done.
+  [[nodiscard]] double power(const double* q, const double* v, double t);
+  /// The same with the inputs that were last asked for.
+  [[nodiscard]] double held_power(const double* q, const double* v, double t);
+  /// n x n, row-major.
+  [[nodiscard]] const Numbers& mass_matrix(const double* q, const double* v, double t);
+  /// A, m x n, row-major.
+  [[nodiscard]] const Numbers& constraint_jacobian(const double* q, const double* v, double t);
+  void momentum(const double* q, const double* v, double t, double* result);
+  /// sum_j |M_ij v_j| of every i: what p_i is the sum of, but for what is linear in v.
+  [[nodiscard]] const Numbers& momentum_scales(const double* q, const double* v, double t);
+  [[nodiscard]] double energy(const double* q, const double* v, double t);
+  /// The entries of the model's `conserved`, and their values at a state.
+  [[nodiscard]] const std::vector<ConservedDrift>& conserved() const { return conserved_; }
+  [[nodiscard]] const Numbers& conserved_values(const double* q, const double* v, double t);
+  /// Whether T and V are known apart.
+  [[nodiscard]] bool has_energies() const { return kinetic_energy_.function != nullptr; }
+  /// |T| + |V|; |v.p| + |L| where only L is known.
+  [[nodiscard]] double magnitude(const double* q, const double* v, double t);
+  /// How far a state is off the constraints.
+  [[nodiscard]] ConstraintOffset offset(const double* q, const double* v, double t);
+  /// Whether a step may leave quaternions of another length, or a state off the constraints.
+  [[nodiscard]] bool is_restored() const { return restored_.function != nullptr; }
+  /// Quaternions to length 1, and by one step of Newton back onto the constraints.
+  void restore(Numbers& state, double t);
+
+  /// Whether forces, time or constraints do work.
+  [[nodiscard]] bool does_work() const { return does_work_; }
+  /// The coordinates' velocities whose momentum nothing changes.
+  [[nodiscard]] const std::vector<std::uint32_t>& cyclic() const { return cyclic_; }
+
+ private:
+  /// Null where the program has none; without code where it was not compiled.
+  struct Callee {
+    const Function* function = nullptr;
+    DriverFunction<double> code = nullptr;
+  };
+
+  void add_conserved(const Expectation& expectation);
+  [[nodiscard]] Callee callee(OutputKind kind) const;
+  void call(const Callee& called, const double* q, const double* v, double t, double* result);
+  /// F, to `force_`.
+  void find_force(const double* q, const double* v, double t);
+  void add_constraint_force(const double* q, const double* v, double t);
+  [[nodiscard]] bool vanishes(OutputKind kind, std::size_t row) const;
+  [[nodiscard]] bool is_constrained(std::size_t velocity) const;
+  [[nodiscard]] bool is_forced(std::size_t velocity) const;
+  [[nodiscard]] double explicit_power(const double* q, const double* v, double t) const;
+
+  const Model& model_;
+  const Program& program_;
+  const CompiledModel* compiled_;
+  /// Of a call; inputs are those that were last asked for, and a, p, E those of conserved
+  /// quantities.
+  Arguments<double> at_;
+  std::vector<InputLaw> laws_;
+  Callee mass_matrix_, acceleration_, coordinate_rates_, input_matrix_, applied_force_,
+      dissipation_, momentum_, energy_, kinetic_energy_, total_energy_, normalized_, step_,
+      constraint_residual_, constraint_jacobian_, restored_;
+  bool is_held_ = false;
+  bool is_driven_ = false;
+  bool has_explicit_time_ = false;
+  bool is_forced_ = false;
+  bool has_moving_constraints_ = false;
+  bool does_work_ = false;
+  std::vector<std::uint32_t> cyclic_ = {};
+  std::vector<ConservedDrift> conserved_ = {};
+  std::vector<StateFunction> conserved_functions_ = {};
+  Numbers conserved_values_ = {};
+  std::size_t first_acceleration_ = 0;  ///< in `solution_`
+  std::size_t first_pivot_ = 0;
+  std::size_t first_multiplier_ = 0;
+  Numbers shown_, solution_, moved_, residual_, jacobian_, force_, more_force_, matrix_, mass_,
+      scales_;
+};
+
+}  // namespace elgen

@@ -1,0 +1,121 @@
+// Runs in time as designs: method by order by step by batch. Together they are a work-precision
+// diagram.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "elgen/tradeoff.hpp"
+#include "run/steps/system.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr std::array<std::size_t, 3> steps_of_a_run{100, 1000, 10'000};
+constexpr double turn = 6.283185307179586;
+
+/// Of one state so many that its start is nothing beside them; in packs so many states that they
+/// and their results fit the fastest cache where the model is small.
+constexpr std::size_t steps_of_one = 200;
+constexpr std::size_t states_in_packs = 256;
+constexpr std::size_t steps_in_packs = 8;
+
+/// |x - y|, across the jump of an angle.
+double distance(double x, double y, bool wraps) {
+  return wraps ? std::abs(std::remainder(x - y, turn)) : std::abs(x - y);
+}
+
+bool has_laws(const Model& model) {
+  return std::ranges::any_of(model.inputs,
+                             [](const Input& input) { return input.law.has_value(); });
+}
+
+/// Every number `count` times.
+Numbers repeated(const Numbers& numbers, std::size_t count) {
+  Numbers all;
+  for (const double number : numbers) all.insert(all.end(), count, number);
+  return all;
+}
+
+/// By steps of h s of one state.
+PlannedRun planned(const StepMethodRow& method, std::uint32_t order, double h) {
+  const std::string length = fmt::format("{:g} s", h);
+  const ChosenStep step{method.id, order == method.order ? 0 : order};
+  return {{std::string(method.name), std::to_string(order), length, "one"},
+          {.step = step, .doc = "For steps of " + length + "."},
+          0};
+}
+
+}  // namespace
+
+std::vector<PlannedRun> planned_runs(double time) {
+  std::vector<PlannedRun> runs;
+  for (const StepMethodRow& method : step_methods) {
+    for (const std::uint32_t order : step_orders(method.order)) {
+      for (const std::size_t steps : steps_of_a_run) {
+        PlannedRun run = planned(method, order, time / static_cast<double>(steps));
+        run.steps = steps;
+        runs.push_back(run);
+        run.values.back() = "packs";
+        run.design.in_packs = true;
+        runs.push_back(std::move(run));
+      }
+    }
+  }
+  return runs;
+}
+
+std::vector<double> end_of_run(const CheckedModel& checked, const Program& program,
+                               const StepLoops& loops, const PlannedRun& run, double time) {
+  System system(checked, program, nullptr);
+  const std::size_t size = system.positions() + system.velocities();
+  Numbers state = system.start();
+  state.resize(size);
+  state.resize(loops.entries);
+  Numbers spare(loops.entries);
+  const StepLoop loop = run.design.in_packs ? loops.in_packs : loops.one;
+  const double h = time / static_cast<double>(run.steps);
+  const std::size_t stride = has_laws(checked.model) ? 1 : run.steps;
+  for (std::size_t i = 0; i < run.steps; i += stride) {
+    const double t = static_cast<double>(i) * h;
+    const Numbers& u = system.inputs(state.data(), system.v_of(state), t);
+    loop(1, stride, t, h, u.data(), state.data(), spare.data());
+  }
+  state.resize(size);
+  return state;
+}
+
+TimedSteps timed_steps(const CheckedModel& checked, const Program& program, const StepLoops& loops,
+                       bool in_packs, double length) {
+  System system(checked, program, nullptr);
+  Numbers start = system.start();
+  const std::size_t count = in_packs ? states_in_packs : 1;
+  const std::size_t steps = in_packs ? steps_in_packs : steps_of_one;
+  const Numbers inputs = repeated(system.inputs(start.data(), system.v_of(start), 0), count);
+  start.resize(system.positions() + system.velocities());
+  start.resize(loops.entries);
+  const Numbers first = repeated(start, count);
+  const StepLoop loop = in_packs ? loops.in_packs : loops.one;
+  const auto work = [=, state = first, spare = first]() mutable {
+    std::ranges::copy(first, state.begin());
+    loop(count, steps, 0, length, inputs.data(), state.data(), spare.data());
+  };
+  return {work, count * steps};
+}
+
+DesignErrors errors_of(const std::vector<double>& last, const ReferenceRun& reference,
+                       const Model& model) {
+  const std::size_t coordinates = model.coordinates.size();
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < last.size(); ++i) {
+    const bool wraps = i < coordinates && model.coordinates[i].wrap;
+    const double error = distance(last[i], reference.last[i], wraps);
+    errors.push_back(error == 0 ? 0 : error / reference.largest[i]);
+  }
+  std::sort(errors.begin(), errors.end());
+  return {errors.back(), errors[errors.size() / 2]};
+}
+
+}  // namespace elgen

@@ -1,0 +1,251 @@
+// found_errors: a pattern search (Hooke and Jeeves) for the state at which a design is worst.
+//
+// Rounding errors jump from state to state, and grow and shrink slowly over many: steps from 2^-1
+// to 2^-20 of a range, each times a number between 1/2 and 1, meet new states as long as the search
+// lasts, around the worst one so far.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <vector>
+
+#include "elgen/evaluate.hpp"
+#include "elgen/oracle.hpp"
+#include "numbers/random.hpp"
+#include "run/tradeoff/errors.hpp"
+#include "sample/states.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr std::size_t climbs_at_most = 10;
+constexpr std::size_t states_searched = 20'000;
+constexpr std::size_t fewest_sweeps = 8;
+constexpr std::size_t most_sweeps = 400;
+constexpr double longest_step = 0.5;  ///< of a range
+constexpr double first_step = 0.25;
+constexpr double shortest_step = 0x1p-20;
+
+/// Constants are converted once.
+struct LongRules : interpreter::NumberRules<long double> {
+  const Constant* first;
+  const std::vector<long double>& constants;
+
+  [[nodiscard]] long double constant(const Constant& constant) const {
+    return constants[static_cast<std::size_t>(&constant - first)];
+  }
+};
+
+/// The first function of a program in long double, with the exact parameters: 2048 times as exact
+/// as the same in double, where long double is longer.
+class LongProgram {
+ public:
+  LongProgram(const CheckedModel& checked, const Program& program) : program_(program) {
+    for (const Constant& constant : program.constants) {
+      constants_.push_back(ScalarTraits<long double>::from_real(constant.value));
+    }
+    for (const cln::cl_R& value : nominal_state(checked.model, checked.scene).parameters) {
+      parameters_.push_back(ScalarTraits<long double>::from_real(value));
+    }
+  }
+
+  [[nodiscard]] std::vector<long double> at(const Arguments<double>& state) const {
+    Arguments<long double> arguments =
+        map_leaves([](double x) { return static_cast<long double>(x); }, state);
+    arguments.parameters = parameters_;
+    const Function& function = program_.functions.front();
+    const LongRules rules{{arguments}, program_.constants.data(), constants_};
+    return entries_of(function, fold<long double>(rules, program_, function));
+  }
+
+ private:
+  const Program& program_;
+  std::vector<long double> constants_ = {};
+  std::vector<long double> parameters_ = {};
+};
+
+/// A number of the state that the function reads, and where it may be.
+struct MovingNumber {
+  Opcode kind;
+  std::uint32_t number;
+  double low;
+  double high;
+};
+
+void set(Arguments<double>& state, const MovingNumber& moving, double value) {
+  const auto visit = [&](Opcode kind, std::uint32_t number, double& x) {
+    if (kind == moving.kind && number == moving.number) x = value;
+  };
+  for_each_leaf(visit, state);
+}
+
+/// Parameters stay at their values.
+std::vector<MovingNumber> moving_numbers(const Function& function, const TradeoffStates& states) {
+  std::vector<MovingNumber> moving;
+  for (const Instruction& i : function.instructions) {
+    if (!is_leaf(i.opcode) || i.opcode == Opcode::parameter) continue;
+    const MovingNumber found{i.opcode, i.a, leaf_of(states.low, i.opcode, i.a),
+                             leaf_of(states.high, i.opcode, i.a)};
+    if (found.low < found.high) moving.push_back(found);
+  }
+  return moving;
+}
+
+/// The worst state so far from one start.
+struct Climb {
+  Arguments<double> state;
+  double error;
+  double step;  ///< of the ranges
+};
+
+class ErrorSearch {
+ public:
+  ErrorSearch(const CheckedModel& exact, const Program& program, const TradeoffStates& states,
+              const DesignValues& design)
+      : exact_(exact),
+        program_(program),
+        reference_(exact, program),
+        scales_(states),
+        moving_(moving_numbers(program.functions.front(), states)),
+        design_(design) {}
+
+  /// The states that the search ends at.
+  std::vector<Arguments<double>> search(std::vector<Climb> climbs) {
+    const std::size_t states_of_sweep = climbs.size() * (2 * moving_.size() + 1);
+    const std::size_t sweeps =
+        std::clamp(states_searched / states_of_sweep, fewest_sweeps, most_sweeps);
+    for (std::size_t i = 0; i < sweeps && !moving_.empty(); ++i) sweep(climbs);
+    std::vector<Arguments<double>> ends;
+    for (Climb& climb : climbs) ends.push_back(std::move(climb.state));
+    return ends;
+  }
+
+  /// Each in 60 digits; 0 outside the domain.
+  [[nodiscard]] std::vector<double> confirmed(const std::vector<Arguments<double>>& states) const {
+    const std::vector<double> values = design_(states);
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      const auto exact = exact_entries(exact_, program_, states[i]);
+      const auto apart = [&](std::size_t k) {
+        return distance_to(values[k * states.size() + i], (*exact)[k]);
+      };
+      const auto of = [&](std::size_t k) { return (*exact)[k].high; };
+      errors.push_back(exact ? scales_.error(apart, of) : 0);
+    }
+    return errors;
+  }
+
+ private:
+  /// By the program in long double; 0 where that is not finite.
+  [[nodiscard]] std::vector<double> errors_at(const std::vector<Arguments<double>>& states) const {
+    const std::vector<double> values = design_(states);
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      const std::vector<long double> exact = reference_.at(states[i]);
+      const auto apart = [&](std::size_t k) {
+        const long double value = values[k * states.size() + i];
+        return static_cast<double>(std::abs(value - exact[k]));
+      };
+      const auto of = [&](std::size_t k) { return static_cast<double>(exact[k]); };
+      const bool is_defined =
+          std::ranges::all_of(exact, [](long double x) { return std::isfinite(x); });
+      errors.push_back(is_defined ? scales_.error(apart, of) : 0);
+    }
+    return errors;
+  }
+
+  [[nodiscard]] Arguments<double> moved(const Climb& climb, const MovingNumber& number,
+                                        double share) const {
+    Arguments<double> state = climb.state;
+    const double from = leaf_of(state, number.kind, number.number);
+    const double to = from + share * climb.step * (number.high - number.low);
+    set(state, number, std::clamp(to, number.low, number.high));
+    scale_quaternions(exact_.model, state);
+    return state;
+  }
+
+  /// From each climb every number up and down.
+  [[nodiscard]] std::vector<Arguments<double>> neighbours(const std::vector<Climb>& climbs) {
+    std::vector<Arguments<double>> states;
+    for (const Climb& climb : climbs) {
+      for (const MovingNumber& number : moving_) {
+        const double share = shares_.uniform(0.5, 1);
+        states.push_back(moved(climb, number, share));
+        states.push_back(moved(climb, number, -share));
+      }
+    }
+    return states;
+  }
+
+  /// Every number goes where that alone makes it worse.
+  [[nodiscard]] Arguments<double> together(const Climb& climb, const Arguments<double>* near,
+                                           const double* errors) const {
+    Arguments<double> state = climb.state;
+    for (std::size_t k = 0; k < moving_.size(); ++k) {
+      const std::size_t worse = errors[2 * k] >= errors[2 * k + 1] ? 2 * k : 2 * k + 1;
+      const MovingNumber& number = moving_[k];
+      if (errors[worse] <= climb.error) continue;
+      set(state, number, leaf_of(near[worse], number.kind, number.number));
+    }
+    scale_quaternions(exact_.model, state);
+    return state;
+  }
+
+  void sweep(std::vector<Climb>& climbs) {
+    const std::size_t each = 2 * moving_.size();
+    const std::vector<Arguments<double>> near = neighbours(climbs);
+    const std::vector<double> errors = errors_at(near);
+    std::vector<Arguments<double>> joint;
+    for (std::size_t c = 0; c < climbs.size(); ++c) {
+      joint.push_back(together(climbs[c], &near[c * each], &errors[c * each]));
+    }
+    const std::vector<double> of_joint = errors_at(joint);
+    for (std::size_t c = 0; c < climbs.size(); ++c) {
+      Climb& climb = climbs[c];
+      const double before = climb.error;
+      for (std::size_t k = c * each; k < (c + 1) * each; ++k) take(climb, near[k], errors[k]);
+      take(climb, joint[c], of_joint[c]);
+      climb.step = climb.error > before ? std::min(2 * climb.step, longest_step) : climb.step / 2;
+      if (climb.step < shortest_step) climb.step = first_step;
+    }
+  }
+
+  static void take(Climb& climb, const Arguments<double>& state, double error) {
+    if (error > climb.error) climb = {state, error, climb.step};
+  }
+
+  const CheckedModel& exact_;
+  const Program& program_;
+  LongProgram reference_;
+  FieldScales scales_;
+  std::vector<MovingNumber> moving_;
+  const DesignValues& design_;
+  Random shares_ = Random(1);
+};
+
+}  // namespace
+
+FoundErrors found_errors(const CheckedModel& exact, const Program& program,
+                         const TradeoffStates& states, const DesignValues& design) {
+  const std::vector<double> errors = state_errors(design(states.states), states);
+  std::vector<std::size_t> order(errors.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) { return errors[i]; });
+  const std::size_t worst = order.front();
+  FoundErrors found{errors[worst], errors[order[order.size() / 2]], states.states[worst]};
+  std::vector<Climb> climbs;
+  for (std::size_t i = 0; i < std::min(climbs_at_most, order.size()); ++i) {
+    climbs.push_back({states.states[order[i]], errors[order[i]], first_step});
+  }
+  ErrorSearch search(exact, program, states, design);
+  const std::vector<Arguments<double>> ends = search.search(std::move(climbs));
+  const std::vector<double> confirmed = search.confirmed(ends);
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    if (confirmed[i] <= found.worst) continue;
+    found.worst = confirmed[i];
+    found.where = ends[i];
+  }
+  return found;
+}
+
+}  // namespace elgen

@@ -1,0 +1,195 @@
+// Places where M or the constraints lose rank: what is said at states by hand, and runs that meet
+// one by all kinds of steps.
+#include "run/simulate/ranks.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "run/simulate/compiled_model.hpp"
+#include "support/shell.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+std::string five_bar() { return read_text(ELGEN_SOURCE_DIR "/models/five_bar.toml"); }
+
+/// A crank as long as its rod: where both are upright the guide holds neither.
+const std::string crank = model_text("crank", R"toml([[coordinate]]
+name = "a"
+start = { value = 0.5, rate = 2 }
+[[coordinate]]
+name = "b"
+start = { value = -0.5, rate = -2 }
+[parameters]
+J = 2
+[energy]
+T = "1/2*J*dot(a)^2 + 1/2*dot(b)^2"
+V = "sin(a)/3 - cos(2*b)"
+[[constraint]]
+name = "guide"
+equation = "sin(a) + sin(b) = 0"
+)toml");
+
+/// `squares` of dot(y)^2 beside a mass that x and y move together.
+std::string two_rates(const std::string& squares) {
+  return model_text("rates", R"toml([[coordinate]]
+name = "x"
+[[coordinate]]
+name = "y"
+start = { value = 1, rate = -1 }
+[parameters]
+m = 1
+[energy]
+T = "1/2*m*(dot(x) + dot(y))^2 + 1/2*m*()toml" +
+                                 squares + ")*dot(y)^2\"\n");
+}
+
+Result<Trajectory> in_evaluator(const CompiledSystem& system, const SimulationOptions& options) {
+  return simulate(system.checked(), system.program(), nullptr, options);
+}
+
+/// What is said of the last of some states.
+std::string said_of(const CompiledSystem& system, const std::vector<Numbers>& states) {
+  System evaluator(system.checked(), system.program(), nullptr);
+  RankWatch ranks(evaluator, "go elsewhere");
+  Diagnostics said;
+  for (const Numbers& state : states) {
+    REQUIRE(said.empty());
+    said = ranks.look(state, 7);
+  }
+  if (said.empty()) return "";
+  CHECK(said.front().code == Code::E624);
+  CHECK(said.front().hint == "go elsewhere");
+  return said.front().message;
+}
+
+}  // namespace
+
+TEST_CASE("a pivot that falls far, or changes its sign, is told with its velocity") {
+  const CompiledSystem shrinking(two_rates("y^2"));
+  CHECK(said_of(shrinking, {{0, 1, 0, 0}, {0, 1e-3, 0, 0}}).empty());
+  CHECK(said_of(shrinking, {{0, 1, 0, 0}, {0, 1e-5, 3, -2}}) ==
+        "rank is nearly lost, since the pivot of `dot(y)` in M is 2.0e-10 of its largest, at t = "
+        "7, where x = 0, y = 1e-05, dot(x) = 3, dot(y) = -2");
+  const CompiledSystem turning(two_rates("y"));
+  CHECK(said_of(turning, {{0, 1, 0, 0}, {0, -0.5, 0, 0}}) ==
+        "rank is lost, since the pivot of `dot(y)` in M changes its sign, before t = 7, where x = "
+        "0, y = -0.5, dot(x) = 0, dot(y) = 0");
+}
+
+TEST_CASE("a row that shrinks, or turns round, is told with its constraint") {
+  const CompiledSystem system(crank);
+  const auto at = [](double a) { return Numbers{a, -a, 1, -1}; };
+  CHECK(said_of(system, {at(0.5), at(1.5)}).empty());
+  CHECK(mentions(said_of(system, {at(0.5), at(M_PI / 2 - 1e-5)}),
+                 "rank is nearly lost, since the pivot of `guide` in A is 1.3e-10 of its largest"));
+  CHECK(mentions(said_of(system, {at(0.5), at(1.5), at(1.7)}),
+                 "rank is lost, since the row of `guide` in A turns round, before t = 7"));
+}
+
+TEST_CASE("inertias that become small, and rows that turn with the motion, lose no rank") {
+  const CompiledSystem orbit(model_text("orbit", R"toml([[coordinate]]
+name = "r"
+start = { value = 1, rate = 0 }
+[[coordinate]]
+name = "phi"
+[energy]
+T = "1/2*dot(r)^2 + 1/2*r^2*dot(phi)^2"
+V = "-1/r"
+)toml"));
+  CHECK(said_of(orbit, {{1, 0, 0, 1}, {1e-6, 0, 0, 1}}).empty());
+  const CompiledSystem rod(model_text("rod", R"toml([[coordinate]]
+name = "x"
+start = { value = 1, rate = 0 }
+[[coordinate]]
+name = "y"
+[energy]
+T = "1/2*dot(x)^2 + 1/2*dot(y)^2"
+[[constraint]]
+name = "rod"
+equation = "x^2 + y^2 = 1"
+)toml"));
+  CHECK(said_of(rod, {{1, 0, 0, 1}, {-0.3, std::sqrt(0.91), 1, 0}, {-1, 0, 0, 0}}).empty());
+}
+
+TEST_CASE("runs that meet a singular place stop, by any tolerance and any step") {
+  const CompiledSystem bars(five_bar());
+  const CompiledSystem with_guide(crank);
+  const auto stops = [](const CompiledSystem& system, const SimulationOptions& options,
+                        const std::string& constraint) {
+    INFO(options.tolerance.value_or(0) << " " << options.step.value_or(0));
+    const Result<Trajectory> run = in_evaluator(system, options);
+    REQUIRE_FALSE(run);
+    const Diagnostic& stop = run.diagnostics.front();
+    CHECK(stop.code == Code::E624);
+    CHECK(mentions(stop.message, "of `" + constraint + "` in A "));
+    CHECK(mentions(stop.hint, "`--through singular`"));
+  };
+  for (const double tolerance : {1e-3, 1e-6, 1e-7, 1e-9, 1e-12}) {
+    stops(bars, {.time = 0.3, .tolerance = tolerance}, "loop_x");
+    stops(with_guide, {.time = 1, .tolerance = tolerance}, "guide");
+  }
+  for (const double step : {1e-2, 1e-3}) {
+    stops(bars, steps_of("rk4", step, 0.3), "loop_x");
+    stops(with_guide, steps_of("dopri5", step, 1), "guide");
+  }
+}
+
+TEST_CASE("steps of one length go through where that is asked for") {
+  SimulationOptions options = steps_of("rk4", 1e-4, 0.3);
+  options.through_singular = true;
+  const Result<Trajectory> run = in_evaluator(CompiledSystem(five_bar()), options);
+  REQUIRE(run);
+  CHECK(run->last[1] == Approx(3.385315865).margin(1e-9));
+  CHECK(run->energy.worst < 1e-11);
+}
+
+TEST_CASE("no reference goes through a singular place") {
+  const CompiledSystem bars(five_bar());
+  const Result<ReferenceRun> through = reference_run(bars.checked(), bars.program(), 0.3);
+  REQUIRE_FALSE(through);
+  CHECK(through.diagnostics.front().code == Code::E624);
+  CHECK(mentions(through.diagnostics.front().message, " of `loop_x` in A "));
+  CHECK(reference_run(bars.checked(), bars.program(), 0.2));
+}
+
+TEST_CASE("a step too short says which pivot fell") {
+  const CompiledSystem system(model_text("lever", R"toml([[coordinate]]
+name = "x"
+start = { value = 1, rate = -1 }
+[energy]
+T = "1/2*(1 + cos(x))*dot(x)^2"
+)toml"));
+  const Result<Trajectory> run = in_evaluator(system, {.time = 10});
+  REQUIRE_FALSE(run);
+  const std::string& message = run.diagnostics.front().message;
+  CHECK(mentions(message, "too short to be made after t = 3.37159, where x = -3.141"));
+  CHECK(mentions(message, ": the pivot of `dot(x)` in M is "));
+}
+
+TEST_CASE("energy that no tolerance allows to lose is a warning, and what it allows is none") {
+  const std::string start = R"toml([[coordinate]]
+name = "x"
+start = { value = 0, rate = -1 }
+[energy]
+T = "1/2*dot(x)^2"
+)toml";
+  // One step from the top of a hill leads beyond its foot.
+  const CompiledSystem hill(model_text("hill", start + "V = \"exp(-1e6*x^2)\"\n"));
+  const CompiledSystem wall(model_text("wall", start + "V = \"exp(-5*x)\"\n"));
+  for (const double tolerance : {1e-6, 1e-9, 1e-12}) {
+    const Result<Trajectory> lost = in_evaluator(hill, {.time = 2, .tolerance = tolerance});
+    REQUIRE(lost);
+    REQUIRE(lost.diagnostics.size() == 1);
+    CHECK(lost.diagnostics.front().code == Code::E648);
+    CHECK(mentions(lost.diagnostics.front().message, "E - E0 is -1.0e+00 at t = 0.02, beyond "));
+    const Result<Trajectory> kept = in_evaluator(wall, {.time = 2, .tolerance = tolerance});
+    REQUIRE(kept);
+    CHECK(kept.diagnostics.empty());
+  }
+  CHECK(in_evaluator(hill, steps_of("rk4", 1e-2, 2)).diagnostics.empty());
+}

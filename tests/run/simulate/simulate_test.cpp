@@ -1,0 +1,140 @@
+// Whole runs: trajectories that were computed elsewhere to 30 digits, rows, and inputs that are
+// held.
+#include "elgen/simulate.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "run/simulate/compiled_model.hpp"
+#include "support/shell.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+/// The refusal of a start of a point on a sphere, with or without its `singular`.
+std::string start_refusal(const std::string& start, const std::string& singular) {
+  const CompiledSystem compiled(model_text("sphere", R"toml([[coordinate]]
+name = "theta"
+)toml" + singular + R"toml([[coordinate]]
+name = "phi"
+[energy]
+T = "1/2*dot(theta)^2 + 1/2*sin(theta)^2*dot(phi)^2"
+)toml"),
+                                start_options(start));
+  const Diagnostics refused = compiled.run({.time = 1e-3}).diagnostics;
+  return refused.empty() ? "" : refused.front().message;
+}
+
+const std::string stated = "singular = \"sin(theta)\"\n";
+
+}  // namespace
+
+TEST_CASE("references of fourteen systems end where they are known to") {
+  const auto cases = nlohmann::json::parse(
+      read_text(std::string(ELGEN_SOURCE_DIR) + "/tests/run/simulate/trajectories.json"));
+  REQUIRE(cases.size() == 14);
+  // The least error of a step is amplified by the largest sensitivity up to that time; a hundred
+  // times that, and once more for each second, is left for the number of steps.
+  const double tolerance = 3e-15;
+  for (const auto& one : cases) {
+    const CompiledSystem compiled(one["model"], start_options(one["start"]));
+    double sensitivity = 1;
+    for (const auto& known : one["at"]) {
+      INFO(one["id"] << " at " << known["t"]);
+      sensitivity = std::max(sensitivity, known["sensitivity"].get<double>());
+      const Result<ReferenceRun> run =
+          reference_run(compiled.checked(), compiled.program(), known["t"].get<double>());
+      REQUIRE(run);
+      double error = 0;
+      double rougher = 0;
+      for (std::size_t i = 0; i < known["state"].size(); ++i) {
+        const auto truth = known["state"][i].get<double>();
+        error = std::max(error, std::abs(run->last[i] - truth));
+        rougher = std::max(rougher, std::abs(run->rougher[i] - run->last[i]));
+      }
+      const double steps = 100 + known["t"].get<double>();
+      CHECK(error < steps * (tolerance + std::numeric_limits<double>::epsilon()) * sensitivity);
+      CHECK(error <= rougher + 1e-14);
+    }
+  }
+}
+
+TEST_CASE("rows stand at their times, the start and the end among them") {
+  const CompiledSystem pendulum(pendulum_text());
+  const Trajectory run =
+      pendulum.trajectory({.method = "rk4", .from = 2, .time = 1, .step = 0.04, .every = 0.3});
+  REQUIRE(run.rows.size() == 5);
+  for (std::size_t i = 0; i < 4; ++i) CHECK(run.rows[i][0] == 2 + 0.3 * static_cast<double>(i));
+  CHECK(run.rows.back()[0] == 3);
+  CHECK(run.rows.back() == run.last);
+  // Eight steps in each third, three in what is left.
+  CHECK(run.steps == 3 * 8 + 3);
+  CHECK(run.columns.size() == 4);
+  CHECK(run.columns[2].name == "dot(q)");
+  CHECK(run.columns[3].unit.empty());
+  CHECK(pendulum.trajectory(steps_of("rk4", 0.1, 1)).rows.empty());
+}
+
+TEST_CASE("an input that is held is constant from one of its instants to the next") {
+  // x'' = -1 until 1/4, then -31/32.
+  const CompiledSystem held(spring_text(), start_options("", "u=-x", "k=0"));
+  SimulationOptions options{.method = "rk4", .time = 0.5, .step = 0.25};
+  options.hold = 0.25;
+  const Trajectory run = held.trajectory(options);
+  CHECK(run.last[1] == Approx(0.8759765625).epsilon(1e-14));
+  CHECK(run.last[2] == Approx(-0.25 - 0.96875 / 4).epsilon(1e-14));
+}
+
+TEST_CASE("E0 = 0 is no scale: drifts are relative to |T| + |V|") {
+  const CompiledSystem balanced(model_text("balanced", R"toml([[coordinate]]
+name = "x"
+start = { value = 1, rate = 2 }
+[energy]
+T = "1/2*dot(x)^2"
+V = "-2*x^2"
+)toml"));
+  const Trajectory run = balanced.trajectory(steps_of("verlet", 0.01, 2));
+  CHECK(run.energy.scale > 100);
+  CHECK(run.energy.worst < 1e-3);
+}
+
+TEST_CASE("a trajectory that leaves the finite numbers says when, and where it was") {
+  const CompiledSystem runaway(model_text("runaway", R"toml([[coordinate]]
+name = "x"
+start = { value = 1, rate = 0 }
+[energy]
+T = "1/2*dot(x)^2"
+V = "-x^4"
+)toml"));
+  const Result<Trajectory> run = runaway.run(steps_of("rk4", 0.01, 10));
+  REQUIRE_FALSE(run);
+  const Diagnostic& ended = run.diagnostics.front();
+  CHECK(ended.code == Code::E624);
+  CHECK(ended.message.starts_with("the numbers are no longer finite after t = 0.9"));
+  CHECK(mentions(ended.message, "where x = "));
+}
+
+TEST_CASE("locks and fixed parameters of a scene are part of what runs") {
+  SceneOptions options = start_options("x=1/2");
+  options.fixed = {make_source("command line", "k=9")};
+  const CompiledSystem fixed(spring_text(), options);
+  const Trajectory run = fixed.trajectory({.time = M_PI, .tolerance = 1e-12});
+  CHECK(run.last[1] == Approx(-0.5));
+}
+
+TEST_CASE("where a stated factor is zero, up to the rounding of pi, the chart breaks") {
+  const std::string broken = "the chart of `theta` breaks at the start, where `sin(theta)` is zero";
+  CHECK(start_refusal("theta=0", stated) == broken);
+  CHECK(start_refusal("theta=pi", stated) == broken);
+  CHECK(start_refusal("theta=1e-7", stated).empty());
+}
+
+TEST_CASE("where M is singular the pivot is named") {
+  CHECK(start_refusal("theta=1e-9", "").empty());
+  const std::string broken = start_refusal("theta=0", "");
+  CHECK(broken.starts_with("M is singular at the start: the relative pivot of `dot(phi)` is "));
+}

@@ -1,0 +1,121 @@
+// Errors of designs, and runs as designs.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "elgen/tradeoff.hpp"
+#include "run/tradeoff/derived.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+/// Three states of a field of two entries and one of one entry.
+TradeoffStates three_states() {
+  TradeoffStates states;
+  states.states.resize(3);
+  states.field_sizes = {2, 1};
+  for (const double value : {1.0, 2.0, -4.0, 0.0, 0.0, 1.0, 10.0, 20.0, 30.0}) {
+    states.exact.push_back({value, 0});
+  }
+  return states;
+}
+
+/// A coordinate and its rate, of which the largest were 4 and 10.
+ReferenceRun ending(double q, double v) { return {.last = {q, v}, .largest = {4, 10}}; }
+
+Model one_angle(bool wraps) {
+  Model model;
+  append_coordinate(model, {.name = "q", .identifier = "q", .wrap = wraps});
+  return model;
+}
+
+}  // namespace
+
+TEST_CASE("errors are relative to the largest magnitude of their field, the worst of each state") {
+  const std::vector<double> errors =
+      state_errors({1, 2, -4.4, 0.2, 0, 1, 10, 20.3, 30}, three_states());
+  REQUIRE(errors.size() == 3);
+  CHECK(errors[0] == Approx(0.05));
+  CHECK(errors[1] == Approx(0.01));
+  CHECK(errors[2] == Approx(0.1));
+}
+
+TEST_CASE("digits beyond those of double count") {
+  TradeoffStates states = three_states();
+  states.exact[0].low = 1e-22;
+  CHECK(state_errors({1, 2, -4, 0, 0, 1, 10, 20, 30}, states)[0] == Approx(0.25e-22));
+}
+
+TEST_CASE("what is no number, or should be 0, is infinitely wrong") {
+  TradeoffStates states = three_states();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK(std::isinf(state_errors({1, nan, -4, 0, 0, 1, 10, 20, 30}, states)[1]));
+  for (std::size_t i = 6; i < 9; ++i) states.exact[i] = {0, 0};
+  CHECK(std::isinf(state_errors({1, 2, -4, 0, 0, 1, 0, 1e-30, 0}, states)[1]));
+  CHECK(state_errors({1, 2, -4, 0, 0, 1, 0, 0, 0}, states)[1] == 0);
+}
+
+TEST_CASE(
+    "every method and order is planned with steps of three lengths, one by one and in packs") {
+  const std::vector<PlannedRun> runs = planned_runs(10);
+  CHECK(runs.size() == (1 + 3 + 3) * 3 * 2);
+  const auto named = [&](const std::vector<std::string>& values) {
+    const auto found = std::ranges::find(runs, values, &PlannedRun::values);
+    REQUIRE(found != runs.end());
+    return *found;
+  };
+  const PlannedRun rk4 = named({"rk4", "4", "0.01 s", "one"});
+  CHECK(rk4.steps == 1000);
+  CHECK(rk4.design == Design{.step = ChosenStep{StepMethod::rk4}, .doc = "For steps of 0.01 s."});
+  const PlannedRun verlet = named({"verlet", "8", "0.1 s", "packs"});
+  CHECK(verlet.steps == 100);
+  CHECK(verlet.design.in_packs);
+  CHECK(verlet.design.step == ChosenStep{StepMethod::verlet, 8});
+}
+
+TEST_CASE("errors at the end are relative to the largest magnitude of each number on the way") {
+  const DesignErrors errors = errors_of({1.4, 5.1}, ending(1, 5), one_angle(false));
+  CHECK(errors.worst == Approx(0.1));
+  CHECK(errors.median == Approx(0.1));
+  CHECK(errors_of({1, 5}, ending(1, 5), one_angle(false)).worst == 0);
+}
+
+TEST_CASE("angles that wrap are near each other across the jump") {
+  CHECK(errors_of({3.1, 5}, ending(-3.1, 5), one_angle(true)).worst < 0.03);
+  CHECK(errors_of({3.1, 5}, ending(-3.1, 5), one_angle(false)).worst > 1);
+}
+
+TEST_CASE("loops of steps go from the start to the ends of runs") {
+  // x'' = u - t by two steps of Euler's method, u = 0.
+  const Products products = derived(model_text("mass", R"toml([[coordinate]]
+name = "x"
+start = { value = 1, rate = 2 }
+[energy]
+T = "1/2*dot(x)^2"
+V = "t*x"
+[[input]]
+name = "u"
+on = "x"
+)toml"),
+                                    "forward_dynamics");
+  const StepLoop advance = [](std::size_t count, std::size_t steps, double t, double h,
+                              const double* u, double* state, double*) {
+    for (std::size_t k = 0; k < steps; ++k) {
+      for (std::size_t i = 0; i < count; ++i) {
+        state[i] += h * state[count + i];
+        state[count + i] += h * (u[i] - t - static_cast<double>(k) * h);
+      }
+    }
+  };
+  const StepLoops loops{.one = advance, .in_packs = advance, .entries = 3};
+  const CheckedModel& checked = *products.checked;
+  const PlannedRun run{{}, {}, 2};
+  // x = 1 + 2, v = 2 + 0; x = 3 + 2, v = 2 - 1
+  CHECK(end_of_run(checked, *products.program, loops, run, 2) == std::vector<double>{5, 1});
+  const TimedSteps packs = timed_steps(checked, *products.program, loops, true, 0.01);
+  packs.work();
+  CHECK(packs.count == 256 * 8);
+}

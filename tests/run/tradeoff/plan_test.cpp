@@ -1,0 +1,101 @@
+// Plans: which designs there are.
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "run/tradeoff/derived.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+using Texts = std::vector<std::string>;
+
+TradeoffPlan planned(const std::string& text, const std::string& output,
+                     const DesignChoices& choices = {}) {
+  const Products products = derived(text, output);
+  const Result<TradeoffPlan> result = plan(*products.checked, *products.program, choices);
+  REQUIRE(result);
+  return *result;
+}
+
+bool has(const TradeoffPlan& plan, const Texts& values) {
+  return std::ranges::find(plan.designs, values, &PlannedDesign::values) != plan.designs.end();
+}
+
+/// "message; hint" of the refusal.
+std::string refusal(const std::string& text, const DesignChoices& choices) {
+  const Products products = derived(text, "momentum");
+  const auto refused = plan(*products.checked, *products.program, choices);
+  if (refused || refused.diagnostics.size() != 1) return "";
+  return refused.diagnostics.front().message + "; " + refused.diagnostics.front().hint;
+}
+
+/// One mass on an axis, whose momentum has no sine.
+const std::string mass = model_text("mass", R"toml([[coordinate]]
+name = "x"
+[parameters]
+m = 1e-60
+[energy]
+T = "m*dot(x)^2"
+)toml");
+
+}  // namespace
+
+TEST_CASE("polynomials of 1e-7 are in packs of double, and nowhere else") {
+  const TradeoffPlan plan = planned(pendulum_text(), "inverse_dynamics");
+  CHECK(plan.dimensions == Texts{"scalar", "batch", "trigonometry", "parameters"});
+  CHECK(plan.designs.size() == 10);
+  CHECK(has(plan, {"double", "packs", "1e-7", "fixed"}));
+  CHECK(has(plan, {"float", "packs", "full", "arguments"}));
+  CHECK_FALSE(has(plan, {"float", "packs", "1e-7", "fixed"}));
+  CHECK_FALSE(has(plan, {"double", "one", "1e-7", "fixed"}));
+}
+
+TEST_CASE("dimensions in which all designs are alike are left out") {
+  const TradeoffPlan plan = planned(mass, "momentum");
+  CHECK(plan.dimensions == Texts{"batch", "parameters"});
+  CHECK(plan.designs.size() == 4);
+}
+
+TEST_CASE("a dimension that is asked for multiplies the designs") {
+  const TradeoffPlan plan = planned(pendulum_text(), "gravity", {.more = {"order"}});
+  CHECK(plan.dimensions == Texts{"scalar", "batch", "trigonometry", "parameters", "order"});
+  CHECK(plan.designs.size() == 10 * 3);
+  CHECK(has(plan, {"float", "one", "full", "fixed", "3"}));
+}
+
+TEST_CASE("of a pinned dimension one value is tried, in a column that stays") {
+  const TradeoffPlan plan =
+      planned(pendulum_text(), "gravity", {.pinned = {{"batch", "one"}, {"order", "3"}}});
+  CHECK(plan.dimensions == Texts{"scalar", "batch", "parameters", "order"});
+  CHECK(plan.designs.size() == 4);
+  CHECK(has(plan, {"float", "one", "fixed", "3"}));
+}
+
+TEST_CASE("E645: pinned values that no design has together") {
+  CHECK(refusal(mass, {.pinned = {{"scalar", "float"}}}) ==
+        "no design is left by `--scalar float`; a number of the output is lost in float");
+  CHECK(refusal(mass, {.pinned = {{"batch", "packs"}, {"trigonometry", "1e-7"}}}) ==
+        "no design is left by `--batch packs`, `--trigonometry 1e-7`; the output has no sine and "
+        "no cosine");
+}
+
+TEST_CASE("E631: a dimension that nobody knows") {
+  CHECK(refusal(mass, {.more = {"ordr", "scalar"}}) ==
+        "unknown dimension `ordr`; did you mean `order`?");
+}
+
+TEST_CASE("designs that differ in the scalar, in packs or in their sines are derived alike") {
+  const Design design{.scalar = ScalarKind::single_precision,
+                      .in_packs = true,
+                      .trigonometry = "1e-7",
+                      .is_fixed = true,
+                      .order = "3"};
+  const Design derivation = derivation_of(design);
+  CHECK(derivation.scalar == ScalarKind::double_precision);
+  CHECK_FALSE(derivation.in_packs);
+  CHECK(derivation.trigonometry.empty());
+  CHECK(derivation.is_fixed);
+  CHECK(derivation.order == "3");
+}

@@ -1,0 +1,131 @@
+// Designs as scenes.
+#include <catch2/catch.hpp>
+
+#include "run/tradeoff/derived.hpp"
+#include "support/shell.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+/// Of a design from a model, or from a scene by what follows its name.
+std::string text_of(const Design& design, const std::string& scene = {},
+                    const std::string& output = "inverse_dynamics") {
+  const Products products = derived(pendulum_text(), output, scene);
+  if (scene.empty()) return scene_text({*products.checked}, design, "test.toml");
+  const SourcePointer source = make_source(
+      "test.scene.toml", "format = 1\nmodel = \"test.toml\"\nname = \"given\"\n" + scene);
+  const Result<FileSyntax> syntax = parse_scene(source, Limits{});
+  REQUIRE(syntax);
+  return scene_text({*products.checked, &*syntax}, design, "test.toml");
+}
+
+/// Derives the text as a scene.
+Products run(const std::string& text) {
+  PipelineOptions options;
+  options.goals = {Goal::emit};
+  Products products = run_pipeline(
+      {make_source("test.toml", pendulum_text()), make_source("design.scene.toml", text)}, options);
+  INFO(text);
+  INFO(format(products.diagnostics));
+  REQUIRE(products.files);
+  return products;
+}
+
+}  // namespace
+
+TEST_CASE("a design of a model is a scene that emits it") {
+  const std::string text = text_of({.scalar = ScalarKind::double_precision,
+                                    .in_packs = true,
+                                    .trigonometry = "1e-7",
+                                    .is_fixed = true});
+  CHECK(text == R"(format = 1
+model = "test.toml"
+name = "double_packs_1e7_fixed"
+
+[outputs]
+inverse_dynamics = true
+
+[parameters]
+fixed = "all"
+
+[numeric]
+scalar = ["double"]
+trigonometry = { max_error = "1e-7" }
+
+[emit]
+batch = true
+)");
+  const Products products = run(text);
+  CHECK(products.files->files.count("pendulum_double_packs_1e7_fixed/"
+                                    "pendulum_double_packs_1e7_fixed_batch.hpp") == 1);
+}
+
+TEST_CASE("what a scene says of anything else stays, in the place of its own choices") {
+  const std::string text =
+      text_of({.scalar = ScalarKind::single_precision},
+              "[outputs]\ninverse_dynamics = { form = \"closed\" }\n"
+              "[parameters]\nfixed = { g = 9.8 }\n[numeric]\n"
+              "scalar = [\"double\"]\nprefer = \"speed\"\n[emit]\nlanguage = \"c99\"\n");
+  CHECK(mentions(text, "name = \"given_float\""));
+  CHECK(mentions(text, "inverse_dynamics = { form = \"closed\" }"));
+  CHECK(mentions(text, "fixed = { g = \"9.8\" }"));
+  CHECK(mentions(text, "scalar = [\"float\"]\nprefer = \"speed\"\n"));
+  CHECK_FALSE(mentions(text, "c99"));
+  (void)run(text);
+}
+
+TEST_CASE("all parameters are fixed beside those that the scene has fixed at other values") {
+  const std::string text = text_of({.is_fixed = true}, "[parameters]\nfixed = { g = \"1/3\" }\n");
+  CHECK(mentions(text, "fixed = { m = 2, l = \"sqrt(2)\", g = \"1/3\", k = 1 }"));
+  CHECK(run(text).checked->scene.specialisation.fixed.size() == 4);
+}
+
+TEST_CASE("an expansion is about the start, an exact design without the scene's own") {
+  const std::string output = "gravity";
+  CHECK(mentions(text_of({.order = "3"}, {}, output), "order = 3\nabout = { q = \"0.5\" }"));
+  const std::string small = "[approximate]\norder = 1\nabout = { q = 0 }\n";
+  CHECK(mentions(text_of({}, small, output), "order = 1\nabout = { q = 0 }"));
+  CHECK(mentions(text_of({.order = "3"}, small, output), "order = 3\nabout = { q = 0 }"));
+  CHECK_FALSE(mentions(text_of(exact_design, small, output), "approximate"));
+}
+
+TEST_CASE("a step of a run is a scene with its method and order, and says for which steps") {
+  const std::string text = text_of(
+      {.in_packs = true, .step = ChosenStep{StepMethod::verlet, 8}, .doc = "For steps of 0.01 s."});
+  CHECK(mentions(text, "name = \"double_packs_verlet_8\"\ndoc = \"For steps of 0.01 s.\"\n"));
+  CHECK(mentions(text, "[outputs]\nstep = { method = \"verlet\", order = 8 }\n"));
+  CHECK(mentions(text, "[emit]\nbatch = true\n"));
+  CHECK(mentions(text_of({.step = ChosenStep{StepMethod::rk4}}),
+                 "[outputs]\nstep = { method = \"rk4\" }\n"));
+}
+
+TEST_CASE("a scene promises an error, in its own ranges and those that were given") {
+  const Products products = derived(pendulum_text(), "inverse_dynamics");
+  const SourcePointer source = make_source("test.scene.toml",
+                                           "format = 1\nmodel = \"test.toml\"\nname = \"given\"\n"
+                                           "[numeric]\nmax_error = 1e-3\n"
+                                           "ranges = { q = [-1, \"pi/2\"], t = [0, 1] }\n");
+  const Result<FileSyntax> syntax = parse_scene(source, Limits{});
+  REQUIRE(syntax);
+  CHECK_FALSE(mentions(scene_text({*products.checked, &*syntax}, {}, "test.toml"), "max_error"));
+  const std::vector<SourcePointer> given = {make_source("command line", "t=0..1e-05"),
+                                            make_source("command line", "dot(dot(q))=1..1")};
+  const std::string text = scene_text({*products.checked, &*syntax, 1e-6, given}, {}, "test.toml");
+  CHECK(mentions(
+      text,
+      "max_error = \"1e-06\"\n"
+      "ranges = { \"dot(dot(q))\" = [1, 1], q = [\"-1\", \"pi/2\"], t = [0, \"1e-05\"] }\n"));
+  const Numerics numerics = run(text).checked->scene.numerics;
+  CHECK(numerics.max_error == 1e-6);
+  REQUIRE(numerics.ranges.size() == 3);
+  CHECK(numerics.ranges[2].name == "t");
+  CHECK(numerics.ranges[2].high == 1e-5);
+}
+
+TEST_CASE("the path of a model is escaped as TOML wants it") {
+  const Products products = derived(pendulum_text(), "inverse_dynamics");
+  CHECK(mentions(scene_text({*products.checked}, {}, "a\t\"b\".toml"),
+                 R"(model = "a\u0009\"b\".toml")"));
+}

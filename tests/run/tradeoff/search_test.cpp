@@ -1,0 +1,131 @@
+// The search for the state at which a design is worst. Designs are the evaluator with a mistake.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "elgen/evaluate.hpp"
+#include "run/tradeoff/derived.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+/// An output of one entry, at 1000 states.
+class Searched {
+ public:
+  Searched(const std::string& text, const std::string& output)
+      : products_(derived(text, output)),
+        states_(*tradeoff_states(*products_.checked, *products_.program, {}, {})) {
+    for (const ExactNumber& exact : states_.exact) {
+      scale_ = std::max(scale_, std::abs(exact.high));
+    }
+  }
+
+  [[nodiscard]] const TradeoffStates& states() const { return states_; }
+
+  /// mistake(q) is relative to the largest value.
+  template <class Scalar = double, class Mistake>
+  [[nodiscard]] DesignValues with(const Mistake& mistake) const {
+    return [this, mistake](const std::vector<Arguments<double>>& states) {
+      const Program& program = *products_.program;
+      std::vector<double> values;
+      for (const Arguments<double>& state : states) {
+        const auto rounded = map_leaves([](double x) { return static_cast<Scalar>(x); }, state);
+        const auto value = evaluate(program, program.functions.front(), rounded).front();
+        values.push_back(static_cast<double>(value) + scale_ * mistake(state.q[0]));
+      }
+      return values;
+    };
+  }
+
+  [[nodiscard]] FoundErrors found(const DesignValues& design) const {
+    return found_errors(*products_.checked, *products_.program, states_, design);
+  }
+
+  [[nodiscard]] double worst_of_states(const DesignValues& design) const {
+    const std::vector<double> errors = state_errors(design(states_.states), states_);
+    return *std::max_element(errors.begin(), errors.end());
+  }
+
+ private:
+  Products products_;
+  TradeoffStates states_;
+  double scale_ = 0;
+};
+
+/// Between the states that are farthest apart.
+struct Gap {
+  double middle = 0;
+  double width = 0;
+};
+
+Gap widest_gap(const TradeoffStates& states) {
+  std::vector<double> q;
+  for (const Arguments<double>& state : states.states) q.push_back(state.q[0]);
+  std::sort(q.begin(), q.end());
+  Gap widest;
+  for (std::size_t i = 1; i < q.size(); ++i) {
+    const double width = q[i] - q[i - 1];
+    if (width > widest.width) widest = {(q[i] + q[i - 1]) / 2, width};
+  }
+  return widest;
+}
+
+}  // namespace
+
+TEST_CASE("the search climbs a peak between the states, the same way every time") {
+  const Searched searched(pendulum_text(), "gravity");
+  const Gap gap = widest_gap(searched.states());
+  const DesignValues peak = searched.with([gap](double q) {
+    const double x = 40 * (q - gap.middle) / gap.width;
+    return 1e-3 / (1 + x * x);
+  });
+  CHECK(searched.worst_of_states(peak) < 1e-5);
+  const FoundErrors found = searched.found(peak);
+  CHECK(found.worst == Approx(1e-3).epsilon(0.01));
+  CHECK(std::abs(found.where.q[0] - gap.middle) < gap.width / 100);
+  CHECK(found.median < 1e-5);
+  const FoundErrors again = searched.found(peak);
+  CHECK(again.worst == found.worst);
+  CHECK(again.where.q == found.where.q);
+}
+
+TEST_CASE("the search goes to the ends of ranges and not beyond, and parameters stay") {
+  std::string text = pendulum_text();
+  text.replace(text.find("g = 9.81"), 8, "g = { value = 9.81, min = 1, max = 20 }");
+  const Searched searched(text, "gravity");
+  const FoundErrors found =
+      searched.found(searched.with([](double q) { return 1e-3 * std::abs(q); }));
+  CHECK(std::abs(found.where.q[0]) == searched.states().high.q[0]);
+  CHECK(found.worst == Approx(1e-3 * searched.states().high.q[0]));
+  CHECK(found.where.parameters == searched.states().states.front().parameters);
+}
+
+TEST_CASE("where numbers of float are taken, their rounding counts") {
+  const Searched searched(pendulum_text(), "gravity");
+  const auto right = [](double) { return 0.0; };
+  const double in_float = searched.found(searched.with<float>(right)).worst;
+  CHECK(in_float > 1e-8);
+  CHECK(in_float < 1e-6);
+  CHECK(searched.found(searched.with(right)).worst < 1e-15);
+}
+
+TEST_CASE("states outside the domain are passed over") {
+  const Searched searched(model_text("root", R"toml([[coordinate]]
+name = "x"
+range = [-0.1, 1]
+[energy]
+T = "dot(x)^2"
+V = "sqrt(x)"
+)toml"),
+                          "potential_energy");
+  const FoundErrors found = searched.found(searched.with([](double) { return 1e-9; }));
+  CHECK(found.worst == Approx(1e-9));
+  CHECK(found.where.q[0] >= 0);
+}
+
+TEST_CASE("an output that reads no state is as far off as it is") {
+  const Searched searched(pendulum_text(), "mass_matrix");
+  CHECK(searched.found(searched.with([](double) { return 1e-5; })).worst == Approx(1e-5));
+}
