@@ -59,6 +59,15 @@ class Real {
 [[nodiscard]] Real operator*(const Real& x, const Real& y);
 [[nodiscard]] Real operator/(const Real& x, const Real& y);
 [[nodiscard]] Real sqrt(const Real& x);
+
+/// False where one is undefined, as of a NaN.
+[[nodiscard]] bool operator<(const Real& x, const Real& y);
+[[nodiscard]] bool operator<=(const Real& x, const Real& y);
+[[nodiscard]] inline bool operator>(const Real& x, const Real& y) { return y < x; }
+
+/// |x - y| < 10^-digits. Closed forms whose values agree to 40 of 64 digits may be equal.
+[[nodiscard]] bool is_near(const Real& x, const Real& y, long digits = 40);
+
 #define ELGEN_REAL_1(name) [[nodiscard]] Real name(const Real& x);
 #define ELGEN_REAL_2(name) [[nodiscard]] Real name(const Real& x, const Real& y);
 #define ELGEN_FUNCTION(name, arity) ELGEN_REAL_##arity(name)

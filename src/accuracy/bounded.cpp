@@ -22,15 +22,11 @@ Rounding rounding_of() {
           [](const cln::cl_R& value) { return real(ScalarTraits<Scalar>::from_real(value)); }};
 }
 
-bool is_less(const Real& x, const Real& y) {
-  return x.is_defined() && y.is_defined() && x.value() < y.value();
-}
-
 Bound computed(const Real& value, const Real& bound, const Rounding& rounding) {
   // Beyond CLN's exponents a bound says nothing; what is left are the digits that 60 leave to
   // spare.
   if (!bound.is_defined()) return {value, abs(value) * Real(power_of_ten(30)), false, true};
-  const bool tiny = is_less(abs(value), rounding.smallest);
+  const bool tiny = abs(value) < rounding.smallest;
   const bool underflows = tiny && !cln::zerop(value.value());
   return {value, tiny ? bound + rounding.underflow : bound, false, false, 0, underflows};
 }
@@ -51,7 +47,7 @@ Bound inherit_all(Bound result, const Bound& x, const Bound& y) {
 
 /// Known to within a tenth, with the promised 8 u B.
 bool is_certain(const Bound& x, const Rounding& rounding) {
-  return x.exact || is_less(x.bound * rounding.roundoff * Real(80), abs(x.value));
+  return x.exact || x.bound * rounding.roundoff * Real(80) < abs(x.value);
 }
 
 /// f, f' and f'' in one argument, the other held.
@@ -81,7 +77,7 @@ Real argument_part(FunctionId function, const Bound& x, const Bound& y, bool in_
 std::optional<Real> limit_value(FunctionId function, const Real& x, const Rounding& rounding) {
   static const Real far(cln::cl_R(1 << 20));
   const std::optional<FarValues>& limits = function_row(function).far_values;
-  if (!limits || !is_less(far, abs(x))) return std::nullopt;
+  if (!limits || !(far < abs(x))) return std::nullopt;
   const double limit = cln::plusp(x.value()) ? limits->right : limits->left;
   if (std::isfinite(limit)) return Real(static_cast<int>(limit));
   const Real infinite = rounding.largest * Real(32);
@@ -135,7 +131,7 @@ Bound BoundRules::multiply(const Bound& x, const Bound& y) const {
   constexpr std::uint32_t most = 1'000'000;  // counts saturate: bounds are useless before
   result.roundings = std::min(x.roundings + y.roundings + 1, most);
   const bool scaled = x.exact && y.exact && (is_power_of_two(x.value) || is_power_of_two(y.value));
-  result.exact = scaled && !is_less(abs(result.value), rounding.smallest);
+  result.exact = scaled && !(abs(result.value) < rounding.smallest);
   return result;
 }
 

@@ -39,7 +39,7 @@ Real reduced(const Real& angle) {
   const cln::cl_I turns = cln::ceiling1((angle / whole_turn()).value() - cl_R(cln::cl_RA(1) / 2));
   const Real result = angle - Real(turns) * whole_turn();
   const Real half = whole_turn() / Real(cln::cl_RA(2));
-  return is_close(result, -half) ? half : result;
+  return is_near(result, -half, root_digits) ? half : result;
 }
 
 class BlockSearch {
@@ -99,7 +99,7 @@ class BlockSearch {
   /// is 0, rational values of the parameters do.
   BlockRoots constant_equation() {
     const Real value = evaluate(system_.program, rows_, start())[0];
-    if (value.is_defined() && !is_close(value, Real())) return std::move(result_);
+    if (value.is_defined() && !is_near(value, Real(), root_digits)) return std::move(result_);
     result_.roots.emplace_back();
     result_.is_identity = has_all_forms() && forms_[0].numerator.empty();
     const std::optional<Replacements> values = parameter_values(system_.state.parameters);
@@ -226,7 +226,7 @@ class BlockSearch {
       if (unknowns_.kinds[i] == SearchKind::range && !lives_at(i, q)) return;
     }
     for (const Real& value : evaluate(system_.program, rows_, root)) {
-      if (!is_close(value, Real())) return;
+      if (!is_near(value, Real(), root_digits)) return;
     }
     if (is_known(root)) return;
     std::optional<std::vector<CoordinateAtRest>> exact;
@@ -243,7 +243,8 @@ class BlockSearch {
   [[nodiscard]] bool is_known(const Arguments<Real>& root) const {
     return std::ranges::any_of(result_.roots, [&](const auto& known) {
       for (std::size_t i = 0; i < known.size(); ++i) {
-        if (!is_close(Real(known[i].value), root.q[unknowns_.coordinates[i]])) return false;
+        const Real& own = root.q[unknowns_.coordinates[i]];
+        if (!is_near(Real(known[i].value), own, root_digits)) return false;
       }
       return true;
     });

@@ -121,10 +121,4 @@ Real value_of(const Algebra& algebra, const Fraction& form, const Arguments<Real
   return program ? evaluate(program->program, program->function(), at)[0] : Real::undefined();
 }
 
-bool is_near(const Real& x, const Real& y) {
-  static const cln::cl_R near = power_of_ten(-40);
-  const Real difference = abs(x - y);
-  return difference.is_defined() && difference.value() < near;
-}
-
 }  // namespace elgen

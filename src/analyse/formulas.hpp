@@ -56,7 +56,4 @@ struct FormProgram {
 [[nodiscard]] Real value_of(const Algebra& algebra, const Fraction& form,
                             const Arguments<Real>& at);
 
-/// Whether numbers of 64 digits differ by less than 1e-40: closed forms may be equal then.
-[[nodiscard]] bool is_near(const Real& x, const Real& y);
-
 }  // namespace elgen

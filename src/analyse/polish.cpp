@@ -7,13 +7,10 @@
 #include "model/requests.hpp"
 #include "numbers/dual.hpp"
 #include "numbers/exact_number.hpp"
+#include "sample/states.hpp"
 
 namespace elgen {
 namespace {
-
-bool is_larger(const Real& x, const Real& y) {
-  return x.is_defined() && y.is_defined() && x.value() > y.value();
-}
 
 bool is_exactly_zero(const Real& x) { return x.is_defined() && cln::zerop(x.value()); }
 
@@ -35,21 +32,6 @@ std::vector<Real> rate_of_unit(const Model& model, const Arguments<Real>& at,
   return rates;
 }
 
-void scale_quaternions(const Model& model, std::vector<Real>& q) {
-  for (const Rotation& rotation : model.rotations) {
-    Real square;
-    for (std::uint32_t i = 0; i < quaternion_size; ++i) {
-      const Real& x = q[rotation.first_coordinate + i];
-      square = square + x * x;
-    }
-    const Real length = sqrt(square);
-    for (std::uint32_t i = 0; i < quaternion_size; ++i) {
-      Real& x = q[rotation.first_coordinate + i];
-      x = x / length;
-    }
-  }
-}
-
 constexpr int most_steps = 200;
 
 }  // namespace
@@ -59,7 +41,7 @@ std::optional<std::vector<Real>> solved(std::vector<Real> matrix, std::vector<Re
   for (std::size_t k = 0; k < n; ++k) {
     std::size_t pivot = k;
     for (std::size_t i = k + 1; i < n; ++i) {
-      if (is_larger(abs(matrix[i * n + k]), abs(matrix[pivot * n + k]))) pivot = i;
+      if (abs(matrix[i * n + k]) > abs(matrix[pivot * n + k])) pivot = i;
     }
     if (!matrix[pivot * n + k].is_defined() || is_exactly_zero(matrix[pivot * n + k]))
       return std::nullopt;
@@ -114,10 +96,10 @@ std::optional<Arguments<Real>> polished(const Model& model, const Program& progr
         start.q[c] = start.q[c] - rates[c] * (*step)[k];
       longest = max(longest, abs((*step)[k]));
     }
-    scale_quaternions(model, start.q);
+    scale_quaternions(model, start);
     for (const Real& q : start.q) largest = max(largest, abs(q));
     if (!longest.is_defined() || !largest.is_defined()) return std::nullopt;
-    if (!is_larger(longest, largest * smallest_step)) return start;
+    if (!(longest > largest * smallest_step)) return start;
   }
   return std::nullopt;
 }

@@ -7,12 +7,6 @@ namespace elgen {
 
 using cln::cl_R;
 
-bool is_close(const Real& x, const Real& y) {
-  static const Real near(power_of_ten(-25));
-  const Real difference = abs(x - y);
-  return difference.is_defined() && difference.value() < near.value();
-}
-
 const Real& whole_turn() {
   static const Real value = Real(cln::cl_RA(2)) * acos(Real(cln::cl_RA(-1)));
   return value;
@@ -36,11 +30,12 @@ bool is_in_range(const Coordinate& coordinate, SearchKind kind, const Real& high
   if (kind == SearchKind::turn) {
     // the first place that is not below the range
     const Real turns((low - highest) / whole_turn());
-    value = highest + Real(cln::ceiling1((turns - Real(power_of_ten(-25))).value())) * whole_turn();
+    value = highest +
+            Real(cln::ceiling1((turns - Real(power_of_ten(-root_digits))).value())) * whole_turn();
   }
   const Real lowest = value - width;
-  return (value.value() >= low.value() || is_close(value, low)) &&
-         (lowest.value() <= high.value() || is_close(lowest, high));
+  return (low <= value || is_near(value, low, root_digits)) &&
+         (lowest <= high || is_near(lowest, high, root_digits));
 }
 
 }  // namespace elgen

@@ -7,9 +7,9 @@
 
 namespace elgen {
 
-/// Solutions of 64 digits that differ by less are one: two simple ones would be nearer to each
-/// other than their own boxes are wide.
-[[nodiscard]] bool is_close(const Real& x, const Real& y);
+/// Solutions of 64 digits that agree to so many behind the point are one: two simple ones would be
+/// nearer to each other than their own boxes are wide.
+inline constexpr long root_digits = 25;
 
 /// 2 pi
 [[nodiscard]] const Real& whole_turn();

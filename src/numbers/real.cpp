@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "numbers/enclosed_number.hpp"
+#include "numbers/exact_number.hpp"
 #include "numbers/more_digits.hpp"
 
 namespace elgen {
@@ -101,6 +102,13 @@ Real operator/(const Real& x, const Real& y) {
 }
 Real sqrt(const Real& x) {
   return guarded(x.is_defined() && !cln::minusp(number(x)), [&] { return cln::sqrt(number(x)); });
+}
+
+bool operator<(const Real& x, const Real& y) { return both(x, y) && number(x) < number(y); }
+bool operator<=(const Real& x, const Real& y) { return both(x, y) && number(x) <= number(y); }
+
+bool is_near(const Real& x, const Real& y, long digits) {
+  return abs(x - y) < Real(power_of_ten(-digits));
 }
 
 #define ELGEN_REAL_1(name) \

@@ -236,23 +236,32 @@ LeafValues<Range> ranges_of(const Subject& subject) {
   return ranges;
 }
 
-void scale_quaternions(const Model& model, Arguments<double>& values) {
+template <class Number>
+void scale_quaternions(const Model& model, Arguments<Number>& values) {
+  constexpr bool is_real = std::is_same_v<Number, Real>;
   for (const Rotation& rotation : model.rotations) {
-    double* e = &values.q[rotation.first_coordinate];
+    Number* const e = &values.q[rotation.first_coordinate];
+    std::vector<Real> exact;
     Real square;
     for (std::size_t i = 0; i < quaternion_size; ++i) {
-      square = square + Real(exact_value(e[i])) * Real(exact_value(e[i]));
+      if constexpr (is_real) exact.push_back(e[i]);
+      if constexpr (!is_real) exact.emplace_back(exact_value(e[i]));
+      square = square + exact[i] * exact[i];
     }
-    if (cln::zerop(square.value())) {
-      e[0] = 1;
+    if (!(square > Real()) && square.is_defined()) {
+      e[0] = Number(1);
       continue;
     }
     const Real length = sqrt(square);
     for (std::size_t i = 0; i < quaternion_size; ++i) {
-      e[i] = ScalarTraits<double>::from_real((Real(exact_value(e[i])) / length).value());
+      const Real scaled = exact[i] / length;
+      if constexpr (is_real) e[i] = scaled;
+      if constexpr (!is_real) e[i] = ScalarTraits<Number>::from_real(scaled.value());
     }
   }
 }
+template void scale_quaternions(const Model& model, Arguments<double>& values);
+template void scale_quaternions(const Model& model, Arguments<Real>& values);
 
 Arguments<double> drawn_within(const Subject& subject, const LeafValues<Range>& ranges,
                                Random& random) {

@@ -45,8 +45,9 @@ struct Sampling {
 [[nodiscard]] LeafValues<Range> ranges_of(const Subject& subject);
 
 /// Gives every quaternion the length 1, each component rounded once; (1, 0, 0, 0) where there is no
-/// direction.
-void scale_quaternions(const Model& model, Arguments<double>& values);
+/// direction. Number: double or Real.
+template <class Number>
+void scale_quaternions(const Model& model, Arguments<Number>& values);
 
 /// Uniform inside these ranges, parameters at their values; quaternions of length 1.
 [[nodiscard]] Arguments<double> drawn_within(const Subject& subject,

@@ -91,6 +91,26 @@ TEST_CASE("kinked functions") {
   CHECK(near(max(real("1"), real("2")), real("2")));
 }
 
+TEST_CASE("numbers have an order, which what is undefined has not") {
+  CHECK(real("1") < real("2"));
+  CHECK_FALSE(real("2") < real("2"));
+  CHECK(real("2") <= real("2"));
+  CHECK(real("-1/3") > real("-1/2"));
+  const Real undefined = Real::undefined();
+  CHECK_FALSE(undefined < real("1"));
+  CHECK_FALSE(real("1") < undefined);
+  CHECK_FALSE(undefined <= undefined);
+}
+
+TEST_CASE("near numbers differ by less than 1e-40, or by what is asked for") {
+  const Real x = real("1/3");
+  const Real apart(cln::expt(cln::cl_RA(10), -30));
+  CHECK(is_near(x, x + Real(cln::expt(cln::cl_RA(10), -41))));
+  CHECK_FALSE(is_near(x, x + apart));
+  CHECK(is_near(x - apart, x, 25));
+  CHECK_FALSE(is_near(x, Real::undefined()));
+}
+
 TEST_CASE("beyond the range of exponents nothing is defined, and nothing is thrown") {
   Real x(10);
   for (int i = 0; i < 80; ++i) x = x * x;

@@ -189,3 +189,18 @@ TEST_CASE("a sequence gives the same states") {
   }
   CHECK_FALSE(sequence.next());
 }
+
+TEST_CASE("quaternions get the length 1 in numbers of any kind, and one where they have none") {
+  Model model;
+  model.rotations.resize(2);
+  model.rotations[1].first_coordinate = 4;
+  Arguments<double> rounded;
+  rounded.q = {1, 1, 1, 1, 0, 0, 0, 0};
+  Arguments<Real> exact = map_leaves([](double x) { return Real(exact_value(x)); }, rounded);
+  scale_quaternions(model, rounded);
+  scale_quaternions(model, exact);
+  CHECK(rounded.q == std::vector<double>{0.5, 0.5, 0.5, 0.5, 1, 0, 0, 0});
+  for (std::size_t i = 0; i < exact.q.size(); ++i) {
+    CHECK(is_near(exact.q[i], Real(exact_value(rounded.q[i]))));
+  }
+}

@@ -9,10 +9,6 @@
 namespace elgen {
 namespace {
 
-bool exceeds(const Real& x, const Real& y) {
-  return x.is_defined() && y.is_defined() && x.value() > y.value();
-}
-
 std::vector<bool> entries_in(const std::vector<SolvedColumn>& columns, std::size_t count) {
   std::vector<bool> is_in(count);
   for (const SolvedColumn& column : columns) {
@@ -41,7 +37,7 @@ std::vector<Real> scales_of(const std::vector<Real>& exact,
     largest = max(largest, abs(x));
   }
   const auto scale = [&](const std::vector<std::size_t>& entries) {
-    const auto is_there = [&](std::size_t i) { return exceeds(scales[i], Real()); };
+    const auto is_there = [&](std::size_t i) { return scales[i] > Real(); };
     if (std::ranges::any_of(entries, is_there)) return;
     for (const std::size_t i : entries) scales[i] = largest;
   };
@@ -114,7 +110,7 @@ bool Losses::knows_angles() const {
   static const Real known(cln::cl_RA(1) / 1000);
   for (std::size_t i = 0; i < state_.q.size(); ++i) {
     const bool turns = is_angle(subject_.model.coordinates[i]);
-    if (turns && exceeds(abs(Real(state_.q[i])) * rounding_.roundoff, known)) return false;
+    if (turns && abs(Real(state_.q[i])) * rounding_.roundoff > known) return false;
   }
   return true;
 }
@@ -139,7 +135,7 @@ double Losses::of_entry(const FieldPlace& place, std::size_t entry, const std::v
   const Real error = by_norm ? norm(*column, errors) : errors[entry];
   const Real scale = by_norm ? norm(*column, scales) : scales[entry];
   // R is no less than the scale, which costs nothing.
-  if (!exceeds(error, threshold * scale)) return in_bounds(error, scale, rounding_);
+  if (!(error > threshold * scale)) return in_bounds(error, scale, rounding_);
   const Real reference =
       by_norm ? norm_of_references(place, *column, scales) : scale + conditioning(place, entry);
   return reference.is_defined() ? in_bounds(error, reference, rounding_) : 0;
@@ -148,10 +144,10 @@ double Losses::of_entry(const FieldPlace& place, std::size_t entry, const std::v
 LostEntry Losses::of_largest(const std::vector<Real>& errors,
                              const std::vector<Real>& scales) const {
   const auto largest =
-      std::ranges::max_element(errors, [](const Real& x, const Real& y) { return exceeds(y, x); });
+      std::ranges::max_element(errors, [](const Real& x, const Real& y) { return x < y; });
   Real value;
   for (const Real& scale : scales) value = max(value, scale);
-  if (largest == errors.end() || !exceeds(value, Real())) return {};
+  if (largest == errors.end() || !(value > Real())) return {};
   return {in_bounds(*largest, value, rounding_),
           static_cast<std::size_t>(largest - errors.begin())};
 }

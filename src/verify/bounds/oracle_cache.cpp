@@ -91,8 +91,7 @@ bool agrees(const Measured& number, const Real& truth, const Real& scale) {
   static const Real of_bound(power_of_ten(-digits_of_bound));
   static const Real of_scale(power_of_ten(-digits_of_scale));
   const Real allowed = number.bound * of_bound + scale * of_scale;
-  const Real difference = abs(number.value - truth);
-  return difference.is_defined() && allowed.is_defined() && difference.value() <= allowed.value();
+  return abs(number.value - truth) <= allowed;
 }
 
 bool agrees_with_oracle(const Measured& number, const cln::cl_R& truth, const Real& scale,

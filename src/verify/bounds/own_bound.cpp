@@ -15,8 +15,7 @@ namespace {
 Regime regime_of(const Bound& x, const Rounding& rounding, bool is_running) {
   if (!x.value.is_defined()) return Regime::undefined;
   const Real reach = is_running ? abs(x.value) + rounding.roundoff * x.bound : abs(x.value);
-  const bool fits = reach.is_defined() && reach.value() <= rounding.largest.value();
-  if (!fits) return Regime::overflow;
+  if (!(reach <= rounding.largest)) return Regime::overflow;
   if (x.lost) return Regime::ill_conditioned;
   return Regime::regular;
 }
