@@ -1,0 +1,308 @@
+// Echelon: the elimination of all linear equations, over any field of numbers. Columns are taken
+// from left to right; the field says which row is the best pivot of a column, and what is 0.
+//
+//     2x + 4y + 6z                  x + 2y
+//      x + 2y + 4z   -- reduced ->           z     rank 2, kernel (-2, 1, 0)
+//
+// Rows hold what is not 0, in the order of its columns, and keep their places.
+#pragma once
+
+#include <cln/float.h>
+#include <cln/rational.h>
+#include <cln/real.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace elgen {
+
+enum class EchelonForm : std::uint8_t {
+  upper,    ///< Gauss: a pivot leaves the rows that hold none yet
+  reduced,  ///< Gauss and Jordan: it becomes 1 and leaves all other rows
+};
+
+/// A row that may hold the pivot of a column.
+template <class Number>
+struct PivotCandidate {
+  std::size_t row = 0;
+  std::size_t length = 0;         ///< entries of the row
+  const Number* entry = nullptr;  ///< in the column
+};
+
+/// A Field has
+///
+///     Number, form                                     the latter an EchelonForm
+///     integer(i), negate(x), multiply(x, y), divide(x, y)
+///     reduce(x, factor, y)                             x - factor y
+///     is_zero(x)                                       such entries leave their rows
+///     is_defined(x)                                    else elimination ends
+///     best(candidates, column)                         null where the column has no pivot
+///
+/// Cost: at most rows x columns x rank operations.
+template <class Field>
+class Echelon {
+ public:
+  using Number = typename Field::Number;
+  struct Entry {
+    std::size_t column = 0;
+    Number value = {};
+  };
+  using Row = std::vector<Entry>;
+  struct Pivot {
+    std::size_t row = 0;
+    std::size_t column = 0;
+    Number value = {};  ///< before its row was divided by it
+  };
+
+  /// Eliminates the first columns, as many as there are unknowns. Those behind are right sides. The
+  /// field has to outlive the echelon.
+  Echelon(Field& field, std::vector<Row> rows, std::size_t unknowns)
+      : field_(field), rows_(std::move(rows)), unknowns_(unknowns), is_used_(rows_.size()) {
+    for (Row& row : rows_) drop_zeros(row);
+    for (std::size_t column = 0; is_defined_ && column < unknowns; ++column) eliminate(column);
+  }
+
+  /// The same of a row-major matrix.
+  Echelon(Field& field, const std::vector<Number>& matrix, std::size_t columns,
+          std::size_t unknowns)
+      : Echelon(field, rows_of(matrix, columns), unknowns) {}
+
+  /// Whether every number on the way was defined; else nothing else is known.
+  [[nodiscard]] bool is_defined() const { return is_defined_; }
+
+  [[nodiscard]] std::size_t rank() const { return pivots_.size(); }
+
+  /// In the order of their columns.
+  [[nodiscard]] const std::vector<Pivot>& pivots() const { return pivots_; }
+
+  /// The row of a pivot, without it.
+  [[nodiscard]] const Row& rest(const Pivot& pivot) const { return rows_[pivot.row]; }
+
+  /// Right sides of rows without a pivot, which say 0 = that.
+  [[nodiscard]] std::vector<Number> contradictions() const {
+    std::vector<Number> result;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const Number* const right = entry_of(rows_[i], unknowns_);
+      if (!is_used_[i] && right != nullptr) result.push_back(*right);
+    }
+    return result;
+  }
+
+  /// x of A x = b, where b is the first right side; free unknowns are 0. None where there is none.
+  [[nodiscard]] std::optional<std::vector<Number>> solution() const {
+    if (!contradictions().empty()) return std::nullopt;
+    return substituted(unknowns_);
+  }
+
+  /// A basis of A x = 0: of each free unknown the x in which it is 1 and the other free ones are 0.
+  /// The entries behind it are 0, too.
+  [[nodiscard]] std::vector<std::vector<Number>> kernel() const {
+    std::vector<bool> is_free(unknowns_, true);
+    for (const Pivot& pivot : pivots_) is_free[pivot.column] = false;
+    std::vector<std::vector<Number>> basis;
+    for (std::size_t u = 0; u < unknowns_; ++u) {
+      if (!is_free[u]) continue;
+      std::vector<Number>& x = basis.emplace_back(substituted(u));
+      for (Number& number : x) number = field_.negate(number);
+      x[u] = field_.integer(1);
+    }
+    return basis;
+  }
+
+  /// The determinant of a square matrix.
+  [[nodiscard]] Number determinant() const {
+    if (rank() < unknowns_) return field_.integer(0);
+    Number product = field_.integer(1);
+    bool is_odd = false;
+    for (std::size_t k = 0; k < rank(); ++k) {
+      product = field_.multiply(product, pivots_[k].value);
+      for (std::size_t i = 0; i < k; ++i) is_odd = is_odd != (pivots_[i].row > pivots_[k].row);
+    }
+    return is_odd ? field_.negate(product) : product;
+  }
+
+ private:
+  static std::vector<Row> rows_of(const std::vector<Number>& matrix, std::size_t columns) {
+    std::vector<Row> rows;
+    for (std::size_t k = 0; k < matrix.size(); ++k) {
+      if (k % columns == 0) rows.emplace_back();
+      rows.back().push_back({k % columns, matrix[k]});
+    }
+    return rows;
+  }
+
+  static const Number* entry_of(const Row& row, std::size_t column) {
+    const auto at = std::ranges::lower_bound(row, column, {}, &Entry::column);
+    return at != row.end() && at->column == column ? &at->value : nullptr;
+  }
+
+  void note(const Number& value) { is_defined_ = is_defined_ && field_.is_defined(value); }
+
+  void drop_zeros(Row& row) {
+    for (const Entry& entry : row) note(entry.value);
+    std::erase_if(row, [this](const Entry& entry) { return field_.is_zero(entry.value); });
+  }
+
+  void eliminate(std::size_t column) {
+    std::vector<PivotCandidate<Number>> candidates;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const Number* const entry = is_used_[i] ? nullptr : entry_of(rows_[i], column);
+      if (entry != nullptr) candidates.push_back({i, rows_[i].size(), entry});
+    }
+    if (candidates.empty()) return;
+    const PivotCandidate<Number>* const best = field_.best(candidates, column);
+    if (best == nullptr) return;
+    const Pivot pivot{best->row, column, *best->entry};
+    pivots_.push_back(pivot);
+    is_used_[pivot.row] = true;
+    prepare(rows_[pivot.row], pivot);
+    for (std::size_t i = 0; i < rows_.size() && is_defined_; ++i) {
+      const bool is_reached = Field::form == EchelonForm::reduced ? i != pivot.row : !is_used_[i];
+      if (is_reached) reduce(rows_[i], pivot);
+    }
+  }
+
+  /// Takes the pivot out of its row.
+  void prepare(Row& row, const Pivot& pivot) {
+    std::erase_if(row, [&](const Entry& entry) { return entry.column == pivot.column; });
+    if constexpr (Field::form == EchelonForm::reduced) {
+      for (Entry& entry : row) entry.value = field_.divide(entry.value, pivot.value);
+      drop_zeros(row);
+    }
+  }
+
+  /// Subtracts so much of the pivot's row that the pivot's column leaves the row.
+  void reduce(Row& row, const Pivot& pivot) {
+    const auto at = std::ranges::lower_bound(row, pivot.column, {}, &Entry::column);
+    if (at == row.end() || at->column != pivot.column) return;
+    Number factor = std::move(at->value);
+    row.erase(at);
+    if constexpr (Field::form == EchelonForm::upper) factor = field_.divide(factor, pivot.value);
+    Row result;
+    auto own = row.begin();
+    for (const Entry& subtracted : rest(pivot)) {
+      for (; own != row.end() && own->column < subtracted.column; ++own) {
+        result.push_back(std::move(*own));
+      }
+      const bool is_own = own != row.end() && own->column == subtracted.column;
+      const Number before = is_own ? std::move(own->value) : field_.integer(0);
+      if (is_own) ++own;
+      Number after = field_.reduce(before, factor, subtracted.value);
+      note(after);
+      if (!field_.is_zero(after)) result.push_back({subtracted.column, std::move(after)});
+    }
+    for (; own != row.end(); ++own) result.push_back(std::move(*own));
+    row = std::move(result);
+  }
+
+  /// x of A x = this column, from the last pivot up; free unknowns are 0.
+  std::vector<Number> substituted(std::size_t right) const {
+    std::vector<Number> x(unknowns_, field_.integer(0));
+    for (auto pivot = pivots_.rbegin(); pivot != pivots_.rend(); ++pivot) {
+      const Number* const own = entry_of(rest(*pivot), right);
+      Number sum = own == nullptr ? field_.integer(0) : *own;
+      for (const Entry& entry : rest(*pivot)) {
+        if (entry.column >= unknowns_ || field_.is_zero(x[entry.column])) continue;
+        sum = field_.reduce(sum, entry.value, x[entry.column]);
+      }
+      const bool is_one = Field::form == EchelonForm::reduced;
+      x[pivot->column] = is_one ? sum : field_.divide(sum, pivot->value);
+    }
+    return x;
+  }
+
+  Field& field_;
+  std::vector<Row> rows_;
+  std::size_t unknowns_;
+  std::vector<bool> is_used_;
+  bool is_defined_ = true;
+  std::vector<Pivot> pivots_ = {};
+};
+
+/// The operations of numbers that have operators.
+template <class T>
+struct Operators {
+  using Number = T;
+  [[nodiscard]] static T integer(int value) { return T(value); }
+  [[nodiscard]] static T negate(const T& x) { return -x; }
+  [[nodiscard]] static T add(const T& x, const T& y) { return x + y; }
+  [[nodiscard]] static T multiply(const T& x, const T& y) { return x * y; }
+  [[nodiscard]] static T divide(const T& x, const T& y) { return x / y; }
+  [[nodiscard]] static T reduce(const T& x, const T& factor, const T& y) { return x - factor * y; }
+  [[nodiscard]] static bool is_defined(const T& x) {
+    if constexpr (std::is_floating_point_v<T>) return !std::isnan(x);
+    if constexpr (requires { x.is_defined(); }) return x.is_defined();
+    return true;
+  }
+};
+
+/// Ordered numbers, of which the largest of a column is its best pivot.
+template <class T, EchelonForm Form = EchelonForm::upper>
+class LargestPivot : public Operators<T> {
+ public:
+  using Candidates = std::vector<PivotCandidate<T>>;
+  static constexpr EchelonForm form = Form;
+
+  /// Pivots and entries below these are what rounding left of 0. Where rows have scales, pivots are
+  /// compared as shares of them.
+  explicit LargestPivot(T least_pivot = T(0), T least_entry = T(0), std::vector<T> scales = {})
+      : least_pivot_(std::move(least_pivot)),
+        least_entry_(std::move(least_entry)),
+        scales_(std::move(scales)) {}
+
+  [[nodiscard]] bool is_zero(const T& x) const {
+    using std::abs;
+    const T size = abs(x);
+    return this->is_defined(x) && (size < least_entry_ || !(T(0) < size));
+  }
+
+  [[nodiscard]] const PivotCandidate<T>* best(const Candidates& candidates, std::size_t) const {
+    const PivotCandidate<T>* largest = nullptr;
+    T most(0);
+    for (const PivotCandidate<T>& candidate : candidates) {
+      const T share = share_of(candidate);
+      if (share < least_pivot_ || (largest != nullptr && !(most < share))) continue;
+      largest = &candidate;
+      most = share;
+    }
+    return largest;
+  }
+
+ private:
+  [[nodiscard]] T share_of(const PivotCandidate<T>& candidate) const {
+    using std::abs;
+    const T size = abs(*candidate.entry);
+    return scales_.empty() ? size : size / scales_[candidate.row];
+  }
+
+  T least_pivot_;
+  T least_entry_;
+  std::vector<T> scales_;
+};
+
+/// Pivots on the diagonal alone, without a look at their size: D of L D L^T, entry by entry. Where
+/// numbers do not throw, a pivot may be 0.
+template <class T>
+struct DiagonalPivot : Operators<T> {
+  static constexpr EchelonForm form = EchelonForm::upper;
+
+  [[nodiscard]] static bool is_zero(const T& x) {
+    if constexpr (std::is_base_of_v<cln::cl_R, T>) return cln::zerop(x);
+    return false;
+  }
+  [[nodiscard]] static const PivotCandidate<T>* best(
+      const std::vector<PivotCandidate<T>>& candidates, std::size_t column) {
+    const auto own = std::ranges::find(candidates, column, &PivotCandidate<T>::row);
+    return own == candidates.end() ? nullptr : &*own;
+  }
+};
+
+extern template class Echelon<LargestPivot<cln::cl_R, EchelonForm::reduced>>;
+
+}  // namespace elgen
