@@ -12,8 +12,10 @@
 namespace elgen {
 namespace {
 
+using FormEchelon = Echelon<FormField>;
+
 /// sum over unknowns of x_u coefficient_u = 0, over the parameters.
-using Equation = std::map<std::size_t, Fraction>;
+using Equation = FormEchelon::Row;
 
 class Conditions {
  public:
@@ -40,7 +42,7 @@ class Conditions {
     for (const auto& [monomial, coefficients] : sums) {
       Equation equation;
       for (const auto& [u, sum] : coefficients) {
-        if (!sum.empty()) equation.emplace(u, fraction_of(sum));
+        if (!sum.empty()) equation.push_back({u, fraction_of(sum)});
       }
       if (!equation.empty()) equations_.push_back(std::move(equation));
     }
@@ -111,74 +113,21 @@ class Conditions {
   std::vector<Equation> equations_ = {};
 };
 
-/// An unknown that stands alone in an equation is 0, in all of them.
-void remove_single_unknowns(std::vector<Equation>& equations, std::set<std::size_t>& zeros) {
+/// An unknown that stands alone in an equation is 0, and leaves all others.
+std::vector<Equation> with_zeros_apart(FormField& field, std::vector<Equation> equations) {
+  std::set<std::size_t> zeros;
   for (bool is_done = false; !is_done;) {
     is_done = true;
     for (Equation& equation : equations) {
-      std::erase_if(equation, [&](const auto& term) { return zeros.contains(term.first); });
+      std::erase_if(equation, [&](const auto& term) { return zeros.contains(term.column); });
       if (equation.size() != 1) continue;
-      zeros.insert(equation.begin()->first);
+      zeros.insert(equation.front().column);
       is_done = false;
     }
     std::erase_if(equations, [](const Equation& equation) { return equation.empty(); });
   }
-}
-
-/// to -= factor * row; false beyond the budget.
-bool subtract(FormField& field, Equation& to, const Fraction& factor, const Equation& row) {
-  for (const auto& [u, coefficient] : row) {
-    const auto own = to.find(u);
-    const Value before = own == to.end() ? field.integer(0) : own->second;
-    const Value after = field.add(before, field.negate(field.multiply(factor, coefficient)));
-    if (!after) return false;
-    if (own != to.end()) to.erase(own);
-    if (!field.is_zero(after)) to.emplace(u, *after);
-  }
-  return true;
-}
-
-/// Gauss and Jordan from the first unknown to the last; the shortest equation is the pivot.
-std::optional<Echelon<Value>> eliminated(FormField& field, std::vector<Equation> equations,
-                                         std::size_t unknowns) {
-  std::set<std::size_t> zeros;
-  remove_single_unknowns(equations, zeros);
-  std::vector<std::pair<std::size_t, Equation>> done;
-  for (std::size_t u = 0; u < unknowns; ++u) {
-    auto pivot = equations.end();
-    for (auto at = equations.begin(); at != equations.end(); ++at) {
-      if (at->contains(u) && (pivot == equations.end() || at->size() < pivot->size())) pivot = at;
-    }
-    if (pivot == equations.end()) continue;
-    Equation row;
-    const Fraction lead = pivot->at(u);
-    for (const auto& [k, coefficient] : *pivot) {
-      const Value scaled = field.divide(coefficient, lead);
-      if (!scaled) return std::nullopt;
-      row.emplace(k, *scaled);
-    }
-    equations.erase(pivot);
-    const auto reduce = [&](Equation& equation) {
-      const auto own = equation.find(u);
-      return own == equation.end() || subtract(field, equation, Fraction(own->second), row);
-    };
-    for (Equation& equation : equations) {
-      if (!reduce(equation)) return std::nullopt;
-    }
-    for (auto& [k, equation] : done) {
-      if (!reduce(equation)) return std::nullopt;
-    }
-    std::erase_if(equations, [](const Equation& equation) { return equation.empty(); });
-    done.emplace_back(u, std::move(row));
-  }
-  for (const std::size_t u : zeros) done.emplace_back(u, Equation{});
-  Echelon<Value> result;
-  for (const auto& [u, equation] : done) {
-    result.pivots.push_back(u);
-    std::vector<Value>& row = result.rows.emplace_back(unknowns, field.integer(0));
-    for (const auto& [k, coefficient] : equation) row[k] = coefficient;
-  }
-  return result;
+  for (const std::size_t u : zeros) equations.emplace_back().push_back({u, field.integer(1)});
+  return equations;
 }
 
 /// The slopes of R; none where one is not known.
@@ -250,9 +199,10 @@ std::optional<ExactGenerators> exact_generators(ClosedForms& forms, const Model&
   ExactGenerators result;
   result.is_complete = equations.is_complete();
   result.has_root = equations.has_root();
-  const auto echelon = eliminated(field, std::move(equations).equations(), all.size());
-  if (!echelon) return std::nullopt;
-  for (const std::vector<Value>& solution : solutions(field, *echelon, all.size())) {
+  const FormEchelon echelon(field, with_zeros_apart(field, std::move(equations).equations()),
+                            all.size());
+  if (!echelon.is_defined()) return std::nullopt;
+  for (const std::vector<Value>& solution : echelon.kernel()) {
     std::vector<Fraction>& entries = result.basis.emplace_back();
     for (const Value& entry : solution) entries.push_back(*entry);
   }

@@ -2,18 +2,24 @@
 // every monomial in q, v, a and t has to vanish by itself.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
 #include "analyse/generators.hpp"
 #include "forms/present/arithmetic.hpp"
+#include "numbers/echelon.hpp"
 
 namespace elgen {
 
-/// Closed forms as the numbers of generators.hpp; none beyond the budget.
+/// Closed forms as the numbers of generators.hpp and of Echelon; none beyond the budget. The best
+/// pivot stands in the shortest row.
 class FormField {
  public:
   using Number = Value;
+  using Candidates = std::vector<PivotCandidate<Value>>;
+  static constexpr EchelonForm form = EchelonForm::reduced;
+
   explicit FormField(Algebra& algebra) : arithmetic_(algebra, work, terms) {}
 
   [[nodiscard]] Value integer(int value) const { return fraction_of(cln::cl_RA(value)); }
@@ -23,7 +29,14 @@ class FormField {
   }
   [[nodiscard]] Value negate(const Value& x) const { return arithmetic_.negate(x); }
   [[nodiscard]] Value divide(const Value& x, const Value& y) { return arithmetic_.divide(x, y); }
+  [[nodiscard]] Value reduce(const Value& x, const Value& factor, const Value& y) {
+    return add(x, negate(multiply(factor, y)));
+  }
   [[nodiscard]] bool is_zero(const Value& x) const { return x && x->numerator.empty(); }
+  [[nodiscard]] bool is_defined(const Value& x) const { return x.has_value(); }
+  [[nodiscard]] const PivotCandidate<Value>* best(const Candidates& candidates, std::size_t) const {
+    return &*std::ranges::min_element(candidates, {}, &PivotCandidate<Value>::length);
+  }
   [[nodiscard]] Value leaf(Opcode kind, std::uint32_t index) {
     return arithmetic_.leaf(kind, index);
   }

@@ -200,31 +200,4 @@ std::vector<std::vector<typename Field::Number>> conditions(
   return rows;
 }
 
-/// The equations sum_u x_u row_u = 0 after elimination: the unknowns `pivots` follow from the
-/// others, each by the row of its place: x_pivot = -sum over free u of row_u x_u.
-template <class Number>
-struct Echelon {
-  std::vector<std::size_t> pivots = {};
-  std::vector<std::vector<Number>> rows = {};
-};
-
-/// A basis of the solutions: of each free unknown the one in which it is 1 and the other free ones
-/// are 0.
-template <class Field>
-std::vector<std::vector<typename Field::Number>> solutions(
-    Field& field, const Echelon<typename Field::Number>& echelon, std::size_t unknowns) {
-  std::vector<bool> is_pivot(unknowns);
-  for (const std::size_t pivot : echelon.pivots) is_pivot[pivot] = true;
-  std::vector<std::vector<typename Field::Number>> basis;
-  for (std::size_t u = 0; u < unknowns; ++u) {
-    if (is_pivot[u]) continue;
-    auto& solution = basis.emplace_back(unknowns, field.integer(0));
-    solution[u] = field.integer(1);
-    for (std::size_t p = 0; p < echelon.pivots.size(); ++p) {
-      solution[echelon.pivots[p]] = field.negate(echelon.rows[p][u]);
-    }
-  }
-  return basis;
-}
-
 }  // namespace elgen

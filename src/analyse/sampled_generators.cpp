@@ -1,4 +1,4 @@
-// Gauss and Jordan with the largest pivot of each column. Entries below 1e-100 are 0.
+// Rows and columns are scaled, then eliminated. Entries below 1e-100 are 0.
 #include "analyse/sampled_generators.hpp"
 
 #include <cln/float.h>
@@ -107,60 +107,28 @@ std::vector<cl_R> column_scales(const std::vector<std::vector<cl_R>>& rows, std:
   return scales;
 }
 
-/// The row of the largest entry of a column among those that are left; none below the noise.
-std::optional<std::size_t> pivot_row_of(const std::vector<std::vector<cl_R>>& rows,
-                                        std::size_t first, std::size_t column) {
-  std::optional<std::size_t> pivot;
-  for (std::size_t i = first; i < rows.size(); ++i) {
-    if (cln::abs(rows[i][column]) < noise()) continue;
-    if (!pivot || cln::abs(rows[i][column]) > cln::abs(rows[*pivot][column])) pivot = i;
-  }
-  return pivot;
-}
-
-/// Columns are scaled, so that numbers in any unit are told from 0.
-Echelon<cl_R> eliminated(std::vector<std::vector<cl_R>> rows, std::size_t unknowns) {
+/// A basis of the unknowns that make the sum of each row 0: in each one is 1, and nothing is behind
+/// it. Columns are scaled, so that numbers in any unit are told from 0.
+std::vector<std::vector<cl_R>> null_vectors(const std::vector<std::vector<cl_R>>& rows,
+                                            std::size_t unknowns) {
   const std::vector<cl_R> scales = column_scales(rows, unknowns);
-  for (std::vector<cl_R>& row : rows) {
-    for (std::size_t u = 0; u < unknowns; ++u) row[u] = row[u] / scales[u];
+  std::vector<cl_R> matrix;
+  for (const std::vector<cl_R>& row : rows) {
+    for (std::size_t u = 0; u < unknowns; ++u) matrix.push_back(row[u] / scales[u]);
   }
-  Echelon<cl_R> result;
-  for (std::size_t u = 0; u < unknowns; ++u) {
-    const std::size_t done = result.pivots.size();
-    const std::optional<std::size_t> found = pivot_row_of(rows, done, u);
-    if (!found) continue;
-    std::swap(rows[*found], rows[done]);
-    std::vector<cl_R>& pivot = rows[done];
-    std::vector<std::size_t> filled;
-    const cl_R lead = pivot[u];
-    for (std::size_t k = u; k < unknowns; ++k) {
-      pivot[k] = pivot[k] / lead;
-      if (cln::abs(pivot[k]) >= noise()) filled.push_back(k);
-    }
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (i == done || cln::abs(rows[i][u]) < noise()) continue;
-      const cl_R factor = rows[i][u];
-      for (const std::size_t k : filled) rows[i][k] = rows[i][k] - factor * pivot[k];
-    }
-    result.pivots.push_back(u);
-  }
-  rows.resize(result.pivots.size());
-  for (std::size_t p = 0; p < rows.size(); ++p) {
+  using Sampled = LargestPivot<cl_R, EchelonForm::reduced>;
+  Sampled field(noise(), noise());
+  std::vector<std::vector<cl_R>> basis =
+      Echelon<Sampled>(field, matrix, unknowns, unknowns).kernel();
+  for (std::vector<cl_R>& x : basis) {
+    std::size_t last = 0;
     for (std::size_t u = 0; u < unknowns; ++u) {
-      cl_R& entry = rows[p][u];
-      entry = cln::abs(entry) < noise() ? cl_R(0) : entry * scales[u] / scales[result.pivots[p]];
+      if (!cln::zerop(x[u])) last = u;
     }
+    for (std::size_t u = 0; u < last; ++u) x[u] = x[u] * scales[last] / scales[u];
   }
-  result.rows = std::move(rows);
-  return result;
+  return basis;
 }
-
-/// Negation for solutions().
-struct NumberField {
-  using Number = cl_R;
-  [[nodiscard]] static cl_R integer(int value) { return value; }
-  [[nodiscard]] static cl_R negate(const cl_R& x) { return -x; }
-};
 
 State at_random_parameters(const CheckedModel& checked, std::size_t turn) {
   Random random(seed + turn);
@@ -258,8 +226,7 @@ std::optional<SampledGenerators> sampled_generators(const CheckedModel& checked,
     result.states.push_back(std::move(state));
   }
   if (result.states.size() < wanted) return std::nullopt;
-  NumberField numbers;
-  result.basis = solutions(numbers, eliminated(std::move(rows), all.size()), all.size());
+  result.basis = null_vectors(rows, all.size());
   return result;
 }
 

@@ -11,6 +11,7 @@
 #include "analyse/generators.hpp"
 #include "elgen/program.hpp"
 #include "elgen/scene.hpp"
+#include "numbers/echelon.hpp"
 #include "program/evaluate/exact_values.hpp"
 
 namespace elgen {
@@ -19,16 +20,7 @@ namespace elgen {
 inline constexpr unsigned sampling_digits = 96;
 
 /// Real numbers as those of generators.hpp.
-struct RealField {
-  using Number = Real;
-  [[nodiscard]] static Real integer(int value) { return Real(value); }
-  [[nodiscard]] static Real add(const Real& x, const Real& y) { return x + y; }
-  [[nodiscard]] static Real multiply(const Real& x, const Real& y) { return x * y; }
-  [[nodiscard]] static Real negate(const Real& x) { return -x; }
-  [[nodiscard]] static bool is_zero(const Real& x) {
-    return x.is_defined() && cln::zerop(x.value());
-  }
-};
+using RealField = Operators<Real>;
 
 struct SampledGenerators {
   std::vector<std::vector<cln::cl_R>> basis = {};

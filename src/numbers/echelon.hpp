@@ -240,6 +240,15 @@ struct Operators {
     if constexpr (requires { x.is_defined(); }) return x.is_defined();
     return true;
   }
+  /// Exactly 0, as far as numbers of this type know.
+  [[nodiscard]] static bool is_zero(const T& x) {
+    if constexpr (std::is_floating_point_v<T>) return x == 0;
+    if constexpr (std::is_base_of_v<cln::cl_R, T>) return cln::zerop(x);
+    if constexpr (requires { cln::zerop(x.value()); }) {
+      return x.is_defined() && cln::zerop(x.value());
+    }
+    return false;
+  }
 };
 
 /// Ordered numbers, of which the largest of a column is its best pivot.
@@ -254,12 +263,12 @@ class LargestPivot : public Operators<T> {
   explicit LargestPivot(T least_pivot = T(0), T least_entry = T(0), std::vector<T> scales = {})
       : least_pivot_(std::move(least_pivot)),
         least_entry_(std::move(least_entry)),
+        has_noise_(!Operators<T>::is_zero(least_entry_)),
         scales_(std::move(scales)) {}
 
   [[nodiscard]] bool is_zero(const T& x) const {
     using std::abs;
-    const T size = abs(x);
-    return this->is_defined(x) && (size < least_entry_ || !(T(0) < size));
+    return Operators<T>::is_zero(x) || (has_noise_ && abs(x) < least_entry_);
   }
 
   [[nodiscard]] const PivotCandidate<T>* best(const Candidates& candidates, std::size_t) const {
@@ -283,18 +292,18 @@ class LargestPivot : public Operators<T> {
 
   T least_pivot_;
   T least_entry_;
+  bool has_noise_;
   std::vector<T> scales_;
 };
 
-/// Pivots on the diagonal alone, without a look at their size: D of L D L^T, entry by entry. Where
-/// numbers do not throw, a pivot may be 0.
+/// Pivots on the diagonal alone, without a look at their size: D of L D L^T, entry by entry. Floats
+/// may be divided by 0.
 template <class T>
 struct DiagonalPivot : Operators<T> {
   static constexpr EchelonForm form = EchelonForm::upper;
 
   [[nodiscard]] static bool is_zero(const T& x) {
-    if constexpr (std::is_base_of_v<cln::cl_R, T>) return cln::zerop(x);
-    return false;
+    return !std::is_floating_point_v<T> && Operators<T>::is_zero(x);
   }
   [[nodiscard]] static const PivotCandidate<T>* best(
       const std::vector<PivotCandidate<T>>& candidates, std::size_t column) {
