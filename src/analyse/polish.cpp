@@ -6,6 +6,7 @@
 #include "elgen/oracle.hpp"
 #include "model/requests.hpp"
 #include "numbers/dual.hpp"
+#include "numbers/echelon.hpp"
 #include "numbers/exact_number.hpp"
 #include "sample/states.hpp"
 
@@ -34,35 +35,22 @@ std::vector<Real> rate_of_unit(const Model& model, const Arguments<Real>& at,
 
 constexpr int most_steps = 200;
 
-}  // namespace
-
-std::optional<std::vector<Real>> solved(std::vector<Real> matrix, std::vector<Real> right_side) {
+/// x of A x = b, A n x n row-major; none where A is singular.
+std::optional<std::vector<Real>> solved(const std::vector<Real>& matrix,
+                                        const std::vector<Real>& right_side) {
   const std::size_t n = right_side.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    std::size_t pivot = k;
-    for (std::size_t i = k + 1; i < n; ++i) {
-      if (abs(matrix[i * n + k]) > abs(matrix[pivot * n + k])) pivot = i;
-    }
-    if (!matrix[pivot * n + k].is_defined() || is_exactly_zero(matrix[pivot * n + k]))
-      return std::nullopt;
-    std::swap(right_side[k], right_side[pivot]);
-    for (std::size_t j = 0; j < n; ++j) std::swap(matrix[k * n + j], matrix[pivot * n + j]);
-    for (std::size_t i = k + 1; i < n; ++i) {
-      const Real factor = matrix[i * n + k] / matrix[k * n + k];
-      for (std::size_t j = k; j < n; ++j) {
-        matrix[i * n + j] = matrix[i * n + j] - factor * matrix[k * n + j];
-      }
-      right_side[i] = right_side[i] - factor * right_side[k];
-    }
+  std::vector<Real> both;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k < n; ++k) both.push_back(matrix[i * n + k]);
+    both.push_back(right_side[i]);
   }
-  for (std::size_t k = n; k-- > 0;) {
-    for (std::size_t j = k + 1; j < n; ++j) {
-      right_side[k] = right_side[k] - matrix[k * n + j] * right_side[j];
-    }
-    right_side[k] = right_side[k] / matrix[k * n + k];
-  }
-  return right_side;
+  LargestPivot<Real> field;
+  const Echelon<LargestPivot<Real>> echelon(field, both, n + 1, n);
+  if (!echelon.is_defined() || echelon.rank() < n) return std::nullopt;
+  return echelon.solution();
 }
+
+}  // namespace
 
 std::vector<Real> position_slopes(const Model& model, const Program& program,
                                   const Function& function, const Arguments<Real>& at,

@@ -9,10 +9,6 @@
 
 namespace elgen {
 
-/// x of A x = b, A n x n row-major, by elimination with pivots by rows; none where A is singular.
-[[nodiscard]] std::optional<std::vector<Real>> solved(std::vector<Real> matrix,
-                                                      std::vector<Real> right_side);
-
 /// d f/d q of the entries of a function, row-major: f moves with the velocities `along`, one column
 /// for each. Of rotations a column is along a turn about an axis of the body.
 [[nodiscard]] std::vector<Real> position_slopes(const Model& model, const Program& program,
