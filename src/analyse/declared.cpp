@@ -8,6 +8,7 @@
 #include "analyse/rest.hpp"
 #include "analyse/substitution.hpp"
 #include "elgen/analyse.hpp"
+#include "numbers/echelon.hpp"
 #include "numbers/exact_number.hpp"
 #include "numbers/random.hpp"
 #include "program/evaluate/subject.hpp"
@@ -25,7 +26,8 @@ constexpr std::size_t most_draws = 64;
 /// The larger determinants of closed forms outgrow their budget.
 constexpr std::size_t most_rows = 8;
 
-/// By the first row, minors by the columns that they leave.
+/// By the first row, minors by the columns that they leave: forms that are divided, as pivots are,
+/// would outgrow the budget sooner.
 Value determinant(Arithmetic& at, const std::vector<Value>& matrix, std::size_t n) {
   std::vector<Value> minors(std::size_t{1} << n);
   minors[0] = fraction_of(cln::cl_RA(1));
@@ -45,25 +47,11 @@ Value determinant(Arithmetic& at, const std::vector<Value>& matrix, std::size_t 
   return minors.back();
 }
 
-/// In 64 digits, by elimination; undefined where an entry is.
-Real determinant(std::vector<Real> a, std::size_t n) {
-  Real result(cl_R(1));
-  for (std::size_t k = 0; k < n; ++k) {
-    std::size_t pivot = k;
-    for (std::size_t i = k; i < n; ++i) {
-      if (!a[i * n + k].is_defined()) return Real::undefined();
-      if (cln::abs(a[i * n + k].value()) > cln::abs(a[pivot * n + k].value())) pivot = i;
-    }
-    if (cln::zerop(a[pivot * n + k].value())) return Real();
-    if (pivot != k) result = -result;
-    for (std::size_t j = 0; j < n; ++j) std::swap(a[k * n + j], a[pivot * n + j]);
-    result = result * a[k * n + k];
-    for (std::size_t i = k + 1; i < n; ++i) {
-      const Real factor = a[i * n + k] / a[k * n + k];
-      for (std::size_t j = k; j < n; ++j) a[i * n + j] = a[i * n + j] - factor * a[k * n + j];
-    }
-  }
-  return result;
+/// In 64 digits; undefined where an entry is.
+Real determinant(const std::vector<Real>& matrix, std::size_t n) {
+  LargestPivot<Real> field;
+  const Echelon<LargestPivot<Real>> echelon(field, matrix, n, n);
+  return echelon.is_defined() ? echelon.determinant() : Real::undefined();
 }
 
 class DeclaredEquilibrium {
