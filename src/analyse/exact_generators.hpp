@@ -20,7 +20,8 @@ class FormField {
   using Candidates = std::vector<PivotCandidate<Value>>;
   static constexpr EchelonForm form = EchelonForm::reduced;
 
-  explicit FormField(Algebra& algebra) : arithmetic_(algebra, work, terms) {}
+  explicit FormField(Algebra& algebra, std::size_t most_work = work, std::size_t most_terms = terms)
+      : arithmetic_(algebra, most_work, most_terms) {}
 
   [[nodiscard]] Value integer(int value) const { return fraction_of(cln::cl_RA(value)); }
   [[nodiscard]] Value add(const Value& x, const Value& y) { return arithmetic_.add(x, y); }

@@ -3,114 +3,86 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
+#include "analyse/exact_generators.hpp"
 #include "analyse/formulas.hpp"
 
 namespace elgen {
 namespace {
 
-/// The closed forms of a linear system, solved by elimination from the last unknown to the first,
-/// so that the first ones are any where some are.
-class LinearSystem {
+/// Closed forms at values of the parameters: a pivot is a coefficient that is not 0 there.
+class FormsAt : public FormField {
  public:
-  LinearSystem(Algebra& algebra, std::vector<std::uint32_t> unknowns, const Arguments<Real>& at)
-      : algebra_(algebra), unknowns_(std::move(unknowns)), at_(at), arithmetic_(algebra) {}
+  FormsAt(Algebra& algebra, const Arguments<Real>& at)
+      : FormField(algebra, PresentBudget{}.products, PresentBudget{}.terms),
+        algebra_(algebra),
+        at_(at) {}
 
-  void add(std::vector<Fraction> coefficients, const Fraction& rest) {
-    coefficients.push_back(rest);
-    rows_.push_back(std::move(coefficients));
-  }
+  [[nodiscard]] Real number(const Fraction& form) const { return value_of(algebra_, form, at_); }
+  [[nodiscard]] bool vanishes(const Fraction& form) const { return is_near(number(form), Real()); }
 
-  std::optional<LinearSolution> operator()() {
-    const std::size_t n = unknowns_.size();
-    std::vector<std::optional<std::size_t>> pivots(n);
-    std::vector<bool> is_used(rows_.size(), false);
-    for (std::size_t column = n; column-- > 0;) {
-      const auto row = pivot_row(column, is_used);
-      if (!row && holds_open(column, is_used)) return std::nullopt;
-      if (!row) continue;
-      is_used[*row] = true;
-      pivots[column] = row;
-      if (!eliminate(column, *row)) return std::nullopt;
+  /// The first one. Coefficients that are 0 at these values alone leave the column open: 64 digits
+  /// do not prove that they are 0.
+  [[nodiscard]] const PivotCandidate<Value>* best(const Candidates& candidates, std::size_t) {
+    for (const PivotCandidate<Value>& candidate : candidates) {
+      if (!vanishes(**candidate.entry)) return &candidate;
     }
-    LinearSolution solution;
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      const bool is_constant = !is_used[i] && !rows_[i][n].numerator.empty();
-      if (is_constant && vanishes(rows_[i][n])) return std::nullopt;
-      if (is_constant) solution.is_solvable = false;
-    }
-    for (std::size_t k = 0; k < n; ++k) {
-      const std::optional<CoordinateAtRest> value = value_at(k, pivots[k]);
-      if (!value) return std::nullopt;
-      solution.values.push_back(*value);
-    }
-    return solution;
+    is_open_ = true;
+    return nullptr;
   }
+  [[nodiscard]] bool is_open() const { return is_open_; }
 
  private:
-  [[nodiscard]] bool vanishes(const Fraction& form) const {
-    return is_near(value_of(algebra_, form, at_), Real());
-  }
-
-  [[nodiscard]] std::optional<std::size_t> pivot_row(std::size_t column,
-                                                     const std::vector<bool>& is_used) const {
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      if (is_used[i] || rows_[i][column].numerator.empty()) continue;
-      if (!vanishes(rows_[i][column])) return i;
-    }
-    return std::nullopt;
-  }
-
-  /// Whether a coefficient that is 0 at these parameters alone stands in the column: 64 digits do
-  /// not prove that it is 0.
-  [[nodiscard]] bool holds_open(std::size_t column, const std::vector<bool>& is_used) const {
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      if (!is_used[i] && !rows_[i][column].numerator.empty()) return true;
-    }
-    return false;
-  }
-
-  /// Takes the column out of all other rows, and scales the pivot to 1.
-  bool eliminate(std::size_t column, std::size_t pivot) {
-    const Fraction divisor = rows_[pivot][column];
-    for (Fraction& entry : rows_[pivot]) {
-      const Value scaled = arithmetic_.divide(entry, divisor);
-      if (!scaled) return false;
-      entry = *scaled;
-    }
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      const Fraction factor = rows_[i][column];
-      if (i == pivot || factor.numerator.empty()) continue;
-      for (std::size_t k = 0; k < rows_[i].size(); ++k) {
-        const Value reduced =
-            arithmetic_.subtract(rows_[i][k], arithmetic_.multiply(factor, rows_[pivot][k]));
-        if (!reduced) return false;
-        rows_[i][k] = *reduced;
-      }
-    }
-    return true;
-  }
-
-  std::optional<CoordinateAtRest> value_at(std::size_t column, std::optional<std::size_t> row) {
-    if (!row) return CoordinateAtRest{true, at_.q[unknowns_[column]].value()};
-    Value value = arithmetic_.negate(rows_[*row].back());
-    for (std::size_t k = 0; k < unknowns_.size(); ++k) {
-      if (k == column || rows_[*row][k].numerator.empty()) continue;
-      const Value other = arithmetic_.leaf(Opcode::coordinate, unknowns_[k]);
-      value = arithmetic_.subtract(value, arithmetic_.multiply(rows_[*row][k], other));
-    }
-    if (!value) return std::nullopt;
-    const Real number = value_of(algebra_, *value, at_);
-    if (!number.is_defined()) return std::nullopt;
-    return CoordinateAtRest{false, number.value(), value};
-  }
-
-  Algebra& algebra_;
-  std::vector<std::uint32_t> unknowns_;
+  const Algebra& algebra_;
   const Arguments<Real>& at_;
-  Arithmetic arithmetic_;
-  std::vector<std::vector<Fraction>> rows_;  ///< coefficients, then what is left of the equation
+  bool is_open_ = false;
 };
+
+/// Columns are the unknowns from the last to the first, so that the first ones are any where some
+/// are; then what is left of the equation.
+using RestEchelon = Echelon<FormsAt>;
+
+/// The unknown whose pivot left this row.
+std::optional<CoordinateAtRest> solved_for(FormsAt& field, const RestEchelon::Row& row,
+                                           const std::vector<std::uint32_t>& unknowns) {
+  const std::size_t n = unknowns.size();
+  Value value = Fraction{};
+  for (auto entry = row.rbegin(); entry != row.rend(); ++entry) {
+    Value term = entry->value;
+    if (entry->column < n) {
+      const Value other = field.leaf(Opcode::coordinate, unknowns[n - 1 - entry->column]);
+      term = field.multiply(term, other);
+    }
+    value = field.add(value, field.negate(term));
+  }
+  if (!value) return std::nullopt;
+  const Real number = field.number(*value);
+  if (!number.is_defined()) return std::nullopt;
+  return CoordinateAtRest{false, number.value(), value};
+}
+
+std::optional<LinearSolution> solution_of(FormsAt& field, std::vector<RestEchelon::Row> rows,
+                                          const std::vector<std::uint32_t>& unknowns,
+                                          const Arguments<Real>& at) {
+  const std::size_t n = unknowns.size();
+  const RestEchelon echelon(field, std::move(rows), n);
+  if (!echelon.is_defined() || field.is_open()) return std::nullopt;
+  LinearSolution solution;
+  for (const Value& rest : echelon.contradictions()) {
+    if (field.vanishes(*rest)) return std::nullopt;
+    solution.is_solvable = false;
+  }
+  for (const std::uint32_t unknown : unknowns) {
+    solution.values.push_back({true, at.q[unknown].value()});
+  }
+  for (auto pivot = echelon.pivots().rbegin(); pivot != echelon.pivots().rend(); ++pivot) {
+    const std::optional<CoordinateAtRest> value = solved_for(field, echelon.rest(*pivot), unknowns);
+    if (!value) return std::nullopt;
+    solution.values[n - 1 - pivot->column] = *value;
+  }
+  return solution;
+}
 
 /// A row times the powers of the unknowns that stand below in it; these go into `poles`.
 Value without_poles(Algebra& algebra, const Fraction& row, const Unknowns& unknowns,
@@ -144,7 +116,9 @@ bool is_at_pole(const LinearSolution& solution, const Unknowns& unknowns,
 
 std::optional<LinearSolution> linear_solution(ClosedForms& forms, const std::vector<Fraction>& rows,
                                               const Unknowns& unknowns, const Arguments<Real>& at) {
-  LinearSystem system(forms.algebra, unknowns.coordinates, at);
+  FormsAt field(forms.algebra, at);
+  const std::size_t n = unknowns.coordinates.size();
+  std::vector<RestEchelon::Row> equations;
   Replacements origin;
   for (const std::uint32_t coordinate : unknowns.coordinates) {
     origin[{Opcode::coordinate, coordinate}] = {};
@@ -153,17 +127,20 @@ std::optional<LinearSolution> linear_solution(ClosedForms& forms, const std::vec
   for (const Fraction& given : rows) {
     const Value row = without_poles(forms.algebra, given, unknowns, poles);
     if (!row) return std::nullopt;
-    std::vector<Fraction> coefficients;
+    RestEchelon::Row equation;
     for (const std::uint32_t coordinate : unknowns.coordinates) {
       const auto slope = partial_derivative(forms, *row, coordinate, at.q.size());
       if (!slope || holds_coordinate(forms.algebra, *slope)) return std::nullopt;
-      coefficients.push_back(*slope);
+      equation.push_back({n - 1 - equation.size(), *slope});
     }
     const Value rest = substituted(forms.algebra, *row, origin);
     if (!rest) return std::nullopt;
-    system.add(std::move(coefficients), *rest);
+    std::ranges::reverse(equation);
+    equation.push_back({n, *rest});
+    equations.push_back(std::move(equation));
   }
-  std::optional<LinearSolution> solution = system();
+  std::optional<LinearSolution> solution =
+      solution_of(field, std::move(equations), unknowns.coordinates, at);
   if (solution && is_at_pole(*solution, unknowns, poles)) solution->is_solvable = false;
   return solution;
 }
