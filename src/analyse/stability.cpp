@@ -9,6 +9,7 @@
 #include "analyse/linear_equations.hpp"
 #include "analyse/modes.hpp"
 #include "elgen/evaluate.hpp"
+#include "numbers/echelon.hpp"
 #include "numbers/exact_number.hpp"
 
 namespace elgen {
@@ -47,18 +48,21 @@ bool is_positive_definite(const std::vector<cl_R>& matrix,
                           const std::vector<cl_R>& usual) {
   static const cl_R noise = power_of_ten(-25);
   const auto n = static_cast<std::size_t>(std::lround(std::sqrt(matrix.size())));
-  std::vector<cl_R> a = matrix;
+  std::vector<std::size_t> kept;
   for (std::size_t k = 0; k < n; ++k) {
-    if (std::ranges::find(left_out, k) != left_out.end()) continue;
-    const cl_R& pivot = a[k * n + k];
-    const cl_R& size = (usual.empty() ? matrix : usual)[k * n + k];
-    if (pivot <= noise * cln::abs(size) || cln::zerop(pivot)) return false;
-    for (std::size_t i = k + 1; i < n; ++i) {
-      const cl_R factor = a[i * n + k] / pivot;
-      for (std::size_t j = k; j < n; ++j) a[i * n + j] = a[i * n + j] - factor * a[k * n + j];
-    }
+    if (std::ranges::find(left_out, k) == left_out.end()) kept.push_back(k);
   }
-  return true;
+  std::vector<cl_R> block;
+  for (const std::size_t i : kept) {
+    for (const std::size_t k : kept) block.push_back(matrix[i * n + k]);
+  }
+  DiagonalPivot<cl_R> field;
+  const Echelon<DiagonalPivot<cl_R>> echelon(field, block, kept.size(), kept.size());
+  const std::vector<cl_R>& sizes = usual.empty() ? matrix : usual;
+  return echelon.rank() == kept.size() &&
+         std::ranges::all_of(echelon.pivots(), [&](const auto& pivot) {
+           return pivot.value > noise * cln::abs(sizes[kept[pivot.column] * (n + 1)]);
+         });
 }
 
 std::vector<std::complex<double>> poles_of(const RestPoint& point) {
