@@ -11,6 +11,7 @@
 #include "analyse/linear_equations.hpp"
 #include "analyse/stability.hpp"
 #include "elgen/evaluate.hpp"
+#include "numbers/echelon.hpp"
 #include "numbers/exact_number.hpp"
 
 namespace elgen {
@@ -69,21 +70,18 @@ void scale_shape(std::vector<double>& shape) {
 /// other has.
 void reduce_shapes(std::vector<NormalMode>& modes, std::size_t first, std::size_t count) {
   const std::size_t n = modes[first].shape.size();
-  std::size_t done = 0;
-  for (std::size_t column = 0; column < n && done < count; ++column) {
-    std::size_t pivot = first + done;
-    for (std::size_t i = pivot; i < first + count; ++i) {
-      if (std::abs(modes[i].shape[column]) > std::abs(modes[pivot].shape[column])) pivot = i;
-    }
-    if (std::abs(modes[pivot].shape[column]) < 1e-6) continue;
-    std::swap(modes[pivot].shape, modes[first + done].shape);
-    const std::vector<double> own = modes[first + done].shape;
-    for (std::size_t i = first; i < first + count; ++i) {
-      if (i == first + done) continue;
-      const double factor = modes[i].shape[column] / own[column];
-      for (std::size_t k = 0; k < n; ++k) modes[i].shape[k] -= factor * own[k];
-    }
-    ++done;
+  std::vector<double> shapes;
+  for (std::size_t i = first; i < first + count; ++i) {
+    shapes.insert(shapes.end(), modes[i].shape.begin(), modes[i].shape.end());
+  }
+  using Shapes = LargestPivot<double, EchelonForm::reduced>;
+  Shapes field(1e-6);  // what the rounding of the solver leaves of 0 is smaller by far
+  const Echelon<Shapes> echelon(field, shapes, n, n);
+  for (std::size_t i = 0; i < echelon.rank(); ++i) {
+    std::vector<double>& shape = modes[first + i].shape;
+    shape.assign(n, 0.0);
+    shape[echelon.pivots()[i].column] = 1;
+    for (const auto& entry : echelon.rest(echelon.pivots()[i])) shape[entry.column] = entry.value;
   }
 }
 
