@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "numbers/echelon.hpp"
 #include "oracle/derivatives.hpp"
 #include "oracle/real_functions.hpp"
 #include "oracle/solved_dynamics.hpp"
@@ -80,33 +81,6 @@ Values difference(Values values, const Values& other) {
   return values;
 }
 
-/// Row k of a matrix with so many columns, from another one.
-void subtract_row(Values& matrix, std::size_t columns, std::size_t from, std::size_t pivot) {
-  const cl_R factor = matrix[from * columns + pivot] / matrix[pivot * columns + pivot];
-  if (cln::zerop(factor)) return;
-  for (std::size_t j = pivot; j < columns; ++j) {
-    matrix[from * columns + j] = matrix[from * columns + j] - factor * matrix[pivot * columns + j];
-  }
-}
-
-/// Brings the largest entry of the column, relative to its row's `scales`, to the diagonal.
-void bring_pivot(Values& matrix, std::size_t columns, std::size_t at, Values& scales) {
-  const cl_R smallest = cln::expt(cl_R(10), -75);
-  const std::size_t rows = scales.size();
-  const auto share = [&](std::size_t row) {
-    return cln::abs(matrix[row * columns + at]) / scales[row];
-  };
-  std::size_t best = at;
-  for (std::size_t row = at + 1; row < rows; ++row) {
-    if (share(row) > share(best)) best = row;
-  }
-  if (share(best) < smallest) throw OutsideDomain("singular constraints");
-  for (std::size_t j = 0; j < columns; ++j) {
-    std::swap(matrix[at * columns + j], matrix[best * columns + j]);
-  }
-  std::swap(scales[at], scales[best]);
-}
-
 /// The largest entry of each row of a square system, the last column its right side.
 Values row_scales(const Values& matrix, std::size_t rows) {
   Values scales;
@@ -121,23 +95,15 @@ Values row_scales(const Values& matrix, std::size_t rows) {
 }
 
 /// x of a square system, the last column its right side; entries count by the scales of their rows.
-Values eliminated(Values matrix, Values scales) {
-  const std::size_t rows = scales.size();
-  const std::size_t columns = rows + 1;
+Values eliminated(const Values& matrix, const Values& scales) {
+  const std::size_t n = scales.size();
   if (std::ranges::any_of(scales, [](const cl_R& scale) { return cln::zerop(scale); })) {
     throw OutsideDomain("singular constraints");
   }
-  for (std::size_t k = 0; k < rows; ++k) {
-    bring_pivot(matrix, columns, k, scales);
-    for (std::size_t i = k + 1; i < rows; ++i) subtract_row(matrix, columns, i, k);
-  }
-  Values x(rows);
-  for (std::size_t i = rows; i-- > 0;) {
-    cl_R sum = matrix[i * columns + rows];
-    for (std::size_t j = i + 1; j < rows; ++j) sum = sum - matrix[i * columns + j] * x[j];
-    x[i] = sum / matrix[i * columns + i];
-  }
-  return x;
+  LargestPivot<cl_R> field(cln::expt(cl_R(10), -75), 0, scales);
+  const Echelon<LargestPivot<cl_R>> echelon(field, matrix, n + 1, n);
+  if (echelon.rank() < n) throw OutsideDomain("singular constraints");
+  return *echelon.solution();
 }
 
 Values times(const Values& matrix, const Values& x) {
@@ -239,7 +205,7 @@ ConstrainedMotion solve_constrained(const ConstrainedSystem& system, const Value
   }
   for (std::size_t k = 0; k < m; ++k) matrix[(n + k) * columns + n + m] = s[k];
   const Values scales = row_scales(matrix, n + m);
-  const Values all = eliminated(std::move(matrix), scales);
+  const Values all = eliminated(matrix, scales);
   const auto middle = all.begin() + static_cast<std::ptrdiff_t>(n);
   return {{all.begin(), middle}, negative({middle, all.end()})};
 }
@@ -353,7 +319,7 @@ Values constrained_inverse(const Model& model, const State& state) {
     const Values force_of_input = column_of(b, j, inputs);
     free.push_back(product(force_of_input, solve_mass(model, system.mass, force_of_input).x));
   }
-  Values values = eliminated(std::move(matrix), free);
+  Values values = eliminated(matrix, free);
   const Values rest = difference(force, times(b, values));
   const Values multipliers = negative(solve_constrained(system, rest, still).y);
   const Values unbalanced = difference(rest, transposed_times(system.jacobian, multipliers, n));
