@@ -1,6 +1,8 @@
 // Energies: one term per entry of the model, in the order of the file.
 #include "oracle/energies.hpp"
 
+#include "numbers/echelon.hpp"
+
 namespace elgen::oracle {
 namespace {
 
@@ -136,26 +138,21 @@ CyclicParts cyclic_parts(const Evaluation& at) {
   return parts;
 }
 
-/// x of A x = b, by elimination from the first row to the last.
-std::vector<Jet> eliminated(std::vector<Jet> a, std::vector<Jet> b) {
-  const std::size_t n = b.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    for (std::size_t i = k + 1; i < n; ++i) {
-      const Jet factor = a[i * n + k] / a[k * n + k];
-      for (std::size_t j = k; j < n; ++j) a[i * n + j] = a[i * n + j] - factor * a[k * n + j];
-      b[i] = b[i] - factor * b[k];
-    }
+/// The rates of the cyclic coordinates: M_cc x = w, by elimination from the first row to the last.
+std::vector<Jet> rates_of(const CyclicParts& parts) {
+  const std::size_t n = parts.excess.size();
+  std::vector<Jet> both;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k < n; ++k) both.push_back(parts.mass[i * n + k]);
+    both.push_back(parts.excess[i]);
   }
-  for (std::size_t k = n; k-- > 0;) {
-    for (std::size_t j = k + 1; j < n; ++j) b[k] = b[k] - a[k * n + j] * b[j];
-    b[k] = b[k] / a[k * n + k];
-  }
-  return b;
+  DiagonalPivot<Jet> field;
+  return *Echelon<DiagonalPivot<Jet>>(field, both, n + 1, n).solution();
 }
 
 Jet routhian(const Evaluation& at) {
   const CyclicParts parts = cyclic_parts(at);
-  const std::vector<Jet> rates = eliminated(parts.mass, parts.excess);
+  const std::vector<Jet> rates = rates_of(parts);
   Jet work;
   for (std::size_t i = 0; i < rates.size(); ++i) work = work + parts.excess[i] * rates[i];
   return parts.rest - half() * work;
@@ -163,10 +160,7 @@ Jet routhian(const Evaluation& at) {
 
 }  // namespace
 
-std::vector<Jet> cyclic_rates(const Evaluation& at) {
-  const CyclicParts parts = cyclic_parts(at);
-  return eliminated(parts.mass, parts.excess);
-}
+std::vector<Jet> cyclic_rates(const Evaluation& at) { return rates_of(cyclic_parts(at)); }
 
 Jet kinetic_energy(Evaluation& at) {
   const Model& model = at.model();
