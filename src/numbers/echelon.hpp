@@ -297,13 +297,16 @@ class LargestPivot : public Operators<T> {
 };
 
 /// Pivots on the diagonal alone, without a look at their size: D of L D L^T, entry by entry. Floats
-/// may be divided by 0.
+/// may be divided by 0, so that every row of a square matrix has its pivot.
 template <class T>
 struct DiagonalPivot : Operators<T> {
   static constexpr EchelonForm form = EchelonForm::upper;
 
   [[nodiscard]] static bool is_zero(const T& x) {
     return !std::is_floating_point_v<T> && Operators<T>::is_zero(x);
+  }
+  [[nodiscard]] static bool is_defined(const T& x) {
+    return std::is_floating_point_v<T> || Operators<T>::is_defined(x);
   }
   [[nodiscard]] static const PivotCandidate<T>* best(
       const std::vector<PivotCandidate<T>>& candidates, std::size_t column) {

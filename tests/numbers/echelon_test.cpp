@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "elgen/real.hpp"
 #include "numbers/exact_number.hpp"
@@ -215,4 +216,13 @@ TEST_CASE("pivots of the diagonal are those of L D L^T, in their order") {
   CHECK(echelon.pivots()[2].value == -1);
   const std::vector<cl_R> exchanged{0, 1, 1, 0};
   CHECK(Echelon<DiagonalPivot<cl_R>>(field, exchanged, 2, 2).rank() == 0);
+}
+
+TEST_CASE("doubles on the diagonal have a pivot in each row, infinite behind a 0") {
+  DiagonalPivot<double> field;
+  const std::vector<double> matrix{0, 1, 1, 0};
+  const Echelon<DiagonalPivot<double>> echelon(field, matrix, 2, 2);
+  REQUIRE(echelon.rank() == 2);
+  CHECK(echelon.pivots()[0].value == 0);
+  CHECK_FALSE(std::isfinite(echelon.pivots()[1].value));
 }

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <span>
 
+#include "numbers/echelon.hpp"
+
 namespace elgen {
 namespace {
 
@@ -25,14 +27,10 @@ Numbers pivots_of_product(const Numbers& x, const Numbers& y, std::size_t n) {
   for (std::size_t i = 0; i < m; ++i) {
     for (std::size_t k = 0; k < m * n; ++k) product[i * m + k / n] += x[i * n + k % n] * y[k];
   }
+  DiagonalPivot<double> field;
+  const Echelon<DiagonalPivot<double>> echelon(field, product, m, m);
   Numbers pivots;
-  for (std::size_t k = 0; k < m; ++k) {
-    pivots.push_back(product[k * m + k]);
-    for (std::size_t i = k + 1; i < m; ++i) {
-      const double factor = product[i * m + k] / pivots.back();
-      for (std::size_t j = k + 1; j < m; ++j) product[i * m + j] -= factor * product[k * m + j];
-    }
-  }
+  for (const auto& pivot : echelon.pivots()) pivots.push_back(pivot.value);
   return pivots;
 }
 
