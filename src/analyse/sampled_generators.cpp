@@ -150,6 +150,54 @@ std::vector<std::vector<cl_R>> rows_at(const CheckedModel& checked, const Progra
   return rows;
 }
 
+/// Whether a generator makes every row 0 at random states and parameters.
+bool solves(const CheckedModel& checked, const Program& moving,
+            const std::vector<cl_R>& generator) {
+  constexpr std::size_t states = 4;
+  const GeneratorClass all(checked.model);
+  Random random(seed);
+  std::size_t judged = 0;
+  const cl_R largest = largest_of(generator);
+  for (std::size_t k = 0; k < states * draws_per_state && judged < states; ++k) {
+    State state = at_random_parameters(checked, k);
+    draw_motion(checked.model, random, 0, state);
+    const std::vector<std::vector<cl_R>> rows = rows_at(checked, moving, all, state);
+    for (const std::vector<cl_R>& row : rows) {
+      cl_R sum = 0;
+      cl_R size = 0;
+      for (std::size_t u = 0; u < generator.size(); ++u) {
+        const cl_R term = row[u] * generator[u];
+        sum = sum + term;
+        size = size + cln::abs(term);
+      }
+      if (cln::abs(sum) > noise() * size && size > rounding() * largest) return false;
+    }
+    if (rows.size() == all.velocity_count) ++judged;
+  }
+  return judged > 0;
+}
+
+std::optional<SampledGenerators> generators_at(const CheckedModel& checked, const Program& moving,
+                                               const State& resting) {
+  const GeneratorClass all(checked.model);
+  const std::size_t n = all.velocity_count;
+  const std::size_t wanted = all.size() / n + 4;
+  Random random(seed);
+  SampledGenerators result;
+  std::vector<std::vector<cl_R>> rows;
+  for (std::size_t k = 0; k < draws_per_state * wanted && result.states.size() < wanted; ++k) {
+    State state = resting;
+    draw_motion(checked.model, random, 0, state);
+    const std::vector<std::vector<cl_R>> own = rows_at(checked, moving, all, state);
+    if (own.size() < n) continue;
+    rows.insert(rows.end(), own.begin(), own.end());
+    result.states.push_back(std::move(state));
+  }
+  if (result.states.size() < wanted) return std::nullopt;
+  result.basis = null_vectors(rows, all.size());
+  return result;
+}
+
 }  // namespace
 
 MotionPoint<Real> sampled_point(ExactValues& values) {
@@ -183,51 +231,12 @@ std::optional<cln::cl_RA> small_fraction(const cl_R& value) {
 
 bool is_generic(const CheckedModel& checked, const Program& moving,
                 const std::vector<cl_R>& generator) {
-  constexpr std::size_t states = 4;
-  const MoreDigits digits(sampling_digits);
-  const GeneratorClass all(checked.model);
-  Random random(seed);
-  std::size_t judged = 0;
-  const cl_R largest = largest_of(generator);
-  for (std::size_t k = 0; k < states * draws_per_state && judged < states; ++k) {
-    State state = at_random_parameters(checked, k);
-    draw_motion(checked.model, random, 0, state);
-    const std::vector<std::vector<cl_R>> rows = rows_at(checked, moving, all, state);
-    for (const std::vector<cl_R>& row : rows) {
-      cl_R sum = 0;
-      cl_R size = 0;
-      for (std::size_t u = 0; u < generator.size(); ++u) {
-        const cl_R term = row[u] * generator[u];
-        sum = sum + term;
-        size = size + cln::abs(term);
-      }
-      if (cln::abs(sum) > noise() * size && size > rounding() * largest) return false;
-    }
-    if (rows.size() == all.velocity_count) ++judged;
-  }
-  return judged > 0;
+  return with_digits(sampling_digits, [&] { return solves(checked, moving, generator); });
 }
 
 std::optional<SampledGenerators> sampled_generators(const CheckedModel& checked,
                                                     const Program& moving, const State& resting) {
-  const MoreDigits digits(sampling_digits);
-  const GeneratorClass all(checked.model);
-  const std::size_t n = all.velocity_count;
-  const std::size_t wanted = all.size() / n + 4;
-  Random random(seed);
-  SampledGenerators result;
-  std::vector<std::vector<cl_R>> rows;
-  for (std::size_t k = 0; k < draws_per_state * wanted && result.states.size() < wanted; ++k) {
-    State state = resting;
-    draw_motion(checked.model, random, 0, state);
-    const std::vector<std::vector<cl_R>> own = rows_at(checked, moving, all, state);
-    if (own.size() < n) continue;
-    rows.insert(rows.end(), own.begin(), own.end());
-    result.states.push_back(std::move(state));
-  }
-  if (result.states.size() < wanted) return std::nullopt;
-  result.basis = null_vectors(rows, all.size());
-  return result;
+  return with_digits(sampling_digits, [&] { return generators_at(checked, moving, resting); });
 }
 
 std::optional<std::size_t> generic_count(const CheckedModel& checked, const Program& moving) {

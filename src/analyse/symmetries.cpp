@@ -233,35 +233,40 @@ class SymmetrySearch {
 
   /// Whether dL is 0 at all sampled states: then F is 0.
   [[nodiscard]] bool keeps_lagrangian(const Symmetry& symmetry) const {
-    constexpr double noise = 1e-90;
     if (!sampled_) return false;
-    const MoreDigits digits(sampling_digits);
-    RealField field;
-    return std::ranges::all_of(sampled_->states, [&](const State& state) {
-      ExactValues values({model_, checked_.scene, moving_}, state);
-      std::vector<Real> unknowns;
-      for (const Fraction& entry : symmetry.generator) {
-        unknowns.push_back(value_of(result_.forms.algebra, entry, values.arguments()));
-      }
-      const PointChange<Real> change = change_of(field, all_, sampled_point(values), unknowns);
-      Arguments<Real> direction = values.at_rest();
-      direction.q = values.coordinate_rates(change.position);
-      direction.v = change.velocity;
-      direction.t = unknowns.back();
-      const Arguments<Real>& at = values.arguments();
-      const std::vector<Real>& momentum = values.value(OutputKind::momentum);
-      const std::vector<Real> slopes = values.slopes(OutputKind::momentum, direction);
-      Real size = abs(values.value_at(OutputKind::energy_function, at)[0]);
-      Balance balance(1);
-      balance.add(0, -values.slopes(OutputKind::energy_function, direction)[0]);
-      for (std::size_t i = 0; i < momentum.size(); ++i) {
-        size = size + abs(at.v[i] * momentum[i]);
-        balance.add(0, change.velocity[i] * momentum[i]);
-        balance.add(0, at.v[i] * slopes[i]);
-      }
-      const std::optional<double> figure = balance.figure(size);  // that of L = v.p - E
-      return figure && *figure < noise;
+    return with_digits(sampling_digits, [&] {
+      return std::ranges::all_of(sampled_->states, [&](const State& state) {
+        return keeps_lagrangian_at(symmetry, state);
+      });
     });
+  }
+
+  [[nodiscard]] bool keeps_lagrangian_at(const Symmetry& symmetry, const State& state) const {
+    constexpr double noise = 1e-90;
+    RealField field;
+    ExactValues values({model_, checked_.scene, moving_}, state);
+    std::vector<Real> unknowns;
+    for (const Fraction& entry : symmetry.generator) {
+      unknowns.push_back(value_of(result_.forms.algebra, entry, values.arguments()));
+    }
+    const PointChange<Real> change = change_of(field, all_, sampled_point(values), unknowns);
+    Arguments<Real> direction = values.at_rest();
+    direction.q = values.coordinate_rates(change.position);
+    direction.v = change.velocity;
+    direction.t = unknowns.back();
+    const Arguments<Real>& at = values.arguments();
+    const std::vector<Real>& momentum = values.value(OutputKind::momentum);
+    const std::vector<Real> slopes = values.slopes(OutputKind::momentum, direction);
+    Real size = abs(values.value_at(OutputKind::energy_function, at)[0]);
+    Balance balance(1);
+    balance.add(0, -values.slopes(OutputKind::energy_function, direction)[0]);
+    for (std::size_t i = 0; i < momentum.size(); ++i) {
+      size = size + abs(at.v[i] * momentum[i]);
+      balance.add(0, change.velocity[i] * momentum[i]);
+      balance.add(0, at.v[i] * slopes[i]);
+    }
+    const std::optional<double> figure = balance.figure(size);  // that of L = v.p - E
+    return figure && *figure < noise;
   }
 
   /// (dq - v dt).(B u + Q - dD/dv)

@@ -15,8 +15,8 @@ constexpr unsigned attempts = 8;  // a model undefined at all of them has no dom
 bool has_digits(const Inspected& subject, const State& state,
                 const std::vector<cln::cl_R>& matrix) {
   static const cln::cl_R share = power_of_ten(-20);
-  const MoreDigits twice(64);
-  const auto again = oracle_values(subject.model, {.kind = OutputKind::mass_matrix}, state);
+  const auto again = with_digits(
+      64, [&] { return oracle_values(subject.model, {.kind = OutputKind::mass_matrix}, state); });
   if (!again) return false;
   const cln::cl_R allowed = largest_of(matrix) * share;
   for (std::size_t i = 0; i < matrix.size(); ++i) {

@@ -1,4 +1,4 @@
-// MoreDigits: one sum per thread.
+// More digits: one sum per thread.
 #include "numbers/more_digits.hpp"
 
 #include <algorithm>

@@ -1,32 +1,52 @@
-// MoreDigits: while it lives, exact arithmetic has so many decimal digits more than by itself: Real
-// and the oracle alike. Where two exact values differ because their digits cancelled, they do not
-// with more of them; what differs still is different.
+// More digits: while a computation runs, exact arithmetic has so many decimal digits more than by
+// itself: Real and the oracle alike. Where two exact values differ because their digits cancelled,
+// they do not with more of them; what differs still is different.
 #pragma once
 
 namespace elgen {
 
+/// Arithmetic asks for its digits here; computations ask for more of them below.
 class MoreDigits {
  public:
-  explicit MoreDigits(unsigned digits = 0);
-  ~MoreDigits();
-  MoreDigits(const MoreDigits&) = delete;
-  MoreDigits& operator=(const MoreDigits&) = delete;
-
-  /// Grows by what arithmetic has lost since then, where that is more than it can spare: an angle
-  /// of 1e100 that is no rational leaves none of 64 behind the point, for sines to be made of.
-  ///
-  ///     MoreDigits digits;
-  ///     do { computation } while (digits.grow());
-  [[nodiscard]] bool grow();
-
-  /// Of all that live in this thread.
+  /// All that the running computations of this thread asked for.
   [[nodiscard]] static unsigned count();
 
   /// Arithmetic tells of an angle with so many digits before its point.
   static void lose(unsigned digits);
 
  private:
+  template <class Computation>
+  friend auto with_digits(unsigned digits, const Computation& computation);
+  template <class Computation>
+  friend auto with_enough_digits(const Computation& computation);
+
+  explicit MoreDigits(unsigned digits);
+  ~MoreDigits();
+  MoreDigits(const MoreDigits&) = delete;
+  MoreDigits& operator=(const MoreDigits&) = delete;
+
+  /// Grows by what arithmetic has lost, where that is more than it can spare.
+  [[nodiscard]] bool grow();
+
   unsigned digits_;
 };
+
+/// The value of a computation with so many digits more.
+template <class Computation>
+auto with_digits(unsigned digits, const Computation& computation) {
+  const MoreDigits more(digits);
+  return computation();
+}
+
+/// The value of a computation, made again with as many digits more as it lost, until it has enough:
+/// an angle of 1e100 that is no rational leaves none of 64 behind the point, for sines to be made
+/// of.
+template <class Computation>
+auto with_enough_digits(const Computation& computation) {
+  MoreDigits digits(0);
+  auto value = computation();
+  while (digits.grow()) value = computation();
+  return value;
+}
 
 }  // namespace elgen

@@ -25,10 +25,7 @@ auto attempt(const Computation& computation) -> std::optional<decltype(computati
 /// To as many digits as its angles ask for: without them a value may seem not to exist.
 template <class Computation>
 auto guarded(const Computation& computation) -> std::optional<decltype(computation())> {
-  MoreDigits digits;
-  auto value = attempt(computation);
-  while (digits.grow()) value = attempt(computation);
-  return value;
+  return with_enough_digits([&] { return attempt(computation); });
 }
 
 }  // namespace elgen::oracle

@@ -18,8 +18,8 @@
 
 namespace elgen::oracle {
 
-/// 60 digits are promised (more while MoreDigits live); the other 35 are what sums may cancel: 1e-8
-/// rad from a singular chart the textbook expressions lose 16, and 1e-150 rad is a matter of
+/// 60 digits are promised (more where a computation asks); the other 35 are what sums may cancel:
+/// 1e-8 rad from a singular chart the textbook expressions lose 16, and 1e-150 rad is a matter of
 /// exponents, not of digits.
 inline constexpr unsigned working_digits = 95;
 

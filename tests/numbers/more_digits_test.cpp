@@ -1,28 +1,41 @@
-// More digits add up while they live.
+// More digits add up while computations run.
 #include "numbers/more_digits.hpp"
 
 #include <catch2/catch.hpp>
+#include <vector>
 
-using elgen::MoreDigits;
+using namespace elgen;
 
-TEST_CASE("what lives adds up") {
+TEST_CASE("computations inside of computations add up their digits") {
   CHECK(MoreDigits::count() == 0);
-  {
-    const MoreDigits some(10);
-    const MoreDigits more(64);
-    CHECK(MoreDigits::count() == 74);
-  }
+  const auto count = [] { return MoreDigits::count(); };
+  CHECK(with_digits(10, [&] { return with_digits(64, count); }) == 74);
   CHECK(MoreDigits::count() == 0);
 }
 
 TEST_CASE("what is lost is given back where it is more than can be spared") {
-  MoreDigits digits;
-  MoreDigits::lose(10);
-  CHECK_FALSE(digits.grow());
-  MoreDigits::lose(100);
-  MoreDigits::lose(20);
-  REQUIRE(digits.grow());
-  CHECK(MoreDigits::count() == 100);
-  MoreDigits::lose(105);
-  CHECK_FALSE(digits.grow());
+  std::vector<unsigned> counts;
+  const auto losing = [&](const std::vector<unsigned>& losses) {
+    counts.clear();
+    return with_enough_digits([&] {
+      counts.push_back(MoreDigits::count());
+      for (const unsigned digits : losses) MoreDigits::lose(digits);
+      return counts.size();
+    });
+  };
+  CHECK(losing({10}) == 1);
+  CHECK(counts == std::vector<unsigned>{0});
+  CHECK(losing({100, 20}) == 2);
+  CHECK(counts == std::vector<unsigned>{0, 100});
+  CHECK(MoreDigits::count() == 0);
+}
+
+TEST_CASE("what is lost beyond that is spared, too") {
+  int computations = 0;
+  const auto compute = [&] {
+    ++computations;
+    MoreDigits::lose(computations == 1 ? 100 : 105);
+    return computations;
+  };
+  CHECK(with_enough_digits(compute) == 2);
 }

@@ -82,16 +82,14 @@ Losses::Losses(const Subject& subject, const State& state, const Rounding& round
 const std::vector<Running>& Losses::errors(const Function& function) {
   auto known = errors_.find(&function);
   if (known != errors_.end()) return known->second;
-  MoreDigits digits;
-  std::vector<Running> values;
-  do {
+  std::vector<Running> values = with_enough_digits([&] {
     const auto leaf = [&](const cln::cl_R& value) {
       const Bound bound = leaf_bound(value, rounding_);
       return Running{bound.value, bound.exact ? Real() : abs(bound.value)};
     };
-    values = fold<Running>(RunningErrorRules{map_leaves(leaf, state_), rounding_}, subject_.program,
-                           function);
-  } while (digits.grow());
+    return fold<Running>(RunningErrorRules{map_leaves(leaf, state_), rounding_}, subject_.program,
+                         function);
+  });
   return errors_.emplace(&function, std::move(values)).first->second;
 }
 

@@ -48,17 +48,14 @@ BoundedRun bounded_run(const Program& program, const Function& function, const S
                        const Rounding& rounding, const std::vector<Bound>& accelerations) {
   BoundedRun run;
   const bool is_running = solves_in_a_row(program, function);
-  MoreDigits digits;
-  std::vector<Bound> values;
-  do {
-    // Made anew where more digits are needed.
+  const std::vector<Bound> values = with_enough_digits([&] {
     const auto leaf = [&](const cln::cl_R& value) { return leaf_bound(value, rounding); };
     LeafValues<Bound> leaves = map_leaves(leaf, state);
     if (!accelerations.empty()) leaves.a = accelerations;
     const BoundRules rules{leaves, rounding};
-    values = is_running ? fold<Bound>(RunningBoundRules{rules}, program, function)
-                        : fold<Bound>(rules, program, function);
-  } while (digits.grow());
+    return is_running ? fold<Bound>(RunningBoundRules{rules}, program, function)
+                      : fold<Bound>(rules, program, function);
+  });
   for (const Bound& value : values) {
     const Regime here = regime_of(value, rounding, is_running);
     run.regime = worse(run.regime, here);

@@ -334,13 +334,17 @@ Finding Visit<Scalar>::look_at(const FieldPlace& place, Random& random) {
   const unsigned most = most_digits(subject_.program);
   Mismatch before = mismatch_;
   for (unsigned digits = digits_of_first_look; digits < most; digits *= 2) {
-    const MoreDigits more(2 * digits - digits_of_first_look);
-    Visit closer(subject_, sample_, options_);
-    Random same = directions;
-    Finding finding = closer.found(place, same);
-    const bool is_told = digits >= telling && is_settled(before, closer.mismatch_);
-    if (finding.mistake.empty() || is_told) return finding;
-    before = closer.mismatch_;
+    const auto closer_look = [&]() -> std::optional<Finding> {
+      Visit closer(subject_, sample_, options_);
+      Random same = directions;
+      Finding finding = closer.found(place, same);
+      const bool is_told = digits >= telling && is_settled(before, closer.mismatch_);
+      if (finding.mistake.empty() || is_told) return finding;
+      before = closer.mismatch_;
+      return std::nullopt;
+    };
+    const auto finding = with_digits(2 * digits - digits_of_first_look, closer_look);
+    if (finding) return *finding;
   }
   return Finding{.regime = Regime::unsettled};
 }
