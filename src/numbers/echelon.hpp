@@ -35,6 +35,55 @@ struct PivotCandidate {
   const Number* entry = nullptr;  ///< in the column
 };
 
+/// An entry of a row that is not 0.
+template <class Number>
+struct EchelonEntry {
+  std::size_t column = 0;
+  Number value = {};
+};
+
+/// In the order of their columns.
+template <class Number>
+using EchelonRow = std::vector<EchelonEntry<Number>>;
+
+template <class Number>
+[[nodiscard]] std::vector<EchelonRow<Number>> echelon_rows(const std::vector<Number>& matrix,
+                                                           std::size_t columns) {
+  std::vector<EchelonRow<Number>> rows;
+  for (std::size_t k = 0; k < matrix.size(); ++k) {
+    if (k % columns == 0) rows.emplace_back();
+    rows.back().push_back({k % columns, matrix[k]});
+  }
+  return rows;
+}
+
+/// Null where the entry is 0.
+template <class Number>
+[[nodiscard]] const Number* entry_of(const EchelonRow<Number>& row, std::size_t column) {
+  const auto at = std::ranges::lower_bound(row, column, {}, &EchelonEntry<Number>::column);
+  return at != row.end() && at->column == column ? &at->value : nullptr;
+}
+
+/// row - factor x other, with its zeros.
+template <class Field, class Number = typename Field::Number>
+[[nodiscard]] EchelonRow<Number> row_less_multiple(Field& field, EchelonRow<Number> row,
+                                                   const Number& factor,
+                                                   const EchelonRow<Number>& other) {
+  EchelonRow<Number> result;
+  auto own = row.begin();
+  for (const EchelonEntry<Number>& subtracted : other) {
+    for (; own != row.end() && own->column < subtracted.column; ++own) {
+      result.push_back(std::move(*own));
+    }
+    const bool is_own = own != row.end() && own->column == subtracted.column;
+    const Number before = is_own ? std::move(own->value) : field.integer(0);
+    if (is_own) ++own;
+    result.push_back({subtracted.column, field.reduce(before, factor, subtracted.value)});
+  }
+  for (; own != row.end(); ++own) result.push_back(std::move(*own));
+  return result;
+}
+
 /// A Field has
 ///
 ///     Number, form                                     the latter an EchelonForm
@@ -49,11 +98,8 @@ template <class Field>
 class Echelon {
  public:
   using Number = typename Field::Number;
-  struct Entry {
-    std::size_t column = 0;
-    Number value = {};
-  };
-  using Row = std::vector<Entry>;
+  using Entry = EchelonEntry<Number>;
+  using Row = EchelonRow<Number>;
   struct Pivot {
     std::size_t row = 0;
     std::size_t column = 0;
@@ -71,7 +117,7 @@ class Echelon {
   /// The same of a row-major matrix.
   Echelon(Field& field, const std::vector<Number>& matrix, std::size_t columns,
           std::size_t unknowns)
-      : Echelon(field, rows_of(matrix, columns), unknowns) {}
+      : Echelon(field, echelon_rows(matrix, columns), unknowns) {}
 
   /// Whether every number on the way was defined; else nothing else is known.
   [[nodiscard]] bool is_defined() const { return is_defined_; }
@@ -128,20 +174,6 @@ class Echelon {
   }
 
  private:
-  static std::vector<Row> rows_of(const std::vector<Number>& matrix, std::size_t columns) {
-    std::vector<Row> rows;
-    for (std::size_t k = 0; k < matrix.size(); ++k) {
-      if (k % columns == 0) rows.emplace_back();
-      rows.back().push_back({k % columns, matrix[k]});
-    }
-    return rows;
-  }
-
-  static const Number* entry_of(const Row& row, std::size_t column) {
-    const auto at = std::ranges::lower_bound(row, column, {}, &Entry::column);
-    return at != row.end() && at->column == column ? &at->value : nullptr;
-  }
-
   void note(const Number& value) { is_defined_ = is_defined_ && field_.is_defined(value); }
 
   void drop_zeros(Row& row) {
@@ -184,21 +216,8 @@ class Echelon {
     Number factor = std::move(at->value);
     row.erase(at);
     if constexpr (Field::form == EchelonForm::upper) factor = field_.divide(factor, pivot.value);
-    Row result;
-    auto own = row.begin();
-    for (const Entry& subtracted : rest(pivot)) {
-      for (; own != row.end() && own->column < subtracted.column; ++own) {
-        result.push_back(std::move(*own));
-      }
-      const bool is_own = own != row.end() && own->column == subtracted.column;
-      const Number before = is_own ? std::move(own->value) : field_.integer(0);
-      if (is_own) ++own;
-      Number after = field_.reduce(before, factor, subtracted.value);
-      note(after);
-      if (!field_.is_zero(after)) result.push_back({subtracted.column, std::move(after)});
-    }
-    for (; own != row.end(); ++own) result.push_back(std::move(*own));
-    row = std::move(result);
+    row = row_less_multiple(field_, std::move(row), factor, rest(pivot));
+    drop_zeros(row);
   }
 
   /// x of A x = this column, from the last pivot up; free unknowns are 0.
