@@ -5,7 +5,6 @@
 // last the scene. Errors are collected throughout; a stage that could only repeat earlier ones is
 // skipped.
 #include "check/entries/entries.hpp"
-#include "check/expressions/cycles.hpp"
 #include "check/expressions/expand.hpp"
 #include "check/expressions/open_functions.hpp"
 #include "check/expressions/options.hpp"

@@ -1,5 +1,5 @@
 // Places: what may stand where. Positions are made of coordinates and time, energies of no input,
-// and so on.
+// and so on; nothing stands in its own expression.
 #pragma once
 
 #include <vector>
@@ -24,6 +24,10 @@ inline constexpr Ingredients anything = of_force | uses_acceleration | uses_open
 inline constexpr std::string_view position_equation = "a constraint on positions";
 
 }  // namespace place
+
+/// False after E206, which prints a cycle of definitions, prescribed functions, points and frames:
+/// `a -> b -> a`.
+[[nodiscard]] bool check_cycles(Context& context);
 
 /// E315, E319, E502, E506: each ingredient that does not belong, at the node that brings it in.
 void check_places(Context& context, const std::vector<Traits>& traits);
