@@ -95,6 +95,11 @@ struct Program {
 /// The constants that functions load, in their order; those of `readable` alone are not among them.
 [[nodiscard]] std::vector<Constant> executed_constants(const Program& program);
 
+/// Operations of each instruction written out over the leaves alone: functions of functions double
+/// with every level. Counted up to just beyond `most`.
+[[nodiscard]] std::vector<std::size_t> written_out_sizes(const Function& function,
+                                                         std::size_t most);
+
 /// The operations that one call executes: subtractions count as add; distinct sine/cosine angles as
 /// sincos; negations free.
 struct OperationCounts {

@@ -1,10 +1,11 @@
-// Program, measured: operands, operations executed, cost.
+// Program, measured: operands, sizes, operations executed, cost.
 //
 // The table of costs is one function; which opcode counts as what is one switch.
 #include "elgen/program.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 namespace elgen {
@@ -67,6 +68,17 @@ std::size_t first_entry_of(const Function& function, std::string_view field) {
 bool loads_zero(const Program& program, const Instruction& instruction) {
   return instruction.opcode == Opcode::constant &&
          cln::zerop(program.constants[instruction.a].value);
+}
+
+std::vector<std::size_t> written_out_sizes(const Function& function, std::size_t most) {
+  std::vector<std::size_t> sizes;
+  for (const Instruction& i : function.instructions) {
+    const std::size_t operands = operand_count(i);
+    std::size_t size = operands > 0 ? 1 + sizes[i.a] : 0;
+    if (operands > 1) size += sizes[i.b];
+    sizes.push_back(std::min(size, most + 1));
+  }
+  return sizes;
 }
 
 OperationCounts count_operations(const Function& function) {

@@ -12,7 +12,6 @@
 
 #include "elgen/render.hpp"
 #include "program/graph/prune.hpp"
-#include "program/graph/written_out.hpp"
 #include "render/function_formulas.hpp"
 #include "render/named_parts.hpp"
 #include "render/symbols.hpp"

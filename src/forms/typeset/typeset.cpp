@@ -10,7 +10,6 @@
 #include "forms/typeset/equations.hpp"
 #include "forms/typeset/write.hpp"
 #include "program/graph/prune.hpp"
-#include "program/graph/written_out.hpp"
 
 namespace elgen {
 namespace {

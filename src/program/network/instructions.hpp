@@ -1,4 +1,4 @@
-// Instructions: adds to a Function, nothing twice.
+// Instructions: adds to a Function, nothing twice: value numbers, by what is computed.
 #pragma once
 
 #include <unordered_map>
@@ -9,11 +9,26 @@ namespace elgen {
 
 class Instructions {
  public:
-  explicit Instructions(Function& function);
+  explicit Instructions(Function& function) : function_(function) {
+    for (std::uint32_t at = 0; at < function.instructions.size(); ++at) {
+      known_.emplace(function.instructions[at], at);
+    }
+  }
 
   /// Where its value is, which may have been there before.
-  std::uint32_t add(const Instruction& instruction);
-  std::uint32_t add(Opcode opcode, std::uint32_t a, std::uint32_t b = 0);
+  std::uint32_t add(const Instruction& instruction) {
+    const auto next = static_cast<std::uint32_t>(function_.instructions.size());
+    const auto [known, is_new] = known_.emplace(instruction, next);
+    if (is_new) {
+      function_.instructions.push_back(instruction);
+      function_.names.emplace_back();
+    }
+    return known->second;
+  }
+
+  std::uint32_t add(Opcode opcode, std::uint32_t a, std::uint32_t b = 0) {
+    return add(Instruction{.opcode = opcode, .a = a, .b = b});
+  }
 
  private:
   Function& function_;
