@@ -1,6 +1,8 @@
 // steps: the functions of a derivation -> a page in LaTeX, or plain text, in the order of a
 // textbook: the action and what makes it stationary, positions, velocities, energies, constraints,
 // then Lagrange's equation of one coordinate after the other.
+#include "render/steps.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,9 +10,7 @@
 #include "elgen/render.hpp"
 #include "elgen/typeset.hpp"
 #include "program/graph/prune.hpp"
-#include "render/derivation_step.hpp"
 #include "render/headings.hpp"
-#include "render/step_words.hpp"
 #include "render/symbols.hpp"
 
 namespace elgen {

@@ -1,13 +1,41 @@
-// step_words: what derivations say whatever the model is, `<q>` being a vector in LaTeX.
+// steps: a part of a derivation as it is read, a title with equations below; and the sentences that
+// are the same for every model, `<q>` being a vector in LaTeX.
 //
 // Hamilton's principle, with d'Alembert's where forces work or constraints hold: Goldstein, Poole,
 // Safko, Classical Mechanics, 3rd ed., sections 1.4, 2.3 and 2.4.
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace elgen {
+
+/// `left` = one field of one function.
+struct StepEquation {
+  std::string text = {};
+  std::string latex = {};
+  std::size_t function = 0;
+  std::size_t field = 0;
+  std::uint32_t rows = 1;
+};
+
+/// A formula of no function, or a sentence with formulas.
+struct StepLine {
+  std::string text = {};
+  std::string latex = {};
+};
+
+struct DerivationStep {
+  std::string title = {};
+  std::string title_latex = {};  ///< as SheetOutput has it
+  std::string doc = {};
+  std::vector<StepEquation> equations = {};
+  std::vector<StepLine> lines = {};  ///< before the equations
+};
 
 struct FixedLine {
   const char* text;
