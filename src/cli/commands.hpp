@@ -1,4 +1,5 @@
-// Commands: the file of each says its name, its options and what it does.
+// Commands: the file of each says its name, its options and what it does. Options that several have
+// are here.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -26,10 +27,21 @@ void set_action(CLI::App& command, Action& action, const std::shared_ptr<Options
 }
 
 /// An option of which every value is a source that diagnostics point into.
-void add_sources(CLI::App& command, const std::string& name, const std::string& type,
-                 std::vector<SourcePointer>& sources, const std::string& doc);
+inline void add_sources(CLI::App& command, const std::string& name, const std::string& type,
+                        std::vector<SourcePointer>& sources, const std::string& doc) {
+  const auto read = [&sources](const std::vector<std::string>& values) {
+    for (const std::string& value : values) sources.push_back(make_source("command line", value));
+  };
+  command.add_option_function<std::vector<std::string>>(name, read, doc)
+      ->type_name(type)
+      ->allow_extra_args(false);
+}
 
 /// --fix and --size
-void add_specialisation(CLI::App& command, SceneOptions& options);
+inline void add_specialisation(CLI::App& command, SceneOptions& options) {
+  add_sources(command, "--fix", "NAME[=VALUE]", options.fixed,
+              "make a parameter a number: NAME, NAME=VALUE or all");
+  add_sources(command, "--size", "NAME=N", options.sizes, "override a size of the model");
+}
 
 }  // namespace elgen::cli

@@ -1,14 +1,282 @@
 // elgen: the command line. Words -> options; every command lives in a file of its own.
+//
+// CLI11 reads the words; what it rejects becomes a diagnostic that points into the command line.
 #include <fmt/format.h>
 
+#include <charconv>
+#include <cstdlib>
 #include <new>
+#include <nlohmann/json.hpp>
 
-#include "cli/command_line.hpp"
+#include "base/ascii.hpp"
+#include "cli/commands.hpp"
+#include "cli/help/commit.hpp"
 #include "cli/process/resources.hpp"
+#include "cli/process/terminal.hpp"
+#include "elgen/wording.hpp"
 
 namespace elgen::cli {
 
 namespace {
+
+constexpr const char* examples =
+    "Symbolic Euler-Lagrange equations: a model file in, closed forms and fast C++ out.\n\n"
+    "  elgen generate models/cart_pole.toml            write generated/cart_pole/cart_pole.hpp\n"
+    "  elgen show models/cart_pole.toml --what steps   the derivation, step by step\n"
+    "  elgen verify models/cart_pole.toml              compare with 60-digit arithmetic\n";
+
+struct CommandLine {
+  Action action = {};       ///< empty: --help, --version, --limits
+  std::string answer = {};  ///< to these
+  GlobalOptions global = {};
+};
+
+/// Options whose values need more than CLI11's conversions.
+struct RawOptions {
+  std::string color = "auto";
+  std::string format = "text";
+  std::vector<std::string> limits = {};
+  bool list_limits = false;
+};
+
+std::vector<std::string> format_words() {
+  std::vector<std::string> words;
+  for (const DiagnosticFormatRow& row : diagnostic_formats()) words.emplace_back(row.word);
+  return words;
+}
+
+/// "elgen 0.1.0 (d205d2cd1a2b)"
+std::string version() {
+  const std::string of_commit = *commit == '\0' ? "" : fmt::format(" ({})", commit);
+  return "elgen " ELGEN_VERSION + of_commit;
+}
+
+void add_global_options(CLI::App& app, CommandLine& line, RawOptions& raw) {
+  app.set_version_flag("-V,--version", version());
+  app.add_option("--color", raw.color, "auto, always or never (NO_COLOR is honoured)")
+      ->check(CLI::IsMember({"auto", "always", "never"}));
+  app.add_option("--format", raw.format, "of messages: text, json (of results too) or github")
+      ->check(CLI::IsMember(format_words()));
+  app.add_flag("-q,--quiet", line.global.quiet, "errors and warnings only");
+  app.add_flag("-v,--verbose", line.global.verbose, "show the equations on a screen");
+  app.add_option("--dump", line.global.dump_stage, "print what a stage made, on stdout")
+      ->check(CLI::IsMember({"derive", "lower"}));
+  app.add_option("--stop-after", line.global.stop_after,
+                 "the last stage to run; nothing is written")
+      ->check(CLI::IsMember(std::vector<std::string>(goal_names.begin(), goal_names.end())));
+  app.add_flag("--timings", line.global.timings, "time of every stage");
+  app.add_flag("--limits", raw.list_limits, "list the limits and leave");
+  app.add_option("--limit", raw.limits, "raise or lower a limit")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+}
+
+/// A source that shows the command line, with a span on `word`.
+Diagnostic pointing_at(const std::vector<std::string>& words, const std::string& word,
+                       std::string message, std::string hint) {
+  std::string text = "elgen";
+  Span span;
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    text += " ";
+    if (words[i] == word && span.end == 0) {
+      span.begin = static_cast<std::uint32_t>(text.size());
+      span.end = static_cast<std::uint32_t>(text.size() + word.size());
+    }
+    text += words[i];
+  }
+  // Kept for the rest of the process: diagnostics do not own their sources.
+  static SourcePointer source;
+  source = make_source("command line", text);
+  span.source = source.get();
+  return {Code::E913, span, std::move(message), std::move(hint)};
+}
+
+std::vector<std::string> known_words(const CLI::App& app) {
+  std::vector<std::string> known;
+  const auto add_options = [&](const CLI::App& command) {
+    for (const CLI::Option* option : command.get_options()) {
+      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    }
+  };
+  add_options(app);
+  for (const CLI::App* command : app.get_subcommands({})) {
+    known.push_back(command->get_name());
+    if (command->parsed()) add_options(*command);
+  }
+  return known;
+}
+
+/// Of the command that was begun.
+std::string see_help(const CLI::App& app) {
+  const std::vector<CLI::App*> begun = app.get_subcommands();
+  const std::string command = begun.empty() ? "" : begun.front()->get_name() + " ";
+  return fmt::format("see `elgen {}--help`", command);
+}
+
+/// `elgen help`, `elgen help show`: the options they stand for.
+std::vector<std::string> without_help_command(std::vector<std::string> words) {
+  if (words.size() < 2 || words[1] != "help") return words;
+  words.erase(words.begin() + 1);
+  words.emplace_back("--help");
+  return words;
+}
+
+Diagnostic rejected(const CLI::App& app, const std::vector<std::string>& words,
+                    const CLI::ParseError& error) {
+  const std::vector<std::string> extras = app.remaining(true);
+  if (!extras.empty()) {
+    const std::string& word = extras.front();
+    return pointing_at(words, word, fmt::format("`{}` is not understood", word),
+                       suggestion(word.substr(0, word.find('=')), known_words(app)));
+  }
+  std::string message = error.what();
+  if (!message.empty()) message[0] = in_lower_case(message[0]);
+  return {Code::E913, {}, message, see_help(app)};
+}
+
+Result<Limits> read_limits(const std::vector<std::string>& settings) {
+  Limits limits;
+  for (const std::string& setting : settings) {
+    const std::size_t equals = setting.find('=');
+    const std::string name = setting.substr(0, equals);
+    const auto row = std::ranges::find(limit_table(), name, &LimitRow::name);
+    if (row == limit_table().end()) {
+      std::vector<std::string> names;
+      for (const LimitRow& known : limit_table()) names.emplace_back(known.name);
+      const std::string hint = suggestion(name, names);
+      return Diagnostic{Code::E913,
+                        {},
+                        fmt::format("`{}` is no limit", name),
+                        hint.empty() ? "see `elgen --limits`" : hint};
+    }
+    const std::string value = equals == std::string::npos ? "" : setting.substr(equals + 1);
+    const char* end = value.data() + value.size();
+    const auto read = std::from_chars(value.data(), end, limits.*row->member);
+    if (value.empty() || read.ec != std::errc() || read.ptr != end) {
+      return Diagnostic{
+          Code::E913, {}, fmt::format("`{}` is no limit: write NAME=NUMBER", setting)};
+    }
+  }
+  return limits;
+}
+
+std::string limits_text() {
+  std::string text;
+  for (const LimitRow& row : limit_table()) {
+    text +=
+        fmt::format("{:<18} {:>10} {:<8} {}\n", row.name, Limits().*row.member, row.unit, row.doc);
+  }
+  return text;
+}
+
+std::string limits_json() {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const LimitRow& row : limit_table()) {
+    list.push_back({{"name", row.name},
+                    {"value", Limits().*row.member},
+                    {"unit", row.unit},
+                    {"doc", row.doc}});
+  }
+  return list.dump(2) + "\n";
+}
+
+/// The text that `elgen` alone prints: what to type first, and every command.
+std::string short_help(const CLI::App& app) {
+  std::string text = std::string(examples) + "\n";
+  for (const CLI::App* command : app.get_subcommands({})) {
+    text += fmt::format("  {:<10} {}\n", command->get_name(), command->get_description());
+  }
+  return text +
+         "\n`elgen COMMAND --help` has the options of a command, `elgen --help` those of all.\n";
+}
+
+bool wants_color(const std::string& choice) {
+  if (choice != "auto") return choice == "always";
+  return std::getenv("NO_COLOR") == nullptr && is_terminal(stderr);
+}
+
+DiagnosticStyle style_of(const std::string& color, const std::string& format) {
+  DiagnosticStyle style;
+  style.color = wants_color(color);
+  for (const DiagnosticFormatRow& row : diagnostic_formats()) {
+    if (row.word == format) style.format = row.format;
+  }
+  return style;
+}
+
+/// E913: what only people read, where programs read all.
+Diagnostics for_people_alone(const GlobalOptions& global) {
+  if (!wants_json(global)) return {};
+  Diagnostics refused;
+  const auto refuse = [&](bool is_asked_for, const char* option) {
+    if (!is_asked_for) return;
+    refused.push_back({Code::E913, {}, fmt::format("`{}` is not printed as json", option)});
+  };
+  refuse(global.timings, "--timings");
+  refuse(global.verbose, "-v");
+  refuse(!global.dump_stage.empty(), "--dump");
+  return refused;
+}
+
+/// The value of an option that stands before or after a mistake.
+std::string value_of(const std::vector<std::string>& words, const std::string& option) {
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    if (words[i] == option && i + 1 < words.size()) return words[i + 1];
+    if (words[i].rfind(option + "=", 0) == 0) return words[i].substr(option.size() + 1);
+  }
+  return {};
+}
+
+/// How the diagnostics of read_command_line are wanted, as far as its words can be understood.
+DiagnosticStyle style_of_mistakes(const std::vector<std::string>& words) {
+  const std::string color = value_of(words, "--color");
+  return style_of(color.empty() ? "auto" : color, value_of(words, "--format"));
+}
+
+/// E913: words that are not understood, with what was probably meant.
+Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
+  CommandLine line;
+  RawOptions raw;
+  CLI::App app(examples, "elgen");
+  app.fallthrough();
+  app.get_formatter()->column_width(34);
+  add_global_options(app, line, raw);
+#define ELGEN_COMMAND(name) add_##name(app, line.action);
+#include "cli/commands.def"
+#undef ELGEN_COMMAND
+  try {
+    const std::vector<std::string> read = without_help_command(words);
+    std::vector<std::string> reversed(read.rbegin(), read.rend() - 1);
+    app.parse(reversed);
+  } catch (const CLI::CallForHelp&) {
+    line.answer = app.help("", CLI::AppFormatMode::Normal);
+    return line;
+  } catch (const CLI::CallForVersion& version) {
+    line.answer = std::string(version.what()) + "\n";
+    return line;
+  } catch (const CLI::ParseError& error) {
+    return rejected(app, words, error);
+  }
+  if (raw.list_limits) {
+    line.answer = raw.format == "json" ? limits_json() : limits_text();
+    return line;
+  }
+  if (app.get_subcommands().empty()) {
+    if (words.size() > 1) {
+      return Diagnostic{Code::E913, {}, "no command given", "see `elgen --help`"};
+    }
+    line.answer = short_help(app);
+    return line;
+  }
+  line.global.words = words;
+  line.global.style = style_of(raw.color, raw.format);
+  Result<Limits> limits = read_limits(raw.limits);
+  if (!limits) return limits.diagnostics;
+  line.global.limits = *limits;
+  const Diagnostics refused = for_people_alone(line.global);
+  if (!refused.empty()) return refused;
+  return line;
+}
 
 /// `global` is what is known of the command line when something is thrown.
 ExitCode run_words(const std::vector<std::string>& words, GlobalOptions& global) {
