@@ -19,8 +19,12 @@ class FormsAt : public FormField {
         algebra_(algebra),
         at_(at) {}
 
-  [[nodiscard]] Real number(const Fraction& form) const { return value_of(algebra_, form, at_); }
-  [[nodiscard]] bool vanishes(const Fraction& form) const { return is_near(number(form), Real()); }
+  [[nodiscard]] Real number(const Fraction& fraction) const {
+    return value_of(algebra_, fraction, at_);
+  }
+  [[nodiscard]] bool vanishes(const Fraction& fraction) const {
+    return is_near(number(fraction), Real());
+  }
 
   /// The first one. Coefficients that are 0 at these values alone leave the column open: 64 digits
   /// do not prove that they are 0.

@@ -105,7 +105,7 @@ class Outline {
     };
     std::ranges::for_each(variation_lines, add);
     if (!is_free()) add(is_constrained() ? constrained_work : virtual_work);
-    add(is_free() ? stationary : balanced);
+    add(is_free() ? stationary : balanced_forces);
     if (is_constrained()) {
       step.lines.back().text += constraint_forces.text;
       step.lines.back().latex += latex_of(model_, constraint_forces.latex);

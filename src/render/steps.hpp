@@ -73,7 +73,7 @@ inline constexpr FixedLine virtual_work{
     "delta W = (Q - dD/dv) delta q is the virtual work of forces (d'Alembert)",
     R"({\delta} W = \left( <Q> - \frac{\partial D}{\partial \dot{<q>}} \right) \cdot {\delta} <q> )"
     R"(\text{ is the virtual work of forces (d'Alembert)})"};
-inline constexpr FixedLine balanced{
+inline constexpr FixedLine balanced_forces{
     "delta S + int delta W dt = 0 for every delta q, so d/dt dL/dv - dL/dq + dD/dv = Q",
     R"({\delta} S + \int {\delta} W dt = 0 \text{ for every } {\delta} <q> \text{, so } )"
     R"(\frac{d}{dt} \frac{\partial L}{\partial \dot{<q>}} - \frac{\partial L}{\partial <q>} + )"
