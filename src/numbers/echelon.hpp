@@ -334,6 +334,4 @@ struct DiagonalPivot : Operators<T> {
   }
 };
 
-extern template class Echelon<LargestPivot<cln::cl_R, EchelonForm::reduced>>;
-
 }  // namespace elgen
