@@ -6,7 +6,7 @@
 namespace elgen {
 namespace {
 
-std::string escaped(const std::string& text) {
+std::string escaped_for_xml(const std::string& text) {
   std::string result;
   for (const char letter : text) {
     result += letter == '&' ? "&amp;" : letter == '<' ? "&lt;" : std::string(1, letter);
@@ -22,7 +22,7 @@ std::string svg_start(double width, double height, const std::string& title) {
       "viewBox=\"0 0 {0} {1}\" font-family=\"sans-serif\" font-size=\"12\">\n"
       "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
       "<text x=\"14\" y=\"22\" font-size=\"14\" font-weight=\"bold\">{2}</text>\n",
-      width, height, escaped(title));
+      width, height, escaped_for_xml(title));
 }
 
 std::string svg_grid_line(double x1, double y1, double x2, double y2) {
@@ -33,12 +33,12 @@ std::string svg_grid_line(double x1, double y1, double x2, double y2) {
 
 std::string svg_label(double x, double y, const char* anchor, const std::string& text) {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor,
-                     escaped(text));
+                     escaped_for_xml(text));
 }
 
 std::string svg_title(double x, double y, const std::string& text) {
   return fmt::format("<text x=\"{}\" y=\"{}\" font-weight=\"bold\">{}</text>\n", x, y,
-                     escaped(text));
+                     escaped_for_xml(text));
 }
 
 }  // namespace elgen

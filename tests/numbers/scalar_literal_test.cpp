@@ -21,15 +21,11 @@ using cln::cl_RA;
 
 namespace {
 
-cl_RA ratio(long numerator, long denominator) {
-  return cl_RA(cln::cl_I(numerator)) / cl_RA(cln::cl_I(denominator));
-}
-
 cl_RA ten_to(long exponent) { return cln::expt(cl_RA(10), cln::cl_I(exponent)); }
 
 /// x as an exact rational.
 template <class Scalar>
-cln::cl_RA exact(Scalar x) {
+cln::cl_RA rational_of(Scalar x) {
   int exponent = 0;
   const Scalar fraction = std::frexp(x, &exponent);
   const auto integer = static_cast<std::int64_t>(std::ldexp(std::abs(fraction), 63));
@@ -49,10 +45,10 @@ template <class Scalar>
 void check_limits() {
   using Limits = std::numeric_limits<Scalar>;
   const Scalar smallest = Limits::denorm_min();
-  const cln::cl_RA eta = exact(smallest);
+  const cln::cl_RA eta = rational_of(smallest);
   CHECK(from<Scalar>(0) == 0);
-  CHECK(from<Scalar>(exact(Limits::max())) == Limits::max());
-  CHECK(from<Scalar>(exact(Limits::min())) == Limits::min());
+  CHECK(from<Scalar>(rational_of(Limits::max())) == Limits::max());
+  CHECK(from<Scalar>(rational_of(Limits::min())) == Limits::min());
   CHECK(from<Scalar>(eta) == smallest);
   CHECK(from<Scalar>(eta * 3 / 2) == 2 * smallest);  // a tie goes to the even neighbour
   CHECK(from<Scalar>(eta / 2) == 0);                 // likewise
@@ -60,10 +56,10 @@ void check_limits() {
   CHECK(from<Scalar>(-eta * 5 / 4) == -smallest);
   CHECK(from<Scalar>(cln::expt(eta, 3)) == 0);
   const cln::cl_RA half_ulp =
-      exact(Limits::max()) - exact(std::nextafter(Limits::max(), Scalar(0)));
-  CHECK(from<Scalar>(exact(Limits::max()) + half_ulp / 3) == Limits::max());
-  CHECK(from<Scalar>(exact(Limits::max()) + half_ulp / 2) == Limits::infinity());
-  CHECK(from<Scalar>(-exact(Limits::max()) * 5) == -Limits::infinity());
+      rational_of(Limits::max()) - rational_of(std::nextafter(Limits::max(), Scalar(0)));
+  CHECK(from<Scalar>(rational_of(Limits::max()) + half_ulp / 3) == Limits::max());
+  CHECK(from<Scalar>(rational_of(Limits::max()) + half_ulp / 2) == Limits::infinity());
+  CHECK(from<Scalar>(-rational_of(Limits::max()) * 5) == -Limits::infinity());
   const cln::cl_F one = cln::cl_float(1, cln::float_format(60));
   CHECK(from<Scalar>(-cln::scale_float(one, 1L << 42)) == -Limits::infinity());
   CHECK(from<Scalar>(cln::scale_float(one, -(1L << 42))) == 0);
@@ -89,10 +85,10 @@ TEST_CASE("every binary value comes back, and a value between two goes to the ne
     double x = 0;
     std::memcpy(&x, &bits, sizeof x);
     RC_PRE(std::isfinite(x) && std::abs(x) < 1e308);
-    RC_ASSERT(from<double>(exact(x)) == x);
+    RC_ASSERT(from<double>(rational_of(x)) == x);
     const double next = std::nextafter(x, std::numeric_limits<double>::infinity());
     const cln::cl_RA part = cln::cl_RA(static_cast<int>(weight)) / 65536;
-    const cln::cl_RA between = exact(x) + (exact(next) - exact(x)) * part;
+    const cln::cl_RA between = rational_of(x) + (rational_of(next) - rational_of(x)) * part;
     if (part != cln::cl_RA("1/2")) {
       RC_ASSERT(from<double>(between) == (part < cln::cl_RA("1/2") ? x : next));
     }
@@ -111,10 +107,10 @@ TEST_CASE("fit finds overflow and lost digits") {
 }
 
 TEST_CASE("only what a float holds is exact in it") {
-  CHECK(exact_in_float(ratio(-1, 2)) == "-0.5");
+  CHECK(exact_in_float(cl_RA(-1) / 2) == "-0.5");
   CHECK(exact_in_float(16777216) == "16777216.0");
   CHECK_FALSE(exact_in_float(16777217));
-  CHECK_FALSE(exact_in_float(ratio(1, 10)));
+  CHECK_FALSE(exact_in_float(cl_RA(1) / 10));
   CHECK_FALSE(exact_in_float(ten_to(300)));
 }
 
@@ -130,7 +126,7 @@ TEST_CASE("literals of double are read back as the nearest double") {
     const auto numerator = *rc::gen::inRange<long>(-1000000000, 1000000000);
     const auto denominator = *rc::gen::inRange<long>(1, 1000000000);
     const auto exponent = *rc::gen::inRange<long>(-250, 250);
-    const cl_RA value = ratio(numerator, denominator) * ten_to(exponent);
+    const cl_RA value = cl_RA(numerator) / denominator * ten_to(exponent);
     const double nearest = ScalarTraits<double>::from_real(value);
     RC_ASSERT(std::strtod(shortest_literal(value, ScalarKind::double_precision).c_str(), nullptr) ==
               nearest);

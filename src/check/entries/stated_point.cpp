@@ -12,7 +12,7 @@ bool is_named(const std::string& full_name, std::string_view name) {
 }
 
 template <class Entries>
-std::vector<std::uint32_t> named(const Entries& entries, std::string_view name) {
+std::vector<std::uint32_t> entries_named(const Entries& entries, std::string_view name) {
   std::vector<std::uint32_t> found;
   for (std::uint32_t i = 0; i < entries.size(); ++i) {
     if (is_named(entries[i].name, name)) found.push_back(i);
@@ -50,8 +50,8 @@ Variables find_variables(Context& context, const PointTable& table, const std::s
     return {};
   }
   Variables found;
-  if (table.takes_coordinates) found.coordinates = named(context.model.coordinates, name);
-  if (table.takes_inputs) found.inputs = named(context.model.inputs, name);
+  if (table.takes_coordinates) found.coordinates = entries_named(context.model.coordinates, name);
+  if (table.takes_inputs) found.inputs = entries_named(context.model.inputs, name);
   if (found.empty()) report_unknown_variable(context, table, name, span);
   return found;
 }

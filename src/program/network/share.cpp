@@ -48,14 +48,14 @@ Pair pair_of(OperationKind kind, Ref x, Ref y) {
 }
 
 /// Positions of the pair's operands in an operation, the earlier first.
-using Places = std::pair<std::size_t, std::size_t>;
+using OperandPlaces = std::pair<std::size_t, std::size_t>;
 
-std::optional<Places> find(const Operation& operation, const Pair& pair) {
+std::optional<OperandPlaces> find(const Operation& operation, const Pair& pair) {
   const std::vector<Ref>& operands = operation.operands;
   for (std::size_t i = 0; i < operands.size(); ++i) {
     if (operands[i].node != pair.a && operands[i].node != pair.b) continue;
     for (std::size_t j = i + 1; j < operands.size(); ++j) {
-      if (pair_of(operation.kind, operands[i], operands[j]) == pair) return Places{i, j};
+      if (pair_of(operation.kind, operands[i], operands[j]) == pair) return OperandPlaces{i, j};
     }
   }
   return std::nullopt;
@@ -133,7 +133,7 @@ class Sharing {
   void replace(const Pair& pair, NodeId user, NodeId shared) {
     Operation& operation = network_.operations[user];
     const Ref reference = network_.operations[shared].operands[0];
-    while (const std::optional<Places> places = find(operation, pair)) {
+    while (const std::optional<OperandPlaces> places = find(operation, pair)) {
       const auto [first, second] = *places;
       std::vector<Ref>& operands = operation.operands;
       const Ref same = operands[first].node == reference.node ? operands[first] : operands[second];
