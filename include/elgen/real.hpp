@@ -1,5 +1,6 @@
 // Real: floats of 64 digits or more. ScalarTraits: how a type of numbers is made from exact ones.
-// Beside them the functions of functions.def that the standard library lacks for built-in floats.
+// The functions of functions.def that the standard library lacks for built-in floats stand here,
+// too.
 #pragma once
 
 #include <cln/float.h>

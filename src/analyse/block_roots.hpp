@@ -38,7 +38,7 @@ struct BlockRoots {
   bool is_cut = false;  ///< by the limit of enclosures
 };
 
-/// E531: a coordinate has no range. Of the limits, those of boxes and enclosures count.
+/// E531 where a coordinate has no range. The search ends at the limits of boxes and enclosures.
 [[nodiscard]] Result<BlockRoots> block_roots(RestSystem& system, const RestBlock& block,
                                              const Limits& most);
 

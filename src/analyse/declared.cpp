@@ -26,8 +26,8 @@ constexpr std::size_t most_draws = 64;
 /// The larger determinants of closed forms outgrow their budget.
 constexpr std::size_t most_rows = 8;
 
-/// By the first row, minors by the columns that they leave: forms that are divided, as pivots are,
-/// would outgrow the budget sooner.
+/// Expands by the first row; minors are known by the columns that they leave. Elimination divides
+/// forms, which would outgrow the budget sooner.
 Value determinant(Arithmetic& at, const std::vector<Value>& matrix, std::size_t n) {
   std::vector<Value> minors(std::size_t{1} << n);
   minors[0] = fraction_of(cln::cl_RA(1));

@@ -107,8 +107,8 @@ std::vector<cl_R> column_scales(const std::vector<std::vector<cl_R>>& rows, std:
   return scales;
 }
 
-/// A basis of the unknowns that make the sum of each row 0: in each one is 1, and nothing is behind
-/// it. Columns are scaled, so that numbers in any unit are told from 0.
+/// A basis of the null space of the rows; the last nonzero entry of a vector is 1. Columns are
+/// scaled, so that numbers in any unit are told from 0.
 std::vector<std::vector<cl_R>> null_vectors(const std::vector<std::vector<cl_R>>& rows,
                                             std::size_t unknowns) {
   const std::vector<cl_R> scales = column_scales(rows, unknowns);

@@ -165,7 +165,8 @@ class PlaceSearch {
     return i.opcode == Opcode::call && is_circular(i.function);
   }
 
-  /// The latest ones, and those of the operands; sines and cosines do not vanish with their angles.
+  /// Joins the latest places with those of the operands. Sines and cosines pass none on, for they
+  /// do not vanish with their angles.
   [[nodiscard]] NearPlaces places_below(const Instruction& i,
                                         const std::vector<NearPlaces>& below) const {
     NearPlaces all = latest_;
@@ -180,7 +181,7 @@ class PlaceSearch {
     return fitting;
   }
 
-  /// Those of the sums that a product, a root, a quotient or a function is made of. Zeros of the
+  /// Keeps the places of sums under a product, a root, a quotient or a function. Zeros of the
   /// coordinates themselves are drawn anyway.
   void add_together(const Function& text, const Instruction& i,
                     const std::vector<NearPlaces>& below) {

@@ -25,7 +25,8 @@ constexpr double distances[]{107374182 * unit_of_distance, 10737418 * unit_of_di
 constexpr double near = distances[2];
 constexpr double nearest = distances[3];
 
-/// Of coordinates without a range in exp(u) and log(u): a few decades of u, and most of double's.
+/// Where coordinates without a range go in exp(u) and log(u): a few decades of u, and most of the
+/// range of double.
 constexpr double far_away[]{16, -16, 1024, -1024};
 
 class Making {
@@ -61,8 +62,8 @@ class Making {
     return std::ranges::any_of(text_.instructions, is_motion, &Instruction::opcode);
   }
 
-  /// T, the inertia of accelerations and inputs, which are large elsewhere, are 0: they hide what a
-  /// force that holds the system loses.
+  /// Rates, accelerations and inputs become 0. Elsewhere they are large and hide the digits that a
+  /// holding force loses.
   static Arguments<double> at_rest(Arguments<double> point) {
     const auto stop = [](Opcode kind, std::uint32_t, double& value) {
       if (is_motion(kind)) value = 0;
@@ -111,7 +112,7 @@ class Making {
         entries, [](const RoughError& entry) { return std::isfinite(entry.value); });
   }
 
-  /// By coordinate, whether it has no range and an exponential or a logarithm is taken of it.
+  /// For each coordinate, whether it has no range and stands in an exponential or a logarithm.
   [[nodiscard]] std::vector<bool> unbounded_arguments() const {
     std::vector<std::uint32_t> arguments;
     for (const Instruction& i : text_.instructions) {

@@ -34,8 +34,8 @@ struct SimulateOptions {
 /// Rows of a file whose distance is not given.
 constexpr double default_rows = 1000;
 
-/// Says once, after a second, how long a run will take that takes ten or more: as its stage where
-/// that is shown.
+/// Says once, after a second, how long the run will take, where that is ten seconds or more. The
+/// line of the stage says it where stages are shown.
 std::function<void(double)> estimate_of_run(const GlobalOptions& global, const Progress& progress,
                                             double from, double time) {
   using Clock = std::chrono::steady_clock;

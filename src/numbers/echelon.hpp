@@ -1,10 +1,10 @@
-// Echelon: the elimination of all linear equations, over any field of numbers. Columns are taken
+// Echelon: solves linear equations by elimination, over any field of numbers. Columns are taken
 // from left to right; the field says which row is the best pivot of a column, and what is 0.
 //
 //     2x + 4y + 6z                  x + 2y
 //      x + 2y + 4z   -- reduced ->           z     rank 2, kernel (-2, 1, 0)
 //
-// Rows hold what is not 0, in the order of its columns, and keep their places.
+// Rows hold their nonzero entries in the order of columns. No rows are exchanged.
 #pragma once
 
 #include <cln/float.h>
@@ -106,8 +106,8 @@ class Echelon {
     Number value = {};  ///< before its row was divided by it
   };
 
-  /// Eliminates the first columns, as many as there are unknowns. Those behind are right sides. The
-  /// field has to outlive the echelon.
+  /// Eliminates the first `unknowns` columns; the columns behind them are right sides. The field
+  /// has to outlive the echelon.
   Echelon(Field& field, std::vector<Row> rows, std::size_t unknowns)
       : field_(field), rows_(std::move(rows)), unknowns_(unknowns), is_used_(rows_.size()) {
     for (Row& row : rows_) drop_zeros(row);
@@ -130,7 +130,7 @@ class Echelon {
   /// The row of a pivot, without it.
   [[nodiscard]] const Row& rest(const Pivot& pivot) const { return rows_[pivot.row]; }
 
-  /// Right sides of rows without a pivot, which say 0 = that.
+  /// Right sides of rows without a pivot: such an equation says 0 = right side.
   [[nodiscard]] std::vector<Number> contradictions() const {
     std::vector<Number> result;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -209,7 +209,7 @@ class Echelon {
     }
   }
 
-  /// Subtracts so much of the pivot's row that the pivot's column leaves the row.
+  /// Subtracts the multiple of the pivot's row that makes the entry in the pivot's column 0.
   void reduce(Row& row, const Pivot& pivot) {
     const auto at = std::ranges::lower_bound(row, pivot.column, {}, &Entry::column);
     if (at == row.end() || at->column != pivot.column) return;
@@ -277,8 +277,8 @@ class LargestPivot : public Operators<T> {
   using Candidates = std::vector<PivotCandidate<T>>;
   static constexpr EchelonForm form = Form;
 
-  /// Pivots and entries below these are what rounding left of 0. Where rows have scales, pivots are
-  /// compared as shares of them.
+  /// Rounding leaves pivots and entries below these of 0. Where rows have scales, pivots are
+  /// compared relative to them.
   explicit LargestPivot(T least_pivot = T(0), T least_entry = T(0), std::vector<T> scales = {})
       : least_pivot_(std::move(least_pivot)),
         least_entry_(std::move(least_entry)),

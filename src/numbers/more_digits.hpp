@@ -31,16 +31,15 @@ class MoreDigits {
   unsigned digits_;
 };
 
-/// The value of a computation with so many digits more.
+/// Evaluates a computation with so many digits more.
 template <class Computation>
 auto with_digits(unsigned digits, const Computation& computation) {
   const MoreDigits more(digits);
   return computation();
 }
 
-/// The value of a computation, made again with as many digits more as it lost, until it has enough:
-/// an angle of 1e100 that is no rational leaves none of 64 behind the point, for sines to be made
-/// of.
+/// Evaluates a computation again with as many digits more as it lost, until it has enough: an angle
+/// of 1e100 that is no rational has none of 64 digits behind the point, so that its sine has none.
 template <class Computation>
 auto with_enough_digits(const Computation& computation) {
   MoreDigits digits(0);

@@ -121,7 +121,7 @@ class Visit {
   std::map<std::string, std::vector<Bound>> known_ = {};  ///< entries of functions of one field
 };
 
-/// What a state costs: instructions, and the oracle's exact solution of constrained equations.
+/// The work of a state: instructions, and the oracle's exact solution of constrained equations.
 [[nodiscard]] std::size_t work_of_state(const Subject& subject);
 
 }  // namespace elgen
