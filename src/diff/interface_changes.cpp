@@ -10,7 +10,7 @@
 #include "elgen/step_methods.hpp"
 #include "elgen/wording.hpp"
 #include "emit/interface/code_interface.hpp"
-#include "numbers/number_text.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {

@@ -6,7 +6,7 @@
 #include <cln/rational.h>
 #include <fmt/format.h>
 
-#include "numbers/number_text.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "base/ascii.hpp"
-#include "numbers/number_text.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {

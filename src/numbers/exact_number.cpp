@@ -1,13 +1,59 @@
-// Significand times a power of the base.
+// Significand times a power of the base. Texts are made by exact integer arithmetic only, so that
+// no locale and no libm decides a digit.
 #include "numbers/exact_number.hpp"
 
 #include <cln/float.h>
-#include <cln/integer.h>
+#include <cln/integer_io.h>
 #include <cln/rational_ring.h>
+#include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <locale>
+#include <sstream>
 
 namespace elgen {
+namespace {
+
+Decimal without_trailing_zeros(cln::cl_I significand, long exponent) {
+  if (cln::zerop(significand)) return {};
+  for (;;) {
+    const cln::cl_I_div_t tenth = cln::truncate2(significand, 10);
+    if (!cln::zerop(tenth.remainder)) return {significand, exponent};
+    significand = tenth.quotient;
+    ++exponent;
+  }
+}
+
+/// How often `factor` divides n; n is left without it.
+long remove_factor(cln::cl_I& n, int factor) {
+  long count = 0;
+  for (cln::cl_I_div_t part = cln::truncate2(n, factor); cln::zerop(part.remainder);
+       part = cln::truncate2(n, factor)) {
+    n = part.quotient;
+    ++count;
+  }
+  return count;
+}
+
+/// floor(log10 |x|) for x != 0.
+long first_place(const cln::cl_RA& x) {
+  const cln::cl_RA magnitude = cln::abs(x);
+  auto exponent = static_cast<long>(std::floor(decimal_exponent(magnitude))) - 1;
+  while (magnitude * power_of_ten(-exponent - 1) >= 1) ++exponent;
+  return exponent;
+}
+
+/// A decimal as 3.14159…e0, with so many digits.
+std::string scientific_text(const Decimal& decimal, std::size_t digits) {
+  std::string text = integer_text(cln::abs(decimal.significand));
+  const long exponent = static_cast<long>(text.size()) - 1 + decimal.exponent;
+  text.resize(digits, '0');
+  return fmt::format("{}{}.{}e{}", cln::minusp(decimal.significand) ? "-" : "", text[0],
+                     text.substr(1), exponent);
+}
+
+}  // namespace
 
 bool is_rational(const cln::cl_R& value) { return cln:: instanceof (value, cln::cl_RA_ring); }
 
@@ -43,6 +89,70 @@ cln::cl_RA exact_value(double value) {
   const double fraction = std::frexp(value, &exponent);
   const auto significand = static_cast<long>(std::ldexp(fraction, 53));
   return cln::cl_RA(significand) * cln::expt(cln::cl_RA(2), exponent - 53);
+}
+
+std::optional<Decimal> exact_decimal(const cln::cl_R& value, long most_places) {
+  if (!is_rational(value)) return std::nullopt;
+  const cln::cl_RA x = cln::rational(value);
+  cln::cl_I rest = cln::denominator(x);
+  const long twos = remove_factor(rest, 2);
+  const long fives = remove_factor(rest, 5);
+  const long places = std::max(twos, fives);
+  if (rest != 1 || places > most_places) return std::nullopt;
+  return without_trailing_zeros(cln::numerator(x * power_of_ten(places)), -places);
+}
+
+Decimal rounded_decimal(const cln::cl_R& value, int digits) {
+  if (cln::zerop(value)) return {};
+  const cln::cl_RA x = cln::rational(value);
+  const long exponent = first_place(x) - digits + 1;
+  return without_trailing_zeros(cln::round1(x * power_of_ten(-exponent)), exponent);
+}
+
+std::string integer_text(const cln::cl_I& value) {
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out << value;
+  return out.str();
+}
+
+std::string literal_text(const Decimal& decimal) {
+  const bool negative = cln::minusp(decimal.significand);
+  const std::string sign = negative ? "-" : "";
+  std::string digits = integer_text(cln::abs(decimal.significand));
+  const long point =
+      static_cast<long>(digits.size()) + decimal.exponent;  // before the first digit: 0
+  if (point < -3 || point > 17) {
+    const std::string fraction = digits.size() > 1 ? "." + digits.substr(1) : "";
+    return fmt::format("{}{}{}e{}", sign, digits[0], fraction, point - 1);
+  }
+  if (point <= 0) return sign + "0." + std::string(static_cast<std::size_t>(-point), '0') + digits;
+  const auto whole = static_cast<std::size_t>(point);
+  if (whole >= digits.size()) {
+    return sign + digits + std::string(whole - digits.size(), '0') + ".0";
+  }
+  return sign + digits.substr(0, whole) + "." + digits.substr(whole);
+}
+
+std::string exact_text(const cln::cl_R& value) {
+  if (!is_rational(value)) return literal_text(rounded_decimal(value, 50));
+  const std::optional<Decimal> decimal = exact_decimal(value);
+  if (!decimal) return number_text(value);
+  std::string text = literal_text(*decimal);
+  if (text.size() > 2 && text.substr(text.size() - 2) == ".0") text.resize(text.size() - 2);
+  return text;
+}
+
+std::string number_text(const cln::cl_R& value) {
+  constexpr int printed_digits = 30;  // of 100: told apart by everything a file can say
+  if (cln::zerop(value)) return "0";
+  if (!is_rational(value)) {
+    return scientific_text(rounded_decimal(value, printed_digits), printed_digits);
+  }
+  const auto number = cln::the<cln::cl_RA>(value);
+  const std::string numerator = integer_text(cln::numerator(number));
+  const cln::cl_I denominator = cln::denominator(number);
+  return denominator == 1 ? numerator : numerator + "/" + integer_text(denominator);
 }
 
 }  // namespace elgen

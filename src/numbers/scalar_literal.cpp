@@ -16,7 +16,6 @@
 
 #include "elgen/real.hpp"
 #include "numbers/exact_number.hpp"
-#include "numbers/number_text.hpp"
 
 namespace elgen {
 namespace {

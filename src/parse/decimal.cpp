@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "base/ascii.hpp"
-#include "numbers/number_text.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "elgen/render.hpp"
-#include "numbers/number_text.hpp"
+#include "numbers/exact_number.hpp"
 #include "program/evaluate/subject.hpp"
 
 namespace elgen {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "elgen/render.hpp"
-#include "numbers/number_text.hpp"
+#include "numbers/exact_number.hpp"
 #include "render/constraints.hpp"
 #include "render/headings.hpp"
 #include "render/named_parts.hpp"

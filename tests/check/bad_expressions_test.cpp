@@ -10,7 +10,7 @@
 
 #include "check/names/constants.hpp"
 #include "check_testing.hpp"
-#include "numbers/number_text.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen::test {
 namespace {

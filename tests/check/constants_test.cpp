@@ -6,7 +6,7 @@
 
 #include "check/names/integers.hpp"
 #include "check_testing.hpp"
-#include "numbers/number_text.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen::test {
 

@@ -1,7 +1,7 @@
 // Names stand for what their indices refer to.
 #include "check/model_text.hpp"
 
-#include "numbers/number_text.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen::test {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "check/scene/scene.hpp"
 #include "check_testing.hpp"
-#include "numbers/number_text.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen::test {
 namespace {

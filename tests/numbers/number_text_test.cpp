@@ -1,6 +1,5 @@
 // Exact numbers, and numbers as text: exact for rationals, thirty digits for the rest, in any
 // locale.
-#include "numbers/number_text.hpp"
 
 #include <cln/cln.h>
 #include <cln/rational.h>

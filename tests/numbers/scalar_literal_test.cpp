@@ -14,7 +14,7 @@
 #include <limits>
 
 #include "elgen/evaluate.hpp"
-#include "numbers/number_text.hpp"
+#include "numbers/exact_number.hpp"
 
 using namespace elgen;
 using cln::cl_RA;

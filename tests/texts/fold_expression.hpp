@@ -15,7 +15,7 @@
 #include "elgen/functions.hpp"
 #include "elgen/syntax.hpp"
 #include "elgen/wording.hpp"
-#include "numbers/number_text.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 

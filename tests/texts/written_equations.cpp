@@ -8,7 +8,7 @@
 
 #include "elgen/oracle.hpp"
 #include "elgen/wording.hpp"
-#include "numbers/number_text.hpp"
+#include "numbers/exact_number.hpp"
 #include "numbers/random.hpp"
 #include "texts/fold_expression.hpp"
 

@@ -9,7 +9,7 @@
 #include "check/expressions/rotations.hpp"
 #include "check/expressions/unit_expression.hpp"
 #include "check/expressions/values.hpp"
-#include "numbers/number_text.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {

@@ -7,7 +7,6 @@
 
 #include "check/expressions/resolver.hpp"
 #include "numbers/exact_number.hpp"
-#include "numbers/number_text.hpp"
 
 namespace elgen {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "base/ascii.hpp"
 #include "base/content_hash.hpp"
-#include "numbers/number_text.hpp"
+#include "numbers/exact_number.hpp"
 #include "numbers/scalar_literal.hpp"
 
 namespace elgen {

@@ -11,7 +11,7 @@
 #include "emit/interface/code_interface.hpp"
 #include "emit/text/layout.hpp"
 #include "emit/text/parameters.hpp"
-#include "numbers/number_text.hpp"
+#include "numbers/exact_number.hpp"
 #include "numbers/scalar_literal.hpp"
 
 namespace elgen {

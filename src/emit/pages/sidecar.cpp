@@ -9,7 +9,7 @@
 #include "emit/text/parameters.hpp"
 #include "emit/text/stamp.hpp"
 #include "model/output_units.hpp"
-#include "numbers/number_text.hpp"
+#include "numbers/exact_number.hpp"
 #include "program/operation_columns.hpp"
 
 namespace elgen {

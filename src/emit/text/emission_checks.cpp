@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "emit/text/parameters.hpp"
-#include "numbers/number_text.hpp"
+#include "numbers/exact_number.hpp"
 #include "numbers/scalar_literal.hpp"
 
 namespace elgen {

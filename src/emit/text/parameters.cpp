@@ -7,7 +7,7 @@
 #include <unordered_map>
 
 #include "emit/text/layout.hpp"
-#include "numbers/number_text.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {

@@ -8,7 +8,7 @@
 #include "base/toml_text.hpp"
 #include "check/expressions/values.hpp"
 #include "elgen/tradeoff.hpp"
-#include "numbers/number_text.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {
