@@ -12,6 +12,7 @@
 //                                   ; of a struct: "result acceleration 2 1 = …"
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -112,12 +113,43 @@ struct OperationCounts {
   friend bool operator==(const OperationCounts&, const OperationCounts&) = default;
 };
 
+/// One of these counts, by its name.
+struct OperationColumn {
+  std::string_view name;
+  std::size_t OperationCounts::*count;
+};
+
+/// All of them, in the order in which they are listed.
+inline constexpr std::array operation_columns{OperationColumn{"add", &OperationCounts::add},
+                                              OperationColumn{"mul", &OperationCounts::mul},
+                                              OperationColumn{"div", &OperationCounts::div},
+                                              OperationColumn{"sqrt", &OperationCounts::sqrt},
+                                              OperationColumn{"sincos", &OperationCounts::sincos},
+                                              OperationColumn{"other", &OperationCounts::other}};
+
 [[nodiscard]] OperationCounts count_operations(const Function& function);
 
 /// In multiplications: mul, add 1; division 4; square root 8; the sine and cosine of an angle 26;
 /// any other function 16. From tests/bench/operation_costs (g++ 12, glibc 2.36, one run): in a row
 /// 4.3, 7.9, 24.7 (one of the two 16.2) and 12.1 for exp; side by side 1.9, 5.9, 27.4 (20.1), 12.0.
 [[nodiscard]] std::size_t cost(const OperationCounts& counts);
+
+/// Whether each instruction is one of `wanted` or goes into one.
+[[nodiscard]] std::vector<bool> needed_for(const Function& function,
+                                           const std::vector<std::uint32_t>& wanted);
+
+/// The instructions `order`, by their old numbers, and nothing else. Operands stand before what
+/// they go into, and every entry is there.
+[[nodiscard]] Function reordered(const Function& function, const std::vector<std::uint32_t>& order);
+
+/// Without the instructions that none of its entries needs.
+///
+///     before    0 = parameter m   1 = parameter l   2 = multiply 0 0   result = 2
+///     after     0 = parameter m   1 = multiply 0 0                     result = 1
+[[nodiscard]] Function pruned(const Function& function);
+
+/// The instructions `entries` as one field, with what they need.
+[[nodiscard]] Function with_entries(Function function, const std::vector<std::uint32_t>& entries);
 
 /// Empty when all hold; otherwise the first broken invariant, named with function and instruction.
 [[nodiscard]] std::string check_invariants(const Program& program);

@@ -13,7 +13,6 @@
 #include "analyse/searched_range.hpp"
 #include "numbers/exact_number.hpp"
 #include "program/evaluate/subject.hpp"
-#include "program/graph/prune.hpp"
 
 namespace elgen {
 namespace {

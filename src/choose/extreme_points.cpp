@@ -4,7 +4,6 @@
 
 #include "choose/points.hpp"
 #include "numbers/random.hpp"
-#include "program/graph/prune.hpp"
 
 namespace elgen {
 namespace {

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "elgen/model.hpp"
-#include "program/graph/prune.hpp"
 #include "program/network/instructions.hpp"
 
 namespace elgen {

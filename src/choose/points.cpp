@@ -7,7 +7,6 @@
 #include "accuracy/rough_errors.hpp"
 #include "choose/cancelling_places.hpp"
 #include "numbers/random.hpp"
-#include "program/graph/prune.hpp"
 
 namespace elgen {
 namespace {

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "base/diagnostic_words.hpp"
-#include "program/operation_columns.hpp"
 
 namespace elgen {
 namespace {

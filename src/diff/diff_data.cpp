@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "elgen/diff.hpp"
-#include "program/operation_columns.hpp"
 
 namespace elgen {
 namespace {

@@ -21,7 +21,6 @@
 #include "numbers/exact_number.hpp"
 #include "numbers/random.hpp"
 #include "program/evaluate/subject.hpp"
-#include "program/graph/prune.hpp"
 #include "program/network/instructions.hpp"
 #include "sample/states.hpp"
 

@@ -10,7 +10,6 @@
 #include "elgen/fold.hpp"
 #include "numbers/exact_number.hpp"
 #include "numbers/random.hpp"
-#include "program/graph/prune.hpp"
 #include "program/network/analytic.hpp"
 
 namespace elgen {

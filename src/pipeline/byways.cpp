@@ -18,7 +18,6 @@
 #include "elgen/typeset.hpp"
 #include "model/requests.hpp"
 #include "program/evaluate/subject.hpp"
-#include "program/graph/prune.hpp"
 
 namespace elgen {
 namespace {

@@ -11,7 +11,6 @@
 #include <algorithm>
 
 #include "elgen/render.hpp"
-#include "program/graph/prune.hpp"
 #include "render/function_formulas.hpp"
 #include "render/named_parts.hpp"
 #include "render/symbols.hpp"

@@ -9,7 +9,6 @@
 
 #include "elgen/render.hpp"
 #include "elgen/typeset.hpp"
-#include "program/graph/prune.hpp"
 #include "render/headings.hpp"
 #include "render/symbols.hpp"
 

@@ -8,7 +8,6 @@
 #include "diff/joint_program.hpp"
 #include "diff/versions.hpp"
 #include "program/evaluate/subject.hpp"
-#include "program/graph/prune.hpp"
 #include "program/read_program.hpp"
 
 using namespace elgen;

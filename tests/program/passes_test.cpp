@@ -5,7 +5,6 @@
 #include "program/graph/angle_sums.hpp"
 #include "program/graph/factor.hpp"
 #include "program/graph/flatten.hpp"
-#include "program/graph/prune.hpp"
 #include "program/read_program.hpp"
 
 using namespace elgen;

@@ -7,7 +7,6 @@
 #include "elgen/wording.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "model/output_units.hpp"
-#include "program/operation_columns.hpp"
 #include "texts/readers.hpp"
 
 namespace elgen::texts {

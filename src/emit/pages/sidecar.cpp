@@ -10,7 +10,6 @@
 #include "emit/text/stamp.hpp"
 #include "model/output_units.hpp"
 #include "numbers/exact_number.hpp"
-#include "program/operation_columns.hpp"
 
 namespace elgen {
 namespace {

@@ -7,7 +7,6 @@
 #include "elgen/closed_forms.hpp"
 #include "forms/cancel/vanishing.hpp"
 #include "program/graph/from_program.hpp"
-#include "program/graph/prune.hpp"
 #include "program/network/cheapest.hpp"
 #include "program/network/linearise.hpp"
 #include "program/network/turn_signs.hpp"

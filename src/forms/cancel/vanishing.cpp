@@ -8,7 +8,6 @@
 
 #include "accuracy/bounded.hpp"
 #include "numbers/random.hpp"
-#include "program/graph/prune.hpp"
 #include "program/network/analytic.hpp"
 
 namespace elgen {

@@ -9,7 +9,6 @@
 #include "forms/present/arithmetic.hpp"
 #include "forms/typeset/equations.hpp"
 #include "forms/typeset/write.hpp"
-#include "program/graph/prune.hpp"
 
 namespace elgen {
 namespace {

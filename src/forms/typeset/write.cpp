@@ -6,8 +6,6 @@
 
 #include <algorithm>
 
-#include "program/graph/prune.hpp"
-
 namespace elgen {
 namespace {
 

@@ -12,7 +12,6 @@
 #include "program/graph/angle_sums.hpp"
 #include "program/graph/flatten.hpp"
 #include "program/graph/from_program.hpp"
-#include "program/graph/prune.hpp"
 #include "program/network/linearise.hpp"
 
 namespace elgen {

@@ -2,7 +2,6 @@
 #include "program/graph/from_program.hpp"
 
 #include "elgen/fold.hpp"
-#include "program/graph/prune.hpp"
 
 namespace elgen {
 

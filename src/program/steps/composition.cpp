@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "elgen/leaf_names.hpp"
-#include "program/graph/prune.hpp"
 
 namespace elgen {
 

@@ -10,7 +10,6 @@
 #include "elgen/step_methods.hpp"
 #include "model/requests.hpp"
 #include "program/evaluate/subject.hpp"
-#include "program/graph/prune.hpp"
 #include "program/steps/methods.hpp"
 
 namespace elgen {

@@ -3,7 +3,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "program/graph/prune.hpp"
 #include "program/read_program.hpp"
 
 namespace elgen::testing {
