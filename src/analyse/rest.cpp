@@ -14,7 +14,6 @@
 #include "elgen/oracle.hpp"
 #include "elgen/references.hpp"
 #include "program/evaluate/subject.hpp"
-#include "program/graph/from_program.hpp"
 #include "program/network/cheapest.hpp"
 #include "program/network/linearise.hpp"
 

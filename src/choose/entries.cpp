@@ -8,7 +8,6 @@
 #include "forms/write/ways.hpp"
 #include "program/network/cheapest.hpp"
 #include "program/network/linearise.hpp"
-#include "program/network/turn_signs.hpp"
 
 namespace elgen {
 namespace {

@@ -1,8 +1,7 @@
 // Instructions as sums and products again.
-#include "program/graph/from_program.hpp"
-
 #include <catch2/catch.hpp>
 
+#include "program/graph/rebuild.hpp"
 #include "program/network/linearise.hpp"
 #include "program/network/network.hpp"
 #include "program/read_program.hpp"

@@ -7,8 +7,6 @@
 #include "elgen/evaluate.hpp"
 #include "program/expression_leaves.hpp"
 #include "program/network/cheapest.hpp"
-#include "program/network/share.hpp"
-#include "program/network/turn_signs.hpp"
 
 using namespace elgen;
 using testing::counts_of;

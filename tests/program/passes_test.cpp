@@ -4,7 +4,6 @@
 #include "program/expression_leaves.hpp"
 #include "program/graph/angle_sums.hpp"
 #include "program/graph/factor.hpp"
-#include "program/graph/flatten.hpp"
 #include "program/read_program.hpp"
 
 using namespace elgen;

@@ -6,10 +6,8 @@
 
 #include "elgen/closed_forms.hpp"
 #include "forms/cancel/vanishing.hpp"
-#include "program/graph/from_program.hpp"
 #include "program/network/cheapest.hpp"
 #include "program/network/linearise.hpp"
-#include "program/network/turn_signs.hpp"
 
 namespace elgen {
 namespace {

@@ -10,8 +10,7 @@
 #include "forms/write/ways.hpp"
 #include "numbers/random.hpp"
 #include "program/graph/angle_sums.hpp"
-#include "program/graph/flatten.hpp"
-#include "program/graph/from_program.hpp"
+#include "program/graph/factor.hpp"
 #include "program/network/linearise.hpp"
 
 namespace elgen {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "forms/write/closed_graph.hpp"
-#include "program/graph/flatten.hpp"
+#include "program/graph/factor.hpp"
 #include "program/network/cheapest.hpp"
 
 namespace elgen {

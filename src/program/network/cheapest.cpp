@@ -5,10 +5,7 @@
 #include <utility>
 
 #include "program/graph/factor.hpp"
-#include "program/graph/flatten.hpp"
 #include "program/network/linearise.hpp"
-#include "program/network/share.hpp"
-#include "program/network/turn_signs.hpp"
 
 namespace elgen {
 namespace {

@@ -41,4 +41,21 @@ struct Network {
 
 [[nodiscard]] Network make_network(const Expressions& expressions);
 
+/// Sub-sums and sub-products that several operations have in common are computed once.
+///
+///     before:  y = product(m, l, c)   z = product(m, l, s)
+///     after:   p = product(m, l)   y = product(p, c)   z = product(p, s)
+///
+/// The only common-subexpression elimination. Greedy: the pair of operands found in most operations
+/// becomes an operation; pairs of a sum count up to sign, a - b as b - a. Ties go to the pair that
+/// comes first in the network.
+void share(Network& network);
+
+/// A value that is only needed negative is computed negative, where a difference can turn for
+/// nothing.
+///
+///     before:  s = a - b   result -s        p = product(m, a - b)   result -p
+///     after:   s = b - a   result s         p = product(m, b - a)   result p
+void turn_signs(Network& network);
+
 }  // namespace elgen

@@ -1,11 +1,11 @@
-// share: see share.hpp. Counts are kept too high rather than exact: a pair is recounted when its
+// share: see network.hpp. Counts are kept too high rather than exact: a pair is recounted when its
 // turn comes.
-#include "program/network/share.hpp"
-
 #include <algorithm>
 #include <optional>
 #include <queue>
 #include <unordered_map>
+
+#include "program/network/network.hpp"
 
 namespace elgen {
 namespace {

@@ -1,8 +1,8 @@
-// turn_signs: see turn_signs.hpp. Only where a negation would be executed: at results, in calls and
+// turn_signs: see network.hpp. Only where a negation would be executed: at results, in calls and
 // roots.
-#include "program/network/turn_signs.hpp"
-
 #include <algorithm>
+
+#include "program/network/network.hpp"
 
 namespace elgen {
 namespace {

@@ -15,7 +15,6 @@
 #include <algorithm>
 
 #include "program/evaluate/subject.hpp"
-#include "program/steps/factorised.hpp"
 #include "program/steps/methods.hpp"
 
 namespace elgen {

@@ -5,7 +5,6 @@
 
 #include "choose/chosen.hpp"
 #include "program/expression_leaves.hpp"
-#include "program/graph/from_program.hpp"
 #include "support/systems.hpp"
 
 using namespace elgen;

@@ -1,9 +1,8 @@
 // L D L^T of symbols, evaluated.
-#include "program/steps/factorised.hpp"
-
 #include <catch2/catch.hpp>
 
 #include "elgen/evaluate.hpp"
+#include "program/steps/composition.hpp"
 
 namespace elgen::test {
 namespace {
