@@ -11,7 +11,6 @@
 #include "elgen/oracle.hpp"
 #include "numbers/exact_number.hpp"
 #include "oracle/constraints.hpp"
-#include "oracle/guarded.hpp"
 #include "oracle/real_functions.hpp"
 
 namespace elgen::oracle {

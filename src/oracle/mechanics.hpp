@@ -4,12 +4,13 @@
 // energy. Source of the equations: Goldstein, Poole, Safko, Classical Mechanics, 3rd ed., 1.5
 // and 8.1.
 #pragma once
+
+#include <optional>
 #include <vector>
 
 #include "elgen/model.hpp"
 #include "elgen/oracle.hpp"
 #include "oracle/energies.hpp"
-#include "oracle/expansion.hpp"
 #include "oracle/rotations.hpp"
 
 namespace elgen::oracle {
@@ -52,6 +53,26 @@ struct Displacement {
   Direction x = {};
   Direction y = {};
 };
+
+/// The point about which a scene expands energies and forces: values of what is small; none for the
+/// rest. The motions
+///
+///     q0 + s (q - q0),  s v,  s a,  u0 + s (u - u0)       for what is small, the rest as it is
+///
+/// give by Taylor's formula in s to some order, at s = 1, the joint expansion in all deviations.
+/// That is all the oracle knows of it: no term of an expansion is ever written down.
+struct ExpansionPoint {
+  unsigned order = 1;
+  std::vector<std::optional<cln::cl_R>> q = {};
+  std::vector<std::optional<cln::cl_R>> v = {};
+  std::vector<std::optional<cln::cl_R>> u = {};
+};
+
+/// The point at the parameters of a state; none where the model is exact.
+[[nodiscard]] std::optional<ExpansionPoint> expansion_point(const Model& model, const State& state);
+
+/// The motion above, with powers of s up to `order`.
+[[nodiscard]] Motion towards(const ExpansionPoint& point, const Motion& motion, unsigned order);
 
 class Mechanics {
  public:

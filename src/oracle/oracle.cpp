@@ -6,7 +6,6 @@
 #include "elgen/leaf_names.hpp"
 #include "elgen/references.hpp"
 #include "numbers/random.hpp"
-#include "oracle/guarded.hpp"
 #include "oracle/mechanics.hpp"
 #include "oracle/output_values.hpp"
 #include "oracle/solved_dynamics.hpp"

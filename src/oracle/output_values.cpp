@@ -9,10 +9,8 @@
 #include "oracle/constraints.hpp"
 #include "oracle/derivatives.hpp"
 #include "oracle/mechanics.hpp"
-#include "oracle/momenta.hpp"
 #include "oracle/rotations.hpp"
 #include "oracle/solved_dynamics.hpp"
-#include "oracle/step.hpp"
 
 namespace elgen::oracle {
 namespace {

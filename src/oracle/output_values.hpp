@@ -18,4 +18,11 @@ namespace elgen::oracle {
 [[nodiscard]] cln::cl_R contracted_values(const Model& model, const OutputRequest& output,
                                           const State& state, const Contraction& by);
 
+/// One step of a method, by its definition, from accelerations, or rates, that are solved for at
+/// each of its states: q, then v, at t + h, with u held, then the residual of an implicit method;
+/// quaternions are of length 1. Throws OutsideDomain. Cost: four linear solves of rk4, two of
+/// verlet, one for each iteration of midpoint and one more.
+[[nodiscard]] std::vector<cln::cl_R> step(const Model& model, const OutputRequest& output,
+                                          const State& state);
+
 }  // namespace elgen::oracle

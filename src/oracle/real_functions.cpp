@@ -8,7 +8,6 @@
 #include <cln/rational.h>
 
 #include "numbers/exact_number.hpp"
-#include "numbers/more_digits.hpp"
 
 namespace elgen::oracle {
 namespace {

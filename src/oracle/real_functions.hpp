@@ -7,14 +7,17 @@
 // the oracle's interface.
 #pragma once
 
+#include <cln/exception.h>
 #include <cln/float.h>
 #include <cln/real.h>
 
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <tuple>
 
 #include "elgen/functions.hpp"
+#include "numbers/more_digits.hpp"
 
 namespace elgen::oracle {
 
@@ -56,5 +59,23 @@ class RealFunctions {
 
   std::map<Call, cln::cl_R> known_ = {};
 };
+
+/// CLN and the oracle throw where a value does not exist; callers get an empty optional.
+template <class Computation>
+auto attempt(const Computation& computation) -> std::optional<decltype(computation())> {
+  try {
+    return computation();
+  } catch (const cln::runtime_exception&) {
+    return std::nullopt;
+  } catch (const OutsideDomain&) {
+    return std::nullopt;
+  }
+}
+
+/// To as many digits as its angles ask for: without them a value may seem not to exist.
+template <class Computation>
+auto guarded(const Computation& computation) -> std::optional<decltype(computation())> {
+  return with_enough_digits([&] { return attempt(computation); });
+}
 
 }  // namespace elgen::oracle

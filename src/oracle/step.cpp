@@ -1,9 +1,7 @@
 // step: states are moved as vectors x = (q, v), and put on the unit sphere where they are read.
-#include "oracle/step.hpp"
-
 #include "elgen/step_methods.hpp"
 #include "oracle/constraints.hpp"
-#include "oracle/momenta.hpp"
+#include "oracle/output_values.hpp"
 #include "oracle/rotations.hpp"
 #include "oracle/solved_dynamics.hpp"
 

@@ -1,9 +1,8 @@
 // Momenta: what is taken off them before the solve, how they turn, and where there is none.
-#include "oracle/momenta.hpp"
-
 #include <catch2/catch.hpp>
 
 #include "oracle/samples.hpp"
+#include "oracle/solved_dynamics.hpp"
 
 namespace elgen::test {
 

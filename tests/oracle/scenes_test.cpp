@@ -2,7 +2,6 @@
 #include <catch2/catch.hpp>
 
 #include "elgen/oracle.hpp"
-#include "oracle/expansion.hpp"
 #include "oracle/mechanics.hpp"
 #include "support/models.hpp"
 

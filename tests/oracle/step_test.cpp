@@ -1,9 +1,8 @@
 // Steps where their values are known in closed form.
-#include "oracle/step.hpp"
-
 #include <catch2/catch.hpp>
 
 #include "elgen/step_methods.hpp"
+#include "oracle/output_values.hpp"
 #include "oracle/samples.hpp"
 
 namespace elgen::test {
