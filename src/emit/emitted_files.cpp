@@ -3,9 +3,6 @@
 #include "elgen/emitted_files.hpp"
 
 #include "elgen/artifacts.hpp"
-#include "emit/c99/c99_artifact.hpp"
-#include "emit/cpp/cpp_artifacts.hpp"
-#include "emit/pages/page_artifacts.hpp"
 #include "emit/text/emission_checks.hpp"
 #include "emit/text/emission_input.hpp"
 

@@ -4,7 +4,6 @@
 // Where a place gives other bits than the first one, the entry is NaN.
 #include <fmt/format.h>
 
-#include "elgen/arguments.hpp"
 #include "elgen/artifacts.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "toolchain/driver.hpp"

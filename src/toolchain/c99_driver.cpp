@@ -1,10 +1,8 @@
 // The driver of a C header, for its one scalar.
 #include <fmt/format.h>
 
-#include "elgen/arguments.hpp"
 #include "elgen/artifacts.hpp"
 #include "emit/interface/code_interface.hpp"
-#include "emit/text/emission_input.hpp"
 #include "toolchain/driver.hpp"
 
 namespace elgen {

@@ -1,11 +1,9 @@
 // The drivers of C++: of the header on arrays, and of the one on types of Eigen.
 #include <fmt/format.h>
 
-#include "elgen/arguments.hpp"
 #include "elgen/artifacts.hpp"
 #include "emit/cpp/cpp_names.hpp"
 #include "emit/interface/code_interface.hpp"
-#include "emit/text/emission_input.hpp"
 #include "toolchain/driver.hpp"
 
 namespace elgen {

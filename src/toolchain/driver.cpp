@@ -12,11 +12,9 @@
 #include <set>
 #include <utility>
 
-#include "elgen/arguments.hpp"
 #include "elgen/artifacts.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "emit/text/emission_checks.hpp"
-#include "emit/text/parameters.hpp"
 
 namespace elgen {
 namespace {

@@ -13,7 +13,6 @@
 
 #include <fmt/format.h>
 
-#include "elgen/arguments.hpp"
 #include "elgen/artifacts.hpp"
 #include "emit/interface/code_interface.hpp"
 

@@ -1,5 +1,5 @@
 // batch_header: functions on arrays of states; packs_test.cpp compiles them.
-#include "emit/cpp/cpp_artifacts.hpp"
+#include "emit/text/emission_input.hpp"
 #include "fixture.hpp"
 #include "support/shell.hpp"
 

@@ -2,7 +2,6 @@
 // results, numbers and arrays of one, storage.
 #include "emit/interface/code_interface.hpp"
 
-#include "elgen/arguments.hpp"
 #include "emit/fixture.hpp"
 
 using namespace elgen;

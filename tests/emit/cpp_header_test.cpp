@@ -1,6 +1,6 @@
 // cpp_header: which parts a header has; the golden header shows them whole. On vectors and matrices
 // of Eigen: tests/pipeline/languages_test.cpp compiles them.
-#include "emit/cpp/cpp_artifacts.hpp"
+#include "emit/text/emission_input.hpp"
 #include "fixture.hpp"
 #include "support/shell.hpp"
 

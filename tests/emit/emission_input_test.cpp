@@ -3,12 +3,11 @@
 
 #include <catch2/catch.hpp>
 
-#include "base/content_hash.hpp"
 #include "elgen/emitted_files.hpp"
+#include "emit/code/function_docs.hpp"
 #include "emit/code/header_data.hpp"
 #include "emit/cpp/cpp_dialect.hpp"
-#include "emit/text/parameters.hpp"
-#include "emit/text/stamp.hpp"
+#include "emit/interface/code_interface.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;

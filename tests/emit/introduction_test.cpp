@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "emit/pages/page_artifacts.hpp"
+#include "emit/text/emission_input.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;

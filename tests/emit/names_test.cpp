@@ -1,7 +1,6 @@
 // Every name that emitted code keeps is refused where it would collide, and nowhere else.
-#include "emit/c99/c99_artifact.hpp"
-#include "emit/cpp/cpp_artifacts.hpp"
 #include "emit/cpp/cpp_names.hpp"
+#include "emit/text/emission_input.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;

@@ -1,7 +1,7 @@
 // sidecar: the JSON is valid, has the keys in order, and says what the program does.
 #include <nlohmann/json.hpp>
 
-#include "emit/pages/page_artifacts.hpp"
+#include "emit/text/emission_input.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "emit/interface/code_interface.hpp"
-#include "emit/text/emission_input.hpp"
 #include "emit/text/layout.hpp"
 #include "numbers/scalar_literal.hpp"
 

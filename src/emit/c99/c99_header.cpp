@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <array>
 
-#include "emit/c99/c99_artifact.hpp"
 #include "emit/c99/c99_dialect.hpp"
+#include "emit/code/function_docs.hpp"
 #include "emit/code/header_data.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "emit/text/emission_checks.hpp"
+#include "emit/text/emission_input.hpp"
 #include "emit/text/layout.hpp"
-#include "emit/text/parameters.hpp"
 
 namespace elgen {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/ascii.hpp"
-#include "base/content_hash.hpp"
+#include "emit/text/emission_input.hpp"
 #include "numbers/exact_number.hpp"
 #include "numbers/scalar_literal.hpp"
 
@@ -61,6 +61,20 @@ std::string literal(const cln::cl_R& value, ScalarKind scalar, std::string_view 
   return scalar_literal(value, scalar) + std::string(suffix);
 }
 
+/// Rational numbers, pi, roots of numbers, and products of these: what a name can spell out.
+bool is_spelled_out(const ConstantForm& form) {
+  const auto is_plain = [](const ConstantPart& part) {
+    const ConstantForm& inner = part.form;
+    const bool is_root = inner.kind == ConstantKind::square_root &&
+                         inner.parts.front().weight > 0 &&
+                         inner.parts.front().form.kind == ConstantKind::rational;
+    return is_root || inner.kind == ConstantKind::pi || inner.kind == ConstantKind::rational;
+  };
+  if (form.kind != ConstantKind::product) return is_plain({form, 1});
+  return std::all_of(form.parts.begin(), form.parts.end(),
+                     [&](const ConstantPart& part) { return part.weight == 1 && is_plain(part); });
+}
+
 }  // namespace
 
 std::string cpp_magnitude(const cln::cl_R& value) {
@@ -84,24 +98,6 @@ std::string cpp_constant(const cln::cl_R& value) {
 bool is_short_constant(const cln::cl_R& value) {
   return exact_in_float(cln::abs(value)).has_value();
 }
-
-namespace {
-
-/// Rational numbers, pi, roots of numbers, and products of these: what a name can spell out.
-bool is_spelled_out(const ConstantForm& form) {
-  const auto is_plain = [](const ConstantPart& part) {
-    const ConstantForm& inner = part.form;
-    const bool is_root = inner.kind == ConstantKind::square_root &&
-                         inner.parts.front().weight > 0 &&
-                         inner.parts.front().form.kind == ConstantKind::rational;
-    return is_root || inner.kind == ConstantKind::pi || inner.kind == ConstantKind::rational;
-  };
-  if (form.kind != ConstantKind::product) return is_plain({form, 1});
-  return std::all_of(form.parts.begin(), form.parts.end(),
-                     [&](const ConstantPart& part) { return part.weight == 1 && is_plain(part); });
-}
-
-}  // namespace
 
 std::string constant_name(const Constant& constant) {
   constexpr std::size_t longest = 40;

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "emit/interface/code_interface.hpp"
-#include "emit/text/parameters.hpp"
 
 namespace elgen {
 
@@ -54,10 +53,6 @@ std::vector<std::string_view> Dialect::argument_names_of(const Function& functio
     names.push_back(leaf_row(argument).symbol);
   }
   return names;
-}
-
-OutputKind Dialect::kind_of(const Function& function, const Field& field) const {
-  return kind_of_field(program_, function, field);
 }
 
 bool Dialect::is_number(const Function& function, const Field& field) const {

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "elgen/arguments.hpp"
 #include "elgen/program.hpp"
 #include "render/function_formulas.hpp"
 
@@ -87,10 +86,10 @@ class Dialect : public Vocabulary {
   /// sqrt, or a function of the model language.
   [[nodiscard]] static bool is_function(std::string_view name);
   [[nodiscard]] const Model& model() const { return model_; }
+  [[nodiscard]] const Program& program() const { return program_; }
   /// Whether a field is one number, and no array.
   [[nodiscard]] bool is_number(const Function& function, const Field& field) const;
   [[nodiscard]] std::vector<std::string_view> argument_names_of(const Function& function) const;
-  [[nodiscard]] OutputKind kind_of(const Function& function, const Field& field) const;
 
  private:
   /// Whether the header has the name for itself, beside arguments and functions.

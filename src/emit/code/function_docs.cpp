@@ -12,6 +12,7 @@
 #include "emit/interface/code_interface.hpp"
 #include "emit/text/layout.hpp"
 #include "model/output_units.hpp"
+#include "numbers/exact_number.hpp"
 #include "render/headings.hpp"
 
 namespace elgen {
@@ -175,6 +176,17 @@ std::vector<std::string> function_docs(const FunctionText& text) {
   if (!equations.empty()) lines.emplace_back();
   for (const std::string& line : equations) lines.push_back(line.empty() ? "" : "     " + line);
   return lines;
+}
+
+std::string parameter_doc(const ParameterArray& array) {
+  std::vector<std::string> parts;
+  if (!array.doc.empty()) parts.push_back(comment_text(array.doc));
+  if (!array.unit_text.empty()) parts.push_back("[" + comment_text(array.unit_text) + "]");
+  if (array.range) {
+    parts.push_back(
+        fmt::format("in [{}, {}]", exact_text(array.range->low), exact_text(array.range->high)));
+  }
+  return parts.empty() ? array.name : fmt::format("{}", fmt::join(parts, " "));
 }
 
 }  // namespace elgen

@@ -41,4 +41,7 @@ struct FunctionText {
 /// "2 x 2, row-major [kg]": shape and units of one field.
 [[nodiscard]] std::string field_summary(const FunctionText& text, const Field& field);
 
+/// "cart mass [kg] in [0, 2]"; the name where nothing is known of it.
+[[nodiscard]] std::string parameter_doc(const ParameterArray& array);
+
 }  // namespace elgen

@@ -7,9 +7,8 @@
 #include "emit/code/function_docs.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "emit/pages/introduction.hpp"
+#include "emit/text/emission_input.hpp"
 #include "emit/text/layout.hpp"
-#include "emit/text/parameters.hpp"
-#include "emit/text/stamp.hpp"
 
 namespace elgen {
 namespace {

@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <array>
 
-#include "elgen/arguments.hpp"
 #include "emit/code/function_docs.hpp"
 #include "emit/code/header_data.hpp"
-#include "emit/cpp/cpp_artifacts.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "emit/interface/pack_trigonometry.hpp"
 #include "emit/text/emission_checks.hpp"
+#include "emit/text/emission_input.hpp"
 #include "emit/text/layout.hpp"
 #include "numbers/exact_number.hpp"
 #include "numbers/scalar_literal.hpp"

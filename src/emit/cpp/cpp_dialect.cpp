@@ -146,7 +146,8 @@ class CppDialect : public Dialect {
   }
 
   std::string member(const Function& function, const Field& field) const override {
-    return fmt::format("{} {};", type_of_field(kind_of(function, field), field), field.name);
+    return fmt::format("{} {};", type_of_field(kind_of_field(program(), function, field), field),
+                       field.name);
   }
 
   std::string struct_name(const Function& function) const override {

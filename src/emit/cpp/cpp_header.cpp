@@ -5,12 +5,12 @@
 #include <algorithm>
 
 #include "emit/code/cpp_constant.hpp"
+#include "emit/code/function_docs.hpp"
 #include "emit/code/header_data.hpp"
-#include "emit/cpp/cpp_artifacts.hpp"
 #include "emit/cpp/cpp_dialect.hpp"
 #include "emit/interface/code_interface.hpp"
+#include "emit/text/emission_input.hpp"
 #include "emit/text/layout.hpp"
-#include "emit/text/parameters.hpp"
 #include "numbers/exact_number.hpp"
 #include "numbers/scalar_literal.hpp"
 

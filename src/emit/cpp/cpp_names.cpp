@@ -10,12 +10,10 @@
 #include <map>
 
 #include "emit/code/cpp_constant.hpp"
-#include "emit/cpp/cpp_artifacts.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "emit/text/emission_checks.hpp"
 #include "emit/text/emission_input.hpp"
 #include "emit/text/layout.hpp"
-#include "emit/text/parameters.hpp"
 
 namespace elgen {
 namespace {

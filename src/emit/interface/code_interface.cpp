@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <set>
+#include <unordered_map>
 
-#include "elgen/arguments.hpp"
+#include "base/ascii.hpp"
 #include "model/output_units.hpp"
 
 namespace elgen {
@@ -46,6 +46,11 @@ bool has_instruction(const Program& program, const Predicate& is_wanted) {
   });
 }
 
+std::string member_text(const Model& model, const Parameter& parameter) {
+  const ParameterArray& array = model.parameter_arrays[parameter.array];
+  return array.is_array ? fmt::format("{}[{}]", array.name, parameter.element) : array.name;
+}
+
 }  // namespace
 
 const std::string& name_space(const Scene& scene) {
@@ -55,8 +60,7 @@ const std::string& name_space(const Scene& scene) {
 
 std::string capitals(std::string_view name) {
   std::string text(name);
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  std::transform(text.begin(), text.end(), text.begin(), in_upper_case);
   return text;
 }
 
@@ -77,6 +81,18 @@ std::vector<ParameterArray> emitted_parameters(const Model& model, const Program
     if (is_read[i]) result.push_back(model.parameter_arrays[i]);
   }
   return result;
+}
+
+/// A leaf is known by its name.
+std::vector<std::string> parameter_members(const Model& model, const LeafNames& leaves) {
+  std::unordered_map<std::string_view, const Parameter*> known;
+  for (const Parameter& parameter : model.parameters) known.emplace(parameter.name, &parameter);
+  std::vector<std::string> members;
+  for (const std::string& leaf : leaves.parameters) {
+    const auto found = known.find(leaf);
+    members.push_back(found == known.end() ? leaf : member_text(model, *found->second));
+  }
+  return members;
 }
 
 std::vector<Opcode> arguments_of(const Model& model, const Function& function) {

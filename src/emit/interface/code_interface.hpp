@@ -27,7 +27,24 @@ namespace elgen {
 /// The scalars in them.
 [[nodiscard]] std::size_t emitted_parameter_count(const Model& model, const Program& program);
 
-/// The values of its elements in the model.
+/// "m", "l[2]": the member of the emitted parameters that each parameter leaf is.
+[[nodiscard]] std::vector<std::string> parameter_members(const Model& model,
+                                                         const LeafNames& leaves);
+
+/// The kinds of leaves that an emitted function takes, whether it reads them or not.
+///
+///     inverse_dynamics, time occurs   ->   p, q, v, a, t
+///
+/// Parameters, q and what the output table says, in the order of leaves.def; t where it occurs, and
+/// open values where the model has some.
+[[nodiscard]] std::vector<Opcode> arguments_of(const Model& model, const Function& function);
+
+/// Whether it is an array of numbers, not the struct of parameters or one number.
+[[nodiscard]] constexpr bool is_vector(Opcode argument) {
+  return argument != Opcode::parameter && !is_single(argument);
+}
+
+/// The values of the elements of an array in the model.
 [[nodiscard]] std::vector<cln::cl_R> values_of(const Model& model, const ParameterArray& array);
 
 /// One of the arrays at the head of a C++ header: texts, or intervals.

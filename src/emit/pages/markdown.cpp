@@ -3,8 +3,7 @@
 
 #include "elgen/render.hpp"
 #include "emit/pages/introduction.hpp"
-#include "emit/pages/page_artifacts.hpp"
-#include "emit/text/stamp.hpp"
+#include "emit/text/emission_input.hpp"
 
 namespace elgen {
 namespace {

@@ -4,10 +4,8 @@
 
 #include "base/utf8.hpp"
 #include "emit/interface/code_interface.hpp"
-#include "emit/pages/page_artifacts.hpp"
+#include "emit/text/emission_input.hpp"
 #include "emit/text/layout.hpp"
-#include "emit/text/parameters.hpp"
-#include "emit/text/stamp.hpp"
 #include "model/output_units.hpp"
 #include "numbers/exact_number.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "emit/text/parameters.hpp"
+#include "emit/interface/code_interface.hpp"
 #include "numbers/exact_number.hpp"
 #include "numbers/scalar_literal.hpp"
 

@@ -1,4 +1,5 @@
-// EmissionInput: what every emitted file is made from, with the equations printed once.
+// EmissionInput: what every emitted file is made from, with the equations printed once; the hashes
+// that files carry; and what writes each of them.
 #pragma once
 
 #include <string>
@@ -26,5 +27,41 @@ struct EmissionInput {
 
 [[nodiscard]] EmissionInput emission_input(const Model& model, const Scene& scene,
                                            const Program& program, const Book& book);
+
+/// The hash of contents: 16 hexadecimal digits (xxh3, 64 bits, seed 0).
+[[nodiscard]] std::string content_hash(std::string_view text);
+
+/// The first 8 of them, for names.
+[[nodiscard]] std::string short_hash(std::string_view text);
+
+/// Sixteen zeros, where a file will state the hash of its own text.
+[[nodiscard]] std::string_view blank_hash();
+
+/// Replaces the blank body hash by the hash of `text`, which is taken with the blank in place.
+/// The places it may stand in are those body_hash() looks at.
+[[nodiscard]] std::string stamped(std::string text);
+
+// The writers: texts with their body hash.
+[[nodiscard]] std::string cpp_header(const EmissionInput& input);
+[[nodiscard]] std::string eigen_header(const EmissionInput& input);
+[[nodiscard]] std::string batch_header(const EmissionInput& input);
+[[nodiscard]] std::string c99_header(const EmissionInput& input);
+
+/// The equations as JSON, for programs that read them: one key order, LF, exact numbers as strings.
+[[nodiscard]] std::string sidecar(const EmissionInput& input);
+
+/// The equations as a page to read; outputs of more than 64 entries are left to the sidecar.
+[[nodiscard]] std::string markdown(const EmissionInput& input);
+
+// E701 for parameters, functions and namespaces whose name the emitted code needs, of C99 for
+// functions.
+[[nodiscard]] Diagnostics cpp_check_names(const Model& model, const Scene& scene,
+                                          const Program& program);
+[[nodiscard]] Diagnostics eigen_check_names(const Model& model, const Scene& scene,
+                                            const Program& program);
+[[nodiscard]] Diagnostics batch_check_names(const Model& model, const Scene& scene,
+                                            const Program& program);
+[[nodiscard]] Diagnostics c99_check_names(const Model& model, const Scene& scene,
+                                          const Program& program);
 
 }  // namespace elgen

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 
+#include "base/ascii.hpp"
 #include "base/utf8.hpp"
 
 namespace elgen {
@@ -168,9 +168,7 @@ std::string camel_case(std::string_view name) {
   std::string result;
   bool starts_word = true;
   for (const char c : name) {
-    if (c != '_') {
-      result += starts_word ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
-    }
+    if (c != '_') result += starts_word ? in_upper_case(c) : c;
     starts_word = c == '_';
   }
   return result;

@@ -1,7 +1,7 @@
 // Hashes stay what they are: files carry them.
-#include "base/content_hash.hpp"
-
 #include <catch2/catch.hpp>
+
+#include "emit/text/emission_input.hpp"
 
 using namespace elgen;
 
