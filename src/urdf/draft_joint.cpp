@@ -3,7 +3,6 @@
 
 #include "base/toml_text.hpp"
 #include "urdf/draft.hpp"
-#include "urdf/expressions.hpp"
 
 namespace elgen::urdf {
 

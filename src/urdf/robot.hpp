@@ -120,6 +120,5 @@ struct RobotReading {
 
 /// E802 to E806, E811, E813, E814; notes E815. Missing values keep their defaults.
 [[nodiscard]] Robot read_robot(const Element& root, RobotReading& reading);
-[[nodiscard]] Joint read_joint(const Element& element, RobotReading& reading);
 
 }  // namespace elgen::urdf

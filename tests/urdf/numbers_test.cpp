@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "urdf/expressions.hpp"
+#include "urdf/draft.hpp"
 #include "urdf/urdf_testing.hpp"
 
 namespace elgen::test {
