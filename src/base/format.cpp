@@ -9,7 +9,6 @@
 
 #include "base/diagnostic_words.hpp"
 #include "base/utf8.hpp"
-#include "base/workflow_command.hpp"
 #include "elgen/diagnostic.hpp"
 
 namespace elgen {

@@ -76,9 +76,7 @@ UnitSpelling spell(std::string_view derived, const Unit& rest) {
   }
   for (const std::size_t i : order) {
     const auto [numerator, denominator] = rest.powers[i];
-    if (numerator == 0) {
-      continue;
-    }
+    if (numerator == 0) continue;
     auto& side = numerator > 0 ? above : below;
     side.push_back(spelled_power(base_names[i], std::abs(numerator), denominator));
     result.cost += std::abs(numerator);
@@ -146,12 +144,8 @@ Unit power(const Unit& base, Exponent exponent) {
 }
 
 std::optional<Unit> find_unit(std::string_view name) {
-  for (const UnitRow& row : unit_table()) {
-    if (row.name == name) {
-      return row.unit;
-    }
-  }
-  return std::nullopt;
+  const auto row = std::ranges::find(unit_table(), name, &UnitRow::name);
+  return row == unit_table().end() ? std::nullopt : std::optional(row->unit);
 }
 
 std::string to_string(const Unit& unit) {

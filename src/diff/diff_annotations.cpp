@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/workflow_command.hpp"
+#include "base/diagnostic_words.hpp"
 #include "diff/change_words.hpp"
 #include "elgen/diff.hpp"
 #include "elgen/wording.hpp"

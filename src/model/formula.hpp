@@ -13,11 +13,13 @@
 #include <cln/rational.h>
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "elgen/functions.hpp"
+#include "elgen/model.hpp"
 
 namespace elgen {
 
@@ -74,5 +76,15 @@ struct Spelling {
 
 /// 3, -1/2: a quotient of integers; stacked long ones are decimals where they can be.
 [[nodiscard]] Formula number(const Spelling& spelling, const cln::cl_RA& value);
+
+/// An expression of a model, with as few brackets as keep the tree:
+///
+///     multiply(1/2, add(a, negate(b)))   ->   1/2*(a - b)
+///
+/// `name` writes what has a name: leaves, pi, definitions, components of points and frames, and
+/// rates.
+[[nodiscard]] Formula formula_of(const Model& model, ExpressionId expression,
+                                 const Spelling& spelling,
+                                 const std::function<Formula(ExpressionId)>& name);
 
 }  // namespace elgen

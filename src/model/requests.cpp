@@ -7,20 +7,6 @@
 #include "elgen/references.hpp"
 
 namespace elgen {
-
-std::string_view name_of(LeftOutReason reason) {
-  return reason == LeftOutReason::too_many_entries ? "too many entries" : "kinked force";
-}
-
-const OutputRequest* find_request(const Scene& scene, std::string_view name) {
-  const auto found = std::find_if(scene.outputs.begin(), scene.outputs.end(),
-                                  [&](const OutputRequest& output) { return output.name == name; });
-  return found == scene.outputs.end() ? nullptr : &*found;
-}
-
-}  // namespace elgen
-
-namespace elgen {
 namespace {
 
 /// Why the model lacks what the output needs.
@@ -166,6 +152,16 @@ bool is_kink(const Expression& node) {
 }
 
 }  // namespace
+
+std::string_view name_of(LeftOutReason reason) {
+  return reason == LeftOutReason::too_many_entries ? "too many entries" : "kinked force";
+}
+
+const OutputRequest* find_request(const Scene& scene, std::string_view name) {
+  const auto found = std::find_if(scene.outputs.begin(), scene.outputs.end(),
+                                  [&](const OutputRequest& output) { return output.name == name; });
+  return found == scene.outputs.end() ? nullptr : &*found;
+}
 
 std::uint32_t extent_of(const Model& model, Extent kind, std::uint32_t user) {
   switch (kind) {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "model/formula.hpp"
 #include "model/output_units.hpp"
-#include "model/print.hpp"
 #include "render/drawing.hpp"
 #include "render/headings.hpp"
 #include "render/symbols.hpp"

@@ -10,7 +10,7 @@
 #include <array>
 
 #include "elgen/references.hpp"
-#include "model/print.hpp"
+#include "model/formula.hpp"
 #include "render/headings.hpp"
 #include "render/symbols.hpp"
 

@@ -3,7 +3,6 @@
 #include <catch2/catch.hpp>
 
 #include "base/diagnostic_words.hpp"
-#include "base/workflow_command.hpp"
 #include "elgen/diagnostic.hpp"
 
 using namespace elgen;

@@ -1,8 +1,10 @@
-// Velocities: every coordinate comes with the entries of v that move it.
+// Model: every coordinate comes with the entries of v that move it; the numbers of open values,
+// which are few, so that they are looked for.
+#include "elgen/model.hpp"
+
+#include <algorithm>
 #include <array>
 #include <utility>
-
-#include "elgen/model.hpp"
 
 namespace elgen {
 
@@ -60,6 +62,39 @@ std::vector<std::uint32_t> held_velocities(const Model& model) {
     }
   }
   return result;
+}
+
+bool eliminates_last_first(const Model& model) {
+  std::vector<bool> carries(model.frames.size(), false);
+  for (const Frame& frame : model.frames) {
+    if (!frame.parent) continue;
+    if (carries[*frame.parent]) return true;
+    carries[*frame.parent] = true;
+  }
+  return false;
+}
+
+ExpressionId component_of_frame(const Model& model, std::uint32_t index) {
+  const Frame& frame = model.frames[index / components_per_frame];
+  const std::uint32_t k = index % components_per_frame;
+  return k < 9 ? frame.rotation[k] : frame.origin[k - 9];
+}
+
+std::optional<std::uint32_t> open_value(const Model& model, std::uint32_t function,
+                                        std::vector<std::uint32_t> by) {
+  std::sort(by.begin(), by.end());
+  for (std::uint32_t i = 0; i < model.open_values.size(); ++i) {
+    const OpenValue& value = model.open_values[i];
+    if (value.function == function && value.by == by) return i;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::uint32_t> derivative_of(const Model& model, std::uint32_t value,
+                                           std::uint32_t argument) {
+  std::vector<std::uint32_t> by = model.open_values[value].by;
+  by.push_back(argument);
+  return open_value(model, model.open_values[value].function, std::move(by));
 }
 
 }  // namespace elgen
