@@ -2,6 +2,10 @@
 //
 // Cost: one operation of Scalar per instruction. Scalar needs + - * / unary minus, construction by
 // ScalarTraits<Scalar>::from_real, and the functions of functions.def by argument-dependent lookup.
+//
+// A scalar type of your own works after specialising ScalarTraits (from_real) and declaring the
+// functions of functions.def and sqrt beside it; abs, sign, min and max need an order only where a
+// program calls them.
 #pragma once
 
 #include <cmath>
@@ -16,6 +20,66 @@ namespace elgen {
 template <class Scalar>
 using Arguments = LeafValues<Scalar>;
 
-}  // namespace elgen
+namespace interpreter {
 
-#include "elgen/evaluate_impl.hpp"
+template <class Scalar>
+[[nodiscard]] Scalar call(FunctionId function, const Scalar& x, const Scalar& y) {
+  using std::abs, std::sin, std::cos, std::tan, std::asin, std::acos, std::atan, std::atan2;
+  using std::sinh, std::cosh, std::tanh, std::exp, std::log, std::log1p, std::expm1, std::hypot;
+  switch (function) {
+#define ELGEN_CALL_1(name) name(x)
+#define ELGEN_CALL_2(name) name(x, y)
+#define ELGEN_FUNCTION(name, arity) \
+  case FunctionId::name:            \
+    return ELGEN_CALL_##arity(name);
+#include "elgen/functions.def"
+#undef ELGEN_FUNCTION
+#undef ELGEN_CALL_1
+#undef ELGEN_CALL_2
+  }
+  return x;
+}
+
+/// The rules of numbers.
+template <class Scalar>
+struct NumberRules {
+  const Arguments<Scalar>& arguments;
+
+  [[nodiscard]] Scalar constant(const Constant& constant) const {
+    return ScalarTraits<Scalar>::from_real(constant.value);
+  }
+  [[nodiscard]] Scalar leaf(Opcode kind, std::uint32_t number) const {
+    return leaf_of(arguments, kind, number);
+  }
+  [[nodiscard]] Scalar negate(const Scalar& x) const { return -x; }
+  [[nodiscard]] Scalar add(const Scalar& x, const Scalar& y) const { return x + y; }
+  [[nodiscard]] Scalar subtract(const Scalar& x, const Scalar& y) const { return x - y; }
+  [[nodiscard]] Scalar multiply(const Scalar& x, const Scalar& y) const { return x * y; }
+  [[nodiscard]] Scalar divide(const Scalar& x, const Scalar& y) const { return x / y; }
+  [[nodiscard]] Scalar square_root(const Scalar& x) const {
+    using std::sqrt;
+    return sqrt(x);
+  }
+  [[nodiscard]] Scalar call(FunctionId function, const Scalar& x, const Scalar& y) const {
+    return interpreter::call(function, x, y);
+  }
+};
+
+}  // namespace interpreter
+
+/// The values of all instructions, in order. The arguments the function reads must be there.
+template <class Scalar>
+[[nodiscard]] std::vector<Scalar> evaluate_instructions(const Program& program,
+                                                        const Function& function,
+                                                        const Arguments<Scalar>& arguments) {
+  return fold<Scalar>(interpreter::NumberRules<Scalar>{arguments}, program, function);
+}
+
+/// The entries of all fields, field by field, row-major.
+template <class Scalar>
+[[nodiscard]] std::vector<Scalar> evaluate(const Program& program, const Function& function,
+                                           const Arguments<Scalar>& arguments) {
+  return entries_of(function, evaluate_instructions(program, function, arguments));
+}
+
+}  // namespace elgen

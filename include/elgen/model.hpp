@@ -21,7 +21,6 @@
 #include "elgen/constraint.hpp"
 #include "elgen/diagnostic.hpp"
 #include "elgen/expression.hpp"
-#include "elgen/held.hpp"
 #include "elgen/open_functions.hpp"
 #include "elgen/outputs.hpp"
 #include "elgen/source_text.hpp"

@@ -3,6 +3,7 @@
 
 #include <cln/real.h>
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -11,7 +12,6 @@
 #include <vector>
 
 #include "elgen/diagnostic.hpp"
-#include "elgen/languages.hpp"
 #include "elgen/model.hpp"
 #include "elgen/outputs.hpp"
 #include "elgen/scalars.hpp"
@@ -19,6 +19,37 @@
 #include "elgen/syntax.hpp"
 
 namespace elgen {
+
+/// The target languages (languages.def).
+enum class LanguageId : std::uint8_t {
+#define ELGEN_LANGUAGE(id, ...) id,
+#include "elgen/languages.def"
+#undef ELGEN_LANGUAGE
+};
+
+/// Whether emitted functions are generic in their scalar, or written for one.
+enum class LanguageScalars : std::uint8_t { any, one };
+
+struct LanguageRow {
+  LanguageId id;
+  std::string_view name;
+  LanguageScalars scalars;
+  std::string_view ending;  ///< "cpp": of a source in it
+  bool has_more_headers;    ///< on Eigen's types, and in batches
+};
+
+inline constexpr std::array language_table{
+#define ELGEN_LANGUAGE(id, name, scalars, ...) \
+  LanguageRow{LanguageId::id, name, LanguageScalars::scalars, __VA_ARGS__},
+#include "elgen/languages.def"
+#undef ELGEN_LANGUAGE
+};
+
+[[nodiscard]] constexpr const LanguageRow& language_row(LanguageId id) {
+  return language_table[static_cast<std::size_t>(id)];
+}
+
+inline constexpr LanguageId default_language = language_table.front().id;
 
 /// The exact number that a parameter is fixed at.
 struct FixedValue {

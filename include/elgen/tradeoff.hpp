@@ -15,7 +15,7 @@
 #include "elgen/scene.hpp"
 #include "elgen/simulate.hpp"
 #include "elgen/syntax.hpp"
-#include "elgen/timing.hpp"
+#include "elgen/toolchain.hpp"
 
 namespace elgen {
 

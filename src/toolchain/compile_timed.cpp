@@ -3,8 +3,6 @@
 #include <utility>
 
 #include "base/no_interrupts.hpp"
-#include "elgen/timing.hpp"
-#include "toolchain/timing_driver.hpp"
 #include "toolchain/workshop.hpp"
 
 namespace elgen {

@@ -1,6 +1,4 @@
 // The user's compiler: $CXX where it is set, else c++, g++, clang++, whichever answers first.
-#include "toolchain/compiler.hpp"
-
 #include <fmt/format.h>
 #include <gnu/libc-version.h>
 #include <sys/utsname.h>
@@ -11,7 +9,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "elgen/toolchain.hpp"
+#include "toolchain/workshop.hpp"
 
 namespace elgen {
 namespace {

@@ -1,17 +1,61 @@
-// Forked: work in processes of its own, so that all cores compute, and the memory that they share.
+// Child processes: their end and interrupts are signals that one poll waits for. Forked: work in
+// processes of its own, so that all cores compute, and the memory that they share.
 #pragma once
 
 #include <sys/mman.h>
+#include <sys/types.h>
 
+#include <csignal>
 #include <cstddef>
 #include <functional>
 #include <new>
 #include <type_traits>
 #include <utility>
 
+#include "base/descriptor.hpp"
 #include "toolchain/process.hpp"
 
 namespace elgen {
+
+/// While this lives, the end of a child is a signal that can be waited for.
+class ChildSignal {
+ public:
+  ChildSignal();
+  ChildSignal(const ChildSignal&) = delete;
+  ChildSignal& operator=(const ChildSignal&) = delete;
+  ~ChildSignal();
+
+ private:
+  struct sigaction action_ {};
+  sigset_t mask_{};
+};
+
+/// A running child that leads a process group, which is ended with its owner if the child has not
+/// ended by itself.
+class Child {
+ public:
+  explicit Child(pid_t id) : id_(id) {}
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+  ~Child();
+
+  [[nodiscard]] bool has_ended();
+  [[nodiscard]] Ending ending() const;
+  /// Exit status; 128 + signal where a signal ended it, -1 where nothing has.
+  [[nodiscard]] int status() const;
+
+ private:
+  pid_t id_;
+  int state_ = 0;
+  bool has_ended_ = false;
+};
+
+/// Readable when a child ends or an interrupt comes; both are blocked.
+[[nodiscard]] Descriptor signals_to_wait_for();
+
+/// Takes one signal; an ending one is sent again, to be there when nothing is half done any more.
+/// Whether it was such.
+[[nodiscard]] bool take_interrupt(const Descriptor& signals);
 
 /// `size` zeros that forked processes write to and this one reads when they have ended. T is plain
 /// data, or a lock-free atomic of it.

@@ -17,7 +17,7 @@
 #include "base/descriptor.hpp"
 #include "base/no_interrupts.hpp"
 #include "base/utf8.hpp"
-#include "toolchain/child.hpp"
+#include "toolchain/forked.hpp"
 
 namespace elgen {
 namespace {

@@ -9,12 +9,11 @@
 //         scatter(values, i, count, result);
 //       }
 //     }
-#include "toolchain/timing_driver.hpp"
-
 #include <fmt/format.h>
 
 #include "elgen/artifacts.hpp"
 #include "emit/interface/code_interface.hpp"
+#include "toolchain/driver.hpp"
 
 namespace elgen {
 namespace {

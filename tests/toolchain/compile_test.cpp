@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "elgen/timing.hpp"
 #include "elgen/toolchain.hpp"
 #include "toolchain/environment.hpp"
 #include "toolchain/sample_model.hpp"

@@ -1,5 +1,4 @@
 // The compiler that is taken, how strictly it is called, and the identification of a machine.
-#include "toolchain/compiler.hpp"
 
 #include <catch2/catch.hpp>
 #include <fstream>

@@ -5,7 +5,6 @@
 #include <catch2/catch.hpp>
 
 #include "toolchain/sample_model.hpp"
-#include "toolchain/timing_driver.hpp"
 
 using Catch::Matchers::Contains;
 using namespace elgen;

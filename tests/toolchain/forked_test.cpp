@@ -10,7 +10,6 @@
 #include <stdexcept>
 
 #include "base/no_interrupts.hpp"
-#include "toolchain/child.hpp"
 
 using elgen::Ending;
 
