@@ -79,6 +79,17 @@ Enclosure bounds(double low, double high, Definedness defined) {
   return {lowest(low), highest(high), defined};
 }
 
+/// Holds all of them.
+Enclosure hull(const std::array<Rounded, 4>& corners, Definedness defined) {
+  double low = infinity;
+  double high = -infinity;
+  for (const Rounded& corner : corners) {
+    low = std::min(low, lower(corner));
+    high = std::max(high, upper(corner));
+  }
+  return bounds(low, high, defined);
+}
+
 Definedness both(const Enclosure& x, const Enclosure& y) { return std::max(x.defined, y.defined); }
 
 bool has_none(const Enclosure& x) { return x.defined == Definedness::nowhere; }
@@ -170,13 +181,7 @@ Enclosure operator*(const Enclosure& x, const Enclosure& y) {
   if (&x == &y) return square(x);
   const std::array products{rounded_product(x.low, y.low), rounded_product(x.low, y.high),
                             rounded_product(x.high, y.low), rounded_product(x.high, y.high)};
-  double low = infinity;
-  double high = -infinity;
-  for (const Rounded& product : products) {
-    low = std::min(low, lower(product));
-    high = std::max(high, upper(product));
-  }
-  return bounds(low, high, both(x, y));
+  return hull(products, both(x, y));
 }
 
 Enclosure operator*(const Enclosure& x, int factor) {
@@ -188,13 +193,7 @@ Enclosure operator/(const Enclosure& x, const Enclosure& y) {
   if (may_be(y, 0)) return {-infinity, infinity, Definedness::somewhere};
   const std::array quotients{rounded_quotient(x.low, y.low), rounded_quotient(x.low, y.high),
                              rounded_quotient(x.high, y.low), rounded_quotient(x.high, y.high)};
-  double low = infinity;
-  double high = -infinity;
-  for (const Rounded& quotient : quotients) {
-    low = std::min(low, lower(quotient));
-    high = std::max(high, upper(quotient));
-  }
-  return bounds(low, high, both(x, y));
+  return hull(quotients, both(x, y));
 }
 
 Enclosure sqrt(const Enclosure& x) {
@@ -220,16 +219,20 @@ Enclosure tan(const Enclosure& x) {
   return rising([](double angle) { return std::tan(angle); }, x);
 }
 
-Enclosure asin(const Enclosure& x) {
-  return rising([](double sine) { return std::asin(sine); }, inside(x, -1, 1));
-}
+#define ELGEN_RISING(name, ...)                                          \
+  Enclosure name(const Enclosure& x) {                                   \
+    return rising([](double at) { return std::name(at); }, __VA_ARGS__); \
+  }
+ELGEN_RISING(asin, inside(x, -1, 1))
+ELGEN_RISING(atan, x)
+ELGEN_RISING(sinh, x)
+ELGEN_RISING(tanh, x, -1, 1)
+ELGEN_RISING(exp, x, 0)
+ELGEN_RISING(expm1, x, -1)
+#undef ELGEN_RISING
 
 Enclosure acos(const Enclosure& x) {
   return -rising([](double cosine) { return -std::acos(cosine); }, inside(x, -1, 1));
-}
-
-Enclosure atan(const Enclosure& x) {
-  return rising([](double tangent) { return std::atan(tangent); }, x);
 }
 
 /// The angle turns one way along every edge of a box that does not hold the origin.
@@ -244,22 +247,10 @@ Enclosure atan2(const Enclosure& x, const Enclosure& y) {
           upper_value(*std::ranges::max_element(angles)), both(x, y)};
 }
 
-Enclosure sinh(const Enclosure& x) {
-  return rising([](double value) { return std::sinh(value); }, x);
-}
-
 Enclosure cosh(const Enclosure& x) {
   if (has_none(x)) return x;
   const Enclosure size = abs(x);
   return rising([](double value) { return std::cosh(value); }, size, 1);
-}
-
-Enclosure tanh(const Enclosure& x) {
-  return rising([](double value) { return std::tanh(value); }, x, -1, 1);
-}
-
-Enclosure exp(const Enclosure& x) {
-  return rising([](double value) { return std::exp(value); }, x, 0);
 }
 
 Enclosure log(const Enclosure& x) {
@@ -275,10 +266,6 @@ Enclosure log1p(const Enclosure& x) {
       rising([](double value) { return std::log1p(value); }, inside(x, -1, infinity));
   if (x.low <= -1) result.defined = Definedness::somewhere;
   return result;
-}
-
-Enclosure expm1(const Enclosure& x) {
-  return rising([](double value) { return std::expm1(value); }, x, -1);
 }
 
 Enclosure hypot(const Enclosure& x, const Enclosure& y) {
