@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "numbers/echelon.hpp"
-#include "oracle/derivatives.hpp"
 #include "oracle/real_functions.hpp"
 #include "oracle/solved_dynamics.hpp"
 

@@ -1,9 +1,8 @@
 // Derivatives, entry by entry.
-#include "oracle/derivatives.hpp"
-
 #include <algorithm>
 
 #include "oracle/constraints.hpp"
+#include "oracle/output_values.hpp"
 #include "oracle/solved_dynamics.hpp"
 
 namespace elgen::oracle {
@@ -88,16 +87,6 @@ bool is_zero(const Direction& d) {
 }
 
 }  // namespace
-
-/// B_ij = e_i.B e_j
-Values input_entries(Mechanics& at) {
-  const std::size_t inputs = at.state().u.size();
-  Values values;
-  for (std::size_t k = 0; k < at.size() * inputs; ++k) {
-    values.push_back(at.input_force(at.unit(k / inputs), unit_direction(inputs, k % inputs)));
-  }
-  return values;
-}
 
 Values inverse_derivatives(Mechanics& at) {
   return residual_derivatives(at, at.state().a, Direction(at.state().u.size(), cl_R(0)));

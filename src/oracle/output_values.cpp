@@ -7,7 +7,6 @@
 #include "elgen/oracle.hpp"
 #include "model/requests.hpp"
 #include "oracle/constraints.hpp"
-#include "oracle/derivatives.hpp"
 #include "oracle/mechanics.hpp"
 #include "oracle/rotations.hpp"
 #include "oracle/solved_dynamics.hpp"

@@ -121,4 +121,14 @@ std::vector<cl_R> momentum_rates(const Model& model, const State& state) {
   return values;
 }
 
+/// B_ij = e_i.B e_j
+std::vector<cl_R> input_entries(Mechanics& at) {
+  const std::size_t inputs = at.state().u.size();
+  std::vector<cl_R> values;
+  for (std::size_t k = 0; k < at.size() * inputs; ++k) {
+    values.push_back(at.input_force(at.unit(k / inputs), unit_direction(inputs, k % inputs)));
+  }
+  return values;
+}
+
 }  // namespace elgen::oracle

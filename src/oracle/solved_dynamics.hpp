@@ -47,4 +47,7 @@ struct Solution {
 /// dL/dq + B u + Q - dD/dv at a state, and for angular velocities - [w]x dL/dw.
 [[nodiscard]] std::vector<cln::cl_R> momentum_rates(const Model& model, const State& state);
 
+/// B = dQ/du: n x m for n velocities and m inputs, row-major.
+[[nodiscard]] std::vector<cln::cl_R> input_entries(Mechanics& at);
+
 }  // namespace elgen::oracle

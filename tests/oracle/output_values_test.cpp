@@ -6,7 +6,6 @@
 #include <catch2/catch.hpp>
 
 #include "elgen/step_methods.hpp"
-#include "oracle/derivatives.hpp"
 #include "oracle/mechanics.hpp"
 #include "oracle/samples.hpp"
 
