@@ -8,6 +8,32 @@
 #include "base/ascii.hpp"
 
 namespace elgen {
+namespace {
+
+/// f of the entries that leaves of this owner belong to; none of the system's.
+template <class F>
+auto of_owner(const Model& model, LeafOwner owner, const F& f)
+    -> std::optional<decltype(f(model.parameters))> {
+  switch (owner) {
+    case LeafOwner::system:
+      break;
+    case LeafOwner::parameters:
+      return f(model.parameters);
+    case LeafOwner::open_values:
+      return f(model.open_values);
+    case LeafOwner::coordinates:
+      return f(model.coordinates);
+    case LeafOwner::velocities:
+      return f(model.velocities);
+    case LeafOwner::constraints:
+      return f(model.constraints);
+    case LeafOwner::inputs:
+      return f(model.inputs);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 LeafNames leaf_names(const Model& model) {
   const auto name = [](Opcode, const auto& entry) { return entry.name; };
@@ -39,26 +65,9 @@ std::string leaf_text(const LeafNames& leaves, Opcode kind, std::uint32_t number
 
 std::string leaf_text(const Model& model, Opcode kind, std::uint32_t number) {
   const LeafRow& row = leaf_row(kind);
-  const auto text = [&](std::string_view name) {
-    return fmt::format(fmt::runtime(row.text), name);
-  };
-  switch (row.of) {
-    case LeafOwner::system:
-      break;
-    case LeafOwner::parameters:
-      return text(model.parameters[number].name);
-    case LeafOwner::open_values:
-      return text(model.open_values[number].name);
-    case LeafOwner::coordinates:
-      return text(model.coordinates[number].name);
-    case LeafOwner::velocities:
-      return text(model.velocities[number].name);
-    case LeafOwner::constraints:
-      return text(model.constraints[number].name);
-    case LeafOwner::inputs:
-      return text(model.inputs[number].name);
-  }
-  return text(row.symbol);
+  const auto name_in = [number](const auto& entries) { return entries[number].name; };
+  const std::string name = of_owner(model, row.of, name_in).value_or(std::string(row.symbol));
+  return fmt::format(fmt::runtime(row.text), name);
 }
 
 std::string identifier_of(std::string_view name) {
@@ -71,23 +80,8 @@ std::string identifier_of(std::string_view name) {
 }
 
 std::size_t leaf_count(const Model& model, Opcode kind) {
-  switch (leaf_row(kind).of) {
-    case LeafOwner::system:
-      return 1;
-    case LeafOwner::parameters:
-      return model.parameters.size();
-    case LeafOwner::open_values:
-      return model.open_values.size();
-    case LeafOwner::coordinates:
-      return model.coordinates.size();
-    case LeafOwner::velocities:
-      return model.velocities.size();
-    case LeafOwner::constraints:
-      return model.constraints.size();
-    case LeafOwner::inputs:
-      return model.inputs.size();
-  }
-  return 0;
+  const auto size_of = [](const auto& entries) { return entries.size(); };
+  return of_owner(model, leaf_row(kind).of, size_of).value_or(1);
 }
 
 std::optional<Interval> declared_range(const Model& model, Opcode kind, std::uint32_t number) {

@@ -77,6 +77,35 @@ std::vector<std::string> other_masses(const Model& model, const std::vector<Enti
   return names;
 }
 
+/// Whether a row of the equations of motion has a closed form that is short enough, by the inverse
+/// dynamics: with the budget of the derivation, and for a tenth of its work.
+bool has_short_row(const Lagrangian& lagrangian, const CheckedModel& checked,
+                   const Limits& limits) {
+  const std::vector<OutputRequest> requests =
+      available_requests(checked.model, {OutputKind::inverse_dynamics});
+  if (requests.empty() || !checked.model.constraints.empty()) return true;  // these are rows too
+  Result<Program> rows = recursive_program(lagrangian, requests, limits);
+  if (!rows) return true;
+  const Function all = std::move(rows->functions.front());
+  rows->functions.clear();
+  for (const std::uint32_t entry : entries_of(all)) {
+    rows->functions.push_back(with_entries(all, {entry}));
+  }
+  return std::ranges::any_of(present(*rows).functions, has_short_entry);
+}
+
+/// Whether the terms of the equation of motion are short enough to be read, those that the scene
+/// has.
+bool has_readable_terms(const Program& program, const ClosedForms& forms) {
+  for (std::size_t i = 0; i < forms.functions.size(); ++i) {
+    const OutputKind kind = program.functions[i].kind;
+    const bool is_term = kind == OutputKind::mass_matrix || kind == OutputKind::bias ||
+                         kind == OutputKind::gravity || kind == OutputKind::inverse_dynamics;
+    if (is_term && !is_readable(forms.functions[i])) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Result<Choice> chosen(const Lagrangian& lagrangian, const Program& recursive,
@@ -156,39 +185,6 @@ Result<ReadableSteps> readable_steps(const Lagrangian& lagrangian, const Checked
   }
   return result;
 }
-
-namespace {
-
-/// Whether a row of the equations of motion has a closed form that is short enough, by the inverse
-/// dynamics: with the budget of the derivation, and for a tenth of its work.
-bool has_short_row(const Lagrangian& lagrangian, const CheckedModel& checked,
-                   const Limits& limits) {
-  const std::vector<OutputRequest> requests =
-      available_requests(checked.model, {OutputKind::inverse_dynamics});
-  if (requests.empty() || !checked.model.constraints.empty()) return true;  // these are rows too
-  Result<Program> rows = recursive_program(lagrangian, requests, limits);
-  if (!rows) return true;
-  const Function all = std::move(rows->functions.front());
-  rows->functions.clear();
-  for (const std::uint32_t entry : entries_of(all)) {
-    rows->functions.push_back(with_entries(all, {entry}));
-  }
-  return std::ranges::any_of(present(*rows).functions, has_short_entry);
-}
-
-/// Whether the terms of the equation of motion are short enough to be read, those that the scene
-/// has.
-bool has_readable_terms(const Program& program, const ClosedForms& forms) {
-  for (std::size_t i = 0; i < forms.functions.size(); ++i) {
-    const OutputKind kind = program.functions[i].kind;
-    const bool is_term = kind == OutputKind::mass_matrix || kind == OutputKind::bias ||
-                         kind == OutputKind::gravity || kind == OutputKind::inverse_dynamics;
-    if (is_term && !is_readable(forms.functions[i])) return false;
-  }
-  return true;
-}
-
-}  // namespace
 
 Result<Book> book_or_code(const Program& code, const std::function<Book()>& make) {
   try {
