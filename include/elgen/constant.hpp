@@ -7,7 +7,6 @@
 
 #include <cln/real.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>

@@ -4,7 +4,6 @@
 
 #include <map>
 #include <string>
-#include <vector>
 
 #include "elgen/diagnostic.hpp"
 #include "elgen/model.hpp"

@@ -14,7 +14,6 @@
 #include <cln/float.h>
 #include <cln/real.h>
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 

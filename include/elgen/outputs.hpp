@@ -4,7 +4,6 @@
 // and the oracle's definition of an output stand elsewhere, under its name.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>

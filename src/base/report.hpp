@@ -4,7 +4,6 @@
 #include <set>
 #include <string>
 #include <tuple>
-#include <vector>
 
 #include "elgen/diagnostic.hpp"
 #include "elgen/wording.hpp"

@@ -2,8 +2,6 @@
 // along one direction, exact to the base type. Nests: Dual<Dual<Real>> gives second derivatives.
 #pragma once
 
-#include <vector>
-
 #include "elgen/leaves.hpp"
 #include "elgen/real.hpp"
 

@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "elgen/artifacts.hpp"
-#include "elgen/evaluate.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "emit/interface/pack_trigonometry.hpp"
 #include "numbers/exact_number.hpp"

@@ -10,7 +10,6 @@
 #include <functional>
 #include <new>
 #include <type_traits>
-#include <utility>
 
 #include "base/descriptor.hpp"
 #include "toolchain/process.hpp"

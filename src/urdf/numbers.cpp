@@ -2,7 +2,6 @@
 #include "urdf/numbers.hpp"
 
 #include <cln/real.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 

@@ -5,7 +5,6 @@
 #include <cln/number.h>
 
 #include <algorithm>
-#include <compare>
 
 #include "program/constants/constants.hpp"
 

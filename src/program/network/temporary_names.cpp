@@ -10,14 +10,12 @@
 // alone. told_names leaves it out.
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
 
-#include "base/ascii.hpp"
 #include "elgen/program.hpp"
 
 namespace elgen {
