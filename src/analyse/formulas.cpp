@@ -25,8 +25,8 @@ Printed printed(const Formula& text, const Formula& latex) {
 }  // namespace
 
 Printed at_least(const Printed& formula, Binding least) {
-  return printed(at_least(model_spelling(), text_of(formula), least),
-                 at_least(latex_spelling(), latex_of(formula), least));
+  return printed(at_least(model_spelling, text_of(formula), least),
+                 at_least(latex_spelling, latex_of(formula), least));
 }
 
 Printed product_with_power(const Printed& x, const Printed& y, std::uint32_t exponent) {
@@ -34,13 +34,13 @@ Printed product_with_power(const Printed& x, const Printed& y, std::uint32_t exp
                                const Formula& base) {
     return product(spelling, {first, power(spelling, base, number(spelling, exponent))});
   };
-  return printed(made(model_spelling(), text_of(x), text_of(y)),
-                 made(latex_spelling(), latex_of(x), latex_of(y)));
+  return printed(made(model_spelling, text_of(x), text_of(y)),
+                 made(latex_spelling, latex_of(x), latex_of(y)));
 }
 
 Printed sum(const Printed& x, const Printed& y, bool is_subtracted) {
-  return printed(sum(model_spelling(), {{text_of(x)}, {text_of(y), is_subtracted}}),
-                 sum(latex_spelling(), {{latex_of(x)}, {latex_of(y), is_subtracted}}));
+  return printed(sum(model_spelling, {{text_of(x)}, {text_of(y), is_subtracted}}),
+                 sum(latex_spelling, {{latex_of(x)}, {latex_of(y), is_subtracted}}));
 }
 
 std::optional<Printed> printed(const Model& model, const Algebra& algebra,

@@ -1,5 +1,4 @@
-// formula: the rows of spellings, and where brackets stand; expressions of a Model, operand by
-// operand.
+// formula: where brackets stand; expressions of a Model, operand by operand.
 #include "model/formula.hpp"
 
 #include <cln/integer.h>
@@ -167,21 +166,6 @@ std::string name_in_model(const Model& model, const Expression& node) {
 
 }  // namespace
 
-const Spelling& model_spelling() {
-  static constexpr Spelling spelling{"*", "{}/{}", "{}^{}", "sqrt({})"};
-  return spelling;
-}
-
-const Spelling& latex_spelling() {
-  static constexpr Spelling spelling{" ", "\\frac{{{}}}{{{}}}", "{}^{{{}}}", "\\sqrt{{{}}}", true};
-  return spelling;
-}
-
-const Spelling& code_spelling() {
-  static constexpr Spelling spelling{" * ", "{} / {}"};
-  return spelling;
-}
-
 Formula at_least(const Spelling& spelling, const Formula& formula, Binding least) {
   return formula.binding < least ? Formula{in_brackets(spelling, formula.text())} : formula;
 }
@@ -293,7 +277,7 @@ std::string to_string(const Model& model, ExpressionId expression) {
   const auto name = [&model](ExpressionId id) {
     return Formula{name_in_model(model, model.expressions[id])};
   };
-  return formula_of(model, expression, model_spelling(), name).text();
+  return formula_of(model, expression, model_spelling, name).text();
 }
 
 }  // namespace elgen

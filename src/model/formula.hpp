@@ -52,9 +52,10 @@ struct Spelling {
   [[nodiscard]] bool has_powers() const { return !power.empty(); }
 };
 
-[[nodiscard]] const Spelling& model_spelling();
-[[nodiscard]] const Spelling& latex_spelling();
-[[nodiscard]] const Spelling& code_spelling();  ///< C and C++; without powers
+inline constexpr Spelling model_spelling{"*", "{}/{}", "{}^{}", "sqrt({})"};
+inline constexpr Spelling latex_spelling{" ", "\\frac{{{}}}{{{}}}", "{}^{{{}}}", "\\sqrt{{{}}}",
+                                         true};
+inline constexpr Spelling code_spelling{" * ", "{} / {}"};  ///< C and C++; without powers
 
 /// In brackets where it binds less tightly than `least`.
 [[nodiscard]] Formula at_least(const Spelling& spelling, const Formula& formula, Binding least);

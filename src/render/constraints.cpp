@@ -26,7 +26,7 @@ class NamedFormulas {
 
   [[nodiscard]] std::string operator()(ExpressionId id) const {
     const auto named = [this](ExpressionId inner) { return Formula{name(inner)}; };
-    return formula_of(model_, id, latex_spelling(), named).text();
+    return formula_of(model_, id, latex_spelling, named).text();
   }
 
  private:

@@ -22,7 +22,7 @@ constexpr std::size_t longest_entry = 12;
 
 class ModelLanguage final : public Vocabulary {
  public:
-  explicit ModelLanguage(const LeafNames& leaves) : Vocabulary(model_spelling()), leaves_(leaves) {}
+  explicit ModelLanguage(const LeafNames& leaves) : Vocabulary(model_spelling), leaves_(leaves) {}
 
   [[nodiscard]] std::string leaf(Opcode kind, std::uint32_t number) const override {
     return leaf_text(leaves_, kind, number);
@@ -34,7 +34,7 @@ class ModelLanguage final : public Vocabulary {
 
 class Latex final : public Vocabulary {
  public:
-  explicit Latex(const Model& model) : Vocabulary(latex_spelling()), symbols_(model) {}
+  explicit Latex(const Model& model) : Vocabulary(latex_spelling), symbols_(model) {}
 
   [[nodiscard]] std::string leaf(Opcode kind, std::uint32_t number) const override {
     return leaf_of(symbols_.leaves(), kind, number);

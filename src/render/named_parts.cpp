@@ -102,7 +102,7 @@ class FramesWriter {
   }
 
   [[nodiscard]] Formula formula(ExpressionId id) const {
-    return formula_of(model_, id, latex_spelling(), [this](ExpressionId named) -> Formula {
+    return formula_of(model_, id, latex_spelling, [this](ExpressionId named) -> Formula {
       const Expression& e = model_.expressions[named];
       if (e.kind == ExpressionKind::pi) return {"\\pi"};
       if (e.kind == ExpressionKind::leaf) return {leaf_of(symbols_, e.leaf, e.index)};

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "elgen/artifacts.hpp"
-#include "emit/cpp/cpp_names.hpp"
 #include "emit/interface/code_interface.hpp"
+#include "emit/text/layout.hpp"
 #include "toolchain/driver.hpp"
 
 namespace elgen {
@@ -103,7 +103,7 @@ std::string call(const DriverInput& input, const Types& types, const Function& f
     return fmt::format("  const auto result = emitted::{}({});\n{}", function.name, given, results);
   }
   const std::string type = gives_struct(function)
-                               ? fmt::format("emitted::{}<Scalar>", cpp_struct_name(function))
+                               ? fmt::format("emitted::{}<Scalar>", camel_case(function.name))
                                : types.array(function);
   return fmt::format("  {} result{{}};\n  emitted::{}(result, {});\n{}", type, function.name, given,
                      results);

@@ -19,7 +19,7 @@ const Formula two{"2"};
 }  // namespace
 
 TEST_CASE("brackets stand only where precedence asks for them, in the model language") {
-  const Spelling& n = model_spelling();
+  const Spelling& n = model_spelling;
   CHECK(sum(n, {{a}, {sum(n, {{b}, {c, true}})}}).text() == "a + (b - c)");
   CHECK(sum(n, {{sum(n, {{a}, {b}})}, {c}}).text() == "a + b + c");
   CHECK(product(n, {sum(n, {{a}, {b}}), power(n, c, two)}).text() == "(a + b)*c^2");
@@ -30,7 +30,7 @@ TEST_CASE("brackets stand only where precedence asks for them, in the model lang
 }
 
 TEST_CASE("LaTeX stacks fractions and puts exponents on functions") {
-  const Spelling& n = latex_spelling();
+  const Spelling& n = latex_spelling;
   CHECK(quotient(n, sum(n, {{a}, {b}}), c).text() == "\\frac{a + b}{c}");
   CHECK(power(n, call(n, FunctionId::sin, {a}), two).text() == "\\sin^{2} a");
   CHECK(call(n, FunctionId::cos, {sum(n, {{a}, {b}})}).text() == "\\cos(a + b)");
@@ -38,17 +38,17 @@ TEST_CASE("LaTeX stacks fractions and puts exponents on functions") {
 }
 
 TEST_CASE("in LaTeX functions stand last, so that no factor is read as a part of an argument") {
-  const Formula sine = call(latex_spelling(), FunctionId::sin, {a});
-  const Formula bracket = sum(latex_spelling(), {{b}, {c}});
-  CHECK(product(latex_spelling(), {sine, bracket, c}).text() == "(b + c) c \\sin a");
-  CHECK(product(latex_spelling(), {two, sine, sine}).text() == "2 \\sin a \\sin a");
-  CHECK(product(latex_spelling(), {sine, negated(latex_spelling(), b)}).text() == "-b \\sin a");
-  CHECK(product(code_spelling(), {call(code_spelling(), FunctionId::sin, {a}), b}).text() ==
+  const Formula sine = call(latex_spelling, FunctionId::sin, {a});
+  const Formula bracket = sum(latex_spelling, {{b}, {c}});
+  CHECK(product(latex_spelling, {sine, bracket, c}).text() == "(b + c) c \\sin a");
+  CHECK(product(latex_spelling, {two, sine, sine}).text() == "2 \\sin a \\sin a");
+  CHECK(product(latex_spelling, {sine, negated(latex_spelling, b)}).text() == "-b \\sin a");
+  CHECK(product(code_spelling, {call(code_spelling, FunctionId::sin, {a}), b}).text() ==
         "sin(a) * b");
 }
 
 TEST_CASE("log1p, expm1, hypot and Stumpff's functions are read as fields write them") {
-  const Spelling& n = latex_spelling();
+  const Spelling& n = latex_spelling;
   CHECK(call(n, FunctionId::log1p, {a}).text() == "\\ln(1 + a)");
   CHECK(call(n, FunctionId::expm1, {sum(n, {{a}, {b}})}).text() == "\\exp(a + b) - 1");
   CHECK(call(n, FunctionId::hypot, {a, sum(n, {{b}, {c}})}).text() ==
@@ -57,12 +57,12 @@ TEST_CASE("log1p, expm1, hypot and Stumpff's functions are read as fields write 
   CHECK(call(n, FunctionId::stumpff, {a, {"3"}}).text() == "\\mathrm{stumpff}(a, 3)");
   CHECK(power(n, call(n, FunctionId::stumpff, {a, two}), two).text() == "\\mathrm{cosc}^{2}(a)");
   CHECK(call(n, FunctionId::sign, {a}).text() == "\\mathrm{sgn}(a)");
-  CHECK(call(model_spelling(), FunctionId::hypot, {a, b}).text() == "hypot(a, b)");
-  CHECK(call(model_spelling(), FunctionId::stumpff, {a, two}).text() == "cosc(a)");
+  CHECK(call(model_spelling, FunctionId::hypot, {a, b}).text() == "hypot(a, b)");
+  CHECK(call(model_spelling, FunctionId::stumpff, {a, two}).text() == "cosc(a)");
 }
 
 TEST_CASE("a sign stands free in front of a formula only") {
-  const Spelling& n = code_spelling();
+  const Spelling& n = code_spelling;
   CHECK(product(n, {negated(n, a), b}).text() == "-a * b");
   CHECK(negated(n, product(n, {a, b})).text() == "-a * b");
   CHECK(product(n, {a, negated(n, b)}).text() == "a * (-b)");
@@ -72,12 +72,12 @@ TEST_CASE("a sign stands free in front of a formula only") {
 
 TEST_CASE("numbers are exact") {
   const cln::cl_RA weight = cln::cl_RA(981) / 100;
-  CHECK(number(model_spelling(), -weight).text() == "-981/100");
-  CHECK(number(latex_spelling(), weight).text() == "9.81");
-  CHECK(number(latex_spelling(), cln::cl_RA(1) / 2).text() == "\\frac{1}{2}");
-  CHECK(number(latex_spelling(), cln::cl_RA(2) / 5).text() == "\\frac{2}{5}");
-  CHECK(number(latex_spelling(), cln::cl_RA(17) / 20).text() == "0.85");
-  CHECK(number(latex_spelling(), cln::cl_RA(1) / 120).text() == "\\frac{1}{120}");
+  CHECK(number(model_spelling, -weight).text() == "-981/100");
+  CHECK(number(latex_spelling, weight).text() == "9.81");
+  CHECK(number(latex_spelling, cln::cl_RA(1) / 2).text() == "\\frac{1}{2}");
+  CHECK(number(latex_spelling, cln::cl_RA(2) / 5).text() == "\\frac{2}{5}");
+  CHECK(number(latex_spelling, cln::cl_RA(17) / 20).text() == "0.85");
+  CHECK(number(latex_spelling, cln::cl_RA(1) / 120).text() == "\\frac{1}{120}");
 }
 
 TEST_CASE("a string is escaped") {

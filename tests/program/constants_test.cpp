@@ -105,14 +105,14 @@ TEST_CASE("exact constants in both notations") {
                                   {"exp(-1 - pi)", "\\exp(-1 - \\pi)"}}));
   const auto constant = test::read_constant(row.text);
   REQUIRE(constant);
-  CHECK(constant_formula(model_spelling(), constant->form).text() == row.text);
-  CHECK(constant_formula(latex_spelling(), constant->form).text() == row.latex);
+  CHECK(constant_formula(model_spelling, constant->form).text() == row.text);
+  CHECK(constant_formula(latex_spelling, constant->form).text() == row.latex);
 }
 
 TEST_CASE("a constant sum is bracketed as a factor") {
   const auto sum = test::read_constant("1 + pi");
   REQUIRE(sum);
-  const Spelling& n = model_spelling();
+  const Spelling& n = model_spelling;
   const Formula written = product(n, {constant_formula(n, sum->form), {"x"}});
   CHECK(written.text() == "(1 + pi)*x");
 }

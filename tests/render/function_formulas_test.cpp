@@ -31,7 +31,7 @@ std::string executed(const std::string& operations, std::uint32_t last) {
       "  2 = parameter c\n" +
       operations + fmt::format("  result 1 1 = {}\n", last));
   const Function& function = program.functions.front();
-  const Plain language(code_spelling(), program.leaves);
+  const Plain language(code_spelling, program.leaves);
   const std::vector<std::string> names(function.instructions.size());
   return FunctionFormulas(program, function, language, names).entry(last).text();
 }
@@ -45,8 +45,8 @@ TEST_CASE("products are read with powers, and executed in their order") {
       "  6 = negate 5\n  result 1 2 = 4 6\n");
   const Function& function = program.functions.front();
   std::vector<std::string> names(function.instructions.size());
-  const Plain read(model_spelling(), program.leaves);
-  const Plain executed(code_spelling(), program.leaves);
+  const Plain read(model_spelling, program.leaves);
+  const Plain executed(code_spelling, program.leaves);
   CHECK(FunctionFormulas(program, function, read, names).entry(4).text() == "cos(m*x^2)");
   CHECK(FunctionFormulas(program, function, executed, names).entry(4).text() == "cos(m * (x * x))");
   CHECK(FunctionFormulas(program, function, read, names).entry(6).text() == "-1/2");

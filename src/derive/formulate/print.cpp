@@ -89,7 +89,7 @@ class ExpressionWriter {
   }
 
   const Definitions& definitions_;
-  const Spelling& spelling_ = model_spelling();
+  const Spelling& spelling_ = model_spelling;
 };
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace elgen {
 
 Dialect::Dialect(const Model& model, const Program& program, std::string_view access)
-    : Vocabulary(code_spelling()),
+    : Vocabulary(code_spelling),
       model_(model),
       program_(program),
       access_(access),

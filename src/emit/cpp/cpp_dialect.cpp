@@ -151,17 +151,17 @@ class CppDialect : public Dialect {
   }
 
   std::string struct_name(const Function& function) const override {
-    return cpp_struct_name(function);
+    return camel_case(function.name);
   }
 
   std::string workspace_name(const Function& function) const override {
-    return cpp_struct_name(function) + "Workspace";
+    return camel_case(function.name) + "Workspace";
   }
 
  protected:
   /// "Forces<Scalar>", "ForwardDynamics<Scalar>": what the function returns.
   std::string result_type(const Function& function) const {
-    if (gives_struct(function)) return cpp_struct_name(function) + "<Scalar>";
+    if (gives_struct(function)) return camel_case(function.name) + "<Scalar>";
     return type_of_field(function.kind, function.fields.front());
   }
 

@@ -117,7 +117,7 @@ Diagnostics cpp_check_names(const Model& model, const Scene& scene, const Progra
   }
   std::map<std::string, std::string> structs;
   for (const Function& function : program.functions) {
-    const std::string type = cpp_struct_name(function);
+    const std::string type = camel_case(function.name);
     const bool collides = gives_struct(function) &&
                           (is_emitted_name(type) || !structs.emplace(type, function.name).second);
     if (collides || is_emitted_name(function.name)) {
@@ -137,7 +137,7 @@ Diagnostics cpp_check_names(const Model& model, const Scene& scene, const Progra
 Diagnostics eigen_check_names(const Model& /*model*/, const Scene& scene, const Program& program) {
   Diagnostics diagnostics;
   for (const Function& function : program.functions) {
-    const bool takes_struct = gives_struct(function) && is_eigen_name(cpp_struct_name(function));
+    const bool takes_struct = gives_struct(function) && is_eigen_name(camel_case(function.name));
     if (!takes_struct && !is_eigen_name(function.name)) continue;
     diagnostics.push_back(taken_name(scene, function));
   }
@@ -150,7 +150,5 @@ bool is_emitted_name(std::string_view name) {
 }
 
 bool is_eigen_name(const std::string& name) { return contains(eigen_names, name); }
-
-std::string cpp_struct_name(const Function& function) { return camel_case(function.name); }
 
 }  // namespace elgen

@@ -4,8 +4,6 @@
 #include <string>
 #include <string_view>
 
-#include "elgen/program.hpp"
-
 namespace elgen {
 
 /// Whether templates/cpp/header.hpp.mustache needs the name for itself.
@@ -16,8 +14,5 @@ namespace elgen {
 
 /// Whether templates/cpp/eigen.hpp.mustache needs the name for itself.
 [[nodiscard]] bool is_eigen_name(const std::string& name);
-
-/// "forward_dynamics" -> "ForwardDynamics": the struct a function of several fields returns.
-[[nodiscard]] std::string cpp_struct_name(const Function& function);
 
 }  // namespace elgen

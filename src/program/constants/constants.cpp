@@ -193,7 +193,7 @@ Formula constant_formula(const Spelling& spelling, const ConstantForm& form) {
 }
 
 std::string text_of(const ConstantForm& form) {
-  return constant_formula(model_spelling(), form).text();
+  return constant_formula(model_spelling, form).text();
 }
 
 }  // namespace elgen
