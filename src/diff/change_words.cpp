@@ -77,6 +77,10 @@ std::string text_of(const UnreadableSystem& system) {
                      sentence(system.error));
 }
 
+bool may_differ(const EntryChange& entry) {
+  return entry.verdict == EntryVerdict::different || entry.verdict == EntryVerdict::not_told_apart;
+}
+
 void VerdictCounts::add(const OutputChange& output) {
   all += output.entry_count;
   std::size_t news = 0;
@@ -131,9 +135,7 @@ std::string witness_text(const EntryChange& entry) {
 }
 
 std::string text_of(const EntryChange& entry) {
-  const bool is_different = entry.verdict == EntryVerdict::different;
-  const bool is_open = is_different || entry.verdict == EntryVerdict::not_told_apart;
-  if (!is_open) return entry.place + ": " + verdict_text(entry);
+  if (!may_differ(entry)) return entry.place + ": " + verdict_text(entry);
   const std::string change = change_text(entry);
   std::string text = entry.place;
   if (!change.empty()) {

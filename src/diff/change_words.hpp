@@ -19,11 +19,14 @@ namespace elgen {
 /// The name of a system, and where others have it, too, its path.
 [[nodiscard]] std::string label_of(const DiffReport& report, const SystemChange& system);
 
-/// Whether lines have to say what they are about.
+/// Whether lines have to name their systems.
 [[nodiscard]] bool has_several(const DiffReport& report);
 
 /// "models/a.toml: E201: unknown name `z`"
 [[nodiscard]] std::string text_of(const UnreadableSystem& system);
+
+/// Whether the versions differ in this entry, or nothing tells.
+[[nodiscard]] bool may_differ(const EntryChange& entry);
 
 /// Entries by their verdicts.
 struct VerdictCounts {

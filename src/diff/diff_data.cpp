@@ -1,7 +1,9 @@
 // diff_data: a report for programs.
-#include <cmath>
+#include <array>
 #include <nlohmann/json.hpp>
+#include <utility>
 
+#include "diff/change_words.hpp"
 #include "elgen/diff.hpp"
 
 namespace elgen {
@@ -24,30 +26,14 @@ Json json_of(const KeyChange& change) {
           {"new_place", json_of(change.new_at)}};
 }
 
-const char* name_of(EntryVerdict verdict) {
-  switch (verdict) {
-    case EntryVerdict::identical:
-      return "identical";
-    case EntryVerdict::equal:
-      return "equal";
-    case EntryVerdict::not_told_apart:
-      return "not_told_apart";
-    case EntryVerdict::different:
-      return "different";
-    case EntryVerdict::added:
-      return "added";
-    case EntryVerdict::removed:
-      return "removed";
-  }
-  return "";
-}
+/// The words of EntryVerdict, in its order.
+constexpr std::array verdicts{"identical", "equal", "not_told_apart",
+                              "different", "added", "removed"};
 
 Json json_of(const EntryChange& entry) {
-  Json json{{"id", entry.place}, {"verdict", name_of(entry.verdict)}};
+  Json json{{"id", entry.place}, {"verdict", verdicts[static_cast<std::size_t>(entry.verdict)]}};
   if (entry.verdict == EntryVerdict::equal) json["proved"] = entry.is_proved;
-  const bool is_open =
-      entry.verdict == EntryVerdict::different || entry.verdict == EntryVerdict::not_told_apart;
-  if (!is_open) return json;
+  if (!may_differ(entry)) return json;
   json["told_apart"] = entry.is_told_apart;
   json["unit"] = entry.unit;
   for (const auto& [key, text] : {std::pair("before", &entry.before),

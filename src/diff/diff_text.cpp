@@ -133,9 +133,7 @@ const EntryChange* example(const SystemChange& system) {
   };
   for (const OutputChange& output : system.outputs) {
     for (const EntryChange& entry : output.entries) {
-      const bool may_differ =
-          entry.verdict == EntryVerdict::different || entry.verdict == EntryVerdict::not_told_apart;
-      if (!may_differ) continue;
+      if (!may_differ(entry)) continue;
       if (best == nullptr || rank(entry) < rank(*best)) best = &entry;
     }
   }
