@@ -27,11 +27,12 @@ Json json_of(const KeyChange& change) {
 }
 
 /// The words of EntryVerdict, in its order.
-constexpr std::array verdicts{"identical", "equal", "not_told_apart",
-                              "different", "added", "removed"};
+constexpr std::array verdict_words{"identical", "equal", "not_told_apart",
+                                   "different", "added", "removed"};
 
 Json json_of(const EntryChange& entry) {
-  Json json{{"id", entry.place}, {"verdict", verdicts[static_cast<std::size_t>(entry.verdict)]}};
+  Json json{{"id", entry.place},
+            {"verdict", verdict_words[static_cast<std::size_t>(entry.verdict)]}};
   if (entry.verdict == EntryVerdict::equal) json["proved"] = entry.is_proved;
   if (!may_differ(entry)) return json;
   json["told_apart"] = entry.is_told_apart;

@@ -130,15 +130,4 @@ std::vector<MatchedEntry> matched_entries(const Model& old_model, const Function
   return matched;
 }
 
-std::vector<MatchedEntry> unmatched_entries(const Model& model, const Function& function,
-                                            bool is_new) {
-  std::vector<MatchedEntry> all;
-  std::size_t number = 0;
-  for (const Labelled& entry : labelled(model, function, {})) {
-    MatchedEntry& one = all.emplace_back(MatchedEntry{{}, {}, entry.place, entry.unit});
-    (is_new ? one.after : one.before) = number++;
-  }
-  return all;
-}
-
 }  // namespace elgen

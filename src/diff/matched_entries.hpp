@@ -17,15 +17,12 @@ struct MatchedEntry {
   std::string unit = {};
 };
 
-/// The entries of two functions of one name, in the order of `after`; those that are gone last.
+/// The entries of two functions of one name, in the order of `after`; removed ones last. Nothing
+/// matches an empty function.
 [[nodiscard]] std::vector<MatchedEntry> matched_entries(const Model& old_model,
                                                         const Function& before,
                                                         const Model& new_model,
                                                         const Function& after,
                                                         const Renames& renames);
-
-/// The entries of one function, matched with none.
-[[nodiscard]] std::vector<MatchedEntry> unmatched_entries(const Model& model,
-                                                          const Function& function, bool is_new);
 
 }  // namespace elgen

@@ -232,26 +232,32 @@ class OutputComparison {
       if (output_row(after.kind).repeats) continue;
       const Function* const before = find_named(before_.program, after.name);
       all.push_back(before != nullptr ? compared(visible(*before), visible(after))
-                                      : whole(visible(after), true));
+                                      : whole(after_, {}, visible(after)));
     }
     for (const Function& before : before_.program.functions) {
       const bool is_gone = find_named(after_.program, before.name) == nullptr;
-      if (is_gone && !output_row(before.kind).repeats) all.push_back(whole(visible(before), false));
+      if (!is_gone || output_row(before.kind).repeats) continue;
+      all.push_back(whole(before_, visible(before), {}));
     }
     return all;
   }
 
  private:
-  static EntryChange named(const MatchedEntry& entry, EntryVerdict verdict) {
-    return {.place = entry.place, .unit = entry.unit, .verdict = verdict};
+  /// Added or removed, or else different until a proof or points say otherwise.
+  static EntryChange unsettled(const MatchedEntry& entry) {
+    const EntryVerdict lone = entry.after ? EntryVerdict::added : EntryVerdict::removed;
+    const bool is_in_both = entry.before && entry.after;
+    return {.place = entry.place,
+            .unit = entry.unit,
+            .verdict = is_in_both ? EntryVerdict::different : lone};
   }
 
-  /// Of an output that only one version has.
-  OutputChange whole(const Function& function, bool is_new) const {
-    const Model& model = (is_new ? after_ : before_).checked.model;
-    OutputChange change{function.name, entry_count(function), {}};
-    for (const MatchedEntry& entry : unmatched_entries(model, function, is_new)) {
-      change.entries.push_back(named(entry, is_new ? EntryVerdict::added : EntryVerdict::removed));
+  /// An output that only one version has; the other function is empty.
+  static OutputChange whole(const Version& version, const Function& before, const Function& after) {
+    const Model& model = version.checked.model;
+    OutputChange change{before.name + after.name, entry_count(before) + entry_count(after), {}};
+    for (const MatchedEntry& entry : matched_entries(model, before, model, after, {})) {
+      change.entries.push_back(unsettled(entry));
     }
     return change;
   }
@@ -263,16 +269,13 @@ class OutputComparison {
     std::vector<InstructionPair> open;
     for (const MatchedEntry& entry :
          matched_entries(before_.checked.model, before, after_.checked.model, after, renames_)) {
-      if (!entry.before || !entry.after) {
-        const EntryVerdict verdict = entry.after ? EntryVerdict::added : EntryVerdict::removed;
-        change.entries.push_back(named(entry, verdict));
-        continue;
+      if (entry.before && entry.after) {
+        const std::uint32_t x = joint.before[*entry.before];
+        const std::uint32_t y = joint.after[*entry.after];
+        if (x == y) continue;
+        open.push_back({change.entries.size(), x, y, instructions.add(Opcode::subtract, y, x)});
       }
-      const std::uint32_t x = joint.before[*entry.before];
-      const std::uint32_t y = joint.after[*entry.after];
-      if (x == y) continue;
-      open.push_back({change.entries.size(), x, y, instructions.add(Opcode::subtract, y, x)});
-      change.entries.push_back(named(entry, EntryVerdict::different));
+      change.entries.push_back(unsettled(entry));
     }
     settle(joint.function, open, change);
     return change;

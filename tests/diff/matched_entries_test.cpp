@@ -109,9 +109,9 @@ TEST_CASE("rows of A, residuals and multipliers follow their constraints") {
 
 TEST_CASE("entries of an output that only one version has are on their own") {
   const Lowered one = lowered(plane);
-  const auto entries =
-      unmatched_entries(one.products.checked->model,
-                        *find_function(*one.products.lowered, OutputKind::gravity), true);
+  const Model& model = one.products.checked->model;
+  const Function& gravity = *find_function(*one.products.lowered, OutputKind::gravity);
+  const auto entries = matched_entries(model, {}, model, gravity, {});
   REQUIRE(entries.size() == 2);
   CHECK(entries[1].after == 1U);
   CHECK_FALSE(entries[1].before);
