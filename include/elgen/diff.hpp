@@ -43,6 +43,9 @@ struct ImpactRow {
 /// Names that were given to the same things, old -> new.
 using Renames = std::map<std::string, std::string>;
 
+/// Numbers that stand for parameters, by their names.
+using ParameterValues = std::map<std::string, Constant>;
+
 /// One step towards a value: a key, or an item of a list.
 struct KeyStep {
   std::string key = {};
@@ -138,9 +141,11 @@ struct CompareOptions {
                                                              const Version& after,
                                                              const Renames& renames = {});
 
-/// The changes of each output, in the order of the newer version; removed ones last.
+/// The changes of each output, in the order of the newer version; removed ones last. `values` are
+/// of parameters of the newer version.
 [[nodiscard]] std::vector<OutputChange> output_changes(const Version& before, const Version& after,
-                                                       const Renames& renames = {});
+                                                       const Renames& renames = {},
+                                                       const ParameterValues& values = {});
 
 /// The operations that emitted functions of one name execute.
 struct OperationsChange {

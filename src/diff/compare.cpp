@@ -6,7 +6,6 @@
 #include <iterator>
 #include <set>
 
-#include "diff/output_changes.hpp"
 #include "diff/renamed.hpp"
 #include "elgen/diff.hpp"
 #include "verify/structure/expectations.hpp"
@@ -142,7 +141,7 @@ std::string extension(const Version& before, const Version& after, const Compare
   const ParameterValues values = new_parameters(before, after, options.renames);
   if (values.empty()) return {};
   bool is_proved = true;
-  for (const OutputChange& output : output_changes_at(before, after, options.renames, values)) {
+  for (const OutputChange& output : output_changes(before, after, options.renames, values)) {
     for (const EntryChange& entry : output.entries) {
       const bool is_new = entry.verdict == EntryVerdict::added;
       const bool is_undecided = entry.verdict == EntryVerdict::not_told_apart;

@@ -12,9 +12,6 @@
 
 namespace elgen {
 
-/// By name.
-using ParameterValues = std::map<std::string, Constant>;
-
 /// Numbers that stand for parameters of each version.
 struct JointValues {
   ParameterValues before = {};

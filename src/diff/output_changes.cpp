@@ -1,7 +1,5 @@
 // output_changes: entries are joined output by output; only those computed differently are looked
 // at. Differences are told by closed forms, and by a state at which they are seen.
-#include "diff/output_changes.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -340,12 +338,7 @@ class OutputComparison {
 }  // namespace
 
 std::vector<OutputChange> output_changes(const Version& before, const Version& after,
-                                         const Renames& renames) {
-  return output_changes_at(before, after, renames, {});
-}
-
-std::vector<OutputChange> output_changes_at(const Version& before, const Version& after,
-                                            const Renames& renames, const ParameterValues& values) {
+                                         const Renames& renames, const ParameterValues& values) {
   return OutputComparison(before, after, renames, values)();
 }
 

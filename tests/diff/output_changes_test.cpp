@@ -1,6 +1,4 @@
 // The change of every entry, and a state at which it is seen.
-#include "diff/output_changes.hpp"
-
 #include <catch2/catch.hpp>
 
 #include "diff/versions.hpp"
@@ -67,7 +65,7 @@ TEST_CASE("a parameter at a value gives the old entries back") {
   const Lowered now = lowered(edited(spring("1/2*k*x^2 + c*x"), "k = 3", "k = 3\nc = 0"));
   const auto count = [&](const ParameterValues& values) {
     std::size_t different = 0;
-    for (const auto& change : output_changes_at(old.version(), now.version(), {}, values)) {
+    for (const auto& change : output_changes(old.version(), now.version(), {}, values)) {
       different += static_cast<std::size_t>(
           std::ranges::count(change.entries, EntryVerdict::different, &EntryChange::verdict));
     }
