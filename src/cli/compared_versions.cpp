@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "cli/files/inputs.hpp"
@@ -14,7 +16,6 @@
 #include "cli/versions/loaded_version.hpp"
 #include "cli/versions/revision.hpp"
 #include "elgen/wording.hpp"
-#include "parse/entry_reader.hpp"
 #include "parse/toml_document.hpp"
 
 namespace elgen::cli {
@@ -129,24 +130,33 @@ std::string joined(const std::string& folder, const std::string& inside) {
   return (fs::path(folder) / inside).lexically_normal().generic_string();
 }
 
-bool is_system(const Side& side, const std::string& path) {
-  if (path.ends_with(".scene.toml")) return true;
-  const Result<SourcePointer> source = side.read(path);
-  return !source || declares_model(**source);
+/// The kinds of TOML files.
+enum class FileRole : std::uint8_t {
+  system,    ///< a model or a scene, or a file that cannot be read
+  doubtful,  ///< may be a model with errors
+  other,
+};
+
+bool has_entry(const TomlValue& root, std::string_view key, TomlKind kind) {
+  const TomlEntry* const entry = find_entry(root.entries, key);
+  return entry != nullptr && entry->value.kind == kind;
 }
 
-/// TOML with [[coordinate]], as where [model] is misspelt, or no TOML, with a header of a model.
-bool may_be_model(const Side& side, const std::string& path) {
+/// Reads the file once. A model with errors has [[coordinate]] where [model] is misspelt, or is no
+/// TOML, but its text has a header of a model.
+FileRole role_of(const Side& side, const std::string& path) {
+  if (path.ends_with(".scene.toml")) return FileRole::system;
   const Result<SourcePointer> source = side.read(path);
-  if (!source) return false;
+  if (!source) return FileRole::system;
   const Result<TomlValue> root = read_toml(**source);
   if (!root) {
     const std::string& text = (*source)->text;
-    return text.find("[model]") != std::string::npos ||
-           text.find("[[coordinate]]") != std::string::npos;
+    const bool has_header = text.find("[model]") != std::string::npos ||
+                            text.find("[[coordinate]]") != std::string::npos;
+    return has_header ? FileRole::doubtful : FileRole::other;
   }
-  const TomlEntry* const coordinates = find_entry(root->entries, "coordinate");
-  return coordinates != nullptr && coordinates->value.kind == TomlKind::array;
+  if (has_entry(*root, "model", TomlKind::table)) return FileRole::system;
+  return has_entry(*root, "coordinate", TomlKind::array) ? FileRole::doubtful : FileRole::other;
 }
 
 /// The models and scenes below a folder.
@@ -156,10 +166,9 @@ Result<FolderFiles> systems_below(const Side& side, const std::string& folder) {
   FolderFiles files;
   for (const std::string& inside : *found) {
     if (fs::path(inside).extension() != ".toml") continue;
-    const std::string path = joined(folder, inside);
-    const bool is_one = is_system(side, path);
-    (is_one ? files.systems : files.others).insert(inside);
-    if (!is_one && may_be_model(side, path)) files.doubtful.insert(inside);
+    const FileRole role = role_of(side, joined(folder, inside));
+    (role == FileRole::system ? files.systems : files.others).insert(inside);
+    if (role == FileRole::doubtful) files.doubtful.insert(inside);
   }
   return files;
 }
