@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "derive/formulate/print.hpp"
-#include "derive/lagrangian/node_limit.hpp"
 #include "derive/lagrangian/symmetric_solve.hpp"
 #include "derive/lagrangian/turning.hpp"
+#include "derive/lower/from_ginac.hpp"
 #include "derive/outputs/outputs.hpp"
 #include "elgen/equations_of_motion.hpp"
 #include "inspect/singular_mass.hpp"
@@ -20,14 +20,16 @@ namespace {
 
 using Fields = std::vector<FieldEquations>;
 
-/// Fields of `rows` rows; one without entries is left out: a model without inputs has none by them.
-Fields named(std::size_t rows, const std::vector<std::pair<std::string, Vector>>& entries) {
+/// Fields of `rows` rows, or one column each; one without entries is left out: a model without
+/// inputs has none by them.
+Fields named(const std::vector<std::pair<std::string, Vector>>& entries,
+             std::optional<std::size_t> rows = {}) {
   Fields result;
   for (const auto& [name, values] : entries) {
-    const std::size_t columns = values.size() / rows;
     if (values.empty()) continue;
-    result.push_back(
-        {name, static_cast<std::uint32_t>(rows), static_cast<std::uint32_t>(columns), values});
+    const std::size_t height = rows.value_or(values.size());
+    result.push_back({name, static_cast<std::uint32_t>(height),
+                      static_cast<std::uint32_t>(values.size() / height), values});
   }
   return result;
 }
@@ -41,56 +43,46 @@ Fields fields(const Derivation& derivation, const OutputRequest& request, const 
 }
 
 Fields fields(const Derivation& d, const OutputRequest& /*request*/, const InverseDerivatives& x) {
-  return named(d.size(), {{"by_position", x.by_position}, {"by_velocity", x.by_velocity}});
+  return named({{"by_position", x.by_position}, {"by_velocity", x.by_velocity}}, d.size());
 }
 
 Fields fields(const Derivation& d, const OutputRequest& /*request*/, const ForwardDerivatives& x) {
   return named(
-      d.size(),
-      {{"by_position", x.by_position}, {"by_velocity", x.by_velocity}, {"by_input", x.by_input}});
+      {{"by_position", x.by_position}, {"by_velocity", x.by_velocity}, {"by_input", x.by_input}},
+      d.size());
 }
 
 Fields fields(const Derivation& d, const OutputRequest& /*request*/, const Linearization& x) {
-  return named(2 * d.size(), {{"A", x.a}, {"B", x.b}});
-}
-
-FieldEquations column(std::string name, const Vector& entries) {
-  return {std::move(name), static_cast<std::uint32_t>(entries.size()), 1, entries};
-}
-
-/// Columns, of which one without entries is left out.
-Fields columns_of(std::vector<FieldEquations> columns) {
-  std::erase_if(columns, [](const FieldEquations& field) { return field.entries.empty(); });
-  return columns;
+  return named({{"A", x.a}, {"B", x.b}}, 2 * d.size());
 }
 
 Fields fields(const Derivation& /*derivation*/, const OutputRequest& /*request*/,
               const ForwardDynamics& x) {
-  return columns_of({column("acceleration", x.acceleration),
-                     column("relative_pivots", x.relative_pivots),
-                     column("multipliers", x.multipliers), column("diagonal", x.diagonal)});
+  return named({{"acceleration", x.acceleration},
+                {"relative_pivots", x.relative_pivots},
+                {"multipliers", x.multipliers},
+                {"diagonal", x.diagonal}});
 }
 
 Fields fields(const Derivation& /*derivation*/, const OutputRequest& /*request*/,
               const HamiltonEquations& x) {
-  return columns_of(
-      {column("coordinate_rates", x.coordinate_rates), column("momentum_rates", x.momentum_rates)});
+  return named({{"coordinate_rates", x.coordinate_rates}, {"momentum_rates", x.momentum_rates}});
 }
 
 Fields fields(const Derivation& /*derivation*/, const OutputRequest& /*request*/,
               const ConstraintResidual& x) {
-  return columns_of({column("position", x.position), column("rate", x.rate)});
+  return named({{"position", x.position}, {"rate", x.rate}});
 }
 
 Fields fields(const Derivation& /*derivation*/, const OutputRequest& /*request*/,
               const ProjectedState& x) {
-  return columns_of({column("coordinates", x.coordinates), column("rates", x.rates)});
+  return named({{"coordinates", x.coordinates}, {"rates", x.rates}});
 }
 
 Fields fields(const Derivation& /*derivation*/, const OutputRequest& /*request*/,
               const ConstrainedInverse& x) {
-  return columns_of({column("inputs", x.inputs), column("multipliers", x.multipliers),
-                     column("unbalanced", x.unbalanced)});
+  return named(
+      {{"inputs", x.inputs}, {"multipliers", x.multipliers}, {"unbalanced", x.unbalanced}});
 }
 
 Vector user_value(Derivation& /*derivation*/, const NamedOutput& output) { return output.values; }
@@ -177,14 +169,15 @@ Result<EquationsOfMotion> derive(const Lagrangian& lagrangian,
 }
 
 std::string dump(const EquationsOfMotion& equations) {
-  const ExpressionPrinter print(equations.definitions);
   std::string text = dump(equations.definitions);
   for (const OutputEquations& output : equations.outputs) {
     for (const FieldEquations& field : output.fields) {
       const std::string dot = field.name.empty() ? "" : ".";
       text += fmt::format("{}{}{} ({} x {}) =", output.request.name, dot, field.name, field.rows,
                           field.columns);
-      for (const ex& entry : field.entries) text += " " + print(entry);
+      for (const ex& entry : field.entries) {
+        text += " " + expression_text(equations.definitions, entry);
+      }
       text += '\n';
     }
   }

@@ -1,9 +1,8 @@
 // Regrouped numbers: the same functions of the state, in fewer of them. Masses taken to before the
 // rotation they move with: the same off the unit sphere, too.
-#include "derive/tree/regroup.hpp"
-
 #include <catch2/catch.hpp>
 
+#include "derive/tree/tree.hpp"
 #include "framed.hpp"
 
 using namespace elgen;

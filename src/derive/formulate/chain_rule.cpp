@@ -2,9 +2,6 @@
 #include "derive/formulate/chain_rule.hpp"
 
 #include <map>
-#include <utility>
-
-#include "derive/formulate/needed.hpp"
 
 namespace elgen {
 
@@ -63,12 +60,24 @@ std::vector<Partial> partials(const Definitions& definitions, const ex& value, L
   });
 }
 
+void add_seeds(Seeds& seeds, const std::vector<ex>& leaves, const std::vector<ex>& values) {
+  for (std::size_t i = 0; i < leaves.size(); ++i) seeds.emplace(leaves[i], values[i]);
+}
+
+std::array<std::array<ex, 3>, 4> rate_matrix(const Symbols& symbols,
+                                             const RotationPlace& rotation) {
+  const std::size_t first = rotation.first_coordinate;
+  const ex w = symbols.q[first] / 2;
+  const ex x = symbols.q[first + 1] / 2;
+  const ex y = symbols.q[first + 2] / 2;
+  const ex z = symbols.q[first + 3] / 2;
+  return {{{-x, -y, -z}, {w, -z, y}, {z, w, -x}, {-y, x, w}}};
+}
+
 Seeds motion_seeds(const Symbols& symbols) {
   Seeds seeds;
-  for (std::size_t i = 0; i < symbols.q.size(); ++i) {
-    seeds.emplace(symbols.q[i], symbols.q_rates[i]);
-  }
-  for (std::size_t i = 0; i < symbols.v.size(); ++i) seeds.emplace(symbols.v[i], symbols.a[i]);
+  add_seeds(seeds, symbols.q, symbols.q_rates);
+  add_seeds(seeds, symbols.v, symbols.a);
   seeds.emplace(symbols.t, 1);
   return seeds;
 }

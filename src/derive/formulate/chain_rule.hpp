@@ -5,12 +5,46 @@
 // appended to the same list. Results do not depend on GiNaC's order of terms.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "elgen/lagrangian.hpp"
 
 namespace elgen {
+
+/// Visits the definitions `value` needs, operands first, that depend on `mask` and are not `known`
+/// yet. Without recursion: chains may be long.
+template <class Visit>
+void visit_needed(const Definitions& definitions, const GiNaC::ex& value, LeafSet mask,
+                  std::vector<bool>& known, const Visit& visit) {
+  std::vector<std::pair<std::uint32_t, bool>> stack;
+  const auto push = [&](std::uint32_t index) {
+    const bool is_known = index < known.size() && known[index];
+    if (!is_known && definitions.list[index].depends.has_any(mask))
+      stack.emplace_back(index, false);
+  };
+  for (const GiNaC::ex& symbol : symbols_of(definitions, value)) {
+    const SymbolPlace& at = definitions.places.at(symbol);
+    if (at.is_definition) push(at.index);
+  }
+  while (!stack.empty()) {
+    const auto [index, operands_done] = stack.back();
+    if (index < known.size() && known[index]) {
+      stack.pop_back();
+    } else if (!operands_done) {
+      stack.back().second = true;
+      for (const std::uint32_t used : definitions.list[index].uses) push(used);
+    } else {
+      stack.pop_back();
+      if (known.size() <= index) known.resize(index + 1, false);
+      known[index] = true;
+      visit(index);
+    }
+  }
+}
 
 /// One factor of the chain rule: d value/d variable.
 struct Partial {
@@ -23,8 +57,20 @@ struct Partial {
 [[nodiscard]] std::vector<Partial> partials(const Definitions& definitions, const GiNaC::ex& value,
                                             LeafSet mask);
 
-/// Rates of the leaves along a direction; a leaf that is absent stands still.
+/// Rates of the leaves along a direction, or their values; a leaf that is absent stands still, or
+/// stays.
 using Seeds = ExpressionMap<GiNaC::ex>;
+
+/// Each leaf gets the value beside it.
+void add_seeds(Seeds& seeds, const std::vector<GiNaC::ex>& leaves,
+               const std::vector<GiNaC::ex>& values);
+
+/// N of de/dt = N w, for the quaternion e = (w, x, y, z) from body to parent and w in the axes of
+/// the body:
+///
+///     N = 1/2 [ -x -y -z;  w -z  y;  z  w -x;  -y  x  w ]
+[[nodiscard]] std::array<std::array<GiNaC::ex, 3>, 4> rate_matrix(const Symbols& symbols,
+                                                                  const RotationPlace& rotation);
 
 /// q -> dq/dt, v -> a, t -> 1: the motion. Parts are left out by leaving their seeds out.
 [[nodiscard]] Seeds motion_seeds(const Symbols& symbols);

@@ -13,7 +13,6 @@
 
 #include "derive/formulate/expressions.hpp"
 #include "derive/formulate/frame_tree.hpp"
-#include "derive/formulate/rotations.hpp"
 #include "elgen/lagrangian.hpp"
 
 namespace elgen {
@@ -33,6 +32,29 @@ ex symbol_of(const Parameter& parameter, const std::string& name) {
 template <class Entry>
 ex symbol_of(const Entry& /*entry*/, const std::string& name) {
   return GiNaC::realsymbol(name);
+}
+
+/// Fills `q_rates` and `rotations`; the rates of quaternions become definitions.
+void add_coordinate_rates(const Model& model, Lagrangian& lagrangian) {
+  Symbols& symbols = lagrangian.symbols;
+  for (const Coordinate& coordinate : model.coordinates) {
+    symbols.q_rates.push_back(symbols.v[coordinate.velocity]);
+  }
+  for (const Rotation& rotation : model.rotations) {
+    const RotationPlace place{rotation.first_coordinate, rotation.first_velocity};
+    symbols.rotations.push_back(place);
+    const auto n = rate_matrix(symbols, place);
+    for (std::uint32_t i = 0; i < quaternion_size; ++i) {
+      const std::uint32_t component = place.first_coordinate + i;
+      GiNaC::exvector terms;
+      for (std::uint32_t k = 0; k < axis_count; ++k) {
+        terms.push_back(n[i][k] * symbols.v[place.first_velocity + k]);
+      }
+      symbols.q_rates[component] = define(
+          lagrangian.definitions, GiNaC::add(terms),
+          {model.coordinates[component].identifier + "_dot", {EntityKind::coordinate, component}});
+    }
+  }
 }
 
 void add_symbols(const Model& model, Lagrangian& lagrangian) {

@@ -94,16 +94,15 @@ class ExpressionWriter {
 
 }  // namespace
 
-std::string ExpressionPrinter::operator()(const ex& value) const {
-  return ExpressionWriter(definitions_).whole(value).text();
+std::string expression_text(const Definitions& definitions, const ex& value) {
+  return ExpressionWriter(definitions).whole(value).text();
 }
 
 std::string dump(const Definitions& definitions) {
-  const ExpressionPrinter print(definitions);
   std::string text;
   for (std::size_t i = 0; i < definitions.list.size(); ++i) {
     const Definition& definition = definitions.list[i];
-    text += "d" + std::to_string(i) + " = " + print(definition.value);
+    text += "d" + std::to_string(i) + " = " + expression_text(definitions, definition.value);
     text += definition.name.empty() ? "\n" : "    ; " + definition.name + "\n";
   }
   return text;

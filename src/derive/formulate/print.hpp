@@ -9,15 +9,7 @@
 namespace elgen {
 
 /// Leaves print under their names, definitions as d0, d1, … in the order of the list.
-class ExpressionPrinter {
- public:
-  explicit ExpressionPrinter(const Definitions& definitions) : definitions_(definitions) {}
-
-  [[nodiscard]] std::string operator()(const GiNaC::ex& value) const;
-
- private:
-  const Definitions& definitions_;
-};
+[[nodiscard]] std::string expression_text(const Definitions& definitions, const GiNaC::ex& value);
 
 /// One line per definition: `d3 = l*sin(theta)    ; bob_x`.
 [[nodiscard]] std::string dump(const Definitions& definitions);

@@ -3,7 +3,6 @@
 
 #include <array>
 
-#include "derive/formulate/needed.hpp"
 #include "derive/lagrangian/turning.hpp"
 
 namespace elgen {
@@ -14,9 +13,7 @@ namespace {
 
 Seeds seeds(const Symbols& symbols, bool coordinates_move, bool time_passes) {
   Seeds result;
-  for (std::size_t i = 0; coordinates_move && i < symbols.q.size(); ++i) {
-    result.emplace(symbols.q[i], symbols.q_rates[i]);
-  }
+  if (coordinates_move) add_seeds(result, symbols.q, symbols.q_rates);
   if (time_passes) result.emplace(symbols.t, 1);
   return result;
 }

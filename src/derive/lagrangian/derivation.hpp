@@ -5,7 +5,7 @@
 //     M a + C v + drift + g + dD/dv = B u + Q
 //     tau = M a + bias,   bias = C v + drift + g + dD/dv - Q
 //
-// Routes. Bodies in frames go by twists along the tree of frames (tree_twists.hpp,
+// Routes. Bodies in frames go by twists along the tree of frames (tree_dynamics.hpp,
 // tree_matrices.hpp). A point mass gives its inertial force m p'' at once, pulled back by one
 // reverse pass: sum m p''.dp/dq (d'Alembert-Lagrange; Goldstein, Poole, Safko, 3rd ed., sec. 1.4).
 // Everything else goes by Lagrange's equation: reverse over the energy, then forward in time, d/dt

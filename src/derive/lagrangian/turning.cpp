@@ -1,7 +1,6 @@
 // Turning: rotations among coordinates and velocities.
 #include "derive/lagrangian/turning.hpp"
 
-#include "derive/formulate/rotations.hpp"
 #include "derive/lagrangian/vector_algebra.hpp"
 
 namespace elgen {

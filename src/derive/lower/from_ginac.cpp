@@ -7,7 +7,6 @@
 #include <cln/real.h>
 #include <fmt/core.h>
 
-#include "derive/lagrangian/node_limit.hpp"
 #include "elgen/equations_of_motion.hpp"
 
 namespace elgen {
@@ -212,6 +211,12 @@ Result<ImportedOutput> from_ginac(const EquationsOfMotion& equations, const Outp
   if (importer.problem) return *importer.problem;
   imported.graph = std::move(importer.graph);
   return imported;
+}
+
+Diagnostic too_many_nodes(const OutputRequest& request, std::uint64_t limit) {
+  return {Code::E908, request.span,
+          fmt::format("`{}` takes more than {} derived nodes", request.name, limit),
+          "raised by --limit derived_nodes=N"};
 }
 
 LeafNames leaf_names(const EquationsOfMotion& equations) { return equations.leaves; }

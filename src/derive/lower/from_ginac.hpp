@@ -24,6 +24,9 @@ struct ImportedOutput {
                                                 const OutputRequest& request,
                                                 std::uint64_t maximum_nodes);
 
+/// E908 of what is derived: one message for the definitions of derive and the nodes of lower.
+[[nodiscard]] Diagnostic too_many_nodes(const OutputRequest& request, std::uint64_t limit);
+
 [[nodiscard]] LeafNames leaf_names(const EquationsOfMotion& equations);
 
 }  // namespace elgen

@@ -1,6 +1,6 @@
 // Constraints: their rates, Jacobian and bias; the step of Newton back to them; and the inputs that
 // give a motion they allow.
-#include "derive/lagrangian/constrained_solve.hpp"
+#include "derive/lagrangian/symmetric_solve.hpp"
 #include "derive/lagrangian/turning.hpp"
 #include "derive/outputs/outputs.hpp"
 
@@ -43,9 +43,7 @@ Vector projected_coordinates(Derivation& derivation, const Vector& mass) {
   const Vector change =
       solve.solve(Vector(derivation.size(), 0), negative(residuals(derivation))).x;
   Seeds seeds;
-  for (std::size_t i = 0; i < change.size(); ++i) {
-    seeds.emplace(derivation.symbols.v[i], change[i]);
-  }
+  add_seeds(seeds, derivation.symbols.v, change);
   Substitution changing(definitions, std::move(seeds));
   Seeds moved;
   for (std::size_t i = 0; i < derivation.symbols.q.size(); ++i) {
@@ -106,10 +104,8 @@ ProjectedState projected(Derivation& derivation) {
   ProjectedState result;
   result.coordinates = projected_coordinates(derivation, mass);
   Seeds seeds;
-  for (std::size_t i = 0; i < result.coordinates.size(); ++i) {
-    result.coordinates[i] = define(definitions, result.coordinates[i]);
-    seeds.emplace(derivation.symbols.q[i], result.coordinates[i]);
-  }
+  for (ex& coordinate : result.coordinates) coordinate = define(definitions, coordinate);
+  add_seeds(seeds, derivation.symbols.q, result.coordinates);
   Substitution there(definitions, std::move(seeds));
   const Vector mass_there = substituted(there, definitions, mass);
   const Vector jacobian = constraint_jacobian(derivation);

@@ -3,7 +3,7 @@
 // Derivatives: columns of the frames, forward passes over the rest.
 #include <utility>
 
-#include "derive/lagrangian/constrained_solve.hpp"
+#include "derive/lagrangian/symmetric_solve.hpp"
 #include "derive/outputs/outputs.hpp"
 #include "derive/tree/tree_matrices.hpp"
 
@@ -80,6 +80,16 @@ Vector columns(Derivation& derivation, const Vector& values, const Direction& di
   return entries;
 }
 
+/// d values/dq and d values/dv.
+InverseDerivatives derivatives(Derivation& derivation, const Vector& values) {
+  InverseDerivatives result;
+  result.by_position =
+      columns(derivation, values, [&](std::size_t j) { return derivation.displacement(j); });
+  result.by_velocity =
+      columns(derivation, values, [&](std::size_t j) { return derivation.unit_velocity(j); });
+  return result;
+}
+
 /// d(M a + bias - B u - A^T lambda)/dq and /dv; B u and A^T lambda only where the inputs act.
 InverseDerivatives residual_derivatives(Derivation& derivation, InputForces inputs) {
   const bool by_columns = has_linear_variables(tree_of(derivation));
@@ -89,11 +99,7 @@ InverseDerivatives residual_derivatives(Derivation& derivation, InputForces inpu
     for (std::size_t i = 0; i < rest.size(); ++i) rest[i] -= held[i];
   }
   for (ex& entry : rest) entry = define(derivation.definitions, entry);
-  InverseDerivatives result;
-  result.by_position =
-      columns(derivation, rest, [&](std::size_t j) { return derivation.displacement(j); });
-  result.by_velocity =
-      columns(derivation, rest, [&](std::size_t j) { return derivation.unit_velocity(j); });
+  InverseDerivatives result = derivatives(derivation, rest);
   if (!by_columns) return result;
   const TreeDerivatives of_frames = tree_derivatives(tree_of(derivation), derivation.motion);
   add(of_frames.by_position, result.by_position, derivation.size());
@@ -107,10 +113,7 @@ InverseDerivatives constraint_derivatives(Derivation& derivation) {
   for (ex& entry : second_rates) entry = derivation.motion(entry);
   second_rates = stabilised(derivation, std::move(second_rates));
   for (ex& entry : second_rates) entry = define(derivation.definitions, entry);
-  return {
-      columns(derivation, second_rates, [&](std::size_t j) { return derivation.displacement(j); }),
-      columns(derivation, second_rates,
-              [&](std::size_t j) { return derivation.unit_velocity(j); })};
+  return derivatives(derivation, second_rates);
 }
 
 /// -[w]x in the upper left block of A.
@@ -141,12 +144,8 @@ ForwardDerivatives forward_dynamics_derivatives(Derivation& derivation) {
   InverseDerivatives of_forces = residual_derivatives(derivation, InputForces::acting);
   InverseDerivatives of_constraints = constraint_derivatives(derivation);
   Seeds seeds;
-  for (std::size_t i = 0; i < motion.x.size(); ++i) {
-    seeds.emplace(derivation.symbols.a[i], motion.x[i]);
-  }
-  for (std::size_t i = 0; i < motion.y.size(); ++i) {
-    seeds.emplace(derivation.symbols.multipliers[i], motion.y[i]);
-  }
+  add_seeds(seeds, derivation.symbols.a, motion.x);
+  add_seeds(seeds, derivation.symbols.multipliers, motion.y);
   Substitution at_motion(derivation.definitions, seeds);
   for (InverseDerivatives* const derivatives : {&of_forces, &of_constraints}) {
     for (Vector* const entries : {&derivatives->by_position, &derivatives->by_velocity}) {

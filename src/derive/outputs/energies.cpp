@@ -1,7 +1,6 @@
 // Energies, term by term over the definitions.
 #include "derive/outputs/outputs.hpp"
 #include "derive/tree/tree_dynamics.hpp"
-#include "derive/tree/tree_twists.hpp"
 
 namespace elgen {
 

@@ -2,7 +2,6 @@
 #include "derive/lagrangian/turning.hpp"
 #include "derive/outputs/outputs.hpp"
 #include "derive/tree/tree_dynamics.hpp"
-#include "derive/tree/tree_twists.hpp"
 
 namespace elgen {
 

@@ -50,9 +50,7 @@ Vector rates_of_momenta(Derivation& derivation) {
 /// `values` with the velocities in the place of v.
 Vector moving_with(Derivation& derivation, const Vector& velocities, const Vector& values) {
   Seeds seeds;
-  for (std::size_t i = 0; i < velocities.size(); ++i) {
-    seeds.emplace(derivation.symbols.v[i], velocities[i]);
-  }
+  add_seeds(seeds, derivation.symbols.v, velocities);
   Substitution at_velocities(derivation.definitions, std::move(seeds));
   return substituted(at_velocities, derivation.definitions, values);
 }

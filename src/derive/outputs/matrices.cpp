@@ -3,7 +3,6 @@
 #include "derive/outputs/outputs.hpp"
 #include "derive/tree/tree_columns.hpp"
 #include "derive/tree/tree_matrices.hpp"
-#include "derive/tree/tree_twists.hpp"
 
 namespace elgen {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "derive/formulate/needed.hpp"
+#include "derive/formulate/chain_rule.hpp"
 
 namespace elgen {
 

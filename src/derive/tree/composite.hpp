@@ -8,7 +8,7 @@
 // instead of 6 x 6 matrices).
 #pragma once
 
-#include "derive/tree/tree_twists.hpp"
+#include "derive/tree/tree_dynamics.hpp"
 
 namespace elgen {
 

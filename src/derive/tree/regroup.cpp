@@ -8,8 +8,6 @@
 //               link 1: + m, (0, 0, hz), (Iyy, Iyy, 0, 0, 0, 0)
 //
 // Gautier, Khalil, IEEE Trans. Robotics and Automation 6(3), 1990.
-#include "derive/tree/regroup.hpp"
-
 #include <algorithm>
 
 #include "derive/tree/composite.hpp"

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "derive/tree/regroup.hpp"
-
 namespace elgen {
 
 using GiNaC::ex;

@@ -60,7 +60,7 @@ class Tree {
   [[nodiscard]] const TreeStep& step(std::size_t index) const { return frames().steps[index]; }
   [[nodiscard]] const StepRotation& rotation(std::size_t index) const { return rotations_[index]; }
 
-  /// Those of the Lagrangian, with numbers regrouped (regroup.hpp).
+  /// Those of the Lagrangian, with numbers regrouped (regrouped()).
   [[nodiscard]] const std::vector<RigidBody>& bodies() const { return bodies_; }
 
   /// R x and R^T x of a step.
@@ -127,6 +127,12 @@ template <class Value, class Before>
   }
   return values;
 }
+
+/// The bodies of the Lagrangian; those whose mass, com and inertia are numbers, merged and
+/// regrouped: at most one for each step, about its origin. The energies are the same functions of
+/// the state. Symbolic bodies stay as they are (sums of their parameters would be paid in every
+/// call), but for masses that move with a rotation.
+[[nodiscard]] std::vector<RigidBody> regrouped(Tree& tree);
 
 /// h = m c, or what the body was given.
 [[nodiscard]] ExVector3 first_moment(VectorAlgebra& algebra, const RigidBody& body);

@@ -7,7 +7,6 @@
 #include <functional>
 
 #include "derive/tree/composite.hpp"
-#include "derive/tree/tree_dynamics.hpp"
 
 namespace elgen {
 

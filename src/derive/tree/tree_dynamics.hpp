@@ -1,19 +1,46 @@
-// Inertial forces and weights of bodies in frames, each linear in the number of steps. In the axes
-// after each step, with w the angular velocity and a the acceleration of the origin less gravity
-// (uniform gravity is an upward acceleration of the base):
+// Twists, momenta and kinetic energies, inertial forces and weights of bodies in frames, each
+// linear in the number of steps. In the axes after each step, with w the angular velocity, v the
+// velocity of the origin, and a its acceleration less gravity (uniform gravity is an upward
+// acceleration of the base):
 //
-//     turn          w = R^T w_p + s,   w' = R^T w_p' + (R^T w_p) x s + s',   a = R^T a_p
-//     translation   a = a_p + U p + 2 w x p' + p'',   U = [w']x + [w]x [w]x
-//     body          F = m (a + U c),   N = I w' + w x I w + c x F
+//     turn          w = R^T w_p + s,   w' = R^T w_p' + (R^T w_p) x s + s'
+//                   v = R^T v_p,       a = R^T a_p              s: spin of the turn itself
+//     translation   w = w_p,           v = v_p + w x p + p'
+//                   a = a_p + U p + 2 w x p' + p'',   U = [w']x + [w]x [w]x
+//     body          T = 1/2 m v_c^2 + 1/2 w.I w,   v_c = v + w x c
+//                   F = m (a + U c),   N = I w' + w x I w + c x F
 //
-// s is the spin of the turn itself. The forces are pulled back from the leaves to the root: the
-// component of the moment along the axis is the generalized force on the angle (d'Alembert-Lagrange
-// for poses, Euler-Poincare). Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 5.
+// The forces are pulled back from the leaves to the root: the component of the moment along the
+// axis is the generalized force on the angle (d'Alembert-Lagrange for poses, Euler-Poincare).
+// Featherstone, Rigid Body Dynamics Algorithms (2008), chapters 2 and 5.
 #pragma once
 
 #include "derive/tree/tree.hpp"
 
 namespace elgen {
+
+/// Angular velocity and velocity of the origin of every step, along a direction of motion.
+struct Twist {
+  ExVector3 spin{0, 0, 0};
+  ExVector3 velocity{0, 0, 0};
+};
+[[nodiscard]] std::vector<Twist> tree_twists(Tree& tree, Tangent& along);
+
+/// Spin of step k itself: the velocities of a rotation where it moves, else the rate of the turn.
+[[nodiscard]] ExVector3 own_spin(Tree& tree, std::size_t k, Tangent& along);
+
+/// dT/dv of the bodies, as forces.
+[[nodiscard]] TreeForces tree_momentum(Tree& tree);
+
+/// 1/2 m v_c^2 + 1/2 w.I w of each body along a direction of motion.
+[[nodiscard]] Terms tree_kinetic_energy(Tree& tree, Tangent& along);
+
+/// Whether there is a mass, or a first moment.
+[[nodiscard]] bool has_mass(const RigidBody& body);
+
+/// m v_c, or m v + w x h.
+[[nodiscard]] ExVector3 momentum_of(VectorAlgebra& algebra, const RigidBody& body,
+                                    const Twist& twist);
 
 /// Which derivatives of the motion an inertial force is made of.
 struct Acceleration {

@@ -19,7 +19,6 @@
 
 #include <map>
 
-#include "derive/tree/composite.hpp"
 #include "derive/tree/tree.hpp"
 
 namespace elgen {

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "derive/formulate/rotations.hpp"
+#include "derive/formulate/chain_rule.hpp"
 #include "derive/formulate/written_out.hpp"
 #include "elgen/lagrangian.hpp"
 #include "elgen/leaf_names.hpp"

@@ -28,7 +28,9 @@ Lagrangian specialised(const std::string& text, const std::vector<std::string>& 
 
 /// Definitions, masses, energies and forces.
 std::string text_of(const Lagrangian& lagrangian) {
-  const ExpressionPrinter print(lagrangian.definitions);
+  const auto print = [&](const GiNaC::ex& value) {
+    return expression_text(lagrangian.definitions, value);
+  };
   std::string text = dump(lagrangian.definitions);
   for (const PointMass& mass : lagrangian.masses) {
     text += print(mass.mass);
