@@ -44,6 +44,7 @@ struct MonomialLess {
 struct Gaussian {
   cln::cl_RA real = 0;
   cln::cl_RA imaginary = 0;
+  friend bool operator==(const Gaussian&, const Gaussian&) = default;
 };
 
 /// No coefficient is 0; the empty sum is 0.
@@ -53,6 +54,7 @@ using Polynomial = std::map<Monomial, Gaussian, MonomialLess>;
 struct Fraction {
   Polynomial numerator = {};
   std::map<std::uint32_t, std::int32_t> denominator = {};
+  friend bool operator==(const Fraction&, const Fraction&) = default;
 };
 
 enum class AtomKind : std::uint8_t {
@@ -70,6 +72,7 @@ struct Atom {
   FunctionId function = FunctionId::sin;
   cln::cl_RA divisor = 1;
   std::vector<Fraction> arguments = {};
+  friend bool operator==(const Atom&, const Atom&) = default;
 };
 
 /// The atoms and denominator factors that fractions refer to.

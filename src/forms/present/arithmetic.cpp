@@ -15,24 +15,6 @@ Fraction fraction_of(const cl_RA& value) { return {constant(value), {}}; }
 
 namespace {
 
-bool same_polynomial(const Polynomial& x, const Polynomial& y) {
-  return x.size() == y.size() &&
-         std::equal(x.begin(), x.end(), y.begin(), [](const auto& s, const auto& t) {
-           return s.first == t.first && s.second.real == t.second.real &&
-                  s.second.imaginary == t.second.imaginary;
-         });
-}
-
-bool same_atom(const Atom& x, const Atom& y) {
-  const auto same_fraction = [](const Fraction& a, const Fraction& b) {
-    return a.denominator == b.denominator && same_polynomial(a.numerator, b.numerator);
-  };
-  return x.kind == y.kind && x.leaf == y.leaf && x.index == y.index && x.function == y.function &&
-         x.divisor == y.divisor &&
-         std::equal(x.arguments.begin(), x.arguments.end(), y.arguments.begin(), y.arguments.end(),
-                    same_fraction);
-}
-
 /// The same for the same atoms: all of them but their numbers.
 std::size_t hash_of(const Atom& atom) {
   std::size_t hash = 0;
@@ -81,10 +63,7 @@ std::vector<Monomial> angles_of(const Polynomial& x, const Algebra& algebra) {
     if (std::find(angles.begin(), angles.end(), angle) == angles.end()) angles.push_back(angle);
   };
   for (const auto& [monomial, coefficient] : x) {
-    Monomial angle;
-    for (const AtomPower& power : monomial) {
-      if (algebra.atoms[power.atom].kind == AtomKind::circular) angle.push_back(power);
-    }
+    const Monomial angle = split(algebra, monomial).angle;
     if (angle.empty() || angle.front().exponent < 0) continue;
     const bool is_even = std::all_of(angle.begin(), angle.end(),
                                      [](const AtomPower& part) { return part.exponent % 2 == 0; });
@@ -102,9 +81,8 @@ std::vector<Monomial> angles_of(const Polynomial& x, const Algebra& algebra) {
 
 Fraction Arithmetic::atom(Atom wanted) {
   const auto [first, last] = algebra_.known.equal_range(hash_of(wanted));
-  const auto found = std::find_if(first, last, [&](const auto& known) {
-    return same_atom(algebra_.atoms[known.second], wanted);
-  });
+  const auto found = std::find_if(
+      first, last, [&](const auto& known) { return algebra_.atoms[known.second] == wanted; });
   const auto id = found == last ? static_cast<AtomId>(algebra_.atoms.size()) : found->second;
   if (found == last) {
     algebra_.known.emplace(hash_of(wanted), id);
@@ -238,10 +216,7 @@ std::uint32_t Arithmetic::factor_index(const Polynomial& polynomial, Polynomial&
       scaled(polynomial, {1, 0}, inverse(common_monomial(polynomial, false, algebra_)));
   normal = scaled(normal, elgen::reciprocal(normal.rbegin()->second));
   std::uint32_t index = 0;
-  while (index < algebra_.factors.size() &&
-         !same_polynomial(algebra_.factors[index].normal, normal)) {
-    ++index;
-  }
+  while (index < algebra_.factors.size() && algebra_.factors[index].normal != normal) ++index;
   if (index == algebra_.factors.size()) {
     const Monomial common = common_monomial(polynomial, true, algebra_);
     algebra_.factors.push_back({scaled(polynomial, {1, 0}, inverse(common)), normal});

@@ -23,12 +23,6 @@ bool is_pi(const Algebra& algebra, const Monomial& monomial) {
          algebra.atoms[monomial[0].atom].kind == AtomKind::pi;
 }
 
-bool has_exponential(const Algebra& algebra, const Monomial& monomial) {
-  return std::any_of(monomial.begin(), monomial.end(), [&](const AtomPower& factor) {
-    return algebra.atoms[factor.atom].kind == AtomKind::circular;
-  });
-}
-
 /// The sign that makes the leading coefficient positive.
 bool has_negative_lead(const Fraction& x) {
   if (x.numerator.empty()) return false;
@@ -132,9 +126,7 @@ Value Arithmetic::exponential(const Fraction& x, bool conjugate) {
 
 Value Arithmetic::sine_or_cosine(FunctionId function, const Fraction& x) {
   const bool is_sum_of_monomials =
-      x.denominator.empty() &&
-      std::none_of(x.numerator.begin(), x.numerator.end(),
-                   [&](const auto& term) { return has_exponential(algebra_, term.first); });
+      x.denominator.empty() && !holds_exponentials(algebra_, x.numerator);
   Value forward;
   Value backward;
   if (is_sum_of_monomials) {

@@ -42,4 +42,39 @@ void divide_out(Fraction& x, const Algebra& algebra, std::size_t& work);
 /// The rational number, where it is one.
 [[nodiscard]] std::optional<cln::cl_RA> rational_value(const Polynomial& x);
 
+[[nodiscard]] bool is_one(const Polynomial& sum);
+
+/// cosh^2 = 1 + sinh^2 in the direction that leaves fewer terms.
+[[nodiscard]] Polynomial by_hyperbolic_squares(const Algebra& algebra, Polynomial sum);
+
+/// The sum whose square is x, by long division from the leading term, which has coefficient 1.
+[[nodiscard]] std::optional<Polynomial> square_root(const Polynomial& x);
+
+/// The factor of the highest power of an atom.
+[[nodiscard]] Polynomial highest_coefficient(const Polynomial& x, AtomId atom);
+
+/// The negative powers of atoms other than exponentials, the lowest of each.
+[[nodiscard]] Monomial lowest_powers(const Algebra& algebra, const Polynomial& sum);
+
+/// Whether it is its own conjugate.
+[[nodiscard]] bool is_real(const Algebra& algebra, const Polynomial& sum);
+
+[[nodiscard]] bool holds_exponentials(const Algebra& algebra, const Polynomial& sum);
+
+/// Ascending, each once.
+[[nodiscard]] std::vector<AtomId> atoms_of(const Polynomial& sum);
+
+/// The angle in a product of atoms: e^(i angle) is what its circular atoms make.
+struct SplitMonomial {
+  Monomial powers;  ///< of all other atoms
+  Monomial angle;
+};
+
+[[nodiscard]] SplitMonomial split(const Algebra& algebra, const Monomial& monomial);
+
+/// The terms by the part of them that is of such atoms: key -> what multiplies it.
+[[nodiscard]] std::map<Monomial, Polynomial, MonomialLess> parts_by(const Algebra& algebra,
+                                                                    const Polynomial& sum,
+                                                                    bool (*is_of_key)(const Atom&));
+
 }  // namespace elgen

@@ -7,8 +7,6 @@
 #include <utility>
 
 #include "forms/present/polynomial.hpp"
-#include "forms/typeset/factors.hpp"
-#include "forms/typeset/polynomials.hpp"
 #include "forms/write/closed_graph.hpp"
 
 namespace elgen {
@@ -52,29 +50,13 @@ struct RateGroup {
 
 std::vector<RateGroup> rate_groups(const Algebra& algebra, const Polynomial& sum,
                                    std::optional<std::uint32_t> own) {
-  std::map<Monomial, Polynomial, MonomialLess> parts;
-  for (const auto& [monomial, coefficient] : sum) {
-    Monomial rates;
-    Monomial rest;
-    for (const AtomPower& power : monomial) {
-      (is_moving(algebra.atoms[power.atom]) ? rates : rest).push_back(power);
-    }
-    parts[rates].emplace(rest, coefficient);
-  }
   std::vector<RateGroup> groups;
-  for (auto& [rates, rest] : parts) groups.push_back({rates, std::move(rest)});
+  for (auto& [rates, rest] : parts_by(algebra, sum, is_moving))
+    groups.push_back({rates, std::move(rest)});
   std::ranges::stable_sort(groups, {}, [&](const RateGroup& group) {
     return std::pair(rank_of_rates(algebra, group.rates, own), numbers_of(algebra, group.rates));
   });
   return groups;
-}
-
-/// 1 - v^2/c^2 under a root.
-BookSum positive_first(BookSum sum) {
-  const auto first = std::ranges::find_if(
-      sum.terms, [](const BookProduct& term) { return cln::plusp(term.number); });
-  if (first != sum.terms.end()) std::rotate(sum.terms.begin(), first, first + 1);
-  return sum;
 }
 
 bool divides_only(const BookProduct& product) {
@@ -226,10 +208,7 @@ BookSum Arranger::quotient(const Fraction& above, const Fraction& below) {
     part->rest = scaled(part->rest, {1, 0}, power(divisors, -1));
   }
   BookProduct front = std::move(numerator.front);
-  for (BookFactor factor : denominator.front.factors) {
-    factor.exponent = -factor.exponent;
-    add_factor(front, std::move(factor));
-  }
+  elgen::divide(front, {1, denominator.front.factors});
   BookSum divisor = terms(denominator.rest);
   sort_terms(divisor);
   front.number = front.number / take_number(divisor);
@@ -244,18 +223,11 @@ BookSum Arranger::quotient(const Fraction& above, const Fraction& below) {
     add_factor(front, std::move(factor));
     sort_terms(dividend);
     front.number = front.number * take_number(dividend);
-    if (dividend.terms.size() == 1) {
-      elgen::multiply(front, dividend.terms.front());
-    } else {
-      multiply(front, std::move(dividend), 1);
-    }
+    multiply_once(front, std::move(dividend));
     result.terms.push_back(std::move(front));
     return result;
   }
-  for (BookFactor factor : divisor.terms.front().factors) {
-    factor.exponent = -factor.exponent;
-    add_factor(front, std::move(factor));
-  }
+  elgen::divide(front, {1, divisor.terms.front().factors});
   for (BookProduct& term : dividend.terms) {
     elgen::multiply(term, front);
     result.terms.push_back(std::move(term));

@@ -16,7 +16,6 @@
 
 #include "forms/typeset/book_sum.hpp"
 #include "forms/typeset/typed.hpp"
-#include "forms/write/real_terms.hpp"
 
 namespace elgen {
 
@@ -98,6 +97,7 @@ class Arranger {
 
   void multiply(BookProduct& product, const Monomial& powers) const;
   void multiply(BookProduct& product, BookSum sum, std::int32_t exponent) const;
+  void multiply_once(BookProduct& product, BookSum sum) const;
   [[nodiscard]] FactorPlace place_of_sum(const BookSum& sum, std::uint32_t rank) const;
   [[nodiscard]] BookFactor atom_factor(const AtomPower& power) const;
 

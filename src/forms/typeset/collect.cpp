@@ -5,8 +5,6 @@
 
 #include "forms/present/polynomial.hpp"
 #include "forms/typeset/arrange.hpp"
-#include "forms/typeset/factors.hpp"
-#include "forms/typeset/polynomials.hpp"
 #include "forms/write/ways.hpp"
 
 namespace elgen {
@@ -27,11 +25,8 @@ bool same_waves(const std::vector<CircularPower>& x, const std::vector<CircularP
 }  // namespace
 
 Arranger::MixedSum Arranger::mixed(const Polynomial& sum) {
-  std::map<Monomial, Polynomial, MonomialLess> parts;
-  for (const auto& [monomial, coefficient] : sum) {
-    const auto [powers, angle] = split(algebra_, monomial);
-    parts[powers].emplace(angle, coefficient);
-  }
+  const auto parts =
+      parts_by(algebra_, sum, [](const Atom& atom) { return atom.kind != AtomKind::circular; });
   MixedSum result;
   for (const auto& [powers, circular] : parts) {
     if (circular.size() == 1 && circular.begin()->first.empty()) {
@@ -84,12 +79,7 @@ BookProduct Arranger::product(MixedSum sum) {
       return result;
     }
   }
-  BookSum rest = collected(sum);
-  if (rest.terms.size() == 1) {
-    elgen::multiply(result, rest.terms.front());
-  } else {
-    multiply(result, std::move(rest), 1);
-  }
+  multiply_once(result, collected(sum));
   return result;
 }
 

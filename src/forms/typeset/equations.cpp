@@ -6,7 +6,6 @@
 
 #include "elgen/typeset.hpp"
 #include "forms/present/polynomial.hpp"
-#include "forms/typeset/factors.hpp"
 
 namespace elgen {
 namespace {
@@ -28,15 +27,11 @@ Fraction opposite(const Fraction& form) {
   return {scaled(form.numerator, {-1, 0}), form.denominator};
 }
 
-bool cancels(const Fraction& x, const Fraction& y) {
-  return x.denominator == y.denominator && sum(x.numerator, y.numerator).empty();
-}
-
 /// Without pairs that cancel each other, and without zeros: V = a*x + b - a*x has no force.
 std::vector<Fraction> uncancelled(std::vector<Fraction> summands) {
   for (std::size_t i = 0; i < summands.size(); ++i) {
     for (std::size_t k = i + 1; k < summands.size(); ++k) {
-      if (!cancels(summands[i], summands[k])) continue;
+      if (summands[i] != opposite(summands[k])) continue;
       summands[i] = {};
       summands[k] = {};
     }
@@ -94,27 +89,14 @@ std::optional<EquationRow> Equations::row(const ClosedFunction& function) {
   return result;
 }
 
-BookSum Equations::arranged(std::vector<Fraction> summands, std::uint32_t own) {
+BookSum Equations::arranged(std::vector<Fraction> summands, std::uint32_t own,
+                            const std::vector<Fraction>& dissipation) {
   const auto resting =
       std::stable_partition(summands.begin(), summands.end(),
                             [&](const Fraction& form) { return moves(algebra_, form); });
   BookSum result = arranger_.spread(total({summands.begin(), resting}), own);
-  for (const Fraction& form : settled({resting, summands.end()})) {
-    append(result, arranger_.summand(form, own));
-  }
-  return result;
-}
-
-BookSum Equations::left(const EquationRow& row, std::uint32_t own) {
-  std::vector<Fraction> resting = row.inertia;
-  const auto first = std::stable_partition(resting.begin(), resting.end(),
-                                           [&](const Fraction& f) { return moves(algebra_, f); });
-  BookSum result = arranger_.spread(total({resting.begin(), first}), own);
-  for (const Fraction& form : settled(row.dissipation)) {
-    append(result, arranger_.summand(form, own));
-  }
-  for (const Fraction& form : settled({first, resting.end()})) {
-    append(result, arranger_.summand(form, own));
+  for (const std::vector<Fraction>& part : {dissipation, {resting, summands.end()}}) {
+    for (const Fraction& form : settled(part)) append(result, arranger_.summand(form, own));
   }
   return result;
 }

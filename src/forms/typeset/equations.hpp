@@ -36,10 +36,13 @@ class Equations {
 
   /// Each summand for itself; nothing where they are 0 together.
   [[nodiscard]] BookSum each(const std::vector<Fraction>& summands);
-  /// In the order of a row; `own` is its velocity.
-  [[nodiscard]] BookSum arranged(std::vector<Fraction> summands, std::uint32_t own);
+  /// In the order of a row; `own` is its velocity. Dissipation stands behind what moves.
+  [[nodiscard]] BookSum arranged(std::vector<Fraction> summands, std::uint32_t own,
+                                 const std::vector<Fraction>& dissipation = {});
   /// d/dt dL/dv - dL/dq + dD/dv.
-  [[nodiscard]] BookSum left(const EquationRow& row, std::uint32_t own);
+  [[nodiscard]] BookSum left(const EquationRow& row, std::uint32_t own) {
+    return arranged(row.inertia, own, row.dissipation);
+  }
 
   /// The acceleration where its row holds no other, or one other whose row holds no third.
   [[nodiscard]] std::optional<BookSum> solved(const std::vector<std::optional<EquationRow>>& rows,

@@ -5,8 +5,6 @@
 
 #include "forms/present/polynomial.hpp"
 #include "forms/typeset/arrange.hpp"
-#include "forms/typeset/factors.hpp"
-#include "forms/typeset/polynomials.hpp"
 #include "forms/write/ways.hpp"
 
 namespace elgen {
@@ -21,8 +19,7 @@ constexpr std::size_t longest_filled_in = 12;
 bool is_root_of(const Algebra& algebra, const BookFactor& factor, const Polynomial& radicand) {
   if (factor.kind != BookFactorKind::atom || factor.exponent < 1) return false;
   const Atom& atom = algebra.atoms[factor.atom];
-  return atom.kind == AtomKind::root && atom.arguments[0].denominator.empty() &&
-         sum(radicand, scaled(atom.arguments[0].numerator, {-1, 0})).empty();
+  return atom.kind == AtomKind::root && atom.arguments[0] == Fraction{radicand, {}};
 }
 
 }  // namespace
@@ -70,6 +67,12 @@ void Arranger::multiply(BookProduct& product, BookSum sum, std::int32_t exponent
   factor.exponent = exponent;
   factor.sum = std::move(sum);
   add_factor(product, std::move(factor));
+}
+
+/// A sum of one term is no sum in brackets.
+void Arranger::multiply_once(BookProduct& product, BookSum sum) const {
+  if (sum.terms.size() == 1) return elgen::multiply(product, sum.terms.front());
+  multiply(product, std::move(sum), 1);
 }
 
 /// Powers that all terms have, of one sign; exponentials stay.
@@ -203,13 +206,8 @@ BookProduct Arranger::product(const Taken& taken) {
   const Monomial below = lowest_powers(algebra_, taken.rest);
   multiply(result, below);
   BookSum rest = terms(scaled(taken.rest, {1, 0}, power(below, -1)));
-  if (rest.terms.size() == 1) {
-    elgen::multiply(result, rest.terms.front());
-  } else if (!rest.terms.empty()) {
-    multiply(result, std::move(rest), 1);
-  } else {
-    result = {0, {}};
-  }
+  if (rest.terms.empty()) return {0, {}};
+  multiply_once(result, std::move(rest));
   return result;
 }
 
@@ -217,12 +215,7 @@ BookProduct Arranger::product(const Polynomial& sum) { return product(taken(sum)
 
 void Arranger::divide(BookProduct& product, const Polynomial& factor, std::int32_t exponent) {
   if (exponent == 0) return;
-  const BookProduct below = this->product(factor);
-  product.number = product.number / cln::expt(below.number, exponent);
-  for (BookFactor part : below.factors) {
-    part.exponent *= -exponent;
-    add_factor(product, std::move(part));
-  }
+  elgen::divide(product, this->product(factor), exponent);
 }
 
 /// Factors of sines and cosines are multiplied: present has sin x as 2 sin(x/2) cos(x/2).

@@ -6,7 +6,8 @@
 
 #include "elgen/references.hpp"
 #include "forms/present/arithmetic.hpp"
-#include "forms/typeset/factors.hpp"
+#include "forms/present/polynomial.hpp"
+#include "forms/typeset/book_sum.hpp"
 
 namespace elgen {
 namespace {
@@ -60,11 +61,7 @@ bool same_up_to_factor(const Polynomial& x, const Polynomial& y) {
   const Gaussian& a = x.begin()->second;
   const Gaussian& b = y.begin()->second;
   return std::equal(x.begin(), x.end(), y.begin(), [&](const auto& s, const auto& t) {
-    return s.first == t.first &&
-           s.second.real * b.real - s.second.imaginary * b.imaginary ==
-               t.second.real * a.real - t.second.imaginary * a.imaginary &&
-           s.second.real * b.imaginary + s.second.imaginary * b.real ==
-               t.second.real * a.imaginary + t.second.imaginary * a.real;
+    return s.first == t.first && product(s.second, b) == product(t.second, a);
   });
 }
 
@@ -206,16 +203,6 @@ class ProductOrder {
 };
 
 }  // namespace
-
-std::vector<AtomId> atoms_of(const Polynomial& sum) {
-  std::vector<AtomId> atoms;
-  for (const auto& [monomial, coefficient] : sum) {
-    for (const AtomPower& power : monomial) atoms.push_back(power.atom);
-  }
-  std::ranges::sort(atoms);
-  atoms.erase(std::unique(atoms.begin(), atoms.end()), atoms.end());
-  return atoms;
-}
 
 TypedForms typed_forms(Algebra& algebra, const Model& model, const FixedParameters& fixed) {
   const std::vector<ExpressionId> all = reached(model, roots_of(model));

@@ -28,9 +28,6 @@ struct TypedForms {
   std::vector<bool> are_accelerations = {};  ///< of the parameters; g
 };
 
-/// Ascending, each once.
-[[nodiscard]] std::vector<AtomId> atoms_of(const Polynomial& sum);
-
 /// Cost: one closed form per typed sum; models of more than 200 sums, which are robots, have none.
 [[nodiscard]] TypedForms typed_forms(Algebra& algebra, const Model& model,
                                      const FixedParameters& fixed);

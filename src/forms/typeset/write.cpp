@@ -184,10 +184,7 @@ std::uint32_t BookWriter::angle(const Monomial& parts) {
       sum.terms.push_back(std::move(term));
     }
   }
-  const auto positive = std::ranges::find_if(
-      sum.terms, [](const BookProduct& term) { return cln::plusp(term.number); });
-  if (positive != sum.terms.end()) std::rotate(sum.terms.begin(), positive, positive + 1);
-  return angles_.emplace(parts, (*this)(sum)).first->second;
+  return angles_.emplace(parts, (*this)(positive_first(std::move(sum)))).first->second;
 }
 
 std::uint32_t BookWriter::atom(AtomId id) {

@@ -82,9 +82,7 @@ class ClosedGraph {
     for (AtomId id = 0; id < algebra_.atoms.size(); ++id) {
       const Atom& atom = algebra_.atoms[id];
       if (atom.kind != AtomKind::root || !atom.arguments[0].denominator.empty()) continue;
-      const Polynomial difference =
-          elgen::sum(radicand, scaled(atom.arguments[0].numerator, {-1, 0}));
-      if (difference.empty()) return id;
+      if (radicand == atom.arguments[0].numerator) return id;
     }
     return std::nullopt;
   }
@@ -109,16 +107,9 @@ class ClosedGraph {
     if (layout_.trigonometry) {
       return unless_too_long(real_terms(algebra_, polynomial, *layout_.trigonometry, most_));
     }
-    std::map<Monomial, Polynomial, MonomialLess> by_rates;
-    for (const auto& [monomial, coefficient] : polynomial) {
-      Monomial rates;
-      for (const AtomPower& power : monomial) {
-        if (is_rate(algebra_.atoms[power.atom])) rates.push_back(power);
-      }
-      by_rates[rates].emplace(monomial, coefficient);
-    }
     std::vector<RealTerm> all;
-    for (const auto& [rates, part] : by_rates) {
+    for (const auto& [rates, rest] : parts_by(algebra_, polynomial, is_rate)) {
+      const Polynomial part = scaled(rest, {1, 0}, rates);
       const auto terms = unless_too_long(shortest_terms(algebra_, part, most_));
       if (all.size() + terms.size() > most_) throw TooLong();
       all.insert(all.end(), terms.begin(), terms.end());
@@ -232,18 +223,12 @@ class ClosedGraph {
 }  // namespace
 
 std::vector<Fraction> by_roots(const Algebra& algebra, const Fraction& form) {
-  std::map<Monomial, Fraction, MonomialLess> parts;
-  for (const auto& [monomial, coefficient] : form.numerator) {
-    Monomial roots;
-    for (const AtomPower& power : monomial) {
-      if (algebra.atoms[power.atom].kind == AtomKind::root) roots.push_back(power);
-    }
-    parts[roots].numerator.emplace(monomial, coefficient);
-  }
+  const auto parts = parts_by(algebra, form.numerator,
+                              [](const Atom& atom) { return atom.kind == AtomKind::root; });
   std::vector<Fraction> result;
-  for (auto& [roots, part] : parts) {
+  for (const auto& [roots, rest] : parts) {
     std::size_t work = 100'000;
-    part.denominator = form.denominator;
+    Fraction part{scaled(rest, {1, 0}, roots), form.denominator};
     if (parts.size() > 1) divide_out(part, algebra, work);
     result.push_back(std::move(part));
   }

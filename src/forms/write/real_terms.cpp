@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "forms/present/polynomial.hpp"
-#include "forms/write/homogeneous_terms.hpp"
 
 namespace elgen {
 namespace {
@@ -189,15 +188,6 @@ class RealTerms {
 };
 
 }  // namespace
-
-SplitMonomial split(const Algebra& algebra, const Monomial& monomial) {
-  SplitMonomial result;
-  for (const AtomPower& factor : monomial) {
-    const bool is_circular = algebra.atoms[factor.atom].kind == AtomKind::circular;
-    (is_circular ? result.angle : result.powers).push_back(factor);
-  }
-  return result;
-}
 
 std::int32_t common_divisor(const Monomial& angle) {
   std::int32_t result = 0;

@@ -72,16 +72,14 @@ inline constexpr std::size_t multiple_length = 5;
                                                               Trigonometry trigonometry,
                                                               std::size_t most);
 
+/// The homogeneous ones (homogeneous_terms.cpp). None where there would be more than `most` terms,
+/// or high powers. A sum over several angles keeps what has none of them as it is.
+[[nodiscard]] std::optional<std::vector<RealTerm>> homogeneous_terms(const Algebra& algebra,
+                                                                     const Polynomial& sum,
+                                                                     std::size_t most);
+
 /// The power of e^(i x/12) that is e^(i x).
 inline constexpr std::int32_t whole_angle = 12;
-
-/// The angle in a product of atoms: e^(i angle) is what its circular atoms make.
-struct SplitMonomial {
-  Monomial powers;  ///< of all other atoms
-  Monomial angle;
-};
-
-[[nodiscard]] SplitMonomial split(const Algebra& algebra, const Monomial& monomial);
 
 /// Of the exponents; 0 of no angle.
 [[nodiscard]] std::int32_t common_divisor(const Monomial& angle);

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "forms/present/polynomial.hpp"
 #include "program/expression_leaves.hpp"
 
 using namespace elgen;

@@ -5,7 +5,6 @@
 #include <catch2/catch.hpp>
 
 #include "forms/write/closed_graph.hpp"
-#include "forms/write/homogeneous_terms.hpp"
 #include "program/expression_leaves.hpp"
 
 using namespace elgen;

@@ -1,5 +1,5 @@
-// factors: see factors.hpp.
-#include "forms/typeset/factors.hpp"
+// book_sum: see book_sum.hpp. Where the factors of a product stand, and which of them are one.
+#include "forms/typeset/book_sum.hpp"
 
 #include <cln/integer.h>
 
@@ -167,6 +167,14 @@ void multiply(BookProduct& product, const BookProduct& by) {
   for (const BookFactor& factor : by.factors) add_factor(product, factor);
 }
 
+void divide(BookProduct& product, const BookProduct& by, std::int32_t exponent) {
+  product.number = product.number / cln::expt(by.number, exponent);
+  for (BookFactor factor : by.factors) {
+    factor.exponent *= -exponent;
+    add_factor(product, std::move(factor));
+  }
+}
+
 void multiply(BookProduct& product, const Algebra& algebra, const CircularPower& power) {
   const std::uint32_t rank = 2 * rank_of_angle(algebra, power.angle);
   const auto add = [&](BookFactorKind kind, std::int32_t exponent, std::uint32_t place) {
@@ -218,6 +226,13 @@ std::vector<BookFactor> take_waves(BookSum& sum) {
     }
   }
   return common;
+}
+
+BookSum positive_first(BookSum sum) {
+  const auto first = std::ranges::find_if(
+      sum.terms, [](const BookProduct& term) { return cln::plusp(term.number); });
+  if (first != sum.terms.end()) std::rotate(sum.terms.begin(), first, first + 1);
+  return sum;
 }
 
 void sort_terms(BookSum& sum) {
