@@ -56,6 +56,27 @@ bool is_sum_of_forces(OutputKind kind) {
   return fields.size() == 1 && fields.front().type == "Forces<Scalar>";
 }
 
+/// Fields that readers do not see are not in the function; some have no names.
+const ClosedField& closed_field(const std::vector<ClosedField>& fields, std::size_t place,
+                                const std::string& name) {
+  if (place < fields.size() && fields[place].name == name) return fields[place];
+  const auto found = std::ranges::find(fields, name, &ClosedField::name);
+  if (found == fields.end()) throw TooLongForABook();
+  return *found;
+}
+
+std::vector<Fraction> summands(const ClosedField& field) {
+  std::vector<Fraction> result;
+  for (const std::optional<Fraction>& entry : field.entries) {
+    result.push_back(readable_form(entry));
+  }
+  return result;
+}
+
+void add_scalar(Function& function, const std::string& name, std::uint32_t entry) {
+  function.fields.push_back({name, 1, 1, {entry}});
+}
+
 /// Longer accelerations are no easier to read than the rows themselves.
 constexpr std::size_t longest_solution = 40;
 
@@ -158,15 +179,6 @@ class Typesetting {
   }
 
  private:
-  /// Fields that readers do not see are not in the function; some have no names.
-  static const ClosedField& closed_field(const std::vector<ClosedField>& fields, std::size_t place,
-                                         const std::string& name) {
-    if (place < fields.size() && fields[place].name == name) return fields[place];
-    const auto found = std::ranges::find(fields, name, &ClosedField::name);
-    if (found == fields.end()) throw TooLongForABook();
-    return *found;
-  }
-
   [[nodiscard]] std::uint32_t copied(BookWriter& write, std::size_t index, std::size_t field,
                                      std::size_t entry) const {
     const Function& known = program_.readable[index];
@@ -191,14 +203,6 @@ class Typesetting {
     }
   }
 
-  static std::vector<Fraction> summands(const ClosedField& field) {
-    std::vector<Fraction> result;
-    for (const std::optional<Fraction>& entry : field.entries) {
-      result.push_back(readable_form(entry));
-    }
-    return result;
-  }
-
   [[nodiscard]] std::vector<std::optional<EquationRow>> rows_around(Equations& equations,
                                                                     std::size_t first) const {
     std::vector<std::optional<EquationRow>> rows;
@@ -206,10 +210,6 @@ class Typesetting {
       rows.push_back(equations.row(forms_.functions[first + i]));
     }
     return rows;
-  }
-
-  static void add_scalar(Function& function, const std::string& name, std::uint32_t entry) {
-    function.fields.push_back({name, 1, 1, {entry}});
   }
 
   const Model& model_;

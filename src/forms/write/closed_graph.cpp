@@ -14,6 +14,73 @@ using cln::cl_RA;
 /// Thrown where a sum has more terms than it may.
 struct TooLong {};
 
+/// The powers that divide two or more terms, of divisors that are no exponentials.
+Monomial shared_divisors(const Algebra& algebra, const Polynomial& sum) {
+  struct Divisor {
+    std::int32_t exponent = 0;
+    std::size_t terms = 0;
+  };
+  std::map<AtomId, Divisor> divisors;
+  for (const auto& [monomial, coefficient] : sum) {
+    for (const AtomPower& power : split(algebra, monomial).powers) {
+      if (power.exponent > 0) continue;
+      Divisor& divisor = divisors[power.atom];
+      divisor.exponent = std::min(divisor.exponent, power.exponent);
+      ++divisor.terms;
+    }
+  }
+  Monomial shared;
+  for (const auto& [id, divisor] : divisors) {
+    if (divisor.terms > 1) shared.push_back({id, divisor.exponent});
+  }
+  return shared;
+}
+
+std::optional<AtomId> root_of(const Algebra& algebra, const Polynomial& radicand) {
+  for (AtomId id = 0; id < algebra.atoms.size(); ++id) {
+    const Atom& atom = algebra.atoms[id];
+    if (atom.kind != AtomKind::root || !atom.arguments[0].denominator.empty()) continue;
+    if (radicand == atom.arguments[0].numerator) return id;
+  }
+  return std::nullopt;
+}
+
+bool divides(AtomId atom, const Polynomial& sum) {
+  return std::all_of(sum.begin(), sum.end(), [&](const auto& term) {
+    return std::any_of(term.first.begin(), term.first.end(), [&](const AtomPower& power) {
+      return power.atom == atom && power.exponent > 0;
+    });
+  });
+}
+
+std::vector<RealTerm> unless_too_long(std::optional<std::vector<RealTerm>> terms) {
+  if (!terms) throw TooLong();
+  return std::move(*terms);
+}
+
+/// The terms of a sum, each part that multiplies one product of rates in its own way.
+std::vector<RealTerm> terms_of(const Algebra& algebra, const Polynomial& polynomial, Layout layout,
+                               std::size_t most) {
+  if (layout.trigonometry) {
+    return unless_too_long(real_terms(algebra, polynomial, *layout.trigonometry, most));
+  }
+  std::vector<RealTerm> all;
+  for (const auto& [rates, rest] : parts_by(algebra, polynomial, is_rate)) {
+    const Polynomial part = scaled(rest, {1, 0}, rates);
+    const auto terms = unless_too_long(shortest_terms(algebra, part, most));
+    if (all.size() + terms.size() > most) throw TooLong();
+    all.insert(all.end(), terms.begin(), terms.end());
+  }
+  return all;
+}
+
+/// The factors of one term, from what it is grouped by to what is left.
+struct TermFactors {
+  std::vector<Power> rates = {};
+  std::vector<Power> coordinates = {};
+  std::vector<Power> rest = {};
+};
+
 class ClosedGraph {
  public:
   ClosedGraph(Graph& graph, const Algebra& algebra, Layout layout, std::size_t most)
@@ -29,7 +96,10 @@ class ClosedGraph {
   Ref part_of_fraction(Fraction form) {
     std::vector<Power> factors;
     take_root(form, factors);
-    take_divisors(form, factors);
+    // x/l + y/l^2 = (x l + y)/l^2
+    const Monomial divisors = shared_divisors(algebra_, form.numerator);
+    for (const AtomPower& power : divisors) factors.push_back({atom(power.atom), power.exponent});
+    form.numerator = scaled(form.numerator, {1, 0}, power(divisors, -1));
     factors.push_back({sum(form.numerator), 1});
     for (const auto& [factor, exponent] : form.denominator) {
       factors.push_back({sum(algebra_.factors[factor].shown), -exponent});
@@ -37,38 +107,10 @@ class ClosedGraph {
     return graph_.product(factors);
   }
 
-  /// A divisor of two or more terms divides the whole sum: x/l + y/l^2 = (x l + y)/l^2.
-  void take_divisors(Fraction& form, std::vector<Power>& factors) {
-    struct Divisor {
-      std::int32_t exponent = 0;
-      std::size_t terms = 0;
-    };
-    std::map<AtomId, Divisor> divisors;
-    for (const auto& [monomial, coefficient] : form.numerator) {
-      for (const AtomPower& power : monomial) {
-        if (power.exponent > 0 || is_exponential(power.atom)) continue;
-        Divisor& divisor = divisors[power.atom];
-        divisor.exponent = std::min(divisor.exponent, power.exponent);
-        ++divisor.terms;
-      }
-    }
-    Monomial taken;
-    for (const auto& [id, divisor] : divisors) {
-      if (divisor.terms < 2) continue;
-      taken.push_back({id, -divisor.exponent});
-      factors.push_back({atom(id), divisor.exponent});
-    }
-    if (!taken.empty()) form.numerator = scaled(form.numerator, {1, 0}, taken);
-  }
-
-  [[nodiscard]] bool is_exponential(AtomId id) const {
-    return algebra_.atoms[id].kind == AtomKind::circular;
-  }
-
   /// n sqrt(r) / r^k -> n sqrt(r)^-1 / r^(k-1)
   void take_root(Fraction& form, std::vector<Power>& factors) {
     for (auto& [factor, exponent] : form.denominator) {
-      const std::optional<AtomId> root = root_of(algebra_.factors[factor].shown);
+      const std::optional<AtomId> root = root_of(algebra_, algebra_.factors[factor].shown);
       if (!root || exponent == 0 || !divides(*root, form.numerator)) continue;
       form.numerator = scaled(form.numerator, {1, 0}, Monomial{{*root, -1}});
       --exponent;
@@ -78,60 +120,18 @@ class ClosedGraph {
     std::erase_if(form.denominator, [](const auto& factor) { return factor.second == 0; });
   }
 
-  [[nodiscard]] std::optional<AtomId> root_of(const Polynomial& radicand) const {
-    for (AtomId id = 0; id < algebra_.atoms.size(); ++id) {
-      const Atom& atom = algebra_.atoms[id];
-      if (atom.kind != AtomKind::root || !atom.arguments[0].denominator.empty()) continue;
-      if (radicand == atom.arguments[0].numerator) return id;
-    }
-    return std::nullopt;
-  }
-
-  static bool divides(AtomId atom, const Polynomial& sum) {
-    return std::all_of(sum.begin(), sum.end(), [&](const auto& term) {
-      return std::any_of(term.first.begin(), term.first.end(), [&](const AtomPower& power) {
-        return power.atom == atom && power.exponent > 0;
-      });
-    });
-  }
-
-  /// The factors of one term, from what it is grouped by to what is left.
-  struct Factors {
-    std::vector<Power> rates = {};
-    std::vector<Power> coordinates = {};
-    std::vector<Power> rest = {};
-  };
-
-  /// The terms of a sum, each part that multiplies one product of rates in its own way.
-  [[nodiscard]] std::vector<RealTerm> terms_of(const Polynomial& polynomial) const {
-    if (layout_.trigonometry) {
-      return unless_too_long(real_terms(algebra_, polynomial, *layout_.trigonometry, most_));
-    }
-    std::vector<RealTerm> all;
-    for (const auto& [rates, rest] : parts_by(algebra_, polynomial, is_rate)) {
-      const Polynomial part = scaled(rest, {1, 0}, rates);
-      const auto terms = unless_too_long(shortest_terms(algebra_, part, most_));
-      if (all.size() + terms.size() > most_) throw TooLong();
-      all.insert(all.end(), terms.begin(), terms.end());
-    }
-    return all;
-  }
-
-  static std::vector<RealTerm> unless_too_long(std::optional<std::vector<RealTerm>> terms) {
-    if (!terms) throw TooLong();
-    return std::move(*terms);
-  }
-
   Ref sum(const Polynomial& polynomial) {
-    std::vector<Factors> factors;
-    for (const RealTerm& term : terms_of(polynomial)) factors.push_back(factors_of(term));
+    std::vector<TermFactors> factors;
+    for (const RealTerm& term : terms_of(algebra_, polynomial, layout_, most_)) {
+      factors.push_back(factors_of(term));
+    }
     if (layout_.grouping == Grouping::none) return sum_of_products(factors);
-    return sum_of_groups(factors, &Factors::rates);
+    return sum_of_groups(factors, &TermFactors::rates);
   }
 
-  Ref sum_of_products(const std::vector<Factors>& terms) {
+  Ref sum_of_products(const std::vector<TermFactors>& terms) {
     std::vector<Ref> refs;
-    for (const Factors& term : terms) {
+    for (const TermFactors& term : terms) {
       std::vector<Power> all = term.rest;
       all.insert(all.end(), term.coordinates.begin(), term.coordinates.end());
       all.insert(all.end(), term.rates.begin(), term.rates.end());
@@ -141,10 +141,10 @@ class ClosedGraph {
   }
 
   /// One product per group: what its terms share, times the sum of what is left of them.
-  Ref sum_of_groups(const std::vector<Factors>& terms, std::vector<Power> Factors::*key) {
-    using Group = std::pair<Ref, std::vector<Factors>>;
+  Ref sum_of_groups(const std::vector<TermFactors>& terms, std::vector<Power> TermFactors::*key) {
+    using Group = std::pair<Ref, std::vector<TermFactors>>;
     std::vector<Group> groups;
-    for (Factors term : terms) {
+    for (TermFactors term : terms) {
       const Ref shared = graph_.product(term.*key);
       (term.*key).clear();
       auto known = std::ranges::find(groups, shared, &Group::first);
@@ -152,18 +152,18 @@ class ClosedGraph {
       known->second.push_back(std::move(term));
     }
     const bool is_split_again =
-        key == &Factors::rates && layout_.grouping == Grouping::by_rates_and_coordinates;
+        key == &TermFactors::rates && layout_.grouping == Grouping::by_rates_and_coordinates;
     std::vector<Ref> refs;
     for (const auto& [shared, members] : groups) {
-      const Ref rest =
-          is_split_again ? sum_of_groups(members, &Factors::coordinates) : sum_of_products(members);
+      const Ref rest = is_split_again ? sum_of_groups(members, &TermFactors::coordinates)
+                                      : sum_of_products(members);
       refs.push_back(graph_.product({{shared, 1}, {rest, 1}}));
     }
     return graph_.sum(refs);
   }
 
-  Factors factors_of(const RealTerm& term) {
-    Factors factors;
+  TermFactors factors_of(const RealTerm& term) {
+    TermFactors factors;
     factors.rest.push_back({graph_.rational(term.coefficient), 1});
     for (const AtomPower& power : term.powers) {
       const Atom& atom = algebra_.atoms[power.atom];
