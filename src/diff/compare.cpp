@@ -116,12 +116,15 @@ void judge_keys(SystemChange& system, Impact of_entries) {
 
 std::string text_of(const SourcePointer& source) { return source ? source->text : ""; }
 
+/// The built-in one has no keys, and no source.
+const FileSyntax& scene_of(const Version& version) {
+  static const FileSyntax no_keys;
+  return version.scene == nullptr ? no_keys : *version.scene;
+}
+
 bool same_texts(const Version& before, const Version& after) {
-  const auto scene = [](const Version& version) {
-    return version.scene == nullptr ? "" : text_of(version.scene->source);
-  };
   return text_of(before.model.source) == text_of(after.model.source) &&
-         scene(before) == scene(after);
+         text_of(scene_of(before).source) == text_of(scene_of(after).source);
 }
 
 /// Parameters that only the newer version has, at 0.
@@ -187,15 +190,11 @@ Diagnostics new_warnings(const Version& before, const Version& after) {
   return found;
 }
 
-/// Those of the model, then those of the scene: the built-in one has no keys.
+/// Those of the model, then those of the scene.
 std::vector<KeyChange> all_changed_keys(const Version& before, const Version& after,
                                         const Renames& renames) {
-  static const FileSyntax no_keys;
-  const auto scene = [](const Version& version) -> const FileSyntax& {
-    return version.scene == nullptr ? no_keys : *version.scene;
-  };
   std::vector<KeyChange> keys = changed_keys(before.model, after.model, renames);
-  const std::vector<KeyChange> more = changed_keys(scene(before), scene(after), renames);
+  const std::vector<KeyChange> more = changed_keys(scene_of(before), scene_of(after), renames);
   keys.insert(keys.end(), more.begin(), more.end());
   return keys;
 }

@@ -68,269 +68,259 @@ const KnownName* find(const Names& members, const std::string& name) {
   return found == members.end() ? nullptr : &*found;
 }
 
-class InterfaceComparison {
- public:
-  InterfaceComparison(const Version& before, const Version& after, const Renames& renames)
-      : old_functions_(before.program.functions),
-        new_functions_(after.program.functions),
-        before_(before.checked),
-        after_(after.checked),
-        old_arrays_(emitted_parameters(before_.model, before.program)),
-        new_arrays_(emitted_parameters(after_.model, after.program)),
-        renames_(renames) {}
+/// The changes found so far.
+struct Changes {
+  std::vector<InterfaceChange> all = {};
 
-  std::vector<InterfaceChange> operator()() {
-    const Model& old = before_.model;
-    const Model& now = after_.model;
-    compare_names();
-    compare_lists("coordinate", members(old.coordinates, renames_), members(now.coordinates, {}));
-    compare_lists("input", members(old.inputs, renames_), members(now.inputs, {}));
-    compare_lists("constraint", members(old.constraints, renames_), members(now.constraints, {}));
-    compare_lists("open value", members(old.open_values, renames_), members(now.open_values, {}));
-    compare_parameters();
-    if (old.uses_time != now.uses_time) {
-      add(Impact::breaks,
-          now.uses_time ? "every function takes t now" : "no function takes t any more");
-    }
-    compare_outputs();
-    compare_shapes();
-    compare_target();
-    return std::move(changes_);
-  }
-
- private:
-  void add(Impact impact, std::string text) { changes_.push_back({impact, std::move(text)}); }
+  void add(Impact impact, std::string text) { all.push_back({impact, std::move(text)}); }
 
   void add_silent(const std::string& text) {
-    changes_.push_back({Impact::breaks, text + "; callers compile and mean something else", true});
+    all.push_back({Impact::breaks, text + "; callers compile and mean something else", true});
   }
-
-  void compare_names() {
-    for (const auto& [from, to] : renames_) {
-      const bool is_member = std::ranges::count(old_arrays_, from, &ParameterArray::name) > 0;
-      add(is_member ? Impact::breaks : Impact::values,
-          fmt::format("{} is called {} now", in_backticks(from), in_backticks(to)));
-    }
-    if (before_.scene.base_name != after_.scene.base_name) {
-      add(Impact::breaks,
-          fmt::format("files are called {} now, which were {}",
-                      in_backticks(after_.scene.base_name), in_backticks(before_.scene.base_name)));
-    }
-  }
-
-  /// Compares the names of the elements of arrays by their places.
-  void compare_lists(const std::string& what, const Names& olds, const Names& news) {
-    if (olds.size() != news.size()) {
-      add(Impact::breaks,
-          fmt::format("{} where there were {}: {}", counted(news.size(), what), olds.size(),
-                      fmt::format("{} -> {}", listed(olds), listed(news))));
-    } else if (listed(olds) != listed(news)) {
-      add_silent(fmt::format("{}s are other ones, or in another order: {} -> {}", what,
-                             listed(olds), listed(news)));
-    }
-    compare_units(what, olds, news);
-  }
-
-  void compare_units(const std::string& what, const Names& olds, const Names& news) {
-    for (const KnownName& now : news) {
-      const KnownName* const old = find(olds, now.name);
-      if (old == nullptr || old->unit == now.unit) continue;
-      // rad is 1: N*m*s/rad and N*m*s are one unit.
-      const bool is_same = old->meant && now.meant && *old->meant == *now.meant;
-      const std::string text = fmt::format("the unit of {} {} is {} where it was {}", what,
-                                           in_backticks(now.name), unit(now), unit(*old));
-      if (is_same) {
-        add(Impact::values, text);
-      } else {
-        add_silent(text);
-      }
-    }
-  }
-
-  static std::string unit(const KnownName& member) {
-    return member.unit.empty() ? "not declared" : member.unit;
-  }
-
-  /// Names of a struct, with names and places.
-  void compare_parameters() {
-    const Names olds = members(before_.model, old_arrays_, renames_);
-    const Names news = members(after_.model, new_arrays_, {});
-    for (const KnownName& old : olds) {
-      const KnownName* const now = find(news, old.name);
-      if (now == nullptr) {
-        add(Impact::breaks,
-            fmt::format("there is no parameter {} any more", in_backticks(old.name)));
-      } else if (now->size != old.size) {
-        add(Impact::breaks,
-            fmt::format("parameter {} has {} where it had {}", in_backticks(old.name),
-                        counted(now->size, "element"), old.size));
-      }
-    }
-    Names kept = news;
-    std::erase_if(kept, [&olds](const KnownName& now) { return find(olds, now.name) == nullptr; });
-    Names stayed = olds;
-    std::erase_if(stayed,
-                  [&news](const KnownName& old) { return find(news, old.name) == nullptr; });
-    if (listed(kept) != listed(stayed)) {
-      add_silent(fmt::format("members of Parameters are in another order: {} -> {}", listed(stayed),
-                             listed(kept)));
-    } else if (kept.size() < news.size()) {
-      Names added = news;
-      std::erase_if(added,
-                    [&olds](const KnownName& now) { return find(olds, now.name) != nullptr; });
-      const bool are_last =
-          find(added, news[kept.size()].name) != nullptr &&
-          listed(Names(news.begin(), news.begin() + static_cast<std::ptrdiff_t>(kept.size()))) ==
-              listed(kept);
-      // Where others are gone, callers do not compile.
-      if (are_last || kept.size() < olds.size()) {
-        add(Impact::extended, "Parameters has new members: " + listed(added));
-      } else {
-        add_silent("Parameters has new members, not all of them behind the others: " +
-                   listed(added));
-      }
-    }
-    compare_units("parameter", olds, news);
-    compare_values();
-  }
-
-  void compare_values() {
-    for (const Parameter& now : after_.model.parameters) {
-      const auto old = std::ranges::find_if(before_.model.parameters, [&](const Parameter& p) {
-        return renamed(p.name, renames_) == now.name;
-      });
-      if (old == before_.model.parameters.end()) continue;
-      if (old->value != now.value) {
-        add(Impact::values,
-            fmt::format("the value of {} is {} where it was {}", in_backticks(now.name),
-                        exact_text(now.value), exact_text(old->value)));
-      }
-      if (old->assumption != now.assumption) {
-        add(Impact::values, fmt::format("{} is assumed to be {} where it was {}",
-                                        in_backticks(now.name), assumed(now), assumed(*old)));
-      }
-    }
-  }
-
-  static std::string_view assumed(const Parameter& parameter) {
-    constexpr std::array words{"any number", "positive", "nonnegative"};
-    return words[static_cast<std::size_t>(parameter.assumption)];
-  }
-
-  void compare_outputs() {
-    for (const OutputRequest& old : before_.scene.outputs) {
-      const OutputRequest* const now = find_request(after_.scene, old.name);
-      if (now == nullptr) {
-        add(Impact::breaks,
-            fmt::format("there is no function {} any more", in_backticks(old.name)));
-      } else if (now->kind != old.kind) {
-        add_silent(fmt::format("the function {} is another output", in_backticks(old.name)));
-      } else if (output_row(now->kind).steps) {
-        compare_methods(old, *now);
-      }
-    }
-    for (const OutputRequest& now : after_.scene.outputs) {
-      if (find_request(before_.scene, now.name) != nullptr) continue;
-      add(Impact::extended, fmt::format("there is a new function {}", in_backticks(now.name)));
-    }
-  }
-
-  /// Of the user's own outputs, and of the constraints on positions; the shapes of others follow
-  /// from the lists above.
-  void compare_shapes() {
-    for (const Function& now : new_functions_) {
-      const auto old = std::ranges::find(old_functions_, now.name, &Function::name);
-      const bool is_in_both = old != old_functions_.end() && old->kind == now.kind;
-      const bool is_told =
-          output_row(now.kind).of_user || now.kind == OutputKind::constraint_residual;
-      if (!is_in_both || !is_told || has_shape_of(*old, now)) continue;
-      add(Impact::breaks,
-          fmt::format("{} is {} where it was {}", in_backticks(now.name), shape(now), shape(*old)));
-    }
-  }
-
-  static bool has_shape_of(const Function& old, const Function& now) {
-    return std::ranges::equal(old.fields, now.fields, [](const Field& x, const Field& y) {
-      return x.rows == y.rows && x.columns == y.columns;
-    });
-  }
-
-  /// "2 x 3", "2 x 1"
-  static std::string shape(const Function& function) {
-    std::string text;
-    for (const Field& field : function.fields) {
-      text += fmt::format("{}{} x {}", text.empty() ? "" : ", ", field.rows, field.columns);
-    }
-    return text;
-  }
-
-  void compare_methods(const OutputRequest& old, const OutputRequest& now) {
-    if (old.user != now.user) {
-      add(Impact::different,
-          fmt::format("the method of {} is {} where it was {}", in_backticks(now.name),
-                      step_methods[now.user].name, step_methods[old.user].name));
-    } else if (old.composed_order != now.composed_order) {
-      const std::uint32_t own = step_methods[now.user].order;
-      const auto order = [own](const OutputRequest& step) {
-        return step.composed_order > 0 ? step.composed_order : own;
-      };
-      add(Impact::different, fmt::format("{} is of order {} where it was of order {}",
-                                         in_backticks(now.name), order(now), order(old)));
-    } else if (old.iterations != now.iterations) {
-      add(Impact::different, fmt::format("{} has {} where it had {}", in_backticks(now.name),
-                                         counted(now.iterations, "iteration"), old.iterations));
-    }
-  }
-
-  void compare_target() {
-    const Emission& old = before_.scene.emission;
-    const Emission& now = after_.scene.emission;
-    if (old.language != now.language) add(Impact::breaks, "the language of the code differs");
-    if (name_space(before_.scene) != name_space(after_.scene) &&
-        before_.scene.base_name == after_.scene.base_name) {
-      add(Impact::breaks,
-          fmt::format("the namespace is {} where it was {}", in_backticks(name_space(after_.scene)),
-                      in_backticks(name_space(before_.scene))));
-    }
-    if (old.storage != now.storage) {
-      add_silent(fmt::format("matrices are stored {} where they were {}", name_of(now.storage),
-                             name_of(old.storage)));
-    }
-    compare_header("_eigen", old.eigen, now.eigen);
-    compare_header("_batch", old.batch, now.batch);
-    if (before_.scene.numerics.trigonometry_error != after_.scene.numerics.trigonometry_error) {
-      add(Impact::values, "the error that batches allow sines and cosines differs");
-    }
-    if (before_.scene.numerics.max_error != after_.scene.numerics.max_error) {
-      add(Impact::values, "the error that the scene promises of its outputs differs");
-    }
-    if (before_.scene.numerics.scalars != after_.scene.numerics.scalars) {
-      const bool is_in_types = language_row(now.language).scalars == LanguageScalars::one;
-      add(is_in_types ? Impact::breaks : Impact::values, "the scalars that code is for differ");
-    }
-  }
-
-  void compare_header(const char* suffix, bool was_there, bool is_there) {
-    if (was_there == is_there) return;
-    add(is_there ? Impact::extended : Impact::breaks,
-        fmt::format("there is {} header NAME{}.hpp", is_there ? "a new" : "no longer a", suffix));
-  }
-
-  const std::vector<Function>& old_functions_;
-  const std::vector<Function>& new_functions_;
-  const CheckedModel& before_;
-  const CheckedModel& after_;
-  std::vector<ParameterArray> old_arrays_;  ///< members of Parameters
-  std::vector<ParameterArray> new_arrays_;
-  const Renames& renames_;
-  std::vector<InterfaceChange> changes_ = {};
 };
+
+std::string unit(const KnownName& member) {
+  return member.unit.empty() ? "not declared" : member.unit;
+}
+
+void compare_units(Changes& changes, const std::string& what, const Names& olds,
+                   const Names& news) {
+  for (const KnownName& now : news) {
+    const KnownName* const old = find(olds, now.name);
+    if (old == nullptr || old->unit == now.unit) continue;
+    // rad is 1: N*m*s/rad and N*m*s are one unit.
+    const bool is_same = old->meant && now.meant && *old->meant == *now.meant;
+    const std::string text = fmt::format("the unit of {} {} is {} where it was {}", what,
+                                         in_backticks(now.name), unit(now), unit(*old));
+    if (is_same) {
+      changes.add(Impact::values, text);
+    } else {
+      changes.add_silent(text);
+    }
+  }
+}
+
+/// Compares the names of the elements of arrays by their places.
+void compare_lists(Changes& changes, const std::string& what, const Names& olds,
+                   const Names& news) {
+  if (olds.size() != news.size()) {
+    changes.add(Impact::breaks,
+                fmt::format("{} where there were {}: {}", counted(news.size(), what), olds.size(),
+                            fmt::format("{} -> {}", listed(olds), listed(news))));
+  } else if (listed(olds) != listed(news)) {
+    changes.add_silent(fmt::format("{}s are other ones, or in another order: {} -> {}", what,
+                                   listed(olds), listed(news)));
+  }
+  compare_units(changes, what, olds, news);
+}
+
+std::string_view assumed(const Parameter& parameter) {
+  constexpr std::array words{"any number", "positive", "nonnegative"};
+  return words[static_cast<std::size_t>(parameter.assumption)];
+}
+
+void compare_values(Changes& changes, const Model& before, const Model& after,
+                    const Renames& renames) {
+  for (const Parameter& now : after.parameters) {
+    const auto old = std::ranges::find_if(before.parameters, [&](const Parameter& p) {
+      return renamed(p.name, renames) == now.name;
+    });
+    if (old == before.parameters.end()) continue;
+    if (old->value != now.value) {
+      changes.add(Impact::values,
+                  fmt::format("the value of {} is {} where it was {}", in_backticks(now.name),
+                              exact_text(now.value), exact_text(old->value)));
+    }
+    if (old->assumption != now.assumption) {
+      changes.add(Impact::values, fmt::format("{} is assumed to be {} where it was {}",
+                                              in_backticks(now.name), assumed(now), assumed(*old)));
+    }
+  }
+}
+
+void compare_names(Changes& changes, const Version& before, const Version& after,
+                   const Renames& renames) {
+  const std::vector<ParameterArray> old_arrays =
+      emitted_parameters(before.checked.model, before.program);
+  for (const auto& [from, to] : renames) {
+    const bool is_member = std::ranges::count(old_arrays, from, &ParameterArray::name) > 0;
+    changes.add(is_member ? Impact::breaks : Impact::values,
+                fmt::format("{} is called {} now", in_backticks(from), in_backticks(to)));
+  }
+  if (before.checked.scene.base_name != after.checked.scene.base_name) {
+    changes.add(Impact::breaks, fmt::format("files are called {} now, which were {}",
+                                            in_backticks(after.checked.scene.base_name),
+                                            in_backticks(before.checked.scene.base_name)));
+  }
+}
+
+/// Names of a struct, with names and places.
+void compare_parameters(Changes& changes, const Names& olds, const Names& news) {
+  for (const KnownName& old : olds) {
+    const KnownName* const now = find(news, old.name);
+    if (now == nullptr) {
+      changes.add(Impact::breaks,
+                  fmt::format("there is no parameter {} any more", in_backticks(old.name)));
+    } else if (now->size != old.size) {
+      changes.add(Impact::breaks,
+                  fmt::format("parameter {} has {} where it had {}", in_backticks(old.name),
+                              counted(now->size, "element"), old.size));
+    }
+  }
+  Names kept = news;
+  std::erase_if(kept, [&olds](const KnownName& now) { return find(olds, now.name) == nullptr; });
+  Names stayed = olds;
+  std::erase_if(stayed, [&news](const KnownName& old) { return find(news, old.name) == nullptr; });
+  if (listed(kept) != listed(stayed)) {
+    changes.add_silent(fmt::format("members of Parameters are in another order: {} -> {}",
+                                   listed(stayed), listed(kept)));
+  } else if (kept.size() < news.size()) {
+    Names added = news;
+    std::erase_if(added, [&olds](const KnownName& now) { return find(olds, now.name) != nullptr; });
+    const bool are_last =
+        find(added, news[kept.size()].name) != nullptr &&
+        listed(Names(news.begin(), news.begin() + static_cast<std::ptrdiff_t>(kept.size()))) ==
+            listed(kept);
+    // Where others are gone, callers do not compile.
+    if (are_last || kept.size() < olds.size()) {
+      changes.add(Impact::extended, "Parameters has new members: " + listed(added));
+    } else {
+      changes.add_silent("Parameters has new members, not all of them behind the others: " +
+                         listed(added));
+    }
+  }
+  compare_units(changes, "parameter", olds, news);
+}
+
+void compare_methods(Changes& changes, const OutputRequest& old, const OutputRequest& now) {
+  if (old.user != now.user) {
+    changes.add(Impact::different,
+                fmt::format("the method of {} is {} where it was {}", in_backticks(now.name),
+                            step_methods[now.user].name, step_methods[old.user].name));
+  } else if (old.composed_order != now.composed_order) {
+    const std::uint32_t own = step_methods[now.user].order;
+    const auto order = [own](const OutputRequest& step) {
+      return step.composed_order > 0 ? step.composed_order : own;
+    };
+    changes.add(Impact::different, fmt::format("{} is of order {} where it was of order {}",
+                                               in_backticks(now.name), order(now), order(old)));
+  } else if (old.iterations != now.iterations) {
+    changes.add(Impact::different,
+                fmt::format("{} has {} where it had {}", in_backticks(now.name),
+                            counted(now.iterations, "iteration"), old.iterations));
+  }
+}
+
+void compare_outputs(Changes& changes, const Scene& before, const Scene& after) {
+  for (const OutputRequest& old : before.outputs) {
+    const OutputRequest* const now = find_request(after, old.name);
+    if (now == nullptr) {
+      changes.add(Impact::breaks,
+                  fmt::format("there is no function {} any more", in_backticks(old.name)));
+    } else if (now->kind != old.kind) {
+      changes.add_silent(fmt::format("the function {} is another output", in_backticks(old.name)));
+    } else if (output_row(now->kind).steps) {
+      compare_methods(changes, old, *now);
+    }
+  }
+  for (const OutputRequest& now : after.outputs) {
+    if (find_request(before, now.name) != nullptr) continue;
+    changes.add(Impact::extended,
+                fmt::format("there is a new function {}", in_backticks(now.name)));
+  }
+}
+
+bool has_shape_of(const Function& old, const Function& now) {
+  return std::ranges::equal(old.fields, now.fields, [](const Field& x, const Field& y) {
+    return x.rows == y.rows && x.columns == y.columns;
+  });
+}
+
+/// "2 x 3", "2 x 1"
+std::string shape(const Function& function) {
+  std::string text;
+  for (const Field& field : function.fields) {
+    text += fmt::format("{}{} x {}", text.empty() ? "" : ", ", field.rows, field.columns);
+  }
+  return text;
+}
+
+/// Of the user's own outputs, and of the constraints on positions; the shapes of others follow
+/// from the lists above.
+void compare_shapes(Changes& changes, const Program& before, const Program& after) {
+  for (const Function& now : after.functions) {
+    const auto old = std::ranges::find(before.functions, now.name, &Function::name);
+    const bool is_in_both = old != before.functions.end() && old->kind == now.kind;
+    const bool is_told =
+        output_row(now.kind).of_user || now.kind == OutputKind::constraint_residual;
+    if (!is_in_both || !is_told || has_shape_of(*old, now)) continue;
+    changes.add(Impact::breaks, fmt::format("{} is {} where it was {}", in_backticks(now.name),
+                                            shape(now), shape(*old)));
+  }
+}
+
+void compare_header(Changes& changes, const char* suffix, bool was_there, bool is_there) {
+  if (was_there == is_there) return;
+  changes.add(
+      is_there ? Impact::extended : Impact::breaks,
+      fmt::format("there is {} header NAME{}.hpp", is_there ? "a new" : "no longer a", suffix));
+}
+
+void compare_target(Changes& changes, const Scene& before, const Scene& after) {
+  const Emission& old = before.emission;
+  const Emission& now = after.emission;
+  if (old.language != now.language) changes.add(Impact::breaks, "the language of the code differs");
+  if (name_space(before) != name_space(after) && before.base_name == after.base_name) {
+    changes.add(Impact::breaks,
+                fmt::format("the namespace is {} where it was {}", in_backticks(name_space(after)),
+                            in_backticks(name_space(before))));
+  }
+  if (old.storage != now.storage) {
+    changes.add_silent(fmt::format("matrices are stored {} where they were {}",
+                                   name_of(now.storage), name_of(old.storage)));
+  }
+  compare_header(changes, "_eigen", old.eigen, now.eigen);
+  compare_header(changes, "_batch", old.batch, now.batch);
+  if (before.numerics.trigonometry_error != after.numerics.trigonometry_error) {
+    changes.add(Impact::values, "the error that batches allow sines and cosines differs");
+  }
+  if (before.numerics.max_error != after.numerics.max_error) {
+    changes.add(Impact::values, "the error that the scene promises of its outputs differs");
+  }
+  if (before.numerics.scalars != after.numerics.scalars) {
+    const bool is_in_types = language_row(now.language).scalars == LanguageScalars::one;
+    changes.add(is_in_types ? Impact::breaks : Impact::values,
+                "the scalars that code is for differ");
+  }
+}
 
 }  // namespace
 
 std::vector<InterfaceChange> interface_changes(const Version& before, const Version& after,
                                                const Renames& renames) {
-  return InterfaceComparison(before, after, renames)();
+  const Model& old = before.checked.model;
+  const Model& now = after.checked.model;
+  Changes changes;
+  const Names olds = members(old, emitted_parameters(old, before.program), renames);
+  const Names news = members(now, emitted_parameters(now, after.program), {});
+  compare_names(changes, before, after, renames);
+  compare_lists(changes, "coordinate", members(old.coordinates, renames),
+                members(now.coordinates, {}));
+  compare_lists(changes, "input", members(old.inputs, renames), members(now.inputs, {}));
+  compare_lists(changes, "constraint", members(old.constraints, renames),
+                members(now.constraints, {}));
+  compare_lists(changes, "open value", members(old.open_values, renames),
+                members(now.open_values, {}));
+  compare_parameters(changes, olds, news);
+  compare_values(changes, old, now, renames);
+  if (old.uses_time != now.uses_time) {
+    changes.add(Impact::breaks,
+                now.uses_time ? "every function takes t now" : "no function takes t any more");
+  }
+  compare_outputs(changes, before.checked.scene, after.checked.scene);
+  compare_shapes(changes, before.program, after.program);
+  compare_target(changes, before.checked.scene, after.checked.scene);
+  return std::move(changes.all);
 }
 
 }  // namespace elgen

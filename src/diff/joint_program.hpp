@@ -1,4 +1,6 @@
-// JointProgram: functions of two versions over the leaves of both, which meet by their names.
+// JointProgram: functions of two versions over the leaves of both, which meet by their names, and
+// the entries that mean the same in both: of M those of the same two coordinates, wherever they
+// stand.
 //
 //     before  0 = parameter m  1 = velocity x  2 = multiply 0 1       result = 2
 //     after   0 = parameter k  1 = parameter m  2 = velocity x  3 = multiply 1 2   result = 3
@@ -6,6 +8,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "elgen/diff.hpp"
 #include "elgen/program.hpp"
@@ -48,5 +51,21 @@ class JointProgram {
   LeafPlaces old_places_ = {};
   LeafPlaces new_places_ = {};
 };
+
+/// An entry, numbered over all fields, of either version.
+struct MatchedEntry {
+  std::optional<std::size_t> before = {};
+  std::optional<std::size_t> after = {};
+  std::string place = {};  ///< "mass_matrix[1,2]": of the newer version where it is there
+  std::string unit = {};
+};
+
+/// The entries of two functions of one name, in the order of `after`; removed ones last. Nothing
+/// matches an empty function.
+[[nodiscard]] std::vector<MatchedEntry> matched_entries(const Model& old_model,
+                                                        const Function& before,
+                                                        const Model& new_model,
+                                                        const Function& after,
+                                                        const Renames& renames);
 
 }  // namespace elgen

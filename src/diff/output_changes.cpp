@@ -10,7 +10,6 @@
 #include "choose/entries.hpp"
 #include "choose/finish.hpp"
 #include "diff/joint_program.hpp"
-#include "diff/matched_entries.hpp"
 #include "diff/renamed.hpp"
 #include "diff/zeros.hpp"
 #include "elgen/closed_forms.hpp"

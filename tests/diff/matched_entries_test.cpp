@@ -1,7 +1,5 @@
 // Two programs over the leaves of both, and entries that meet by what their rows and columns stand
 // for.
-#include "diff/matched_entries.hpp"
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 
