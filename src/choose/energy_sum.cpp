@@ -19,19 +19,6 @@ const Function* find_before(const Program& program, std::size_t index, OutputKin
   return nullptr;
 }
 
-/// The place of the only entry of `from`, whose instructions are appended.
-std::uint32_t append(Instructions& instructions, Function& to, const Function& from) {
-  std::vector<std::uint32_t> places;
-  for (std::uint32_t at = 0; at < from.instructions.size(); ++at) {
-    Instruction i = from.instructions[at];
-    if (operand_count(i) > 0) i.a = places[i.a];
-    if (operand_count(i) > 1) i.b = places[i.b];
-    places.push_back(instructions.add(i));
-    if (to.names[places.back()].empty()) to.names[places.back()] = from.names[at];
-  }
-  return places[from.fields.front().entries.front()];
-}
-
 /// Exactly; false where either has no value.
 bool is_same_energy(const Program& recursive, std::size_t index, const Program& chosen,
                     const Function& sum) {
@@ -62,8 +49,11 @@ std::optional<Function> energy_sum(const Program& recursive, const Program& chos
   sum.instructions.clear();
   sum.names.clear();
   Instructions instructions(sum);
-  const std::uint32_t t = append(instructions, sum, *kinetic);
-  const std::uint32_t v = append(instructions, sum, *potential);
+  const auto entry_of = [&instructions](const Function& energy) {
+    return instructions.add_all(energy)[energy.fields.front().entries.front()];
+  };
+  const std::uint32_t t = entry_of(*kinetic);
+  const std::uint32_t v = entry_of(*potential);
   sum.fields.front().entries = {instructions.add(Opcode::add, t, v)};
   if (!is_same_energy(recursive, index, chosen, sum)) return std::nullopt;
   return sum;

@@ -42,9 +42,7 @@ class Copy {
       } else if (i.opcode == Opcode::constant) {
         i.a = position_of(from_.constants[i.a], to_.constants);
       }
-      if (operand_count(i) > 0) i.a = copies[i.a];
-      if (operand_count(i) > 1) i.b = copies[i.b];
-      copies.push_back(instructions_.add(i));
+      copies.push_back(instructions_.add(with_operands(i, copies)));
     }
     std::vector<std::uint32_t> entries;
     for (const std::uint32_t entry : entries_of(function)) entries.push_back(copies[entry]);

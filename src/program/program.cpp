@@ -23,6 +23,13 @@ std::size_t operand_count(const Instruction& instruction) {
   return opcode_row(instruction.opcode).operands;
 }
 
+Instruction with_operands(Instruction instruction, const std::vector<std::uint32_t>& places) {
+  const std::size_t operands = operand_count(instruction);
+  if (operands > 0) instruction.a = places[instruction.a];
+  if (operands > 1) instruction.b = places[instruction.b];
+  return instruction;
+}
+
 std::size_t entry_count(const Function& function) {
   std::size_t count = 0;
   for (const Field& field : function.fields) count += field.entries.size();
@@ -143,9 +150,7 @@ Function reordered(const Function& function, const std::vector<std::uint32_t>& o
   result.names.clear();
   std::vector<std::uint32_t> renumbered(function.instructions.size());
   for (const std::uint32_t at : order) {
-    Instruction i = function.instructions[at];
-    if (operand_count(i) > 0) i.a = renumbered[i.a];
-    if (operand_count(i) > 1) i.b = renumbered[i.b];
+    const Instruction i = with_operands(function.instructions[at], renumbered);
     renumbered[at] = static_cast<std::uint32_t>(result.instructions.size());
     result.instructions.push_back(i);
     result.names.push_back(function.names[at]);

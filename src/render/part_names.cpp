@@ -121,15 +121,7 @@ Function united(const Program& program, const std::vector<std::size_t>& function
   Instructions instructions(all);
   for (const std::size_t index : functions) {
     const Function& each = program.functions[index];
-    std::vector<std::uint32_t> places;
-    for (std::size_t at = 0; at < each.instructions.size(); ++at) {
-      Instruction instruction = each.instructions[at];
-      if (operand_count(instruction) > 0) instruction.a = places[instruction.a];
-      if (operand_count(instruction) > 1) instruction.b = places[instruction.b];
-      places.push_back(instructions.add(instruction));
-      std::string& name = all.names[places.back()];
-      if (name.empty()) name = each.names[at];
-    }
+    const std::vector<std::uint32_t> places = instructions.add_all(each);
     for (Field field : each.fields) {
       for (std::uint32_t& entry : field.entries) entry = places[entry];
       all.fields.push_back(std::move(field));

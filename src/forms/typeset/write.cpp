@@ -92,11 +92,7 @@ std::uint32_t BookWriter::copied(const Function& function, std::uint32_t instruc
   const std::vector<bool> needed = needed_for(function, {instruction});
   for (std::uint32_t at = 0; at <= instruction; ++at) {
     if (!needed[at]) continue;
-    Instruction copy = function.instructions[at];
-    const std::size_t operands = operand_count(copy);
-    if (operands > 0) copy.a = copies[copy.a];
-    if (operands > 1) copy.b = copies[copy.b];
-    copies[at] = instructions_.add(copy);
+    copies[at] = instructions_.add(with_operands(function.instructions[at], copies));
   }
   return copies[instruction];
 }

@@ -30,6 +30,17 @@ class Instructions {
     return add(Instruction{.opcode = opcode, .a = a, .b = b});
   }
 
+  /// All of a function, with its names where values have none: the places of their values.
+  std::vector<std::uint32_t> add_all(const Function& from) {
+    std::vector<std::uint32_t> places;
+    for (std::size_t at = 0; at < from.instructions.size(); ++at) {
+      places.push_back(add(with_operands(from.instructions[at], places)));
+      std::string& name = function_.names[places.back()];
+      if (name.empty()) name = from.names[at];
+    }
+    return places;
+  }
+
  private:
   Function& function_;
   std::unordered_map<Instruction, std::uint32_t, InstructionHash> known_ = {};

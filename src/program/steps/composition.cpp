@@ -109,9 +109,7 @@ Places Composition::call(const Program& from, const Function& callee, const Fiel
     if (instruction.opcode == Opcode::constant) {
       instruction.a = position_of(from.constants[instruction.a], program_.constants);
     }
-    if (operand_count(instruction) > 0) instruction.a = places[instruction.a];
-    if (operand_count(instruction) > 1) instruction.b = places[instruction.b];
-    places[i] = add(instruction);
+    places[i] = add(with_operands(instruction, places));
     const bool is_computed = operand_count(function_.instructions[places[i]]) > 0;
     std::string& name = function_.names[places[i]];
     if (is_computed && !names[i].empty() && name.empty()) name = names[i] + suffix;
