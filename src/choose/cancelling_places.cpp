@@ -103,6 +103,28 @@ struct SumPartRules {
   }
 };
 
+bool is_sum(const Instruction& i) {
+  return i.opcode == Opcode::add || i.opcode == Opcode::subtract;
+}
+
+bool is_wave(const Instruction& i) { return i.opcode == Opcode::call && is_circular(i.function); }
+
+/// Taken from the coordinates in turn.
+NearPlaces first_of(const std::vector<NearPlaces>& by_coordinate, std::size_t most) {
+  NearPlaces places;
+  bool has_more = true;
+  for (std::size_t turn = 0; has_more; ++turn) {
+    has_more = false;
+    for (const NearPlaces& of_coordinate : by_coordinate) {
+      if (turn >= of_coordinate.size()) continue;
+      if (places.size() == most) return places;
+      places.push_back(of_coordinate[turn]);
+      has_more = true;
+    }
+  }
+  return places;
+}
+
 /// The places of all coordinates: 0, where two terms of a sum cancel, and right angles.
 class PlaceSearch {
  public:
@@ -129,21 +151,7 @@ class PlaceSearch {
     add_angles(is_angle);
   }
 
-  /// Taken from the coordinates in turn.
-  [[nodiscard]] NearPlaces first(std::size_t most) const {
-    NearPlaces places;
-    bool has_more = true;
-    for (std::size_t turn = 0; has_more; ++turn) {
-      has_more = false;
-      for (const NearPlaces& of_coordinate : found_) {
-        if (turn >= of_coordinate.size()) continue;
-        if (places.size() == most) return places;
-        places.push_back(of_coordinate[turn]);
-        has_more = true;
-      }
-    }
-    return places;
-  }
+  [[nodiscard]] const std::vector<NearPlaces>& by_coordinate() const { return found_; }
 
   /// Where sums under a product, a root, a quotient or a function vanish with all of their terms.
   [[nodiscard]] const std::vector<NearPlaces>& together() const { return together_; }
@@ -155,14 +163,6 @@ class PlaceSearch {
     if (!is_alone || !std::isfinite(place.factor)) return;
     latest_.push_back(place);
     if (std::ranges::find(known, place) == known.end()) known.push_back(place);
-  }
-
-  static bool is_sum(const Instruction& i) {
-    return i.opcode == Opcode::add || i.opcode == Opcode::subtract;
-  }
-
-  static bool is_wave(const Instruction& i) {
-    return i.opcode == Opcode::call && is_circular(i.function);
   }
 
   /// Joins the latest places with those of the operands. Sines and cosines pass none on, for they
@@ -280,7 +280,7 @@ class PlaceSearch {
 CancellingPlaces cancelling_places(const Program& program, const Function& text,
                                    const Domain& domain, std::size_t most) {
   const PlaceSearch search(program, text, domain);
-  return {search.first(most), search.together()};
+  return {first_of(search.by_coordinate(), most), search.together()};
 }
 
 }  // namespace elgen

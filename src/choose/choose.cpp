@@ -49,16 +49,135 @@ Span place_of(const Scene& scene, const Function& function) {
   return request == nullptr ? Span{} : request->span;
 }
 
+bool prefers_accuracy(const Scene& scene) { return scene.numerics.prefer == Preference::accuracy; }
+
+Scale scale_for(const Scene& scene) {
+  return prefers_accuracy(scene) ? Scale::entry : Scale::field;
+}
+
+/// Where float is the only scalar, losses that double stands take most of its digits.
+double tolerated_by(const Scene& scene) {
+  const std::vector<ScalarKind>& scalars = scene.numerics.scalars;
+  const bool is_float = scalars.size() == 1 && scalars.front() == ScalarKind::single_precision;
+  return prefers_accuracy(scene) || is_float ? tolerated_loss : most_lost;
+}
+
+/// In what solves, small differences of angles divide what they are made of.
+Splits splits_for(const Scene& scene, const Function& function) {
+  const bool is_whole = prefers_accuracy(scene) && output_row(function.kind).solves;
+  return is_whole ? Splits::sums : Splits::sums_and_differences;
+}
+
+bool is_worth_its_cost(const Scene& scene, OutputKind kind, std::size_t cost, std::size_t other) {
+  return prefers_accuracy(scene) ? is_worth_its_digits(kind, cost, other)
+                                 : is_affordable(cost, other, quarters_for_balance);
+}
+
+bool is_worth_lowering(const ReadableEntries& entries, const Function& recursive) {
+  const std::size_t total = length(entries);
+  return total <= always_tried || total <= hopeless_ratio * cost(count_operations(recursive));
+}
+
+/// The guards of pivots are not counted: whichever form is chosen gets them.
+std::size_t cost_of(const Function& form) {
+  const bool has_pivots = output_row(form.kind).gives_pivots;
+  return cost(count_operations(has_pivots ? without_diagonal(form) : form));
+}
+
+void choose_by_cost(const Function& closed, const Function& recursive, FormCosts& costs) {
+  const bool is_closed = !costs.harmed && cost_of(closed) <= cost_of(recursive);
+  costs.chosen = is_closed ? Form::closed : Form::recursive;
+}
+
+struct Candidate {
+  const Function& function;
+  const FormCosts& costs;
+};
+
+/// Whether a way is free, or worth its cost, in the place of the closed form.
+bool is_taken(const Scene& scene, const Function& recursive, const Candidate& closed,
+              const Candidate& way) {
+  const std::size_t cost = cost_of(way.function);
+  const double loss = *way.costs.closed_loss;
+  const double known = *closed.costs.closed_loss;
+  const std::size_t cheapest = std::min(cost_of(closed.function), cost_of(recursive));
+  const bool is_free = cost <= cost_of(closed.function) && loss <= known;
+  const bool is_better = closed.costs.harmed || loses_more(known, loss, tolerated_by(scene));
+  return is_free || (is_better && is_worth_its_cost(scene, recursive.kind, cost, cheapest));
+}
+
+/// The functions as they are typed, and the errors of those that digits matter of.
+class RecursiveForms {
+ public:
+  RecursiveForms(const Program& recursive, const Program& chosen, const Domain& domain,
+                 const Scene& scene)
+      : recursive_(recursive),
+        chosen_(chosen),
+        domain_(domain),
+        scene_(scene),
+        extremes_(prefers_accuracy(scene) ? extreme_points(recursive) : ComparisonPoints{}) {}
+
+  /// The total energy is never worse than the sum of the energies.
+  const Function& of(std::size_t index) {
+    const auto known = energy_sums_.find(index);
+    if (known != energy_sums_.end()) return known->second;
+    const bool matters = scene_.numerics.prefer != Preference::speed;
+    auto sum = matters ? energy_sum(recursive_, chosen_, index) : std::nullopt;
+    if (!sum) return recursive_.functions[index];
+    return energy_sums_.emplace(index, std::move(*sum)).first->second;
+  }
+
+  /// Null where digits do not matter.
+  TextErrors* errors_of(std::size_t index) {
+    if (scene_.numerics.prefer == Preference::speed) return nullptr;
+    const auto known = errors_.find(index);
+    if (known != errors_.end()) return &known->second;
+    const Function& text = of(index);
+    ComparisonPoints points = comparison_points(recursive_, recursive_.functions[index], domain_);
+    const auto made =
+        errors_.try_emplace(index, chosen_, text, std::move(points), scale_for(scene_), extremes_);
+    return &made.first->second;
+  }
+
+ private:
+  const Program& recursive_;
+  const Program& chosen_;  ///< with the functions that were chosen so far
+  const Domain& domain_;
+  const Scene& scene_;
+  ComparisonPoints extremes_;                         ///< where accuracy counts
+  std::map<std::size_t, Function> energy_sums_ = {};  ///< by function, of total_energy
+  std::map<std::size_t, TextErrors> errors_ = {};     ///< likewise
+};
+
+/// The function as it is emitted in either form: with what algebra would take out again.
+/// `normalized` is the name of the function of that kind.
+Function finished(Function function, Program& program, std::string& normalized) {
+  if (function.kind == OutputKind::normalized) normalized = function.name;
+  const bool repeats = output_row(function.kind).repeats && !normalized.empty();
+  if (repeats || function.kind == OutputKind::normalized) {
+    return with_scaled_lengths(std::move(function), normalized);
+  }
+  if (!output_row(function.kind).gives_pivots) return function;
+  return with_guarded_pivots(std::move(function), program.constants);
+}
+
+void fill_readable(Program& program, std::size_t index, const Function& function,
+                   const ReadableEntries& entries) {
+  if (output_row(function.kind).repeats) return;
+  Function readable = lowered_one_by_one(entries, function, program);
+  const bool has_pivots = output_row(function.kind).gives_pivots;
+  program.readable[index] = has_pivots ? without_diagonal(std::move(readable)) : readable;
+}
+
 class Choosing {
  public:
   Choosing(const Program& recursive, const ClosedForms& forms, const Domain& domain,
            const Scene& scene)
       : recursive_(recursive),
         forms_(forms),
-        domain_(domain),
         scene_(scene),
         points_(mixed_points(recursive.leaves)),
-        extremes_(prefers_accuracy() ? extreme_points(recursive) : ComparisonPoints{}) {
+        recursive_forms_(recursive, result_.program, domain, scene) {
     result_.program = recursive;
     result_.program.readable.resize(recursive.functions.size());
   }
@@ -78,8 +197,9 @@ class Choosing {
     ReadableEntries& entries = entries_[function.name];
     if (!output_row(function.kind).repeats) {
       const bool is_judged = has_closed_form(forms_.functions[index]);
-      TextErrors* const text = is_judged ? text_of(index) : nullptr;
-      return entries = read_entries(both_forms(index), points_, text);
+      TextErrors* const text = is_judged ? recursive_forms_.errors_of(index) : nullptr;
+      return entries = read_entries({recursive_, function, forms_, forms_.functions[index]},
+                                    points_, text);
     }
     for (const Field& field : function.fields) {
       const auto member = entries_.find(field.name);
@@ -88,7 +208,7 @@ class Choosing {
       if (!is_there) return entries = {};
       entries.insert(entries.end(), member->second.begin(), member->second.end());
     }
-    if (TextErrors* text = is_complete(entries) ? text_of(index) : nullptr) {
+    if (TextErrors* text = is_complete(entries) ? recursive_forms_.errors_of(index) : nullptr) {
       for (std::size_t i = 0; i < entries.size(); ++i) {
         entries[i]->kept.reset();  // its function has decided that
         text->add_way(text->errors_of(entries[i]->compact), i);
@@ -97,38 +217,12 @@ class Choosing {
     return entries;
   }
 
-  /// The total energy is never worse than the sum of the energies.
-  const Function& recursive_form(std::size_t index) {
-    const auto known = energy_sums_.find(index);
-    if (known != energy_sums_.end()) return known->second;
-    const bool matters = scene_.numerics.prefer != Preference::speed;
-    auto sum = matters ? energy_sum(recursive_, result_.program, index) : std::nullopt;
-    if (!sum) return recursive_.functions[index];
-    return energy_sums_.emplace(index, std::move(*sum)).first->second;
-  }
-
-  /// Null where digits do not matter.
-  TextErrors* text_of(std::size_t index) {
-    if (scene_.numerics.prefer == Preference::speed) return nullptr;
-    const auto known = texts_.find(index);
-    if (known != texts_.end()) return &known->second;
-    const Function& text = recursive_form(index);
-    ComparisonPoints points = comparison_points(recursive_, recursive_.functions[index], domain_);
-    const auto made =
-        texts_.try_emplace(index, result_.program, text, std::move(points), scale(), extremes_);
-    return &made.first->second;
-  }
-
-  [[nodiscard]] BothForms both_forms(std::size_t index) const {
-    return {recursive_, recursive_.functions[index], forms_, forms_.functions[index]};
-  }
-
   Diagnostics choose_form(std::size_t index) {
-    const Function& function = recursive_form(index);
+    const Function& function = recursive_forms_.of(index);
     ReadableEntries& entries = entries_of(index);
     const std::optional<Form> wish = wish_for(scene_, function);
     const bool wants_closed = wish == Form::closed;
-    result_.program.functions[index] = finished(function);
+    result_.program.functions[index] = finished(function, result_.program, normalized_);
     FormCosts costs{function.name, count_operations(result_.program.functions[index])};
     costs.is_asked_for = wish.has_value();
     Function closed;
@@ -138,7 +232,7 @@ class Choosing {
         if (wish) costs.chosen = *wish;
         if (costs.chosen == Form::closed) read_as_precisely(entries, points_);
       }
-      fill_readable(index, entries);
+      fill_readable(result_.program, index, recursive_.functions[index], entries);
     } else if (wants_closed) {
       return {{Code::E608, place_of(scene_, function),
                fmt::format("the closed form of `{}` was given up", function.name)}};
@@ -151,41 +245,6 @@ class Choosing {
     return {};
   }
 
-  /// The function as it is emitted in either form: with what algebra would take out again.
-  Function finished(Function function) {
-    if (function.kind == OutputKind::normalized) normalized_ = function.name;
-    const bool repeats = output_row(function.kind).repeats && !normalized_.empty();
-    if (repeats || function.kind == OutputKind::normalized) {
-      return with_scaled_lengths(std::move(function), normalized_);
-    }
-    if (!output_row(function.kind).gives_pivots) return function;
-    return with_guarded_pivots(std::move(function), result_.program.constants);
-  }
-
-  static bool is_worth_lowering(const ReadableEntries& entries, const Function& recursive) {
-    const std::size_t total = length(entries);
-    return total <= always_tried || total <= hopeless_ratio * cost(count_operations(recursive));
-  }
-
-  /// The guards of pivots are not counted: whichever form is chosen gets them.
-  static std::size_t cost_of(const Function& form) {
-    const bool has_pivots = output_row(form.kind).gives_pivots;
-    return cost(count_operations(has_pivots ? without_diagonal(form) : form));
-  }
-
-  [[nodiscard]] bool prefers_accuracy() const {
-    return scene_.numerics.prefer == Preference::accuracy;
-  }
-
-  [[nodiscard]] Scale scale() const { return prefers_accuracy() ? Scale::entry : Scale::field; }
-
-  /// Where float is the only scalar, losses that double stands take most of its digits.
-  [[nodiscard]] double tolerated() const {
-    const std::vector<ScalarKind>& scalars = scene_.numerics.scalars;
-    const bool is_float = scalars.size() == 1 && scalars.front() == ScalarKind::single_precision;
-    return prefers_accuracy() || is_float ? tolerated_loss : most_lost;
-  }
-
   Function compare(std::size_t index, const Function& recursive, ReadableEntries& entries,
                    FormCosts& costs) {
     Function closed = lowered(index, recursive, entries, costs);
@@ -193,7 +252,7 @@ class Choosing {
       keep_digits(index, entries, closed, costs);
       choose_by_losses(index, closed, recursive, costs);
     }
-    closed = finished(std::move(closed));
+    closed = finished(std::move(closed), result_.program, normalized_);
     costs.closed = count_operations(closed);
     return closed;
   }
@@ -201,102 +260,60 @@ class Choosing {
   /// The entries as one function, and the form that follows from its cost and from what it harms.
   Function lowered(std::size_t index, const Function& recursive, const ReadableEntries& entries,
                    FormCosts& costs) {
-    const LoweringAim aim{splits_of(recursive), text_of(index), tolerated(),
-                          prefers_accuracy() ? 4 * most_for_digits : quarters_for_balance};
+    const LoweringAim aim{splits_for(scene_, recursive), recursive_forms_.errors_of(index),
+                          tolerated_by(scene_),
+                          prefers_accuracy(scene_) ? 4 * most_for_digits : quarters_for_balance};
     Lowered closed = lowered_together(entries, recursive, result_.program, aim);
     costs.harmed = closed.harmed;
     choose_by_cost(closed.function, recursive, costs);
     return std::move(closed.function);
   }
 
-  static void choose_by_cost(const Function& closed, const Function& recursive, FormCosts& costs) {
-    const bool is_closed = !costs.harmed && cost_of(closed) <= cost_of(recursive);
-    costs.chosen = is_closed ? Form::closed : Form::recursive;
-  }
-
-  /// In what solves, small differences of angles divide what they are made of.
-  [[nodiscard]] Splits splits_of(const Function& function) const {
-    const bool is_whole = prefers_accuracy() && output_row(function.kind).solves;
-    return is_whole ? Splits::sums : Splits::sums_and_differences;
-  }
-
   /// Writes entries in the ways that keep their digits where that is free, or worth its cost: those
   /// that lose many digits, and then all that lose some.
   void keep_digits(std::size_t index, ReadableEntries& entries, Function& closed,
                    FormCosts& costs) {
-    const Function& recursive = recursive_form(index);
-    const TextErrors& text = *text_of(index);
+    const Function& recursive = recursive_forms_.of(index);
+    const TextErrors& text = *recursive_forms_.errors_of(index);
     costs.closed_loss = text.worst_loss(result_.program, closed);
-    for (const double limit : {tolerated(), tolerated_loss}) {
+    for (const double limit : {tolerated_by(scene_), tolerated_loss}) {
       std::optional<ReadableEntries> others = with_kept(entries, limit);
       if (!others) continue;
       FormCosts way_costs = costs;
       Function way = lowered(index, recursive, *others, way_costs);
       if (way_costs.harmed) continue;
       way_costs.closed_loss = text.worst_loss(result_.program, way);
-      if (!is_taken(recursive, {closed, costs}, {way, way_costs})) continue;
+      if (!is_taken(scene_, recursive, {closed, costs}, {way, way_costs})) continue;
       entries = std::move(*others);
       closed = std::move(way);
       costs = way_costs;
     }
   }
 
-  struct Candidate {
-    const Function& function;
-    const FormCosts& costs;
-  };
-
-  /// Whether a way is free, or worth its cost, in the place of the closed form.
-  [[nodiscard]] bool is_taken(const Function& recursive, const Candidate& closed,
-                              const Candidate& way) const {
-    const std::size_t cost = cost_of(way.function);
-    const double loss = *way.costs.closed_loss;
-    const double known = *closed.costs.closed_loss;
-    const std::size_t cheapest = std::min(cost_of(closed.function), cost_of(recursive));
-    const bool is_free = cost <= cost_of(closed.function) && loss <= known;
-    const bool is_better = closed.costs.harmed || loses_more(known, loss, tolerated());
-    return is_free || (is_better && is_affordable(recursive.kind, cost, cheapest));
-  }
-
   /// Between the forms, where one loses more: the cheaper one, or the other if it is affordable.
   void choose_by_losses(std::size_t index, const Function& closed, const Function& recursive,
                         FormCosts& costs) {
-    if (costs.harmed || (costs.chosen == Form::closed && *costs.closed_loss <= tolerated())) return;
-    costs.recursive_loss = text_of(index)->worst_loss(result_.program, recursive);
     const bool is_closed = costs.chosen == Form::closed;
+    if (costs.harmed || (is_closed && *costs.closed_loss <= tolerated_by(scene_))) return;
+    costs.recursive_loss =
+        recursive_forms_.errors_of(index)->worst_loss(result_.program, recursive);
     const double own = is_closed ? *costs.closed_loss : *costs.recursive_loss;
     const double other = is_closed ? *costs.recursive_loss : *costs.closed_loss;
     const Function& dearer = is_closed ? recursive : closed;
     const Function& cheaper = is_closed ? closed : recursive;
-    if (!loses_more(own, other, tolerated())) return;
-    if (!is_affordable(recursive.kind, cost_of(dearer), cost_of(cheaper))) return;
+    if (!loses_more(own, other, tolerated_by(scene_))) return;
+    if (!is_worth_its_cost(scene_, recursive.kind, cost_of(dearer), cost_of(cheaper))) return;
     costs.chosen = is_closed ? Form::recursive : Form::closed;
-  }
-
-  [[nodiscard]] bool is_affordable(OutputKind kind, std::size_t cost, std::size_t other) const {
-    return prefers_accuracy() ? is_worth_its_digits(kind, cost, other)
-                              : elgen::is_affordable(cost, other, quarters_for_balance);
-  }
-
-  void fill_readable(std::size_t index, const ReadableEntries& entries) {
-    const Function& function = recursive_.functions[index];
-    if (output_row(function.kind).repeats) return;
-    Function readable = lowered_one_by_one(entries, function, result_.program);
-    const bool has_pivots = output_row(function.kind).gives_pivots;
-    result_.program.readable[index] = has_pivots ? without_diagonal(std::move(readable)) : readable;
   }
 
   const Program& recursive_;
   const ClosedForms& forms_;
-  const Domain& domain_;
   const Scene& scene_;
   MixedPoints points_;
-  ComparisonPoints extremes_;  ///< where accuracy counts
+  Choice result_ = {};
+  RecursiveForms recursive_forms_;
   std::map<std::string, ReadableEntries> entries_;
-  std::map<std::size_t, Function> energy_sums_;  ///< by function, of total_energy
-  std::map<std::size_t, TextErrors> texts_;      ///< likewise
-  std::string normalized_;                       ///< name of the function of that kind
-  Choice result_;
+  std::string normalized_;  ///< name of the function of that kind
 };
 
 }  // namespace
