@@ -72,6 +72,97 @@ void add_symbols(const Model& model, Lagrangian& lagrangian) {
   add_coordinate_rates(model, lagrangian);
 }
 
+/// Whether the tree of frames takes it.
+template <class Placed>
+bool is_in_tree(const Model& model, const Placed& placed) {
+  return placed.local && !sums_energies(model);
+}
+
+/// 1/2 w.I w, with I = [xx xy xz; xy yy yz; xz yz zz] in the axes of w.
+void add_rotation(const Body& body, Entity origin, Translation& translation,
+                  Lagrangian& lagrangian) {
+  if (body.inertia.empty() || body.spin.empty()) return;
+  constexpr std::array<const char*, 3> axes{"_x", "_y", "_z"};
+  std::vector<ex> inertia;
+  for (const ExpressionId id : body.inertia)
+    inertia.push_back(translation.named(id, body.identifier + "_inertia", origin));
+  std::vector<ex> spin;
+  for (const ExpressionId id : body.spin) {
+    const std::string axis = body.spin.size() == 1 ? "" : axes[spin.size()];
+    spin.push_back(translation.named(id, body.identifier + "_spin" + axis, origin));
+  }
+  auto& kinetic = lagrangian.kinetic;
+  for (std::size_t i = 0; i < spin.size(); ++i)
+    kinetic.push_back(half * inertia[i] * spin[i] * spin[i]);
+  if (inertia.size() < 6) return;
+  kinetic.push_back(inertia[3] * spin[0] * spin[1]);
+  kinetic.push_back(inertia[4] * spin[0] * spin[2]);
+  kinetic.push_back(inertia[5] * spin[1] * spin[2]);
+}
+
+/// Forces on velocities, on points and on frames of the world.
+class Forces {
+ public:
+  Forces(const Model& model, Translation& translation, Lagrangian& lagrangian)
+      : model_(model),
+        translation_(translation),
+        lagrangian_(lagrangian),
+        on_(model.velocities.size()) {}
+
+  void add_all() {
+    for (std::size_t i = 0; i < model_.inputs.size(); ++i) {
+      if (model_.inputs[i].on) on_[*model_.inputs[i].on].push_back(lagrangian_.symbols.u[i]);
+    }
+    for (const Force& force : model_.forces) {
+      if (force.on) {
+        on_[*force.on].push_back(translation_.value(force.value.front()));
+      } else if (force.at) {
+        add_point_force(force);
+      } else if (sums_energies(model_)) {
+        add_torque(force);
+      }
+    }
+    for (const GiNaC::exvector& terms : on_) lagrangian_.forces.emplace_back(GiNaC::add(terms));
+  }
+
+ private:
+  void add_point_force(const Force& force) {
+    const auto at = [&](std::uint32_t point) {
+      return translation_.vector(model_.points[point].at, model_.points[point].identifier,
+                                 {EntityKind::point, point});
+    };
+    const bool acts_in_world = !is_in_tree(model_, model_.points[*force.at]);
+    const bool reacts_in_world = force.from && !is_in_tree(model_, model_.points[*force.from]);
+    if (!acts_in_world && !reacts_in_world) return;
+    const std::array<ex, 3> value{translation_.value(force.value[0]),
+                                  translation_.value(force.value[1]),
+                                  translation_.value(force.value[2])};
+    if (acts_in_world) lagrangian_.point_forces.push_back({at(*force.at), value});
+    if (!reacts_in_world) return;
+    lagrangian_.point_forces.push_back({at(*force.from), {-value[0], -value[1], -value[2]}});
+  }
+
+  /// Spins are linear in the rates, so the work of a torque per unit of v_i is torque.dw/dv_i.
+  void add_torque(const Force& force) {
+    std::vector<Weighted> work;
+    const auto add = [&](std::uint32_t frame, const std::vector<ExpressionId>& torque, int sign) {
+      for (std::size_t i = 0; i < torque.size(); ++i) {
+        const ex spin = translation_.value(model_.frames[frame].spin[i]);
+        work.push_back({spin, sign * translation_.value(torque[i])});
+      }
+    };
+    add(*force.frame, force.value, 1);
+    if (force.from_frame) add(*force.from_frame, force.reaction, -1);
+    const std::vector<ex> forces = gradient(lagrangian_.definitions, work, lagrangian_.symbols.v);
+    for (std::size_t i = 0; i < forces.size(); ++i) on_[i].push_back(forces[i]);
+  }
+
+  const Model& model_;
+  Translation& translation_;
+  Lagrangian& lagrangian_;
+  std::vector<GiNaC::exvector> on_;  ///< terms of the force on each velocity
+};
+
 /// Builds the parts of a Lagrangian one after another; the first error ends it.
 class Formulation {
  public:
@@ -97,6 +188,8 @@ class Formulation {
   }
 
  private:
+  void add_forces() { Forces(model_, translation_, lagrangian_).add_all(); }
+
   void add_tree() { add_frame_tree(model_, translation_, lagrangian_); }
 
   void add_gravity() {
@@ -106,16 +199,10 @@ class Formulation {
                            translation_.value(gravity[2])};
   }
 
-  /// Whether the tree of frames takes it.
-  template <class Placed>
-  [[nodiscard]] bool is_in_tree(const Placed& placed) const {
-    return placed.local && !sums_energies(model_);
-  }
-
   void add_points() {
     for (std::uint32_t i = 0; i < model_.points.size(); ++i) {
       const Point& point = model_.points[i];
-      if (!point.mass || is_in_tree(point)) continue;
+      if (!point.mass || is_in_tree(model_, point)) continue;
       const Entity origin{EntityKind::point, i};
       const ex mass = translation_.named(*point.mass, point.identifier + "_mass", origin);
       lagrangian_.masses.push_back(
@@ -126,37 +213,16 @@ class Formulation {
   void add_bodies() {
     for (std::uint32_t i = 0; i < model_.bodies.size(); ++i) {
       const Body& body = model_.bodies[i];
-      if (is_in_tree(body)) continue;
+      if (is_in_tree(model_, body)) continue;
       const Entity origin{EntityKind::body, i};
       if (body.mass) {
         const ex mass = translation_.named(*body.mass, body.identifier + "_mass", origin);
         lagrangian_.masses.push_back(
             {mass, translation_.vector(body.com, body.identifier, origin), origin});
       }
-      add_rotation(body, origin);
+      add_rotation(body, origin, translation_, lagrangian_);
     }
     lagrangian_.kinetic_of_bodies = lagrangian_.kinetic.size();
-  }
-
-  /// 1/2 w.I w, with I = [xx xy xz; xy yy yz; xz yz zz] in the axes of w.
-  void add_rotation(const Body& body, Entity origin) {
-    if (body.inertia.empty() || body.spin.empty()) return;
-    static constexpr std::array<const char*, 3> axes{"_x", "_y", "_z"};
-    std::vector<ex> inertia;
-    for (const ExpressionId id : body.inertia)
-      inertia.push_back(translation_.named(id, body.identifier + "_inertia", origin));
-    std::vector<ex> spin;
-    for (const ExpressionId id : body.spin) {
-      const std::string axis = body.spin.size() == 1 ? "" : axes[spin.size()];
-      spin.push_back(translation_.named(id, body.identifier + "_spin" + axis, origin));
-    }
-    auto& kinetic = lagrangian_.kinetic;
-    for (std::size_t i = 0; i < spin.size(); ++i)
-      kinetic.push_back(half * inertia[i] * spin[i] * spin[i]);
-    if (inertia.size() < 6) return;
-    kinetic.push_back(inertia[3] * spin[0] * spin[1]);
-    kinetic.push_back(inertia[4] * spin[0] * spin[2]);
-    kinetic.push_back(inertia[5] * spin[1] * spin[2]);
   }
 
   /// The terms of a sum, each small.
@@ -182,54 +248,6 @@ class Formulation {
       auto& kinetic = lagrangian_.lagrangian.empty() ? lagrangian_.kinetic : lagrangian_.lagrangian;
       kinetic.push_back(half * translation_.value(*coordinate.armature) * rate * rate);
     }
-  }
-
-  void add_forces() {
-    std::vector<GiNaC::exvector> on(model_.velocities.size());
-    for (std::size_t i = 0; i < model_.inputs.size(); ++i) {
-      if (model_.inputs[i].on) on[*model_.inputs[i].on].push_back(lagrangian_.symbols.u[i]);
-    }
-    for (const Force& force : model_.forces) {
-      if (force.on) {
-        on[*force.on].push_back(translation_.value(force.value.front()));
-      } else if (force.at) {
-        add_point_force(force);
-      } else if (sums_energies(model_)) {
-        add_torque(force, on);
-      }
-    }
-    for (const GiNaC::exvector& terms : on) lagrangian_.forces.emplace_back(GiNaC::add(terms));
-  }
-
-  void add_point_force(const Force& force) {
-    const auto at = [&](std::uint32_t point) {
-      return translation_.vector(model_.points[point].at, model_.points[point].identifier,
-                                 {EntityKind::point, point});
-    };
-    const bool acts_in_world = !is_in_tree(model_.points[*force.at]);
-    const bool reacts_in_world = force.from && !is_in_tree(model_.points[*force.from]);
-    if (!acts_in_world && !reacts_in_world) return;
-    const std::array<ex, 3> value{translation_.value(force.value[0]),
-                                  translation_.value(force.value[1]),
-                                  translation_.value(force.value[2])};
-    if (acts_in_world) lagrangian_.point_forces.push_back({at(*force.at), value});
-    if (!reacts_in_world) return;
-    lagrangian_.point_forces.push_back({at(*force.from), {-value[0], -value[1], -value[2]}});
-  }
-
-  /// Spins are linear in the rates, so the work of a torque per unit of v_i is torque.dw/dv_i.
-  void add_torque(const Force& force, std::vector<GiNaC::exvector>& on) {
-    std::vector<Weighted> work;
-    const auto add = [&](std::uint32_t frame, const std::vector<ExpressionId>& torque, int sign) {
-      for (std::size_t i = 0; i < torque.size(); ++i) {
-        const ex spin = translation_.value(model_.frames[frame].spin[i]);
-        work.push_back({spin, sign * translation_.value(torque[i])});
-      }
-    };
-    add(*force.frame, force.value, 1);
-    if (force.from_frame) add(*force.from_frame, force.reaction, -1);
-    const std::vector<ex> forces = gradient(lagrangian_.definitions, work, lagrangian_.symbols.v);
-    for (std::size_t i = 0; i < forces.size(); ++i) on[i].push_back(forces[i]);
   }
 
   void add_expansion() {

@@ -125,6 +125,45 @@ std::vector<TreeStep> with_slides_last(std::vector<TreeStep> steps) {
   return steps;
 }
 
+TreeStep translated(const Model& model, Translation& translation, Definitions& definitions,
+                    std::uint32_t index, const FrameStep& step) {
+  const std::string& name = model.frames[index].identifier;
+  TreeStep result;
+  result.kind = step.kind;
+  if (step.rotation) result.rotation = model.rotations[*step.rotation].first_velocity;
+  result.name = name;
+  result.origin = {EntityKind::frame, index};
+  result.vector = translation.vector(step.vector, name + "_offset", result.origin);
+  if (step.kind == FrameStepKind::turn) {
+    result.angle = translation.value(step.angle);
+    // Of a constant the sine is exact only while it is seen to be one.
+    if (!symbols_of(definitions, result.angle).empty()) {
+      result.angle = define(definitions, result.angle, {name + "_angle", result.origin});
+    }
+  }
+  for (std::size_t i = 0; step.kind == FrameStepKind::quaternion && i < 4; ++i) {
+    result.quaternion[i] =
+        translation.named(step.quaternion[i], name + "_quaternion", result.origin);
+  }
+  return result;
+}
+
+/// A body of a frame.
+RigidBody rigid_body(const Model& model, Translation& translation, std::uint32_t index) {
+  const Body& body = model.bodies[index];
+  const Entity origin{EntityKind::body, index};
+  RigidBody rigid;
+  rigid.origin = origin;
+  rigid.about_origin = body.local->about_origin;
+  if (body.mass) rigid.mass = translation.named(*body.mass, body.identifier + "_mass", origin);
+  rigid.com = translation.vector(body.local->com.at, body.identifier + "_com", origin);
+  for (const ExpressionId id : body.local->inertia) {
+    rigid.inertia.push_back(translation.named(id, body.identifier + "_inertia", origin));
+  }
+  if (rigid.inertia.size() == 1) rigid.inertia = {0, 0, rigid.inertia.front(), 0, 0, 0};
+  return rigid;
+}
+
 class TreeFormulation {
  public:
   TreeFormulation(const Model& model, Translation& translation, Lagrangian& lagrangian)
@@ -146,7 +185,10 @@ class TreeFormulation {
   using Step = std::optional<std::uint32_t>;
 
   void add_what_is_carried() {
-    for (std::uint32_t i = 0; i < model_.bodies.size(); ++i) add_body(i);
+    for (std::uint32_t i = 0; i < model_.bodies.size(); ++i) {
+      const std::optional<BodyInFrame>& local = model_.bodies[i].local;
+      if (local) append_body(last_step_[local->com.frame], rigid_body(model_, translation_, i));
+    }
     for (std::uint32_t i = 0; i < model_.points.size(); ++i) add_mass(i);
     for (const Force& force : model_.forces) add_wrenches(force);
   }
@@ -155,7 +197,7 @@ class TreeFormulation {
     const Frame& frame = model_.frames[index];
     std::vector<TreeStep> steps;
     for (const FrameStep& step : frame.steps) {
-      TreeStep translated_step = translate_step(index, step);
+      TreeStep translated_step = translated(model_, translation_, definitions_, index, step);
       if (!is_trivial(translated_step)) steps.push_back(std::move(translated_step));
     }
     Step last = frame.parent ? last_step_[*frame.parent] : Step{};
@@ -166,28 +208,6 @@ class TreeFormulation {
     last_step_[index] = last;
   }
 
-  TreeStep translate_step(std::uint32_t index, const FrameStep& step) {
-    const std::string& name = model_.frames[index].identifier;
-    TreeStep result;
-    result.kind = step.kind;
-    if (step.rotation) result.rotation = model_.rotations[*step.rotation].first_velocity;
-    result.name = name;
-    result.origin = {EntityKind::frame, index};
-    result.vector = translation_.vector(step.vector, name + "_offset", result.origin);
-    if (step.kind == FrameStepKind::turn) {
-      result.angle = translation_.value(step.angle);
-      // Of a constant the sine is exact only while it is seen to be one.
-      if (!symbols_of(definitions_, result.angle).empty()) {
-        result.angle = define(definitions_, result.angle, {name + "_angle", result.origin});
-      }
-    }
-    for (std::size_t i = 0; step.kind == FrameStepKind::quaternion && i < 4; ++i) {
-      result.quaternion[i] =
-          translation_.named(step.quaternion[i], name + "_quaternion", result.origin);
-    }
-    return result;
-  }
-
   Step append(TreeStep step) {
     tree_.steps.push_back(std::move(step));
     return static_cast<std::uint32_t>(tree_.steps.size() - 1);
@@ -196,22 +216,6 @@ class TreeFormulation {
   void append_body(Step step, RigidBody body) {
     body.step = step;
     tree_.bodies.push_back(std::move(body));
-  }
-
-  void add_body(std::uint32_t index) {
-    const Body& body = model_.bodies[index];
-    if (!body.local) return;
-    const Entity origin{EntityKind::body, index};
-    RigidBody rigid;
-    rigid.origin = origin;
-    rigid.about_origin = body.local->about_origin;
-    if (body.mass) rigid.mass = translation_.named(*body.mass, body.identifier + "_mass", origin);
-    rigid.com = translation_.vector(body.local->com.at, body.identifier + "_com", origin);
-    for (const ExpressionId id : body.local->inertia) {
-      rigid.inertia.push_back(translation_.named(id, body.identifier + "_inertia", origin));
-    }
-    if (rigid.inertia.size() == 1) rigid.inertia = {0, 0, rigid.inertia.front(), 0, 0, 0};
-    append_body(last_step_[body.local->com.frame], std::move(rigid));
   }
 
   /// The step a point moves with, and where it is in the axes after that.
