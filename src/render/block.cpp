@@ -1,9 +1,8 @@
-// block: lines are padded with blanks until all are equally wide.
-#include "render/block.hpp"
-
+// Blocks: lines are padded with blanks until all are equally wide.
 #include <algorithm>
 
 #include "base/utf8.hpp"
+#include "render/drawing.hpp"
 
 namespace elgen {
 namespace {

@@ -11,7 +11,6 @@
 #include "render/drawing.hpp"
 #include "render/headings.hpp"
 #include "render/symbols.hpp"
-#include "render/unit_text.hpp"
 
 namespace elgen {
 namespace {

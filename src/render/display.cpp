@@ -8,8 +8,6 @@
 #include <optional>
 #include <utility>
 
-#include "render/latex_text.hpp"
-
 namespace elgen {
 namespace {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "elgen/render.hpp"
-#include "render/latex_tree.hpp"
+#include "render/latex.hpp"
 
 namespace elgen {
 

@@ -7,7 +7,6 @@
 
 #include "base/ascii.hpp"
 #include "base/utf8.hpp"
-#include "render/latex_text.hpp"
 #include "render/symbols.hpp"
 
 namespace elgen {

@@ -1,11 +1,58 @@
-// drawing: LaTeX -> a block, in Unicode or in ASCII.
+// drawing: LaTeX -> a Block, in Unicode or in ASCII: text in two dimensions, on a base line, as a
+// terminal shows a formula.
+//
+//     1            ⎡ M + m    m l ⎤
+//     ─ m l²   M = ⎢              ⎥
+//     2            ⎣ m l     m l² ⎦
 #pragma once
 
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "elgen/render.hpp"
-#include "render/block.hpp"
-#include "render/latex_tree.hpp"
+#include "render/latex.hpp"
 
 namespace elgen {
+
+/// Columns of a terminal that UTF-8 text takes: accents that combine take none.
+[[nodiscard]] std::size_t columns_of(std::string_view text);
+
+/// Lines of equal width, of which number `base` goes on in what stands beside them.
+struct Block {
+  std::vector<std::string> lines = {""};
+  std::size_t base = 0;
+
+  [[nodiscard]] std::size_t width() const { return columns_of(lines.front()); }
+  [[nodiscard]] std::size_t below() const { return lines.size() - base - 1; }
+};
+
+/// Side by side, on one base line.
+[[nodiscard]] Block beside(const Block& left, const Block& right);
+
+/// Centred, with a line between them, which is the base.
+[[nodiscard]] Block stacked(const Block& above, const Block& below, const std::string& rule);
+
+/// The pieces that brackets of any height are made of.
+struct BracketPieces {
+  std::string_view single;
+  std::string_view top;
+  std::string_view middle;
+  std::string_view bottom;
+};
+
+/// A bracket as high as the block.
+[[nodiscard]] Block stretched(const BracketPieces& pieces, const Block& beside_it);
+
+enum class Alignment : unsigned char { centre, left };
+
+/// Cells, row-major: rows share base lines; without brackets.
+[[nodiscard]] Block grid(const std::vector<Block>& cells, std::size_t columns,
+                         Alignment alignment = Alignment::centre);
+
+/// The lines without blanks at their ends, each after `indent`.
+[[nodiscard]] std::string text_of(const Block& block, std::string_view indent);
 
 enum class Fractions : std::uint8_t { stacked, in_line };
 

@@ -7,7 +7,7 @@
 
 #include "base/ascii.hpp"
 #include "elgen/step_methods.hpp"
-#include "render/latex_text.hpp"
+#include "render/latex.hpp"
 #include "render/symbols.hpp"
 
 namespace elgen {

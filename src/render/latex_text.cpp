@@ -1,10 +1,10 @@
 // latex_text: scans that count braces and brackets.
-#include "render/latex_text.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+
+#include "render/latex.hpp"
 
 namespace elgen {
 namespace {

@@ -1,6 +1,4 @@
 // latex_tree: a reader of commands, groups and scripts, the widths of what it read, and lines.
-#include "render/latex_tree.hpp"
-
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -8,7 +6,7 @@
 #include "base/ascii.hpp"
 #include "base/utf8.hpp"
 #include "elgen/functions.hpp"
-#include "render/latex_text.hpp"
+#include "render/latex.hpp"
 #include "render/symbols.hpp"
 
 namespace elgen {

@@ -6,7 +6,7 @@
 
 #include "base/utf8.hpp"
 #include "render/fill_template.hpp"
-#include "render/latex_tree.hpp"
+#include "render/latex.hpp"
 
 namespace elgen {
 namespace {

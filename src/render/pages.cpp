@@ -8,9 +8,7 @@
 #include "render/display.hpp"
 #include "render/drawing.hpp"
 #include "render/fill_template.hpp"
-#include "render/latex_text.hpp"
-#include "render/latex_tree.hpp"
-#include "render/unit_text.hpp"
+#include "render/symbols.hpp"
 
 namespace elgen {
 namespace {

@@ -7,7 +7,7 @@
 #include "elgen/render.hpp"
 #include "render/display.hpp"
 #include "render/drawing.hpp"
-#include "render/unit_text.hpp"
+#include "render/symbols.hpp"
 
 namespace elgen {
 namespace {

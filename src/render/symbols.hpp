@@ -1,4 +1,4 @@
-// symbols: names of a model -> symbols of formulas.
+// symbols: names and units of a model -> symbols of formulas, and units as pages print them.
 //
 //     theta   theta1       l[2]    x_cart              mass            Ixx_arm
 //     \theta  \theta_{1}   l_{2}   x_{\mathrm{cart}}   \mathrm{mass}   I_{xx, \mathrm{arm}}
@@ -56,5 +56,10 @@ class ModelSymbols {
 
 /// The command of a Greek letter; empty for other characters.
 [[nodiscard]] std::string_view greek_command(std::string_view letter);
+
+/// kg*m^2/s^2 as pages print it: kg m²/s². `times` stands between factors; `exponent_text` writes
+/// an exponent: "2", "-1", "1/2".
+[[nodiscard]] std::string unit_text(std::string unit, std::string_view times,
+                                    std::string (*exponent_text)(const std::string& exponent));
 
 }  // namespace elgen

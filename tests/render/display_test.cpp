@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "render/block.hpp"
+#include "render/drawing.hpp"
 
 using namespace elgen;
 

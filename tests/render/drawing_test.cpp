@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "render/unit_text.hpp"
+#include "render/symbols.hpp"
 
 using namespace elgen;
 

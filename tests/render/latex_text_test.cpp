@@ -1,7 +1,7 @@
 // LaTeX as text: fractions, sums and prose in it.
-#include "render/latex_text.hpp"
-
 #include <catch2/catch.hpp>
+
+#include "render/latex.hpp"
 
 using namespace elgen;
 

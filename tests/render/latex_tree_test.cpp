@@ -1,8 +1,8 @@
 // Formulas in LaTeX, read again: measured, broken into lines, and translated to MathML.
-#include "render/latex_tree.hpp"
-
 #include <catch2/catch.hpp>
 #include <string>
+
+#include "render/latex.hpp"
 
 using namespace elgen;
 

@@ -2,7 +2,7 @@
 #include <sstream>
 
 #include "elgen/render.hpp"
-#include "render/block.hpp"
+#include "render/drawing.hpp"
 #include "render/small_sheet.hpp"
 
 using namespace elgen;

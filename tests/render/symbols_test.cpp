@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "render/latex_tree.hpp"
+#include "render/latex.hpp"
 #include "support/models.hpp"
 
 using namespace elgen;
