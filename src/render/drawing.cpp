@@ -117,6 +117,117 @@ bool is_closing_bracket(const LatexTree& part) {
   return is_bracket && (base.text == ")" || base.text == "]");
 }
 
+std::string letter(const std::string& text, bool is_unicode) {
+  if (is_unicode) return text;
+  const auto row = std::ranges::find(ascii_words, text, &AsciiWord::character);
+  if (row != ascii_words.end()) return std::string(row->word);
+  const std::string_view name = greek_command(text);
+  return name.empty() ? text : std::string(name);
+}
+
+Role role_of(const LatexTree& part) {
+  const LatexTree& base = base_of(part);
+  if (base.kind == LatexKind::function) return Role::function;
+  if (base.kind == LatexKind::text) return Role::prose;
+  if (base.text == "∂" || base.text == "±" || is_variation(base)) return Role::prefix;
+  if (base.kind != LatexKind::sign || base.text == "∫") return Role::operand;
+  return base.text == "," ? Role::comma : Role::sign;
+}
+
+/// Where the bracket at `open` is closed; the end where it is not.
+std::size_t closing(const std::vector<LatexTree>& parts, std::size_t open) {
+  int depth = 0;
+  for (std::size_t i = open; i < parts.size(); ++i) {
+    depth += is_open_bracket(parts[i]) ? 1 : is_closing_bracket(parts[i]) ? -1 : 0;
+    if (depth == 0) return i;
+  }
+  return parts.size();
+}
+
+/// Whether a row is a sum: signs in brackets are not its own.
+bool has_sign(const LatexTree& tree) {
+  for (std::size_t i = 0; i < tree.parts.size(); ++i) {
+    if (role_of(tree.parts[i]) == Role::sign) return true;
+    if (is_open_bracket(tree.parts[i])) i = closing(tree.parts, i);
+  }
+  return false;
+}
+
+/// Whether a row has several factors: dt and ∂q are one.
+bool is_product(const LatexTree& tree) {
+  std::size_t factors = 0;
+  for (const LatexTree& part : tree.parts) {
+    const bool begins = factors == 0 || part.is_apart;
+    if (begins && role_of(part) != Role::prefix) ++factors;
+  }
+  return factors > 1;
+}
+
+/// The text between two pieces: nothing, or a blank.
+std::string between(Role left, const LatexTree& part) {
+  if (base_of(part).text == "′") return "";
+  if (part.kind == LatexKind::text && part.text.find_first_of(";:,") == 0) return "";
+  const Role right = role_of(part);
+  const bool is_bracket = is_open_bracket(part);
+  if (left == Role::none || left == Role::prefix || right == Role::comma) return "";
+  if (left == Role::operand && right == Role::operand && !part.is_apart) return "";
+  const bool is_argument = is_bracket && (left == Role::function || !part.is_apart);
+  return is_argument && left != Role::sign && left != Role::comma ? "" : " ";
+}
+
+/// Whether dots are written as models write them: dot(theta1).
+bool has_called_accent(const LatexTree& tree, bool is_unicode) {
+  return tree.kind == LatexKind::accent && (!is_unicode || is_word(tree.parts[0]));
+}
+
+/// Dots stand over the first letter: that of a symbol.
+std::string accented(const LatexTree& tree, const std::string& base, bool is_unicode) {
+  if (base.empty()) return base;
+  const bool is_double = tree.text == "¨";
+  if (has_called_accent(tree, is_unicode))
+    return is_double ? "ddot(" + base + ")" : "dot(" + base + ")";
+  const std::size_t first = std::max<std::size_t>(1, code_point_at(base, 0).bytes);
+  return base.substr(0, first) + (is_double ? "\u0308" : "\u0307") + base.substr(first);
+}
+
+bool is_number(const std::string& text) {
+  return std::ranges::all_of(text, [](char c) { return is_digit(c); });
+}
+
+/// "½", "7/9"
+std::string number_fraction(const std::string& above, const std::string& below, bool is_unicode) {
+  for (const VulgarFraction& vulgar : vulgar_fractions) {
+    const bool is_this = vulgar.above == above && vulgar.below == below;
+    if (is_unicode && is_this) return std::string(vulgar.glyph);
+  }
+  return above + "/" + below;
+}
+
+bool is_there(const LatexTree& script) { return !script.parts.empty() || !script.text.empty(); }
+
+/// "₁₂" of "1, 2"; "_cart"; "_left_hip" of "left, hip", as in names
+std::string index_of(std::string text, bool is_unicode) {
+  std::erase(text, ' ');
+  std::string without_commas = text;
+  std::erase(without_commas, ',');
+  const bool is_digits = is_number(without_commas);
+  const bool is_short = without_commas.size() * 2 == text.size() + 1;
+  if (is_digits && is_short) text = without_commas;
+  const bool is_long = without_commas.size() < text.size() || columns_of(text) > 4;
+  const bool is_name = is_long && !is_digits;  // hard to read in small letters
+  if (is_name) std::ranges::replace(text, ',', '_');
+  const bool is_small = is_unicode && !is_name;
+  const auto small = is_small ? made_small(text, &SmallGlyph::below) : std::nullopt;
+  if (small) return *small;
+  return is_digits ? text : "_" + text;
+}
+
+std::string exponent_of(const std::string& text, bool is_unicode) {
+  const auto small = is_unicode ? made_small(text, &SmallGlyph::above) : std::nullopt;
+  if (small) return *small;
+  return columns_of(text) == 1 ? "^" + text : "^(" + text + ")";
+}
+
 class Drawer {
  public:
   Drawer(Alphabet alphabet, Fractions fractions) : alphabet_(alphabet), fractions_(fractions) {}
@@ -133,13 +244,13 @@ class Drawer {
       case LatexKind::row:
         return row(tree.parts);
       case LatexKind::letter:
-        return line_of(letter(tree.text));
+        return line_of(letter(tree.text, is_unicode()));
       case LatexKind::fraction:
         return fraction(tree);
       case LatexKind::root:
         return root(tree);
       case LatexKind::accent:
-        return line_of(accented(tree, text_of_line(tree.parts[0])));
+        return line_of(accented(tree, text_of_line(tree.parts[0]), is_unicode()));
       case LatexKind::scripts:
         return scripts(tree);
       case LatexKind::space:
@@ -147,7 +258,7 @@ class Drawer {
       case LatexKind::text:  // pieces of a row get their own blanks
         return line_of(without_outer_blanks(tree.text));
       default:
-        return line_of(letter(tree.text));
+        return line_of(letter(tree.text, is_unicode()));
     }
   }
 
@@ -158,42 +269,13 @@ class Drawer {
     return block.lines[block.base];
   }
 
-  [[nodiscard]] std::string letter(const std::string& text) const {
-    if (is_unicode()) return text;
-    const auto row = std::ranges::find(ascii_words, text, &AsciiWord::character);
-    if (row != ascii_words.end()) return std::string(row->word);
-    const std::string_view name = greek_command(text);
-    return name.empty() ? text : std::string(name);
-  }
-
-  /// Whether dots are written as models write them: dot(theta1).
-  [[nodiscard]] bool has_called_accent(const LatexTree& tree) const {
-    return tree.kind == LatexKind::accent && (!is_unicode() || is_word(tree.parts[0]));
-  }
-
-  /// Dots stand over the first letter: that of a symbol.
-  [[nodiscard]] std::string accented(const LatexTree& tree, const std::string& base) const {
-    if (base.empty()) return base;
-    const bool is_double = tree.text == "¨";
-    if (has_called_accent(tree)) return is_double ? "ddot(" + base + ")" : "dot(" + base + ")";
-    const std::size_t first = std::max<std::size_t>(1, code_point_at(base, 0).bytes);
-    return base.substr(0, first) + (is_double ? "\u0308" : "\u0307") + base.substr(first);
-  }
-
   [[nodiscard]] Block fraction(const LatexTree& tree) const {
     const Block above = draw(tree.parts[0]);
     const Block below = draw(tree.parts[1]);
     const std::string& top = above.lines.front();
     const std::string& bottom = below.lines.front();
-    const auto is_number = [](const std::string& text) {
-      return std::ranges::all_of(text, [](char c) { return is_digit(c); });
-    };
     if (above.lines.size() + below.lines.size() == 2 && is_number(top) && is_number(bottom)) {
-      for (const VulgarFraction& vulgar : vulgar_fractions) {
-        const bool is_this = vulgar.above == top && vulgar.below == bottom;
-        if (is_unicode() && is_this) return line_of(std::string(vulgar.glyph));
-      }
-      return line_of(top + "/" + bottom);
+      return line_of(number_fraction(top, bottom, is_unicode()));
     }
     if (fractions_ == Fractions::in_line) {
       const bool is_sum = has_sign(tree.parts[0]);
@@ -201,25 +283,6 @@ class Drawer {
                     is_product(tree.parts[1]) ? in_brackets("(", below, ")") : below);
     }
     return stacked(above, below, is_unicode() ? "─" : "-");
-  }
-
-  /// Whether a row is a sum: signs in brackets are not its own.
-  static bool has_sign(const LatexTree& tree) {
-    for (std::size_t i = 0; i < tree.parts.size(); ++i) {
-      if (role_of(tree.parts[i]) == Role::sign) return true;
-      if (is_open_bracket(tree.parts[i])) i = closing(tree.parts, i);
-    }
-    return false;
-  }
-
-  /// Whether a row has several factors: dt and ∂q are one.
-  static bool is_product(const LatexTree& tree) {
-    std::size_t factors = 0;
-    for (const LatexTree& part : tree.parts) {
-      const bool begins = factors == 0 || part.is_apart;
-      if (begins && role_of(part) != Role::prefix) ++factors;
-    }
-    return factors > 1;
   }
 
   [[nodiscard]] Block root(const LatexTree& tree) const {
@@ -233,41 +296,22 @@ class Drawer {
     return beside(beside(left, inside), bracket_drawing(close, inside, alphabet_));
   }
 
-  /// "₁₂" of "1, 2"; "_cart"; "_left_hip" of "left, hip", as in names
-  [[nodiscard]] std::string index(const LatexTree& tree) const {
-    if (tree.parts.empty() && tree.text.empty()) return "";
-    std::string text = text_of_line(tree);
-    std::erase(text, ' ');
-    std::string without_commas = text;
-    std::erase(without_commas, ',');
-    const bool is_digits = std::ranges::all_of(without_commas, [](char c) { return is_digit(c); });
-    const bool is_short = without_commas.size() * 2 == text.size() + 1;
-    if (is_digits && is_short) text = without_commas;
-    const bool is_long = without_commas.size() < text.size() || columns_of(text) > 4;
-    const bool is_name = is_long && !is_digits;  // hard to read in small letters
-    if (is_name) std::ranges::replace(text, ',', '_');
-    const bool is_small = is_unicode() && !is_name;
-    const auto small = is_small ? made_small(text, &SmallGlyph::below) : std::nullopt;
-    if (small) return *small;
-    return is_digits ? text : "_" + text;
+  [[nodiscard]] std::string index(const LatexTree& script) const {
+    return is_there(script) ? index_of(text_of_line(script), is_unicode()) : "";
   }
 
-  [[nodiscard]] std::string exponent(const LatexTree& tree) const {
-    if (tree.parts.empty() && tree.text.empty()) return "";
-    const std::string text = text_of_line(tree);
-    const auto small = is_unicode() ? made_small(text, &SmallGlyph::above) : std::nullopt;
-    if (small) return *small;
-    return columns_of(text) == 1 ? "^" + text : "^(" + text + ")";
+  [[nodiscard]] std::string exponent(const LatexTree& script) const {
+    return is_there(script) ? exponent_of(text_of_line(script), is_unicode()) : "";
   }
 
   /// The index is part of what is called: dot(theta1).
   [[nodiscard]] Block scripts(const LatexTree& tree) const {
     const LatexTree& base = tree.parts[0];
-    if (!has_called_accent(base)) return with_scripts(draw(base), tree);
+    if (!has_called_accent(base, is_unicode())) return with_scripts(draw(base), tree);
     LatexTree exponent_alone = tree;
     exponent_alone.parts[1] = {};
     const std::string inside = text_of_line(base.parts[0]) + index(tree.parts[1]);
-    return with_scripts(line_of(accented(base, inside)), exponent_alone);
+    return with_scripts(line_of(accented(base, inside, is_unicode())), exponent_alone);
   }
 
   /// An index stands on the base line, an exponent at the top of what is tall.
@@ -282,27 +326,6 @@ class Drawer {
     std::string& top = result.lines.front();
     top = top.substr(0, top.size() - columns_of(above)) + above;
     return beside(result, scripts);
-  }
-
-  static Role role_of(const LatexTree& part) {
-    const LatexTree& base = base_of(part);
-    if (base.kind == LatexKind::function) return Role::function;
-    if (base.kind == LatexKind::text) return Role::prose;
-    if (base.text == "∂" || base.text == "±" || is_variation(base)) return Role::prefix;
-    if (base.kind != LatexKind::sign || base.text == "∫") return Role::operand;
-    return base.text == "," ? Role::comma : Role::sign;
-  }
-
-  /// The text between two pieces: nothing, or a blank.
-  [[nodiscard]] std::string between(Role left, const LatexTree& part) const {
-    if (base_of(part).text == "′") return "";
-    if (part.kind == LatexKind::text && part.text.find_first_of(";:,") == 0) return "";
-    const Role right = role_of(part);
-    const bool is_bracket = is_open_bracket(part);
-    if (left == Role::none || left == Role::prefix || right == Role::comma) return "";
-    if (left == Role::operand && right == Role::operand && !part.is_apart) return "";
-    const bool is_argument = is_bracket && (left == Role::function || !part.is_apart);
-    return is_argument && left != Role::sign && left != Role::comma ? "" : " ";
   }
 
   [[nodiscard]] Block row(const std::vector<LatexTree>& parts) const {
@@ -337,16 +360,6 @@ class Drawer {
       last = is_unary || is_opening_bar || is_open_bracket(parts[i]) ? Role::none : role;
     }
     return result;
-  }
-
-  /// Where the bracket at `open` is closed; the end where it is not.
-  static std::size_t closing(const std::vector<LatexTree>& parts, std::size_t open) {
-    int depth = 0;
-    for (std::size_t i = open; i < parts.size(); ++i) {
-      depth += is_open_bracket(parts[i]) ? 1 : is_closing_bracket(parts[i]) ? -1 : 0;
-      if (depth == 0) return i;
-    }
-    return parts.size();
   }
 
   [[nodiscard]] Block bracketed(const std::vector<LatexTree>& parts, std::size_t open,
