@@ -26,9 +26,10 @@ PageShape shape_of(const Screen& screen) {
           3};
 }
 
-class ScreenPage {
+/// Formulas in the alphabet of a screen, no wider than it is.
+class ScreenDrawing {
  public:
-  explicit ScreenPage(const Screen& screen)
+  explicit ScreenDrawing(const Screen& screen)
       : alphabet_(screen.alphabet),
         shape_(screen.alphabet == Alphabet::unicode ? shape_of<Alphabet::unicode>(screen)
                                                     : shape_of<Alphabet::ascii>(screen)) {}
@@ -36,6 +37,82 @@ class ScreenPage {
   [[nodiscard]] std::string formula(const std::string& latex) const {
     return text_of(draw(latex), page_indent);
   }
+
+ protected:
+  static constexpr std::size_t most_lines = 9;  ///< of one matrix on the first screen
+
+  [[nodiscard]] bool is_unicode() const { return alphabet_ == Alphabet::unicode; }
+
+  /// "kg*m^2" -> "kg m²"
+  [[nodiscard]] std::string unit(const std::string& text) const {
+    return is_unicode() ? unit_text(text, " ", small_exponent) : text;
+  }
+
+  [[nodiscard]] bool fits(const Block& drawn) const {
+    return static_cast<double>(drawn.width()) <= shape_.width && drawn.lines.size() <= most_lines;
+  }
+
+  [[nodiscard]] Block equated(const std::string& left, const Block& right,
+                              std::size_t least = 0) const {
+    const Block drawn = draw(left, Fractions::in_line);
+    const std::size_t missing = least - std::min(least, drawn.width());
+    return beside(beside({{std::string(missing, ' ')}, 0}, beside(drawn, {{" = "}, 0})), right);
+  }
+
+  [[nodiscard]] Block draw(const std::string& latex,
+                           Fractions fractions = Fractions::stacked) const {
+    return drawing(read_latex(latex), alphabet_, fractions);
+  }
+
+  [[nodiscard]] Block matrix_of(const SheetEquation& equation,
+                                const std::vector<Block>& cells) const {
+    if (cells.size() == 1) return cells.front();
+    return matrix_drawing(cells, equation.columns, alphabet_);
+  }
+
+  Alphabet alphabet_;
+  PageShape shape_;
+};
+
+/// The parts of an overview.
+class Overview : public ScreenDrawing {
+ public:
+  using ScreenDrawing::ScreenDrawing;
+
+  /// "q = (x [m], θ [rad])"
+  [[nodiscard]] std::string tuple(std::string_view name,
+                                  const std::vector<SheetVariable>& list) const {
+    std::string text;
+    for (const SheetVariable& v : list) {
+      const Block symbol = draw(v.symbol);
+      text +=
+          fmt::format("{}{}{}", text.empty() ? "" : ", ", symbol.lines[symbol.base],
+                      v.unit == "1" || v.unit.empty() ? "" : fmt::format(" [{}]", unit(v.unit)));
+    }
+    return fmt::format("{} = ({})", name, text);
+  }
+
+  /// The matrix on one screen: its widest entries are folded until it fits, and all of it where
+  /// that is not enough.
+  [[nodiscard]] std::string folded(const SheetEquation& equation) const {
+    std::vector<Block> cells;
+    for (const std::string& entry : equation.entries) cells.push_back(draw(entry));
+    for (std::size_t folds = 0; folds <= cells.size(); ++folds) {
+      const Block drawn = equated(equation.left, matrix_of(equation, cells));
+      if (fits(drawn)) return text_of(drawn, page_indent);
+      Block& widest = *std::ranges::max_element(cells, {}, &Block::width);
+      widest = {{fmt::format("{}{}", is_unicode() ? "…" : "...", widest.width())}, 0};
+    }
+    const auto zeros = std::ranges::count(equation.entries, "0");
+    const std::string size =
+        fmt::format("{} x {} entries, {} of them 0", equation.rows, equation.columns, zeros);
+    return text_of(equated(equation.left, {{size}, 0}), page_indent);
+  }
+};
+
+class ScreenPage : public ScreenDrawing {
+ public:
+  using ScreenDrawing::ScreenDrawing;
 
   [[nodiscard]] std::string title(const std::string& title, const std::string& latex) const {
     return latex.empty() ? title + "\n" : text_of(draw(latex, Fractions::in_line), "");
@@ -71,19 +148,6 @@ class ScreenPage {
     return text_of(grid(cells, table.heads.size(), Alignment::left), page_indent);
   }
 
-  /// "q = (x [m], θ [rad])"
-  [[nodiscard]] std::string tuple(std::string_view name,
-                                  const std::vector<SheetVariable>& list) const {
-    std::string text;
-    for (const SheetVariable& v : list) {
-      const Block symbol = draw(v.symbol);
-      text +=
-          fmt::format("{}{}{}", text.empty() ? "" : ", ", symbol.lines[symbol.base],
-                      v.unit == "1" || v.unit.empty() ? "" : fmt::format(" [{}]", unit(v.unit)));
-    }
-    return fmt::format("{} = ({})", name, text);
-  }
-
   [[nodiscard]] std::string equations(const SheetOutput& output) const {
     const bool is_row = output.is_row && !output.equations.empty();
     std::string text = is_row ? row(output.equations) : "";
@@ -97,55 +161,7 @@ class ScreenPage {
     return text;
   }
 
-  /// The matrix on one screen: its widest entries are folded until it fits, and all of it where
-  /// that is not enough.
-  [[nodiscard]] std::string folded(const SheetEquation& equation) const {
-    std::vector<Block> cells;
-    for (const std::string& entry : equation.entries) cells.push_back(draw(entry));
-    for (std::size_t folds = 0; folds <= cells.size(); ++folds) {
-      const Block drawn = equated(equation.left, matrix_of(equation, cells));
-      if (fits(drawn)) return text_of(drawn, page_indent);
-      Block& widest = *std::ranges::max_element(cells, {}, &Block::width);
-      widest = {{fmt::format("{}{}", is_unicode() ? "…" : "...", widest.width())}, 0};
-    }
-    const auto zeros = std::ranges::count(equation.entries, "0");
-    const std::string size =
-        fmt::format("{} x {} entries, {} of them 0", equation.rows, equation.columns, zeros);
-    return text_of(equated(equation.left, {{size}, 0}), page_indent);
-  }
-
  private:
-  static constexpr std::size_t most_lines = 9;  ///< of one matrix on the first screen
-
-  [[nodiscard]] bool is_unicode() const { return alphabet_ == Alphabet::unicode; }
-
-  /// "kg*m^2" -> "kg m²"
-  [[nodiscard]] std::string unit(const std::string& text) const {
-    return is_unicode() ? unit_text(text, " ", small_exponent) : text;
-  }
-
-  [[nodiscard]] bool fits(const Block& drawn) const {
-    return static_cast<double>(drawn.width()) <= shape_.width && drawn.lines.size() <= most_lines;
-  }
-
-  [[nodiscard]] Block equated(const std::string& left, const Block& right,
-                              std::size_t least = 0) const {
-    const Block drawn = draw(left, Fractions::in_line);
-    const std::size_t missing = least - std::min(least, drawn.width());
-    return beside(beside({{std::string(missing, ' ')}, 0}, beside(drawn, {{" = "}, 0})), right);
-  }
-
-  [[nodiscard]] Block draw(const std::string& latex,
-                           Fractions fractions = Fractions::stacked) const {
-    return drawing(read_latex(latex), alphabet_, fractions);
-  }
-
-  [[nodiscard]] Block matrix_of(const SheetEquation& equation,
-                                const std::vector<Block>& cells) const {
-    if (cells.size() == 1) return cells.front();
-    return matrix_drawing(cells, equation.columns, alphabet_);
-  }
-
   [[nodiscard]] std::string equation(const SheetEquation& equation) const {
     const bool is_list = is_listed(equation, shape_);
     if (is_list && equation.columns > 1) {
@@ -209,9 +225,6 @@ class ScreenPage {
     for (const Display& part : block) text += display(part, Fractions::stacked, left);
     return text;
   }
-
-  Alphabet alphabet_;
-  PageShape shape_;
 };
 
 /// The terms of the equation of motion, in its order.
@@ -258,7 +271,7 @@ std::string screen_page(const Sheet& sheet, const Screen& screen) {
 }
 
 std::string overview(const Sheet& sheet, const Screen& screen) {
-  const ScreenPage page(screen);
+  const Overview page(screen);
   std::string text = fmt::format("{}\n\n{}", sheet.title, page.formula(sheet.equation_of_motion));
   text += fmt::format("  {}\n", page.tuple("q", sheet.coordinates));
   if (!sheet.inputs.empty()) text += fmt::format("  {}\n", page.tuple("u", sheet.inputs));
