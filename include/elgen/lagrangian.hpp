@@ -105,6 +105,13 @@ void add_leaf(Definitions& definitions, const GiNaC::ex& symbol, Opcode kind);
 [[nodiscard]] std::vector<GiNaC::ex> symbols_of(const Definitions& definitions,
                                                 const GiNaC::ex& value);
 
+/// GiNaC expressions as text with terms and factors sorted and signs in one place, so that two runs
+/// print the same although GiNaC orders by address. Leaves print under their names, definitions as d0, d1, … in the order of the list.
+[[nodiscard]] std::string expression_text(const Definitions& definitions, const GiNaC::ex& value);
+
+/// One line per definition: `d3 = l*sin(theta)    ; bob_x`.
+[[nodiscard]] std::string dump(const Definitions& definitions);
+
 /// A point with a mass: adds 1/2 m |dp/dt|^2 to T, and -m gravity.p to V.
 struct PointMass {
   GiNaC::ex mass;

@@ -1,11 +1,15 @@
-// cancelling_places: see cancelling_places.hpp. Places are found by folding the text over sums of
-// numbers, multiples of one leaf and multiples of its square; everything else is opaque.
-#include "choose/cancelling_places.hpp"
-
+// cancelling_places: where sums of a function vanish.
+//
+//     before    F*sqrt((x - a)^2 + y^2)
+//     after     x near a and -a, x near 0, y near 0; together: x near a and y near 0
+//
+// Places are found by folding the text over sums of numbers, multiples of one leaf and multiples of
+// its square; everything else is opaque.
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
+#include "choose/points.hpp"
 #include "elgen/evaluate.hpp"
 #include "elgen/fold.hpp"
 

@@ -5,7 +5,6 @@
 #include <iterator>
 
 #include "forms/write/kept_digits.hpp"
-#include "forms/write/ways.hpp"
 #include "program/network/cheapest.hpp"
 #include "program/network/linearise.hpp"
 

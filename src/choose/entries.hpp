@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "choose/harm.hpp"
-#include "forms/write/readable.hpp"
+#include "forms/write/ways.hpp"
 #include "program/graph/angle_sums.hpp"
 
 namespace elgen {

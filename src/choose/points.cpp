@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "accuracy/rough_errors.hpp"
-#include "choose/cancelling_places.hpp"
 #include "numbers/random.hpp"
 
 namespace elgen {

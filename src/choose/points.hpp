@@ -11,6 +11,9 @@
 // exponentials and logarithms of coordinates without a range vanish or grow.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "elgen/domain.hpp"
@@ -29,5 +32,26 @@ using ComparisonPoints = std::vector<Arguments<double>>;
 /// coordinates that sines are taken of are near multiples of a right angle, nearly the same, or
 /// tiny, with parameters of wide ratios, or one far larger than the others.
 [[nodiscard]] ComparisonPoints extreme_points(const Program& program);
+
+/// A coordinate is near `factor` times another one, or near the number `factor`.
+struct NearPlace {
+  std::uint32_t coordinate = 0;
+  double factor = 0;
+  std::optional<std::uint32_t> other = {};
+  friend bool operator==(const NearPlace&, const NearPlace&) = default;
+};
+
+using NearPlaces = std::vector<NearPlace>;
+
+struct CancellingPlaces {
+  NearPlaces of_coordinates = {};        ///< one coordinate each, taken from them in turn
+  std::vector<NearPlaces> of_sums = {};  ///< all coordinates of one sum
+};
+
+/// 0, where two terms of a sum cancel, and right angles, at the values that the parameters have in
+/// the first state of `domain`; and where a sum under a product, a root, a quotient or a function
+/// vanishes with all of its terms. `most`: places of one coordinate. Cost: one walk over `text`.
+[[nodiscard]] CancellingPlaces cancelling_places(const Program& program, const Function& text,
+                                                 const Domain& domain, std::size_t most);
 
 }  // namespace elgen

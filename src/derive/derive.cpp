@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "derive/formulate/print.hpp"
 #include "derive/lagrangian/symmetric_solve.hpp"
 #include "derive/lagrangian/turning.hpp"
 #include "derive/lower/from_ginac.hpp"

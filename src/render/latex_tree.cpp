@@ -211,19 +211,16 @@ struct Segment {
   double width = 0;
 };
 
-bool stands_at(std::string_view text, std::size_t at, std::string_view word) {
-  return text.substr(at, word.size()) == word;
-}
-
 std::vector<Segment> segments(const std::string& latex, double (*measured)(const LatexTree&)) {
   std::vector<Segment> all(1);
   int braces = 0;
   int brackets = 0;
   int tall = 0;
   for (std::size_t i = 0; i < latex.size(); ++i) {
-    const bool is_break = braces == 0 && separates_terms(std::string_view(latex).substr(i));
+    const std::string_view rest = std::string_view(latex).substr(i);
+    const bool is_break = braces == 0 && separates_terms(rest);
     if (is_break) all.push_back({"", brackets, tall});
-    tall += stands_at(latex, i, "\\left") ? 1 : stands_at(latex, i, "\\right") ? -1 : 0;
+    tall += rest.starts_with("\\left") ? 1 : rest.starts_with("\\right") ? -1 : 0;
     braces += (latex[i] == '{') - (latex[i] == '}');
     brackets += (latex[i] == '(') - (latex[i] == ')');
     if (!is_break) all.back().text += latex[i];

@@ -1,9 +1,8 @@
 // Sorted, signed printing. The strings are for people; nothing reads them back.
-#include "derive/formulate/print.hpp"
-
 #include <algorithm>
 #include <sstream>
 
+#include "elgen/lagrangian.hpp"
 #include "model/formula.hpp"
 
 namespace elgen {

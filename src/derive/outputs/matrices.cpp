@@ -1,7 +1,6 @@
 // Matrices: forward passes along unit directions over vectors that are derived once.
 #include "derive/lagrangian/turning.hpp"
 #include "derive/outputs/outputs.hpp"
-#include "derive/tree/tree_columns.hpp"
 #include "derive/tree/tree_matrices.hpp"
 
 namespace elgen {

@@ -1,9 +1,9 @@
 // Columns start at home: in the axes before their own step, where the twist of the step is that of
 // its parent and the axis of a turn is the same; those of a rotation, whose axes turn with it, in
 // the axes after.
-#include "derive/tree/tree_columns.hpp"
-
 #include <algorithm>
+
+#include "derive/tree/tree_matrices.hpp"
 
 namespace elgen {
 

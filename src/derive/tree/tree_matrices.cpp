@@ -1,8 +1,6 @@
 // Columns at home, then up the tree.
 #include "derive/tree/tree_matrices.hpp"
 
-#include "derive/tree/tree_columns.hpp"
-
 namespace elgen {
 
 using GiNaC::ex;

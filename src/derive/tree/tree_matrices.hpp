@@ -15,13 +15,129 @@
 //
 // Variables x(q, t) are mapped to coordinates by J = dx/dq: M = J^T M_x J, and
 // C = J^T (C_x J + M_x dJ/dt).
+//
+// Columns: what a unit twist of one variable asks of everything it carries, passed on to the steps
+// below. The mass matrix, the Coriolis matrix and the derivatives of inverse dynamics are products
+// of such columns with the unit twists met on the way to the root.
 #pragma once
 
+#include <functional>
 #include <map>
 
-#include "derive/tree/tree.hpp"
+#include "derive/tree/composite.hpp"
 
 namespace elgen {
+
+/// A unit twist (angular; linear) in the axes after a step.
+struct TreeVariable {
+  std::uint32_t step = 0;
+  ExVector3 spin{0, 0, 0};
+  ExVector3 velocity{0, 0, 0};
+  GiNaC::ex value = 0;                               ///< x(q, t)
+  std::optional<std::uint32_t> velocity_index = {};  ///< of a rotation instead of x
+};
+
+/// One entry of dx/dq.
+struct Coefficient {
+  std::size_t velocity = 0;
+  GiNaC::ex value = 0;
+};
+
+/// Those that depend on coordinates, steps ascending. Quaternions written over coordinates have
+/// none: `is_complete` is false then, and matrices are derived from forces instead.
+struct TreeVariables {
+  std::vector<TreeVariable> list = {};
+  bool is_complete = true;
+};
+
+[[nodiscard]] TreeVariables tree_variables(const Tree& tree);
+
+/// dx/dq without its zeros.
+[[nodiscard]] std::vector<Coefficient> jacobian_row(Tree& tree, const TreeVariable& variable);
+
+/// Whether no entry of any row depends on coordinates or time.
+[[nodiscard]] bool is_constant(const Definitions& definitions, const std::vector<Coefficient>& row);
+
+/// With S the unit twist of a variable, I and B the composites (see above), v and a the
+/// twist and acceleration of the step before, v_own that of its own step, and f the force on all
+/// that is carried:
+///
+///     S'  = v_own x S    rate of S             R1 = v x S,   R2 = a x S + v x R1
+enum class ColumnKind : unsigned char {
+  inertia,      ///< I S
+  rate,         ///< I S' + B S
+  transposed,   ///< B^T S
+  by_position,  ///< I R2 + 2 B R1 + S x* f
+  by_velocity,  ///< I (R1 + S') + 2 B S
+};
+
+/// The motions (angular; linear) of a variable that columns are multiplied with.
+enum class UnitKind : unsigned char {
+  unit,    ///< S
+  rate,    ///< S'
+  first,   ///< R1
+  second,  ///< R2
+};
+
+/// Columns of `upper` where its way to the root meets `lower`, in the axes of `lower`'s home.
+/// `is_mutual`: both belong to one step, and the pair comes in both orders.
+struct ColumnPair {
+  std::size_t upper = 0;
+  std::size_t lower = 0;
+  bool is_mutual = false;
+  const std::vector<SpatialForce>& columns;
+};
+
+class TreeColumns {
+ public:
+  TreeColumns(Tree& tree, const std::vector<TreeVariable>& variables, const Acceleration& by);
+
+  /// Calls for every variable with itself, its step's others, and every variable below.
+  void for_each_pair(const std::vector<ColumnKind>& kinds,
+                     const std::function<void(const ColumnPair&)>& visit);
+
+  /// Motion . column.
+  [[nodiscard]] GiNaC::ex along(std::size_t variable, UnitKind kind, const SpatialForce& column);
+
+ private:
+  /// A step's motion and what it carries, in the axes before it, or after it for rotations.
+  struct Home {
+    CompositeInertia inertia = {};
+    CompositeRate rate = {};
+    Twist own = {};          ///< of the step itself
+    Twist below = {};        ///< of the step before
+    StepMotion motion = {};  ///< of the step before
+    SpatialForce carried = {};
+  };
+
+  [[nodiscard]] const Home& home(const TreeVariable& variable);
+  [[nodiscard]] Home home_after(std::uint32_t step);
+  [[nodiscard]] Home home_before(std::uint32_t step);
+  void make_motions();
+  [[nodiscard]] Twist motion(UnitKind kind, const TreeVariable& variable);
+  [[nodiscard]] Twist crossed(const Twist& twist, const Twist& with);
+  [[nodiscard]] Twist second(const Home& home, const TreeVariable& variable);
+  [[nodiscard]] SpatialForce column(ColumnKind kind, const TreeVariable& variable);
+  [[nodiscard]] SpatialForce of_inertia(const TreeVariable& variable, const Twist& twist);
+  [[nodiscard]] SpatialForce of_rate(const TreeVariable& variable, const Twist& twist);
+  [[nodiscard]] SpatialForce of_rate_transposed(const TreeVariable& variable);
+  void visit_below(std::size_t upper, std::vector<SpatialForce> columns,
+                   const std::function<void(const ColumnPair&)>& visit);
+
+  Tree& tree_;
+  VectorAlgebra& algebra_;
+  const std::vector<TreeVariable>& variables_;
+  Acceleration by_;
+  std::vector<std::vector<std::size_t>> on_step_;  ///< variables of each step
+  std::vector<bool> has_below_;                    ///< whether the way to the root meets any
+  std::vector<CompositeInertia> inertias_;
+  // On first demand, of every step:
+  std::vector<Twist> twists_;
+  std::vector<CompositeRate> rates_;
+  std::vector<StepMotion> motions_;
+  std::vector<SpatialForce> carried_;
+  std::vector<std::optional<Home>> homes_;
+};
 
 /// Entries of an n_v x n_v matrix that may differ from zero, by row and column.
 using SparseMatrix = std::map<std::pair<std::size_t, std::size_t>, GiNaC::ex>;

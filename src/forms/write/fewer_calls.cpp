@@ -14,43 +14,34 @@ bool is_call_of(const Node& node, FunctionId function) {
   return node.kind == NodeKind::call && node.function == function;
 }
 
-/// Whether a call has one beside it that it may be made of.
-class Replaceable {
- public:
-  explicit Replaceable(const Expressions& expressions)
-      : graph_(expressions.graph), nodes_(reachable(graph_, expressions.values)) {}
-
-  [[nodiscard]] std::set<NodeId> calls() {
-    std::set<NodeId> found;
-    for (const NodeId id : nodes_) {
-      const Node node = graph_.node(id);
-      const bool is_circular_call = node.kind == NodeKind::call && is_circular(node.function);
-      if (!is_circular_call && !is_call_of(node, FunctionId::exp)) continue;
-      Ref argument = argument_of(node);
-      if (is_circular_call) {
-        argument = graph_.product({{graph_.rational(cl_RA(1) / 2), 1}, {argument, 1}});
-      }
-      if (has_call(is_circular_call ? FunctionId::sin : FunctionId::expm1, argument)) {
-        found.insert(id);
-      }
-    }
-    return found;
-  }
-
- private:
-  /// Sines have no sign in their arguments.
-  [[nodiscard]] bool has_call(FunctionId function, Ref argument) const {
-    return std::ranges::any_of(nodes_, [&](NodeId id) {
-      const Node& node = graph_.node(id);
+/// The calls that have one beside them that they may be made of.
+std::set<NodeId> replaceable_calls(const Expressions& expressions) {
+  Graph graph = expressions.graph;
+  const std::vector<NodeId> nodes = reachable(graph, expressions.values);
+  // Sines have no sign in their arguments.
+  const auto has_call = [&](FunctionId function, Ref argument) {
+    return std::ranges::any_of(nodes, [&](NodeId id) {
+      const Node& node = graph.node(id);
       if (!is_call_of(node, function)) return false;
       const Ref other = argument_of(node);
       return function == FunctionId::sin ? other.node == argument.node : other == argument;
     });
+  };
+  std::set<NodeId> found;
+  for (const NodeId id : nodes) {
+    const Node node = graph.node(id);
+    const bool is_circular_call = node.kind == NodeKind::call && is_circular(node.function);
+    if (!is_circular_call && !is_call_of(node, FunctionId::exp)) continue;
+    Ref argument = argument_of(node);
+    if (is_circular_call) {
+      argument = graph.product({{graph.rational(cl_RA(1) / 2), 1}, {argument, 1}});
+    }
+    if (has_call(is_circular_call ? FunctionId::sin : FunctionId::expm1, argument)) {
+      found.insert(id);
+    }
   }
-
-  Graph graph_;
-  std::vector<NodeId> nodes_;
-};
+  return found;
+}
 
 Ref with_shared_call(Graph& graph, FunctionId function, Ref argument) {
   const Ref one = graph.rational(1);
@@ -67,7 +58,7 @@ Ref with_shared_call(Graph& graph, FunctionId function, Ref argument) {
 }  // namespace
 
 std::optional<Expressions> with_fewer_calls(const Expressions& expressions) {
-  const std::set<NodeId> calls = Replaceable(expressions).calls();
+  const std::set<NodeId> calls = replaceable_calls(expressions);
   if (calls.empty()) return std::nullopt;
   const auto rule = [&calls](Graph& graph, const RebuildStep& step) {
     if (!calls.contains(step.old_node)) return copy(graph, step);

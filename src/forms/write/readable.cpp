@@ -1,7 +1,5 @@
-// readable: see readable.hpp. Two ways that are compared are one function of two entries, so that
+// readable: the shortest way. Two ways that are compared are one function of two entries, so that
 // what they share, sines above all, is evaluated once.
-#include "forms/write/readable.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>

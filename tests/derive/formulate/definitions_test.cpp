@@ -1,7 +1,6 @@
 // The list of definitions: atoms, repetition, order of symbols, their text, and opaque functions.
 #include <catch2/catch.hpp>
 
-#include "derive/formulate/print.hpp"
 #include "elgen/lagrangian.hpp"
 
 using namespace elgen;

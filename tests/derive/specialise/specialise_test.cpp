@@ -4,7 +4,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "derive/formulate/print.hpp"
 #include "derive/specialise/passes.hpp"
 #include "support/systems.hpp"
 

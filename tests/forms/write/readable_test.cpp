@@ -1,5 +1,5 @@
 // Expressions and how they are written for a reader; which of two ways may stand for the other.
-#include "forms/write/readable.hpp"
+#include "forms/write/ways.hpp"
 
 #include <catch2/catch.hpp>
 
