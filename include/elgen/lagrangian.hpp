@@ -106,7 +106,8 @@ void add_leaf(Definitions& definitions, const GiNaC::ex& symbol, Opcode kind);
                                                 const GiNaC::ex& value);
 
 /// GiNaC expressions as text with terms and factors sorted and signs in one place, so that two runs
-/// print the same although GiNaC orders by address. Leaves print under their names, definitions as d0, d1, … in the order of the list.
+/// print the same although GiNaC orders by address. Leaves print under their names, definitions as
+/// d0, d1, … in the order of the list.
 [[nodiscard]] std::string expression_text(const Definitions& definitions, const GiNaC::ex& value);
 
 /// One line per definition: `d3 = l*sin(theta)    ; bob_x`.

@@ -1,5 +1,4 @@
 // extreme_points: states and parameters at the extremes, for forms that are chosen for accuracy.
-#include <algorithm>
 #include <cmath>
 
 #include "choose/points.hpp"

@@ -7,7 +7,6 @@
 
 #include "diff/renamed.hpp"
 #include "elgen/diff.hpp"
-#include "elgen/wording.hpp"
 
 namespace elgen {
 namespace {

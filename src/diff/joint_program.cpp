@@ -2,14 +2,11 @@
 // and columns have the names of what the output table says they stand for.
 #include "diff/joint_program.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "diff/renamed.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "model/output_units.hpp"
-#include "model/requests.hpp"
 #include "program/network/instructions.hpp"
 
 namespace elgen {

@@ -1,7 +1,6 @@
 // zeros: which entries of a function vanish at all states, by proof or by points.
 #pragma once
 
-#include "elgen/diff.hpp"
 #include "elgen/evaluate.hpp"
 #include "elgen/program.hpp"
 

@@ -8,8 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "elgen/render.hpp"
 #include "render/function_formulas.hpp"
 #include "render/named_parts.hpp"

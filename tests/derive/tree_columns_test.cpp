@@ -1,9 +1,8 @@
 // The variables that move a tree, those that meet on the way to the root, and their columns.
-#include "derive/tree/tree_matrices.hpp"
-
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "derive/tree/tree_matrices.hpp"
 #include "framed.hpp"
 
 using namespace elgen;

@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "derive/formulate/chain_rule.hpp"
-#include "elgen/equations_of_motion.hpp"
 
 namespace elgen {
 

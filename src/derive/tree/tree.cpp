@@ -1,8 +1,6 @@
 // Passing along the tree. Quarter turns have numbers for sine and cosine, so they only permute.
 #include "derive/tree/tree.hpp"
 
-#include <algorithm>
-
 namespace elgen {
 
 using GiNaC::ex;

@@ -2,7 +2,6 @@
 // numbers are taken apart into primes; everything else is opaque, with a canonical argument.
 #include <cln/integer.h>
 
-#include <algorithm>
 #include <array>
 
 #include "forms/present/arithmetic.hpp"

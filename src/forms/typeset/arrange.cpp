@@ -3,7 +3,6 @@
 #include "forms/typeset/arrange.hpp"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "forms/present/polynomial.hpp"

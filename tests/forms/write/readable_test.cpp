@@ -1,9 +1,8 @@
 // Expressions and how they are written for a reader; which of two ways may stand for the other.
-#include "forms/write/ways.hpp"
-
 #include <catch2/catch.hpp>
 
 #include "choose/chosen.hpp"
+#include "forms/write/ways.hpp"
 #include "program/expression_leaves.hpp"
 #include "support/systems.hpp"
 
