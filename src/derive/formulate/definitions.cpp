@@ -1,18 +1,23 @@
-// The ordered list of definitions: appending, and what an expression depends on.
+// The ordered list of definitions: appending, what an expression depends on, and their text:
+// sorted, signed printing, for people; nothing reads it back.
 #include <algorithm>
+#include <sstream>
 
 #include "elgen/lagrangian.hpp"
+#include "model/formula.hpp"
 
 namespace elgen {
 
+using GiNaC::ex;
+
 namespace {
 
-bool is_atomic(const GiNaC::ex& value) {
+bool is_atomic(const ex& value) {
   if (GiNaC::is_a<GiNaC::numeric>(value) || GiNaC::is_a<GiNaC::symbol>(value)) return true;
   return GiNaC::is_a<GiNaC::mul>(value) && GiNaC::is_a<GiNaC::symbol>(-value);
 }
 
-const SymbolPlace& place(const Definitions& definitions, const GiNaC::ex& symbol) {
+const SymbolPlace& place(const Definitions& definitions, const ex& symbol) {
   return definitions.places.at(symbol);
 }
 
@@ -21,7 +26,7 @@ bool precedes(const SymbolPlace& left, const SymbolPlace& right) {
   return left.index < right.index;
 }
 
-void collect_symbols(const GiNaC::ex& value, std::vector<GiNaC::ex>& symbols) {
+void collect_symbols(const ex& value, std::vector<ex>& symbols) {
   if (GiNaC::is_a<GiNaC::symbol>(value)) {
     symbols.push_back(value);
     return;
@@ -31,37 +36,37 @@ void collect_symbols(const GiNaC::ex& value, std::vector<GiNaC::ex>& symbols) {
 
 }  // namespace
 
-std::vector<GiNaC::ex> symbols_of(const Definitions& definitions, const GiNaC::ex& value) {
-  std::vector<GiNaC::ex> symbols;
+std::vector<ex> symbols_of(const Definitions& definitions, const ex& value) {
+  std::vector<ex> symbols;
   collect_symbols(value, symbols);
   // GiNaC's operand order depends on addresses: sort by our own.
-  std::sort(symbols.begin(), symbols.end(), [&](const GiNaC::ex& a, const GiNaC::ex& b) {
+  std::sort(symbols.begin(), symbols.end(), [&](const ex& a, const ex& b) {
     return precedes(place(definitions, a), place(definitions, b));
   });
   symbols.erase(std::unique(symbols.begin(), symbols.end(), ExpressionEqual{}), symbols.end());
   return symbols;
 }
 
-LeafSet dependence(const Definitions& definitions, const GiNaC::ex& value) {
+LeafSet dependence(const Definitions& definitions, const ex& value) {
   LeafSet depends;
-  for (const GiNaC::ex& symbol : symbols_of(definitions, value)) {
+  for (const ex& symbol : symbols_of(definitions, value)) {
     depends |= place(definitions, symbol).depends;
   }
   return depends;
 }
 
-void add_leaf(Definitions& definitions, const GiNaC::ex& symbol, Opcode kind) {
+void add_leaf(Definitions& definitions, const ex& symbol, Opcode kind) {
   const auto rank = static_cast<std::uint32_t>(definitions.places.size());
   definitions.places.emplace(symbol, SymbolPlace{false, rank, kind});
 }
 
-GiNaC::ex define(Definitions& definitions, const GiNaC::ex& value, Label label) {
+ex define(Definitions& definitions, const ex& value, Label label) {
   if (is_atomic(value)) return value;
   const auto known = definitions.known_values.find(value);
   if (known != definitions.known_values.end()) return known->second;
 
   Definition definition{GiNaC::realsymbol(), value, std::move(label.name), label.origin, {}, {}};
-  for (const GiNaC::ex& symbol : symbols_of(definitions, value)) {
+  for (const ex& symbol : symbols_of(definitions, value)) {
     const SymbolPlace& at = place(definitions, symbol);
     if (at.is_definition) definition.uses.push_back(at.index);
     definition.depends |= at.depends;
@@ -73,11 +78,109 @@ GiNaC::ex define(Definitions& definitions, const GiNaC::ex& value, Label label) 
   return definitions.list.back().symbol;
 }
 
-void name(Definitions& definitions, const GiNaC::ex& symbol, const std::string& text) {
+void name(Definitions& definitions, const ex& symbol, const std::string& text) {
   const auto found = definitions.places.find(symbol);
   if (found == definitions.places.end() || !found->second.is_definition) return;
   std::string& known = definitions.list[found->second.index].name;
   if (known.empty()) known = text;
+}
+
+namespace {
+
+std::string plain(const ex& value) {
+  std::ostringstream text;
+  text << GiNaC::dflt << value;
+  return text.str();
+}
+
+/// A value up to its sign, which GiNaC moves in and out of sums.
+class ExpressionWriter {
+ public:
+  explicit ExpressionWriter(const Definitions& definitions) : definitions_(definitions) {}
+
+  Summand print(const ex& value) const {
+    if (GiNaC::is_a<GiNaC::symbol>(value)) {
+      const SymbolPlace& at = definitions_.places.at(value);
+      return {{at.is_definition ? "d" + std::to_string(at.index) : plain(value)}};
+    }
+    if (GiNaC::is_a<GiNaC::numeric>(value)) {
+      const bool is_negative = value.info(GiNaC::info_flags::negative);
+      return {{plain(is_negative ? -value : value)}, is_negative};
+    }
+    if (GiNaC::is_a<GiNaC::add>(value)) return total(value);
+    if (GiNaC::is_a<GiNaC::mul>(value)) return product_of(value);
+    if (GiNaC::is_a<GiNaC::power>(value)) return raised(value);
+    if (GiNaC::is_a<GiNaC::function>(value)) return {call_of(value)};
+    return {{plain(value)}};
+  }
+
+  Formula whole(const ex& value) const { return sum(spelling_, {print(value)}); }
+
+ private:
+  std::vector<Summand> sorted(const ex& value, Binding least) const {
+    std::vector<Summand> parts;
+    for (const ex& part : value) {
+      const auto [term, is_negative] = print(part);
+      parts.push_back({at_least(spelling_, term, least), is_negative});
+    }
+    std::sort(parts.begin(), parts.end(), [](const Summand& left, const Summand& right) {
+      return left.term.text() < right.term.text();
+    });
+    return parts;
+  }
+
+  /// The first term is positive; where it is not, the sum is printed as its negative.
+  Summand total(const ex& value) const {
+    std::vector<Summand> terms = sorted(value, Binding::sum);
+    const bool is_negative = terms.front().is_subtracted;
+    for (Summand& term : terms) term.is_subtracted = term.is_subtracted != is_negative;
+    return {sum(spelling_, terms), is_negative};
+  }
+
+  Summand product_of(const ex& value) const {
+    bool is_negative = false;
+    std::vector<Formula> factors;
+    for (const Summand& part : sorted(value, Binding::product)) {
+      is_negative = is_negative != part.is_subtracted;
+      if (part.term.text() != "1") factors.push_back(part.term);
+    }
+    return {product(spelling_, factors), is_negative};
+  }
+
+  Summand raised(const ex& value) const {
+    const ex exponent = value.op(1);
+    Summand base = print(value.op(0));
+    if (!exponent.info(GiNaC::info_flags::integer)) base = {whole(value.op(0))};
+    Formula above = whole(exponent);
+    if (!exponent.info(GiNaC::info_flags::posint)) above.binding = Binding::sum;
+    const bool is_negative = base.is_subtracted && exponent.info(GiNaC::info_flags::odd);
+    return {power(spelling_, base.term, above), is_negative};
+  }
+
+  Formula call_of(const ex& value) const {
+    std::vector<Formula> arguments;
+    for (const ex& argument : value) arguments.push_back(whole(argument));
+    return called(GiNaC::ex_to<GiNaC::function>(value).get_name(), arguments);
+  }
+
+  const Definitions& definitions_;
+  const Spelling& spelling_ = model_spelling;
+};
+
+}  // namespace
+
+std::string expression_text(const Definitions& definitions, const ex& value) {
+  return ExpressionWriter(definitions).whole(value).text();
+}
+
+std::string dump(const Definitions& definitions) {
+  std::string text;
+  for (std::size_t i = 0; i < definitions.list.size(); ++i) {
+    const Definition& definition = definitions.list[i];
+    text += "d" + std::to_string(i) + " = " + expression_text(definitions, definition.value);
+    text += definition.name.empty() ? "\n" : "    ; " + definition.name + "\n";
+  }
+  return text;
 }
 
 }  // namespace elgen

@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "derive/formulate/expressions.hpp"
-#include "derive/formulate/frame_tree.hpp"
 #include "elgen/lagrangian.hpp"
 
 namespace elgen {

@@ -1,8 +1,8 @@
 // Frames, parents first; then bodies, masses, wrenches and outputs by the step they move with.
-#include "derive/formulate/frame_tree.hpp"
-
 #include <algorithm>
 #include <utility>
+
+#include "derive/formulate/expressions.hpp"
 
 namespace elgen {
 

@@ -1,8 +1,7 @@
 // Frames become steps, parents first, of those that carry something.
-#include "derive/formulate/frame_tree.hpp"
-
 #include <catch2/catch.hpp>
 
+#include "derive/formulate/expressions.hpp"
 #include "derive/formulate/written_out.hpp"
 #include "support/models.hpp"
 
