@@ -7,15 +7,23 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "elgen/diagnostic.hpp"
 #include "elgen/model.hpp"
+#include "elgen/oracle.hpp"
 #include "elgen/scene.hpp"
 
 namespace elgen {
 
 /// Errors, warnings and notes of E501 to E522, E613, E614 and E619; never changes the model.
 [[nodiscard]] Diagnostics inspect(const Model& model, const Scene& scene);
+
+/// The exact states of rest at which inspect() judges an [[equilibrium]]: at up to four values of
+/// the parameters that meet its condition, the model's own first. Empty where no values that were
+/// drawn meet it, or bias and B have no value there.
+[[nodiscard]] std::vector<State> sampled_equilibrium(const CheckedModel& checked,
+                                                     const Equilibrium& equilibrium);
 
 /// Gives the momenta that a scene holds (`[routh]`) their values: as it says, or at the start.
 /// E635: L changes with a coordinate at one of 8 sampled states, the momenta do not determine the

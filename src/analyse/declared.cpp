@@ -1,5 +1,6 @@
-// [[equilibrium]]: closed forms of the residual and of det(x M - K) at the point; where they do not
-// decide, numbers of 64 digits at random parameters.
+// [[equilibrium]]: closed forms of the residual and of det(x M - K) at the point. Where they do not
+// decide, the balance is as inspect() judged it at sampled states, and frequencies are judged there
+// in 64 digits.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,20 +9,15 @@
 #include "analyse/rest.hpp"
 #include "analyse/substitution.hpp"
 #include "elgen/analyse.hpp"
+#include "elgen/inspect.hpp"
 #include "numbers/echelon.hpp"
 #include "numbers/exact_number.hpp"
-#include "numbers/random.hpp"
 #include "program/evaluate/subject.hpp"
 
 namespace elgen {
 namespace {
 
 using cln::cl_R;
-
-/// An exact and random state at which a wrong claim holds is one in 1e9.
-constexpr std::size_t draws = 8;
-/// Draws that do not meet a condition are drawn again.
-constexpr std::size_t most_draws = 64;
 
 /// The larger determinants of closed forms outgrow their budget.
 constexpr std::size_t most_rows = 8;
@@ -58,8 +54,8 @@ class DeclaredEquilibrium {
  public:
   DeclaredEquilibrium(const CheckedModel& checked, const Program& moving, ClosedForms& forms,
                       const Equilibrium& declared)
-      : model_(checked.model),
-        scene_(checked.scene),
+      : checked_(checked),
+        model_(checked.model),
         moving_(moving),
         forms_(forms),
         declared_(declared),
@@ -68,16 +64,17 @@ class DeclaredEquilibrium {
   JudgedEquilibrium operator()() {
     JudgedEquilibrium result{declared_.name};
     find_forms();
+    const bool states_frequencies = !declared_.frequencies_squared.empty();
     const bool balances =
         !residual_.empty() && std::ranges::all_of(residual_, [](const Value& row) {
           return row && row->numerator.empty();
         });
-    result.balance =
-        balances ? ClaimStatus::proved : sampled(result, &DeclaredEquilibrium::rests_at);
-    if (declared_.frequencies_squared.empty()) return result;
-    result.frequencies = has_frequencies()
-                             ? ClaimStatus::proved
-                             : sampled(result, &DeclaredEquilibrium::has_frequencies_at);
+    if (balances) result.balance = ClaimStatus::proved;
+    if (states_frequencies && has_frequencies()) result.frequencies = ClaimStatus::proved;
+    if (balances && result.frequencies.has_value() == states_frequencies) return result;
+    const std::vector<State> points = sampled_equilibrium(checked_, declared_);
+    if (!balances && !points.empty()) result.balance = ClaimStatus::sampled;
+    if (states_frequencies && !result.frequencies) judge_frequencies(points, result);
     return result;
   }
 
@@ -92,7 +89,7 @@ class DeclaredEquilibrium {
   }
 
   Value form_of(ExpressionId expression) {
-    return closed_form(forms_, model_, scene_.specialisation.fixed, expression);
+    return closed_form(forms_, model_, checked_.scene.specialisation.fixed, expression);
   }
 
   /// The angle k pi +- acos(c) or asin(c) has its cosine and sine; others have their value alone.
@@ -184,53 +181,17 @@ class DeclaredEquilibrium {
     return difference && difference->numerator.empty();
   }
 
-  using Judge = std::optional<bool> (DeclaredEquilibrium::*)(const State& state) const;
-
-  /// At random parameters that meet the condition; the first wrong state is kept.
-  ClaimStatus sampled(JudgedEquilibrium& result, Judge judge) {
-    Random random(1);
-    std::size_t seen = 0;
-    for (std::size_t turn = 0; turn < most_draws && seen < draws; ++turn) {
-      State state = nominal_state(model_, scene_);
-      if (turn > 0) {
-        draw_parameters(model_, scene_.specialisation.fixed, random, turn, state);
-        draw_motion(model_, random, turn, state);
-      }
-      if (declared_.condition && !oracle_meets(model_, *declared_.condition, state)) continue;
-      const std::optional<State> point = oracle_point(model_, declared_, std::move(state));
-      const std::optional<bool> holds = point ? (this->*judge)(*point) : std::nullopt;
+  /// By numbers; the first wrong state is kept.
+  void judge_frequencies(const std::vector<State>& points, JudgedEquilibrium& result) const {
+    result.frequencies = ClaimStatus::open;
+    for (const State& point : points) {
+      const std::optional<bool> holds = has_frequencies_at(point);
       if (!holds) continue;
-      ++seen;
+      result.frequencies = *holds ? ClaimStatus::sampled : ClaimStatus::wrong;
       if (*holds) continue;
-      result.witness = describe({model_, scene_, moving_}, *point);
-      return ClaimStatus::wrong;
+      result.witness = describe({model_, checked_.scene, moving_}, point);
+      return;
     }
-    return seen > 0 ? ClaimStatus::sampled : ClaimStatus::open;
-  }
-
-  /// bias - B u is 0 to 40 digits of its terms, of which there are 60.
-  [[nodiscard]] std::optional<bool> rests_at(const State& state) const {
-    static const cl_R noise = power_of_ten(-40);
-    const Arguments<Real> at = arguments_at<Real>(state);
-    const std::vector<Real> bias = values(OutputKind::bias, at);
-    const std::vector<Real> forces = values(OutputKind::input_matrix, at);
-    cl_R scale = 1;
-    for (const Parameter& parameter : model_.parameters) {
-      if (cln::abs(parameter.value) > scale) scale = cln::abs(parameter.value);
-    }
-    for (std::size_t i = 0; i < bias.size(); ++i) {
-      Real sum = bias[i];
-      for (std::size_t k = 0; k < at.u.size(); ++k)
-        sum = sum - forces[i * at.u.size() + k] * at.u[k];
-      if (!sum.is_defined()) return std::nullopt;
-      if (cln::abs(sum.value()) > noise * scale) return false;
-    }
-    return true;
-  }
-
-  [[nodiscard]] std::vector<Real> values(OutputKind kind, const Arguments<Real>& at) const {
-    const Function* const function = find_function(moving_, kind);
-    return function == nullptr ? std::vector<Real>{} : evaluate(moving_, *function, at);
   }
 
   /// Both polynomials at n + 1 places, to 30 digits of the larger one.
@@ -238,7 +199,8 @@ class DeclaredEquilibrium {
     static const cl_R noise = power_of_ten(-30);
     const std::size_t n = size();
     const Arguments<Real> at = arguments_at<Real>(state);
-    const std::vector<Real> mass = values(OutputKind::mass_matrix, at);
+    const std::vector<Real> mass =
+        evaluate(moving_, *find_function(moving_, OutputKind::mass_matrix), at);
     const std::vector<Real> stiffness = slopes_at(at);
     for (std::size_t place = 0; place <= n; ++place) {
       const Real x(cl_R(static_cast<int>(place)) - cl_R(1) / 3);
@@ -277,8 +239,8 @@ class DeclaredEquilibrium {
     return slopes;
   }
 
+  const CheckedModel& checked_;
   const Model& model_;
-  const Scene& scene_;
   const Program& moving_;
   ClosedForms& forms_;
   const Equilibrium& declared_;

@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
+#include "elgen/inspect.hpp"
 #include "elgen/oracle.hpp"
 #include "inspect/checks.hpp"
 #include "inspect/readable.hpp"
@@ -185,6 +187,18 @@ Diagnostics inspect_entry(const Inspected& subject, const Equilibrium& equilibri
 }
 
 }  // namespace
+
+std::vector<State> sampled_equilibrium(const CheckedModel& checked,
+                                       const Equilibrium& equilibrium) {
+  const Inspected subject{checked.model, checked.scene};
+  std::vector<State> points;
+  for (const unsigned seed : sample_seeds(subject, equilibrium)) {
+    const State elsewhere = varied_state(subject, seed);
+    std::optional<State> point = oracle_point(subject.model, equilibrium, elsewhere);
+    if (point && balance_at(subject.model, *point, elsewhere)) points.push_back(std::move(*point));
+  }
+  return points;
+}
 
 Diagnostics inspect_equilibria(const Inspected& subject) {
   Diagnostics all;

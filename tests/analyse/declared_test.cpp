@@ -1,5 +1,6 @@
 // [[equilibrium]]: what is proved of it, sampled, and found wrong.
 #include "analyse/found.hpp"
+#include "support/models.hpp"
 
 using namespace elgen;
 using namespace elgen::test;
@@ -86,4 +87,35 @@ frequencies_squared = [0, "k/m", "k*(1/m + 2/M)"]
   REQUIRE(both.size() == 1);
   CHECK(both[0].balance == ClaimStatus::proved);
   CHECK(both[0].frequencies == ClaimStatus::proved);
+}
+
+TEST_CASE("what forms do not decide is judged where the inspection sampled it") {
+  const auto well = [](const std::string& square, const std::string& more) {
+    return judged(model_text("well", R"toml(
+[[coordinate]]
+name = "q"
+[parameters]
+m = { value = 2, assume = "positive" }
+k = { value = 3, min = 1, max = 5 }
+[energy]
+T = "1/2*m*dot(q)^2"
+V = "exp(q) - 2*k*q"
+[[equilibrium]]
+name = "middle"
+at = { q = "log(2*k)" }
+frequencies_squared = [")toml" + square + "\"]\n" +
+                                         more))
+        .at(0);
+  };
+  const JudgedEquilibrium right = well("2*k/m", "");
+  CHECK(right.balance == ClaimStatus::sampled);
+  CHECK(right.frequencies == ClaimStatus::sampled);
+  CHECK(right.witness.empty());
+  const JudgedEquilibrium wrong = well("3*k/m", "");
+  CHECK(wrong.balance == ClaimStatus::sampled);
+  CHECK(wrong.frequencies == ClaimStatus::wrong);
+  CHECK_FALSE(wrong.witness.empty());
+  const JudgedEquilibrium never = well("2*k/m", "when = \"k < 0\"\n");
+  CHECK(never.balance == ClaimStatus::open);
+  CHECK(never.frequencies == ClaimStatus::open);
 }
