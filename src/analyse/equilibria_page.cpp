@@ -83,13 +83,9 @@ class EquilibriaPage {
 
   /// "g = (0, m g l sin(theta))"
   static Printed equated(const Printed& name, const std::vector<Printed>& entries) {
-    Printed list;
-    for (const Printed& entry : entries) {
-      const char* const comma = list.text.empty() ? "" : ", ";
-      list = {list.text + comma + entry.text, list.latex + comma + entry.latex};
-    }
-    if (entries.size() > 1) list = {"(" + list.text + ")", "(" + list.latex + ")"};
-    return {name.text + " = " + list.text, name.latex + " = " + list.latex};
+    const Printed list = with_commas(entries);
+    if (entries.size() == 1) return equation(name, list);
+    return equation(name, {"(" + list.text + ")", "(" + list.latex + ")"});
   }
 
   [[nodiscard]] Printed residual_name() const {
@@ -144,8 +140,9 @@ class EquilibriaPage {
     if (stiffness_) table.heads.push_back({"K", "K"});
     table.heads.emplace_back();
     for (std::size_t i = 0; i < equilibria_.points.size(); ++i) {
-      const bool is_pair = is_mirrored(forms_, equilibria_.points, i);
-      add_row(table, equilibria_.points[i], is_pair);
+      const std::vector<RestPoint>& points = equilibria_.points;
+      const bool is_pair = i + 1 < points.size() && is_mirrored(forms_, points[i], points[i + 1]);
+      add_row(table, points[i], is_pair);
       if (is_pair) ++i;
     }
     PagePart& claims = page_.parts.emplace_back();
@@ -198,8 +195,7 @@ class EquilibriaPage {
     const Printed value = number(size);
     const bool is_plain = !coordinate.wave && !holds_leaves(forms_.algebra, *coordinate.form);
     if (is_plain) return signed_form;
-    return {fmt::format("{} = {}{}", signed_form.text, sign.text, value.text),
-            fmt::format("{} = {}{}", signed_form.latex, sign.latex, value.latex)};
+    return equation(signed_form, {sign.text + value.text, sign.latex + value.latex});
   }
 
   Printed stiffness_at(const RestPoint& point) {
@@ -249,10 +245,9 @@ class EquilibriaPage {
         deviation(point.coordinates[term.coordinate], symbols_.q[term.coordinate]);
     const Printed coefficient = read(term.coefficient).value_or(Printed{"c", "c"});
     const Printed first = product_with_power(coefficient, shift, term.order);
-    const Printed rest = rest_energy();
-    const Printed equation{fmt::format("{} = {} + ...", rest.text, first.text),
-                           fmt::format("{} = {} + \\text{{…}}", rest.latex, first.latex)};
-    return equation + prose(fmt::format("has a strict minimum, of order {}", term.order));
+    const Printed expanded =
+        equation(rest_energy(), {first.text + " + ...", first.latex + " + \\text{…}"});
+    return expanded + prose(fmt::format("has a strict minimum, of order {}", term.order));
   }
 
   const CheckedModel& checked_;

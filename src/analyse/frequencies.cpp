@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 
+#include "analyse/rest.hpp"
 #include "forms/present/arithmetic.hpp"
 #include "forms/present/polynomial.hpp"
 
@@ -21,10 +22,11 @@ class FrequencyFormulas {
 
   PagePart operator()() {
     PagePart part;
-    for (const std::vector<std::size_t>& block : coupled()) {
-      const auto formula = block.size() == 1   ? of_one(block[0])
-                           : block.size() == 2 ? of_two(block[0], block[1])
-                                               : std::nullopt;
+    for (const RestBlock& block : coupled()) {
+      const std::vector<std::uint32_t>& joined = block.coordinates;
+      const auto formula = joined.size() == 1   ? of_one(joined[0])
+                           : joined.size() == 2 ? of_two(joined[0], joined[1])
+                                                : std::nullopt;
       if (formula) part.matrices.push_back({{"w^2", "\\omega^{2}"}, 1, 1, {*formula}});
     }
     return part;
@@ -37,24 +39,17 @@ class FrequencyFormulas {
     return printed(model_, forms_.algebra, form);
   }
 
-  /// Coordinates that M and K join, each with its block's least one.
-  [[nodiscard]] std::vector<std::vector<std::size_t>> coupled() const {
-    const std::size_t n = size();
-    std::vector<std::vector<std::size_t>> blocks;
-    for (std::size_t i = 0; i < n; ++i) {
-      std::vector<std::size_t> joined{i};
-      std::erase_if(blocks, [&](const std::vector<std::size_t>& block) {
-        const bool is_joined = std::ranges::any_of(block, [&](std::size_t k) {
-          return !mass_[i * n + k].numerator.empty() || !stiffness_[i * n + k].numerator.empty();
-        });
-        if (is_joined) joined.insert(joined.end(), block.begin(), block.end());
-        return is_joined;
-      });
-      std::ranges::sort(joined);
-      blocks.push_back(std::move(joined));
+  /// Coordinates that M and K join.
+  [[nodiscard]] std::vector<RestBlock> coupled() const {
+    std::vector<Occurrence> rows(size());
+    for (std::uint32_t i = 0; i < rows.size(); ++i) {
+      rows[i].coordinates.insert(i);
+      for (std::uint32_t j = 0; j < i; ++j) {
+        const bool is_joined = !m(i, j).numerator.empty() || !k(i, j).numerator.empty();
+        if (is_joined) rows[i].coordinates.insert(j);
+      }
     }
-    std::ranges::sort(blocks);
-    return blocks;
+    return rest_blocks(rows);
   }
 
   [[nodiscard]] const Fraction& m(std::size_t i, std::size_t k) const {

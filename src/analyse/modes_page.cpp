@@ -26,9 +26,9 @@ class ModesPage {
         symbols_(symbols_of(checked.model)) {}
 
   AnalysisPage operator()(const std::vector<LinearMotions>& all) {
-    const std::vector<RestPoint> points = points_of(all);
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const bool is_pair = is_mirrored(forms_, points, i);
+      const bool is_pair =
+          i + 1 < all.size() && is_mirrored(forms_, all[i].point, all[i + 1].point);
       add(all[i], is_pair);
       if (is_pair) ++i;
     }
@@ -38,12 +38,6 @@ class ModesPage {
  private:
   [[nodiscard]] std::size_t size() const { return model_.velocities.size(); }
   [[nodiscard]] bool has_inputs() const { return !model_.inputs.empty(); }
-
-  static std::vector<RestPoint> points_of(const std::vector<LinearMotions>& all) {
-    std::vector<RestPoint> points;
-    for (const LinearMotions& motions : all) points.push_back(motions.point);
-    return points;
-  }
 
   [[nodiscard]] std::optional<Printed> read(const std::optional<Fraction>& form) const {
     return printed(model_, forms_.algebra, form);
@@ -71,19 +65,15 @@ class ModesPage {
 
   /// "θ₁ = 0, θ₂ = 0 (stable)"
   Printed place(const RestPoint& point, bool is_pair) {
-    Printed result;
-    const auto add = [&result](const Printed& name, const Printed& value) {
-      const char* const comma = result.text.empty() ? "" : ", ";
-      result = {fmt::format("{}{}{} = {}", result.text, comma, name.text, value.text),
-                fmt::format("{}{}{} = {}", result.latex, comma, name.latex, value.latex)};
-    };
+    std::vector<Printed> values;
     for (std::size_t i = 0; i < point.coordinates.size(); ++i) {
-      add(symbols_.q[i], value_of_coordinate(point.coordinates[i], is_pair));
+      const CoordinateAtRest& coordinate = point.coordinates[i];
+      values.push_back(equation(symbols_.q[i], value_of_coordinate(coordinate, is_pair)));
     }
     for (std::size_t i = 0; i < model_.inputs.size(); ++i) {
-      add(symbols_.u[i], number(equilibria_.inputs[i]));
+      values.push_back(equation(symbols_.u[i], number(equilibria_.inputs[i])));
     }
-    return result + prose(verdict(point.stability.kind));
+    return with_commas(values) + prose(verdict(point.stability.kind));
   }
 
   /// "π", "l + m g/k = 0.7", "±0.697569"
@@ -95,8 +85,7 @@ class ModesPage {
     const std::optional<Printed> form = at.wave ? std::nullopt : read(at.form);
     if (!form) return number(at.value);
     if (cln::zerop(at.value) || !holds_leaves(forms_.algebra, *at.form)) return *form;
-    const Printed value = number(at.value);
-    return {form->text + " = " + value.text, form->latex + " = " + value.latex};
+    return equation(*form, number(at.value));
   }
 
   static const char* verdict(Stability kind) {
@@ -194,7 +183,7 @@ class ModesPage {
     double largest = 0;
     for (const auto& pole : motions.poles) largest = std::max(largest, std::abs(pole));
     PageTable table;
-    Printed list;
+    std::vector<Printed> list;
     for (const std::complex<double>& pole : motions.poles) {
       // Poles come from doubles: real and imaginary parts below 1e-9 of the largest are rounding.
       const auto shown = [&](double x) { return std::abs(x) < 1e-9 * largest ? 0.0 : x; };
@@ -202,9 +191,7 @@ class ModesPage {
       const double imaginary = shown(pole.imag());
       if (imaginary < 0) continue;
       const Printed text = complex_number(real, imaginary);
-      list = list.text.empty()
-                 ? text
-                 : Printed{list.text + ", " + text.text, list.latex + ", " + text.latex};
+      list.push_back(text);
       table.cells.push_back(text);
       table.cells.push_back(imaginary > 0 ? number(-real / std::hypot(real, imaginary))
                                           : Printed{});
@@ -212,7 +199,7 @@ class ModesPage {
     }
     PageTable lines{{Printed{}, Printed{}}, {}};
     if (!motions.modes.empty()) {
-      lines.cells = {prose("poles [1/s]"), list};
+      lines.cells = {prose("poles [1/s]"), with_commas(list)};
     } else {
       table.heads = {prose("pole [1/s]"), prose("damping ratio"), prose("time constant [s]")};
       page_.parts.push_back({{}, {}, std::move(table)});

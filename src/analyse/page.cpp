@@ -87,18 +87,22 @@ Printed operator+(const Printed& left, const Printed& right) {
   return {left.text + " " + right.text, left.latex + " " + right.latex};
 }
 
-Printed listed(const std::vector<Printed>& items) {
+Printed with_commas(const std::vector<Printed>& items) {
   Printed result;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    if (i == 0) {
-      result = items[i];
-    } else if (i + 1 == items.size()) {
-      result = result + prose("and") + items[i];
-    } else {
-      result = {result.text + ", " + items[i].text, result.latex + ", " + items[i].latex};
-    }
+  for (const Printed& item : items) {
+    const char* const comma = result.text.empty() ? "" : ", ";
+    result = {result.text + comma + item.text, result.latex + comma + item.latex};
   }
   return result;
+}
+
+Printed equation(const Printed& name, const Printed& value) {
+  return {name.text + " = " + value.text, name.latex + " = " + value.latex};
+}
+
+Printed listed(const std::vector<Printed>& items) {
+  if (items.size() < 2) return with_commas(items);
+  return with_commas({items.begin(), items.end() - 1}) + prose("and") + items.back();
 }
 
 Printed number(const cln::cl_R& value) {
@@ -128,23 +132,19 @@ Printed titled(const CheckedModel& checked, const std::string& subject) {
   if (!model.moving) return prose(fmt::format("{}: {}", title, subject));
   const LeafValues<Printed> symbols = symbols_of(model);
   const State nominal = nominal_state(model, checked.scene);
-  Printed momenta;
+  std::vector<Printed> momenta;
   for (const Cyclic& cyclic : model.moving->cyclic) {
-    const Printed& symbol = symbols.parameters[cyclic.parameter];
     const Printed value = number(nominal.parameters[cyclic.parameter]);
     const Printed unit = unit_of_momentum(model.parameters[cyclic.parameter]);
-    const char* const comma = momenta.text.empty() ? "" : ", ";
-    momenta.text += fmt::format("{}{} = {}{}", comma, symbol.text, value.text, unit.text);
-    momenta.latex += fmt::format("{}{} = {}{}", comma, symbol.latex, value.latex, unit.latex);
+    momenta.push_back(equation(symbols.parameters[cyclic.parameter],
+                               {value.text + unit.text, value.latex + unit.latex}));
   }
+  const Printed held = with_commas(momenta);
   const Printed rest{": " + subject, prose(": " + subject).latex};
-  return prose(title + ",") + Printed{momenta.text + rest.text, momenta.latex + rest.latex};
+  return prose(title + ",") + Printed{held.text + rest.text, held.latex + rest.latex};
 }
 
-bool is_mirrored(ClosedForms& forms, const std::vector<RestPoint>& points, std::size_t first) {
-  if (first + 1 >= points.size()) return false;
-  const RestPoint& here = points[first];
-  const RestPoint& next = points[first + 1];
+bool is_mirrored(ClosedForms& forms, const RestPoint& here, const RestPoint& next) {
   if (here.stability.kind != next.stability.kind) return false;
   bool differs = false;
   Arithmetic arithmetic(forms.algebra);

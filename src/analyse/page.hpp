@@ -41,6 +41,10 @@ struct AnalysisPage {
 [[nodiscard]] Printed prose(const std::string& text);
 /// Side by side, a blank between them.
 [[nodiscard]] Printed operator+(const Printed& left, const Printed& right);
+/// "a, b, c"
+[[nodiscard]] Printed with_commas(const std::vector<Printed>& items);
+/// "name = value"
+[[nodiscard]] Printed equation(const Printed& name, const Printed& value);
 /// "a", "a and b", "a, b and c"
 [[nodiscard]] Printed listed(const std::vector<Printed>& items);
 /// Six digits.
@@ -53,9 +57,8 @@ struct AnalysisPage {
 /// "TITLE, p_φ = 0.6 N m s: SUBJECT": the model with the momenta that its scene holds.
 [[nodiscard]] Printed titled(const CheckedModel& checked, const std::string& subject);
 
-/// Whether the point after this one is this one with the signs of all angles acos(c) turned.
-[[nodiscard]] bool is_mirrored(ClosedForms& forms, const std::vector<RestPoint>& points,
-                               std::size_t first);
+/// Whether a point is the other one with the signs of all angles acos(c) turned.
+[[nodiscard]] bool is_mirrored(ClosedForms& forms, const RestPoint& here, const RestPoint& next);
 
 [[nodiscard]] Sheet sheet_of(const AnalysisPage& page);
 [[nodiscard]] std::string text_of(const AnalysisPage& page);

@@ -2,7 +2,6 @@
 #include "analyse/sampled_generators.hpp"
 
 #include <cln/float.h>
-#include <cln/integer.h>
 
 #include <algorithm>
 #include <array>
@@ -205,28 +204,6 @@ MotionPoint<Real> sampled_point(ExactValues& values) {
   return {at.q, at.v, at.a, at.t,
           sum_of_parts(values.subject().program, values.size(),
                        [&](OutputKind kind) { return values.value(kind); })};
-}
-
-std::optional<cln::cl_RA> small_fraction(const cl_R& value) {
-  static const cl_R near = power_of_ten(-35);
-  static const cln::cl_I largest = cln::expt_pos(cln::cl_I(10), 9);
-  if (cln::zerop(value)) return cln::cl_RA(0);
-  // Convergents of the continued fraction.
-  cl_R rest = value;
-  cln::cl_I before_p = 0;
-  cln::cl_I before_q = 1;
-  cln::cl_I p = 1;
-  cln::cl_I q = 0;
-  for (;;) {
-    const cln::cl_I whole = cln::floor1(rest);
-    before_p = std::exchange(p, whole * p + before_p);
-    before_q = std::exchange(q, whole * q + before_q);
-    if (q > largest) return std::nullopt;
-    const cln::cl_RA fraction = p / cln::cl_RA(q);
-    if (cln::abs(value - fraction) < near * cln::abs(value)) return fraction;
-    if (rest == whole) return std::nullopt;
-    rest = 1 / (rest - whole);
-  }
 }
 
 bool is_generic(const CheckedModel& checked, const Program& moving,

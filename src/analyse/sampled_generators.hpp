@@ -48,7 +48,4 @@ struct SampledGenerators {
 /// The point of a state, with R there.
 [[nodiscard]] MotionPoint<Real> sampled_point(ExactValues& values);
 
-/// A number as the fraction p/q, q below 1e9, that it is to 35 digits; none where it is none.
-[[nodiscard]] std::optional<cln::cl_RA> small_fraction(const cln::cl_R& value);
-
 }  // namespace elgen

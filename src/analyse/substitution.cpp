@@ -3,8 +3,7 @@
 
 #include <cln/integer.h>
 
-#include <algorithm>
-
+#include "analyse/leaf_search.hpp"
 #include "forms/present/polynomial.hpp"
 #include "numbers/exact_number.hpp"
 
@@ -20,7 +19,12 @@ Fraction of_atom(AtomId id, std::int32_t exponent) {
 class Substituting {
  public:
   Substituting(Algebra& algebra, const Replacements& replacements)
-      : algebra_(algebra), replacements_(replacements), arithmetic_(algebra) {}
+      : algebra_(algebra),
+        replacements_(replacements),
+        arithmetic_(algebra),
+        replaced_(algebra, [&replacements](const Atom& leaf) {
+          return replacements.contains({leaf.leaf, leaf.index});
+        }) {}
 
   Value of(const Fraction& form) {
     Value result = of(form.numerator);
@@ -40,43 +44,16 @@ class Substituting {
       Monomial kept;
       Value term = fraction_of(cl_RA(1));
       for (const AtomPower& power : monomial) {
-        if (is_kept(power.atom)) {
-          kept.push_back(power);
-        } else {
+        if (replaced_.holds(power.atom)) {
           term = arithmetic_.multiply(term, of_power(power));
+        } else {
+          kept.push_back(power);
         }
       }
       const Fraction rest = fraction_of(Polynomial{{kept, coefficient}});
       result = arithmetic_.add(result, arithmetic_.multiply(term, rest));
     }
     return result;
-  }
-
-  /// Whether no leaf in it is replaced.
-  bool is_kept(AtomId id) {
-    const auto known = kept_.find(id);
-    if (known != kept_.end()) return known->second;
-    const Atom& atom = algebra_.atoms[id];
-    bool result = true;
-    if (atom.kind == AtomKind::leaf) {
-      result = replacements_.find({atom.leaf, atom.index}) == replacements_.end();
-    } else {
-      for (const Fraction& argument : atom.arguments) result = result && is_kept(argument);
-    }
-    kept_[id] = result;
-    return result;
-  }
-
-  bool is_kept(const Fraction& form) {
-    const auto keeps = [this](const Polynomial& sum) {
-      return std::ranges::all_of(sum, [this](const auto& term) {
-        return std::ranges::all_of(term.first,
-                                   [this](const AtomPower& power) { return is_kept(power.atom); });
-      });
-    };
-    return keeps(form.numerator) && std::ranges::all_of(form.denominator, [&](const auto& factor) {
-             return keeps(algebra_.factors[factor.first].shown);
-           });
   }
 
   Value of_power(const AtomPower& power) {
@@ -138,7 +115,7 @@ class Substituting {
   Algebra& algebra_;
   const Replacements& replacements_;
   Arithmetic arithmetic_;
-  std::map<AtomId, bool> kept_;
+  LeafSearch replaced_;
 };
 
 }  // namespace

@@ -88,12 +88,15 @@ class SymmetrySearch {
     const std::size_t hidden = result_.sampled_elsewhere.value_or(0);
     result_.is_exact = exact && (result_.is_complete || hidden <= exact->basis.size());
     if (result_.is_exact) return exact->basis;
+    // An unknown is a fraction where it is one to 35 digits.
+    static const cln::cl_I largest = cln::expt_pos(cln::cl_I(10), 9);
+    static const cl_RA near = power_of_ten(-35);
     std::vector<Generator> basis;
     for (const std::vector<cl_R>& numbers :
          sampled_ ? sampled_->basis : decltype(sampled_->basis){}) {
       Generator& generator = basis.emplace_back();
       for (const cl_R& number : numbers) {
-        const std::optional<cl_RA> exact_number = small_fraction(number);
+        const std::optional<cl_RA> exact_number = simple_fraction(number, largest, near);
         if (!exact_number) rounded_.insert(basis.size() - 1);
         generator.push_back(fraction_of(exact_number ? *exact_number : rounded(number, 6)));
       }

@@ -220,7 +220,7 @@ class SymmetriesPage {
     for (std::size_t r = 0; r < all_.rotations.size(); ++r) add_turns(parts, symmetry, r);
     const Fraction& time = symmetry.generator.back();
     if (!time.numerator.empty()) parts.push_back(moved(symbols_.t, time));
-    return joined(parts);
+    return with_commas(parts);
   }
 
   /// "attitude turned by R^T (0, 0, 1)"
@@ -243,24 +243,13 @@ class SymmetriesPage {
       entries.push_back(read(symmetry.generator[k]).value_or(Printed{"?", "?"}));
     }
     if (is_none) return {};
-    const Printed list = joined(entries);
+    const Printed list = with_commas(entries);
     return {"(" + list.text + ")", "(" + list.latex + ")"};
   }
 
   [[nodiscard]] Printed moved(const Printed& symbol, const Fraction& along) const {
     const Printed formula = read(along).value_or(prose("a long form"));
-    return {fmt::format("d{} = {}", symbol.text, formula.text),
-            fmt::format("{{\\delta}} {} = {}", symbol.latex, formula.latex)};
-  }
-
-  static Printed joined(const std::vector<Printed>& parts) {
-    Printed result;
-    for (const Printed& part : parts) {
-      const bool is_first = result.text.empty();
-      result = {result.text + (is_first ? "" : ", ") + part.text,
-                result.latex + (is_first ? "" : ", ") + part.latex};
-    }
-    return result;
+    return elgen::equation({"d" + symbol.text, "{\\delta} " + symbol.latex}, formula);
   }
 
   [[nodiscard]] IntegralText integral(const Symmetry& symmetry) const {

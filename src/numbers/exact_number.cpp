@@ -11,6 +11,7 @@
 #include <cmath>
 #include <locale>
 #include <sstream>
+#include <utility>
 
 namespace elgen {
 namespace {
@@ -74,6 +75,25 @@ cln::cl_RA rounded(const cln::cl_R& x, long digits) {
   if (is_rational(x)) return cln::the<cln::cl_RA>(x);
   const cln::cl_RA scale = power_of_ten(digits - static_cast<long>(decimal_exponent(x)));
   return cln::round1(x * scale) / scale;
+}
+
+std::optional<cln::cl_RA> simple_fraction(const cln::cl_R& x, const cln::cl_I& most,
+                                          const cln::cl_RA& share) {
+  if (cln::zerop(x)) return cln::cl_RA(0);
+  cln::cl_I before_p = 0;
+  cln::cl_I before_q = 1;
+  cln::cl_I p = 1;
+  cln::cl_I q = 0;
+  for (cln::cl_R rest = x;;) {
+    const cln::cl_I whole = cln::floor1(rest);
+    before_p = std::exchange(p, whole * p + before_p);
+    before_q = std::exchange(q, whole * q + before_q);
+    if (q > most) return std::nullopt;
+    const cln::cl_RA fraction = cln::cl_RA(p) / q;
+    if (cln::abs(x - fraction) < cln::abs(x) * share) return fraction;
+    if (rest == whole) return std::nullopt;
+    rest = 1 / (rest - whole);
+  }
 }
 
 cln::cl_R largest_of(const std::vector<cln::cl_R>& values) {
