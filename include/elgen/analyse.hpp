@@ -61,6 +61,10 @@ enum class Stability : std::uint8_t {
   open,                ///< the linear part does not decide
 };
 
+[[nodiscard]] inline bool is_stable(Stability kind) {
+  return kind != Stability::unstable && kind != Stability::open;
+}
+
 /// The first term of W along the coordinate in which K is 0: coefficient (q - q0)^order.
 struct LeadingTerm {
   std::uint32_t coordinate = 0;

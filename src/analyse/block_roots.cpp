@@ -34,12 +34,7 @@ constexpr std::size_t most_places = 16;
 constexpr std::uint32_t most_order = 8;
 
 /// In (-pi, pi].
-Real reduced(const Real& angle) {
-  const cln::cl_I turns = cln::ceiling1((angle / whole_turn()).value() - cl_R(cln::cl_RA(1) / 2));
-  const Real result = angle - Real(turns) * whole_turn();
-  const Real half = whole_turn() / Real(cln::cl_RA(2));
-  return is_near(result, -half, root_digits) ? half : result;
-}
+Real reduced(const Real& angle) { return -turned_above(-angle, -whole_turn() / Real(2)); }
 
 class BlockSearch {
  public:

@@ -10,6 +10,7 @@
 
 #include "analyse/formulas.hpp"
 #include "analyse/leaf_search.hpp"
+#include "analyse/searched_range.hpp"
 #include "forms/present/polynomial.hpp"
 #include "numbers/exact_number.hpp"
 
@@ -17,8 +18,6 @@ namespace elgen {
 namespace {
 
 using cln::cl_RA;
-
-Real half_turns(const cl_RA& count) { return Real(count) * acos(Real(cl_RA(-1))); }
 
 /// Whether two angles are the same up to turns.
 bool is_same_angle(const Real& x, const Real& y) {
@@ -194,9 +193,10 @@ std::optional<CoordinateAtRest> plain_value(Algebra& algebra, SearchKind kind, c
   if (is_near(root, Real())) return CoordinateAtRest{false, 0, Fraction{}};
   if (kind != SearchKind::turn) return std::nullopt;
   for (const cl_RA& count : {cl_RA(1), cl_RA(1) / 2, cl_RA(-1) / 2}) {
-    if (!is_same_angle(half_turns(count), root)) continue;
+    const Real angle = whole_turn() * Real(count / 2);
+    if (!is_same_angle(angle, root)) continue;
     const Value form = arithmetic.multiply(arithmetic.pi(), fraction_of(count));
-    return CoordinateAtRest{false, half_turns(count).value(), form};
+    return CoordinateAtRest{false, angle.value(), form};
   }
   return std::nullopt;
 }

@@ -27,17 +27,8 @@ Json matrix_json(const std::vector<cln::cl_R>& values, std::size_t columns) {
 }
 
 const char* name_of(Stability stability) {
-  switch (stability) {
-    case Stability::minimum:
-    case Stability::degenerate_minimum:
-    case Stability::decaying:
-      return "stable";
-    case Stability::unstable:
-      return "unstable";
-    case Stability::open:
-      return "undecided";
-  }
-  return "";
+  if (is_stable(stability)) return "stable";
+  return stability == Stability::unstable ? "unstable" : "undecided";
 }
 
 const char* name_of(Completeness completeness) {

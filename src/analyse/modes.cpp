@@ -134,12 +134,6 @@ LinearMotions motions_about(const RestPoint& point) {
   return result;
 }
 
-bool is_stable(const RestPoint& point) {
-  return point.stability.kind == Stability::minimum ||
-         point.stability.kind == Stability::degenerate_minimum ||
-         point.stability.kind == Stability::decaying;
-}
-
 }  // namespace
 
 bool is_natural(const RestPoint& point) {
@@ -187,7 +181,7 @@ Result<std::vector<LinearMotions>> linear_motions(const CheckedModel& checked,
                                                   const Equilibria& equilibria, bool stable) {
   std::vector<LinearMotions> result;
   for (const RestPoint& point : equilibria.points) {
-    if (stable && !is_stable(point)) continue;
+    if (stable && !is_stable(point.stability.kind)) continue;
     if (!is_positive_definite(point.mass)) {
       return Diagnostic{Code::E533, checked.model.name_span,
                         "the mass matrix is singular at this equilibrium"};

@@ -89,14 +89,8 @@ class ModesPage {
   }
 
   static const char* verdict(Stability kind) {
-    switch (kind) {
-      case Stability::unstable:
-        return "(unstable)";
-      case Stability::open:
-        return "(not decided by the linear part)";
-      default:
-        return "(stable)";
-    }
+    if (is_stable(kind)) return "(stable)";
+    return kind == Stability::unstable ? "(unstable)" : "(not decided by the linear part)";
   }
 
   /// M and K at the point in closed form, where all of them are known.

@@ -13,8 +13,6 @@
 namespace elgen {
 namespace {
 
-bool is_exactly_zero(const Real& x) { return x.is_defined() && cln::zerop(x.value()); }
-
 /// dq/dt of a unit of one velocity: a column of N(q).
 std::vector<Real> rate_of_unit(const Model& model, const Arguments<Real>& at,
                                std::uint32_t velocity) {
@@ -73,7 +71,7 @@ std::optional<Arguments<Real>> polished(const Model& model, const Program& progr
   if (entry_count(function) != along.size()) return std::nullopt;
   for (int i = 0; i < most_steps; ++i) {
     std::vector<Real> values = evaluate(program, function, start);
-    if (std::ranges::all_of(values, is_exactly_zero)) return start;
+    if (std::ranges::all_of(values, Operators<Real>::is_zero)) return start;
     const auto step = solved(position_slopes(model, program, function, start, along), values);
     if (!step) return std::nullopt;
     Real longest;

@@ -149,33 +149,6 @@ std::vector<std::vector<cl_R>> rows_at(const CheckedModel& checked, const Progra
   return rows;
 }
 
-/// Whether a generator makes every row 0 at random states and parameters.
-bool solves(const CheckedModel& checked, const Program& moving,
-            const std::vector<cl_R>& generator) {
-  constexpr std::size_t states = 4;
-  const GeneratorClass all(checked.model);
-  Random random(seed);
-  std::size_t judged = 0;
-  const cl_R largest = largest_of(generator);
-  for (std::size_t k = 0; k < states * draws_per_state && judged < states; ++k) {
-    State state = at_random_parameters(checked, k);
-    draw_motion(checked.model, random, 0, state);
-    const std::vector<std::vector<cl_R>> rows = rows_at(checked, moving, all, state);
-    for (const std::vector<cl_R>& row : rows) {
-      cl_R sum = 0;
-      cl_R size = 0;
-      for (std::size_t u = 0; u < generator.size(); ++u) {
-        const cl_R term = row[u] * generator[u];
-        sum = sum + term;
-        size = size + cln::abs(term);
-      }
-      if (cln::abs(sum) > noise() * size && size > rounding() * largest) return false;
-    }
-    if (rows.size() == all.velocity_count) ++judged;
-  }
-  return judged > 0;
-}
-
 std::optional<SampledGenerators> generators_at(const CheckedModel& checked, const Program& moving,
                                                const State& resting) {
   const GeneratorClass all(checked.model);
@@ -183,17 +156,16 @@ std::optional<SampledGenerators> generators_at(const CheckedModel& checked, cons
   const std::size_t wanted = all.size() / n + 4;
   Random random(seed);
   SampledGenerators result;
-  std::vector<std::vector<cl_R>> rows;
   for (std::size_t k = 0; k < draws_per_state * wanted && result.states.size() < wanted; ++k) {
     State state = resting;
     draw_motion(checked.model, random, 0, state);
     const std::vector<std::vector<cl_R>> own = rows_at(checked, moving, all, state);
     if (own.size() < n) continue;
-    rows.insert(rows.end(), own.begin(), own.end());
+    result.rows.insert(result.rows.end(), own.begin(), own.end());
     result.states.push_back(std::move(state));
   }
   if (result.states.size() < wanted) return std::nullopt;
-  result.basis = null_vectors(rows, all.size());
+  result.basis = null_vectors(result.rows, all.size());
   return result;
 }
 
@@ -206,9 +178,18 @@ MotionPoint<Real> sampled_point(ExactValues& values) {
                        [&](OutputKind kind) { return values.value(kind); })};
 }
 
-bool is_generic(const CheckedModel& checked, const Program& moving,
-                const std::vector<cl_R>& generator) {
-  return with_digits(sampling_digits, [&] { return solves(checked, moving, generator); });
+bool solves(const SampledGenerators& sampled, const std::vector<cl_R>& generator) {
+  const cl_R largest = largest_of(generator);
+  return std::ranges::all_of(sampled.rows, [&](const std::vector<cl_R>& row) {
+    cl_R sum = 0;
+    cl_R size = 0;
+    for (std::size_t u = 0; u < generator.size(); ++u) {
+      const cl_R term = row[u] * generator[u];
+      sum = sum + term;
+      size = size + cln::abs(term);
+    }
+    return cln::abs(sum) <= noise() * size || size <= rounding() * largest;
+  });
 }
 
 std::optional<SampledGenerators> sampled_generators(const CheckedModel& checked,
@@ -216,17 +197,15 @@ std::optional<SampledGenerators> sampled_generators(const CheckedModel& checked,
   return with_digits(sampling_digits, [&] { return generators_at(checked, moving, resting); });
 }
 
-std::optional<std::size_t> generic_count(const CheckedModel& checked, const Program& moving) {
+std::vector<SampledGenerators> generators_elsewhere(const CheckedModel& checked,
+                                                    const Program& moving) {
   constexpr std::size_t sets = 3;
-  std::optional<std::size_t> least;
-  std::size_t found = 0;
-  for (std::size_t turn = 0; turn < draws_per_state && found < sets; ++turn) {
-    const auto here = sampled_generators(checked, moving, at_random_parameters(checked, turn));
-    if (!here) continue;
-    ++found;
-    least = std::min(here->basis.size(), least.value_or(here->basis.size()));
+  std::vector<SampledGenerators> found;
+  for (std::size_t turn = 0; turn < draws_per_state && found.size() < sets; ++turn) {
+    auto here = sampled_generators(checked, moving, at_random_parameters(checked, turn));
+    if (here) found.push_back(std::move(*here));
   }
-  return least;
+  return found;
 }
 
 }  // namespace elgen

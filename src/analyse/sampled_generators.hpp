@@ -24,7 +24,8 @@ using RealField = Operators<Real>;
 
 struct SampledGenerators {
   std::vector<std::vector<cln::cl_R>> basis = {};
-  std::vector<State> states = {};  ///< at which they were found
+  std::vector<State> states = {};                 ///< at which they were found
+  std::vector<std::vector<cln::cl_R>> rows = {};  ///< the conditions there
 };
 
 /// At random states with the parameters of one at rest. `moving` has the functions of
@@ -34,16 +35,15 @@ struct SampledGenerators {
                                                                   const Program& moving,
                                                                   const State& resting);
 
-/// The number at random values of the parameters, but for those that are fixed: the least of three
-/// sets. None where they have no values. Cost: three times that of sampled_generators(), or up to
-/// 20 times where ranges leave the domain.
-[[nodiscard]] std::optional<std::size_t> generic_count(const CheckedModel& checked,
-                                                       const Program& moving);
+/// Generators at up to three sets of random values of the parameters, but for those that are fixed.
+/// Empty where they have no values. Cost: three times that of sampled_generators(), or up to 20
+/// times where ranges leave the domain.
+[[nodiscard]] std::vector<SampledGenerators> generators_elsewhere(const CheckedModel& checked,
+                                                                  const Program& moving);
 
-/// Whether a generator solves the conditions at random values of the parameters, too. Cost: 3 n + 1
-/// derivatives at 4 states.
-[[nodiscard]] bool is_generic(const CheckedModel& checked, const Program& moving,
-                              const std::vector<cln::cl_R>& generator);
+/// Whether a generator solves the conditions of others: those at other values of the parameters.
+[[nodiscard]] bool solves(const SampledGenerators& sampled,
+                          const std::vector<cln::cl_R>& generator);
 
 /// The point of a state, with R there.
 [[nodiscard]] MotionPoint<Real> sampled_point(ExactValues& values);

@@ -12,6 +12,11 @@ const Real& whole_turn() {
   return value;
 }
 
+Real turned_above(const Real& angle, const Real& lowest) {
+  const Real turns = (lowest - angle) / whole_turn() - Real(power_of_ten(-root_digits));
+  return angle + Real(cln::ceiling1(turns.value())) * whole_turn();
+}
+
 const Interval* searched_range(const Coordinate& coordinate, SearchKind kind) {
   // A range is a turn where pi is typed in three digits or more: [-3.14, 3.14].
   static const cl_R turn = cln::cl_RA(628) / 100;
@@ -26,13 +31,7 @@ bool is_in_range(const Coordinate& coordinate, SearchKind kind, const Real& high
   if (range == nullptr) return true;
   const Real low(range->low);
   const Real high(range->high);
-  Real value = highest;
-  if (kind == SearchKind::turn) {
-    // the first place that is not below the range
-    const Real turns((low - highest) / whole_turn());
-    value = highest +
-            Real(cln::ceiling1((turns - Real(power_of_ten(-root_digits))).value())) * whole_turn();
-  }
+  const Real value = kind == SearchKind::turn ? turned_above(highest, low) : highest;
   const Real lowest = value - width;
   return (low <= value || is_near(value, low, root_digits)) &&
          (lowest <= high || is_near(lowest, high, root_digits));

@@ -14,6 +14,9 @@ inline constexpr long root_digits = 25;
 /// 2 pi
 [[nodiscard]] const Real& whole_turn();
 
+/// The angle a whole number of turns on that is the first one not below `lowest`, to root_digits.
+[[nodiscard]] Real turned_above(const Real& angle, const Real& lowest);
+
 /// The range in which a coordinate is looked for; null where it has none, or that is a whole turn.
 [[nodiscard]] const Interval* searched_range(const Coordinate& coordinate, SearchKind kind);
 

@@ -21,24 +21,18 @@ using cln::cl_R;
 /// known to the third root of their spacing.
 constexpr double pole_noise = 1e-5;
 
-/// Positive real parts, of conjugate poles once.
-std::vector<double> growth_rates(const std::vector<std::complex<double>>& poles) {
+/// By the signs of real parts; growth rates are those of conjugate poles once.
+void judge_by_poles(const std::vector<std::complex<double>>& poles, StabilityVerdict& verdict) {
   double largest = 0;
   for (const auto& pole : poles) largest = std::max(largest, std::abs(pole));
-  std::vector<double> rates;
+  const double noise = pole_noise * largest;
+  bool all_decay = !poles.empty();
   for (const auto& pole : poles) {
     const bool is_first_of_pair = pole.imag() >= 0;
-    if (is_first_of_pair && pole.real() > pole_noise * largest) rates.push_back(pole.real());
+    if (is_first_of_pair && pole.real() > noise) verdict.growth_rates.push_back(pole.real());
+    all_decay = all_decay && pole.real() < -noise;
   }
-  return rates;
-}
-
-bool all_decay(const std::vector<std::complex<double>>& poles) {
-  double largest = 0;
-  for (const auto& pole : poles) largest = std::max(largest, std::abs(pole));
-  return !poles.empty() && std::ranges::all_of(poles, [&](const auto& pole) {
-    return pole.real() < -pole_noise * largest;
-  });
+  if (all_decay) verdict.kind = Stability::decaying;
 }
 
 }  // namespace
@@ -104,16 +98,10 @@ StabilityVerdict stability_of(const RestPoint& point, const RestConditions& cond
       const double square = ScalarTraits<double>::from_real(mode.omega_squared);
       if (square < 0) verdict.growth_rates.push_back(std::sqrt(-square));
     }
-    if (!verdict.growth_rates.empty()) verdict.kind = Stability::unstable;
-    return verdict;
+  } else {
+    judge_by_poles(poles_of(point), verdict);
   }
-  const std::vector<std::complex<double>> poles = poles_of(point);
-  verdict.growth_rates = growth_rates(poles);
-  if (!verdict.growth_rates.empty()) {
-    verdict.kind = Stability::unstable;
-  } else if (all_decay(poles)) {
-    verdict.kind = Stability::decaying;
-  }
+  if (!verdict.growth_rates.empty()) verdict.kind = Stability::unstable;
   return verdict;
 }
 

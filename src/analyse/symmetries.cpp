@@ -83,7 +83,11 @@ class SymmetrySearch {
     const bool is_open =
         exact && exact->has_root && sampled_ && sampled_->basis.size() > exact->basis.size();
     result_.is_complete = exact && exact->is_complete && !is_open;
-    if (!result_.is_complete) result_.sampled_elsewhere = generic_count(checked_, moving_);
+    if (!result_.is_complete) elsewhere_ = generators_elsewhere(checked_, moving_);
+    for (const SampledGenerators& set : elsewhere_) {
+      const std::size_t count = set.basis.size();
+      result_.sampled_elsewhere = std::min(count, result_.sampled_elsewhere.value_or(count));
+    }
     // A relation between functions that forms do not know hides symmetries.
     const std::size_t hidden = result_.sampled_elsewhere.value_or(0);
     result_.is_exact = exact && (result_.is_complete || hidden <= exact->basis.size());
@@ -147,7 +151,9 @@ class SymmetrySearch {
     for (const Fraction& entry : generator) {
       numbers.push_back(rational_value(entry.numerator).value());
     }
-    return is_generic(checked_, moving_, numbers);
+    return !elsewhere_.empty() &&
+           std::ranges::all_of(elsewhere_,
+                               [&](const SampledGenerators& set) { return solves(set, numbers); });
   }
 
   /// p.dq - E dt
@@ -321,6 +327,7 @@ class SymmetrySearch {
   std::vector<Fraction> rates_ = {};  ///< dq/dt; empty where it is v
   std::optional<Value> lagrangian_ = {};
   std::optional<SampledGenerators> sampled_ = {};
+  std::vector<SampledGenerators> elsewhere_ = {};  ///< where these are needed
   std::set<std::size_t> rounded_ = {};
   Symmetries result_ = {};
 };

@@ -89,7 +89,7 @@ frequencies_squared = [0, "k/m", "k*(1/m + 2/M)"]
   CHECK(both[0].frequencies == ClaimStatus::proved);
 }
 
-TEST_CASE("what forms do not decide is judged where the inspection sampled it") {
+TEST_CASE("claims that forms do not decide are judged where the inspection sampled them") {
   const auto well = [](const std::string& square, const std::string& more) {
     return judged(model_text("well", R"toml(
 [[coordinate]]
