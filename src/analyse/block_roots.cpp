@@ -224,7 +224,7 @@ class BlockSearch {
     }
     if (is_known(root)) return;
     std::optional<std::vector<CoordinateAtRest>> exact;
-    if (has_all_forms()) exact = exact_root(system_.forms.algebra, forms_, unknowns_, root);
+    if (has_all_forms()) exact = exact_root(system_.forms, forms_, unknowns_, root);
     if (!exact) {
       exact.emplace();
       for (const std::uint32_t coordinate : unknowns_.coordinates) {
@@ -329,7 +329,7 @@ class BlockSearch {
                                   const Arguments<Real>& root) {
     if (place.size() != 1 || !has_all_forms() || block_.rows.size() != 1) return false;
     const std::uint32_t coordinate = block_.coordinates[0];
-    const auto exact = exact_root(system_.forms.algebra, forms_, unknowns_, root);
+    const auto exact = exact_root(system_.forms, forms_, unknowns_, root);
     const auto order =
         exact ? root_order(system_, block_.rows[0], coordinate, exact->front()) : std::nullopt;
     const auto derivative =

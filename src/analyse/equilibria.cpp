@@ -81,9 +81,9 @@ class EquilibriumSearch {
       CoordinateAtRest& coordinate = point.coordinates[i];
       if (!coordinate.is_any || model_.coordinates[i].rotation) continue;
       const bool turns = is_angle(model_.coordinates[i]);
-      const auto plain = exact_root(result_.forms.algebra, {},
-                                    {{i}, {turns ? SearchKind::turn : SearchKind::none}},
-                                    arguments_at<Real>(point.state));
+      const auto plain =
+          exact_root(result_.forms, {}, {{i}, {turns ? SearchKind::turn : SearchKind::none}},
+                     arguments_at<Real>(point.state));
       if (plain) coordinate.form = plain->front().form;
     }
   }
@@ -149,8 +149,7 @@ class EquilibriumSearch {
       numbers.push_back({false, state_.q[coordinate]});
     }
     if (rows.size() != block.rows.size()) return numbers;
-    return exact_root(system.forms.algebra, rows, unknowns, arguments_at<Real>(state_))
-        .value_or(numbers);
+    return exact_root(system.forms, rows, unknowns, arguments_at<Real>(state_)).value_or(numbers);
   }
 
   /// Plain values in their order, then others by their size.

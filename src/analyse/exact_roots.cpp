@@ -10,6 +10,7 @@
 
 #include "analyse/formulas.hpp"
 #include "analyse/leaf_search.hpp"
+#include "analyse/linear_solution.hpp"
 #include "analyse/searched_range.hpp"
 #include "forms/present/polynomial.hpp"
 #include "numbers/exact_number.hpp"
@@ -118,8 +119,12 @@ std::optional<KnownWave> wave_of(Arithmetic& arithmetic, Coefficients coefficien
 /// The root of the equation of one unknown, by its number.
 class OneUnknown {
  public:
-  OneUnknown(Algebra& algebra, const Arguments<Real>& root, std::uint32_t coordinate)
-      : algebra_(algebra), root_(root), coordinate_(coordinate), arithmetic_(algebra) {}
+  OneUnknown(ClosedForms& forms, const Arguments<Real>& root, std::uint32_t coordinate)
+      : forms_(forms),
+        algebra_(forms.algebra),
+        root_(root),
+        coordinate_(coordinate),
+        arithmetic_(forms.algebra) {}
 
   std::optional<CoordinateAtRest> of(const Fraction& row) {
     if (const auto waves = in_waves(algebra_, row.numerator, coordinate_)) {
@@ -153,34 +158,15 @@ class OneUnknown {
   }
 
   std::optional<CoordinateAtRest> linear(const Polynomial& row) {
-    Polynomial slope;
-    Polynomial rest;
-    LeafSearch search = search_of(algebra_, coordinate_);
-    for (const auto& [monomial, coefficient] : row) {
-      Monomial others;
-      std::int32_t degree = 0;
-      for (const AtomPower& power : monomial) {
-        const Atom& atom = algebra_.atoms[power.atom];
-        const bool is_it = atom.kind == AtomKind::leaf && atom.leaf == Opcode::coordinate &&
-                           atom.index == coordinate_;
-        if (is_it) {
-          degree = power.exponent;
-        } else if (search.holds(power.atom)) {
-          return std::nullopt;
-        } else {
-          others.push_back(power);
-        }
-      }
-      if (degree != 0 && degree != 1) return std::nullopt;
-      add_term(degree == 1 ? slope : rest, others, coefficient);
-    }
-    if (slope.empty()) return std::nullopt;
-    const Value value =
-        arithmetic_.divide(arithmetic_.negate(fraction_of(rest)), fraction_of(slope));
-    if (!value || !is_near(value_of(algebra_, *value, root_), number())) return std::nullopt;
-    return CoordinateAtRest{false, number().value(), value};
+    const auto solution =
+        linear_solution(forms_, {fraction_of(row)}, {{coordinate_}, {SearchKind::none}}, root_);
+    if (!solution || !solution->is_solvable) return std::nullopt;
+    const CoordinateAtRest& value = solution->values[0];
+    if (value.is_any || !is_near(Real(value.value), number())) return std::nullopt;
+    return CoordinateAtRest{false, number().value(), value.form};
   }
 
+  ClosedForms& forms_;
   Algebra& algebra_;
   const Arguments<Real>& root_;
   std::uint32_t coordinate_;
@@ -226,10 +212,11 @@ Replacements replacements_of(const std::vector<std::uint32_t>& coordinates,
   return result;
 }
 
-std::optional<std::vector<CoordinateAtRest>> exact_root(Algebra& algebra,
+std::optional<std::vector<CoordinateAtRest>> exact_root(ClosedForms& forms,
                                                         const std::vector<Fraction>& rows,
                                                         const Unknowns& unknowns,
                                                         const Arguments<Real>& root) {
+  Algebra& algebra = forms.algebra;
   std::vector<CoordinateAtRest> values(unknowns.coordinates.size());
   std::optional<std::size_t> open;
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -253,7 +240,7 @@ std::optional<std::vector<CoordinateAtRest>> exact_root(Algebra& algebra,
   for (const Fraction& row : rows) {
     const Value left = substituted(algebra, row, known);
     if (!left || !search_of(algebra, unknowns.coordinates[*open]).holds(*left)) continue;
-    const auto value = OneUnknown(algebra, root, unknowns.coordinates[*open]).of(*left);
+    const auto value = OneUnknown(forms, root, unknowns.coordinates[*open]).of(*left);
     if (!value) continue;
     values[*open] = *value;
     if (is_solved(algebra, rows, replacements_of(unknowns.coordinates, values))) return values;

@@ -24,7 +24,7 @@ struct Unknowns {
 
 /// The closed forms of a root, one for each unknown; none where it has none of these.
 [[nodiscard]] std::optional<std::vector<CoordinateAtRest>> exact_root(
-    Algebra& algebra, const std::vector<Fraction>& rows, const Unknowns& unknowns,
+    ClosedForms& forms, const std::vector<Fraction>& rows, const Unknowns& unknowns,
     const Arguments<Real>& root);
 
 /// What takes the place of the unknowns; those that are any keep theirs.
