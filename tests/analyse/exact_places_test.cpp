@@ -3,6 +3,7 @@
 
 #include "analyse/formulas.hpp"
 #include "analyse/found.hpp"
+#include "analyse/searched_range.hpp"
 #include "elgen/oracle.hpp"
 #include "program/evaluate/subject.hpp"
 
@@ -38,4 +39,18 @@ TEST_CASE("exact places are places at other values of the parameters") {
       }
     }
   }
+}
+
+TEST_CASE("angles are turned to the first place that is not below a bound") {
+  const Real half = whole_turn() / Real(2);
+  for (const auto& [quarters, expected] :
+       {std::pair{-2, 2}, std::pair{2, 2}, std::pair{3, 3}, std::pair{1, 5}, std::pair{-9, 3},
+        std::pair{6, 2}, std::pair{40, 4}}) {
+    INFO(quarters);
+    const Real turned = turned_above(half * Real(quarters) / Real(2), half);
+    CHECK(is_near(turned, half * Real(expected) / Real(2)));
+  }
+  // The bound itself, but for rounding.
+  const Real rounding(power_of_ten(-30));
+  CHECK(is_near(turned_above(half - rounding, half), half - rounding));
 }

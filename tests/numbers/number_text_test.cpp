@@ -111,4 +111,21 @@ TEST_CASE("decimal exponents of numbers of any size") {
   CHECK(decimal_exponent(cln::pi()) == Approx(0).margin(1));
 }
 
+TEST_CASE("simple fractions are the first convergents that are near enough") {
+  const cl_RA close = power_of_ten(-9);
+  const auto within = [&](const cln::cl_R& x, int most) { return simple_fraction(x, most, close); };
+  CHECK(within(0, 1) == cl_RA(0));
+  CHECK(within(-3, 1) == cl_RA(-3));
+  CHECK(within(ratio(22, 7), 999) == ratio(22, 7));
+  CHECK(within(ratio(-22, 7), 7) == ratio(-22, 7));
+  CHECK_FALSE(within(ratio(22, 7), 6));
+  const cln::cl_R third = cln::cl_float(ratio(1, 3), cln::float_format(60));
+  CHECK(within(third, 3) == ratio(1, 3));
+  CHECK(within(third + power_of_ten(-12), 3) == ratio(1, 3));
+  CHECK_FALSE(within(third + power_of_ten(-6), 999));
+  CHECK_FALSE(within(cln::sqrt(cln::cl_float(2, cln::float_format(60))), 999));
+  CHECK(simple_fraction(third, 3, power_of_ten(-50)) == ratio(1, 3));
+  CHECK_FALSE(simple_fraction(third + power_of_ten(-40), 999, power_of_ten(-50)));
+}
+
 }  // namespace elgen
