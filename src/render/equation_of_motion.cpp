@@ -7,9 +7,9 @@
 
 #include <algorithm>
 
-#include "elgen/references.hpp"
 #include "elgen/render.hpp"
 #include "model/output_units.hpp"
+#include "program/evaluate/conservation.hpp"
 #include "program/evaluate/subject.hpp"
 #include "render/constraints.hpp"
 #include "render/headings.hpp"
@@ -106,11 +106,6 @@ Lines rates(const Model& model) {
   return names;
 }
 
-bool is_proved_zero(const Program& program, const Function& function, std::uint32_t entry) {
-  return std::ranges::count(function.sampled_zeros, entry) == 0 &&
-         loads_zero(program, function.instructions[function.fields.front().entries[entry]]);
-}
-
 /// "lambda_rod [N]"
 Lines multiplier_names(const Model& model) {
   Lines names;
@@ -118,46 +113,6 @@ Lines multiplier_names(const Model& model) {
     names.push_back(with_unit(leaf_text(model, Opcode::multiplier, i), multiplier_unit(model, i)));
   }
   return names;
-}
-
-/// Whether a row of an output is 0, by proof; false of what the program does not have.
-bool is_proved_zero(const Program& program, OutputKind kind, std::uint32_t row) {
-  const Function* const function = find_function(program, kind);
-  if (function == nullptr) return false;
-  const std::uint32_t columns = function->fields.front().columns;
-  for (std::uint32_t i = row * columns; i < (row + 1) * columns; ++i) {
-    if (!is_proved_zero(program, *function, i)) return false;
-  }
-  return true;
-}
-
-/// Whether no multiplier acts along a velocity: a column of A is 0.
-bool is_unconstrained(const Model& model, const Program& program, std::uint32_t velocity) {
-  if (model.constraints.empty()) return true;
-  const Function* const function = find_function(program, OutputKind::constraint_jacobian);
-  if (function == nullptr) return false;
-  const Field& field = function->fields.front();
-  for (std::uint32_t i = velocity; i < field.entries.size(); i += field.columns) {
-    if (!is_proved_zero(program, *function, i)) return false;
-  }
-  return true;
-}
-
-bool nothing_acts_on(const Model& model, const Program& program, std::uint32_t velocity) {
-  return (model.inputs.empty() || is_proved_zero(program, OutputKind::input_matrix, velocity)) &&
-         is_proved_zero(program, OutputKind::applied_force, velocity) &&
-         is_proved_zero(program, OutputKind::dissipation, velocity);
-}
-
-/// An open value changes with t where an argument of its function contains t.
-bool contains_time(const Model& model, const Function& function) {
-  return std::ranges::any_of(function.instructions, [&model](const Instruction& instruction) {
-    if (instruction.opcode != Opcode::open_value) return instruction.opcode == Opcode::time;
-    const OpenFunction& open = model.functions[model.open_values[instruction.a].function];
-    return std::ranges::any_of(open.arguments, [&model](ExpressionId argument) {
-      return holds_leaf(model, argument, Opcode::time);
-    });
-  });
 }
 
 /// Whether multipliers do no work along the motion: equations of positions that stand still.
@@ -172,26 +127,18 @@ bool constraints_stand_still(const Model& model, const Program& program) {
 
 std::vector<ConservedQuantity> conserved_quantities(const Model& model, const Program& program) {
   const Function* const energy = find_function(program, OutputKind::energy_function);
-  const Function* const momentum = find_function(program, OutputKind::momentum);
-  if (energy == nullptr || momentum == nullptr || model.approximation) return {};
-  const auto count = static_cast<std::uint32_t>(model.velocities.size());
+  const bool has_momentum = find_function(program, OutputKind::momentum) != nullptr;
+  if (energy == nullptr || !has_momentum || model.approximation) return {};
+  const Conservation found = find_conservation(model, program, !model.inputs.empty(), true);
   const LeafValues<std::string> symbols = ModelSymbols(model).leaves();
   std::vector<ConservedQuantity> result;
-  bool is_all_free = true;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const bool moves_freely = nothing_acts_on(model, program, i);
-    is_all_free = is_all_free && moves_freely;
-    const bool is_cyclic = is_proved_zero(program, OutputKind::position_gradient, i);
-    if (!is_cyclic || !moves_freely || model.velocities[i].rotation) continue;
-    if (!is_unconstrained(model, program, i)) continue;
+  if (!found.is_forced && !found.has_time && constraints_stand_still(model, program)) {
+    result.push_back({"E", heading(model, *energy).definition});
+  }
+  for (const std::uint32_t i : found.momenta) {
     result.push_back({leaf_text(model, Opcode::momentum, i),
                       fmt::format("{} = \\frac{{\\partial L}}{{\\partial {}}}", symbols.momenta[i],
                                   symbols.v[i])});
-  }
-  // L = v.p - E
-  is_all_free = is_all_free && constraints_stand_still(model, program);
-  if (is_all_free && !contains_time(model, *energy) && !contains_time(model, *momentum)) {
-    result.insert(result.begin(), ConservedQuantity{"E", heading(model, *energy).definition});
   }
   return result;
 }

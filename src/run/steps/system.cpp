@@ -15,14 +15,6 @@
 namespace elgen {
 namespace {
 
-/// A run has no open functions, so that only t itself stands in code.
-bool reads_time(const Function* function) {
-  return function != nullptr &&
-         std::ranges::any_of(function->instructions, [](const Instruction& instruction) {
-           return instruction.opcode == Opcode::time;
-         });
-}
-
 /// [-inf, inf] where the model declares no limits, and where a law is one number.
 std::vector<InputLaw> laws_of(const Model& model, const Arguments<double>& at) {
   std::vector<InputLaw> laws(model.inputs.size());
@@ -104,16 +96,8 @@ System::System(const CheckedModel& checked, const Program& program, const Compil
       mass_(velocities() * velocities()),
       scales_(velocities()) {
   is_driven_ = std::ranges::any_of(laws_, [](const InputLaw& law) { return law.law.has_value(); });
-  has_explicit_time_ = reads_time(find_function(program, OutputKind::energy_function)) ||
-                       reads_time(find_function(program, OutputKind::momentum));
-  for (std::uint32_t i = 0; i < velocities(); ++i) {
-    is_forced_ = is_forced_ || is_forced(i);
-    const bool is_cyclic = vanishes(OutputKind::position_gradient, i) && !is_forced(i);
-    const bool is_free = is_cyclic && !is_constrained(i);
-    if (is_free && !model_.velocities[i].rotation) cyclic_.push_back(i);
-  }
+  conservation_ = find_conservation(model_, program_, is_driven_, false);
   has_moving_constraints_ = are_moving(model_);
-  does_work_ = is_forced_ || has_explicit_time_ || has_moving_constraints_;
   for (const Expectation& expectation : model_.expectations) add_conserved(expectation);
 }
 
@@ -135,34 +119,6 @@ System::Callee System::callee(OutputKind kind) const {
   const auto found = std::ranges::find(program_.functions, kind, &Function::kind);
   if (found == program_.functions.end()) return {};
   return {&*found, compiled_ == nullptr ? nullptr : compiled_->find(found->name)};
-}
-
-/// Whether all entries of a row are the number 0.
-bool System::vanishes(OutputKind kind, std::size_t row) const {
-  const Function* const function = find_function(program_, kind);
-  if (function == nullptr) return true;
-  const Field& field = function->fields.front();
-  const auto begin = field.entries.begin() + static_cast<std::ptrdiff_t>(row * field.columns);
-  return std::all_of(begin, begin + field.columns, [&](std::uint32_t entry) {
-    return loads_zero(program_, function->instructions[entry]);
-  });
-}
-
-/// Whether its column of A has an entry that is not the number 0.
-bool System::is_constrained(std::size_t velocity) const {
-  const Function* const function = constraint_jacobian_.function;
-  if (function == nullptr) return false;
-  const Field& field = function->fields.front();
-  for (std::size_t k = velocity; k < field.entries.size(); k += field.columns) {
-    if (!loads_zero(program_, function->instructions[field.entries[k]])) return true;
-  }
-  return false;
-}
-
-bool System::is_forced(std::size_t velocity) const {
-  return !vanishes(OutputKind::applied_force, velocity) ||
-         !vanishes(OutputKind::dissipation, velocity) ||
-         (is_driven_ && !vanishes(OutputKind::input_matrix, velocity));
 }
 
 Numbers stated_start(const Model& model) {
@@ -285,13 +241,13 @@ void System::add_constraint_force(const double* q, const double* v, double t) {
 }
 
 double System::power(const double* q, const double* v, double t) {
-  if (does_work_) (void)inputs(q, v, t);
+  if (does_work()) (void)inputs(q, v, t);
   return held_power(q, v, t);
 }
 
 double System::held_power(const double* q, const double* v, double t) {
-  double sum = has_explicit_time_ ? explicit_power(q, v, t) : 0;
-  if (!is_forced_ && !has_moving_constraints_) return sum;
+  double sum = conservation_.has_time ? explicit_power(q, v, t) : 0;
+  if (!conservation_.is_forced && !has_moving_constraints_) return sum;
   find_force(q, v, t);
   for (std::size_t i = 0; i < velocities(); ++i) sum += v[i] * force_[i];
   return sum;

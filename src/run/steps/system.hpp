@@ -19,6 +19,7 @@
 #include "elgen/scene.hpp"
 #include "elgen/simulate.hpp"
 #include "elgen/toolchain.hpp"
+#include "program/evaluate/conservation.hpp"
 #include "run/steps/state_function.hpp"
 
 namespace elgen {
@@ -114,9 +115,11 @@ class System {
   void restore(Numbers& state, double t);
 
   /// Whether forces, time or constraints do work.
-  [[nodiscard]] bool does_work() const { return does_work_; }
+  [[nodiscard]] bool does_work() const {
+    return conservation_.is_forced || conservation_.has_time || has_moving_constraints_;
+  }
   /// The coordinates' velocities whose momentum nothing changes.
-  [[nodiscard]] const std::vector<std::uint32_t>& cyclic() const { return cyclic_; }
+  [[nodiscard]] const std::vector<std::uint32_t>& cyclic() const { return conservation_.momenta; }
 
  private:
   /// Null where the program has none; without code where it was not compiled.
@@ -131,9 +134,6 @@ class System {
   /// F, to `force_`.
   void find_force(const double* q, const double* v, double t);
   void add_constraint_force(const double* q, const double* v, double t);
-  [[nodiscard]] bool vanishes(OutputKind kind, std::size_t row) const;
-  [[nodiscard]] bool is_constrained(std::size_t velocity) const;
-  [[nodiscard]] bool is_forced(std::size_t velocity) const;
   [[nodiscard]] double explicit_power(const double* q, const double* v, double t) const;
 
   const Model& model_;
@@ -148,11 +148,8 @@ class System {
       constraint_residual_, constraint_jacobian_, restored_;
   bool is_held_ = false;
   bool is_driven_ = false;
-  bool has_explicit_time_ = false;
-  bool is_forced_ = false;
   bool has_moving_constraints_ = false;
-  bool does_work_ = false;
-  std::vector<std::uint32_t> cyclic_ = {};
+  Conservation conservation_ = {};
   std::vector<ConservedDrift> conserved_ = {};
   std::vector<StateFunction> conserved_functions_ = {};
   Numbers conserved_values_ = {};
