@@ -142,6 +142,8 @@ struct EntryRow {
 [[nodiscard]] std::span<const KeyRow> key_table();
 [[nodiscard]] std::span<const ChoiceRow> choice_table();
 [[nodiscard]] std::span<const EntryRow> entry_table();
+/// The words that a key of KeyType::choice or choice_list may hold; none of others.
+[[nodiscard]] std::vector<std::string_view> choice_words(const KeyRow& row);
 
 /// Reads a model or a scene file. Errors: E1xx (TOML, keys, types), E3xx (expressions), E9xx
 /// (limits).

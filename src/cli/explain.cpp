@@ -59,16 +59,8 @@ constexpr std::array word_table{
 
 using Json = nlohmann::ordered_json;
 
-std::vector<std::string_view> choices_of(const KeyRow& key) {
-  std::vector<std::string_view> words;
-  for (const ChoiceRow& choice : choice_table()) {
-    if (choice.entry == key.entry && choice.key == key.key) words.push_back(choice.word);
-  }
-  return words;
-}
-
 std::string choices_text(const KeyRow& key) {
-  const std::vector<std::string_view> words = choices_of(key);
+  const std::vector<std::string_view> words = choice_words(key);
   return words.empty() ? "" : fmt::format(" (\"{}\")", fmt::join(words, "\", \""));
 }
 
@@ -79,7 +71,7 @@ Json json_of(const KeyRow& key) {
             {"doc", key.doc},
             {"required", key.required},
             {"supported", key.supported}};
-  const std::vector<std::string_view> words = choices_of(key);
+  const std::vector<std::string_view> words = choice_words(key);
   if (!words.empty()) json["words"] = words;
   return json;
 }

@@ -103,16 +103,8 @@ Json turns_schema() {
   return list_schema(std::move(turn));
 }
 
-Json words_schema(const KeyRow& row) {
-  std::vector<std::string_view> words;
-  for (const ChoiceRow& choice : choice_table()) {
-    if (choice.entry == row.entry && choice.key == row.key) words.push_back(choice.word);
-  }
-  return word_schema(words);
-}
-
 Json some_words_schema(const KeyRow& row) {
-  Json schema = list_schema(words_schema(row));
+  Json schema = list_schema(word_schema(choice_words(row)));
   schema["minItems"] = 1;
   return schema;
 }
@@ -149,7 +141,7 @@ Json schema_of(const KeyRow& row) {
     case KeyType::condition:
       return text;
     case KeyType::choice:
-      return words_schema(row);
+      return word_schema(choice_words(row));
     case KeyType::choice_list:
       return some_words_schema(row);
     case KeyType::equations:

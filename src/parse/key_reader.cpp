@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 #include <utility>
 
@@ -16,130 +15,110 @@ namespace elgen {
 
 namespace {
 
-// Repetitions: "i in 1..n" to { index = i, low = 1, high = n }
+// Texts of several parts
 
-constexpr std::string_view grammar = "a repetition is written `i in 1..n`";
-
-/// Bytes of the decoded text.
-struct TextRange {
+/// An entry of the table that such a text becomes: bytes of the decoded text.
+struct Part {
+  const char* key;
   std::size_t begin = 0;
   std::size_t end = 0;
+  ValueKind kind = ValueKind::expression;
 };
 
-/// The index and the two bounds.
-using Parts = std::array<TextRange, 3>;
-constexpr std::array<const char*, 3> part_names{"index", "low", "high"};
+using Parts = std::vector<Part>;
 
-std::optional<Parts> split(const DecodedText& text) {
+/// A kind of such texts: its names in messages, and the error where it has no parts.
+struct PartedText {
+  std::string_view noun;
+  std::string_view expected;
+  Code code;
+  const char* hint;
+  Parts (*split)(const DecodedText& text);
+};
+
+/// "i in 1..n" to { index = i, low = 1, high = n }
+Parts split_repetition(const DecodedText& text) {
   const std::size_t dots = text.text.find("..");
-  if (dots == std::string::npos) return std::nullopt;
+  if (dots == std::string::npos) return {};
   Lexer lexer(text, 0, dots);
   const Token index = lexer.advance();
   const Token in = lexer.advance();
-  if (index.kind != TokenKind::name || lexer.text(in) != "in") return std::nullopt;
-  return Parts{{{index.begin, index.end}, {in.end, dots}, {dots + 2, text.text.size()}}};
+  if (index.kind != TokenKind::name || lexer.text(in) != "in") return {};
+  return {{"index", index.begin, index.end},
+          {"low", in.end, dots},
+          {"high", dots + 2, text.text.size()}};
 }
 
-KeySyntax part_entry(std::string key, const TextRange& part, const DecodedText& text,
-                     FileReading& reading) {
+/// "a > b" to { left = a, sign = ">", right = b }; a second comparison is an error of its side.
+Parts split_condition(const DecodedText& text) {
+  const std::size_t begin = text.text.find_first_of("<>");
+  if (begin == std::string::npos) return {};
+  const std::size_t end = text.text.substr(begin + 1).starts_with('=') ? begin + 2 : begin + 1;
+  return {
+      {"left", 0, begin}, {"sign", begin, end, ValueKind::text}, {"right", end, text.text.size()}};
+}
+
+/// "a = b" to { left = a, right = b }
+Parts split_equation(const DecodedText& text) {
+  const std::size_t sign = text.text.find('=');
+  if (sign == std::string::npos || text.text.find('=', sign + 1) != std::string::npos) return {};
+  return {{"left", 0, sign}, {"right", sign + 1, text.text.size()}};
+}
+
+constexpr PartedText repetition_text{"repetition", "a repetition (a string)", Code::E210,
+                                     "a repetition is written `i in 1..n`", &split_repetition};
+constexpr PartedText condition_text{
+    "condition", "a condition (a string)", Code::E320,
+    "a condition is written `a > b`, with one of `>`, `>=`, `<` and `<=`", &split_condition};
+constexpr PartedText equation_text{"equation", "an equation (a string)", Code::E321,
+                                   "an equation is written `left = right`, with one `=`",
+                                   &split_equation};
+
+KeySyntax part_entry(const Part& part, const DecodedText& text, FileReading& reading) {
   KeySyntax result;
-  result.key = std::move(key);
+  result.key = part.key;
   result.key_span = result.value.span = text.span(part.begin, part.end);
-  result.value.kind = ValueKind::expression;
+  result.value.kind = part.kind;
   result.value.text = text.text.substr(part.begin, part.end - part.begin);
-  keep(read_expression(text, part.begin, part.end, reading.limits), result.value.expression,
-       reading);
+  if (part.kind == ValueKind::expression) {
+    keep(read_expression(text, part.begin, part.end, reading.limits), result.value.expression,
+         reading);
+  }
   return result;
 }
 
-ValueSyntax read_one(const TomlValue& value, FileReading& reading) {
+/// E104; the error of the kind; errors of the parts.
+ValueSyntax read_parts(const TomlValue& value, const PartedText& kind, FileReading& reading) {
   ValueSyntax result = empty_value(value, ValueKind::table);
   if (value.kind != TomlKind::string) {
-    report_wrong_type(value, "a repetition (a string)", reading);
+    report_wrong_type(value, kind.expected, reading);
     return result;
   }
-  const std::optional<Parts> parts = split(value.text);
-  if (!parts) {
-    reading.report(Code::E210, value.text.whole,
-                   in_backticks(value.text.text) + " is no repetition", std::string(grammar));
-    return result;
+  const Parts parts = kind.split(value.text);
+  if (parts.empty()) {
+    reading.report(kind.code, value.text.whole,
+                   fmt::format("{} is no {}", in_backticks(value.text.text), kind.noun), kind.hint);
   }
-  for (std::size_t i = 0; i < parts->size(); ++i) {
-    result.entries.push_back(part_entry(part_names[i], (*parts)[i], value.text, reading));
+  for (const Part& part : parts) {
+    result.entries.push_back(part_entry(part, value.text, reading));
   }
   return result;
 }
 
-/// One string, or a list of such: always a list.
-template <class ReadOne>
-ValueSyntax read_one_or_list(const TomlValue& value, const ReadOne& read_one,
-                             FileReading& reading) {
+/// One text, or a list of such: always a list.
+ValueSyntax read_one_or_list(const TomlValue& value, const PartedText& kind, FileReading& reading) {
   ValueSyntax result = empty_value(value, ValueKind::list);
   if (value.kind != TomlKind::array) {
-    result.items.push_back(read_one(value, reading));
-    return result;
+    result.items.push_back(read_parts(value, kind, reading));
   }
-  for (const TomlValue& item : value.items) result.items.push_back(read_one(item, reading));
+  for (const TomlValue& item : value.items) {
+    result.items.push_back(read_parts(item, kind, reading));
+  }
   return result;
 }
 
-/// A list of tables {index, low, high}. E104; E210 malformed repetition; errors of the bounds.
-ValueSyntax read_repetition(const TomlValue& value, FileReading& reading) {
-  return read_one_or_list(value, read_one, reading);
-}
-
-// Conditions: "a > b" to { left = a, sign = ">", right = b }
-
-/// E104; E320 no comparison; errors of the sides, of which a second comparison is one.
-ValueSyntax read_condition(const TomlValue& value, FileReading& reading) {
-  ValueSyntax result = empty_value(value, ValueKind::table);
-  if (value.kind != TomlKind::string) {
-    report_wrong_type(value, "a condition (a string)", reading);
-    return result;
-  }
-  const std::string& text = value.text.text;
-  const std::size_t begin = text.find_first_of("<>");
-  if (begin == std::string::npos) {
-    reading.report(Code::E320, value.text.whole, in_backticks(text) + " is no condition",
-                   "a condition is written `a > b`, with one of `>`, `>=`, `<` and `<=`");
-    return result;
-  }
-  const bool has_equality = begin + 1 < text.size() && text[begin + 1] == '=';
-  const std::size_t end = has_equality ? begin + 2 : begin + 1;
-  KeySyntax sign;
-  sign.key = "sign";
-  sign.key_span = sign.value.span = value.text.span(begin, end);
-  sign.value.text = text.substr(begin, end - begin);
-  result.entries.push_back(part_entry("left", {0, begin}, value.text, reading));
-  result.entries.push_back(std::move(sign));
-  result.entries.push_back(part_entry("right", {end, text.size()}, value.text, reading));
-  return result;
-}
-
-// Equations: "a = b" to { left = a, right = b }
-
-ValueSyntax read_equation(const TomlValue& value, FileReading& reading) {
-  ValueSyntax result = empty_value(value, ValueKind::table);
-  if (value.kind != TomlKind::string) {
-    report_wrong_type(value, "an equation (a string)", reading);
-    return result;
-  }
-  const std::string& text = value.text.text;
-  const std::size_t sign = text.find('=');
-  const bool has_one = sign != std::string::npos && text.find('=', sign + 1) == std::string::npos;
-  if (!has_one) {
-    reading.report(Code::E321, value.text.whole, in_backticks(text) + " is no equation",
-                   "an equation is written `left = right`, with one `=`");
-    return result;
-  }
-  result.entries.push_back(part_entry("left", {0, sign}, value.text, reading));
-  result.entries.push_back(part_entry("right", {sign + 1, text.size()}, value.text, reading));
-  return result;
-}
-
-/// A list of tables {left, right}. E104; E321 no equation; errors of the sides.
 ValueSyntax read_equations(const TomlValue& value, FileReading& reading) {
-  ValueSyntax result = read_one_or_list(value, read_equation, reading);
+  ValueSyntax result = read_one_or_list(value, equation_text, reading);
   if (result.items.empty()) {
     report_wrong_type(value, "an equation, or a list of such", reading);
   }
@@ -176,26 +155,18 @@ void report_missing(const std::vector<TomlEntry>& entries, const TableContext& t
   }
 }
 
-std::vector<std::string_view> words_of(const KeyRow& row) {
-  std::vector<std::string_view> words;
-  for (const ChoiceRow& choice : choice_table()) {
-    if (choice.entry == row.entry && choice.key == row.key) words.push_back(choice.word);
-  }
-  return words;
-}
-
 void report_choice(const ValueSyntax& value, const std::string& observed, const KeyRow& row,
                    FileReading& reading) {
   reading.report(
       Code::E104, value.span,
-      fmt::format("{} where `{}` is expected", observed, fmt::join(words_of(row), "` or `")));
+      fmt::format("{} where `{}` is expected", observed, fmt::join(choice_words(row), "` or `")));
 }
 
 /// One of the words of the choice table: E104.
 ValueSyntax read_choice(const TomlValue& value, const KeyRow& row, FileReading& reading) {
   ValueSyntax result = read_text(value, reading);
   if (value.kind != TomlKind::string) return result;
-  const std::vector<std::string_view> words = words_of(row);
+  const std::vector<std::string_view> words = choice_words(row);
   if (std::find(words.begin(), words.end(), result.text) == words.end()) {
     report_choice(result, in_backticks(result.text), row, reading);
   }
@@ -253,9 +224,9 @@ ValueSyntax read_by_type(const TomlEntry& key, const KeyRow& row, FileReading& r
     case KeyType::unit:
       return read_text(value, reading);
     case KeyType::repetition:
-      return read_repetition(value, reading);
+      return read_one_or_list(value, repetition_text, reading);
     case KeyType::condition:
-      return read_condition(value, reading);
+      return read_parts(value, condition_text, reading);
     case KeyType::equations:
       return read_equations(value, reading);
     case KeyType::integer:

@@ -286,4 +286,12 @@ std::span<const KeyRow> key_table() { return key_rows; }
 std::span<const ChoiceRow> choice_table() { return choice_rows; }
 std::span<const EntryRow> entry_table() { return entry_rows; }
 
+std::vector<std::string_view> choice_words(const KeyRow& row) {
+  std::vector<std::string_view> words;
+  for (const ChoiceRow& choice : choice_rows) {
+    if (choice.entry == row.entry && choice.key == row.key) words.push_back(choice.word);
+  }
+  return words;
+}
+
 }  // namespace elgen
