@@ -215,9 +215,9 @@ std::uint32_t Arithmetic::factor_index(const Polynomial& polynomial, Polynomial&
   Polynomial normal =
       scaled(polynomial, {1, 0}, inverse(common_monomial(polynomial, false, algebra_)));
   normal = scaled(normal, elgen::reciprocal(normal.rbegin()->second));
-  std::uint32_t index = 0;
-  while (index < algebra_.factors.size() && algebra_.factors[index].normal != normal) ++index;
-  if (index == algebra_.factors.size()) {
+  const auto known = std::ranges::find(algebra_.factors, normal, &Algebra::Factor::normal);
+  const auto index = static_cast<std::uint32_t>(known - algebra_.factors.begin());
+  if (known == algebra_.factors.end()) {
     const Monomial common = common_monomial(polynomial, true, algebra_);
     algebra_.factors.push_back({scaled(polynomial, {1, 0}, inverse(common)), normal});
   }

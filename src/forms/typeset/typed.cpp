@@ -57,12 +57,7 @@ std::vector<ExpressionId> sums_of(const Model& model, const std::vector<Expressi
 }
 
 bool same_up_to_factor(const Polynomial& x, const Polynomial& y) {
-  if (x.size() != y.size()) return false;
-  const Gaussian& a = x.begin()->second;
-  const Gaussian& b = y.begin()->second;
-  return std::equal(x.begin(), x.end(), y.begin(), [&](const auto& s, const auto& t) {
-    return s.first == t.first && product(s.second, b) == product(t.second, a);
-  });
+  return x.size() == y.size() && scaled(x, y.begin()->second) == scaled(y, x.begin()->second);
 }
 
 std::optional<TypedSum> typed_sum(ClosedForms& forms, const Model& model,
