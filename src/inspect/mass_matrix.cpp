@@ -13,7 +13,6 @@
 #include "inspect/null_space.hpp"
 #include "inspect/readable.hpp"
 #include "inspect/samples.hpp"
-#include "inspect/signs.hpp"
 #include "inspect/singular_mass.hpp"
 
 namespace elgen {

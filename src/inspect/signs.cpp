@@ -1,11 +1,11 @@
 // Signs that no system has: E523 a negative mass, E524 a kinetic energy and E525 a dissipation
 // below 0. Masses are read at the parameters' values, M and D at sampled states.
-#include "inspect/signs.hpp"
-
 #include <fmt/format.h>
 
+#include "inspect/checks.hpp"
 #include "inspect/null_space.hpp"
 #include "inspect/readable.hpp"
+#include "inspect/samples.hpp"
 
 namespace elgen {
 namespace {

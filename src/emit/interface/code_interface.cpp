@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <set>
 #include <unordered_map>
 
@@ -26,7 +27,7 @@ Field transposed(const Field& field) {
 template <class Element, class Text>
 DeclaredArray texts(const char* name, const std::vector<Element>& elements, const Text& text) {
   DeclaredArray array{name};
-  for (const Element& element : elements) array.texts.push_back(text(element));
+  for (const Element& element : elements) array.texts.push_back(std::invoke(text, element));
   return array;
 }
 
@@ -35,7 +36,7 @@ DeclaredArray intervals(const char* name, const std::vector<Element>& elements,
                         const Range& range) {
   DeclaredArray array{name};
   array.has_texts = false;
-  for (const Element& element : elements) array.intervals.push_back(range(element));
+  for (const Element& element : elements) array.intervals.push_back(std::invoke(range, element));
   return array;
 }
 
@@ -123,31 +124,25 @@ std::vector<cln::cl_R> values_of(const Model& model, const ParameterArray& array
 }
 
 std::vector<DeclaredArray> declared_arrays(const Model& model) {
-  using C = Coordinate;
-  using V = Velocity;
   std::vector<DeclaredArray> list{
-      texts("coordinate_names", model.coordinates, [](const C& c) { return c.name; }),
-      texts("coordinate_units", model.coordinates, [](const C& c) { return c.unit_text; }),
-      intervals("coordinate_ranges", model.coordinates, [](const C& c) { return c.range; })};
+      texts("coordinate_names", model.coordinates, &Coordinate::name),
+      texts("coordinate_units", model.coordinates, &Coordinate::unit_text),
+      intervals("coordinate_ranges", model.coordinates, &Coordinate::range)};
   if (!model.rotations.empty()) {
-    list.push_back(texts("velocity_names", model.velocities, [](const V& v) { return v.name; }));
+    list.push_back(texts("velocity_names", model.velocities, &Velocity::name));
     list.push_back(texts("velocity_units", model.velocities,
-                         [&](const V& v) { return velocity_unit(model, v); }));
+                         [&](const Velocity& velocity) { return velocity_unit(model, velocity); }));
   }
-  list.push_back(
-      intervals("rate_ranges", model.velocities, [](const V& v) { return v.rate_range; }));
-  list.push_back(texts("input_names", model.inputs, [](const Input& i) { return i.name; }));
-  list.push_back(texts("input_units", model.inputs, [](const Input& i) { return i.unit_text; }));
-  list.push_back(intervals("input_limits", model.inputs, [](const Input& i) { return i.limits; }));
+  list.push_back(intervals("rate_ranges", model.velocities, &Velocity::rate_range));
+  list.push_back(texts("input_names", model.inputs, &Input::name));
+  list.push_back(texts("input_units", model.inputs, &Input::unit_text));
+  list.push_back(intervals("input_limits", model.inputs, &Input::limits));
   if (!model.constraints.empty()) {
-    list.push_back(
-        texts("constraint_names", model.constraints, [](const Constraint& c) { return c.name; }));
+    list.push_back(texts("constraint_names", model.constraints, &Constraint::name));
   }
   if (model.open_values.empty()) return list;
-  using F = OpenValue;
-  list.push_back(texts("open_value_names", model.open_values, [](const F& f) { return f.name; }));
-  list.push_back(
-      texts("open_value_units", model.open_values, [](const F& f) { return f.unit_text; }));
+  list.push_back(texts("open_value_names", model.open_values, &OpenValue::name));
+  list.push_back(texts("open_value_units", model.open_values, &OpenValue::unit_text));
   return list;
 }
 
