@@ -288,8 +288,8 @@ std::span<const EntryRow> entry_table() { return entry_rows; }
 
 std::vector<std::string_view> choice_words(const KeyRow& row) {
   std::vector<std::string_view> words;
-  for (const ChoiceRow& choice : choice_rows) {
-    if (choice.entry == row.entry && choice.key == row.key) words.push_back(choice.word);
+  for (const ChoiceRow& each : choice_rows) {
+    if (each.entry == row.entry && each.key == row.key) words.push_back(each.word);
   }
   return words;
 }

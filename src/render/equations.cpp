@@ -72,45 +72,38 @@ std::vector<std::string> definition_names(std::vector<std::string> names,
   return vocabulary.definitions(std::move(names));
 }
 
-FunctionEquations equations(const Program& program, const Function& function,
-                            const Vocabulary& vocabulary, const std::vector<std::string>& told) {
-  const std::vector<std::size_t> sizes = written_out_sizes(function, longest_entry);
-  const std::vector<std::string> names = definition_names(told, vocabulary, sizes);
+/// Definitions and entries by their names. `sizes`: of what is written out over the leaves alone
+/// where it is short; empty where nothing is.
+FunctionEquations by_names(const Program& program, const Function& function,
+                           const Vocabulary& vocabulary, const std::vector<std::string>& names,
+                           const std::vector<std::size_t>& sizes) {
   const std::vector<std::string> no_names(names.size());
   const FunctionFormulas with_names(program, function, vocabulary, names);
   const FunctionFormulas over_leaves(program, function, vocabulary, no_names);
-  const std::vector<bool> needed = needed_for(function, long_entries(function, sizes));
   FunctionEquations result;
   for (std::uint32_t at = 0; at < names.size(); ++at) {
-    if (needed[at] && !names[at].empty()) {
-      result.definitions.push_back({names[at], with_names.definition(at).text()});
-    }
+    if (names[at].empty()) continue;
+    result.definitions.push_back({names[at], with_names.definition(at).text()});
   }
   for (const Field& field : function.fields) {
     std::vector<std::string>& texts = result.entries.emplace_back();
     for (const std::uint32_t entry : field.entries) {
-      const FunctionFormulas& formulas = sizes[entry] > longest_entry ? with_names : over_leaves;
-      texts.push_back(formulas.entry(entry).text());
+      const bool is_short = !sizes.empty() && sizes[entry] <= longest_entry;
+      texts.push_back((is_short ? over_leaves : with_names).entry(entry).text());
     }
   }
   return result;
 }
 
-/// Over the leaves and what a book form has names for.
-FunctionEquations written_out(const Program& program, const Function& function,
-                              const Vocabulary& vocabulary) {
-  const std::vector<std::string> names = vocabulary.definitions(function.names);
-  const FunctionFormulas formulas(program, function, vocabulary, names);
-  FunctionEquations result;
-  for (std::uint32_t at = 0; at < names.size(); ++at) {
-    if (!names[at].empty())
-      result.definitions.push_back({names[at], formulas.definition(at).text()});
+FunctionEquations equations(const Program& program, const Function& function,
+                            const Vocabulary& vocabulary, const std::vector<std::string>& told) {
+  const std::vector<std::size_t> sizes = written_out_sizes(function, longest_entry);
+  std::vector<std::string> names = definition_names(told, vocabulary, sizes);
+  const std::vector<bool> needed = needed_for(function, long_entries(function, sizes));
+  for (std::size_t at = 0; at < names.size(); ++at) {
+    if (!needed[at]) names[at].clear();
   }
-  for (const Field& field : function.fields) {
-    std::vector<std::string>& texts = result.entries.emplace_back();
-    for (const std::uint32_t entry : field.entries) texts.push_back(formulas.entry(entry).text());
-  }
-  return result;
+  return by_names(program, function, vocabulary, names, sizes);
 }
 
 /// In formulas, names that only a hash of the content gives are xi_1, xi_2, ….
@@ -131,7 +124,8 @@ std::vector<std::string> read_names(const Program& program, const Function& func
 FunctionEquations readable(const Program& program, std::size_t index,
                            const Vocabulary& vocabulary) {
   if (has_readable_form(program, index)) {
-    return written_out(program, program.readable[index], vocabulary);
+    const Function& book = program.readable[index];
+    return by_names(program, book, vocabulary, vocabulary.definitions(book.names), {});
   }
   const Function& function = program.functions[index];
   return equations(program, function, vocabulary, read_names(program, function, vocabulary));

@@ -1,4 +1,4 @@
-// The functions of a system, and what follows from which of their entries are zero.
+// The functions of a system, called on flat numbers, and the work that is done on it.
 #include "run/steps/system.hpp"
 
 #include <fmt/format.h>
@@ -66,30 +66,17 @@ System::System(const CheckedModel& checked, const Program& program, const Compil
       compiled_(compiled),
       at_(arguments_at<double>(nominal_state(checked.model, checked.scene))),
       laws_(laws_of(model_, at_)),
-      mass_matrix_(callee(OutputKind::mass_matrix)),
-      acceleration_(callee(OutputKind::forward_dynamics)),
-      coordinate_rates_(callee(OutputKind::coordinate_rates)),
-      input_matrix_(callee(OutputKind::input_matrix)),
-      applied_force_(callee(OutputKind::applied_force)),
-      dissipation_(callee(OutputKind::dissipation)),
-      momentum_(callee(OutputKind::momentum)),
-      energy_(callee(OutputKind::energy_function)),
-      kinetic_energy_(callee(OutputKind::kinetic_energy)),
-      total_energy_(callee(OutputKind::total_energy)),
-      normalized_(callee(OutputKind::normalized)),
-      step_(callee(OutputKind::step)),
-      constraint_residual_(callee(OutputKind::constraint_residual)),
-      constraint_jacobian_(callee(OutputKind::constraint_jacobian)),
-      restored_(callee(projects && !model_.constraints.empty() ? OutputKind::projected
-                                                               : OutputKind::normalized)),
-      first_acceleration_(first_entry_of(*acceleration_.function, "acceleration")),
-      first_pivot_(first_entry_of(*acceleration_.function, "relative_pivots")),
-      first_multiplier_(first_entry_of(*acceleration_.function, "multipliers")),
+      callees_(callees()),
+      restored_(projects && !model_.constraints.empty() ? OutputKind::projected
+                                                        : OutputKind::normalized),
+      first_acceleration_(first_entry_of(*function(OutputKind::forward_dynamics), "acceleration")),
+      first_pivot_(first_entry_of(*function(OutputKind::forward_dynamics), "relative_pivots")),
+      first_multiplier_(first_entry_of(*function(OutputKind::forward_dynamics), "multipliers")),
       shown_(positions()),
-      solution_(result_size(acceleration_.function)),
-      moved_(result_size(step_.function)),
-      residual_(result_size(constraint_residual_.function)),
-      jacobian_(result_size(constraint_jacobian_.function)),
+      solution_(result_size(function(OutputKind::forward_dynamics))),
+      moved_(result_size(function(OutputKind::step))),
+      residual_(result_size(function(OutputKind::constraint_residual))),
+      jacobian_(result_size(function(OutputKind::constraint_jacobian))),
       force_(velocities()),
       more_force_(velocities()),
       matrix_(velocities() * model_.inputs.size()),
@@ -115,10 +102,15 @@ void System::add_conserved(const Expectation& expectation) {
   conserved_values_.resize(conserved_.size());
 }
 
-System::Callee System::callee(OutputKind kind) const {
-  const auto found = std::ranges::find(program_.functions, kind, &Function::kind);
-  if (found == program_.functions.end()) return {};
-  return {&*found, compiled_ == nullptr ? nullptr : compiled_->find(found->name)};
+std::vector<System::Callee> System::callees() const {
+  std::vector<Callee> all;
+  for (const OutputRow& row : output_table()) {
+    const auto found = std::ranges::find(program_.functions, row.kind, &Function::kind);
+    Callee& callee = all.emplace_back();
+    if (found == program_.functions.end()) continue;
+    callee = {&*found, compiled_ == nullptr ? nullptr : compiled_->find(found->name)};
+  }
+  return all;
 }
 
 Numbers stated_start(const Model& model) {
@@ -151,8 +143,8 @@ std::string System::text_of(const Numbers& state) const {
 Numbers System::start() {
   Numbers state = stated_start(model_);
   state.push_back(0);
-  if (normalized_.function != nullptr) {
-    call(normalized_, state.data(), v_of(state), 0, state.data());
+  if (function(OutputKind::normalized) != nullptr) {
+    call(OutputKind::normalized, state.data(), v_of(state), 0, state.data());
   }
   return state;
 }
@@ -183,8 +175,8 @@ const Numbers& System::shown(const double* q) {
   return shown_;
 }
 
-void System::call(const Callee& called, const double* q, const double* v, double t,
-                  double* result) {
+void System::call(OutputKind kind, const double* q, const double* v, double t, double* result) {
+  const Callee& called = callees_[static_cast<std::size_t>(kind)];
   if (called.code != nullptr) {
     called.code(at_.parameters.data(), at_.f.data(), q, v, nullptr, nullptr, nullptr, at_.u.data(),
                 t, at_.h, at_.E, result);
@@ -199,31 +191,31 @@ void System::call(const Callee& called, const double* q, const double* v, double
 const Numbers& System::stepped(const Numbers& state, double t, double h) {
   (void)inputs(state.data(), v_of(state), t);
   at_.h = h;
-  call(step_, state.data(), v_of(state), t, moved_.data());
+  call(OutputKind::step, state.data(), v_of(state), t, moved_.data());
   return moved_;
 }
 
 void System::acceleration(const double* q, const double* v, double t, double* a) {
   (void)inputs(q, v, t);
-  call(acceleration_, q, v, t, solution_.data());
+  call(OutputKind::forward_dynamics, q, v, t, solution_.data());
   std::copy_n(solution_.data() + first_acceleration_, velocities(), a);
 }
 
 void System::coordinate_rates(const double* q, const double* v, double* rates) {
-  if (coordinate_rates_.function == nullptr) {
+  if (function(OutputKind::coordinate_rates) == nullptr) {
     std::copy_n(v, velocities(), rates);
   } else {
-    call(coordinate_rates_, q, v, 0, rates);
+    call(OutputKind::coordinate_rates, q, v, 0, rates);
   }
 }
 
 void System::find_force(const double* q, const double* v, double t) {
-  call(applied_force_, q, v, t, force_.data());
-  call(dissipation_, q, v, t, more_force_.data());
+  call(OutputKind::applied_force, q, v, t, force_.data());
+  call(OutputKind::dissipation, q, v, t, more_force_.data());
   for (std::size_t i = 0; i < velocities(); ++i) force_[i] -= more_force_[i];
   if (has_moving_constraints_) add_constraint_force(q, v, t);
-  if (input_matrix_.function == nullptr) return;
-  call(input_matrix_, q, v, t, matrix_.data());
+  if (function(OutputKind::input_matrix) == nullptr) return;
+  call(OutputKind::input_matrix, q, v, t, matrix_.data());
   const Numbers& u = at_.u;
   for (std::size_t i = 0; i < velocities(); ++i) {
     for (std::size_t k = 0; k < u.size(); ++k) force_[i] += matrix_[i * u.size() + k] * u[k];
@@ -233,7 +225,7 @@ void System::find_force(const double* q, const double* v, double t) {
 /// A^T lambda, by the inputs that were last asked for.
 void System::add_constraint_force(const double* q, const double* v, double t) {
   const std::size_t n = velocities();
-  call(acceleration_, q, v, t, solution_.data());
+  call(OutputKind::forward_dynamics, q, v, t, solution_.data());
   (void)constraint_jacobian(q, v, t);
   for (std::size_t k = 0; k < jacobian_.size(); ++k) {
     force_[k % n] += jacobian_[k] * solution_[first_multiplier_ + k / n];
@@ -270,17 +262,17 @@ double System::explicit_power(const double* q, const double* v, double t) const 
 }
 
 const Numbers& System::mass_matrix(const double* q, const double* v, double t) {
-  call(mass_matrix_, q, v, t, mass_.data());
+  call(OutputKind::mass_matrix, q, v, t, mass_.data());
   return mass_;
 }
 
 const Numbers& System::constraint_jacobian(const double* q, const double* v, double t) {
-  if (!jacobian_.empty()) call(constraint_jacobian_, q, v, t, jacobian_.data());
+  if (!jacobian_.empty()) call(OutputKind::constraint_jacobian, q, v, t, jacobian_.data());
   return jacobian_;
 }
 
 void System::momentum(const double* q, const double* v, double t, double* result) {
-  call(momentum_, q, v, t, result);
+  call(OutputKind::momentum, q, v, t, result);
 }
 
 const Numbers& System::momentum_scales(const double* q, const double* v, double t) {
@@ -306,7 +298,7 @@ const Numbers& System::conserved_values(const double* q, const double* v, double
 
 double System::energy(const double* q, const double* v, double t) {
   double result = 0;
-  call(energy_, q, v, t, &result);
+  call(OutputKind::energy_function, q, v, t, &result);
   return result;
 }
 
@@ -314,8 +306,8 @@ double System::magnitude(const double* q, const double* v, double t) {
   double whole = 0;
   double part = 0;
   if (has_energies()) {
-    call(total_energy_, q, v, t, &whole);
-    call(kinetic_energy_, q, v, t, &part);
+    call(OutputKind::total_energy, q, v, t, &whole);
+    call(OutputKind::kinetic_energy, q, v, t, &part);
   } else {
     whole = energy(q, v, t);
     momentum(q, v, t, force_.data());
@@ -327,8 +319,8 @@ double System::magnitude(const double* q, const double* v, double t) {
 ConstraintOffset System::offset(const double* q, const double* v, double t) {
   ConstraintOffset result;
   if (residual_.empty()) return result;
-  call(constraint_residual_, q, v, t, residual_.data());
-  const std::size_t first_rate = first_entry_of(*constraint_residual_.function, "rate");
+  call(OutputKind::constraint_residual, q, v, t, residual_.data());
+  const std::size_t first_rate = first_entry_of(*function(OutputKind::constraint_residual), "rate");
   for (std::size_t i = 0; i < residual_.size(); ++i) {
     double& largest = i < first_rate ? result.position : result.rate;
     largest = std::max(largest, std::abs(residual_[i]));

@@ -104,13 +104,15 @@ class System {
   [[nodiscard]] const std::vector<ConservedDrift>& conserved() const { return conserved_; }
   [[nodiscard]] const Numbers& conserved_values(const double* q, const double* v, double t);
   /// Whether T and V are known apart.
-  [[nodiscard]] bool has_energies() const { return kinetic_energy_.function != nullptr; }
+  [[nodiscard]] bool has_energies() const {
+    return function(OutputKind::kinetic_energy) != nullptr;
+  }
   /// |T| + |V|; |v.p| + |L| where only L is known.
   [[nodiscard]] double magnitude(const double* q, const double* v, double t);
   /// How far a state is off the constraints.
   [[nodiscard]] ConstraintOffset offset(const double* q, const double* v, double t);
   /// Whether a step may leave quaternions of another length, or a state off the constraints.
-  [[nodiscard]] bool is_restored() const { return restored_.function != nullptr; }
+  [[nodiscard]] bool is_restored() const { return function(restored_) != nullptr; }
   /// Quaternions to length 1, and by one step of Newton back onto the constraints.
   void restore(Numbers& state, double t);
 
@@ -129,8 +131,11 @@ class System {
   };
 
   void add_conserved(const Expectation& expectation);
-  [[nodiscard]] Callee callee(OutputKind kind) const;
-  void call(const Callee& called, const double* q, const double* v, double t, double* result);
+  [[nodiscard]] std::vector<Callee> callees() const;
+  [[nodiscard]] const Function* function(OutputKind kind) const {
+    return callees_[static_cast<std::size_t>(kind)].function;
+  }
+  void call(OutputKind kind, const double* q, const double* v, double t, double* result);
   /// F, to `force_`.
   void find_force(const double* q, const double* v, double t);
   void add_constraint_force(const double* q, const double* v, double t);
@@ -143,9 +148,8 @@ class System {
   /// quantities.
   Arguments<double> at_;
   std::vector<InputLaw> laws_;
-  Callee mass_matrix_, acceleration_, coordinate_rates_, input_matrix_, applied_force_,
-      dissipation_, momentum_, energy_, kinetic_energy_, total_energy_, normalized_, step_,
-      constraint_residual_, constraint_jacobian_, restored_;
+  std::vector<Callee> callees_;  ///< by kind
+  OutputKind restored_;          ///< puts a state back
   bool is_held_ = false;
   bool is_driven_ = false;
   bool has_moving_constraints_ = false;
