@@ -1,10 +1,13 @@
-// Constraint: an equation that the motion of a Model obeys. Held: what a scene takes out of a
-// model, locked variables and cyclic coordinates.
+// Constraint: an equation that the motion of a Model obeys. Held: a scene takes variables out of a
+// model, locked ones and cyclic coordinates.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "elgen/expression.hpp"
@@ -12,6 +15,8 @@
 #include "elgen/units.hpp"
 
 namespace elgen {
+
+struct Model;
 
 /// One equation of a [[constraint]]: f(q, t) = 0 of a position, or phi(q, v, t) = 0, affine in the
 /// rates, of a velocity; `value` is its left side less its right side.
@@ -40,26 +45,105 @@ struct Held {
   std::uint32_t velocity = 0;    ///< likewise
   bool is_rotation = false;
   bool reaction = false;  ///< the force that holds it is wanted
+  Span span = {};
 
   [[nodiscard]] std::uint32_t velocity_count() const { return is_rotation ? axis_count : 1; }
   [[nodiscard]] std::uint32_t coordinate_count() const { return is_rotation ? quaternion_size : 1; }
+  [[nodiscard]] bool has_coordinate(std::uint32_t index) const {
+    return coordinate <= index && index < coordinate + coordinate_count();
+  }
+  [[nodiscard]] bool has_velocity(std::uint32_t index) const {
+    return velocity <= index && index < velocity + velocity_count();
+  }
 };
 
-/// A variable that a scene holds at a function of time. It is taken out twice, on purpose: of the
-/// Model by check, which is what the oracle sees, and of the Lagrangian by specialise, which is
-/// what is derived from. Each is a check of the other.
+/// A variable that a scene holds at a function of time.
 struct Lock : Held {
   std::vector<ExpressionId> values = {};  ///< s(t); of a rotation the four of a unit quaternion
-  Span span = {};
 };
 
 /// A cyclic coordinate that a scene takes out at a momentum that stays (`[routh]`), which becomes a
-/// parameter. It is taken out twice, as locks are.
+/// parameter.
 struct Cyclic : Held {
   std::uint32_t parameter = 0;
   /// Of numbers and parameters; none: that at the start.
   std::optional<ExpressionId> momentum = {};
-  Span span = {};
 };
+
+/// The variables that a scene holds, and the whole model, in which they move. They are taken out
+/// twice, on purpose: of the Model by check, which is what the oracle sees, and of the Lagrangian
+/// by specialise, which is what is derived from. Each is a check of the other.
+struct Variant {
+  std::vector<Lock> locks = {};             ///< in the order of v of the whole model
+  std::vector<Cyclic> cyclic = {};          ///< likewise
+  std::shared_ptr<const Model> whole = {};  ///< null: nothing has been taken out of the model
+};
+
+/// Where the entries of a list go as some leave it: later ones move up.
+class PlacesLeft {
+ public:
+  /// None has left.
+  explicit PlacesLeft(std::size_t size) : places_(size, 0) { remove(0, 0); }
+
+  void remove(std::uint32_t first, std::uint32_t count) {
+    std::uint32_t next = 0;
+    for (std::uint32_t i = 0; i < places_.size(); ++i) {
+      if (first <= i && i < first + count) places_[i].reset();
+      if (places_[i]) places_[i] = next++;
+    }
+  }
+
+  /// None of an entry that left.
+  [[nodiscard]] const std::optional<std::uint32_t>& operator[](std::size_t i) const {
+    return places_[i];
+  }
+
+  /// Removes from a list what left it.
+  template <class List>
+  void thin(List& list) const {
+    List left;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (places_[i]) left.push_back(std::move(list[i]));
+    }
+    list = std::move(left);
+  }
+
+  /// A list as it was before, with 0 for what left it.
+  template <class List>
+  [[nodiscard]] List spread(const List& left) const {
+    List list(places_.size());
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      if (places_[i]) list[i] = left[*places_[i]];
+    }
+    return list;
+  }
+
+ private:
+  std::vector<std::optional<std::uint32_t>> places_;
+};
+
+/// The places in q and v, as variables leave.
+struct VariablesLeft {
+  PlacesLeft coordinates;
+  PlacesLeft velocities;
+
+  void remove(const Held& variable) {
+    coordinates.remove(variable.coordinate, variable.coordinate_count());
+    velocities.remove(variable.velocity, variable.velocity_count());
+  }
+};
+
+/// The velocities of the variables whose force is wanted, in their order.
+template <class Variables>
+[[nodiscard]] std::vector<std::uint32_t> velocities_with_reaction(const Variables& variables) {
+  std::vector<std::uint32_t> velocities;
+  for (const Held& variable : variables) {
+    if (!variable.reaction) continue;
+    for (std::uint32_t i = 0; i < variable.velocity_count(); ++i) {
+      velocities.push_back(variable.velocity + i);
+    }
+  }
+  return velocities;
+}
 
 }  // namespace elgen

@@ -193,14 +193,10 @@ struct ConstraintEquation {
   Entity origin = {};
 };
 
-/// A variable that is held at functions of time: s(t), or the four of a unit quaternion.
-struct LockedVariable : Held {
+/// A variable that is held at functions of time: s(t), or the four of a unit quaternion. One that
+/// is cyclic is held at its momentum, a parameter.
+struct HeldVariable : Held {
   std::vector<GiNaC::ex> values = {};
-};
-
-/// A cyclic variable that is taken out at its momentum, a parameter.
-struct CyclicVariable : Held {
-  GiNaC::ex momentum = {};
 };
 
 struct Lagrangian;
@@ -243,8 +239,8 @@ struct Lagrangian {
   FrameTree tree = {};  ///< of an expansion or R it carries nothing but outputs
   std::vector<ConstraintEquation> constraints = {};
   std::vector<NamedOutput> outputs = {};
-  std::vector<LockedVariable> locked = {};   ///< until specialise takes them out
-  std::vector<CyclicVariable> cyclic = {};   ///< likewise
+  std::vector<HeldVariable> locked = {};     ///< until specialise takes them out
+  std::vector<HeldVariable> cyclic = {};     ///< likewise
   std::vector<GiNaC::ex> cyclic_rates = {};  ///< of those that specialise took out
   std::optional<Holding> holding = {};       ///< where a reaction is wanted
   std::optional<Expansion> expansion = {};

@@ -331,16 +331,10 @@ struct Model {
   std::vector<Expectation> expectations = {};
   std::optional<Approximation> approximation = {};  ///< of the scene; outputs stay exact
 
-  /// The locks of the scene. The Model that every stage works on is without the locked variables,
-  /// whose place functions of time have taken; the one it came from has the locks and is kept.
-  std::vector<Lock> locks = {};
-  std::shared_ptr<const Model> unlocked = {};
-
-  /// The cyclic coordinates that the scene takes out, in the order of v. The Model that every stage
-  /// works on is without them: its Lagrangian is R of `moving`, the model in which they move, which
-  /// has them and is kept. `unlocked` then is the model before both.
-  std::vector<Cyclic> cyclic = {};
-  std::shared_ptr<const Model> moving = {};
+  /// The Model that every stage works on is without what the scene holds: functions of time have
+  /// taken the place of locked variables, and 0 that of cyclic ones, where the Lagrangian is R of
+  /// the whole model.
+  Variant variant = {};
 
   bool quadratic = true;  ///< T - V (or L) is at most quadratic in the rates
   /// t occurs in an energy, a point, a force or an output: every function takes t
@@ -361,13 +355,29 @@ std::uint32_t append_coordinate(Model& model, Coordinate coordinate);
 /// NAME[2], NAME[3]; its index.
 std::uint32_t append_rotation(Model& model, Rotation rotation);
 
-/// The velocities of the model before locking whose locks ask for the force that holds them: those,
-/// in the order of v, that the output `reaction` has a row for.
-[[nodiscard]] std::vector<std::uint32_t> held_velocities(const Model& model);
+/// The model in which everything moves that a scene holds.
+[[nodiscard]] inline const Model& whole_of(const Model& model) {
+  return model.variant.whole ? *model.variant.whole : model;
+}
+
+/// The velocities of the whole model whose locks ask for the force that holds them: those, in the
+/// order of v, that the output `reaction` has a row for.
+[[nodiscard]] inline std::vector<std::uint32_t> held_velocities(const Model& model) {
+  return model.variant.whole ? velocities_with_reaction(model.variant.locks)
+                             : std::vector<std::uint32_t>{};
+}
+
+/// Where the variables of the whole model go as the held ones leave.
+[[nodiscard]] VariablesLeft variables_left(const Model& whole);
+
+/// Whether the Lagrangian is R: cyclic coordinates have been taken out.
+[[nodiscard]] inline bool has_routhian(const Model& model) {
+  return model.variant.whole && !model.variant.cyclic.empty();
+}
 
 /// Whether the Lagrangian is one function, which has no T and V: L as given, or R.
 [[nodiscard]] inline bool has_whole_lagrangian(const Model& model) {
-  return model.energies.L.has_value() || model.moving != nullptr;
+  return model.energies.L.has_value() || has_routhian(model);
 }
 
 /// What the equations of outputs depend on.

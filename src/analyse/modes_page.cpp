@@ -60,7 +60,7 @@ class ModesPage {
       add_modes(motions);
     }
     if (!is_free) add_state_matrices(motions);
-    if (model_.moving) add_steady_motion(motions);
+    if (has_routhian(model_)) add_steady_motion(motions);
   }
 
   /// "θ₁ = 0, θ₂ = 0 (stable)"
@@ -273,24 +273,24 @@ class ModesPage {
 
   /// "steady motion: dot(phi) = 0.578704 rad/s": the rates of what the scene took out.
   void add_steady_motion(const LinearMotions& motions) {
-    const Model& moving = *model_.moving;
+    const Model& whole = whole_of(model_);
     const OracleValues rates =
         oracle_values(model_, {.kind = OutputKind::cyclic_rates}, motions.point.state);
     if (!rates) return;
-    const LeafValues<Printed> symbols = symbols_of(moving);
+    const LeafValues<Printed> symbols = symbols_of(whole);
     Printed line = prose("steady motion:");
     for (std::size_t i = 0; i < rates->size(); ++i) {
-      const std::uint32_t velocity = moving.cyclic[i].velocity;
+      const std::uint32_t velocity = model_.variant.cyclic[i].velocity;
       const Printed value = number((*rates)[i]);
-      const std::string name = velocity_unit(moving, moving.velocities[velocity]);
+      const std::string name = velocity_unit(whole, whole.velocities[velocity]);
       const std::string unit = name.empty() ? "" : " " + name;
       const char* const comma = i == 0 ? " " : ", ";
-      line.text += fmt::format("{}{} = {}{}", comma, leaf_text(moving, Opcode::velocity, velocity),
+      line.text += fmt::format("{}{} = {}{}", comma, leaf_text(whole, Opcode::velocity, velocity),
                                value.text, unit);
       line.latex += fmt::format("{}{} = {} \\text{{{}}}", comma, symbols.v[velocity].latex,
                                 value.latex, unit);
     }
-    const bool turns = is_angle(moving.coordinates[moving.cyclic[0].coordinate]);
+    const bool turns = is_angle(whole.coordinates[model_.variant.cyclic[0].coordinate]);
     if (turns && have_one_period(motions.modes, *rates)) {
       const char* const closed = ", of the same period: orbits close";
       line = {line.text + closed, line.latex + prose(closed).latex};

@@ -129,11 +129,11 @@ LeafValues<Printed> symbols_of(const Model& model) {
 Printed titled(const CheckedModel& checked, const std::string& subject) {
   const Model& model = checked.model;
   const std::string title = page_title(model);
-  if (!model.moving) return prose(fmt::format("{}: {}", title, subject));
+  if (!has_routhian(model)) return prose(fmt::format("{}: {}", title, subject));
   const LeafValues<Printed> symbols = symbols_of(model);
   const State nominal = nominal_state(model, checked.scene);
   std::vector<Printed> momenta;
-  for (const Cyclic& cyclic : model.moving->cyclic) {
+  for (const Cyclic& cyclic : model.variant.cyclic) {
     const Printed value = number(nominal.parameters[cyclic.parameter]);
     const Printed unit = unit_of_momentum(model.parameters[cyclic.parameter]);
     momenta.push_back(equation(symbols.parameters[cyclic.parameter],

@@ -92,10 +92,9 @@ void judge(Context& context, const FileSyntax& syntax, const FileSyntax* scene,
   check_units(context);
 }
 
-/// Locks the model and takes cyclic coordinates out; the requests of the scene are put to the model
-/// that is left.
+/// Takes out what the scene holds; its requests are put to the model that is left.
 void reduce_model(Context& context) {
-  context.model = reduced(locked(std::move(context.model)));
+  context.model = variant_of(std::move(context.model));
   while (context.constants.size() < context.model.expressions.size()) {
     (void)context.constants.append(context.model.expressions);
   }
@@ -116,8 +115,7 @@ Result<CheckedModel> check(const FileSyntax& model, const FileSyntax* scene,
   if (context.beyond_limits) {
     return context.report.sorted();
   }
-  read_locks(context, scene);
-  read_routh(context, scene);
+  read_held(context, scene);
   judge(context, model, scene, options);
   if (context.report.errors() == 0) {
     reduce_model(context);

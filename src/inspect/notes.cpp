@@ -28,7 +28,7 @@ Diagnostics unused_parameters(const Model& model) {
   for (const ParameterArray& array : model.parameter_arrays) {
     const auto first = marks.begin() + array.first;
     if (std::find(first, first + array.count, true) != first + array.count) continue;
-    if (std::ranges::count(model.cyclic, array.first, &Cyclic::parameter) > 0) continue;
+    if (std::ranges::count(model.variant.cyclic, array.first, &Cyclic::parameter) > 0) continue;
     found.push_back(
         {Code::E522, array.span, fmt::format("parameter `{}` is used nowhere", array.name)});
   }
@@ -81,7 +81,7 @@ std::optional<Span> smoothed_friction(const Model& model) {
 }  // namespace
 
 Diagnostics inspect_unused(const Inspected& subject) {
-  const Model& model = subject.model.unlocked ? *subject.model.unlocked : subject.model;
+  const Model& model = whole_of(subject.model);
   Diagnostics found = unused_parameters(model);
   const Diagnostics inputs = unused_inputs(model);
   found.insert(found.end(), inputs.begin(), inputs.end());

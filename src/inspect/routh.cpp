@@ -2,6 +2,8 @@
 // that is not 0 at one state proves that L changes with the coordinate; where it is 0 at all
 // sampled ones L is taken not to change, and what is derived is compared with the whole model
 // anyway.
+#include <utility>
+
 #include "check/scene/scene.hpp"
 #include "elgen/inspect.hpp"
 #include "elgen/wording.hpp"
@@ -39,20 +41,20 @@ bool changes_lagrangian(const Inspected& subject, const Cyclic& cyclic) {
 }
 
 /// Whether M_cc is singular wherever it has a value.
-bool are_dependent(const Inspected& subject) {
+bool are_dependent(const Inspected& subject, const std::vector<Cyclic>& cyclic) {
   const Model& model = subject.model;
   bool was_singular = false;
   for (unsigned seed = 0; seed < zero_samples; ++seed) {
     const State state = sampled_state(subject, seed);
     std::vector<cl_R> mass;
-    for (const Cyclic& row : model.cyclic) {
-      for (const Cyclic& column : model.cyclic) {
+    for (const Cyclic& row : cyclic) {
+      for (const Cyclic& column : cyclic) {
         const auto entry = oracle_contraction(model, {.kind = OutputKind::mass_matrix}, state,
                                               {along(model, row), along(model, column)});
         if (entry) mass.push_back(*entry);
       }
     }
-    const std::size_t n = model.cyclic.size();
+    const std::size_t n = cyclic.size();
     if (mass.size() < n * n) continue;
     if (oracle_relative_pivots(std::move(mass), n)) return false;
     was_singular = true;
@@ -60,24 +62,40 @@ bool are_dependent(const Inspected& subject) {
   return was_singular;
 }
 
-Diagnostics not_cyclic(const Inspected& subject) {
+Diagnostics not_cyclic(const Inspected& subject, const std::vector<Cyclic>& all) {
   Diagnostics errors;
-  for (const Cyclic& cyclic : subject.model.cyclic) {
+  for (const Cyclic& cyclic : all) {
     if (!changes_lagrangian(subject, cyclic)) continue;
     errors.push_back({Code::E635, cyclic.span,
                       quoted_name(subject.model, cyclic) + " is not cyclic: L changes with it"});
   }
-  if (errors.empty() && are_dependent(subject)) {
-    errors.push_back({Code::E635, subject.model.cyclic.front().span,
+  if (errors.empty() && are_dependent(subject, all)) {
+    errors.push_back({Code::E635, all.front().span,
                       "the momenta do not determine the rates of what `[routh]` takes out: their "
                       "part of the mass matrix is singular"});
   }
   return errors;
 }
 
-/// The state at which a run starts, of the model in which cyclic coordinates move.
-State starting_state(const CheckedModel& checked) {
-  const Model& moving = *checked.model.moving;
+/// The exact model in which cyclic coordinates move, and these by their numbers in it.
+struct MovingModel {
+  Model model;
+  std::vector<Cyclic> cyclic;
+};
+
+MovingModel moving_model(Model whole) {
+  whole.approximation.reset();
+  std::vector<Cyclic> all = std::exchange(whole.variant.cyclic, {});
+  const VariablesLeft left = variables_left(whole);
+  for (Cyclic& cyclic : all) {
+    cyclic.coordinate = *left.coordinates[cyclic.coordinate];
+    cyclic.velocity = *left.velocities[cyclic.velocity];
+  }
+  return {variant_of(std::move(whole)), std::move(all)};
+}
+
+/// The state at which a run starts.
+State starting_state(const CheckedModel& checked, const Model& moving) {
   State state = start_state(moving, checked.scene);
   state.parameters = nominal_state(checked.model, checked.scene).parameters;
   return state;
@@ -91,13 +109,12 @@ std::optional<cl_R> momentum_of(const Model& exact, const Cyclic& cyclic, const 
 }  // namespace
 
 Diagnostics find_momenta(CheckedModel& checked) {
-  if (!checked.model.moving) return {};
-  Model exact = *checked.model.moving;
-  exact.approximation.reset();
-  Diagnostics errors = not_cyclic({exact, checked.scene});
+  if (!has_routhian(checked.model)) return {};
+  const auto [exact, all] = moving_model(whole_of(checked.model));
+  Diagnostics errors = not_cyclic({exact, checked.scene}, all);
   if (!errors.empty()) return errors;
-  const State start = starting_state(checked);
-  for (const Cyclic& cyclic : exact.cyclic) {
+  const State start = starting_state(checked, exact);
+  for (const Cyclic& cyclic : all) {
     Parameter& parameter = checked.model.parameters[cyclic.parameter];
     if (!parameter.is_computed) continue;
     const std::optional<cl_R> momentum = momentum_of(exact, cyclic, start);
@@ -120,10 +137,11 @@ bool is_cyclic(const CheckedModel& checked, std::uint32_t coordinate) {
   exact.approximation.reset();
   const Coordinate& taken = exact.coordinates[coordinate];
   if (taken.rotation || !exact.quadratic) return false;
-  Cyclic& cyclic = exact.cyclic.emplace_back();
+  Cyclic cyclic;
   cyclic.coordinate = coordinate;
   cyclic.velocity = taken.velocity;
-  return obstacles_of(exact, cyclic).empty() && not_cyclic({exact, checked.scene}).empty();
+  return obstacles_of(exact, cyclic).empty() &&
+         not_cyclic({exact, checked.scene}, {cyclic}).empty();
 }
 
 }  // namespace elgen

@@ -1,5 +1,5 @@
-// Model: every coordinate comes with the entries of v that move it; the numbers of open values,
-// which are few, so that they are looked for.
+// Model: every coordinate comes with the entries of v that move it, and leaves with them; the
+// numbers of open values, which are few, so that they are looked for.
 #include "elgen/model.hpp"
 
 #include <algorithm>
@@ -52,16 +52,11 @@ std::uint32_t append_rotation(Model& model, Rotation rotation) {
   return index;
 }
 
-std::vector<std::uint32_t> held_velocities(const Model& model) {
-  std::vector<std::uint32_t> result;
-  if (!model.unlocked) return result;
-  for (const Lock& lock : model.unlocked->locks) {
-    if (!lock.reaction) continue;
-    for (std::uint32_t i = 0; i < lock.velocity_count(); ++i) {
-      result.push_back(lock.velocity + i);
-    }
-  }
-  return result;
+VariablesLeft variables_left(const Model& whole) {
+  VariablesLeft left{PlacesLeft(whole.coordinates.size()), PlacesLeft(whole.velocities.size())};
+  for (const Held& held : whole.variant.locks) left.remove(held);
+  for (const Held& held : whole.variant.cyclic) left.remove(held);
+  return left;
 }
 
 bool eliminates_last_first(const Model& model) {

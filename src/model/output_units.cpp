@@ -36,11 +36,12 @@ MaybeUnit unit_along(const Model& model, Extent extent, std::size_t i) {
       return unit_in(model.inputs, i);
     case Extent::held: {
       const std::vector<std::uint32_t> held = held_velocities(model);
-      return i < held.size() ? unit_in(model.unlocked->velocities, held[i]) : std::nullopt;
+      return i < held.size() ? unit_in(whole_of(model).velocities, held[i]) : std::nullopt;
     }
     case Extent::cyclic:
-      return model.moving ? unit_in(model.moving->velocities, model.moving->cyclic[i].velocity)
-                          : std::nullopt;
+      return has_routhian(model)
+                 ? unit_in(whole_of(model).velocities, model.variant.cyclic[i].velocity)
+                 : std::nullopt;
     case Extent::constraints:
       return model.constraints[i].is_position ? over(unit_in(model.constraints, i), find_unit("s"))
                                               : unit_in(model.constraints, i);

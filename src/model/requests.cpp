@@ -19,13 +19,15 @@ struct Lack {
 
 Lack lacking(std::string reason) { return {Code::E603, std::move(reason)}; }
 
-/// The coordinate of [routh] that an [[output]] is made of; null where there is none.
-const Cyclic* taken_out_of(const Model& moving, std::uint32_t user) {
-  std::vector<ExpressionId> roots = moving.outputs[user].values;
-  roots.insert(roots.end(), moving.outputs[user].twist.begin(), moving.outputs[user].twist.end());
+/// The coordinate of [routh] that an [[output]] of the whole model is made of; null where there is
+/// none.
+const Cyclic* taken_out_of(const Model& whole, std::uint32_t user) {
+  std::vector<ExpressionId> roots = whole.outputs[user].values;
+  roots.insert(roots.end(), whole.outputs[user].twist.begin(), whole.outputs[user].twist.end());
+  const std::vector<Cyclic>& all = whole.variant.cyclic;
   const auto found = std::ranges::find_if(
-      moving.cyclic, [&](const Cyclic& cyclic) { return is_reached(moving, roots, cyclic); });
-  return found == moving.cyclic.end() ? nullptr : &*found;
+      all, [&](const Cyclic& cyclic) { return is_reached(whole, roots, cyclic); });
+  return found == all.end() ? nullptr : &*found;
 }
 
 std::optional<Lack> lack_of_constraints(const Model& model, const OutputRequest& request) {
@@ -69,9 +71,9 @@ std::optional<Lack> lack_of(const Model& model, const OutputRequest& request) {
     return Lack{Code::E603, "needs T and V apart, but the model gives L",
                 model.expressions[*model.energies.L].span, "L is given here"};
   }
-  if (requirement == Requirement::energies && model.moving) {
+  if (requirement == Requirement::energies && has_routhian(model)) {
     return Lack{Code::E603, "needs T and V apart, but `[routh]` makes one function of them",
-                model.moving->cyclic.front().span, "it takes a coordinate out here"};
+                model.variant.cyclic.front().span, "it takes a coordinate out here"};
   }
   if (requirement == Requirement::inputs && model.inputs.empty()) {
     return lacking("needs inputs, and the model has none");
@@ -82,14 +84,14 @@ std::optional<Lack> lack_of(const Model& model, const OutputRequest& request) {
   if (requirement == Requirement::held && held_velocities(model).empty()) {
     return lacking("needs `reaction = true` in an entry of `[lock]`");
   }
-  if (requirement == Requirement::cyclic && !model.moving && model.cyclic.empty()) {
+  if (requirement == Requirement::cyclic && model.variant.cyclic.empty()) {
     return lacking("needs a coordinate in `[routh]`");
   }
   if (const std::optional<Lack> lack = lack_of_constraints(model, request)) return lack;
-  if (output_row(request.kind).of_user && model.moving) {
-    if (const Cyclic* const cyclic = taken_out_of(*model.moving, request.user)) {
+  if (output_row(request.kind).of_user && has_routhian(model)) {
+    if (const Cyclic* const cyclic = taken_out_of(whole_of(model), request.user)) {
       return Lack{Code::E603,
-                  "contains " + in_backticks(model.moving->coordinates[cyclic->coordinate].name) +
+                  "contains " + in_backticks(whole_of(model).coordinates[cyclic->coordinate].name) +
                       ", which `[routh]` takes out",
                   cyclic->span, "it is taken out here"};
     }
@@ -135,12 +137,11 @@ std::vector<std::string> available_names(const Model& model) {
   return names;
 }
 
-/// Whether it acts on what a lock holds: such a force is in no equation of motion.
+/// Whether it acts on what a lock is to hold: such a force is in no equation of motion.
 bool is_held(const Model& model, const Force& force) {
-  return std::any_of(model.locks.begin(), model.locks.end(), [&](const Lock& lock) {
-    return force.on && lock.velocity <= *force.on &&
-           *force.on < lock.velocity + lock.velocity_count();
-  });
+  if (model.variant.whole || !force.on) return false;
+  return std::ranges::any_of(model.variant.locks,
+                             [&](const Lock& lock) { return lock.has_velocity(*force.on); });
 }
 
 bool fits_in_full(const OutputRequest& request) {
@@ -176,7 +177,7 @@ std::uint32_t extent_of(const Model& model, Extent kind, std::uint32_t user) {
     case Extent::held:
       return static_cast<std::uint32_t>(held_velocities(model).size());
     case Extent::cyclic:
-      return model.moving ? static_cast<std::uint32_t>(model.moving->cyclic.size()) : 0;
+      return has_routhian(model) ? static_cast<std::uint32_t>(model.variant.cyclic.size()) : 0;
     case Extent::constraints:
       return static_cast<std::uint32_t>(model.constraints.size());
     case Extent::positions:

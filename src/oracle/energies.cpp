@@ -91,20 +91,6 @@ Jet magnitude(Evaluation& at, ExpressionId id) {
 constexpr Generators along_first = generator(6);
 constexpr Generators along_second = generator(7);
 
-/// A motion of the model without cyclic coordinates in the one that has them: they are 0, at rest.
-Motion standing(const Model& moving, const Motion& motion) {
-  Motion whole = motion;
-  for (const Cyclic& cyclic : moving.cyclic) {
-    const auto insert_at = [](std::vector<Jet>& list, std::uint32_t index) {
-      list.insert(list.begin() + index, Jet());
-    };
-    insert_at(whole.q, cyclic.coordinate);
-    insert_at(whole.v, cyclic.velocity);
-    insert_at(whole.a, cyclic.velocity);
-  }
-  return whole;
-}
-
 /// L0, w and M_cc, row-major.
 struct CyclicParts {
   Jet rest;
@@ -113,26 +99,26 @@ struct CyclicParts {
 };
 
 CyclicParts cyclic_parts(const Evaluation& at) {
-  const Model& moving = *at.model().moving;
-  const std::size_t n = moving.cyclic.size();
-  const Motion whole = standing(moving, at.motion());
+  const std::vector<Cyclic>& cyclic = at.model().variant.cyclic;
+  const std::size_t n = cyclic.size();
+  const Motion whole = whole_motion(at.model(), at.motion());
   CyclicParts parts;
   parts.mass.resize(n * n);
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
       Motion moved = whole;
-      Jet& rate = moved.v[moving.cyclic[i].velocity];
+      Jet& rate = moved.v[cyclic[i].velocity];
       rate = rate + Jet(along_first, 1);
-      Jet& other = moved.v[moving.cyclic[j].velocity];
+      Jet& other = moved.v[cyclic[j].velocity];
       other = other + Jet(along_second, 1);
-      Evaluation evaluation(moving, moved);
+      Evaluation evaluation(whole_of(at.model()), moved);
       const Jet value = lagrangian(evaluation);
       parts.mass[i * n + j] = value.tangent(along_first).tangent(along_second);
       parts.mass[j * n + i] = parts.mass[i * n + j];
       if (j < i) continue;
       const Jet momentum = value.tangent(along_first).without(along_second);
       parts.rest = value.without(along_first | along_second);
-      parts.excess.push_back(at.motion().parameters[moving.cyclic[i].parameter] - momentum);
+      parts.excess.push_back(at.motion().parameters[cyclic[i].parameter] - momentum);
     }
   }
   return parts;
@@ -159,6 +145,24 @@ Jet routhian(const Evaluation& at) {
 }
 
 }  // namespace
+
+Motion whole_motion(const Model& model, const Motion& motion) {
+  const VariablesLeft left = variables_left(whole_of(model));
+  Motion whole = motion;
+  whole.q = left.coordinates.spread(motion.q);
+  whole.v = left.velocities.spread(motion.v);
+  whole.a = left.velocities.spread(motion.a);
+  Evaluation at(model, motion);
+  for (const Lock& lock : model.variant.locks) {
+    for (std::uint32_t i = 0; i < lock.values.size(); ++i) {
+      whole.q[lock.coordinate + i] = at.value(lock.values[i]);
+    }
+    if (lock.is_rotation) continue;
+    whole.v[lock.velocity] = at.rate(lock.values.front());
+    whole.a[lock.velocity] = at.second_rate(lock.values.front());
+  }
+  return whole;
+}
 
 std::vector<Jet> cyclic_rates(const Evaluation& at) { return rates_of(cyclic_parts(at)); }
 
@@ -189,7 +193,7 @@ Jet potential_magnitude(Evaluation& at) {
 }
 
 Jet lagrangian(Evaluation& at) {
-  if (at.model().moving) return routhian(at);
+  if (has_routhian(at.model())) return routhian(at);
   const Jet kinetic = kinetic_energy(at);  // first: with its rates it makes the values of V as well
   return value_or_zero(at, at.model().energies.L) + kinetic - potential_energy(at);
 }

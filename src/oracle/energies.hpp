@@ -5,8 +5,8 @@
 //     V = [energy].V - sum m gravity.p
 //     L = T - V, or [energy].L (+ armatures) where that is given
 //
-// A scene that takes cyclic coordinates out has R in the place of L, of the model in which they
-// move; dL/dv_c and M_cc are coefficients of two more generators of it:
+// A scene that takes cyclic coordinates out has R in the place of L, of the whole model; dL/dv_c
+// and M_cc are coefficients of two more generators of it:
 //
 //     R = L0 - 1/2 w.v_c,   M_cc v_c = w = p - dL/dv_c,   all at v_c = 0
 #pragma once
@@ -23,7 +23,10 @@ namespace elgen::oracle {
 [[nodiscard]] Jet potential_magnitude(Evaluation& at);
 /// L, or R.
 [[nodiscard]] Jet lagrangian(Evaluation& at);
-/// v_c, in the order of Model::cyclic. OutsideDomain where M_cc is singular.
+/// The motion of the whole model: what is locked stands at its functions of time, what is cyclic at
+/// 0, at rest.
+[[nodiscard]] Motion whole_motion(const Model& model, const Motion& motion);
+/// v_c, in the order of Variant::cyclic. OutsideDomain where M_cc is singular.
 [[nodiscard]] std::vector<Jet> cyclic_rates(const Evaluation& at);
 [[nodiscard]] Jet dissipation(Evaluation& at);
 

@@ -21,12 +21,12 @@ Lines fixed_parameters(const Model& model, const Scene& scene) {
 
 /// "q1 = 1/6*pi"; of a rotation its components.
 Lines locked_coordinates(const Model& model) {
+  const Model& whole = whole_of(model);
   Lines values;
-  if (!model.unlocked) return values;
-  for (const Lock& lock : model.unlocked->locks) {
+  for (const Lock& lock : model.variant.locks) {
     for (std::uint32_t i = 0; i < lock.values.size(); ++i) {
-      values.push_back(fmt::format("{} = {}", model.unlocked->coordinates[lock.coordinate + i].name,
-                                   to_string(*model.unlocked, lock.values[i])));
+      values.push_back(fmt::format("{} = {}", whole.coordinates[lock.coordinate + i].name,
+                                   to_string(whole, lock.values[i])));
     }
   }
   return values;
@@ -35,11 +35,11 @@ Lines locked_coordinates(const Model& model) {
 /// "phi at p_phi = 0.6"
 Lines cyclic_coordinates(const Model& model) {
   Lines values;
-  if (!model.moving) return values;
-  for (const Cyclic& cyclic : model.moving->cyclic) {
+  for (const Cyclic& cyclic : model.variant.cyclic) {
     const Parameter& momentum = model.parameters[cyclic.parameter];
-    values.push_back(fmt::format("{} at {} = {}", model.moving->coordinates[cyclic.coordinate].name,
-                                 momentum.name, short_text(momentum.value)));
+    values.push_back(fmt::format("{} at {} = {}",
+                                 whole_of(model).coordinates[cyclic.coordinate].name, momentum.name,
+                                 short_text(momentum.value)));
   }
   return values;
 }

@@ -134,9 +134,10 @@ class Outline {
 
   void add_energies(std::size_t function) {
     const bool is_whole = has_whole_lagrangian(model_);
-    const char* doc = model_.moving ? "Routh's function, with the momenta of cyclic coordinates."
-                      : is_whole    ? "The Lagrangian as given."
-                                    : "Kinetic and potential energy, L = T - V.";
+    const char* doc = has_routhian(model_)
+                          ? "Routh's function, with the momenta of cyclic coordinates."
+                      : is_whole ? "The Lagrangian as given."
+                                 : "Kinetic and potential energy, L = T - V.";
     DerivationStep step{std::string(energies_title), "", doc, {}, {}};
     if (steps_.masses.empty()) step.doc += positions_left_out();
     const std::vector<std::string> names =

@@ -167,10 +167,8 @@ class ModelDump {
 
   /// The changes that a scene makes to the model, before the outputs are chosen.
   void dump_scene() {
-    if (model_.unlocked) {
-      for (const Lock& lock : model_.unlocked->locks) {
-        line("lock " + lock_text(*model_.unlocked, lock) + (lock.reaction ? ", reaction" : ""));
-      }
+    for (const Lock& lock : model_.variant.locks) {
+      line("lock " + lock_text(whole_of(model_), lock) + (lock.reaction ? ", reaction" : ""));
     }
     if (model_.approximation) dump_approximation(*model_.approximation);
   }

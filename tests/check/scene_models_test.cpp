@@ -80,7 +80,7 @@ Wanted locking(const std::string& lines) {
 std::string lock_messages(const std::string& lines) { return messages(body, locking(lines)); }
 
 std::vector<Lock> locks(const std::string& lines) {
-  return checked(body, locking(lines)).model.unlocked->locks;
+  return checked(body, locking(lines)).model.variant.locks;
 }
 
 const std::string two_angles = R"toml(format = 1
@@ -129,7 +129,7 @@ TEST_CASE("what is locked leaves coordinates and velocities", "[lock]") {
   CHECK(model.coordinates[0].name == "b");
   CHECK(model.coordinates[1].velocity == 1);
   CHECK(model.velocities[1].coordinate == 1);
-  CHECK(model.unlocked->coordinates.size() == 3);
+  CHECK(whole_of(model).coordinates.size() == 3);
   CHECK(model.uses_time);
   CHECK(model.expectations.empty());
   CHECK(held_velocities(model) == std::vector<std::uint32_t>{0});
@@ -145,7 +145,7 @@ TEST_CASE("inputs and forces on it act only on what holds it", "[lock]") {
 
 TEST_CASE("without locks the model is returned as it is", "[lock]") {
   const Model model = checked_model(arm).model;
-  CHECK(dump(locked(model)) == dump(model));
+  CHECK(dump(variant_of(model)) == dump(model));
   CHECK(held_velocities(model).empty());
 }
 
@@ -165,8 +165,8 @@ TEST_CASE("locks come in the order of the coordinates", "[lock]") {
 
 TEST_CASE("a quaternion is scaled to length 1", "[lock]") {
   const CheckedModel held = checked(body, locking("attitude = { value = [0, 3, 0, -4] }\n"));
-  const Model& model = *held.model.unlocked;
-  const Lock& lock = model.locks.front();
+  const Model& model = whole_of(held.model);
+  const Lock& lock = model.variant.locks.front();
   CHECK(model.expressions[lock.values[1]].number == cln::cl_RA(3) / 5);
   CHECK(model.expressions[lock.values[3]].number == -cln::cl_RA(4) / 5);
 }
@@ -202,7 +202,7 @@ TEST_CASE("what cannot be locked is told", "[lock]") {
 }
 
 TEST_CASE("a scene without locks leaves the model alone", "[lock]") {
-  CHECK(checked(body).model.unlocked == nullptr);
+  CHECK(checked(body).model.variant.whole == nullptr);
 }
 
 TEST_CASE("a whole array, an element, a coordinate and an input may be given") {

@@ -73,7 +73,7 @@ TEST_CASE("an input acts on a velocity, or stands in a force") {
 
 TEST_CASE("what a lock takes out of the equations was used") {
   Model locked = spring("x^2").model;
-  locked.unlocked = std::make_shared<const Model>(spring("k1*x^2").model);
+  locked.variant.whole = std::make_shared<const Model>(spring("k1*x^2").model);
   CHECK(unused_findings(locked).empty());
 }
 

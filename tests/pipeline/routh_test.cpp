@@ -40,12 +40,12 @@ OracleValues truth_at(const Model& model, OutputKind kind, const State& state) {
 
 /// A state of the reduced model in the whole one, at accelerations that leave the momenta.
 std::optional<State> whole_state(const Model& reduced, const State& state) {
-  const Model& whole = *reduced.moving;
+  const Model& whole = *reduced.variant.whole;
   const OracleValues rates = truth_at(reduced, OutputKind::cyclic_rates, state);
   if (!rates) return std::nullopt;
   State moving = state;
   for (std::size_t i = 0; i < rates->size(); ++i) {
-    const Cyclic& cyclic = whole.cyclic[i];
+    const Cyclic& cyclic = whole.variant.cyclic[i];
     moving.q.insert(moving.q.begin() + cyclic.coordinate, cl_R(cln::cl_RA(1) / 3));
     moving.v.insert(moving.v.begin() + cyclic.velocity, (*rates)[i]);
     moving.a.insert(moving.a.begin() + cyclic.velocity, cl_R(0));
@@ -54,17 +54,18 @@ std::optional<State> whole_state(const Model& reduced, const State& state) {
   const OracleValues mass = truth_at(whole, OutputKind::mass_matrix, moving);
   if (!forces || !mass) return std::nullopt;
   const auto entry = [&](std::size_t i, std::size_t j) {
-    return (*mass)[whole.cyclic[i].velocity * moving.v.size() + whole.cyclic[j].velocity];
+    return (*mass)[whole.variant.cyclic[i].velocity * moving.v.size() +
+                   whole.variant.cyclic[j].velocity];
   };
-  const auto force = [&](std::size_t i) { return (*forces)[whole.cyclic[i].velocity]; };
+  const auto force = [&](std::size_t i) { return (*forces)[whole.variant.cyclic[i].velocity]; };
   if (rates->size() == 1) {
-    moving.a[whole.cyclic[0].velocity] = -force(0) / entry(0, 0);
+    moving.a[whole.variant.cyclic[0].velocity] = -force(0) / entry(0, 0);
     return moving;
   }
   const cl_R determinant = entry(0, 0) * entry(1, 1) - entry(0, 1) * entry(1, 0);
-  moving.a[whole.cyclic[0].velocity] =
+  moving.a[whole.variant.cyclic[0].velocity] =
       (entry(0, 1) * force(1) - entry(1, 1) * force(0)) / determinant;
-  moving.a[whole.cyclic[1].velocity] =
+  moving.a[whole.variant.cyclic[1].velocity] =
       (entry(1, 0) * force(0) - entry(0, 0) * force(1)) / determinant;
   return moving;
 }
@@ -73,9 +74,9 @@ std::optional<State> whole_state(const Model& reduced, const State& state) {
 std::optional<Numbers> forces_left(const Model& reduced, const State& state) {
   const std::optional<State> moving = whole_state(reduced, state);
   if (!moving) return std::nullopt;
-  OracleValues forces = truth_at(*reduced.moving, OutputKind::inverse_dynamics, *moving);
+  OracleValues forces = truth_at(*reduced.variant.whole, OutputKind::inverse_dynamics, *moving);
   if (!forces) return std::nullopt;
-  const std::vector<Cyclic>& cyclic = reduced.moving->cyclic;
+  const std::vector<Cyclic>& cyclic = reduced.variant.cyclic;
   for (auto each = cyclic.rbegin(); each != cyclic.rend(); ++each) {
     CHECK(is_close((*forces)[each->velocity], 0));
     forces->erase(forces->begin() + each->velocity);

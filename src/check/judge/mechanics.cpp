@@ -289,16 +289,15 @@ void check_company(Context& context) {
     refuse_beside_constraints(context, model.approximation->span, "`[approximate]`",
                               "`linearization` is of the constrained equations");
   }
-  if (model.moving) {
-    refuse_beside_constraints(context, model.moving->cyclic.front().span, "`[routh]`",
+  if (has_routhian(model)) {
+    refuse_beside_constraints(context, model.variant.cyclic.front().span, "`[routh]`",
                               "choose coordinates that respect the constraint");
   }
   if (!held_velocities(model).empty()) {
-    refuse_beside_constraints(context, model.unlocked->locks.front().span, "`reaction = true`",
+    refuse_beside_constraints(context, model.variant.locks.front().span, "`reaction = true`",
                               "write the lock as a constraint: its multiplier is the reaction");
   }
-  const Model& whole = model.unlocked ? *model.unlocked : model;
-  for (const Equilibrium& equilibrium : whole.equilibria) {
+  for (const Equilibrium& equilibrium : whole_of(model).equilibria) {
     refuse_beside_constraints(context, equilibrium.span, "an `[[equilibrium]]`",
                               "choose coordinates that respect the constraint");
   }

@@ -120,13 +120,12 @@ class ApproximationReader {
   }
 
   [[nodiscard]] bool is_locked(std::uint32_t coordinate) const {
-    return std::any_of(model_.locks.begin(), model_.locks.end(), [&](const Lock& lock) {
-      return lock.coordinate <= coordinate && coordinate < lock.coordinate + lock.values.size();
-    });
+    return std::ranges::any_of(model_.variant.locks,
+                               [&](const Lock& lock) { return lock.has_coordinate(coordinate); });
   }
 
   [[nodiscard]] bool is_taken_out(std::uint32_t coordinate) const {
-    return std::ranges::count(model_.cyclic, coordinate, &Cyclic::coordinate) > 0;
+    return std::ranges::count(model_.variant.cyclic, coordinate, &Cyclic::coordinate) > 0;
   }
 
   [[nodiscard]] bool all_free_are_small() const {
@@ -137,7 +136,7 @@ class ApproximationReader {
   }
 
   void check_reactions() {
-    for (const Lock& lock : model_.locks) {
+    for (const Lock& lock : model_.variant.locks) {
       if (!lock.reaction) continue;
       context_.report.add(Code::E614, lock.span,
                           "the reaction on " + in_backticks(lock.span) + " is not expanded",

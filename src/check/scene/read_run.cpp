@@ -109,8 +109,7 @@ class StartReader {
                           suggestion(name.text, names));
       return nullptr;
     }
-    if (std::ranges::find(model_.locks, found->coordinate, &Lock::coordinate) !=
-        model_.locks.end()) {
+    if (std::ranges::count(model_.variant.locks, found->coordinate, &Lock::coordinate) > 0) {
       context_.report.add(Code::E612, name.span,
                           in_backticks(name.text) + " is locked by the scene");
       return nullptr;

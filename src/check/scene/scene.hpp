@@ -42,22 +42,16 @@ void read_laws(Context& context, const SceneOptions& options);
 /// --set: Parameter::value of what the scene does not fix. E602, E606, E112, E518.
 void read_values(Context& context, const Scene& scene, const SceneOptions& options);
 
-/// Fills Model::locks, in the order of the coordinates. E612, E615, and what the values'
-/// expressions give.
-void read_locks(Context& context, const FileSyntax* scene);
+/// Fills the lists of Model::variant, and adds the momenta of cyclic coordinates to the parameters.
+/// E208, E612, and what the values' expressions give; E615 of a lock; E635 of a cyclic coordinate:
+/// a rotation, a locked one, all of them, or the name of the momentum is taken.
+void read_held(Context& context, const FileSyntax* scene);
 
-/// The model in which functions of time stand for the locked coordinates, fewer of which are left.
-/// The model given is kept as `unlocked`. Without locks it is returned as it is. Closed forms of
-/// [[expect]] and equilibria are those of the whole model and do not carry over.
-[[nodiscard]] Model locked(Model model);
-
-/// E208 or E612 of a key that names no coordinate and no rotation.
-void report_unknown_coordinate(Context& context, const KeySyntax& key);
-
-/// Fills Model::cyclic, in the order of v, and adds their momenta to the parameters. E201, E208,
-/// E612; E635: of a rotation, of a locked coordinate, of all of them, or the name of the momentum
-/// is taken.
-void read_routh(Context& context, const FileSyntax* scene);
+/// The model without what Model::variant lists: functions of time stand for locked coordinates, 0
+/// for cyclic ones. The model given is kept as `whole`. Where nothing is held it is returned as it
+/// is. Closed forms of [[expect]] and equilibria are those of the whole model and do not carry
+/// over.
+[[nodiscard]] Model variant_of(Model whole);
 
 /// E635: an input, a force or D acts on a cyclic coordinate or contains it, L is not quadratic, or
 /// a lock wants its reaction. Of a model without cycles.
@@ -71,9 +65,5 @@ struct CyclicObstacle {
 
 /// The inputs, forces and D of a model without cycles that act on a coordinate or contain it.
 [[nodiscard]] std::vector<CyclicObstacle> obstacles_of(const Model& model, const Held& variable);
-
-/// The locked model without its cyclic coordinates; the model given is kept as `moving`. Without
-/// such coordinates it is returned as it is.
-[[nodiscard]] Model reduced(Model model);
 
 }  // namespace elgen

@@ -171,7 +171,7 @@ class SceneReader {
   void request_reaction() {
     if (!held_velocities(model_).empty()) {
       request(std::string(output_row(OutputKind::reaction).name),
-              model_.unlocked->locks.front().span);
+              model_.variant.locks.front().span);
     }
   }
 

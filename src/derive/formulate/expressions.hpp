@@ -60,7 +60,7 @@ class Translation {
 
 /// Whether energies and forces are sums in the world, as an expansion and R need them.
 [[nodiscard]] inline bool sums_energies(const Model& model) {
-  return model.approximation.has_value() || !model.cyclic.empty();
+  return model.approximation.has_value() || !model.variant.cyclic.empty();
 }
 
 /// The frames of a model as a tree of elementary motions, and what moves with them: fills

@@ -178,8 +178,7 @@ class Formulation {
     using F = Formulation;
     for (void (F::*const add)() :
          {&F::add_gravity, &F::add_points, &F::add_bodies, &F::add_energies, &F::add_forces,
-          &F::add_constraints, &F::add_outputs, &F::add_locks, &F::add_cyclic, &F::add_expansion,
-          &F::add_tree}) {
+          &F::add_constraints, &F::add_outputs, &F::add_held, &F::add_expansion, &F::add_tree}) {
       (this->*add)();
       if (!translation_.errors().empty()) return translation_.errors();
     }
@@ -289,9 +288,9 @@ class Formulation {
     }
   }
 
-  void add_locks() {
-    for (const Lock& lock : model_.locks) {
-      LockedVariable locked{lock, {}};
+  void add_held() {
+    for (const Lock& lock : model_.variant.locks) {
+      HeldVariable locked{lock, {}};
       for (std::uint32_t i = 0; i < lock.values.size(); ++i) {
         const Coordinate& coordinate = model_.coordinates[lock.coordinate + i];
         const Entity origin{EntityKind::coordinate, lock.coordinate + i};
@@ -299,12 +298,8 @@ class Formulation {
       }
       lagrangian_.locked.push_back(std::move(locked));
     }
-  }
-
-  void add_cyclic() {
-    for (const Cyclic& cyclic : model_.cyclic) {
-      lagrangian_.cyclic.push_back(
-          {Held(cyclic), lagrangian_.symbols.parameters[cyclic.parameter]});
+    for (const Cyclic& cyclic : model_.variant.cyclic) {
+      lagrangian_.cyclic.push_back({cyclic, {lagrangian_.symbols.parameters[cyclic.parameter]}});
     }
   }
 
@@ -315,8 +310,6 @@ class Formulation {
 
 }  // namespace
 
-Result<Lagrangian> formulate(const Model& model) {
-  return Formulation(model.unlocked ? *model.unlocked : model).build();
-}
+Result<Lagrangian> formulate(const Model& model) { return Formulation(whole_of(model)).build(); }
 
 }  // namespace elgen

@@ -18,7 +18,7 @@ Seeds values_of(Lagrangian& lagrangian) {
   Definitions& definitions = lagrangian.definitions;
   Tangent passing(definitions, {{symbols.t, 1}}, "_dot");
   Seeds values;
-  for (const LockedVariable& locked : lagrangian.locked) {
+  for (const HeldVariable& locked : lagrangian.locked) {
     for (std::size_t i = 0; i < locked.values.size(); ++i) {
       values.emplace(symbols.q[locked.coordinate + i], locked.values[i]);
     }
@@ -34,17 +34,6 @@ Seeds values_of(Lagrangian& lagrangian) {
   return values;
 }
 
-std::vector<std::uint32_t> held(const Lagrangian& lagrangian) {
-  std::vector<std::uint32_t> velocities;
-  for (const LockedVariable& locked : lagrangian.locked) {
-    if (!locked.reaction) continue;
-    for (std::uint32_t i = 0; i < locked.velocity_count(); ++i) {
-      velocities.push_back(locked.velocity + i);
-    }
-  }
-  return velocities;
-}
-
 /// The definitions stay where they are: later ones are appended to the same list.
 std::shared_ptr<const Lagrangian> without_definitions(Lagrangian& lagrangian) {
   Definitions definitions = std::move(lagrangian.definitions);
@@ -57,20 +46,17 @@ std::shared_ptr<const Lagrangian> without_definitions(Lagrangian& lagrangian) {
 }  // namespace
 
 void lock(Lagrangian& lagrangian) {
-  for (const LockedVariable& locked : lagrangian.locked) {
+  for (const HeldVariable& locked : lagrangian.locked) {
     for (const ex& value : locked.values) {
       const bool moves = dependence(lagrangian.definitions, value).has_any(Opcode::time);
       lagrangian.leaves.uses_time = lagrangian.leaves.uses_time || moves;
     }
   }
   Holding holding;
-  holding.velocities = held(lagrangian);
+  holding.velocities = velocities_with_reaction(lagrangian.locked);
   holding.values = values_of(lagrangian);
   if (!holding.velocities.empty()) holding.whole = without_definitions(lagrangian);
-  replace(lagrangian, holding.values);
-  const std::vector<Held> variables(lagrangian.locked.begin(), lagrangian.locked.end());
-  lagrangian.locked.clear();
-  remove_variables(lagrangian, variables);
+  remove_variables(lagrangian, lagrangian.locked, holding.values);
   if (holding.whole) lagrangian.holding = std::move(holding);
 }
 

@@ -19,8 +19,10 @@ void lock(Lagrangian& lagrangian);
 /// Cyclic coordinates leave: L becomes R, a function of what is left and of their momenta.
 void routh(Lagrangian& lagrangian);
 
-/// The rows, columns and leaves of these variables are gone.
-void remove_variables(Lagrangian& lagrangian, const std::vector<Held>& variables);
+/// Values take the place of the locked or of the cyclic variables of the Lagrangian, whose rows,
+/// columns and leaves are gone.
+void remove_variables(Lagrangian& lagrangian, std::vector<HeldVariable>& variables,
+                      const Seeds& values);
 
 /// Masses, points and their forces become terms of T, V and the generalized forces.
 void write_sums(Lagrangian& lagrangian);

@@ -1,4 +1,7 @@
-// Every expression a Lagrangian holds, in the order of its members.
+// Every expression that a Lagrangian holds, in the order of its members, and every list that has an
+// entry for each variable.
+#include <utility>
+
 #include "derive/specialise/passes.hpp"
 
 namespace elgen {
@@ -45,8 +48,7 @@ class Replacing {
     (*this)(constraint.stiffness);
   }
   void operator()(NamedOutput& output) { (*this)(output.values); }
-  void operator()(LockedVariable& locked) { (*this)(locked.values); }
-  void operator()(CyclicVariable& cyclic) { (*this)(cyclic.momentum); }
+  void operator()(HeldVariable& held) { (*this)(held.values); }
   void operator()(SmallLeaf& small) { (*this)(small.value); }
 
  private:
@@ -74,6 +76,35 @@ void replace(Lagrangian& lagrangian, const Seeds& values) {
   replacing(lagrangian.cyclic);
   replacing(lagrangian.cyclic_rates);
   if (lagrangian.expansion) replacing(lagrangian.expansion->small);
+}
+
+void remove_variables(Lagrangian& lagrangian, std::vector<HeldVariable>& variables,
+                      const Seeds& values) {
+  replace(lagrangian, values);
+  Symbols& symbols = lagrangian.symbols;
+  VariablesLeft left{PlacesLeft(symbols.q.size()), PlacesLeft(symbols.v.size())};
+  for (const Held& variable : std::exchange(variables, {})) left.remove(variable);
+  const auto remove = [&](const LeafRow& row, auto& list) {
+    if (row.of == LeafOwner::coordinates) left.coordinates.thin(list);
+    if (row.of == LeafOwner::velocities) left.velocities.thin(list);
+  };
+  for_each_list(remove, symbols);
+  for_each_list(remove, lagrangian.leaves);
+  left.coordinates.thin(symbols.q_rates);
+  left.velocities.thin(lagrangian.forces);
+  std::erase_if(symbols.rotations, [&](const RotationPlace& place) {
+    return !left.coordinates[place.first_coordinate];
+  });
+  for (RotationPlace& place : symbols.rotations) {
+    place = {*left.coordinates[place.first_coordinate], *left.velocities[place.first_velocity]};
+  }
+  for (TreeStep& step : lagrangian.tree.steps) {
+    if (step.rotation) step.rotation = left.velocities[*step.rotation];
+  }
+  for (Held& cyclic : lagrangian.cyclic) {
+    cyclic.coordinate = *left.coordinates[cyclic.coordinate];
+    cyclic.velocity = *left.velocities[cyclic.velocity];
+  }
 }
 
 }  // namespace elgen

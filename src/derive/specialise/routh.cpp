@@ -57,7 +57,7 @@ struct CyclicEquations {
 CyclicEquations cyclic_equations(Lagrangian& lagrangian, const Seeds& standing) {
   Definitions& definitions = lagrangian.definitions;
   std::vector<ex> rates;
-  for (const CyclicVariable& cyclic : lagrangian.cyclic) {
+  for (const Held& cyclic : lagrangian.cyclic) {
     rates.push_back(lagrangian.symbols.v[cyclic.velocity]);
   }
   std::vector<Weighted> terms;
@@ -70,7 +70,7 @@ CyclicEquations cyclic_equations(Lagrangian& lagrangian, const Seeds& standing) 
     for (const ex& entry : gradient(definitions, {{momentum, 1}}, rates)) {
       equations.mass.push_back(define(definitions, at_rest(define(definitions, entry))));
     }
-    const ex excess = lagrangian.cyclic[i].momentum - at_rest(momentum);
+    const ex excess = lagrangian.cyclic[i].values.front() - at_rest(momentum);
     equations.excess.push_back(define(definitions, excess));
   }
   return equations;
@@ -82,21 +82,18 @@ void routh(Lagrangian& lagrangian) {
   write_sums(lagrangian);
   join_energies(lagrangian);
   Seeds standing;
-  for (const CyclicVariable& cyclic : lagrangian.cyclic) {
+  for (const Held& cyclic : lagrangian.cyclic) {
     standing.emplace(lagrangian.symbols.q[cyclic.coordinate], 0);
     standing.emplace(lagrangian.symbols.v[cyclic.velocity], 0);
     standing.emplace(lagrangian.symbols.a[cyclic.velocity], 0);
   }
   const CyclicEquations equations = cyclic_equations(lagrangian, standing);
   std::vector<ex> rates = eliminated(lagrangian.definitions, equations.mass, equations.excess);
-  replace(lagrangian, standing);
+  remove_variables(lagrangian, lagrangian.cyclic, standing);
   for (std::size_t i = 0; i < rates.size(); ++i) {
     lagrangian.lagrangian.push_back(-equations.excess[i] * rates[i] / 2);
   }
   lagrangian.cyclic_rates = std::move(rates);
-  const std::vector<Held> variables(lagrangian.cyclic.begin(), lagrangian.cyclic.end());
-  lagrangian.cyclic.clear();
-  remove_variables(lagrangian, variables);
 }
 
 }  // namespace elgen

@@ -118,14 +118,13 @@ Diagnostics fix_parameters(Lagrangian& lagrangian, const CheckedModel& checked) 
   return {blamed(*problem, parts, before, {"at its fixed value", "at their fixed values"})};
 }
 
-Diagnostics lock_coordinates(Lagrangian& lagrangian, const CheckedModel& checked) {
+Diagnostics lock_coordinates(Lagrangian& lagrangian) {
   const Lagrangian before = lagrangian;
   const auto problem = problem_of(lock, lagrangian);
   if (!problem) return {};
   std::vector<StepPart> parts;
-  const Model& unlocked = checked.model.unlocked ? *checked.model.unlocked : checked.model;
   for (std::size_t i = 0; i < before.locked.size(); ++i) {
-    parts.push_back({before.leaves.q[before.locked[i].coordinate], unlocked.locks[i].span,
+    parts.push_back({before.leaves.q[before.locked[i].coordinate], before.locked[i].span,
                      [i](Lagrangian& part) {
                        part.locked = {part.locked[i]};
                        lock(part);
@@ -137,7 +136,7 @@ Diagnostics lock_coordinates(Lagrangian& lagrangian, const CheckedModel& checked
 Diagnostics take_out(Lagrangian& lagrangian, const CheckedModel& checked) {
   const auto problem = problem_of(routh, lagrangian);
   if (!problem) return {};
-  return {{problem->code, checked.model.moving->cyclic.front().span,
+  return {{problem->code, checked.model.variant.cyclic.front().span,
            "`[routh]` makes " + std::string(problem->text) + ", whatever the state is"}};
 }
 
@@ -146,7 +145,7 @@ Diagnostics take_out(Lagrangian& lagrangian, const CheckedModel& checked) {
 Result<Lagrangian> specialise(Lagrangian lagrangian, const CheckedModel& checked) {
   Diagnostics errors;
   if (!checked.scene.specialisation.fixed.empty()) errors = fix_parameters(lagrangian, checked);
-  if (errors.empty() && !lagrangian.locked.empty()) errors = lock_coordinates(lagrangian, checked);
+  if (errors.empty() && !lagrangian.locked.empty()) errors = lock_coordinates(lagrangian);
   if (errors.empty() && !lagrangian.cyclic.empty()) errors = take_out(lagrangian, checked);
   if (!errors.empty()) return errors;
   return lagrangian.expansion ? expanded(std::move(lagrangian)) : std::move(lagrangian);

@@ -234,7 +234,7 @@ bool has_short_entry(const ClosedFunction& function) {
 }
 
 Program typeset(const CheckedModel& checked, const ClosedForms& forms, Program program) {
-  if (checked.model.approximation || checked.model.moving) return program;
+  if (checked.model.approximation || has_routhian(checked.model)) return program;
   if (std::ranges::none_of(forms.functions, has_short_entry)) return program;
   Typesetting typesetting(checked, forms, program);
   program.readable.resize(program.functions.size());

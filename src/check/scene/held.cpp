@@ -1,0 +1,212 @@
+// A scene holds variables: `[lock] NAME = { value, reaction }`, NAME a coordinate ("q[2]") or a
+// rotation, and `[routh] NAME = true`, or NAME = its momentum. The momentum becomes a parameter.
+#include <algorithm>
+#include <utility>
+
+#include "check/expressions/node_builder.hpp"
+#include "check/expressions/places.hpp"
+#include "check/expressions/values.hpp"
+#include "check/scene/scene.hpp"
+
+namespace elgen {
+namespace {
+
+/// E208 or E612 of a key that names no coordinate and no rotation.
+void report_unknown_coordinate(Context& context, const KeySyntax& key) {
+  const DeclaredNames& symbols = context.symbols;
+  const DeclaredName* symbol = symbols.find(key.key);
+  if (symbol != nullptr && symbol->kind == SymbolKind::coordinate && symbol->is_array) {
+    context.report.add(Code::E208, key.key_span,
+                       in_backticks(key.key) + " needs an index: " + elements_of(key.key, *symbol));
+    return;
+  }
+  context.report.add(
+      Code::E612, key.key_span, "unknown coordinate " + in_backticks(key.key),
+      symbols.suggest(key.key, symbols.names({SymbolKind::coordinate, SymbolKind::rotation})));
+}
+
+/// The coordinate or rotation that a key names; none after E208 or E612.
+std::optional<Held> held_variable(Context& context, const KeySyntax& key) {
+  const Model& model = context.model;
+  const auto rotation = std::ranges::find(model.rotations, key.key, &Rotation::name);
+  if (rotation != model.rotations.end()) {
+    return Held{rotation->first_coordinate, rotation->first_velocity, true, false, key.key_span};
+  }
+  const auto found = std::ranges::find(model.coordinates, key.key, &Coordinate::name);
+  if (found == model.coordinates.end() || found->rotation) {
+    report_unknown_coordinate(context, key);
+    return std::nullopt;
+  }
+  const auto index = static_cast<std::uint32_t>(found - model.coordinates.begin());
+  return Held{index, found->velocity, false, false, key.key_span};
+}
+
+class HeldReader {
+ public:
+  explicit HeldReader(Context& context)
+      : context_(context), model_(context.model), values_(context, Scope(context.sizes)) {}
+
+  void read_locks(const EntrySyntax& entry) {
+    std::vector<Lock>& locks = model_.variant.locks;
+    for (const KeySyntax& key : entry.keys) read_lock(key);
+    std::ranges::sort(locks, {}, &Lock::velocity);
+    if (!locks.empty() && nothing_moves()) {
+      refuse(entry.span, "every coordinate is locked, so nothing moves");
+    }
+  }
+
+  void read_cyclic(const EntrySyntax& entry) {
+    std::vector<Cyclic>& cyclic = model_.variant.cyclic;
+    for (const KeySyntax& key : entry.keys) read_cyclic(key);
+    std::ranges::sort(cyclic, {}, &Cyclic::velocity);
+    if (!cyclic.empty() && nothing_moves()) {
+      context_.report.add(Code::E635, entry.span,
+                          "every coordinate is taken out, so nothing moves");
+    }
+    for (Cyclic& taken : cyclic) declare_momentum(taken);
+  }
+
+ private:
+  void read_lock(const KeySyntax& key) {
+    const KeySyntax* value = key.value.find("value");
+    const KeySyntax* reaction = key.value.find("reaction");
+    if (value == nullptr) return;  // reported when the file was parsed
+    const std::optional<Held> held = held_variable(context_, key);
+    if (!held) return;
+    Lock lock{*held, {}};
+    lock.reaction = reaction != nullptr && reaction->value.boolean;
+    lock.values =
+        lock.is_rotation
+            ? quaternion(value->value)
+            : std::vector{function_of_time(value->value, model_.coordinates[lock.coordinate])};
+    model_.variant.locks.push_back(std::move(lock));
+  }
+
+  ExpressionId function_of_time(const ValueSyntax& value, const Coordinate& coordinate) {
+    if (value.kind == ValueKind::list) {
+      context_.report.add({Code::E615, value.span, "a list, but the coordinate is one number", "",
+                           coordinate.span, in_backticks(coordinate.name) + " is declared here"});
+      return no_expression;
+    }
+    const Place place{"the value of a lock", place::of_time};
+    const ExpressionId id = values_.scene_value(value, {place, coordinate.unit});
+    note_degrees(context_.report, value.span, coordinate, context_.constants[id]);
+    return id;
+  }
+
+  /// Scaled to length 1: every stage may rely on it.
+  std::vector<ExpressionId> quaternion(const ValueSyntax& value) {
+    std::vector<ExpressionId> components(quaternion_size, no_expression);
+    if (value.kind != ValueKind::list || value.items.size() != quaternion_size) {
+      refuse(value.span, in_backticks(value.span) + " is not a quaternion [w, x, y, z]");
+      return components;
+    }
+    bool is_zero = true;
+    for (std::size_t i = 0; i < quaternion_size; ++i) {
+      const auto number = values_.constant(value.items[i]);
+      if (!number) return components;
+      is_zero = is_zero && cln::zerop(*number);
+      components[i] = values_.root(value.items[i], {{"a quaternion", place::constants_only}});
+    }
+    if (is_zero) {
+      refuse(value.span, "a quaternion of length 0 has no direction");
+      return components;
+    }
+    NodeBuilder nodes(context_, value.span);
+    std::vector<ExpressionId> squares;
+    for (const ExpressionId component : components) {
+      squares.push_back(nodes.power(component, 2));
+    }
+    const ExpressionId length = nodes.power(nodes.add(squares), cln::cl_RA(1) / 2);
+    for (ExpressionId& component : components) component = nodes.divide(component, length);
+    return components;
+  }
+
+  void read_cyclic(const KeySyntax& key) {
+    const std::optional<Held> held = held_variable(context_, key);
+    const bool is_given = key.value.kind != ValueKind::boolean;
+    if (!held || !is_free(*held, key) || !(is_given || key.value.boolean)) return;
+    Cyclic cyclic{*held, 0, {}};
+    if (is_given) {
+      const Place place{"a momentum", place::parameters_only};
+      cyclic.momentum = values_.scene_value(key.value, {place, unit_of(cyclic)});
+    }
+    model_.variant.cyclic.push_back(cyclic);
+  }
+
+  /// False after E635 of what is no cyclic coordinate.
+  bool is_free(const Held& held, const KeySyntax& key) {
+    const std::string name = in_backticks(key.key);
+    if (held.is_rotation) {
+      context_.report.add(Code::E635, held.span,
+                          name + " is a rotation, which no number stands for");
+      return false;
+    }
+    const std::vector<Lock>& locks = model_.variant.locks;
+    const auto lock = std::ranges::find(locks, held.coordinate, &Lock::coordinate);
+    if (lock == locks.end()) return true;
+    context_.report.add({Code::E635, held.span, name + " is locked", "", lock->span, "here"});
+    return false;
+  }
+
+  [[nodiscard]] bool nothing_moves() const {
+    std::size_t count = model_.variant.cyclic.size();
+    for (const Lock& lock : model_.variant.locks) count += lock.velocity_count();
+    return count == model_.velocities.size();
+  }
+
+  /// None: not checked.
+  [[nodiscard]] std::optional<Unit> unit_of(const Cyclic& cyclic) const {
+    const std::optional<Unit>& rate = model_.velocities[cyclic.velocity].unit;
+    return rate ? std::optional(*find_unit("J") / *rate) : std::nullopt;
+  }
+
+  void declare_momentum(Cyclic& cyclic) {
+    const Coordinate& coordinate = model_.coordinates[cyclic.coordinate];
+    const std::string name = "p_" + coordinate.identifier;
+    if (const DeclaredName* const taken = context_.symbols.find(name)) {
+      context_.report.add({Code::E635, cyclic.span,
+                           in_backticks(name) + " is taken, which the momentum of " +
+                               in_backticks(coordinate.name) + " is called",
+                           "", taken->span, "declared here"});
+      return;
+    }
+    cyclic.parameter = static_cast<std::uint32_t>(model_.parameters.size());
+    const NewName declared{name, std::nullopt, cyclic.span};
+    if (!context_.symbols.declare(declared, SymbolKind::parameter, cyclic.parameter,
+                                  context_.report)) {
+      return;
+    }
+    Parameter& momentum = model_.parameters.emplace_back();
+    momentum.name = momentum.identifier = name;
+    momentum.array = static_cast<std::uint32_t>(model_.parameter_arrays.size());
+    momentum.unit = unit_of(cyclic);
+    momentum.is_computed = true;
+    ParameterArray& array = model_.parameter_arrays.emplace_back();
+    array.name = name;
+    array.first = cyclic.parameter;
+    if (momentum.unit) array.unit_text = to_string(*momentum.unit);
+    if (!coordinate.latex.empty()) array.latex = "p_{" + coordinate.latex + "}";
+    array.doc = "momentum of " + coordinate.name + ", which stays";
+    array.span = cyclic.span;
+    context_.bounds.resize(model_.parameter_arrays.size());
+  }
+
+  void refuse(const Span& span, const std::string& message) {
+    context_.report.add(Code::E615, span, message);
+  }
+
+  Context& context_;
+  Model& model_;
+  ValueReader values_;
+};
+
+}  // namespace
+
+void read_held(Context& context, const FileSyntax* scene) {
+  HeldReader reader(context);
+  if (const EntrySyntax* locks = find_entry(scene, "lock")) reader.read_locks(*locks);
+  if (const EntrySyntax* cyclic = find_entry(scene, "routh")) reader.read_cyclic(*cyclic);
+}
+
+}  // namespace elgen

@@ -1,0 +1,178 @@
+// variant: the variables that a scene holds leave the model. Locked coordinates become prescribed
+// functions, their rates those functions' rates; cyclic ones become 0.
+//
+//     before    q = (q1, q2)    T = 1/2*I1*dot(q1)^2 + 1/2*I2*dot(q2)^2     q1 locked at w*t
+//     after     q = (q2)        q1(t) = w*t, T = 1/2*I1*dot(q1)^2 + 1/2*I2*dot(q2)^2
+//
+// Nodes of the arena change their kind in place, so that whatever refers to them stays.
+#include <algorithm>
+#include <utility>
+
+#include "check/scene/scene.hpp"
+#include "elgen/references.hpp"
+
+namespace elgen {
+
+namespace {
+
+/// The prescribed functions that take the places of a held coordinate and of its rate.
+struct Replacement {
+  std::uint32_t value = 0;
+  std::uint32_t rate = 0;
+};
+
+class VariantBuilder {
+ public:
+  explicit VariantBuilder(const Model& whole)
+      : whole_(whole),
+        left_(variables_left(whole)),
+        replacements_(whole.coordinates.size()),
+        model_(whole) {}
+
+  Model operator()() && {
+    for (const Lock& lock : whole_.variant.locks) {
+      for (std::uint32_t i = 0; i < lock.values.size(); ++i) {
+        replace(lock.coordinate + i, lock.values[i], lock.span);
+      }
+    }
+    for (const Cyclic& cyclic : whole_.variant.cyclic) {
+      replace(cyclic.coordinate, no_expression, cyclic.span);
+      model_.may_drift = true;
+    }
+    for (std::size_t i = 0; i < whole_.expressions.size(); ++i) rewrite(model_.expressions[i]);
+    PlacesLeft rotations(whole_.rotations.size());
+    for (std::uint32_t i = 0; i < whole_.rotations.size(); ++i) {
+      if (!left_.coordinates[whole_.rotations[i].first_coordinate]) rotations.remove(i, 1);
+    }
+    renumber_variables(rotations);
+    renumber_users(rotations);
+    if (model_.approximation) {
+      left_.coordinates.thin(model_.approximation->coordinates);
+      left_.coordinates.thin(model_.approximation->small);
+    }
+    model_.equilibria.clear();
+    model_.expectations.clear();
+    return std::move(model_);
+  }
+
+ private:
+  /// d/dt s(t) has a name too: `rate` nodes have no operand to put it in.
+  void replace(std::uint32_t index, ExpressionId value, const Span& span) {
+    const Coordinate& coordinate = whole_.coordinates[index];
+    const Expression rate{
+        .kind = ExpressionKind::time_derivative, .operands = {value}, .span = span};
+    replacements_[index] = {prescribe({coordinate.name, coordinate.identifier, value,
+                                       coordinate.latex, coordinate.doc, span}),
+                            prescribe({"dot(" + coordinate.name + ")",
+                                       coordinate.identifier + "_dot",
+                                       append(rate),
+                                       {},
+                                       {},
+                                       span})};
+    if (coordinate.armature) add_armature(coordinate, replacements_[index].rate);
+    model_.uses_time = model_.uses_time || holds_leaf(whole_, value, Opcode::time);
+    model_.may_drift = model_.may_drift || model_.uses_time;
+  }
+
+  /// A moving lock carries energy: 1/2 J (ds/dt)^2.
+  void add_armature(const Coordinate& coordinate, std::uint32_t rate) {
+    const ExpressionId speed = append({.kind = ExpressionKind::prescribed, .index = rate});
+    const ExpressionId half = append({.number = cln::cl_RA(1) / 2});
+    const ExpressionId square =
+        append({.kind = ExpressionKind::power, .number = 2, .operands = {speed}});
+    const ExpressionId energy = append(
+        {.kind = ExpressionKind::multiply, .operands = {half, *coordinate.armature, square}});
+    auto& total = model_.energies.L ? model_.energies.L : model_.energies.T;
+    Expression sum{.kind = ExpressionKind::add};
+    if (total) sum.operands = {*total};
+    sum.operands.push_back(energy);
+    total = append(sum);
+  }
+
+  ExpressionId append(Expression expression) {
+    model_.expressions.push_back(std::move(expression));
+    return static_cast<ExpressionId>(model_.expressions.size() - 1);
+  }
+
+  std::uint32_t prescribe(NamedExpression function) {
+    model_.prescribed.push_back(std::move(function));
+    return static_cast<std::uint32_t>(model_.prescribed.size() - 1);
+  }
+
+  void rewrite(Expression& node) const {
+    if (is_leaf(node, Opcode::coordinate)) {
+      if (const auto index = left_.coordinates[node.index]) {
+        node.index = *index;
+      } else {
+        node.kind = ExpressionKind::prescribed;
+        node.index = replacements_[node.index].value;
+      }
+    } else if (is_leaf(node, Opcode::velocity) || is_leaf(node, Opcode::acceleration)) {
+      const auto index = left_.velocities[node.index];
+      index ? void(node.index = *index) : rewrite_rate(node);
+    }
+  }
+
+  /// Of a rotation 0: it is locked at a constant. (Accelerations occur in closed forms only.)
+  void rewrite_rate(Expression& node) const {
+    const Velocity& velocity = whole_.velocities[node.index];
+    if (velocity.rotation) {
+      node.kind = ExpressionKind::number;
+      node.number = 0;
+      return;
+    }
+    node.kind = ExpressionKind::prescribed;
+    node.index = replacements_[velocity.coordinate].rate;
+  }
+
+  void renumber_variables(const PlacesLeft& rotations) {
+    left_.coordinates.thin(model_.coordinates);
+    left_.velocities.thin(model_.velocities);
+    rotations.thin(model_.rotations);
+    for (Coordinate& coordinate : model_.coordinates) {
+      coordinate.velocity = *left_.velocities[coordinate.velocity];
+      if (coordinate.rotation) coordinate.rotation = rotations[*coordinate.rotation];
+    }
+    for (Velocity& velocity : model_.velocities) {
+      velocity.coordinate = *left_.coordinates[velocity.coordinate];
+      if (velocity.rotation) velocity.rotation = rotations[*velocity.rotation];
+    }
+    for (Rotation& rotation : model_.rotations) {
+      rotation.first_coordinate = *left_.coordinates[rotation.first_coordinate];
+      rotation.first_velocity = *left_.velocities[rotation.first_velocity];
+    }
+  }
+
+  void renumber_users(const PlacesLeft& rotations) {
+    for (Frame& frame : model_.frames) {
+      for (FrameStep& step : frame.steps) {
+        if (step.rotation) step.rotation = rotations[*step.rotation];
+      }
+    }
+    for (Input& input : model_.inputs) {
+      if (input.on) input.on = left_.velocities[*input.on];
+    }
+    std::erase_if(model_.forces,
+                  [&](const Force& force) { return force.on && !left_.velocities[*force.on]; });
+    for (Force& force : model_.forces) {
+      if (force.on) force.on = left_.velocities[*force.on];
+    }
+  }
+
+  const Model& whole_;
+  VariablesLeft left_;
+  std::vector<Replacement> replacements_;
+  Model model_;
+};
+
+}  // namespace
+
+Model variant_of(Model whole) {
+  if (whole.variant.locks.empty() && whole.variant.cyclic.empty()) return whole;
+  const auto kept = std::make_shared<const Model>(std::move(whole));
+  Model result = VariantBuilder(*kept)();
+  result.variant.whole = kept;
+  return result;
+}
+
+}  // namespace elgen
