@@ -32,7 +32,6 @@ class ConstraintReader {
 
   void read() {
     blank_.is_position = text_of(entry_, "kind") != "velocity";
-    blank_.doc = text_of(entry_, "doc");
     if (const KeySyntax* gains = entry_.find("stabilise")) {
       blank_.omega = values_.root(gains->value, "omega", {gain, find_unit("Hz")});
       blank_.zeta = values_.root(gains->value, "zeta", {gain, Unit{}});

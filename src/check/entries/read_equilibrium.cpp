@@ -50,7 +50,6 @@ void read_equilibrium(ValueReader& values, const EntrySyntax& entry, std::uint32
   Equilibrium& equilibrium = model.equilibria[target];
   equilibrium.coordinates.resize(model.coordinates.size());
   equilibrium.inputs.resize(model.inputs.size());
-  equilibrium.doc = text_of(entry, "doc");
   const auto read_there = [&](std::string_view name, const PointTable& table) {
     const KeySyntax* given = entry.find(name);
     if (given == nullptr) return;

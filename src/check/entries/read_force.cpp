@@ -152,10 +152,7 @@ void read_output(ValueReader& values, const EntrySyntax& entry, std::uint32_t ta
   } else {
     read_frame_output(values, entry, output);
   }
-  if (const KeySyntax* jacobian = entry.find("jacobian")) {
-    output.jacobian = jacobian->value.boolean;
-  }
-  output.doc = text_of(entry, "doc");
+  output.jacobian = is_set(entry.find("jacobian"));
 }
 
 }  // namespace elgen

@@ -125,7 +125,6 @@ class FrameReader {
         report_(context_.report) {}
 
   void read() {
-    frame_.doc = text_of(entry_, "doc");
     check_name();
     if (const KeySyntax* parent = entry_.find("parent")) {
       frame_.parent = values_.frame_or_world(parent->value);

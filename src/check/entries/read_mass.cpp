@@ -17,7 +17,6 @@ class BodyReader {
       : values_(values), entry_(entry), body_(body), report_(values.context().report) {}
 
   void read() {
-    body_.doc = text_of(entry_, "doc");
     read_com();
     body_.mass = values_.root(entry_, "mass", mass_request);
     const KeySyntax* frame = entry_.find("frame");
@@ -141,7 +140,6 @@ class BodyReader {
 void read_point(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
   Context& context = values.context();
   Point& point = context.model.points[target];
-  point.doc = text_of(entry, "doc");
   const KeySyntax* at = entry.find("at");
   if (at != nullptr && values.is_vector(at->value)) {
     const Place place{"a position", place::of_configuration};

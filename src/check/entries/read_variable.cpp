@@ -75,11 +75,6 @@ void check_start(Context& context, const ValueSyntax& table, const Coordinate& c
   warn("rate", velocity.start_rate, velocity.rate_range);
 }
 
-bool is_set(const EntrySyntax& entry, std::string_view name) {
-  const KeySyntax* key = entry.find(name);
-  return key != nullptr && key->value.boolean;
-}
-
 void read_rate(ValueReader& values, const EntrySyntax& entry, const Coordinate& coordinate) {
   Velocity& velocity = values.context().model.velocities[coordinate.velocity];
   velocity.rate_range = interval_of(values, entry, "rate_range");
@@ -119,18 +114,15 @@ void read_coordinate(ValueReader& values, const EntrySyntax& entry, std::uint32_
   Context& context = values.context();
   Coordinate& coordinate = context.model.coordinates[target];
   coordinate.unit = unit_of(entry, context);
-  coordinate.unit_text = text_of(entry, "unit");
   coordinate.range = interval_of(values, entry, "range");
   if (coordinate.range) {
     const std::vector<ValueSyntax>& ends = entry.find("range")->value.items;
     note_degrees(context.report, ends[0].span, coordinate, coordinate.range->low);
     note_degrees(context.report, ends[1].span, coordinate, coordinate.range->high);
   }
-  coordinate.wrap = is_set(entry, "wrap");
+  coordinate.wrap = is_set(entry.find("wrap"));
   check_wrap(context, entry, coordinate);
   read_rate(values, entry, coordinate);
-  coordinate.latex = text_of(entry, "latex");
-  coordinate.doc = text_of(entry, "doc");
   if (const KeySyntax* start = entry.find("start")) {
     read_start(values, start->value, coordinate);
     check_start(context, start->value, coordinate);
@@ -145,9 +137,7 @@ void read_input(ValueReader& values, const EntrySyntax& entry, std::uint32_t tar
   Context& context = values.context();
   Input& input = context.model.inputs[target];
   input.unit = unit_of(entry, context);
-  input.unit_text = text_of(entry, "unit");
   input.limits = interval_of(values, entry, "limits");
-  input.doc = text_of(entry, "doc");
   if (const KeySyntax* on = entry.find("on")) {
     input.on = values.velocity(on->value);
   }
@@ -184,15 +174,10 @@ void read_function(ValueReader& values, const EntrySyntax& entry, std::uint32_t 
   if (closure == nullptr) {
     OpenFunction& function = context.model.functions[target];
     function.unit = unit;
-    function.unit_text = text_of(entry, "unit");
-    function.latex = text_of(entry, "latex");
-    function.doc = text_of(entry, "doc");
     value = values.root(entry, "sample", request).value_or(no_expression);
     return;
   }
   NamedExpression& definition = context.model.definitions[target];
-  definition.latex = text_of(entry, "latex");
-  definition.doc = text_of(entry, "doc");
   definition.value = closure->is_of_scene ? values.scene_value(*closure->value, request)
                                           : values.root(*closure->value, request);
   value = definition.value;
@@ -204,8 +189,6 @@ void read_prescribed(ValueReader& values, const EntrySyntax& entry, std::uint32_
   context.prescribed_units.resize(context.model.prescribed.size());
   context.prescribed_units[target] = unit;
   NamedExpression& prescribed = context.model.prescribed[target];
-  prescribed.latex = text_of(entry, "latex");
-  prescribed.doc = text_of(entry, "doc");
   const Place place{"a prescribed function", place::of_time};
   prescribed.value = values.root(entry, "value", {place, unit}).value_or(no_expression);
 }

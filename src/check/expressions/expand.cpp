@@ -8,6 +8,7 @@
 #include "check/expressions/open_functions.hpp"
 #include "check/expressions/parameters.hpp"
 #include "check/expressions/rotations.hpp"
+#include "check/expressions/values.hpp"
 
 namespace elgen {
 namespace {
@@ -16,50 +17,24 @@ namespace {
 struct EntryKind {
   std::string_view entry;
   SymbolKind kind;
-  std::uint32_t (*add)(Model& model, const NewName& name);
+  std::uint32_t (*add)(Model& model, const EntrySyntax& entry, const NewName& name);
 };
-
-template <class Row>
-Row named(const NewName& name) {
-  Row row;
-  row.name = name.text();
-  row.span = name.span;
-  if constexpr (requires { row.identifier; }) {
-    row.identifier = name.identifier();
-  }
-  return row;
-}
-
-template <class Row>
-std::uint32_t append(std::vector<Row>& rows, const NewName& name) {
-  rows.push_back(named<Row>(name));
-  return static_cast<std::uint32_t>(rows.size() - 1);
-}
 
 constexpr std::array<EntryKind, 11> entry_kinds{{
     {"coordinate", SymbolKind::coordinate,
-     [](Model& model, const NewName& name) {
-       return append_coordinate(model, named<Coordinate>(name));
+     [](Model& model, const EntrySyntax& entry, const NewName& name) {
+       return append_coordinate(model, row_of<Coordinate>(entry, name));
      }},
     {"function", SymbolKind::open_value, nullptr},  // declare_function adds it
-    {"prescribed", SymbolKind::prescribed,
-     [](Model& model, const NewName& name) { return append(model.prescribed, name); }},
-    {"point", SymbolKind::point,
-     [](Model& model, const NewName& name) { return append(model.points, name); }},
-    {"frame", SymbolKind::frame,
-     [](Model& model, const NewName& name) { return append(model.frames, name); }},
-    {"body", SymbolKind::body,
-     [](Model& model, const NewName& name) { return append(model.bodies, name); }},
-    {"input", SymbolKind::input,
-     [](Model& model, const NewName& name) { return append(model.inputs, name); }},
-    {"force", SymbolKind::force,
-     [](Model& model, const NewName& name) { return append(model.forces, name); }},
-    {"output", SymbolKind::output,
-     [](Model& model, const NewName& name) { return append(model.outputs, name); }},
-    {"constraint", SymbolKind::constraint,
-     [](Model& model, const NewName& name) { return append(model.constraints, name); }},
-    {"equilibrium", SymbolKind::equilibrium,
-     [](Model& model, const NewName& name) { return append(model.equilibria, name); }},
+    {"prescribed", SymbolKind::prescribed, append_row<&Model::prescribed>},
+    {"point", SymbolKind::point, append_row<&Model::points>},
+    {"frame", SymbolKind::frame, append_row<&Model::frames>},
+    {"body", SymbolKind::body, append_row<&Model::bodies>},
+    {"input", SymbolKind::input, append_row<&Model::inputs>},
+    {"force", SymbolKind::force, append_row<&Model::forces>},
+    {"output", SymbolKind::output, append_row<&Model::outputs>},
+    {"constraint", SymbolKind::constraint, append_row<&Model::constraints>},
+    {"equilibrium", SymbolKind::equilibrium, append_row<&Model::equilibria>},
 }};
 
 const EntryKind* find_kind(std::string_view entry) {
@@ -110,7 +85,7 @@ void declare_definition(Context& context, const KeySyntax& key) {
   const auto target = static_cast<std::uint32_t>(definitions.size());
   const NewName name{key.key, {}, key.key_span};
   if (context.symbols.declare(name, SymbolKind::definition, target, context.report)) {
-    append(definitions, name);
+    definitions.push_back(row_of<NamedExpression>({}, name));
   }
 }
 
@@ -159,7 +134,7 @@ class Expander {
     if (kind.kind == SymbolKind::open_value) {
       return add_declared(entry, scope, declare_function(context_, entry, name));
     }
-    const std::uint32_t target = kind.add(context_.model, name);
+    const std::uint32_t target = kind.add(context_.model, entry, name);
     if (kind.kind == SymbolKind::point) {
       note_dimension(context_.model, entry, target);
     }

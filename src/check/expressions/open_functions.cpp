@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "check/expressions/values.hpp"
 #include "elgen/leaf_names.hpp"
 #include "elgen/references.hpp"
 
@@ -75,25 +76,6 @@ std::uint32_t argument_count(const EntrySyntax& entry) {
   const KeySyntax* of = entry.find("of");
   const std::size_t given = of == nullptr ? 0 : of->value.items.size();
   return static_cast<std::uint32_t>(std::min(given, most_arguments));
-}
-
-std::uint32_t append_definition(Model& model, const NewName& name) {
-  NamedExpression definition;
-  definition.name = name.text();
-  definition.identifier = name.identifier();
-  definition.span = name.span;
-  model.definitions.push_back(std::move(definition));
-  return static_cast<std::uint32_t>(model.definitions.size() - 1);
-}
-
-std::uint32_t append_function(Model& model, const NewName& name) {
-  OpenFunction function;
-  function.name = name.text();
-  function.identifier = name.identifier();
-  function.arguments = {no_expression};
-  function.span = name.span;
-  model.functions.push_back(std::move(function));
-  return static_cast<std::uint32_t>(model.functions.size() - 1);
 }
 
 std::uint32_t append_value(Model& model, std::string name, std::uint32_t function,
@@ -178,8 +160,9 @@ std::optional<std::uint32_t> declare_function(Context& context, const EntrySynta
   }
   const bool is_closed = closure_of(context, entry) != nullptr;
   Model& model = context.model;
-  const std::uint32_t target =
-      is_closed ? append_definition(model, name) : append_function(model, name);
+  const std::uint32_t target = is_closed ? append_row<&Model::definitions>(model, entry, name)
+                                         : append_row<&Model::functions>(model, entry, name);
+  if (!is_closed) model.functions[target].arguments = {no_expression};
   const auto declare = [&](const std::string& text, SymbolKind kind, std::uint32_t number) {
     return context.symbols.declare({text, {}, name.span}, kind, number, context.report);
   };

@@ -8,31 +8,6 @@
 namespace elgen {
 namespace {
 
-void add_elements(Context& context, const KeySyntax& key, std::int64_t count, bool is_array) {
-  Model& model = context.model;
-  const auto array = static_cast<std::uint32_t>(model.parameter_arrays.size());
-  ParameterArray declared;
-  declared.name = key.key;
-  declared.first = static_cast<std::uint32_t>(model.parameters.size());
-  declared.count = static_cast<std::uint32_t>(count);
-  declared.is_array = is_array;
-  declared.span = key.key_span;
-  model.parameter_arrays.push_back(std::move(declared));
-  for (std::int64_t i = 0; i < count; ++i) {
-    NewName name{key.key, is_array ? std::optional(i + 1) : std::nullopt, key.key_span};
-    const auto target = static_cast<std::uint32_t>(model.parameters.size());
-    Parameter element;
-    element.name = name.text();
-    element.identifier = name.identifier();
-    element.array = array;
-    element.element = static_cast<std::uint32_t>(i);
-    model.parameters.push_back(std::move(element));
-    if (!context.symbols.declare(name, SymbolKind::parameter, target, context.report)) {
-      return;
-    }
-  }
-}
-
 Assumption assumption_of(const ValueSyntax& table) {
   const std::string assumption = text_of(table, "assume");
   if (assumption == "positive") {
@@ -157,6 +132,32 @@ void check_value(Context& context, std::uint32_t parameter, const cln::cl_R& val
   }
 }
 
+bool add_elements(Context& context, const NewName& array, std::int64_t count, bool is_array) {
+  Model& model = context.model;
+  ParameterArray declared;
+  declared.name = array.base;
+  declared.first = static_cast<std::uint32_t>(model.parameters.size());
+  declared.count = static_cast<std::uint32_t>(count);
+  declared.is_array = is_array;
+  declared.span = array.span;
+  model.parameter_arrays.push_back(std::move(declared));
+  context.bounds.resize(model.parameter_arrays.size());
+  for (std::int64_t i = 0; i < count; ++i) {
+    const NewName name{array.base, is_array ? std::optional(i + 1) : std::nullopt, array.span};
+    const auto target = static_cast<std::uint32_t>(model.parameters.size());
+    Parameter element;
+    element.name = name.text();
+    element.identifier = name.identifier();
+    element.array = static_cast<std::uint32_t>(model.parameter_arrays.size() - 1);
+    element.element = static_cast<std::uint32_t>(i);
+    model.parameters.push_back(std::move(element));
+    if (!context.symbols.declare(name, SymbolKind::parameter, target, context.report)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 void declare_parameter(Context& context, const KeySyntax& key) {
   const KeySyntax* size = key.value.kind == ValueKind::table ? key.value.find("size") : nullptr;
   std::int64_t count = 1;
@@ -181,7 +182,7 @@ void declare_parameter(Context& context, const KeySyntax& key) {
       return;
     }
   }
-  add_elements(context, key, count, size != nullptr);
+  (void)add_elements(context, {key.key, {}, key.key_span}, count, size != nullptr);
 }
 
 std::vector<std::uint32_t> named_parameters(Context& context, const std::string& name,
@@ -205,7 +206,6 @@ std::vector<std::uint32_t> named_parameters(Context& context, const std::string&
 void read_parameters(Context& context, const FileSyntax& syntax) {
   std::size_t next = 0;
   std::vector<ParameterArray>& arrays = context.model.parameter_arrays;
-  context.bounds.resize(arrays.size());
   for (const KeySyntax& key : keys_of(&syntax, "parameters")) {
     if (next < arrays.size() && arrays[next].name == key.key) {
       ParameterReader(context, arrays[next++]).read(key.value);

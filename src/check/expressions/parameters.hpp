@@ -6,7 +6,11 @@
 
 namespace elgen {
 
-/// Declares the name and adds the elements, without values.
+/// Adds a parameter with its elements, without values; false after E203, E204, E205 or E211.
+[[nodiscard]] bool add_elements(Context& context, const NewName& array, std::int64_t count,
+                                bool is_array);
+
+/// The same of a key, with its `size`. E209, E907.
 void declare_parameter(Context& context, const KeySyntax& key);
 
 /// The parameters that NAME (all elements) or NAME[i] stands for; none after E602.

@@ -113,11 +113,7 @@ std::optional<std::uint32_t> declare_rotation(Context& context, const EntrySynta
     context.symbols.mark_failed(name.base);
     return std::nullopt;
   }
-  Rotation rotation;
-  rotation.name = name.text();
-  rotation.identifier = name.identifier();
-  rotation.span = name.span;
-  const std::uint32_t target = append_rotation(context.model, std::move(rotation));
+  const std::uint32_t target = append_rotation(context.model, row_of<Rotation>(entry, name));
   const Rotation& added = context.model.rotations[target];
   const bool declared =
       declare_velocities(context, name, added.first_velocity) && declare_components(context, added);
@@ -126,9 +122,7 @@ std::optional<std::uint32_t> declare_rotation(Context& context, const EntrySynta
 
 void read_rotation(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
   Context& context = values.context();
-  Rotation& rotation = context.model.rotations[target];
-  rotation.latex = text_of(entry, "latex");
-  rotation.doc = text_of(entry, "doc");
+  const Rotation& rotation = context.model.rotations[target];
   check_unit(context, entry);
   for (const KeySyntax& key : entry.keys) {
     if (std::find(keys_of_numbers.begin(), keys_of_numbers.end(), key.key) !=

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "check/expressions/expand.hpp"
@@ -94,6 +95,33 @@ template <class Table>
 [[nodiscard]] std::string text_of(const Table& table, std::string_view key) {
   const KeySyntax* found = table.find(key);
   return found == nullptr ? "" : found->value.text;
+}
+
+/// Whether a flag is there, and true.
+[[nodiscard]] inline bool is_set(const KeySyntax* flag) {
+  return flag != nullptr && flag->value.boolean;
+}
+
+/// A row with the name of an entry, and those of the texts of its keys that such rows have.
+template <class Row>
+[[nodiscard]] Row row_of(const EntrySyntax& entry, const NewName& name) {
+  Row row;
+  row.name = name.text();
+  row.span = name.span;
+  if constexpr (requires { row.identifier; }) row.identifier = name.identifier();
+  if constexpr (requires { row.unit_text; }) row.unit_text = text_of(entry, "unit");
+  if constexpr (requires { row.latex; }) row.latex = text_of(entry, "latex");
+  if constexpr (requires { row.doc; }) row.doc = text_of(entry, "doc");
+  return row;
+}
+
+/// Adds it to a list of the Model; its index.
+template <auto list>
+std::uint32_t append_row(Model& model, const EntrySyntax& entry, const NewName& name) {
+  auto& rows = model.*list;
+  using Row = typename std::remove_reference_t<decltype(rows)>::value_type;
+  rows.push_back(row_of<Row>(entry, name));
+  return static_cast<std::uint32_t>(rows.size() - 1);
 }
 
 /// The first of some keys that say the same in different ways, and the second, which is one too

@@ -64,7 +64,7 @@ class BatchReader {
 
   void read() {
     const KeySyntax* batch = find_key(syntax_, "emit", "batch");
-    scene_.emission.batch = batch != nullptr && batch->value.boolean;
+    scene_.emission.batch = is_set(batch);
     if (scene_.emission.batch) check_scalars(*batch);
     const KeySyntax* trigonometry = find_key(syntax_, "numeric", "trigonometry");
     if (trigonometry != nullptr) read_accuracy(*trigonometry);
@@ -136,8 +136,7 @@ Emission read_emission(Context& context, const FileSyntax* syntax, const Scene& 
     const bool is_column_major = key->value.text == name_of(Storage::column_major);
     emission.storage = is_column_major ? Storage::column_major : Storage::row_major;
   }
-  const KeySyntax* eigen = find_key(syntax, "emit", "eigen");
-  emission.eigen = eigen != nullptr && eigen->value.boolean;
+  emission.eigen = is_set(find_key(syntax, "emit", "eigen"));
   if (const KeySyntax* key = find_key(syntax, "emit", "files")) {
     read_files(*key, emission, context.report);
   }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "check/expressions/node_builder.hpp"
+#include "check/expressions/parameters.hpp"
 #include "check/expressions/places.hpp"
 #include "check/expressions/values.hpp"
 #include "check/scene/scene.hpp"
@@ -69,12 +70,11 @@ class HeldReader {
  private:
   void read_lock(const KeySyntax& key) {
     const KeySyntax* value = key.value.find("value");
-    const KeySyntax* reaction = key.value.find("reaction");
     if (value == nullptr) return;  // reported when the file was parsed
     const std::optional<Held> held = held_variable(context_, key);
     if (!held) return;
     Lock lock{*held, {}};
-    lock.reaction = reaction != nullptr && reaction->value.boolean;
+    lock.reaction = is_set(key.value.find("reaction"));
     lock.values =
         lock.is_rotation
             ? quaternion(value->value)
@@ -172,24 +172,14 @@ class HeldReader {
       return;
     }
     cyclic.parameter = static_cast<std::uint32_t>(model_.parameters.size());
-    const NewName declared{name, std::nullopt, cyclic.span};
-    if (!context_.symbols.declare(declared, SymbolKind::parameter, cyclic.parameter,
-                                  context_.report)) {
-      return;
-    }
-    Parameter& momentum = model_.parameters.emplace_back();
-    momentum.name = momentum.identifier = name;
-    momentum.array = static_cast<std::uint32_t>(model_.parameter_arrays.size());
+    if (!add_elements(context_, {name, {}, cyclic.span}, 1, false)) return;
+    Parameter& momentum = model_.parameters.back();
     momentum.unit = unit_of(cyclic);
     momentum.is_computed = true;
-    ParameterArray& array = model_.parameter_arrays.emplace_back();
-    array.name = name;
-    array.first = cyclic.parameter;
+    ParameterArray& array = model_.parameter_arrays.back();
     if (momentum.unit) array.unit_text = to_string(*momentum.unit);
     if (!coordinate.latex.empty()) array.latex = "p_{" + coordinate.latex + "}";
     array.doc = "momentum of " + coordinate.name + ", which stays";
-    array.span = cyclic.span;
-    context_.bounds.resize(model_.parameter_arrays.size());
   }
 
   void refuse(const Span& span, const std::string& message) {
