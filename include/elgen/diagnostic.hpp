@@ -63,6 +63,8 @@ struct Diagnostic {
 
 using Diagnostics = std::vector<Diagnostic>;
 
+/// The first error; null where there is none.
+[[nodiscard]] const Diagnostic* find_error(const Diagnostics& diagnostics);
 [[nodiscard]] bool has_errors(const Diagnostics& diagnostics);
 
 /// Sorts by position (command line last) and removes repeats.

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "elgen/pipeline.hpp"
 #include "elgen/program.hpp"
 #include "elgen/scene.hpp"
 #include "elgen/step_methods.hpp"
@@ -106,6 +107,17 @@ struct Trajectory {
 
 /// The `step` whose program a run goes by, beside these outputs; none where it calls accelerations.
 [[nodiscard]] std::optional<ChosenStep> step_of_run(const SimulationOptions& options);
+
+/// The model of a run with the outputs that it calls and the `step` that it goes by, whatever the
+/// scene asks for; the scene that is left emits C++ for double alone, of a `step` in packs too.
+/// E622 where the method is not for the system.
+[[nodiscard]] Products derived_for_run(const Inputs& inputs, PipelineOptions options,
+                                       const std::optional<ChosenStep>& step);
+
+/// Products of derived_for_run compiled, for a run that is not by a program of `step`. Errors as of
+/// `compile`.
+[[nodiscard]] Result<CompiledHeaders> compiled_for_run(const Products& products,
+                                                       const Limits& limits);
 
 /// The model with a start that meets its constraints at a time, near its own one. What `--state`
 /// names stays: E538 where the rest cannot be solved for.

@@ -34,6 +34,8 @@ struct Span {
 };
 
 [[nodiscard]] SourcePointer make_source(std::string path, std::string text);
+/// One that lives as long as the process, for diagnostics point into sources without owning them.
+[[nodiscard]] SourcePointer make_kept_source(std::string path, std::string text);
 
 [[nodiscard]] LineColumn line_column(const SourceText& source, std::uint32_t offset);
 

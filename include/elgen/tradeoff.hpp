@@ -1,8 +1,8 @@
 // TradeoffTable: what the designs of one output, or of one run, cost and how far they are off.
 //
-// A design is a scene. plan() lists designs; the pipeline and the compiler run on each; measured()
-// and found_errors() look at what came out, and judged() makes the table. What the scene of a
-// design promises is checked by promised_errors().
+// A design is a scene. plan() lists designs; the pipeline and the compiler run on each;
+// find_costs() and found_errors() look at what came out, and judged() makes the table. What the
+// scene of a design promises is checked by promised_errors().
 #pragma once
 
 #include <functional>
@@ -170,25 +170,16 @@ struct DesignErrors {
   double median = 0;
 };
 
-/// How many rounds there are: as many as `seconds` allow, but so few at least and so many at most.
-struct Rounds {
-  double seconds = 0;
-  std::size_t fewest = 1;
-  std::size_t most = 1;
+/// Work of equal parts, and the cost of one of them in ns of the processor.
+struct TimedWork {
+  std::function<void()> run = {};
+  std::size_t parts = 1;
+  Spread* cost = nullptr;
 };
 
-/// Appends figure(i) to figures[i] of each i in turn, so that all meet the same machine, until each
-/// has as many as there are rounds; what is there already counts.
-void by_turns(std::vector<std::vector<double>>& figures, const Rounds& rounds,
-              const std::function<double(std::size_t)>& figure);
-
-/// Processor time in ns of each, by turns: as many rounds as `seconds` allow, 9 at least and 1001
-/// at most.
-[[nodiscard]] std::vector<Spread> measured(const std::vector<std::function<void()>>& alternatives,
-                                           double seconds);
-
-/// Of at least one number.
-[[nodiscard]] Spread spread_of(std::vector<double> numbers);
+/// Sets the costs, by turns, so that all meet the same machine: as many rounds as `seconds` allow,
+/// 9 at least and 1001 at most.
+void find_costs(const std::vector<TimedWork>& works, double seconds = 1.5);
 
 /// A run by an emitted step of one length.
 struct PlannedRun {
@@ -206,15 +197,10 @@ struct PlannedRun {
                                              const StepLoops& loops, const PlannedRun& run,
                                              double time);
 
-/// Some steps of a length from the model's start, to be timed.
-struct TimedSteps {
-  std::function<void()> work = {};
-  std::size_t count = 0;  ///< steps, of all states together
-};
-
-/// Of one state, or of 256 side by side in packs.
-[[nodiscard]] TimedSteps timed_steps(const CheckedModel& checked, const Program& program,
-                                     const StepLoops& loops, bool in_packs, double length);
+/// Some steps of a length from the model's start, of one state, or of 256 side by side in packs;
+/// each step of each state is a part of the work.
+[[nodiscard]] TimedWork timed_steps(const CheckedModel& checked, const Program& program,
+                                    const StepLoops& loops, bool in_packs, double length);
 
 /// Of coordinates and rates at the end: the distance from the reference / the largest magnitude of
 /// that number in the reference; the largest and the median one. Angles that wrap are near each

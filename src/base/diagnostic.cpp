@@ -49,11 +49,14 @@ const CodeRow* find_code(std::string_view name) {
   return row == table.end() ? nullptr : &*row;
 }
 
-bool has_errors(const Diagnostics& diagnostics) {
-  return std::any_of(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& diagnostic) {
+const Diagnostic* find_error(const Diagnostics& diagnostics) {
+  const auto found = std::ranges::find_if(diagnostics, [](const Diagnostic& diagnostic) {
     return code_row(diagnostic.code).severity == Severity::error;
   });
+  return found == diagnostics.end() ? nullptr : &*found;
 }
+
+bool has_errors(const Diagnostics& diagnostics) { return find_error(diagnostics) != nullptr; }
 
 void sort_by_position(Diagnostics& diagnostics) {
   const auto key = [](const Diagnostic& d) {

@@ -26,6 +26,11 @@ SourcePointer make_source(std::string path, std::string text) {
   return source;
 }
 
+SourcePointer make_kept_source(std::string path, std::string text) {
+  static std::vector<SourcePointer> sources;
+  return sources.emplace_back(make_source(std::move(path), std::move(text)));
+}
+
 std::string file_name(const SourceText& source) {
   return source.path.substr(source.path.find_last_of("/\\") + 1);
 }

@@ -202,7 +202,6 @@ class VersionPairs {
     }
     const Result<LoadedVersion> old = load_version(*before, limits_);
     const Result<LoadedVersion> now = load_version(*after, limits_);
-    sources_.insert(sources_.end(), {before->model, before->scene, after->model, after->scene});
     keep(new_path, old.diagnostics);
     keep(new_path, now.diagnostics);
     if (!old || !now) return;
@@ -292,7 +291,6 @@ class VersionPairs {
 
   /// Whether there is none in files that are not compared.
   bool keep_mistakes(const std::string& path, const Inputs& inputs) {
-    sources_.insert(sources_.end(), {inputs.model, inputs.scene});
     return keep(path, mistakes(inputs, limits_));
   }
 
@@ -314,7 +312,6 @@ class VersionPairs {
   std::vector<LoneFile> added_ = {};
   std::vector<LoneFile> removed_ = {};
   Diagnostics diagnostics_ = {};
-  static inline std::vector<SourcePointer> sources_ = {};  ///< that spans point into
 };
 
 }  // namespace

@@ -113,14 +113,14 @@ std::string text_of(const GlobalOptions& global, const std::vector<FileDifferenc
 }
 
 Diagnostics diagnostics_of(const std::vector<FileDifference>& differences) {
-  static std::vector<SourcePointer> files;  // spans point into them
   Diagnostics all;
   for (const FileDifference& difference : differences) {
-    files.push_back(make_source(difference.path, existing_text(difference.path).value_or("")));
+    const SourcePointer file =
+        make_kept_source(difference.path, existing_text(difference.path).value_or(""));
     const std::string reason =
         difference.state == FileState::orphaned ? ": " + difference.detail : std::string();
     all.push_back({Code::E715,
-                   {files.back().get(), 0, 0},
+                   {file.get(), 0, 0},
                    fmt::format("{} is {}{}", in_backticks(difference.path),
                                name_of(difference.state), reason)});
   }

@@ -84,10 +84,7 @@ Diagnostic pointing_at(const std::vector<std::string>& words, const std::string&
     }
     text += words[i];
   }
-  // Kept for the rest of the process: diagnostics do not own their sources.
-  static SourcePointer source;
-  source = make_source("command line", text);
-  span.source = source.get();
+  span.source = make_kept_source("command line", text).get();
   return {Code::E913, span, std::move(message), std::move(hint)};
 }
 

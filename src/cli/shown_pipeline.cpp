@@ -1,4 +1,4 @@
-// The model of a run in time is checked once before, to know which outputs it has.
+// The stages of the pipeline on one line of the terminal.
 #include "cli/shown_pipeline.hpp"
 
 #include <algorithm>
@@ -29,29 +29,6 @@ Products run_shown(const std::string& subject, const Inputs& inputs, PipelineOpt
 ExitCode report_products(const GlobalOptions& global, const Products& products) {
   const ExitCode dumped = print(global, products.dump);
   return std::max(dumped, report(global, products.diagnostics));
-}
-
-Products derived_for_run(const std::string& path, const Inputs& inputs, PipelineOptions options,
-                         const std::optional<ChosenStep>& step) {
-  options.scene.close_functions = true;
-  PipelineOptions first = options;
-  first.goals = {Goal::check};
-  Products checked = run_pipeline(inputs, first);
-  if (!checked.checked) return checked;
-  const std::string outputs = outputs_of_run(checked.checked->model);
-  options.scene.outputs = {make_source("outputs of a run", outputs)};
-  options.scene.step = step;
-  return run_shown(path, inputs, std::move(options));
-}
-
-Result<CompiledHeaders> compiled_for_run(const Products& products, const Limits& limits) {
-  const auto& [model, scene] = *products.checked;
-  Scene plain = scene;
-  plain.emission = {.name_space = scene.emission.name_space, .page = false};
-  plain.numerics = {};
-  const Result<EmittedFiles> files = emit(model, plain, *products.program, {});
-  if (!files) return files.diagnostics;
-  return compile(*files, model, plain, *products.program, {limits});
 }
 
 bool may_bear(const GlobalOptions& global, const std::string& path, const std::string& name) {

@@ -1,13 +1,10 @@
 // The pipeline as every command runs it: its stages are shown while it works, then what it says.
-// And what a run in time needs of it.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/options.hpp"
-#include "elgen/simulate.hpp"
 
 namespace elgen::cli {
 
@@ -22,17 +19,6 @@ namespace elgen::cli {
 
 /// Prints the dump and the diagnostics.
 ExitCode report_products(const GlobalOptions& global, const Products& products);
-
-/// For a run in time, with the outputs that it calls and the `step` that it goes by, whatever the
-/// scene asks for; shown under `path`. E622 where the method is not for the system.
-[[nodiscard]] Products derived_for_run(const std::string& path, const Inputs& inputs,
-                                       PipelineOptions options,
-                                       const std::optional<ChosenStep>& step);
-
-/// Compiled for double, for a run that is not by a program of `step`: in C++, whatever the scene
-/// emits. Errors as of `compile`.
-[[nodiscard]] Result<CompiledHeaders> compiled_for_run(const Products& products,
-                                                       const Limits& limits);
 
 /// Whether a file is there and, for all that is known, still bears the name.
 [[nodiscard]] bool may_bear(const GlobalOptions& global, const std::string& path,

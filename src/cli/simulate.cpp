@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <functional>
 #include <string>
+#include <utility>
 
 #include "cli/commands.hpp"
 #include "cli/files/data_formats.hpp"
@@ -54,6 +55,14 @@ std::function<void(double)> estimate_of_run(const GlobalOptions& global, const P
   };
 }
 
+/// The line of the stages is gone when this returns.
+Products shown_for_run(const SimulateOptions& options, const Inputs& inputs,
+                       PipelineOptions pipeline) {
+  const Progress progress(options.input);
+  pipeline.on_stage = [&progress](const std::string& stage) { progress.stage(stage); };
+  return derived_for_run(inputs, std::move(pipeline), step_of_run(options.run));
+}
+
 Result<Trajectory> trajectory_of(const GlobalOptions& global, const SimulateOptions& options,
                                  const Products& products) {
   const Progress progress(options.input);
@@ -92,8 +101,7 @@ ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& opti
   PipelineOptions pipeline = pipeline_options(global, {Goal::choose});
   pipeline.scene = options.scene;
   pipeline.scene.large_expectations = true;
-  const Products products =
-      derived_for_run(options.input, *inputs, pipeline, step_of_run(options.run));
+  const Products products = shown_for_run(options, *inputs, pipeline);
   const ExitCode derived = report_products(global, products);
   tell_times(global, products);
   if (derived != ExitCode::success || !global.stop_after.empty()) return derived;

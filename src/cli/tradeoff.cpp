@@ -1,21 +1,21 @@
 // elgen tradeoff: the designs of one output, or runs, measured, as a table; the scene of a row is
 // written beside the table, both or none.
-#include "elgen/tradeoff.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "cli/commands.hpp"
-#include "cli/designs.hpp"
 #include "cli/files/data_formats.hpp"
 #include "cli/files/inputs.hpp"
 #include "cli/files/output_files.hpp"
 #include "cli/options.hpp"
-#include "cli/runs.hpp"
+#include "cli/process/progress.hpp"
+#include "cli/process/resources.hpp"
+#include "elgen/bench.hpp"
 
 namespace elgen::cli {
 namespace {
@@ -65,9 +65,8 @@ ExitCode choose_row(const GlobalOptions& global, const TradeoffOptions& options,
   const TradeoffRow* const row = cheapest_within(table, *output.max_error);
   if (row == nullptr) return report(global, none_within(table, *output.max_error));
   if (output.scene_file.empty()) return ExitCode::success;
-  std::vector<SourcePointer> sources;
   const std::string subject = row->design.step ? "" : table.subject;
-  const Result<OutputBase> base = output_base(inputs, subject, global.limits, sources);
+  const Result<OutputBase> base = output_base(inputs, subject, global.limits);
   if (!base) return report(global, base.diagnostics);
   const std::string path = model_path(inputs, output.scene_file);
   DesignBase from = base->base();
@@ -112,31 +111,15 @@ ExitCode deliver(const GlobalOptions& global, const TradeoffOptions& options, co
   return std::max(worst, report(global, written.diagnostics));
 }
 
-/// A table, and the exit code of what was said of it.
-struct MeasuredHere {
-  ExitCode found = ExitCode::success;
-  std::optional<TradeoffTable> table = {};
-};
-
-MeasuredHere measure_designs(const GlobalOptions& global, const TradeoffOptions& options,
-                             const Inputs& inputs) {
-  std::vector<SourcePointer> sources;
-  const Result<MeasuredDesigns> measured = measured_designs(
-      {options.input, inputs, options.of, options.choices, options.ranges}, global.limits, sources);
-  const ExitCode found = report(global, measured.diagnostics);
-  if (!measured) return {found};
-  if (measured->not_compiled.empty()) return {found, measured->table};
-  // The others are measured all the same, so it is no mistake of elgen's alone.
-  report(global, measured->not_compiled);
-  return {ExitCode::inaccessible, measured->table};
-}
-
-MeasuredHere measure_runs(const GlobalOptions& global, const TradeoffOptions& options,
-                          const Inputs& inputs) {
-  const Result<TradeoffTable> table =
-      measured_runs({options.input, inputs, *options.time}, global.limits);
-  const ExitCode found = report(global, table.diagnostics);
-  return table ? MeasuredHere{found, *table} : MeasuredHere{found};
+/// The stages are shown; their line is gone when this returns.
+Result<MeasuredTable> measured(const GlobalOptions& global, const TradeoffOptions& options,
+                               const Inputs& inputs) {
+  const Progress progress(options.input);
+  const BenchProcess process{global.limits,
+                             [&progress](const std::string& name) { progress.stage(name); },
+                             [&global] { renew_time_limit(global.limits); }};
+  if (options.time) return measured_runs(inputs, *options.time, process);
+  return measured_designs({inputs, options.of, options.choices, options.ranges}, process);
 }
 
 /// A scene names the file of its model.
@@ -150,11 +133,16 @@ ExitCode measure_input(const GlobalOptions& global, const TradeoffOptions& optio
   if (!inputs) return report(global, inputs.diagnostics);
   const Diagnostics refused = refuse_scene(options, *inputs);
   if (!refused.empty()) return report(global, refused);
-  const auto measure = options.time ? measure_runs : measure_designs;
-  auto [found, table] = measure(global, options, *inputs);
-  if (!table) return found;
-  table->max_error = options.output.max_error;
-  return std::max(found, deliver(global, options, *inputs, judged(*table)));
+  Result<MeasuredTable> result = measured(global, options, *inputs);
+  ExitCode found = report(global, result.diagnostics);
+  if (!result) return found;
+  if (!result->not_compiled.empty()) {
+    // The others are measured all the same, so it is no mistake of elgen's alone.
+    report(global, result->not_compiled);
+    found = ExitCode::inaccessible;
+  }
+  result->table.max_error = options.output.max_error;
+  return std::max(found, deliver(global, options, *inputs, judged(std::move(result->table))));
 }
 
 ExitCode run_tradeoff(const GlobalOptions& global, const TradeoffOptions& options) {

@@ -33,12 +33,6 @@ std::set<Identity>& files_read() {
   return files;
 }
 
-/// Diagnostics point into sources without owning them, so sources live as long as the process.
-SourcePointer kept(SourcePointer source) {
-  static std::vector<SourcePointer> sources;
-  return sources.emplace_back(std::move(source));
-}
-
 Diagnostic unreadable(const std::string& path, std::string_view reason) {
   return {Code::E707, {}, fmt::format("`{}` {}", shown_path(path), reason)};
 }
@@ -148,7 +142,7 @@ std::string hint_of_scene(const fs::path& scene, const fs::path& model) {
 }  // namespace
 
 Result<SourcePointer> kept_source(const std::string& path, std::string text, const Limits& limits) {
-  const SourcePointer source = kept(make_source(shown_path(path), std::move(text)));
+  const SourcePointer source = make_kept_source(shown_path(path), std::move(text));
   if (source->text.size() <= limits.file_bytes) return source;
   const auto at = static_cast<std::uint32_t>(limits.file_bytes);  // where the limit is passed
   return Diagnostic{Code::E901,

@@ -247,6 +247,33 @@ std::string outputs_of_run(const Model& model) {
   return names;
 }
 
+/// The model is checked once before, to know which outputs it has.
+Products derived_for_run(const Inputs& inputs, PipelineOptions options,
+                         const std::optional<ChosenStep>& step) {
+  options.scene.close_functions = true;
+  PipelineOptions first = options;
+  first.goals = {Goal::check};
+  Products checked = run_pipeline(inputs, first);
+  if (!checked.checked) return checked;
+  const std::string outputs = outputs_of_run(checked.checked->model);
+  options.scene.outputs = {make_source("outputs of a run", outputs)};
+  options.scene.step = step;
+  Products products = run_pipeline(inputs, options);
+  if (!products.checked) return products;
+  Scene& scene = products.checked->scene;
+  scene.emission = {
+      .name_space = scene.emission.name_space, .batch = step.has_value(), .page = false};
+  scene.numerics = {};
+  return products;
+}
+
+Result<CompiledHeaders> compiled_for_run(const Products& products, const Limits& limits) {
+  const auto& [model, scene] = *products.checked;
+  const Result<EmittedFiles> files = emit(model, scene, *products.program, {});
+  if (!files) return files.diagnostics;
+  return compile(*files, model, scene, *products.program, {limits});
+}
+
 Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
                             const CompiledModel* compiled, const SimulationOptions& options) {
   const Result<MethodRow> method = find_method(options);

@@ -1,6 +1,5 @@
-// measured: alternatives by turns. Each turn repeats its alternative so often that reading the
-// clock is nothing beside it. by_turns: rounds
-// in which all are measured once.
+// find_costs: rounds in which all are timed once. Each turn repeats its work so often that reading
+// the clock is nothing beside it.
 #include <algorithm>
 #include <chrono>
 
@@ -13,6 +12,8 @@ using Clock = std::chrono::steady_clock;
 using Work = std::function<void()>;
 
 constexpr double shortest_turn = 2e4;  ///< ns; the clock is read in 30
+constexpr std::size_t fewest_rounds = 9;
+constexpr std::size_t most_rounds = 1001;
 
 /// ns of one call, in the mean of `calls`.
 double duration(const Work& work, std::size_t calls) {
@@ -29,34 +30,29 @@ std::size_t calls_of_turn(const Work& work) {
   return 1 + static_cast<std::size_t>(shortest_turn / once);
 }
 
-}  // namespace
-
-void by_turns(std::vector<std::vector<double>>& figures, const Rounds& rounds,
-              const std::function<double(std::size_t)>& figure) {
-  if (figures.empty()) return;
-  const Clock::time_point end = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                                   std::chrono::duration<double>(rounds.seconds));
-  for (std::size_t round = figures.front().size(); round < rounds.most; ++round) {
-    if (round >= rounds.fewest && Clock::now() >= end) break;
-    for (std::size_t i = 0; i < figures.size(); ++i) figures[i].push_back(figure(i));
-  }
-}
-
+/// Of at least one number.
 Spread spread_of(std::vector<double> numbers) {
   std::sort(numbers.begin(), numbers.end());
   return {numbers[numbers.size() / 2], numbers[numbers.size() / 4],
           numbers[3 * numbers.size() / 4]};
 }
 
-std::vector<Spread> measured(const std::vector<Work>& alternatives, double seconds) {
+}  // namespace
+
+void find_costs(const std::vector<TimedWork>& works, double seconds) {
+  if (works.empty()) return;
   std::vector<std::size_t> calls;
-  for (const Work& work : alternatives) calls.push_back(calls_of_turn(work));
-  std::vector<std::vector<double>> times(alternatives.size());
-  by_turns(times, {.seconds = seconds, .fewest = 9, .most = 1001},
-           [&](std::size_t i) { return duration(alternatives[i], calls[i]); });
-  std::vector<Spread> spreads;
-  for (std::vector<double>& of_one : times) spreads.push_back(spread_of(std::move(of_one)));
-  return spreads;
+  for (const TimedWork& work : works) calls.push_back(calls_of_turn(work.run));
+  std::vector<std::vector<double>> times(works.size());
+  const Clock::time_point end = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                                   std::chrono::duration<double>(seconds));
+  for (std::size_t round = 0; round < most_rounds; ++round) {
+    if (round >= fewest_rounds && Clock::now() >= end) break;
+    for (std::size_t i = 0; i < works.size(); ++i) {
+      times[i].push_back(duration(works[i].run, calls[i]) / static_cast<double>(works[i].parts));
+    }
+  }
+  for (std::size_t i = 0; i < works.size(); ++i) *works[i].cost = spread_of(std::move(times[i]));
 }
 
 }  // namespace elgen

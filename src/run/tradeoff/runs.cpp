@@ -87,8 +87,8 @@ std::vector<double> end_of_run(const CheckedModel& checked, const Program& progr
   return state;
 }
 
-TimedSteps timed_steps(const CheckedModel& checked, const Program& program, const StepLoops& loops,
-                       bool in_packs, double length) {
+TimedWork timed_steps(const CheckedModel& checked, const Program& program, const StepLoops& loops,
+                      bool in_packs, double length) {
   System system(checked, program, nullptr);
   Numbers start = system.start();
   const std::size_t count = in_packs ? states_in_packs : 1;
@@ -102,7 +102,7 @@ TimedSteps timed_steps(const CheckedModel& checked, const Program& program, cons
     std::ranges::copy(first, state.begin());
     loop(count, steps, 0, length, inputs.data(), state.data(), spare.data());
   };
-  return {work, count * steps};
+  return {work, count * steps, nullptr};
 }
 
 DesignErrors errors_of(const std::vector<double>& last, const ReferenceRun& reference,

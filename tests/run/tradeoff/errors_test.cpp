@@ -115,7 +115,7 @@ on = "x"
   const PlannedRun run{{}, {}, 2};
   // x = 1 + 2, v = 2 + 0; x = 3 + 2, v = 2 - 1
   CHECK(end_of_run(checked, *products.program, loops, run, 2) == std::vector<double>{5, 1});
-  const TimedSteps packs = timed_steps(checked, *products.program, loops, true, 0.01);
-  packs.work();
-  CHECK(packs.count == 256 * 8);
+  const TimedWork packs = timed_steps(checked, *products.program, loops, true, 0.01);
+  packs.run();
+  CHECK(packs.parts == 256 * 8);
 }

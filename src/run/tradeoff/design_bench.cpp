@@ -1,19 +1,16 @@
 // Designs that are derived alike share a run of the pipeline, and those that are also compiled
 // alike a library.
-#include "cli/designs.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
 #include <utility>
 
-#include "cli/process/progress.hpp"
-#include "cli/process/resources.hpp"
+#include "elgen/bench.hpp"
 #include "elgen/wording.hpp"
 #include "emit/interface/code_interface.hpp"
 
-namespace elgen::cli {
+namespace elgen {
 namespace {
 
 /// The output that a table is about where none is named.
@@ -28,15 +25,12 @@ std::string default_output(const Scene& scene) {
 /// Each design goes through its 1000 states in a turn: they fit a cache, in which their arrays do
 /// not lie at the same places, as those of 1024 would.
 constexpr std::size_t state_count = TradeoffSampling().count;
-constexpr double seconds_of_timing = 1.5;
 
 std::string first_line(const Diagnostics& diagnostics) {
-  const auto error = std::ranges::find_if(diagnostics, [](const Diagnostic& diagnostic) {
-    return code_row(diagnostic.code).severity == Severity::error;
-  });
-  std::string message = error->message.substr(0, error->message.find('\n'));
+  const Diagnostic& error = *find_error(diagnostics);
+  std::string message = error.message.substr(0, error.message.find('\n'));
   if (message.ends_with(':')) message.pop_back();
-  return fmt::format("{}: {}", code_row(error->code).name, message);
+  return fmt::format("{}: {}", code_row(error.code).name, message);
 }
 
 /// Designs of one library.
@@ -48,15 +42,14 @@ struct Workpiece {
 
 class DesignBench {
  public:
-  DesignBench(const DesignRequest& request, const Limits& limits,
-              std::vector<SourcePointer>& sources)
-      : request_(request), limits_(limits), sources_(sources), progress_(request.path) {}
+  DesignBench(const DesignRequest& request, const BenchProcess& process)
+      : request_(request), process_(process) {}
 
-  Result<MeasuredDesigns> measure() {
-    const Result<Machine> machine = this_machine(limits_);
+  Result<MeasuredTable> measure() {
+    const Result<Machine> machine = this_machine(process_.limits);
     if (!machine) return machine.diagnostics;
     result_.table.machine = *machine;
-    Result<OutputBase> base = output_base(request_.inputs, request_.output, limits_, sources_);
+    Result<OutputBase> base = output_base(request_.inputs, request_.output, process_.limits);
     if (!base) return base.diagnostics;
     base_ = std::move(*base);
     Diagnostics wrong = contradictions(base_.base(), request_.choices.pinned);
@@ -97,12 +90,11 @@ class DesignBench {
   }
 
   Products run(const Design& design, Goal goal) {
-    renew_time_limit(limits_);
+    process_.renew_time_limit();
     PipelineOptions options;
-    options.limits = limits_;
+    options.limits = process_.limits;
     options.goals = {goal};
-    const SourcePointer& scene =
-        sources_.emplace_back(make_source("design.scene.toml", text_of(design)));
+    const SourcePointer scene = make_kept_source("design.scene.toml", text_of(design));
     Products products = run_pipeline({request_.inputs.model, scene}, options);
     if (products.checked) keep_only(result_.table.subject, products);
     return products;
@@ -113,7 +105,7 @@ class DesignBench {
     const Design derivation = derivation_of(design);
     const auto [at, is_new] = derived_.try_emplace(text_of(derivation));
     if (is_new) {
-      progress_.stage("derive");
+      process_.on_stage("derive");
       at->second = run(derivation, Goal::choose);
     }
     return at->second;
@@ -123,7 +115,7 @@ class DesignBench {
   Diagnostics prepare(const Products& exact) {
     Result<TradeoffPlan> planned = plan(*exact.checked, *exact.program, request_.choices);
     if (!planned) return planned.diagnostics;
-    progress_.stage("states");
+    process_.on_stage("states");
     Result<TradeoffStates> states =
         tradeoff_states(*exact.checked, *exact.program, request_.ranges, {});
     if (!states) return states.diagnostics;
@@ -156,7 +148,7 @@ class DesignBench {
     const Design& first = designs_[piece.designs.front()].design;
     const Products& products = derived(first);
     if (!products.program) return fail(piece, first_line(products.diagnostics));
-    progress_.stage(fmt::format("compile {}", name_of(rows_[piece.designs.front()])));
+    process_.on_stage(fmt::format("compile {}", name_of(rows_[piece.designs.front()])));
     Result<TimedFunctions> made = compiled(piece, products);
     if (!made) {
       fail(piece, first_line(made.diagnostics));
@@ -173,7 +165,7 @@ class DesignBench {
   }
 
   Result<TimedFunctions> compiled(const Workpiece& piece, const Products& products) {
-    TimingOptions timing{.states = states_.states, .limits = limits_};
+    TimingOptions timing{.states = states_.states, .limits = process_.limits};
     Scene scene = products.checked->scene;
     scene.emission = {};
     scene.numerics.scalars.clear();
@@ -207,8 +199,8 @@ class DesignBench {
     for (const Workpiece& piece : made_) {
       for (std::size_t k = 0; k < piece.designs.size(); ++k) {
         TradeoffRow& row = rows_[piece.designs[k]];
-        progress_.stage(fmt::format("search {}", name_of(row)));
-        renew_time_limit(limits_);
+        process_.on_stage(fmt::format("search {}", name_of(row)));
+        process_.renew_time_limit();
         const TimedFunction& function = *piece.functions[k];
         const FoundErrors found =
             found_errors(*exact.checked, *exact.program, states_,
@@ -219,46 +211,35 @@ class DesignBench {
   }
 
   void time_all() {
-    progress_.stage("time");
-    renew_time_limit(limits_);
-    std::vector<std::function<void()>> alternatives;
-    std::vector<Spread*> costs;
-    const auto add = [&](TimedFunction& function, Spread& cost) {
-      alternatives.emplace_back([&function] { function.run(); });
-      costs.push_back(&cost);
+    process_.on_stage("time");
+    process_.renew_time_limit();
+    std::vector<TimedWork> works;
+    const auto add = [&works](TimedFunction& function, Spread& cost) {
+      works.push_back({[&function] { function.run(); }, state_count, &cost});
     };
     for (const Workpiece& piece : made_) {
       std::size_t calls = piece.designs.size();
       for (std::size_t k = 0; k < piece.designs.size(); ++k) {
-        TradeoffRow& row = rows_[piece.designs[k]];
-        TimedFunction& function = *piece.functions[k];
-        add(function, row.cost);
-        if (designs_[piece.designs[k]].design.in_packs) {
-          add(*piece.functions[calls++], row.call_cost);
-        }
+        const std::size_t i = piece.designs[k];
+        add(*piece.functions[k], rows_[i].cost);
+        if (designs_[i].design.in_packs) add(*piece.functions[calls++], rows_[i].call_cost);
       }
     }
-    const std::vector<Spread> found = measured(alternatives, seconds_of_timing);
-    const auto per_state = [](double ns) { return ns / static_cast<double>(state_count); };
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      *costs[i] = {per_state(found[i].median), per_state(found[i].low), per_state(found[i].high)};
-    }
+    find_costs(works);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       if (!designs_[i].design.in_packs) rows_[i].call_cost = rows_[i].cost;
     }
   }
 
   const DesignRequest& request_;
-  const Limits& limits_;
-  std::vector<SourcePointer>& sources_;
-  Progress progress_;
+  const BenchProcess& process_;
   std::map<std::string, Products> derived_ = {};
   OutputBase base_ = {};
   std::vector<PlannedDesign> designs_ = {};
   std::vector<TradeoffRow> rows_ = {};  ///< of the designs
   TradeoffStates states_ = {};
   std::vector<Workpiece> made_ = {};
-  MeasuredDesigns result_ = {};
+  MeasuredTable result_ = {};
 };
 
 }  // namespace
@@ -273,7 +254,7 @@ void keep_only(const std::string& output, Products& products) {
 }
 
 Result<OutputBase> output_base(const Inputs& inputs, const std::string& output,
-                               const Limits& limits, std::vector<SourcePointer>& sources) {
+                               const Limits& limits) {
   PipelineOptions options;
   options.limits = limits;
   options.goals = {Goal::check};
@@ -285,7 +266,7 @@ Result<OutputBase> output_base(const Inputs& inputs, const std::string& output,
     found = whole.diagnostics;
     name = default_output(whole.checked->scene);
   }
-  options.scene.outputs = {sources.emplace_back(make_source("command line", name))};
+  options.scene.outputs = {make_kept_source("command line", name)};
   Products one = run_pipeline(inputs, options);
   if (!one.checked) return one.diagnostics;
   keep_only(name, one);
@@ -304,9 +285,8 @@ Result<OutputBase> output_base(const Inputs& inputs, const std::string& output,
   return {std::move(base), std::move(found)};
 }
 
-Result<MeasuredDesigns> measured_designs(const DesignRequest& request, const Limits& limits,
-                                         std::vector<SourcePointer>& sources) {
-  return DesignBench(request, limits, sources).measure();
+Result<MeasuredTable> measured_designs(const DesignRequest& request, const BenchProcess& process) {
+  return DesignBench(request, process).measure();
 }
 
-}  // namespace elgen::cli
+}  // namespace elgen

@@ -1,37 +1,21 @@
 // Each step is derived and compiled once: by it runs of all lengths of steps go to their ends, for
 // the errors, and some steps of one length, by turns, for the times.
-#include "cli/runs.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <map>
 #include <utility>
 
-#include "cli/designs.hpp"
-#include "cli/process/progress.hpp"
-#include "cli/process/resources.hpp"
-#include "cli/shown_pipeline.hpp"
+#include "elgen/bench.hpp"
 #include "emit/interface/code_interface.hpp"
 
-namespace elgen::cli {
-
+namespace elgen {
 namespace {
 
-constexpr double seconds_of_steps = 1.5;
-
 /// Compilers take minutes for more.
-constexpr std::size_t longest_step = 20'000;
-
-/// The first one, of which there is one.
-const Diagnostic& error_among(const Diagnostics& diagnostics) {
-  return *std::ranges::find_if(diagnostics, [](const Diagnostic& diagnostic) {
-    return code_row(diagnostic.code).severity == Severity::error;
-  });
-}
+constexpr std::size_t longest_compiled = 20'000;
 
 /// "midpoint of order 8"
 std::string name_of_step(const ChosenStep& step) {
@@ -51,10 +35,11 @@ struct StepCode {
 
 class RunBench {
  public:
-  RunBench(const RunRequest& request, const Limits& limits) : request_(request), limits_(limits) {}
+  RunBench(const Inputs& inputs, double time, const BenchProcess& process)
+      : inputs_(inputs), time_(time), process_(process) {}
 
-  Result<TradeoffTable> measure() {
-    const Result<Machine> machine = this_machine(limits_);
+  Result<MeasuredTable> measure() {
+    const Result<Machine> machine = this_machine(process_.limits);
     if (!machine) return machine.diagnostics;
     exact_ = derived({});
     if (!exact_.program) return exact_.diagnostics;
@@ -63,38 +48,37 @@ class RunBench {
     exact_.checked = *assembled;
     if (Diagnostics wrong = refer(); !wrong.empty()) return wrong;
     table_ = {.model = exact_.checked->scene.base_name,
-              .subject = fmt::format("{:g} s in time", request_.time),
+              .subject = fmt::format("{:g} s in time", time_),
               .cost = "ns per run",
               .error = "errors at the end relative to the largest value on the way",
               .dimensions = {"method", "order", "step", "batch"},
               .machine = *machine};
-    const std::vector<PlannedRun> plan = planned_runs(request_.time);
+    const std::vector<PlannedRun> plan = planned_runs(time_);
     for (const PlannedRun& planned : plan) make(*planned.design.step);
-    const Progress progress(request_.path);
-    progress.stage("run");
-    renew_time_limit(limits_);
+    process_.on_stage("run");
+    process_.renew_time_limit();
     for (const PlannedRun& planned : plan) add(planned);
-    progress.stage("time");
-    renew_time_limit(limits_);
+    process_.on_stage("time");
+    process_.renew_time_limit();
     time_all();
     tell();
-    return {std::move(table_), exact_.diagnostics};
+    return {{std::move(table_)}, exact_.diagnostics};
   }
 
  private:
   Products derived(const std::optional<ChosenStep>& step) {
-    renew_time_limit(limits_);
+    process_.renew_time_limit();
     PipelineOptions options;
-    options.limits = limits_;
+    options.limits = process_.limits;
     options.goals = {Goal::choose};
-    return derived_for_run(request_.path, request_.inputs, options, step);
+    options.on_stage = process_.on_stage;
+    return derived_for_run(inputs_, options, step);
   }
 
   /// The run that errors are measured from.
   Diagnostics refer() {
-    const Progress progress(request_.path);
-    progress.stage("reference");
-    Result<ReferenceRun> reference = reference_run(*exact_.checked, *exact_.program, request_.time);
+    process_.on_stage("reference");
+    Result<ReferenceRun> reference = reference_run(*exact_.checked, *exact_.program, time_);
     if (!reference) return reference.diagnostics;
     reference_ = std::move(*reference);
     const double distance = errors_of(reference_.rougher, reference_, exact_.checked->model).worst;
@@ -112,21 +96,20 @@ class RunBench {
   StepCode made(const ChosenStep& step) {
     Products products = derived(step);
     if (!products.program) {
-      const Diagnostic& error = error_among(products.diagnostics);
+      const Diagnostic& error = *find_error(products.diagnostics);
       const bool is_for_others = error.code == Code::E622 || error.code == Code::E539;
       return is_for_others ? refused(error.message) : StepCode{.failure = error.message};
     }
     keep_only(std::string(output_row(OutputKind::step).name), products);
     const Function& function = products.program->functions.front();
     const std::size_t length = function.instructions.size();
-    if (length > longest_step || !is_returned(function)) {
+    if (length > longest_compiled || !is_returned(function)) {
       return refused(fmt::format("{} is {} instructions long, and is not compiled",
                                  name_of_step(step), length));
     }
-    const Progress progress(request_.path);
-    progress.stage(fmt::format("compile {}", name_of_step(step)));
+    process_.on_stage(fmt::format("compile {}", name_of_step(step)));
     Result<StepLoops> loops = compiled(products);
-    if (!loops) return {.failure = error_among(loops.diagnostics).message};
+    if (!loops) return {.failure = find_error(loops.diagnostics)->message};
     return {.loops = std::move(*loops)};
   }
 
@@ -137,12 +120,9 @@ class RunBench {
 
   [[nodiscard]] Result<StepLoops> compiled(const Products& products) const {
     const auto& [model, scene] = *products.checked;
-    Scene plain = scene;
-    plain.emission = {.name_space = scene.emission.name_space, .batch = true, .page = false};
-    plain.numerics = {};
-    const Result<EmittedFiles> files = emit(model, plain, *products.program, {});
+    const Result<EmittedFiles> files = emit(model, scene, *products.program, {});
     if (!files) return files.diagnostics;
-    return compile_steps(*files, model, plain, *products.program, limits_);
+    return compile_steps(*files, model, scene, *products.program, process_.limits);
   }
 
   void add(const PlannedRun& planned) {
@@ -157,8 +137,7 @@ class RunBench {
 
   void judge(const PlannedRun& planned, const StepLoops& loops, TradeoffRow& row) const {
     const CheckedModel& checked = *exact_.checked;
-    const std::vector<double> last =
-        end_of_run(checked, *exact_.program, loops, planned, request_.time);
+    const std::vector<double> last = end_of_run(checked, *exact_.program, loops, planned, time_);
     if (!std::ranges::all_of(last, [](double x) { return std::isfinite(x); })) {
       row.failure = "the numbers are no longer finite";
       return;
@@ -169,32 +148,23 @@ class RunBench {
   }
 
   void time_all() {
-    std::vector<std::function<void()>> alternatives;
-    std::vector<std::pair<Spread*, double>> spreads;
+    std::vector<TimedWork> works;
     for (auto& [step, code] : codes_) {
       if (code.loops.one == nullptr) continue;
       for (const bool in_packs : {false, true}) {
-        const TimedSteps timed = timed_steps(*exact_.checked, *exact_.program, code.loops, in_packs,
-                                             request_.time / 1000);
-        alternatives.push_back(timed.work);
-        spreads.emplace_back(in_packs ? &code.in_packs : &code.one,
-                             static_cast<double>(timed.count));
+        works.push_back(
+            timed_steps(*exact_.checked, *exact_.program, code.loops, in_packs, time_ / 1000));
+        works.back().cost = in_packs ? &code.in_packs : &code.one;
       }
     }
-    const std::vector<Spread> costs = measured(alternatives, seconds_of_steps);
-    for (std::size_t i = 0; i < costs.size(); ++i) {
-      *spreads[i].first = scaled(costs[i], 1 / spreads[i].second);
-    }
+    find_costs(works);
     for (std::size_t i = 0; i < table_.rows.size(); ++i) {
       const Design& design = table_.rows[i].design;
       const StepCode& code = codes_.at(*design.step);
-      table_.rows[i].cost =
-          scaled(design.in_packs ? code.in_packs : code.one, static_cast<double>(steps_[i]));
+      const auto& [median, low, high] = design.in_packs ? code.in_packs : code.one;
+      const auto steps = static_cast<double>(steps_[i]);
+      table_.rows[i].cost = {median * steps, low * steps, high * steps};
     }
-  }
-
-  static Spread scaled(const Spread& spread, double factor) {
-    return {spread.median * factor, spread.low * factor, spread.high * factor};
   }
 
   void tell() {
@@ -211,8 +181,9 @@ class RunBench {
     table_.sentences.insert(table_.sentences.end(), refusals_.begin(), refusals_.end());
   }
 
-  const RunRequest& request_;
-  const Limits& limits_;
+  const Inputs& inputs_;
+  double time_;
+  const BenchProcess& process_;
   Products exact_ = {};  ///< the equations, and where they start
   ReferenceRun reference_ = {};
   double bar_ = 0;  ///< what the reference is known to, in errors; it is rounded to double
@@ -224,12 +195,13 @@ class RunBench {
 
 }  // namespace
 
-Result<TradeoffTable> measured_runs(const RunRequest& request, const Limits& limits) {
-  if (!(request.time > 0 && std::isfinite(request.time))) {
+Result<MeasuredTable> measured_runs(const Inputs& inputs, double time,
+                                    const BenchProcess& process) {
+  if (!(time > 0 && std::isfinite(time))) {
     return Diagnostic{
-        Code::E621, {}, fmt::format("`--trajectory {}` is not a positive number", request.time)};
+        Code::E621, {}, fmt::format("`--trajectory {}` is not a positive number", time)};
   }
-  return RunBench(request, limits).measure();
+  return RunBench(inputs, time, process).measure();
 }
 
-}  // namespace elgen::cli
+}  // namespace elgen

@@ -1,0 +1,62 @@
+// Benches of a trade-off: the designs of one output, or runs in time by all steps that can be
+// emitted, are derived, compiled, timed, and compared with what is exact.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "elgen/pipeline.hpp"
+#include "elgen/tradeoff.hpp"
+
+namespace elgen {
+
+/// The process in which a bench works.
+struct BenchProcess {
+  Limits limits = {};
+  std::function<void(const std::string&)> on_stage = {};  ///< told each name as it starts
+  std::function<void()> renew_time_limit = {};            ///< called before work of its own
+};
+
+/// A model or its scene, with one output.
+struct OutputBase {
+  CheckedModel checked = {};             ///< with the output alone
+  std::optional<FileSyntax> scene = {};  ///< where there is one
+
+  /// Valid while this lives.
+  [[nodiscard]] DesignBase base() const { return {checked, scene ? &*scene : nullptr}; }
+};
+
+/// `output` "": inverse_dynamics, or the first one there is. Notes on the model are among the
+/// diagnostics. E601, E633, and what checks say of a model.
+[[nodiscard]] Result<OutputBase> output_base(const Inputs& inputs, const std::string& output,
+                                             const Limits& limits);
+
+/// Leaves the output alone of what was derived; a lock may have asked for its reaction too.
+void keep_only(const std::string& output, Products& products);
+
+struct DesignRequest {
+  Inputs inputs = {};
+  std::string output = {};  ///< "": inverse_dynamics, or the first one there is
+  DesignChoices choices = {};
+  std::vector<SourcePointer> ranges = {};
+};
+
+struct MeasuredTable {
+  TradeoffTable table = {};       ///< not judged
+  Diagnostics not_compiled = {};  ///< of designs that fail in the table
+};
+
+/// Warnings of the model are among the diagnostics. E601, E603, E630, E631, E633, E644, E645, E704,
+/// and what its stages say of a model.
+[[nodiscard]] Result<MeasuredTable> measured_designs(const DesignRequest& request,
+                                                     const BenchProcess& process);
+
+/// Runs of `time` s. Warnings of the model are among the diagnostics; methods that are not for the
+/// system are named in a sentence. E621, E623, E624 of the reference, and what its stages say of a
+/// model. Cost: a derivation and a compilation for each method and order.
+[[nodiscard]] Result<MeasuredTable> measured_runs(const Inputs& inputs, double time,
+                                                  const BenchProcess& process);
+
+}  // namespace elgen
