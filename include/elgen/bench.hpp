@@ -21,16 +21,18 @@ struct BenchProcess {
 
 /// A model or its scene, with one output.
 struct OutputBase {
-  CheckedModel checked = {};             ///< with the output alone
-  std::optional<FileSyntax> scene = {};  ///< where there is one
+  CheckedModel checked = {};               ///< with the output alone
+  std::optional<FileSyntax> scene = {};    ///< where there is one
+  std::vector<SourcePointer> ranges = {};  ///< beside those of the scene
 
   /// Valid while this lives.
-  [[nodiscard]] DesignBase base() const { return {checked, scene ? &*scene : nullptr}; }
+  [[nodiscard]] DesignBase base() const { return {checked, scene ? &*scene : nullptr, {}, ranges}; }
 };
 
 /// `output` "": inverse_dynamics, or the first one there is. Notes on the model are among the
-/// diagnostics. E601, E633, and what checks say of a model.
+/// diagnostics. E601, E606, E630, E633, and what checks say of a model.
 [[nodiscard]] Result<OutputBase> output_base(const Inputs& inputs, const std::string& output,
+                                             const std::vector<SourcePointer>& ranges,
                                              const Limits& limits);
 
 /// Leaves the output alone of what was derived; a lock may have asked for its reaction too.

@@ -182,6 +182,7 @@ struct SceneOptions {
   std::vector<SourcePointer> values = {};   ///< "m=2": of parameters that stay parameters
   std::vector<SourcePointer> starts = {};   ///< "theta=1,dot(theta)=0,attitude=[1,0,0,0]"
   std::vector<SourcePointer> laws = {};     ///< "u=-3*theta"
+  std::vector<SourcePointer> ranges = {};   ///< "theta=-0.1..0.1"
   /// Functions left open are their samples, where the scene has no expression of them.
   bool close_functions = false;
   /// Without the scene's `[approximate]`: what its expansion is compared with.

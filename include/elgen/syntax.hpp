@@ -156,6 +156,16 @@ struct EntryRow {
 [[nodiscard]] Result<ExpressionSyntax> parse_expression(const SourcePointer& source,
                                                         const Limits& limits);
 
+/// The words of options, between commas outside of brackets, without the blanks around them.
+[[nodiscard]] std::vector<Span> option_words(const std::vector<SourcePointer>& options);
+
+/// The words of options as the keys of a table: NAME=VALUE, of expression_or_list also NAME=[A, B],
+/// and of range, which is a list, NAME=LOW..HIGH. Of boolean_or_expression a NAME alone is true.
+/// Names lose their blanks. The keys that can be read, and of the others E606: no value, no range,
+/// or a name that is given twice; and what expressions give.
+[[nodiscard]] Result<std::vector<KeySyntax>> parse_options(
+    const std::vector<SourcePointer>& options, KeyType type, const Limits& limits);
+
 /// Every key with its value, in file order; blanks and comments leave no trace. Stamps are hashes
 /// of this text.
 [[nodiscard]] std::string dump(const FileSyntax& syntax);

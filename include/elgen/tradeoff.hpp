@@ -110,16 +110,11 @@ struct TradeoffSampling {
   std::uint64_t seed = 1;
 };
 
-/// "theta=-0.1..0.1". E630.
-[[nodiscard]] Result<NamedRange> read_range(const SourceText& source);
-
-/// States inside the ranges of the model, narrowed by those of the scene and then by `ranges`, and
-/// the values that the first function of the program has there, by numbers of 60 digits, with the
-/// exact parameters. E630; E521 where it has none. Cost: one operation of Real per instruction and
-/// state.
+/// States inside the ranges of the model, narrowed by those of the scene, and the values that the
+/// first function of the program has there, by numbers of 60 digits, with the exact parameters.
+/// E521 where it has none. Cost: one operation of Real per instruction and state.
 [[nodiscard]] Result<TradeoffStates> tradeoff_states(const CheckedModel& exact,
                                                      const Program& program,
-                                                     const std::vector<SourcePointer>& ranges,
                                                      const TradeoffSampling& sampling);
 
 /// Of each state: the largest |x - x*| of the entries of a field / the largest |x*| of that field

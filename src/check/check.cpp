@@ -7,7 +7,6 @@
 #include "check/entries/entries.hpp"
 #include "check/expressions/expand.hpp"
 #include "check/expressions/open_functions.hpp"
-#include "check/expressions/options.hpp"
 #include "check/expressions/parameters.hpp"
 #include "check/expressions/places.hpp"
 #include "check/expressions/rotations.hpp"
@@ -29,7 +28,7 @@ void keep_sources(Model& model, const FileSyntax& syntax, const FileSyntax* scen
   model.source = syntax.source;
   model.scene_source = scene == nullptr ? nullptr : scene->source;
   for (const auto* list : {&options.outputs, &options.fixed, &options.sizes, &options.values,
-                           &options.starts, &options.laws}) {
+                           &options.starts, &options.laws, &options.ranges}) {
     model.option_sources.insert(model.option_sources.end(), list->begin(), list->end());
   }
 }

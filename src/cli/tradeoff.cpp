@@ -66,14 +66,11 @@ ExitCode choose_row(const GlobalOptions& global, const TradeoffOptions& options,
   if (row == nullptr) return report(global, none_within(table, *output.max_error));
   if (output.scene_file.empty()) return ExitCode::success;
   const std::string subject = row->design.step ? "" : table.subject;
-  const Result<OutputBase> base = output_base(inputs, subject, global.limits);
+  const Result<OutputBase> base = output_base(inputs, subject, options.ranges, global.limits);
   if (!base) return report(global, base.diagnostics);
   const std::string path = model_path(inputs, output.scene_file);
   DesignBase from = base->base();
-  if (!row->design.step) {
-    from.max_error = output.max_error;
-    from.ranges = options.ranges;
-  }
+  if (!row->design.step) from.max_error = output.max_error;
   files.push_back({output.scene_file, scene_text(from, row->design, path), Replaces::nothing});
   return ExitCode::success;
 }

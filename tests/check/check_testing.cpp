@@ -45,13 +45,14 @@ Result<CheckedModel> run_check(const std::string& model, const Wanted& wanted) {
   options.outputs = as_options(wanted.outputs);
   options.fixed = as_options(wanted.fixed);
   options.sizes = as_options(wanted.sizes);
+  options.ranges = as_options(wanted.ranges);
   options.large_expectations = wanted.large_expectations;
   Result<CheckedModel> result = check(*syntax, scene ? &*scene : nullptr, options, wanted.limits);
   // Spans of errors outlive this function.
   static std::vector<SourcePointer> alive;
   alive.push_back(syntax->source);
   if (scene) alive.push_back(scene->source);
-  for (const auto* list : {&options.outputs, &options.fixed, &options.sizes}) {
+  for (const auto* list : {&options.outputs, &options.fixed, &options.sizes, &options.ranges}) {
     alive.insert(alive.end(), list->begin(), list->end());
   }
   return result;

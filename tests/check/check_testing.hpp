@@ -16,6 +16,7 @@ struct Wanted {
   std::vector<std::string> outputs = {};
   std::vector<std::string> fixed = {};
   std::vector<std::string> sizes = {};
+  std::vector<std::string> ranges = {};
   Limits limits = {};
   bool large_expectations = false;
 };

@@ -106,14 +106,14 @@ TEST_CASE("powers have a limit, at which they are still allowed") {
   CHECK(potential_messages("2^(2^100)").substr(0, 10) == "E905 12:11");
   Limits limits;
   limits.integer_power = 65;
-  CHECK(messages(block("V = \"k*x^2*(x/x)^65\"\n"), {{}, {}, {}, {}, limits, false}).empty());
+  CHECK(messages(block("V = \"k*x^2*(x/x)^65\"\n"), {.limits = limits}).empty());
 }
 
 TEST_CASE("the nodes of all expressions together have a limit, reported once") {
   Limits limits;
   limits.derived_nodes = 50;
   const std::string model = block("V = \"sum(i, 1, 100, k*x^2)\"\nD = \"sum(i, 1, 100, m)\"\n");
-  CHECK(messages(model, {{}, {}, {}, {}, limits, false}) ==
+  CHECK(messages(model, {.limits = limits}) ==
         "E908 12:25 the expressions have more than 50 nodes after repetition\n");
 }
 

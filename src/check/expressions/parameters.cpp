@@ -8,6 +8,30 @@
 namespace elgen {
 namespace {
 
+void declare_size(Context& context, const KeySyntax& key) {
+  const Scope nothing(context.sizes);
+  const auto value = integer_value(key.value.expression, nothing, context.report);
+  if (!value ||
+      !context.symbols.declare({key.key, {}, key.key_span}, SymbolKind::size, 0, context.report)) {
+    return;
+  }
+  context.sizes[key.key] = *value;
+}
+
+void override_size(Context& context, const KeySyntax& key) {
+  const Sizes nothing;
+  const auto value = integer_value(key.value.expression, Scope(nothing), context.report);
+  const auto found = context.sizes.find(key.key);
+  if (found != context.sizes.end()) {
+    found->second = value.value_or(found->second);
+    return;
+  }
+  std::vector<std::string> names;
+  for (const auto& [name, size] : context.sizes) names.push_back(name);
+  context.report.add(Code::E605, key.key_span, "unknown size " + in_backticks(key.key),
+                     suggestion(key.key, names));
+}
+
 Assumption assumption_of(const ValueSyntax& table) {
   const std::string assumption = text_of(table, "assume");
   if (assumption == "positive") {
@@ -156,6 +180,15 @@ bool add_elements(Context& context, const NewName& array, std::int64_t count, bo
     }
   }
   return true;
+}
+
+void read_sizes(Context& context, const FileSyntax& model, const FileSyntax* scene,
+                const SceneOptions& options) {
+  for (const KeySyntax& key : keys_of(&model, "sizes")) declare_size(context, key);
+  for (const KeySyntax& key : keys_of(scene, "sizes")) override_size(context, key);
+  for (const KeySyntax& key : keys_of(context, options.sizes, KeyType::expression)) {
+    override_size(context, key);
+  }
 }
 
 void declare_parameter(Context& context, const KeySyntax& key) {

@@ -1,10 +1,17 @@
-// Parameters: [parameters] -> Model::parameters and Model::parameter_arrays.
+// Parameters: [parameters] -> Model::parameters and Model::parameter_arrays. And the sizes of their
+// arrays, [sizes] -> Context::sizes.
 #pragma once
 
 #include "check/names/context.hpp"
+#include "elgen/scene.hpp"
 #include "elgen/syntax.hpp"
 
 namespace elgen {
+
+/// Declares the sizes of the model, then sets them as the scene and at last as the options say.
+/// `scene` may be null. E605, E606, E201, E318.
+void read_sizes(Context& context, const FileSyntax& model, const FileSyntax* scene,
+                const SceneOptions& options);
 
 /// Adds a parameter with its elements, without values; false after E203, E204, E205 or E211.
 [[nodiscard]] bool add_elements(Context& context, const NewName& array, std::int64_t count,

@@ -237,4 +237,11 @@ const std::vector<KeySyntax>& keys_of(const FileSyntax* file, std::string_view e
   return found == nullptr ? none : found->keys;
 }
 
+std::vector<KeySyntax> keys_of(Context& context, const std::vector<SourcePointer>& options,
+                               KeyType type) {
+  Result<std::vector<KeySyntax>> keys = parse_options(options, type, context.limits);
+  for (Diagnostic& problem : keys.diagnostics) context.report.add(std::move(problem));
+  return *std::move(keys.value);
+}
+
 }  // namespace elgen

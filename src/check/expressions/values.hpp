@@ -139,4 +139,9 @@ std::uint32_t append_row(Model& model, const EntrySyntax& entry, const NewName& 
                                         std::string_view key);
 [[nodiscard]] const std::vector<KeySyntax>& keys_of(const FileSyntax* file, std::string_view entry);
 
+/// Options as keys; what parse_options says of the others is reported.
+[[nodiscard]] std::vector<KeySyntax> keys_of(Context& context,
+                                             const std::vector<SourcePointer>& options,
+                                             KeyType type);
+
 }  // namespace elgen

@@ -53,7 +53,9 @@ class PromiseReader {
     const std::optional<double> low = number(key.value.items[0]);
     const std::optional<double> high = number(key.value.items[1]);
     if (!low || !high) return;
-    if (*low > *high) return refuse(key.value.span, "the range is empty");
+    if (*low > *high) {
+      return refuse(key.value.span, "the range " + in_backticks(key.value.span) + " is empty");
+    }
     numerics_.ranges.push_back({key.key, *low, *high});
   }
 
@@ -74,14 +76,19 @@ class PromiseReader {
 
 }  // namespace
 
-void read_promise(Context& context, const FileSyntax* syntax, Numerics& numerics) {
+void read_promise(Context& context, const FileSyntax* syntax, const SceneOptions& options,
+                  Numerics& numerics) {
   PromiseReader reader(context, numerics);
   const KeySyntax* const error = find_key(syntax, "numeric", "max_error");
   if (error != nullptr) reader.read_error(error->value);
   const KeySyntax* const ranges = find_key(syntax, "numeric", "ranges");
-  if (ranges == nullptr) return;
+  if (ranges == nullptr && options.ranges.empty()) return;
+  std::vector<KeySyntax> keys = keys_of(context, options.ranges, KeyType::range);
+  if (ranges != nullptr) {
+    keys.insert(keys.begin(), ranges->value.entries.begin(), ranges->value.entries.end());
+  }
   const std::vector<std::string> names = names_of_states(context.model);
-  for (const KeySyntax& key : ranges->value.entries) reader.read_range(key, names);
+  for (const KeySyntax& key : keys) reader.read_range(key, names);
 }
 
 }  // namespace elgen

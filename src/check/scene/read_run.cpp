@@ -1,7 +1,6 @@
 // The start of a run, word by word: "theta=1", "dot(theta)=0", "attitude=[1,0,0,0]", "m=2".
 #include <algorithm>
 
-#include "check/expressions/options.hpp"
 #include "check/expressions/parameters.hpp"
 #include "check/expressions/places.hpp"
 #include "check/expressions/values.hpp"
@@ -9,40 +8,6 @@
 
 namespace elgen {
 namespace {
-
-/// Nothing after E606.
-std::optional<Assignment> assignment_of(Context& context, const OptionWord& word) {
-  Assignment assignment = split_assignment(word);
-  std::erase(assignment.name.text, ' ');
-  if (assignment.value.begin < assignment.value.end) return assignment;
-  context.report.add(Code::E606, word.span, in_backticks(word.text) + " has no value");
-  return std::nullopt;
-}
-
-std::optional<ExpressionSyntax> expression_of(Context& context, const Span& text) {
-  Result<ExpressionSyntax> read = parse_expression(text, context.limits);
-  for (const Diagnostic& diagnostic : read.diagnostics) context.report.add(diagnostic);
-  return std::move(read.value);
-}
-
-std::optional<FixedValue> constant_of(Context& context, const Span& text) {
-  const std::optional<ExpressionSyntax> expression = expression_of(context, text);
-  if (!expression) return std::nullopt;
-  ValueSyntax value;
-  value.expression = *expression;
-  return ValueReader(context, Scope(context.sizes)).constant_with_form(value);
-}
-
-/// The texts of "[a, b]", or of one number.
-std::vector<OptionWord> items_of(Span text) {
-  const std::string_view covered = covered_text(text);
-  if (!covered.starts_with('[') || !covered.ends_with(']')) {
-    return {{std::string(covered), text}};
-  }
-  ++text.begin;
-  --text.end;
-  return split_at_commas(text);
-}
 
 /// The numbers of a start that one name stands for, side by side.
 struct StartPlace {
@@ -75,43 +40,46 @@ std::vector<StartPlace> start_places(const Model& model) {
 class StartReader {
  public:
   explicit StartReader(Context& context)
-      : context_(context), model_(context.model), places_(start_places(model_)) {}
+      : context_(context),
+        model_(context.model),
+        values_(context, Scope(context.sizes)),
+        places_(start_places(model_)) {}
 
-  void read(const OptionWord& word) {
-    const std::optional<Assignment> given = assignment_of(context_, word);
-    const StartPlace* const place = given ? place_of(given->name) : nullptr;
+  void read(const KeySyntax& key) {
+    const StartPlace* const place = place_of(key);
     if (place == nullptr) return;
-    const std::vector<OptionWord> items = items_of(given->value);
+    const bool is_list = key.value.kind == ValueKind::list;
+    const std::vector<ValueSyntax> items = is_list ? key.value.items : std::vector{key.value};
     if (items.size() != place->count) {
-      context_.report.add(Code::E606, given->value,
+      context_.report.add(Code::E606, key.value.span,
                           in_backticks(place->name) + " takes " + counted(place->count, "number"));
       return;
     }
     for (std::uint32_t i = 0; i < place->count; ++i) {
-      const std::optional<FixedValue> value = constant_of(context_, items[i].span);
+      const auto value = values_.constant_with_form(items[i]);
       if (!value) continue;
       give(*place, place->first + i, value->number);
       if (place->is_rate) continue;
       note_degrees(context_.report, items[i].span, model_.coordinates[place->coordinate],
                    value->number);
     }
-    check_direction(*place, given->value);
+    check_direction(*place, key.value.span);
   }
 
  private:
   /// Null after E612.
-  const StartPlace* place_of(const OptionWord& name) {
-    const auto found = std::ranges::find(places_, name.text, &StartPlace::name);
+  const StartPlace* place_of(const KeySyntax& key) {
+    const auto found = std::ranges::find(places_, key.key, &StartPlace::name);
     if (found == places_.end()) {
       std::vector<std::string> names;
       for (const StartPlace& place : places_) names.push_back(place.name);
-      context_.report.add(Code::E612, name.span, "unknown coordinate " + in_backticks(name.text),
-                          suggestion(name.text, names));
+      context_.report.add(Code::E612, key.key_span, "unknown coordinate " + in_backticks(key.key),
+                          suggestion(key.key, names));
       return nullptr;
     }
     if (std::ranges::count(model_.variant.locks, found->coordinate, &Lock::coordinate) > 0) {
-      context_.report.add(Code::E612, name.span,
-                          in_backticks(name.text) + " is locked by the scene");
+      context_.report.add(Code::E612, key.key_span,
+                          in_backticks(key.key) + " is locked by the scene");
       return nullptr;
     }
     return &*found;
@@ -138,27 +106,23 @@ class StartReader {
 
   Context& context_;
   Model& model_;
+  ValueReader values_;
   std::vector<StartPlace> places_;
 };
 
 /// Gains are plain numbers, so the units of a law are not judged.
-void read_law(Context& context, const OptionWord& word) {
-  const std::optional<Assignment> given = assignment_of(context, word);
-  if (!given) return;
-  const auto input = std::ranges::find(context.model.inputs, given->name.text, &Input::name);
+void read_law(Context& context, const KeySyntax& key) {
+  const auto input = std::ranges::find(context.model.inputs, key.key, &Input::name);
   if (input == context.model.inputs.end()) {
     const std::vector<std::string> names = context.symbols.names({SymbolKind::input});
-    context.report.add(Code::E201, given->name.span,
-                       "unknown input " + in_backticks(given->name.text),
-                       context.symbols.suggest(given->name.text, names));
+    context.report.add(Code::E201, key.key_span, "unknown input " + in_backticks(key.key),
+                       context.symbols.suggest(key.key, names));
     return;
   }
-  const std::optional<ExpressionSyntax> expression = expression_of(context, given->value);
-  if (!expression) return;
   const Place place{"the law of an input", place::of_state | uses_kink};
   const std::size_t known = context.roots.size();
   const ExpressionId law =
-      ValueReader(context, Scope(context.sizes)).root(*expression, {place, std::nullopt});
+      ValueReader(context, Scope(context.sizes)).root(key.value, {place, std::nullopt});
   if (context.roots.size() == known) return;
   context.roots.back().plain_numbers = true;
   input->law = law;
@@ -169,28 +133,30 @@ void read_law(Context& context, const OptionWord& word) {
 void read_starts(Context& context, const SceneOptions& options) {
   if (options.starts.empty()) return;
   StartReader reader(context);
-  for (const OptionWord& word : words_of(options.starts, context.report)) reader.read(word);
+  const auto keys = keys_of(context, options.starts, KeyType::expression_or_list);
+  for (const KeySyntax& key : keys) reader.read(key);
 }
 
 void read_laws(Context& context, const SceneOptions& options) {
-  for (const OptionWord& word : words_of(options.laws, context.report)) read_law(context, word);
+  for (const KeySyntax& key : keys_of(context, options.laws, KeyType::expression)) {
+    read_law(context, key);
+  }
 }
 
 void read_values(Context& context, const Scene& scene, const SceneOptions& options) {
-  for (const OptionWord& word : words_of(options.values, context.report)) {
-    const std::optional<Assignment> given = assignment_of(context, word);
-    if (!given) continue;
-    const auto targets = named_parameters(context, given->name.text, given->name.span);
+  ValueReader values(context, Scope(context.sizes));
+  for (const KeySyntax& key : keys_of(context, options.values, KeyType::expression)) {
+    const auto targets = named_parameters(context, key.key, key.key_span);
     if (targets.empty()) continue;
-    const std::optional<FixedValue> value = constant_of(context, given->value);
+    const std::optional<FixedValue> value = values.constant_with_form(key.value);
     for (const std::uint32_t target : targets) {
       if (scene.specialisation.fixed.count(target) > 0) {
-        context.report.add(Code::E606, given->name.span,
-                           in_backticks(given->name.text) + " is fixed, so it is no parameter");
+        context.report.add(Code::E606, key.key_span,
+                           in_backticks(key.key) + " is fixed, so it is no parameter");
         break;
       }
       if (!value) break;
-      check_value(context, target, value->number, given->value);
+      check_value(context, target, value->number, key.value.span);
       context.model.parameters[target].value = value->number;
       context.model.parameters[target].form = value->form;
       context.model.parameters[target].is_computed = false;

@@ -26,8 +26,9 @@ namespace elgen {
 /// where the scalars or the accuracy are those of no batch.
 void read_batch(Context& context, const FileSyntax* syntax, Scene& scene);
 
-/// Sets Numerics::max_error and its ranges. E640, E630.
-void read_promise(Context& context, const FileSyntax* syntax, Numerics& numerics);
+/// Sets Numerics::max_error and its ranges, those of the options last. E640, E630, E606.
+void read_promise(Context& context, const FileSyntax* syntax, const SceneOptions& options,
+                  Numerics& numerics);
 
 /// Fills Model::approximation. E614.
 void read_approximation(Context& context, const FileSyntax* scene);

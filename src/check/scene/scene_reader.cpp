@@ -8,7 +8,6 @@
 #include <set>
 
 #include "base/report.hpp"
-#include "check/expressions/options.hpp"
 #include "check/expressions/parameters.hpp"
 #include "check/expressions/values.hpp"
 #include "check/names/reserved_names.hpp"
@@ -99,6 +98,21 @@ bool precedes(const OutputRequest& a, const OutputRequest& b) {
   return std::pair(a.kind, a.user) < std::pair(b.kind, b.user);
 }
 
+/// The canonical text of a scene and options; "" where there is neither.
+std::string canonical_text(const FileSyntax* scene, const SceneOptions& options) {
+  std::string text = scene == nullptr ? "" : dump(*scene);
+  for (const auto& [name, list] :
+       {std::pair("outputs", &options.outputs), std::pair("fix", &options.fixed),
+        std::pair("size", &options.sizes)}) {
+    for (const Span& span : option_words(*list)) {
+      std::string word(covered_text(span));
+      std::erase(word, ' ');
+      text += fmt::format("--{} {}\n", name, word);
+    }
+  }
+  return text;
+}
+
 class SceneReader {
  public:
   SceneReader(Context& context, const FileSyntax* syntax, const SceneOptions& options)
@@ -111,7 +125,7 @@ class SceneReader {
     read_numerics();
     scene_.emission = read_emission(context_, syntax_, scene_);
     read_batch(context_, syntax_, scene_);
-    read_promise(context_, syntax_, scene_.numerics);
+    read_promise(context_, syntax_, options_, scene_.numerics);
     scene_.has_options =
         !options_.outputs.empty() || !options_.fixed.empty() || !options_.sizes.empty();
     scene_.canonical = canonical_text(syntax_, options_);
@@ -137,8 +151,8 @@ class SceneReader {
   void read_outputs() {
     const EntrySyntax* outputs = find_entry(syntax_, "outputs");
     if (!options_.outputs.empty()) {
-      for (const OptionWord& word : words_of(options_.outputs)) {
-        OutputRequest* output = request(word.text, word.span);
+      for (const Span& word : option_words(options_.outputs)) {
+        OutputRequest* output = request(std::string(covered_text(word)), word);
         if (output != nullptr) read_step({}, *output, context_.report);
       }
       if (options_.step) request_step(*options_.step);
@@ -263,32 +277,18 @@ class SceneReader {
       fix_named(fixed->value.text, fixed->value.span, nullptr);
     } else if (fixed != nullptr) {
       for (const KeySyntax& key : fixed->value.entries) {
-        fix_named(key.key, key.key_span, &key.value.expression);
+        fix_named(key.key, key.key_span, &key.value);
       }
     }
-    for (const OptionWord& word : words_of(options_.fixed, context_.report)) {
-      read_fix_option(word);
+    constexpr KeyType type = KeyType::boolean_or_expression;
+    for (const KeySyntax& key : keys_of(context_, options_.fixed, type)) {
+      const bool has_value = key.value.kind == ValueKind::expression;
+      fix_named(key.key, key.key_span, has_value ? &key.value : nullptr);
     }
-  }
-
-  void read_fix_option(const OptionWord& word) {
-    const Assignment assignment = split_assignment(word);
-    if (assignment.value.begin == assignment.value.end) {
-      const bool lacks_value = word.text.find('=') != std::string::npos;
-      if (lacks_value) {
-        context_.report.add(Code::E606, word.span, in_backticks(word.text) + " has no value");
-      } else {
-        fix_named(word.text, word.span, nullptr);
-      }
-      return;
-    }
-    const Result<ExpressionSyntax> value = parse_expression(assignment.value, context_.limits);
-    for (const Diagnostic& diagnostic : value.diagnostics) context_.report.add(diagnostic);
-    if (value) fix_named(assignment.name.text, assignment.name.span, &*value);
   }
 
   /// NAME fixes all elements, NAME[i] one, "all" every parameter; without a value at the model's.
-  void fix_named(const std::string& name, const Span& span, const ExpressionSyntax* value) {
+  void fix_named(const std::string& name, const Span& span, const ValueSyntax* value) {
     const bool fixes_all = name == "all" && value == nullptr;
     std::vector<std::uint32_t> targets(model_.parameters.size());
     std::iota(targets.begin(), targets.end(), 0U);
@@ -299,12 +299,10 @@ class SceneReader {
     if (targets.empty()) return;
     std::optional<FixedValue> own;
     if (value != nullptr) {
-      ValueSyntax syntax;
-      syntax.expression = *value;
-      own = ValueReader(context_, Scope(context_.sizes)).constant_with_form(syntax);
+      own = ValueReader(context_, Scope(context_.sizes)).constant_with_form(*value);
     }
     for (const std::uint32_t target : targets) {
-      if (own) check_value(context_, target, own->number, value->span);
+      if (own) check_value(context_, target, own->number, value->expression.span);
       if (own) context_.model.parameters[target].is_computed = false;
       const Parameter& parameter = model_.parameters[target];
       scene_.specialisation.fixed[target] =

@@ -49,7 +49,8 @@ class DesignBench {
     const Result<Machine> machine = this_machine(process_.limits);
     if (!machine) return machine.diagnostics;
     result_.table.machine = *machine;
-    Result<OutputBase> base = output_base(request_.inputs, request_.output, process_.limits);
+    Result<OutputBase> base =
+        output_base(request_.inputs, request_.output, request_.ranges, process_.limits);
     if (!base) return base.diagnostics;
     base_ = std::move(*base);
     Diagnostics wrong = contradictions(base_.base(), request_.choices.pinned);
@@ -116,8 +117,7 @@ class DesignBench {
     Result<TradeoffPlan> planned = plan(*exact.checked, *exact.program, request_.choices);
     if (!planned) return planned.diagnostics;
     process_.on_stage("states");
-    Result<TradeoffStates> states =
-        tradeoff_states(*exact.checked, *exact.program, request_.ranges, {});
+    Result<TradeoffStates> states = tradeoff_states(*exact.checked, *exact.program, {});
     if (!states) return states.diagnostics;
     states_ = std::move(*states);
     result_.table.dimensions = planned->dimensions;
@@ -254,7 +254,7 @@ void keep_only(const std::string& output, Products& products) {
 }
 
 Result<OutputBase> output_base(const Inputs& inputs, const std::string& output,
-                               const Limits& limits) {
+                               const std::vector<SourcePointer>& ranges, const Limits& limits) {
   PipelineOptions options;
   options.limits = limits;
   options.goals = {Goal::check};
@@ -267,6 +267,7 @@ Result<OutputBase> output_base(const Inputs& inputs, const std::string& output,
     name = default_output(whole.checked->scene);
   }
   options.scene.outputs = {make_kept_source("command line", name)};
+  options.scene.ranges = ranges;
   Products one = run_pipeline(inputs, options);
   if (!one.checked) return one.diagnostics;
   keep_only(name, one);
@@ -280,7 +281,7 @@ Result<OutputBase> output_base(const Inputs& inputs, const std::string& output,
         in_backticks(functions.front().name) + " is left open, and designs need its values",
         "give it an expression in `[functions]` of a scene"};
   }
-  OutputBase base{std::move(*one.checked)};
+  OutputBase base{std::move(*one.checked), {}, ranges};
   if (inputs.scene != nullptr) base.scene = parse_scene(inputs.scene, limits).value;
   return {std::move(base), std::move(found)};
 }

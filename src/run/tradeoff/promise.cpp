@@ -64,7 +64,7 @@ class PromiseRows {
   /// Of the only function of `program`.
   void add(const Program& program) {
     const Function& function = program.functions.front();
-    const Result<TradeoffStates> states = tradeoff_states(exact_, program, {}, {.seed = seed_});
+    const Result<TradeoffStates> states = tradeoff_states(exact_, program, {.seed = seed_});
     if (!states) return rows_.push_back(skipped(function));
     for (const PromisedCode& code : codes_) {
       for (const ScalarKind scalar : exact_.scene.numerics.scalars) {

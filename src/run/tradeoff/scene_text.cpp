@@ -190,10 +190,8 @@ class DesignText {
     if (key != nullptr) {
       for (const KeySyntax& range : key->value.entries) ends[range.key] = value_text(range.value);
     }
-    for (const SourcePointer& source : base_.ranges) {
-      const Result<NamedRange> range = read_range(*source);
-      if (range) ends[range->name] = toml_list({number(range->low), number(range->high)});
-    }
+    const auto given = parse_options(base_.ranges, KeyType::range, Limits{});
+    for (const KeySyntax& range : *given) ends[range.key] = value_text(range.value);
     Lines entries;
     for (const auto& [name, range] : ends) {
       entries.push_back(fmt::format("{} = {}", toml_key(name), range));

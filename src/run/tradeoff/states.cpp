@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 
 #include "elgen/leaf_names.hpp"
 #include "elgen/wording.hpp"
@@ -14,40 +12,13 @@
 namespace elgen {
 namespace {
 
-std::optional<double> number(std::string_view text) {
-  double value = 0;
-  const char* const end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, value);
-  if (read.ec != std::errc() || read.ptr != end || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
-Diagnostic refused(const Span& span, std::string message, std::string hint = {}) {
-  return {Code::E630, span, std::move(message), std::move(hint)};
-}
-
-/// Narrows the range of what it names, if that is there and varies. Returns what does.
-std::vector<std::string> narrow(const Model& model, const NamedRange& narrowed,
-                                LeafValues<Range>& ranges) {
-  std::vector<std::string> names;
+/// Narrows the range of what it names.
+void narrow(const Model& model, const NamedRange& narrowed, LeafValues<Range>& ranges) {
   const auto visit = [&](Opcode kind, std::uint32_t i, Range& range) {
-    if (kind == Opcode::parameter || never_passed.has_any(kind)) return;
-    names.push_back(leaf_text(model, kind, i));
-    if (names.back() == narrowed.name) range = {narrowed.low, narrowed.high};
+    const bool varies = kind != Opcode::parameter && !never_passed.has_any(kind);
+    if (varies && leaf_text(model, kind, i) == narrowed.name) range = {narrowed.low, narrowed.high};
   };
   for_each_leaf(visit, ranges);
-  return names;
-}
-
-/// E630 where it names nothing that varies.
-Diagnostics narrow(const Model& model, const SourceText& source, LeafValues<Range>& ranges) {
-  const Result<NamedRange> narrowed = read_range(source);
-  if (!narrowed) return narrowed.diagnostics;
-  const std::vector<std::string> names = narrow(model, *narrowed, ranges);
-  if (std::ranges::find(names, narrowed->name) != names.end()) return {};
-  const Span name{&source, 0, static_cast<std::uint32_t>(narrowed->name.size())};
-  return {refused(name, in_backticks(narrowed->name) + " is no coordinate, rate, momentum or input",
-                  suggestion(narrowed->name, names))};
 }
 
 ExactNumber exact_number(const cln::cl_R& value) {
@@ -67,23 +38,6 @@ std::vector<ExactNumber> transposed(
 
 }  // namespace
 
-Result<NamedRange> read_range(const SourceText& source) {
-  const std::string_view text = source.text;
-  const Span all{&source, 0, static_cast<std::uint32_t>(text.size())};
-  const std::size_t equals = text.rfind('=');
-  const std::size_t dots = text.find("..", equals == std::string_view::npos ? 0 : equals);
-  if (equals == std::string_view::npos || dots == std::string_view::npos) {
-    return refused(all, in_backticks(text) + " is no range", "write NAME=LOW..HIGH");
-  }
-  const std::optional<double> low = number(text.substr(equals + 1, dots - equals - 1));
-  const std::optional<double> high = number(text.substr(dots + 2));
-  const Span numbers{&source, static_cast<std::uint32_t>(equals + 1), all.end};
-  if (!low || !high) return refused(numbers, in_backticks(numbers) + " are no two numbers");
-  if (!(*low <= *high))
-    return refused(numbers, fmt::format("the range {} is empty", in_backticks(numbers)));
-  return NamedRange{std::string(text.substr(0, equals)), *low, *high};
-}
-
 std::optional<std::vector<ExactNumber>> exact_entries(const CheckedModel& checked,
                                                       const Program& program,
                                                       const Arguments<double>& state) {
@@ -101,16 +55,11 @@ std::optional<std::vector<ExactNumber>> exact_entries(const CheckedModel& checke
 }
 
 Result<TradeoffStates> tradeoff_states(const CheckedModel& exact, const Program& program,
-                                       const std::vector<SourcePointer>& ranges,
                                        const TradeoffSampling& sampling) {
   const Subject subject{exact.model, exact.scene, program};
   LeafValues<Range> within = ranges_of(subject);
   for (const NamedRange& range : exact.scene.numerics.ranges) {
-    (void)narrow(exact.model, range, within);
-  }
-  for (const SourcePointer& source : ranges) {
-    const Diagnostics wrong = narrow(exact.model, *source, within);
-    if (!wrong.empty()) return wrong;
+    narrow(exact.model, range, within);
   }
   Random random(sampling.seed);
   TradeoffStates result;

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "elgen/pipeline.hpp"
 #include "elgen/tradeoff.hpp"
@@ -10,12 +11,15 @@
 
 namespace elgen::test {
 
-/// One output of the model, derived; throws what is wrong. `scene` is what follows its name.
+/// One output of the model, derived; throws what is wrong. `scene` is what follows its name;
+/// `ranges` are those of --range.
 inline Products derived(const std::string& text, const std::string& output,
-                        const std::string& scene = {}) {
+                        const std::string& scene = {},
+                        const std::vector<SourcePointer>& ranges = {}) {
   PipelineOptions options;
   options.goals = {Goal::choose};
   options.scene.outputs = {make_source("command line", output)};
+  options.scene.ranges = ranges;
   Inputs inputs{make_source("test.toml", text)};
   if (!scene.empty()) {
     inputs.scene = make_source("test.scene.toml",
