@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <set>
 
-#include "base/svg.hpp"
 #include "elgen/tradeoff.hpp"
+#include "run/chart/chart.hpp"
 
 namespace elgen {
 namespace {
@@ -31,18 +33,9 @@ constexpr std::array outlines{"M-5 0A5 5 0 1 0 5 0A5 5 0 1 0 -5 0Z",
                               "M0 5.5L5.5 -4.5H-5.5Z",
                               "M-2 -6H2V6H-2Z"};
 
-/// Whole powers of ten around numbers.
-struct Decades {
-  int low = 0;
-  int high = 1;
-
-  [[nodiscard]] double share(double decimal_logarithm) const {
-    return (std::clamp(decimal_logarithm, double(low), double(high)) - low) / (high - low);
-  }
-};
-
-/// Numbers that have no logarithm are at the ends, and do not move them.
-Decades decades_around(const std::vector<double>& numbers) {
+/// Decimal logarithms: whole powers of ten around numbers, without ticks. Numbers that have no
+/// logarithm are at the ends, and do not move them.
+ChartAxis decades_around(const std::vector<double>& numbers) {
   double low = INFINITY;
   double high = -INFINITY;
   for (const double number : numbers) {
@@ -51,8 +44,30 @@ Decades decades_around(const std::vector<double>& numbers) {
     high = std::max(high, std::log10(number));
   }
   if (low > high) return {};
-  const Decades decades{static_cast<int>(std::floor(low)), static_cast<int>(std::ceil(high))};
-  return decades.low < decades.high ? decades : Decades{decades.low, decades.low + 1};
+  low = std::floor(low);
+  return {low, std::max(std::ceil(high), low + 1)};
+}
+
+ChartAxis axis_of_costs(const std::vector<double>& costs) {
+  ChartAxis axis = decades_around(costs);
+  const bool is_narrow = axis.high - axis.low <= 2;
+  for (double k = axis.low; k <= axis.high; ++k) {
+    for (const int factor : {1, 2, 5}) {
+      if (factor > 1 && (k == axis.high || !is_narrow)) break;
+      axis.ticks.push_back(
+          {k + std::log10(factor), fmt::format("{:g}", factor * std::pow(10.0, k))});
+    }
+  }
+  return axis;
+}
+
+ChartAxis axis_of_errors(const std::vector<double>& errors) {
+  ChartAxis axis = decades_around(errors);
+  const double distance = 1 + std::floor((axis.high - axis.low) / 12);
+  for (double k = axis.low; k <= axis.high; k += distance) {
+    axis.ticks.push_back({k, fmt::format("1e{:g}", k)});
+  }
+  return axis;
 }
 
 class TradeoffPicture {
@@ -67,8 +82,8 @@ class TradeoffPicture {
       costs.push_back(row->cost.median);
       errors.push_back(row->error.worst);
     }
-    costs_ = decades_around(costs);
-    errors_ = decades_around(errors);
+    chart_ = {left, top, plot_width, plot_height, axis_of_costs(costs), axis_of_errors(errors)};
+    chart_.x.title = fmt::format("cost [{}]", table.cost);
   }
 
   [[nodiscard]] std::string text() const {
@@ -76,7 +91,8 @@ class TradeoffPicture {
         svg_start(legend_left + legend_width,
                   std::max(top + plot_height + bottom, legend_y(rows_.size() + 5)),
                   fmt::format("{}, {}: {}", table_.model, table_.subject, table_.error));
-    svg += grid() + front() + legend();
+    svg += chart_.grid() + svg_label(14, top - 14, "start", "worst error, relative") + front() +
+           legend();
     // The front, which comes first where costs are equal, is drawn last, so that nothing covers it.
     for (std::size_t i = rows_.size(); i-- > 0;) {
       const TradeoffRow& row = *rows_[i];
@@ -86,40 +102,12 @@ class TradeoffPicture {
   }
 
  private:
-  [[nodiscard]] double x_at(double decimal_logarithm) const {
-    return left + plot_width * costs_.share(decimal_logarithm);
-  }
-  [[nodiscard]] double y_at(double decimal_logarithm) const {
-    return top + plot_height * (1 - errors_.share(decimal_logarithm));
-  }
   [[nodiscard]] double x_of(const TradeoffRow& row) const {
-    return x_at(std::log10(row.cost.median));
+    return chart_.x_of(std::log10(row.cost.median));
   }
   /// An error of 0 is at the bottom.
   [[nodiscard]] double y_of(const TradeoffRow& row) const {
-    return y_at(std::log10(row.error.worst));
-  }
-
-  [[nodiscard]] std::string grid() const {
-    std::string svg;
-    const bool is_narrow = costs_.high - costs_.low <= 2;
-    for (int k = costs_.low; k <= costs_.high; ++k) {
-      for (const int factor : {1, 2, 5}) {
-        const double x = x_at(k + std::log10(factor));
-        if (factor > 1 && (k == costs_.high || !is_narrow)) break;
-        svg += svg_grid_line(x, top, x, top + plot_height);
-        svg += svg_label(x, top + plot_height + 16, "middle",
-                         fmt::format("{:g}", factor * std::pow(10.0, k)));
-      }
-    }
-    const int distance = 1 + (errors_.high - errors_.low) / 12;
-    for (int k = errors_.low; k <= errors_.high; k += distance) {
-      svg += svg_grid_line(left, y_at(k), left + plot_width, y_at(k));
-      svg += svg_label(left - 6, y_at(k) + 4, "end", fmt::format("1e{}", k));
-    }
-    return svg + svg_label(14, top - 14, "start", "worst error, relative") +
-           svg_label(left + plot_width / 2, top + plot_height + 36, "middle",
-                     fmt::format("cost [{}]", table_.cost));
+    return chart_.y_of(std::log10(row.error.worst));
   }
 
   /// Along the front costs go up and errors down; between two costs the cheaper design is the best.
@@ -142,13 +130,9 @@ class TradeoffPicture {
 
   [[nodiscard]] const char* outline_of(const TradeoffRow& row) const {
     if (row.values.empty()) return outlines.front();
-    std::vector<std::string> values;
-    for (const TradeoffRow* other : rows_) {
-      const std::string& value = other->values.front();
-      if (std::ranges::find(values, value) == values.end()) values.push_back(value);
-    }
-    std::ranges::sort(values);
-    const auto at = std::ranges::find(values, row.values.front()) - values.begin();
+    std::set<std::string> values;
+    for (const TradeoffRow* other : rows_) values.insert(other->values.front());
+    const auto at = std::distance(values.begin(), values.find(row.values.front()));
     return outlines[static_cast<std::size_t>(at) % outlines.size()];
   }
 
@@ -194,8 +178,7 @@ class TradeoffPicture {
 
   const TradeoffTable& table_;
   std::vector<const TradeoffRow*> rows_ = {};
-  Decades costs_ = {};
-  Decades errors_ = {};
+  Chart chart_ = {};
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Elements of pictures.
-#include "base/svg.hpp"
+// Elements of pictures, and axes.
+#include "run/chart/chart.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -19,4 +19,22 @@ TEST_CASE("texts are escaped, positions have a tenth of a pixel") {
   CHECK(svg_title(1, 2, "a<b") == "<text x=\"1\" y=\"2\" font-weight=\"bold\">a&lt;b</text>\n");
   CHECK(svg_grid_line(0, 1, 2, 3.26) ==
         "<line x1=\"0.0\" y1=\"1.0\" x2=\"2.0\" y2=\"3.3\" stroke=\"#ddd\"/>\n");
+}
+
+TEST_CASE("numbers of axes are pixels between the edges, y upwards, and end there") {
+  const Chart chart{10, 20, 100, 50, {0, 4}, {-1, 1}};
+  CHECK(chart.x_of(1) == 35);
+  CHECK(chart.y_of(0.5) == 32.5);
+  CHECK(chart.x_of(9) == 110);
+  CHECK(chart.y_of(-9) == 70);
+}
+
+TEST_CASE("an axis of x without a title has lines alone") {
+  Chart chart{10, 20, 100, 50, {0, 4, {{1, "one"}}}, {0, 1, {{1, "top"}}}};
+  const std::string lines = svg_grid_line(35, 20, 35, 70);
+  const std::string above = svg_grid_line(10, 20, 110, 20) + svg_label(4, 24, "end", "top");
+  CHECK(chart.grid() == lines + above);
+  chart.x.title = "t [s]";
+  CHECK(chart.grid() ==
+        lines + svg_label(35, 86, "middle", "one") + above + svg_label(60, 106, "middle", "t [s]"));
 }

@@ -1,0 +1,97 @@
+// Charts as SVG, in black and grey on white, positions in pixels: the axes of a chart, and texts
+// around it.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace elgen {
+
+[[nodiscard]] inline std::string escaped_for_xml(const std::string& text) {
+  std::string result;
+  for (const char letter : text) {
+    result += letter == '&' ? "&amp;" : letter == '<' ? "&lt;" : std::string(1, letter);
+  }
+  return result;
+}
+
+/// The opening tag, a white ground, and what the picture is called, in the topmost 30 pixels.
+[[nodiscard]] inline std::string svg_start(double width, double height, const std::string& title) {
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
+      "viewBox=\"0 0 {0} {1}\" font-family=\"sans-serif\" font-size=\"12\">\n"
+      "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
+      "<text x=\"14\" y=\"22\" font-size=\"14\" font-weight=\"bold\">{2}</text>\n",
+      width, height, escaped_for_xml(title));
+}
+
+[[nodiscard]] inline std::string svg_grid_line(double x1, double y1, double x2, double y2) {
+  return fmt::format(
+      "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"#ddd\"/>\n", x1, y1,
+      x2, y2);
+}
+
+/// `anchor`: what of the text is at x: "start", "middle" or "end".
+[[nodiscard]] inline std::string svg_label(double x, double y, const char* anchor,
+                                           const std::string& text) {
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor,
+                     escaped_for_xml(text));
+}
+
+/// Of a part of the picture, in bold, from x on.
+[[nodiscard]] inline std::string svg_title(double x, double y, const std::string& text) {
+  return fmt::format("<text x=\"{}\" y=\"{}\" font-weight=\"bold\">{}</text>\n", x, y,
+                     escaped_for_xml(text));
+}
+
+/// A line across a chart, and the text at its end.
+struct ChartTick {
+  double at = 0;
+  std::string label = {};
+};
+
+struct ChartAxis {
+  double low = 0;
+  double high = 1;
+  std::vector<ChartTick> ticks = {};
+  std::string title = {};  ///< of x; "": neither title nor labels, which another chart below has
+
+  /// How far a number is from the low end, of the length; those beyond the axis are at its ends.
+  [[nodiscard]] double part(double number) const {
+    return (std::clamp(number, low, high) - low) / (high - low);
+  }
+};
+
+/// A rectangle between two axes.
+struct Chart {
+  double left = 0;
+  double top = 0;
+  double width = 0;
+  double height = 0;
+  ChartAxis x = {};
+  ChartAxis y = {};
+
+  [[nodiscard]] double x_of(double number) const { return left + width * x.part(number); }
+  [[nodiscard]] double y_of(double number) const { return top + height * (1 - y.part(number)); }
+
+  /// All ticks, with the labels of x and its title below, and those of y on the left.
+  [[nodiscard]] std::string grid() const {
+    const double bottom = top + height;
+    std::string svg;
+    for (const auto& [at, label] : x.ticks) {
+      svg += svg_grid_line(x_of(at), top, x_of(at), bottom);
+      if (!x.title.empty()) svg += svg_label(x_of(at), bottom + 16, "middle", label);
+    }
+    for (const auto& [at, label] : y.ticks) {
+      svg += svg_grid_line(left, y_of(at), left + width, y_of(at)) +
+             svg_label(left - 6, y_of(at) + 4, "end", label);
+    }
+    if (x.title.empty()) return svg;
+    return svg + svg_label(left + width / 2, bottom + 36, "middle", x.title);
+  }
+};
+
+}  // namespace elgen
