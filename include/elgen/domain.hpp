@@ -2,16 +2,22 @@
 // values of their parameters, and at states inside the declared ranges.
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <vector>
 
+#include "elgen/leaf_names.hpp"
 #include "elgen/leaves.hpp"
 #include "elgen/model.hpp"
-#include "elgen/program.hpp"
 #include "elgen/scene.hpp"
 
 namespace elgen {
+
+/// States are drawn by the ranges of a model, the values that a scene gives to parameters, and the
+/// leaves that functions take.
+struct StateSpace {
+  const Model& model;
+  const Scene& scene;
+  const LeafNames& leaves;
+};
 
 /// An interval in double.
 struct Range {
@@ -20,15 +26,14 @@ struct Range {
 };
 
 struct Domain {
+  const Model& model;
+  LeafValues<Range> ranges = {};
   /// Drawn over the ranges (sample/states.hpp), parameters at their values. The same on every
   /// machine.
   std::vector<LeafValues<double>> states = {};
-  LeafValues<std::optional<Range>> declared = {};
-  std::vector<bool> is_alone = {};          ///< by coordinate: it is no component of a quaternion
-  std::vector<std::uint32_t> unit_of = {};  ///< by parameter: equal numbers for equal units
 };
 
-/// The domain of functions that take these leaves. Cost: eight states.
-[[nodiscard]] Domain domain_of(const Model& model, const Scene& scene, const Program& program);
+/// The model outlives it. Cost: eight states.
+[[nodiscard]] Domain domain_of(const StateSpace& space);
 
 }  // namespace elgen

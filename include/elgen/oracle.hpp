@@ -37,19 +37,6 @@ using State = LeafValues<cln::cl_R>;
 /// Replaces every quaternion by a rational one of length 1, made of its last three components.
 void make_unit_quaternions(const Model& model, State& state);
 
-class Random;
-
-/// Those that are not fixed: in even turns at half to twice their value inside their range, one
-/// that is 0 at a positive number up to 1; in odd turns anywhere in the range, where one is
-/// declared.
-void draw_parameters(const Model& model, const FixedParameters& fixed, Random& random,
-                     std::size_t turn, State& state);
-
-/// Everything but parameters and h: in the declared range; else angles anywhere in a turn, and all
-/// others, momenta among them, up to 1, 1e-3 or 1e3 in magnitude, in turn; quaternions of length 1.
-/// Outside of its domain a model has no value, and callers draw again.
-void draw_motion(const Model& model, Random& random, std::size_t turn, State& state);
-
 /// Values of one field after another, row-major, of the shape and in the units of the output table;
 /// empty where an intermediate left the domain (sqrt(-1), 1/0).
 using OracleValues = std::optional<std::vector<cln::cl_R>>;

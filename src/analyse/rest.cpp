@@ -185,7 +185,7 @@ Result<RestProgram> rest_program(const Program& moving, const std::vector<cln::c
 
 Program closed_program(const Program& recursive) {
   const ClosedForms forms = present(recursive);
-  const MixedPoints points = mixed_points(recursive.leaves);
+  const Points points = mixed_points(recursive.leaves);
   Program result = recursive;
   for (std::size_t i = 0; i < recursive.functions.size(); ++i) {
     const Function& function = recursive.functions[i];

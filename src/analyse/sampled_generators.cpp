@@ -9,7 +9,7 @@
 
 #include "numbers/exact_number.hpp"
 #include "numbers/more_digits.hpp"
-#include "numbers/random.hpp"
+#include "sample/states.hpp"
 
 namespace elgen {
 namespace {
@@ -130,11 +130,9 @@ std::vector<std::vector<cl_R>> null_vectors(const std::vector<std::vector<cl_R>>
 }
 
 State at_random_parameters(const CheckedModel& checked, std::size_t turn) {
-  Random random(seed + turn);
-  State state = nominal_state(checked.model, checked.scene);
+  Sampler draw(seed + turn);
   // Odd turns reach all of the ranges that parameters declare.
-  draw_parameters(checked.model, checked.scene.specialisation.fixed, random, 2 * turn + 1, state);
-  return state;
+  return drawn_state(checked.model, checked.scene, draw, 2 * turn + 1);
 }
 
 /// The conditions at a state, scaled; those without a value are left out.
@@ -154,11 +152,11 @@ std::optional<SampledGenerators> generators_at(const CheckedModel& checked, cons
   const GeneratorClass all(checked.model);
   const std::size_t n = all.velocity_count;
   const std::size_t wanted = all.size() / n + 4;
-  Random random(seed);
+  Sampler draw(seed);
   SampledGenerators result;
   for (std::size_t k = 0; k < draws_per_state * wanted && result.states.size() < wanted; ++k) {
     State state = resting;
-    draw_motion(checked.model, random, 0, state);
+    draw_motion(checked.model, draw, 0, state);
     const std::vector<std::vector<cl_R>> own = rows_at(checked, moving, all, state);
     if (own.size() < n) continue;
     result.rows.insert(result.rows.end(), own.begin(), own.end());

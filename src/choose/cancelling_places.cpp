@@ -163,10 +163,14 @@ class PlaceSearch {
  private:
   void add(const NearPlace& place) {
     NearPlaces& known = found_[place.coordinate];
-    const bool is_alone = domain_.is_alone[place.coordinate];
-    if (!is_alone || !std::isfinite(place.factor)) return;
+    if (!is_alone(place.coordinate) || !std::isfinite(place.factor)) return;
     latest_.push_back(place);
     if (std::ranges::find(known, place) == known.end()) known.push_back(place);
+  }
+
+  /// Whether it is no component of a quaternion.
+  [[nodiscard]] bool is_alone(std::uint32_t coordinate) const {
+    return !domain_.model.coordinates[coordinate].rotation;
   }
 
   /// Joins the latest places with those of the operands. Sines and cosines pass none on, for they
@@ -174,7 +178,7 @@ class PlaceSearch {
   [[nodiscard]] NearPlaces places_below(const Instruction& i,
                                         const std::vector<NearPlaces>& below) const {
     NearPlaces all = latest_;
-    if (i.opcode == Opcode::coordinate && domain_.is_alone[i.a]) all.push_back({i.a, 0});
+    if (i.opcode == Opcode::coordinate && is_alone(i.a)) all.push_back({i.a, 0});
     const std::size_t operands = is_wave(i) ? 0 : operand_count(i);
     if (operands > 0) all.insert(all.end(), below[i.a].begin(), below[i.a].end());
     if (operands > 1) all.insert(all.end(), below[i.b].begin(), below[i.b].end());

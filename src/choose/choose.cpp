@@ -115,7 +115,7 @@ class RecursiveForms {
         chosen_(chosen),
         domain_(domain),
         scene_(scene),
-        extremes_(prefers_accuracy(scene) ? extreme_points(recursive) : ComparisonPoints{}) {}
+        extremes_(prefers_accuracy(scene) ? extreme_points(recursive) : Points{}) {}
 
   /// The total energy is never worse than the sum of the energies.
   const Function& of(std::size_t index) {
@@ -133,7 +133,7 @@ class RecursiveForms {
     const auto known = errors_.find(index);
     if (known != errors_.end()) return &known->second;
     const Function& text = of(index);
-    ComparisonPoints points = comparison_points(recursive_, recursive_.functions[index], domain_);
+    Points points = comparison_points(recursive_, recursive_.functions[index], domain_);
     const auto made =
         errors_.try_emplace(index, chosen_, text, std::move(points), scale_for(scene_), extremes_);
     return &made.first->second;
@@ -144,7 +144,7 @@ class RecursiveForms {
   const Program& chosen_;  ///< with the functions that were chosen so far
   const Domain& domain_;
   const Scene& scene_;
-  ComparisonPoints extremes_;                         ///< where accuracy counts
+  Points extremes_;                                   ///< where accuracy counts
   std::map<std::size_t, Function> energy_sums_ = {};  ///< by function, of total_energy
   std::map<std::size_t, TextErrors> errors_ = {};     ///< likewise
 };
@@ -309,7 +309,7 @@ class Choosing {
   const Program& recursive_;
   const ClosedForms& forms_;
   const Scene& scene_;
-  MixedPoints points_;
+  Points points_;
   Choice result_ = {};
   RecursiveForms recursive_forms_;
   std::map<std::string, ReadableEntries> entries_;

@@ -165,7 +165,7 @@ bool has_closed_form(const ClosedFunction& closed) {
          });
 }
 
-ReadableEntries read_entries(const BothForms& both, const MixedPoints& points, TextErrors* text) {
+ReadableEntries read_entries(const BothForms& both, const Points& points, TextErrors* text) {
   const auto& [program, function, forms, closed] = both;
   ReadableEntries entries;
   if (term_count(closed) > most_terms_together) return entries;
@@ -217,7 +217,7 @@ std::optional<ReadableEntries> with_kept(const ReadableEntries& entries, double 
   return others;
 }
 
-void read_as_precisely(ReadableEntries& entries, const MixedPoints& points) {
+void read_as_precisely(ReadableEntries& entries, const Points& points) {
   for (auto& entry : entries) {
     if (!entry->is_rewritten) continue;
     if (is_as_precise(entry->compact, entry->readable, points, Leaves::exact)) continue;

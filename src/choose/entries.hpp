@@ -28,7 +28,7 @@ struct BothForms {
 
 /// None where the closed forms are too long together. With `text`, an entry that the shortest ways
 /// harm is rewritten where there is one that does not, and each has the way that keeps its digits.
-[[nodiscard]] ReadableEntries read_entries(const BothForms& both, const MixedPoints& points,
+[[nodiscard]] ReadableEntries read_entries(const BothForms& both, const Points& points,
                                            TextErrors* text);
 
 /// Whether there are entries, and each has a form.
@@ -49,7 +49,7 @@ struct BothForms {
 
 /// Shows those that are rewritten as they are computed where they would be shown in a way that is
 /// less precise, which would judge the code.
-void read_as_precisely(ReadableEntries& entries, const MixedPoints& points);
+void read_as_precisely(ReadableEntries& entries, const Points& points);
 
 /// All entries of a function as instructions, and the first one that is harmed by them.
 struct Lowered {

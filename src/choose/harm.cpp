@@ -78,8 +78,8 @@ bool loses_more(double loss, double other, double tolerated) {
   return loss > std::max(tolerated, similar_losses * other);
 }
 
-TextErrors::TextErrors(const Program& program, const Function& text, ComparisonPoints points,
-                       Scale scale, const ComparisonPoints& extremes)
+TextErrors::TextErrors(const Program& program, const Function& text, Points points, Scale scale,
+                       const Points& extremes)
     : program_(program), text_(text), harm_points_(points.size()), points_(std::move(points)) {
   points_.insert(points_.end(), extremes.begin(), extremes.end());
   for (std::size_t point = 0; point < points_.size(); ++point) {

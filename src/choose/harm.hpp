@@ -50,8 +50,8 @@ class TextErrors {
  public:
   /// Harm is looked for at `points`, loss at these and at `extremes`. `program` and `text` outlive
   /// it. Cost: one operation of double per instruction and point.
-  TextErrors(const Program& program, const Function& text, ComparisonPoints points, Scale scale,
-             const ComparisonPoints& extremes = {});
+  TextErrors(const Program& program, const Function& text, Points points, Scale scale,
+             const Points& extremes = {});
 
   /// Whether a way harms one entry of the text, by its number among all.
   [[nodiscard]] bool is_harmed_by(const Expressions& way, std::size_t entry) const;
@@ -87,7 +87,7 @@ class TextErrors {
   const Program& program_;
   const Function& text_;
   std::size_t harm_points_;  ///< the first so many points
-  ComparisonPoints points_;
+  Points points_;
   std::vector<std::vector<RoughError>> rough_ = {};  ///< of the text, by point and entry
   mutable std::map<std::size_t, std::vector<Running>> exact_ = {};  ///< once it is asked for
   std::vector<std::vector<double>> magnitudes_ = {};  ///< by point and entry; NaN: no value

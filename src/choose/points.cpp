@@ -5,7 +5,8 @@
 #include <utility>
 
 #include "accuracy/rough_errors.hpp"
-#include "numbers/random.hpp"
+#include "elgen/evaluate.hpp"
+#include "elgen/leaf_names.hpp"
 
 namespace elgen {
 namespace {
@@ -27,13 +28,30 @@ constexpr double nearest = distances[3];
 /// range of double.
 constexpr double far_away[]{16, -16, 1024, -1024};
 
+/// By coordinate, whether it stands in an argument of a function that `is_sought`.
+template <class IsSought>
+std::vector<bool> coordinates_in_arguments(const Function& function, const IsSought& is_sought,
+                                           std::size_t coordinate_count) {
+  std::vector<std::uint32_t> arguments;
+  for (const Instruction& i : function.instructions) {
+    if (i.opcode == Opcode::call && is_sought(i.function)) arguments.push_back(i.a);
+  }
+  const std::vector<bool> needed = needed_for(function, arguments);
+  std::vector<bool> stands_there(coordinate_count);
+  for (std::size_t at = 0; at < needed.size(); ++at) {
+    const Instruction& i = function.instructions[at];
+    if (needed[at] && i.opcode == Opcode::coordinate) stands_there[i.a] = true;
+  }
+  return stands_there;
+}
+
 class Making {
  public:
   Making(const Program& program, const Function& text, const Domain& domain,
          CancellingPlaces places)
       : program_(program), text_(text), domain_(domain), places_(std::move(places)) {}
 
-  ComparisonPoints operator()() {
+  Points make() {
     for (std::size_t i = 0; i < plain_points; ++i) points_.push_back(state());
     for (std::size_t i = 0; i < plain_points; ++i)
       points_.push_back(with_other_parameters(state()));
@@ -72,19 +90,26 @@ class Making {
 
   Arguments<double> with_other_parameters(Arguments<double> point) {
     const std::vector<double> old = point.parameters;
-    for (std::size_t i = 0; i < old.size(); ++i) {
-      const double factor = std::abs(random_.log_uniform(-widest_factor, widest_factor - 1));
-      point.parameters[i] = within(domain_.declared.parameters[i], old[i] * factor);
+    for (std::uint32_t i = 0; i < old.size(); ++i) {
+      const double factor = std::abs(draw_.scaled(-widest_factor, widest_factor - 1));
+      point.parameters[i] = within(Opcode::parameter, i, old[i] * factor);
       for (std::size_t k = 0; k < i; ++k) {
-        const bool is_equal = old[k] == old[i] && domain_.unit_of[k] == domain_.unit_of[i];
-        if (is_equal) point.parameters[i] = point.parameters[k];
+        if (old[k] == old[i] && has_same_unit(i, k)) point.parameters[i] = point.parameters[k];
       }
     }
     return point;
   }
 
-  static double within(const std::optional<Range>& range, double value) {
-    return range ? std::clamp(value, range->low, range->high) : value;
+  /// A unit that is not checked is like no other.
+  [[nodiscard]] bool has_same_unit(std::size_t i, std::size_t k) const {
+    const std::optional<Unit>& unit = domain_.model.parameters[i].unit;
+    return unit && unit == domain_.model.parameters[k].unit;
+  }
+
+  [[nodiscard]] double within(Opcode kind, std::uint32_t number, double value) const {
+    if (!declared_range(domain_.model, kind, number)) return value;
+    const Range& range = leaf_of(domain_.ranges, kind, number);
+    return std::clamp(value, range.low, range.high);
   }
 
   static void move(Arguments<double>& point, const NearPlace& place, double away) {
@@ -92,13 +117,11 @@ class Making {
     point.q[place.coordinate] = at == 0 ? away : at + at * away;
   }
 
-  double drawn_side(double distance) { return random_.uniform(-1, 1) < 0 ? -distance : distance; }
-
   /// On the side on which more entries have a value: sqrt(x^2 - r^2) has none for x < r.
   void add_near(const NearPlace& place, double distance) {
     Arguments<double> point = state();
     Arguments<double> other = point;
-    const double away = drawn_side(distance);
+    const double away = draw_.side() * distance;
     move(point, place, away);
     move(other, place, -away);
     add(value_count(other) > value_count(point) ? std::move(other) : std::move(point));
@@ -112,19 +135,17 @@ class Making {
 
   /// For each coordinate, whether it has no range and stands in an exponential or a logarithm.
   [[nodiscard]] std::vector<bool> unbounded_arguments() const {
-    std::vector<std::uint32_t> arguments;
-    for (const Instruction& i : text_.instructions) {
-      const bool is_exponential = i.function == FunctionId::exp || i.function == FunctionId::log;
-      if (i.opcode == Opcode::call && is_exponential) arguments.push_back(i.a);
+    const auto is_exponential = [](FunctionId function) {
+      return function == FunctionId::exp || function == FunctionId::log;
+    };
+    const Model& model = domain_.model;
+    const std::size_t count = model.coordinates.size();
+    std::vector<bool> result = coordinates_in_arguments(text_, is_exponential, count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const bool has_range = declared_range(model, Opcode::coordinate, i).has_value();
+      if (has_range || model.coordinates[i].rotation) result[i] = false;
     }
-    const std::vector<bool> needed = needed_for(text_, arguments);
-    std::vector<bool> is_unbounded(domain_.is_alone.size());
-    for (std::size_t at = 0; at < needed.size(); ++at) {
-      const Instruction& i = text_.instructions[at];
-      if (!needed[at] || i.opcode != Opcode::coordinate) continue;
-      is_unbounded[i.a] = domain_.is_alone[i.a] && !domain_.declared.q[i.a];
-    }
-    return is_unbounded;
+    return result;
   }
 
   /// 1 + expm1(u) has no digit of exp(u) where that is small, nor log1p((a - b)/b) of log(a/b).
@@ -134,7 +155,7 @@ class Making {
     for (const double distance : far_away) {
       Arguments<double> point = state();
       for (std::size_t i = 0; i < is_far.size(); ++i) {
-        if (is_far[i]) point.q[i] = distance * random_.uniform(0.5, 1);
+        if (is_far[i]) point.q[i] = distance * draw_.share();
       }
       add(std::move(point));
     }
@@ -148,7 +169,7 @@ class Making {
   void add_near_all(const NearPlaces& places, Arguments<double> point, double distance) {
     std::vector<bool> is_moved(point.q.size());
     for (const NearPlace& place : places) {
-      if (!is_moved[place.coordinate]) move(point, place, drawn_side(distance));
+      if (!is_moved[place.coordinate]) move(point, place, draw_.side() * distance);
       is_moved[place.coordinate] = true;
     }
     if (!places.empty()) add(std::move(point));
@@ -156,8 +177,8 @@ class Making {
 
   /// A point outside the declared ranges is left out.
   void add(Arguments<double> point) {
-    for (std::size_t i = 0; i < point.q.size(); ++i) {
-      if (within(domain_.declared.q[i], point.q[i]) != point.q[i]) return;
+    for (std::uint32_t i = 0; i < point.q.size(); ++i) {
+      if (within(Opcode::coordinate, i, point.q[i]) != point.q[i]) return;
     }
     points_.push_back(std::move(point));
   }
@@ -166,16 +187,25 @@ class Making {
   const Function& text_;
   const Domain& domain_;
   CancellingPlaces places_;
-  Random random_{1};
+  Sampler draw_{1};
   std::size_t next_ = 0;
-  ComparisonPoints points_ = {};
+  Points points_ = {};
 };
 
 }  // namespace
 
-ComparisonPoints comparison_points(const Program& program, const Function& text,
-                                   const Domain& domain) {
-  return Making(program, text, domain, cancelling_places(program, text, domain, most_places))();
+Points comparison_points(const Program& program, const Function& text, const Domain& domain) {
+  return Making(program, text, domain, cancelling_places(program, text, domain, most_places))
+      .make();
+}
+
+Points extreme_points(const Program& program) {
+  std::vector<bool> is_angle(program.leaves.q.size());
+  for (const Function& function : program.functions) {
+    const auto stands = coordinates_in_arguments(function, is_circular, is_angle.size());
+    for (std::size_t i = 0; i < stands.size(); ++i) is_angle[i] = is_angle[i] || stands[i];
+  }
+  return extreme_points(program.leaves, is_angle);
 }
 
 }  // namespace elgen

@@ -17,21 +17,19 @@
 #include <vector>
 
 #include "elgen/domain.hpp"
-#include "elgen/evaluate.hpp"
+#include "elgen/program.hpp"
+#include "sample/points.hpp"
 
 namespace elgen {
 
-using ComparisonPoints = std::vector<Arguments<double>>;
-
 /// `text`: the recursive form of the function. No function of libm is called, so that every machine
 /// gets the same points. Cost: one walk over the instructions.
-[[nodiscard]] ComparisonPoints comparison_points(const Program& program, const Function& text,
-                                                 const Domain& domain);
+[[nodiscard]] Points comparison_points(const Program& program, const Function& text,
+                                       const Domain& domain);
 
-/// Where accuracy counts, the same on every machine: ordinary and wide magnitudes; and where the
-/// coordinates that sines are taken of are near multiples of a right angle, nearly the same, or
-/// tiny, with parameters of wide ratios, or one far larger than the others.
-[[nodiscard]] ComparisonPoints extreme_points(const Program& program);
+/// Where accuracy counts: those of sample/points.hpp, where angles are the coordinates that sines
+/// are taken of.
+[[nodiscard]] Points extreme_points(const Program& program);
 
 /// A coordinate is near `factor` times another one, or near the number `factor`.
 struct NearPlace {

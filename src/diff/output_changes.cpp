@@ -16,7 +16,6 @@
 #include "elgen/diff.hpp"
 #include "elgen/render.hpp"
 #include "numbers/exact_number.hpp"
-#include "numbers/random.hpp"
 #include "program/evaluate/subject.hpp"
 #include "program/network/instructions.hpp"
 #include "sample/states.hpp"
@@ -60,7 +59,7 @@ std::vector<std::string> closed_texts(const Program& program, const Function& fu
     each.functions.push_back(alone(function, at));
   }
   const ClosedForms forms = present(each, texts_budget);
-  const MixedPoints points = mixed_points(each.leaves);
+  const Points points = mixed_points(each.leaves);
   std::vector<bool> is_known;
   for (std::size_t i = 0; i < each.functions.size(); ++i) {
     const ReadableEntries entries =
@@ -134,17 +133,16 @@ WitnessStates::WitnessStates(const Version& before, const Version& after, const 
   const Subject news{after.checked.model, after.checked.scene, after.program};
   const LeafValues<Range> old_ranges = ranges_of(olds);
   const LeafValues<Range> new_ranges = ranges_of(news);
-  Random random(seed_of_witnesses);
+  Sampler draw(seed_of_witnesses);
   for (std::size_t i = 0; i < state_count; ++i) {
-    const Arguments<double> old = drawn_within(olds, old_ranges, random);
-    Arguments<double> state = drawn_within(news, new_ranges, random);
+    const Arguments<double> old = drawn_within(olds, old_ranges, draw);
+    Arguments<double> state = drawn_within(news, new_ranges, draw);
     if (i == 0) known_ = state;
     for (std::size_t k = 0; k < state.parameters.size(); ++k) {
       double& value = state.parameters[k];
       if (value != 0) continue;
       const Range range = new_ranges.parameters[k];
-      value =
-          range.low < range.high ? random.uniform(range.low, range.high) : random.uniform(0.5, 1);
+      value = range.low < range.high ? draw.within(range) : draw.share();
     }
     append(joint.leaves, before.program.leaves, old, state);
     if (i == 0) append(joint.leaves, before.program.leaves, old, known_);

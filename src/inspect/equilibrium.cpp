@@ -15,7 +15,7 @@
 #include "inspect/checks.hpp"
 #include "inspect/readable.hpp"
 #include "numbers/exact_number.hpp"
-#include "numbers/random.hpp"
+#include "sample/states.hpp"
 
 namespace elgen {
 namespace {
@@ -45,13 +45,8 @@ struct Residual {
 
 /// The first at the parameters' own values, zeros too, the others elsewhere.
 State varied_state(const Inspected& subject, unsigned seed) {
-  Random random(seed);
-  State state = nominal_state(subject.model, subject.scene);
-  if (seed > 0) {
-    draw_parameters(subject.model, subject.scene.specialisation.fixed, random, seed, state);
-  }
-  draw_motion(subject.model, random, seed, state);
-  return state;
+  Sampler draw(seed);
+  return drawn_state(subject.model, subject.scene, draw, seed);
 }
 
 /// The seeds of the first states whose parameters meet the condition of the point.

@@ -3,7 +3,7 @@
 
 #include "numbers/exact_number.hpp"
 #include "numbers/more_digits.hpp"
-#include "numbers/random.hpp"
+#include "sample/states.hpp"
 
 namespace elgen {
 namespace {
@@ -28,14 +28,13 @@ bool has_digits(const Inspected& subject, const State& state,
 }  // namespace
 
 State sampled_state(const Inspected& subject, unsigned seed) {
-  Random random(seed);
+  Sampler draw(seed);
   State state = nominal_state(subject.model, subject.scene);
   for (std::uint32_t i = 0; i < state.parameters.size(); ++i) {
     const bool fixed = subject.scene.specialisation.fixed.count(i) > 0;
-    if (!fixed && cln::zerop(state.parameters[i]))
-      state.parameters[i] = cln::abs(random.rational());
+    if (!fixed && cln::zerop(state.parameters[i])) state.parameters[i] = cln::abs(draw.number());
   }
-  draw_motion(subject.model, random, seed, state);
+  draw_motion(subject.model, draw, seed, state);
   return state;
 }
 

@@ -1,11 +1,8 @@
 // The oracle's interface: turns every failure of the domain into an empty value.
 #include "elgen/oracle.hpp"
 
-#include <array>
-
 #include "elgen/leaf_names.hpp"
 #include "elgen/references.hpp"
-#include "numbers/random.hpp"
 #include "oracle/mechanics.hpp"
 #include "oracle/output_values.hpp"
 #include "oracle/solved_dynamics.hpp"
@@ -16,18 +13,6 @@ namespace {
 using cln::cl_R;
 using oracle::attempt;
 using oracle::guarded;
-
-const cln::cl_RA half_turn = cln::cl_RA(355) / 113;  // rational, so that states are exact
-
-/// Lengths, rates and forces without a range have one of these magnitudes, in turn.
-const std::array<cln::cl_RA, 3>& scales() {
-  static const std::array<cln::cl_RA, 3> all{1, cln::cl_RA(1) / 1000, 1000};
-  return all;
-}
-
-cl_R within(const Interval& range, Random& random) {
-  return range.low + (range.high - range.low) * cln::abs(random.rational());
-}
 
 }  // namespace
 
@@ -48,42 +33,6 @@ State start_state(const Model& model, const Scene& scene) {
   for (std::size_t i = 0; i < state.q.size(); ++i) state.q[i] = model.coordinates[i].start_value;
   for (std::size_t i = 0; i < state.v.size(); ++i) state.v[i] = model.velocities[i].start_rate;
   return state;
-}
-
-void draw_parameters(const Model& model, const FixedParameters& fixed, Random& random,
-                     std::size_t turn, State& state) {
-  for (std::uint32_t i = 0; i < state.parameters.size(); ++i) {
-    if (fixed.count(i) > 0) continue;
-    cl_R& parameter = state.parameters[i];
-    const auto range = declared_range(model, Opcode::parameter, i);
-    if (range && turn % 2 != 0) {
-      parameter = within(*range, random);
-      continue;
-    }
-    const cln::cl_RA r = cln::abs(random.rational());
-    parameter = cln::zerop(parameter) ? cl_R(r) : parameter * (cln::cl_RA(1) / 2 + r * 3 / 2);
-    if (range) parameter = cln::max(range->low, cln::min(range->high, parameter));
-  }
-}
-
-void draw_motion(const Model& model, Random& random, std::size_t turn, State& state) {
-  constexpr LeafSet undrawn =
-      Opcode::parameter | Opcode::step | Opcode::momentum | Opcode::energy | Opcode::multiplier;
-  const cln::cl_RA& scale = scales()[turn % scales().size()];
-  const auto draw = [&](Opcode kind, std::uint32_t number, cl_R& value) {
-    if (undrawn.has_any(kind)) return;
-    if (const auto range = declared_range(model, kind, number)) {
-      value = within(*range, random);
-    } else {
-      const bool turns = kind == Opcode::coordinate && is_angle(model.coordinates[number]);
-      value = random.rational() * (turns ? half_turn : scale);
-    }
-  };
-  for_each_leaf(draw, state);
-  // By a copy, so that momenta leave all that follows as it is.
-  Random of_momenta = random;
-  for (cl_R& p : state.momenta) p = of_momenta.rational() * scale;
-  make_unit_quaternions(model, state);
 }
 
 OracleValues oracle_values(const Model& model, const OutputRequest& output, const State& state) {

@@ -40,8 +40,8 @@ Result<Program> calls_of(const Lagrangian& lagrangian, const CheckedModel& check
   scene.outputs = needed_for_step(checked.model, step);
   const Result<Program> recursive = recursive_program(lagrangian, scene.outputs, limits);
   if (!recursive) return recursive.diagnostics;
-  Result<Choice> choice =
-      choose(*recursive, present(*recursive), domain_of(checked.model, scene, *recursive), scene);
+  Result<Choice> choice = choose(*recursive, present(*recursive),
+                                 domain_of({checked.model, scene, recursive->leaves}), scene);
   if (!choice) return choice.diagnostics;
   return std::move(choice->program);
 }
@@ -110,8 +110,8 @@ bool has_readable_terms(const Program& program, const ClosedForms& forms) {
 
 Result<Choice> chosen(const Lagrangian& lagrangian, const Program& recursive,
                       const ClosedForms& forms, const CheckedModel& checked, const Limits& limits) {
-  Result<Choice> choice =
-      choose(recursive, forms, domain_of(checked.model, checked.scene, recursive), checked.scene);
+  Result<Choice> choice = choose(
+      recursive, forms, domain_of({checked.model, checked.scene, recursive.leaves}), checked.scene);
   if (!choice) return choice;
   for (const OutputRequest& output : checked.scene.outputs) {
     if (!output_row(output.kind).steps) continue;

@@ -12,7 +12,7 @@
 #include <type_traits>
 
 #include "elgen/leaf_names.hpp"
-#include "numbers/random.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {
@@ -33,40 +33,41 @@ Range range_or(const std::optional<Interval>& interval, double otherwise) {
 
 /// Of rates, momenta, accelerations, inputs, open values and time.
 constexpr double default_rate = 10;
+constexpr std::size_t domain_states = 8;
 constexpr Range steps{0, 0.1};  ///< in s: a rate of 10 moves by 1 in the longest one
 
 using Ranges = LeafValues<Range>;
 
-Arguments<double> values_of(const Subject& subject) {
-  return arguments_at<double>(nominal_state(subject.model, subject.scene));
+LeafValues<double> values_of(const StateSpace& space) {
+  return map_leaves([](const cln::cl_R& value) { return ScalarTraits<double>::from_real(value); },
+                    nominal_state(space.model, space.scene));
 }
 
 /// Parameters keep their values, and E follows from the others; momenta and h are drawn where a
 /// function takes them.
-bool is_drawn(const Subject& subject, Opcode kind) {
-  const LeafNames& leaves = subject.program.leaves;
+bool is_drawn(const LeafNames& leaves, Opcode kind) {
   if (kind == Opcode::momentum) return !leaves.momenta.empty();
   if (kind == Opcode::step) return !leaves.h.empty();
   return kind != Opcode::parameter && !never_passed.has_any(kind);
 }
 
 /// From `values`: parameters stay.
-Arguments<double> nominal(const Subject& subject, const Ranges& ranges, Arguments<double> values,
-                          Random& random) {
-  const auto draw = [&](Opcode kind, std::uint32_t, double& value, const Range& range) {
-    if (is_drawn(subject, kind)) value = random.uniform(range.low, range.high);
+LeafValues<double> nominal(const LeafNames& leaves, const Ranges& ranges, LeafValues<double> values,
+                           Sampler& draw) {
+  const auto set = [&](Opcode kind, std::uint32_t, double& value, const Range& range) {
+    if (is_drawn(leaves, kind)) value = draw.within(range);
   };
-  for_each_leaf(draw, values, ranges);
+  for_each_leaf(set, values, ranges);
   return values;
 }
 
 /// Every variable of magnitude 2^low … 2^high.
-Arguments<double> scaled(const Subject& subject, Arguments<double> values, Random& random, int low,
-                         int high) {
-  const auto draw = [&](Opcode kind, std::uint32_t, double& value) {
-    if (is_drawn(subject, kind)) value = random.log_uniform(low, high);
+LeafValues<double> scaled(const LeafNames& leaves, LeafValues<double> values, Sampler& draw,
+                          int low, int high) {
+  const auto set = [&](Opcode kind, std::uint32_t, double& value) {
+    if (is_drawn(leaves, kind)) value = draw.scaled(low, high);
   };
-  for_each_leaf(draw, values);
+  for_each_leaf(set, values);
   return values;
 }
 
@@ -95,11 +96,12 @@ Reach reach() {
 /// digits together.
 class Extremes {
  public:
-  Extremes(const Subject& subject, Random& random)
-      : subject_(subject),
-        at_value_(values_of(subject)),
-        ranges_(ranges_of(subject)),
-        random_(random) {}
+  Extremes(const StateSpace& space, Sampler& draw)
+      : space_(space), at_value_(values_of(space)), ranges_(ranges_of(space)), draw_(draw) {
+    for (const Coordinate& coordinate : space.model.coordinates) {
+      is_angle_.push_back(is_angle(coordinate));
+    }
+  }
 
   std::vector<SampledState<double>> make(const Reach& reach, std::size_t most_combinations) {
     add("origin") = at_value_;
@@ -121,9 +123,9 @@ class Extremes {
   }
 
  private:
-  Arguments<double>& add(std::string name) {
+  LeafValues<double>& add(std::string name) {
     states_.push_back(
-        {Region::extreme, std::move(name), nominal(subject_, ranges_, at_value_, random_)});
+        {Region::extreme, std::move(name), nominal(space_.leaves, ranges_, at_value_, draw_)});
     return states_.back().values;
   }
 
@@ -136,79 +138,68 @@ class Extremes {
   }
 
   void set_positions(std::string name, double size, bool angles_only) {
-    Arguments<double>& values = add(std::move(name));
+    LeafValues<double>& values = add(std::move(name));
     for (std::size_t i = 0; i < values.q.size(); ++i) {
-      if (angles_only && !is_angle(subject_.model.coordinates[i])) continue;
-      values.q[i] = random_.uniform(0.5, 1) < 0.75 ? size : -size;
+      if (!angles_only || is_angle_[i]) values.q[i] = draw_.side() * size;
     }
   }
 
   /// And momenta, where functions take them.
   void set_rates(std::string name, double size) {
-    Arguments<double>& values = add(std::move(name));
+    LeafValues<double>& values = add(std::move(name));
     const auto set = [&](std::vector<double>& all) {
-      for (double& x : all) x = random_.uniform(0.5, 1) < 0.75 ? size : -size;
+      for (double& x : all) x = draw_.side() * size;
     };
     set(values.v);
-    if (is_drawn(subject_, Opcode::momentum)) set(values.momenta);
+    if (is_drawn(space_.leaves, Opcode::momentum)) set(values.momenta);
   }
 
   /// Every second parameter times `ratio`.
   void ratios(double ratio) {
-    Arguments<double>& values = add(fmt::format("parameter ratios {:g}", ratio));
+    LeafValues<double>& values = add(fmt::format("parameter ratios {:g}", ratio));
     for (std::size_t i = 0; i < values.parameters.size(); i += 2) values.parameters[i] *= ratio;
   }
 
   /// Angles one part in 1e15 from where charts break: gimbals, poles, aligned links.
   void charts() {
     for (const double angle : {0.0, pi / 2, pi}) {
-      Arguments<double>& values = add(fmt::format("angles 1e-15 from {:.3g}", angle));
+      LeafValues<double>& values = add(fmt::format("angles 1e-15 from {:.3g}", angle));
       double distance = 1e-15;
       for (std::size_t i = 0; i < values.q.size(); ++i, distance = -2 * distance) {
-        if (is_angle(subject_.model.coordinates[i])) values.q[i] = angle + distance;
+        if (is_angle_[i]) values.q[i] = angle + distance;
       }
     }
   }
 
-  /// Each parameter far from its value, where angles are near multiples of a right one, nearly the
-  /// same, or tiny: sums of masses or lengths that cancel, and quotients of what is left of them.
+  /// Each parameter far from its value, and angles at every place: sums of masses or lengths that
+  /// cancel, and quotients of what is left of them.
   void combinations(const std::vector<double>& sizes, std::size_t most) {
-    const std::size_t per_parameter = 2 * sizes.size() * places.size();
-    const std::size_t all = subject_.model.parameters.size() * per_parameter;
+    const std::size_t places = std::size(angle_places);
+    const std::size_t per_parameter = 2 * sizes.size() * places;
+    const std::size_t all = space_.model.parameters.size() * per_parameter;
     const std::size_t step = all > most ? golden_step(all) : 1;
     for (std::size_t i = 0; i < std::min(all, most); ++i) {
       const std::size_t which = i * step % all;
-      const double size = sizes[which / places.size() / 2 % sizes.size()];
-      const bool is_small = which / places.size() % 2 != 0;
-      combination(which / per_parameter, is_small ? 1 / size : size, places[which % places.size()]);
+      const double size = sizes[which / places / 2 % sizes.size()];
+      const bool is_small = which / places % 2 != 0;
+      combination(which / per_parameter, is_small ? 1 / size : size, angle_places[which % places]);
     }
   }
 
-  enum class Place : std::uint8_t { right, equal, tiny };
-  static constexpr std::array places{Place::right, Place::equal, Place::tiny};
-
-  void combination(std::size_t parameter, double ratio, Place place) {
-    constexpr std::array<const char*, 3> words{"near right ones", "nearly equal", "tiny"};
-    Arguments<double>& values =
-        add(fmt::format("{} times {:g}, angles {}", subject_.model.parameters[parameter].name,
-                        ratio, words[static_cast<std::size_t>(place)]));
+  void combination(std::size_t parameter, double ratio, AnglePlace place) {
+    constexpr std::array words{"near right ones", "near straight ones", "nearly equal", "tiny"};
+    LeafValues<double>& values =
+        add(fmt::format("{} times {:g}, angles {}", space_.model.parameters[parameter].name, ratio,
+                        words[static_cast<std::size_t>(place)]));
     values.parameters[parameter] *= ratio;
-    const double common = random_.uniform(-pi, pi);
-    for (std::size_t i = 0; i < values.q.size(); ++i) {
-      const double sign = random_.uniform(-1, 1) < 0 ? -1 : 1;
-      const double share = random_.uniform(0.5, 1);
-      const double right = std::floor(random_.uniform(-2, 3)) * (pi / 2);
-      if (!is_angle(subject_.model.coordinates[i])) continue;
-      if (place == Place::right) values.q[i] = right + sign * 1e-8;
-      if (place == Place::equal) values.q[i] = common + sign * share * 1e-3;
-      if (place == Place::tiny) values.q[i] = sign * 1e-8;
-    }
+    draw_.move_angles(place, is_angle_, values.q);
   }
 
-  const Subject& subject_;
-  Arguments<double> at_value_;
+  const StateSpace& space_;
+  LeafValues<double> at_value_;
   Ranges ranges_;
-  Random& random_;
+  std::vector<bool> is_angle_ = {};
+  Sampler& draw_;
   std::vector<SampledState<double>> states_;
 };
 
@@ -221,9 +212,9 @@ Scalar finite(double value) {
 
 }  // namespace
 
-LeafValues<Range> ranges_of(const Subject& subject) {
-  const Model& model = subject.model;
-  const Arguments<double> values = values_of(subject);
+LeafValues<Range> ranges_of(const StateSpace& space) {
+  const Model& model = space.model;
+  const LeafValues<double> values = values_of(space);
   Ranges ranges = map_leaves([](double) { return Range{}; }, values);
   const auto fill = [&](Opcode kind, std::uint32_t number, double value, Range& range) {
     const std::optional<Interval> declared = declared_range(model, kind, number);
@@ -237,7 +228,7 @@ LeafValues<Range> ranges_of(const Subject& subject) {
 }
 
 template <class Number>
-void scale_quaternions(const Model& model, Arguments<Number>& values) {
+void scale_quaternions(const Model& model, LeafValues<Number>& values) {
   constexpr bool is_real = std::is_same_v<Number, Real>;
   for (const Rotation& rotation : model.rotations) {
     Number* const e = &values.q[rotation.first_coordinate];
@@ -260,18 +251,27 @@ void scale_quaternions(const Model& model, Arguments<Number>& values) {
     }
   }
 }
-template void scale_quaternions(const Model& model, Arguments<double>& values);
-template void scale_quaternions(const Model& model, Arguments<Real>& values);
+template void scale_quaternions(const Model& model, LeafValues<double>& values);
+template void scale_quaternions(const Model& model, LeafValues<Real>& values);
 
-Arguments<double> drawn_within(const Subject& subject, const LeafValues<Range>& ranges,
-                               Random& random) {
-  Arguments<double> values = nominal(subject, ranges, values_of(subject), random);
-  scale_quaternions(subject.model, values);
+LeafValues<double> drawn_within(const StateSpace& space, const LeafValues<Range>& ranges,
+                                Sampler& draw) {
+  LeafValues<double> values = nominal(space.leaves, ranges, values_of(space), draw);
+  scale_quaternions(space.model, values);
   return values;
 }
 
+Domain domain_of(const StateSpace& space) {
+  Domain domain{space.model, ranges_of(space)};
+  Sampler draw(1);
+  for (std::size_t i = 0; i < domain_states; ++i) {
+    domain.states.push_back(drawn_within(space, domain.ranges, draw));
+  }
+  return domain;
+}
+
 template <class Scalar>
-Arguments<Scalar> nearest_finite(const Arguments<double>& values) {
+LeafValues<Scalar> nearest_finite(const LeafValues<double>& values) {
   return map_leaves([](double value) { return finite<Scalar>(value); }, values);
 }
 
@@ -282,29 +282,30 @@ std::size_t golden_step(std::size_t count) {
 }
 
 template <class Scalar>
-StateSequence<Scalar>::StateSequence(const Subject& subject, const Sampling& sampling)
-    : subject_(subject),
+StateSequence<Scalar>::StateSequence(const StateSpace& space, const Sampling& sampling)
+    : space_(space),
       sampling_(sampling),
-      random_(sampling.seed),
-      at_value_(values_of(subject)),
-      ranges_(ranges_of(subject)) {}
+      draw_(sampling.seed),
+      at_value_(values_of(space)),
+      ranges_(ranges_of(space)) {}
 
 template <class Scalar>
-SampledState<double> StateSequence<Scalar>::drawn_state(std::size_t number) {
+SampledState<double> StateSequence<Scalar>::random_state(std::size_t number) {
   // 2^-40 = 1e-12, 2^-10 = 1e-3, 2^27 = 1e8
   if (number % 4 < 2) {
-    return {Region::nominal, {}, nominal(subject_, ranges_, at_value_, random_)};
+    return {Region::nominal, {}, nominal(space_.leaves, ranges_, at_value_, draw_)};
   }
-  if (number % 4 == 2) return {Region::small, {}, scaled(subject_, at_value_, random_, -40, -11)};
-  return {Region::large, {}, scaled(subject_, at_value_, random_, -27, 26)};
+  if (number % 4 == 2)
+    return {Region::small, {}, scaled(space_.leaves, at_value_, draw_, -40, -11)};
+  return {Region::large, {}, scaled(space_.leaves, at_value_, draw_, -27, 26)};
 }
 
 template <class Scalar>
-std::optional<SampledState<double>> StateSequence<Scalar>::draw() {
+std::optional<SampledState<double>> StateSequence<Scalar>::next_in_double() {
   const std::size_t number = drawn_++;
-  if (number < sampling_.count) return drawn_state(number);
+  if (number < sampling_.count) return random_state(number);
   if (!sampling_.extremes) return std::nullopt;
-  if (!extremes_) extremes_ = Extremes(subject_, random_).make(reach<Scalar>(), sampling_.count);
+  if (!extremes_) extremes_ = Extremes(space_, draw_).make(reach<Scalar>(), sampling_.count);
   const std::size_t extreme = number - sampling_.count;
   if (extreme >= extremes_->size()) return std::nullopt;
   return (*extremes_)[extreme];
@@ -312,25 +313,25 @@ std::optional<SampledState<double>> StateSequence<Scalar>::draw() {
 
 template <class Scalar>
 std::optional<SampledState<Scalar>> StateSequence<Scalar>::next() {
-  std::optional<SampledState<double>> state = draw();
+  std::optional<SampledState<double>> state = next_in_double();
   if (!state) return std::nullopt;
-  scale_quaternions(subject_.model, state->values);
+  scale_quaternions(space_.model, state->values);
   return SampledState<Scalar>{state->region, state->name, nearest_finite<Scalar>(state->values)};
 }
 
 template <class Scalar>
-std::vector<SampledState<Scalar>> sample_states(const Subject& subject, const Sampling& sampling) {
-  StateSequence<Scalar> sequence(subject, sampling);
+std::vector<SampledState<Scalar>> sample_states(const StateSpace& space, const Sampling& sampling) {
+  StateSequence<Scalar> sequence(space, sampling);
   std::vector<SampledState<Scalar>> states;
   while (auto state = sequence.next()) states.push_back(std::move(*state));
   return states;
 }
 
-template Arguments<double> nearest_finite(const Arguments<double>&);
-template Arguments<float> nearest_finite(const Arguments<double>&);
+template LeafValues<double> nearest_finite(const LeafValues<double>&);
+template LeafValues<float> nearest_finite(const LeafValues<double>&);
 template class StateSequence<double>;
 template class StateSequence<float>;
-template std::vector<SampledState<double>> sample_states(const Subject&, const Sampling&);
-template std::vector<SampledState<float>> sample_states(const Subject&, const Sampling&);
+template std::vector<SampledState<double>> sample_states(const StateSpace&, const Sampling&);
+template std::vector<SampledState<float>> sample_states(const StateSpace&, const Sampling&);
 
 }  // namespace elgen

@@ -1,5 +1,5 @@
-// The states programs are checked at: random ones over the declared ranges, tiny and huge ones, and
-// a fixed list of extremes. Deterministic for a seed.
+// states: exact ones of a model, and those that programs are checked at: random ones over the
+// declared ranges, tiny and huge ones, and a fixed list of extremes. Deterministic for a seed.
 #pragma once
 
 #include <optional>
@@ -7,10 +7,22 @@
 #include <vector>
 
 #include "elgen/domain.hpp"
-#include "numbers/random.hpp"
-#include "program/evaluate/subject.hpp"
+#include "elgen/oracle.hpp"
+#include "elgen/real.hpp"
+#include "sample/points.hpp"
 
 namespace elgen {
+
+/// Everything but parameters and h: in the declared range; else angles anywhere in a turn, and all
+/// others, momenta among them, up to 1, 1e-3 or 1e3 in magnitude, in turn; quaternions of length 1.
+/// Outside of its domain a model has no value, and callers draw again.
+void draw_motion(const Model& model, Sampler& draw, std::size_t turn, State& state);
+
+/// The same of a new state. Parameters that are not fixed have their own values in turn 0, zeros
+/// too; else in even turns half to twice their value inside their range, or a positive number up to
+/// 1 where that is 0; in odd turns any in the range, where one is declared.
+[[nodiscard]] State drawn_state(const Model& model, const Scene& scene, Sampler& draw,
+                                std::size_t turn);
 
 enum class Region : std::uint8_t {
   nominal,    ///< uniform over the ranges; parameters at their value
@@ -25,7 +37,7 @@ template <class Scalar>
 struct SampledState {
   Region region = Region::nominal;
   std::string name = {};  ///< of an extreme: "rates 1e+60"
-  Arguments<Scalar> values = {};
+  LeafValues<Scalar> values = {};
 };
 
 /// About 0.618 of `count` and without a divisor in common with it: taken again and again it meets
@@ -42,39 +54,39 @@ struct Sampling {
 
 /// The ranges that the model declares; else the value of a parameter, a turn or a unit of a
 /// coordinate, and 10 of rates, accelerations, inputs, open values and time.
-[[nodiscard]] LeafValues<Range> ranges_of(const Subject& subject);
+[[nodiscard]] LeafValues<Range> ranges_of(const StateSpace& space);
 
 /// Gives every quaternion the length 1, each component rounded once; (1, 0, 0, 0) where there is no
 /// direction. Number: double or Real.
 template <class Number>
-void scale_quaternions(const Model& model, Arguments<Number>& values);
+void scale_quaternions(const Model& model, LeafValues<Number>& values);
 
 /// Uniform inside these ranges, parameters at their values; quaternions of length 1.
-[[nodiscard]] Arguments<double> drawn_within(const Subject& subject,
-                                             const LeafValues<Range>& ranges, Random& random);
+[[nodiscard]] LeafValues<double> drawn_within(const StateSpace& space,
+                                              const LeafValues<Range>& ranges, Sampler& draw);
 
 /// The same rounded; what is finite in double stays so in float. Scalar: double or float.
 template <class Scalar>
-[[nodiscard]] Arguments<Scalar> nearest_finite(const Arguments<double>& values);
+[[nodiscard]] LeafValues<Scalar> nearest_finite(const LeafValues<double>& values);
 
 /// The states of sample_states one after another, where it is not known how many are needed.
 template <class Scalar>
 class StateSequence {
  public:
-  /// `subject` outlives it.
-  StateSequence(const Subject& subject, const Sampling& sampling);
+  /// The model, the scene and the leaves outlive it.
+  StateSequence(const StateSpace& space, const Sampling& sampling);
 
   /// None where all have been given.
   [[nodiscard]] std::optional<SampledState<Scalar>> next();
 
  private:
-  [[nodiscard]] std::optional<SampledState<double>> draw();
-  [[nodiscard]] SampledState<double> drawn_state(std::size_t number);
+  [[nodiscard]] std::optional<SampledState<double>> next_in_double();
+  [[nodiscard]] SampledState<double> random_state(std::size_t number);
 
-  const Subject& subject_;
+  StateSpace space_;
   Sampling sampling_;
-  Random random_;
-  Arguments<double> at_value_;
+  Sampler draw_;
+  LeafValues<double> at_value_;
   LeafValues<Range> ranges_;
   std::size_t drawn_ = 0;
   std::optional<std::vector<SampledState<double>>> extremes_ = {};  ///< once it is their turn
@@ -84,7 +96,7 @@ class StateSequence {
 /// accelerations, inputs, open values and time. Scalar: double or float; the list of extremes is
 /// the scalar's own.
 template <class Scalar>
-[[nodiscard]] std::vector<SampledState<Scalar>> sample_states(const Subject& subject,
+[[nodiscard]] std::vector<SampledState<Scalar>> sample_states(const StateSpace& space,
                                                               const Sampling& sampling);
 
 }  // namespace elgen

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "elgen/certificate.hpp"
+#include "program/evaluate/subject.hpp"
 #include "sample/states.hpp"
 
 namespace elgen {

@@ -28,16 +28,17 @@ Chosen with_form(const std::string& text, Form form) {
   const auto equations = derive(*lagrangian, result.checked.scene.outputs, {});
   const auto recursive = lower(*equations, result.checked.scene.outputs, {});
   result.forms = present(*recursive);
-  result.choice = *choose(*recursive, result.forms,
-                          domain_of(result.checked.model, result.checked.scene, *recursive),
-                          result.checked.scene);
+  result.choice =
+      *choose(*recursive, result.forms,
+              domain_of({result.checked.model, result.checked.scene, recursive->leaves}),
+              result.checked.scene);
   return result;
 }
 
 /// The errors of the recursive form, and the loss of what was chosen beside that.
 TextErrors errors_of(const Chosen& c, std::size_t function, Scale scale) {
   const Function& text = c.recursive.functions[function];
-  const Domain domain = domain_of(c.checked.model, c.checked.scene, c.recursive);
+  const Domain domain = domain_of({c.checked.model, c.checked.scene, c.recursive.leaves});
   return {c.recursive, text, comparison_points(c.recursive, text, domain), scale};
 }
 

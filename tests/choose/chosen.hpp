@@ -27,9 +27,10 @@ inline Chosen chosen(const std::string& text, const SceneOptions& options = {},
   const auto equations = derive(*lagrangian, result.checked.scene.outputs, {});
   result.recursive = cancel(*lower(*equations, result.checked.scene.outputs, {}));
   result.forms = present(result.recursive);
-  result.choice = *choose(result.recursive, result.forms,
-                          domain_of(result.checked.model, result.checked.scene, result.recursive),
-                          result.checked.scene);
+  result.choice =
+      *choose(result.recursive, result.forms,
+              domain_of({result.checked.model, result.checked.scene, result.recursive.leaves}),
+              result.checked.scene);
   return result;
 }
 

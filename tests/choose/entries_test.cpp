@@ -19,7 +19,7 @@ struct Entries {
   Function shape = program.functions[0];
   ClosedForms forms = present(program);
   BothForms both{program, shape, forms, forms.functions[0]};
-  MixedPoints points = mixed_points(program.leaves);
+  Points points = mixed_points(program.leaves);
   ReadableEntries entries = read_entries(both, points, nullptr);
 };
 

@@ -79,17 +79,18 @@ std::size_t index_of(const Program& program, const std::string& name) {
 double error_of_force(const Chosen& model, double x) {
   const Program& program = model.choice.program;
   const Function& gravity = program.functions[index_of(program, "gravity")];
-  Arguments<double> point = domain_of(model.checked.model, {}, model.recursive).states.front();
+  Arguments<double> point =
+      domain_of({model.checked.model, {}, model.recursive.leaves}).states.front();
   point.q = {x};
   const RunningErrorRules rules{running_leaves(point, Leaves::exact)};
   const Running force = entries_of(gravity, fold<Running>(rules, program, gravity)).at(0);
   return ScalarTraits<double>::from_real((force.error / abs(force.value)).value());
 }
 
-ComparisonPoints points_of_gravity(const Chosen& model) {
+Points points_of_gravity(const Chosen& model) {
   const Program& program = model.recursive;
   return comparison_points(program, program.functions[index_of(program, "gravity")],
-                           domain_of(model.checked.model, {}, program));
+                           domain_of({model.checked.model, {}, program.leaves}));
 }
 
 }  // namespace
@@ -143,7 +144,7 @@ TEST_CASE("the cheaper form is named with the entry that it harms, and speed tak
 }
 
 TEST_CASE("points: inside the ranges, near places, and equal parameters of one unit stay equal") {
-  const ComparisonPoints points = points_of_gravity(chosen(strut));
+  const Points points = points_of_gravity(chosen(strut));
   CHECK(points.size() <= 66);
   std::size_t others = 0;
   std::size_t near_zero = 0;
@@ -165,7 +166,7 @@ TEST_CASE("points: inside the ranges, near places, and equal parameters of one u
 
 TEST_CASE("places are where terms of a sum cancel, at the values of parameters") {
   const auto has_near = [](const Chosen& model, double place) {
-    const ComparisonPoints points = points_of_gravity(model);
+    const Points points = points_of_gravity(model);
     return std::ranges::any_of(points, [place](const Arguments<double>& point) {
       return std::abs(point.q[0] - place) < 1e-7 * std::abs(place);
     });

@@ -33,7 +33,8 @@ Chosen line_with(const std::string& potential, const std::string& rest = {}) {
 
 /// At rest, parameters at their values.
 Arguments<double> resting(const Chosen& c, const std::vector<double>& q) {
-  Arguments<double> point = domain_of(c.checked.model, c.checked.scene, c.recursive).states.front();
+  Arguments<double> point =
+      domain_of({c.checked.model, c.checked.scene, c.recursive.leaves}).states.front();
   point.q = q;
   for (auto* rates : {&point.v, &point.a, &point.u}) std::ranges::fill(*rates, 0.0);
   return point;
@@ -118,7 +119,7 @@ TEST_CASE("points of functions with rates are at rest, too") {
   const Chosen model = plane_with("(x - 1)^2*(y - 0.3)^2");
   const auto points = [&model](const std::string& name) {
     const Program& program = model.recursive;
-    const Domain domain = domain_of(model.checked.model, model.checked.scene, program);
+    const Domain domain = domain_of({model.checked.model, model.checked.scene, program.leaves});
     return comparison_points(program, program.functions[number_of(model, name)], domain);
   };
   const auto is_resting = [](const Arguments<double>& point) {

@@ -8,7 +8,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "numbers/random.hpp"
 #include "oracle/samples.hpp"
 
 using namespace elgen;
@@ -324,54 +323,4 @@ TEST_CASE("a chain of 1000 points is evaluated without recursion") {
   CHECK(*oracle_contraction(b.model, mass, state, {w, w}) == exact("0.2") * 1000 * exact("0.09"));
   CHECK(*oracle_contraction(b.model, mass, state, {w, y}) == exact("0.2") * exact("0.09"));
   CHECK(*oracle_contraction(b.model, {.kind = OutputKind::inverse_dynamics}, state, {w, {}}) == 0);
-}
-
-TEST_CASE("states are drawn inside the declared ranges, the same ones for a seed") {
-  ModelBuilder b = cart_pole();
-  b.model.coordinates[0].range = Interval{3, 4};
-  Random random(5);
-  Random again(5);
-  for (std::size_t turn = 0; turn < 20; ++turn) {
-    State state = nominal_state(b.model, {});
-    State same = state;
-    draw_motion(b.model, random, turn, state);
-    draw_motion(b.model, again, turn, same);
-    CHECK(state.q == same.q);
-    CHECK((state.q[0] > 3 && state.q[0] <= 4));
-  }
-}
-
-TEST_CASE("without ranges angles are drawn in a turn, others at three scales in turn") {
-  ModelBuilder b = cart_pole();
-  b.model.coordinates[1].unit_text = "rad";
-  std::vector<cl_R> largest_length(3, cl_R(0));
-  cl_R largest_angle = 0;
-  Random random(5);
-  for (std::size_t turn = 0; turn < 60; ++turn) {
-    State state = nominal_state(b.model, {});
-    draw_motion(b.model, random, turn, state);
-    largest_length[turn % 3] = cln::max(largest_length[turn % 3], cln::abs(state.q[0]));
-    largest_angle = cln::max(largest_angle, cln::abs(state.q[1]));
-  }
-  CHECK((largest_length[0] > exact("0.5") && largest_length[0] <= 1));
-  CHECK((largest_length[1] > exact("0.0005") && largest_length[1] <= exact("0.001")));
-  CHECK((largest_length[2] > 500 && largest_length[2] <= 1000));
-  CHECK((largest_angle > 2 && largest_angle <= exact("3.15")));
-}
-
-TEST_CASE("parameters are drawn at half to twice their value or in their range, fixed ones stay") {
-  ModelBuilder b;
-  b.coordinate("x").parameter("m", "2").parameter("k", "0").parameter("c", "3").parameter("l", "1");
-  b.model.parameter_arrays.resize(4);
-  for (std::uint32_t i = 0; i < 4; ++i) b.model.parameters[i].array = i;
-  b.model.parameter_arrays[3].range = Interval{exact("0.9"), 50};
-  Random random(1);
-  for (std::size_t turn = 0; turn < 2; ++turn) {
-    State state = nominal_state(b.model, {});
-    draw_parameters(b.model, {{2, {3}}}, random, turn, state);
-    CHECK((state.parameters[0] >= 1 && state.parameters[0] <= 4));
-    CHECK((state.parameters[1] > 0 && state.parameters[1] <= 1));
-    CHECK(state.parameters[2] == 3);
-    CHECK((state.parameters[3] >= exact("0.9") && state.parameters[3] <= (turn == 0 ? 2 : 50)));
-  }
 }

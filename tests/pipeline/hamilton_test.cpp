@@ -3,9 +3,9 @@
 #include <catch2/catch.hpp>
 
 #include "elgen/oracle.hpp"
-#include "numbers/random.hpp"
 #include "pipeline/pipeline_testing.hpp"
 #include "program/evaluate/exact_values.hpp"
+#include "sample/states.hpp"
 
 namespace elgen::test {
 namespace {
@@ -62,9 +62,9 @@ Subject subject_of(const Products& products) {
 }
 
 /// Somewhere, with the momenta of its velocities.
-State moving_state(const Subject& subject, Random& random) {
+State moving_state(const Subject& subject, Sampler& draw) {
   State state = nominal_state(subject.model, subject.scene);
-  draw_motion(subject.model, random, 0, state);
+  draw_motion(subject.model, draw, 0, state);
   const OracleValues p = oracle_values(subject.model, {.kind = OutputKind::momentum}, state);
   REQUIRE(p);
   state.momenta = *p;
@@ -113,9 +113,9 @@ TEST_CASE("H is E, v that of p, and dp/dt that of the motion, to 50 digits") {
         derived(inputs_of(text), std::string("momentum,") + hamiltons_functions);
     const Subject subject = subject_of(products);
     INFO(subject.model.name);
-    Random random(1);
+    Sampler draw(1);
     for (int sample = 0; sample < 3; ++sample) {
-      const State state = moving_state(subject, random);
+      const State state = moving_state(subject, draw);
       ExactValues at(subject, state);
       const OracleValues energy =
           oracle_values(subject.model, {.kind = OutputKind::energy_function}, state);

@@ -4,9 +4,9 @@
 
 #include "elgen/simulate.hpp"
 #include "numbers/exact_number.hpp"
-#include "numbers/random.hpp"
 #include "pipeline/pipeline_testing.hpp"
 #include "program/evaluate/subject.hpp"
+#include "sample/states.hpp"
 
 namespace elgen::test {
 namespace {
@@ -130,10 +130,10 @@ TEST_CASE("what is left moves as the whole does at its momenta") {
     INFO(reduction.model << ": " << reduction.routh);
     const Products products = reduced_products(reduction);
     const Model& model = products.checked->model;
-    Random random(5);
+    Sampler draw(5);
     for (std::size_t turn = 0; turn < 4; ++turn) {
       State state = nominal_state(model, products.checked->scene);
-      draw_motion(model, random, turn, state);
+      draw_motion(model, draw, turn, state);
       const OracleValues left = truth_at(model, OutputKind::inverse_dynamics, state);
       const std::optional<Numbers> whole = forces_left(model, state);
       REQUIRE(left);

@@ -161,16 +161,17 @@ TEST_CASE("the extremes of float are its own") {
 
 TEST_CASE("each parameter is far from its value where sums of angles cancel") {
   const System system = cart_pole_system();
-  const auto states = sample_states<double>(system.subject(), {100, 1, true});
+  const auto states = sample_states<double>(system.subject(), {128, 1, true});
   const auto& tiny = named(states, "l times 1e+12, angles tiny");
-  CHECK(std::abs(tiny.values.q[1]) == 1e-8);
+  CHECK((std::abs(tiny.values.q[1]) >= 5e-9 && std::abs(tiny.values.q[1]) < 1e-8));
   CHECK(tiny.values.parameters[2] / named(states, "origin").values.parameters[2] == Approx(1e12));
   CHECK(tiny.values.parameters[1] == named(states, "origin").values.parameters[1]);
   const double right = named(states, "M times 1e-06, angles near right ones").values.q[1];
   const double turns = std::round(right / 1.5707963267948966);
-  CHECK(std::abs(right - turns * 1.5707963267948966) == Approx(1e-8).epsilon(1e-6));
+  CHECK(std::fmod(std::abs(turns), 2) == 1);
+  CHECK(std::abs(right - turns * 1.5707963267948966) == Approx(7.5e-9).margin(2.6e-9));
   const auto is_combined = [](const auto& s) { return s.name.find(", angles") != s.name.npos; };
-  CHECK(std::count_if(states.begin(), states.end(), is_combined) == 5 * 6 * 3);
+  CHECK(std::count_if(states.begin(), states.end(), is_combined) == 5 * 6 * 4);
   const auto few = sample_states<double>(system.subject(), {16, 1, true});
   CHECK(std::count_if(few.begin(), few.end(), is_combined) == 16);
 }

@@ -9,7 +9,7 @@
 #include "elgen/oracle.hpp"
 #include "elgen/wording.hpp"
 #include "numbers/exact_number.hpp"
-#include "numbers/random.hpp"
+#include "sample/states.hpp"
 #include "texts/fold_expression.hpp"
 
 namespace elgen::texts {
@@ -41,11 +41,11 @@ std::string short_value(const Real& value) {
 /// Parameters at their values, everything else somewhere inside its range, multipliers anywhere.
 std::vector<Arguments<Real>> comparison_states(const Model& model) {
   std::vector<Arguments<Real>> states;
-  Random random(1);
+  Sampler draw(1);
   while (states.size() < state_count) {
     State state = nominal_state(model, {});
-    draw_motion(model, random, 0, state);
-    for (cln::cl_R& multiplier : state.multipliers) multiplier = random.rational();
+    draw_motion(model, draw, 0, state);
+    for (cln::cl_R& multiplier : state.multipliers) multiplier = draw.number();
     states.push_back(map_leaves([](const cln::cl_R& value) { return Real(value); }, state));
   }
   return states;

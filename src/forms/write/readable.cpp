@@ -1,30 +1,16 @@
 // readable: the shortest way. Two ways that are compared are one function of two entries, so that
 // what they share, sines above all, is evaluated once.
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <set>
 
 #include "forms/write/ways.hpp"
-#include "numbers/random.hpp"
 #include "program/graph/angle_sums.hpp"
 #include "program/graph/factor.hpp"
 #include "program/network/linearise.hpp"
 
 namespace elgen {
 namespace {
-
-/// Of three terms that are drawn alike each outweighs the others in a third of all points: that
-/// none of 12 wide points shows it happens in one of 130 cases.
-constexpr std::size_t point_count = 16;
-constexpr int widest = 26;
-
-Arguments<double> point(const LeafNames& leaves, int lowest, int highest, Random& random) {
-  Arguments<double> result =
-      draw_leaves(leaves, [&] { return random.log_uniform(lowest, highest); });
-  for (double& value : result.parameters) value = std::abs(value);
-  return result;
-}
 
 using NodeSet = std::set<NodeId>;
 
@@ -97,7 +83,7 @@ std::size_t shortest_weighted(const std::vector<Collected>& ways) {
 
 /// The shortest of those that are as precise as `judge`, by whose B the code is judged.
 std::size_t shortest_precise(const std::vector<Collected>& ways, std::size_t judge,
-                             const MixedPoints& points) {
+                             const Points& points) {
   std::vector<std::size_t> order(ways.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
@@ -110,18 +96,7 @@ std::size_t shortest_precise(const std::vector<Collected>& ways, std::size_t jud
 
 }  // namespace
 
-MixedPoints mixed_points(const LeafNames& leaves) {
-  Random random(1);
-  MixedPoints points;
-  for (std::size_t i = 0; i < point_count; ++i) {
-    const bool is_ordinary = i % 4 == 0;
-    points.push_back(is_ordinary ? point(leaves, -3, 0, random)
-                                 : point(leaves, -widest, widest, random));
-  }
-  return points;
-}
-
-bool is_as_precise(const Expressions& way, const Expressions& reference, const MixedPoints& points,
+bool is_as_precise(const Expressions& way, const Expressions& reference, const Points& points,
                    Leaves leaves) {
   if (leaves == Leaves::exact && rounds_more_angles(way, reference)) return false;
   const BothWays both = both_ways(way, reference);
@@ -140,7 +115,7 @@ bool is_as_precise(const Expressions& way, const Expressions& reference, const M
 }
 
 std::optional<ReadableForm> shortest(const Algebra& algebra, const Fraction& form,
-                                     const Expressions* derived, const MixedPoints& points) {
+                                     const Expressions* derived, const Points& points) {
   std::vector<Collected> ways = collected_ways(algebra, form);
   if (ways.empty() && derived == nullptr) return std::nullopt;
   std::size_t readable = ways.empty() ? 0 : shortest_weighted(ways);

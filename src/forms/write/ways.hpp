@@ -14,8 +14,8 @@
 
 #include "accuracy/running_errors.hpp"
 #include "elgen/closed_forms.hpp"
-#include "elgen/leaf_names.hpp"
 #include "program/graph/rebuild.hpp"
+#include "sample/points.hpp"
 
 namespace elgen {
 
@@ -48,26 +48,12 @@ struct Collected {
 /// longer, and for code only.
 [[nodiscard]] std::vector<Collected> precise_ways(const Algebra& algebra, const Fraction& form);
 
-/// Where ways to write one value are compared by how far rounding may take them:
-///
-///     2*a*(x + y) + b*z - a*(2*x + y)     has two terms more that cancel,   2 a x: where they are
-///     a*y + b*z                           large, no digit of the first way is right
-///
-/// by their running errors to first order. A term that cancels shows where it outweighs all others,
-/// so every leaf has a magnitude of its own.
-using MixedPoints = std::vector<Arguments<double>>;
-
-/// The same on every machine: a quarter of ordinary magnitudes, the others from 2^-26 to 2^26, as
-/// wide as what programs are checked at. Parameters are positive, as most masses and lengths have
-/// to be.
-[[nodiscard]] MixedPoints mixed_points(const LeafNames& leaves);
-
-/// Whether, wherever `reference` has a value x, the error of `way` is at most three times that of
-/// `reference`, or at most 8 |x|, which no judge refuses; false where it has none at any point. One
-/// and the same sum counts up to twice as much when it is put together in another way; what cancels
-/// is beyond any factor.
+/// Whether, by running errors to first order and wherever `reference` has a value x, the error of
+/// `way` is at most three times that of `reference`, or at most 8 |x|, which no judge refuses;
+/// false where it has none at any point. One and the same sum counts up to twice as much when it is
+/// put together in another way; what cancels is beyond any factor.
 [[nodiscard]] bool is_as_precise(const Expressions& way, const Expressions& reference,
-                                 const MixedPoints& points, Leaves leaves);
+                                 const Points& points, Leaves leaves);
 
 /// One value, twice, each over a graph of its own.
 struct ReadableForm {
@@ -82,7 +68,7 @@ struct ReadableForm {
 /// The shortest candidate; none where all are too long. `derived` may be null.
 [[nodiscard]] std::optional<ReadableForm> shortest(const Algebra& algebra, const Fraction& form,
                                                    const Expressions* derived,
-                                                   const MixedPoints& points);
+                                                   const Points& points);
 
 /// One entry of a function as it was derived, over the leaves; none where that is long.
 struct DerivedEntry {

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "elgen/domain.hpp"
 #include "elgen/evaluate.hpp"
 #include "elgen/model.hpp"
 #include "elgen/oracle.hpp"
@@ -17,6 +18,8 @@ struct Subject {
   const Model& model;
   const Scene& scene;
   const Program& program;
+
+  operator StateSpace() const { return {model, scene, program.leaves}; }
 };
 
 /// The exact state the oracle gets for binary inputs; fixed parameters stay the exact numbers they

@@ -7,6 +7,7 @@
 
 #include "elgen/leaf_names.hpp"
 #include "elgen/wording.hpp"
+#include "program/evaluate/subject.hpp"
 #include "run/tradeoff/errors.hpp"
 
 namespace elgen {
@@ -61,14 +62,14 @@ Result<TradeoffStates> tradeoff_states(const CheckedModel& exact, const Program&
   for (const NamedRange& range : exact.scene.numerics.ranges) {
     narrow(exact.model, range, within);
   }
-  Random random(sampling.seed);
+  Sampler draw(sampling.seed);
   TradeoffStates result;
   result.low = map_leaves([](const Range& range) { return range.low; }, within);
   result.high = map_leaves([](const Range& range) { return range.high; }, within);
   std::vector<std::vector<ExactNumber>> values;
   const std::size_t count = sampling.count;
   for (std::size_t tried = 0; result.states.size() < count && tried < 2 * count; ++tried) {
-    const Arguments<double> state = drawn_within(subject, within, random);
+    const Arguments<double> state = drawn_within(subject, within, draw);
     auto entries = exact_entries(exact, program, state);
     if (!entries) continue;
     result.states.push_back(state);

@@ -62,14 +62,14 @@ class NearZeros {
       : subject_(subject),
         ratio_(ratio),
         ranges_(ranges_of(subject)),
-        random_(sampling.seed),
+        draw_(sampling.seed),
         most_(std::min(sampling.count, most_states)),
         evaluations_left_(std::min(most_ * evaluations_per_state,
                                    most_work / (subject.model.expressions.size() + 1))) {}
 
   std::vector<SampledState<double>> make() {
     const std::vector<SoughtSum> sums = typed_sums(subject_.model);
-    Arguments<double> common = drawn_within(subject_, ranges_, random_);
+    Arguments<double> common = drawn_within(subject_, ranges_, draw_);
     std::set<std::uint32_t> held;
     for (const SoughtSum& sum : sums) take_if_zero(sum, common, held);
     // Each distance once moving and once at rest, as their number is odd.
@@ -77,7 +77,7 @@ class NearZeros {
     for (const SoughtSum& sum : sums) {
       for (const std::uint32_t coordinate : sum.coordinates) {
         if (states_.size() >= most_) break;
-        Arguments<double> at = drawn_within(subject_, ranges_, random_);
+        Arguments<double> at = drawn_within(subject_, ranges_, draw_);
         if (moves_to_zero(sum, coordinate, at)) add_near(at, {coordinate});
       }
     }
@@ -159,7 +159,7 @@ class NearZeros {
   const Subject& subject_;
   double ratio_;
   LeafValues<Range> ranges_;
-  Random random_;
+  Sampler draw_;
   std::size_t most_;
   std::size_t evaluations_left_;
   std::vector<SampledState<double>> states_ = {};

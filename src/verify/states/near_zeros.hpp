@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "program/evaluate/subject.hpp"
 #include "sample/states.hpp"
 
 namespace elgen {

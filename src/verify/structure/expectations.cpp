@@ -12,7 +12,7 @@
 #include "elgen/references.hpp"
 #include "model/requests.hpp"
 #include "numbers/exact_number.hpp"
-#include "numbers/random.hpp"
+#include "sample/states.hpp"
 #include "verify/states/kinks.hpp"
 #include "verify/states/tally.hpp"
 
@@ -35,14 +35,12 @@ struct SamplingStates {
 };
 
 SamplingStates random_points(const Model& model, std::uint64_t seed) {
-  Random random(seed);
+  Sampler draw(seed);
   Kinks kinks(model);
   SamplingStates points;
   for (std::size_t turn = 0; turn < most_draws_for_kinks; ++turn) {
     if (turn >= point_count && kinks.are_seen()) break;
-    State state = nominal_state(model, {});
-    draw_parameters(model, {}, random, turn, state);
-    draw_motion(model, random, turn, state);
+    State state = drawn_state(model, {}, draw, turn);
     const bool is_new = kinks.add(state);
     if (turn < point_count || is_new) points.states.push_back(std::move(state));
   }

@@ -33,7 +33,7 @@ bool is_precise(const char* way, const char* reference, Leaves kind) {
 /// Functions of which a closed form is emitted that is less precise than the one that judges it.
 std::vector<std::string> imprecise(const std::string& text) {
   const Program program = chosen(text).choice.program;
-  const MixedPoints points = mixed_points(program.leaves);
+  const Points points = mixed_points(program.leaves);
   std::vector<std::string> result;
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     const Function& function = program.functions[i];

@@ -1,0 +1,70 @@
+// exact_states: see states.hpp. All numbers are rational.
+#include <array>
+
+#include "elgen/leaf_names.hpp"
+#include "sample/states.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_R;
+
+/// Rational, so that states are exact.
+const cln::cl_RA half_turn = cln::cl_RA(355) / 113;
+
+/// Lengths, rates and forces without a range have one of these magnitudes, in turn.
+const std::array<cln::cl_RA, 3>& scales() {
+  static const std::array<cln::cl_RA, 3> all{1, cln::cl_RA(1) / 1000, 1000};
+  return all;
+}
+
+cl_R exactly_within(const Interval& range, Sampler& draw) {
+  return range.low + (range.high - range.low) * cln::abs(draw.number());
+}
+
+void draw_parameters(const Model& model, const FixedParameters& fixed, Sampler& draw,
+                     std::size_t turn, State& state) {
+  for (std::uint32_t i = 0; i < state.parameters.size(); ++i) {
+    if (fixed.count(i) > 0) continue;
+    cl_R& parameter = state.parameters[i];
+    const auto range = declared_range(model, Opcode::parameter, i);
+    if (range && turn % 2 != 0) {
+      parameter = exactly_within(*range, draw);
+      continue;
+    }
+    const cln::cl_RA r = cln::abs(draw.number());
+    parameter = cln::zerop(parameter) ? cl_R(r) : parameter * (cln::cl_RA(1) / 2 + r * 3 / 2);
+    if (range) parameter = cln::max(range->low, cln::min(range->high, parameter));
+  }
+}
+
+}  // namespace
+
+void draw_motion(const Model& model, Sampler& draw, std::size_t turn, State& state) {
+  constexpr LeafSet undrawn =
+      Opcode::parameter | Opcode::step | Opcode::momentum | Opcode::energy | Opcode::multiplier;
+  const cln::cl_RA& scale = scales()[turn % scales().size()];
+  const auto set = [&](Opcode kind, std::uint32_t number, cl_R& value) {
+    if (undrawn.has_any(kind)) return;
+    if (const auto range = declared_range(model, kind, number)) {
+      value = exactly_within(*range, draw);
+    } else {
+      const bool turns = kind == Opcode::coordinate && is_angle(model.coordinates[number]);
+      value = draw.number() * (turns ? half_turn : scale);
+    }
+  };
+  for_each_leaf(set, state);
+  // By a copy, so that momenta leave all that follows as it is.
+  Sampler of_momenta = draw;
+  for (cl_R& p : state.momenta) p = of_momenta.number() * scale;
+  make_unit_quaternions(model, state);
+}
+
+State drawn_state(const Model& model, const Scene& scene, Sampler& draw, std::size_t turn) {
+  State state = nominal_state(model, scene);
+  if (turn > 0) draw_parameters(model, scene.specialisation.fixed, draw, turn, state);
+  draw_motion(model, draw, turn, state);
+  return state;
+}
+
+}  // namespace elgen

@@ -1,0 +1,94 @@
+// points: see points.hpp. Nothing that libm rounds is called.
+#include "sample/points.hpp"
+
+#include <cmath>
+
+namespace elgen {
+namespace {
+
+constexpr double right_angle = 1.5707963267948966;
+
+/// Of three terms that are drawn alike each outweighs the others in a third of all points: that
+/// none of 12 wide points shows it happens in one of 130 cases.
+constexpr std::size_t mixed_count = 16;
+
+/// The binary logarithms of magnitudes, and of what one parameter after another is multiplied by.
+constexpr int wide = 26;
+constexpr int ordinary = 3;
+constexpr int parameter_ratios[]{40, -40, 15};
+
+/// Of more parameters some are left out.
+constexpr std::size_t most_parameters = 10;
+
+}  // namespace
+
+std::vector<cln::cl_R> Sampler::vector(std::size_t size) {
+  std::vector<cln::cl_R> numbers;
+  for (std::size_t i = 0; i < size; ++i) numbers.emplace_back(number());
+  return numbers;
+}
+
+LeafValues<cln::cl_RA> Sampler::point(const LeafNames& leaves, Positive positive) {
+  LeafValues<cln::cl_RA> result = draw_leaves(leaves, [this] { return number(); });
+  for (std::uint32_t i = 0; i < result.parameters.size(); ++i) {
+    const bool is_assumed = assumption_of(leaves, i) != Assumption::none;
+    cln::cl_RA& parameter = result.parameters[i];
+    if (positive == Positive::parameters || is_assumed) parameter = cln::abs(parameter);
+  }
+  return result;
+}
+
+LeafValues<double> Sampler::scaled_point(const LeafNames& leaves, int low, int high) {
+  LeafValues<double> result = draw_leaves(leaves, [&] { return scaled(low, high); });
+  for (double& parameter : result.parameters) parameter = std::abs(parameter);
+  return result;
+}
+
+void Sampler::move_angles(AnglePlace place, const std::vector<bool>& is_angle,
+                          std::vector<double>& q) {
+  const double common = within({-2 * right_angle, 2 * right_angle});
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    const double sign = side();
+    const double away = sign * share();
+    const double half_turns = std::floor(within({-1, 2}));
+    if (!is_angle[i]) continue;
+    q[i] = away * 1e-8;
+    if (place == AnglePlace::right) q[i] += (2 * half_turns + 1) * right_angle;
+    if (place == AnglePlace::straight) q[i] += 2 * half_turns * right_angle;
+    if (place == AnglePlace::equal) q[i] = common + away * 1e-3;
+  }
+}
+
+Points mixed_points(const LeafNames& leaves) {
+  Sampler draw(1);
+  Points points;
+  for (std::size_t i = 0; i < mixed_count; ++i) {
+    const bool is_ordinary = i % 4 == 0;
+    points.push_back(is_ordinary ? draw.scaled_point(leaves, -ordinary, 0)
+                                 : draw.scaled_point(leaves, -wide, wide));
+  }
+  return points;
+}
+
+Points extreme_points(const LeafNames& leaves, const std::vector<bool>& is_angle) {
+  Sampler draw(2);
+  Points points = mixed_points(leaves);
+  const std::size_t count = leaves.parameters.size();
+  const std::size_t step = (count + most_parameters - 1) / most_parameters;
+  const auto add = [&](std::size_t parameter, int ratio, AnglePlace place) {
+    LeafValues<double>& point = points.emplace_back(draw.scaled_point(leaves, -ordinary, ordinary));
+    double& size = point.parameters[parameter];
+    size = std::ldexp(size, ratio);
+    const bool is_tiny = place == AnglePlace::tiny;
+    for (double& q : point.q) q = is_tiny ? draw.scaled(-wide, -ordinary) : q;
+    draw.move_angles(place, is_angle, point.q);
+  };
+  for (std::size_t parameter = 0; parameter < count; parameter += step) {
+    for (const int ratio : parameter_ratios) {
+      for (const AnglePlace place : angle_places) add(parameter, ratio, place);
+    }
+  }
+  return points;
+}
+
+}  // namespace elgen

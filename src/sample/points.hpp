@@ -1,0 +1,77 @@
+// points: random numbers, vectors, and points of functions whatever model they are of. Exact points
+// tell which values vanish; rounded ones tell which lose digits.
+#pragma once
+
+#include <cln/real.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "elgen/domain.hpp"
+#include "elgen/leaf_names.hpp"
+#include "numbers/random.hpp"
+
+namespace elgen {
+
+/// The parameters of an exact point that are positive.
+enum class Positive : std::uint8_t {
+  parameters,  ///< all of them, as most masses and lengths have to be
+  assumed,     ///< those that the model assumes to be
+};
+
+/// Where angles are, so that sums of their sines and cosines cancel.
+enum class AnglePlace : std::uint8_t {
+  right,     ///< 1e-8 from odd multiples of a right angle: a square of that is lost beside 1
+  straight,  ///< 1e-8 from even multiples
+  equal,     ///< 1e-3 from one another
+  tiny,      ///< 1e-8 from 0
+};
+inline constexpr AnglePlace angle_places[]{AnglePlace::right, AnglePlace::straight,
+                                           AnglePlace::equal, AnglePlace::tiny};
+
+/// Draws everything that is random: the same for a seed on every machine. A copy goes on alike.
+class Sampler {
+ public:
+  explicit Sampler(std::uint64_t seed) : random_(seed) {}
+
+  /// Exact, in [-1, 1] without 0 (numbers/random.hpp).
+  [[nodiscard]] cln::cl_RA number() { return random_.rational(); }
+  /// So many of them.
+  [[nodiscard]] std::vector<cln::cl_R> vector(std::size_t size);
+  /// One for every leaf that has a name.
+  [[nodiscard]] LeafValues<cln::cl_RA> point(const LeafNames& leaves,
+                                             Positive positive = Positive::parameters);
+
+  [[nodiscard]] double within(const Range& range) { return random_.uniform(range.low, range.high); }
+  /// In [1/2, 1).
+  [[nodiscard]] double share() { return random_.uniform(0.5, 1); }
+  /// 1 or -1.
+  [[nodiscard]] double side() { return random_.uniform(-1, 1) < 0 ? -1 : 1; }
+  /// Of either sign and a magnitude in [2^low, 2^(high + 1)).
+  [[nodiscard]] double scaled(int low, int high) { return random_.log_uniform(low, high); }
+  /// Such a number for every leaf that has a name; parameters are positive.
+  [[nodiscard]] LeafValues<double> scaled_point(const LeafNames& leaves, int low, int high);
+  /// Moves the coordinates that are angles to a place.
+  void move_angles(AnglePlace place, const std::vector<bool>& is_angle, std::vector<double>& q);
+
+ private:
+  Random random_;
+};
+
+using Points = std::vector<LeafValues<double>>;
+
+/// Where ways to write one value are compared by how far rounding may take them:
+///
+///     2*a*(x + y) + b*z - a*(2*x + y)     has two terms more that cancel,   2 a x: where they are
+///     a*y + b*z                           large, no digit of the first way is right
+///
+/// A term that cancels shows where it outweighs all others, so every leaf has a magnitude of its
+/// own: at a quarter of the points an ordinary one, at the others from 2^-26 to 2^26, as wide as
+/// what programs are checked at.
+[[nodiscard]] Points mixed_points(const LeafNames& leaves);
+
+/// These, and ordinary magnitudes with angles at every place and one parameter after another far
+/// larger or smaller than the others.
+[[nodiscard]] Points extreme_points(const LeafNames& leaves, const std::vector<bool>& is_angle);
+
+}  // namespace elgen

@@ -1,0 +1,64 @@
+// Exact states of a model: inside its ranges, the same for a seed.
+#include <catch2/catch.hpp>
+
+#include "oracle/samples.hpp"
+#include "sample/states.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+using cln::cl_R;
+
+TEST_CASE("states are drawn inside the declared ranges, the same ones for a seed") {
+  ModelBuilder b = cart_pole();
+  b.model.coordinates[0].range = Interval{3, 4};
+  Sampler draw(5);
+  Sampler again(5);
+  for (std::size_t turn = 0; turn < 20; ++turn) {
+    State state = nominal_state(b.model, {});
+    State same = state;
+    draw_motion(b.model, draw, turn, state);
+    draw_motion(b.model, again, turn, same);
+    CHECK(state.q == same.q);
+    CHECK((state.q[0] > 3 && state.q[0] <= 4));
+  }
+}
+
+TEST_CASE("without ranges angles are drawn in a turn, others at three scales in turn") {
+  ModelBuilder b = cart_pole();
+  b.model.coordinates[1].unit_text = "rad";
+  std::vector<cl_R> largest_length(3, cl_R(0));
+  cl_R largest_angle = 0;
+  Sampler draw(5);
+  for (std::size_t turn = 0; turn < 60; ++turn) {
+    State state = nominal_state(b.model, {});
+    draw_motion(b.model, draw, turn, state);
+    largest_length[turn % 3] = cln::max(largest_length[turn % 3], cln::abs(state.q[0]));
+    largest_angle = cln::max(largest_angle, cln::abs(state.q[1]));
+  }
+  CHECK((largest_length[0] > exact("0.5") && largest_length[0] <= 1));
+  CHECK((largest_length[1] > exact("0.0005") && largest_length[1] <= exact("0.001")));
+  CHECK((largest_length[2] > 500 && largest_length[2] <= 1000));
+  CHECK((largest_angle > 2 && largest_angle <= exact("3.15")));
+}
+
+TEST_CASE(
+    "parameters have their values, then half to twice these or any in their range; fixed ones "
+    "stay") {
+  ModelBuilder b;
+  b.coordinate("x").parameter("m", "2").parameter("k", "0").parameter("c", "3").parameter("l", "1");
+  b.model.parameter_arrays.resize(4);
+  for (std::uint32_t i = 0; i < 4; ++i) b.model.parameters[i].array = i;
+  b.model.parameter_arrays[3].range = Interval{exact("0.9"), 50};
+  Scene scene;
+  scene.specialisation.fixed[2] = {3};
+  Sampler draw(1);
+  CHECK(drawn_state(b.model, scene, draw, 0).parameters ==
+        nominal_state(b.model, scene).parameters);
+  for (std::size_t turn = 1; turn < 3; ++turn) {
+    const State state = drawn_state(b.model, scene, draw, turn);
+    CHECK((state.parameters[0] >= 1 && state.parameters[0] <= 4));
+    CHECK((state.parameters[1] > 0 && state.parameters[1] <= 1));
+    CHECK(state.parameters[2] == 3);
+    CHECK((state.parameters[3] >= exact("0.9") && state.parameters[3] <= (turn == 2 ? 2 : 50)));
+  }
+}
