@@ -3,8 +3,8 @@
 
 #include "elgen/evaluate.hpp"
 #include "numbers/exact_number.hpp"
-#include "numbers/random.hpp"
 #include "program/network/instructions.hpp"
+#include "sample/points.hpp"
 
 namespace elgen {
 namespace {
@@ -23,10 +23,10 @@ const Function* find_before(const Program& program, std::size_t index, OutputKin
 bool is_same_energy(const Program& recursive, std::size_t index, const Program& chosen,
                     const Function& sum) {
   static const Real negligible(power_of_ten(-45));
-  Random random(1);
+  Sampler draw(1);
   for (std::size_t i = 0; i < compared_points; ++i) {
-    const auto point =
-        draw_leaves(recursive.leaves, [&] { return Real(cln::abs(random.rational())); });
+    const auto point = map_leaves([](const cln::cl_RA& x) { return Real(cln::abs(x)); },
+                                  draw.point(recursive.leaves));
     const Real own = evaluate(recursive, recursive.functions[index], point).front();
     const Real other = evaluate(chosen, sum, point).front();
     const Real apart = abs(own - other);

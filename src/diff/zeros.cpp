@@ -9,8 +9,8 @@
 #include "elgen/closed_forms.hpp"
 #include "elgen/fold.hpp"
 #include "numbers/exact_number.hpp"
-#include "numbers/random.hpp"
 #include "program/network/analytic.hpp"
+#include "sample/points.hpp"
 
 namespace elgen {
 namespace {
@@ -57,13 +57,15 @@ class PointDrawer {
     const RunningBoundRules rules{{point, rounding<double>()}};
     std::vector<Bound> values;
     for (std::size_t i = 0; i < function.instructions.size(); ++i) {
-      values.push_back(variables[i] ? drawn()
+      values.push_back(variables[i] ? scaled(draw_.number())
                                     : folded(rules, program_, function.instructions[i], values));
     }
     return values;
   }
 
-  Bound drawn() { return leaf_bound(random_.rational() * scale(), rounding<double>()); }
+  [[nodiscard]] Bound scaled(const cln::cl_RA& number) const {
+    return leaf_bound(number * scale(), rounding<double>());
+  }
 
   /// In turn, so that what differs for large or small values only is seen, too.
   [[nodiscard]] cln::cl_RA scale() const {
@@ -74,13 +76,10 @@ class PointDrawer {
   /// Parameters without an assumption are positive at every second point, since most masses and
   /// lengths have to be.
   LeafValues<Bound> next_point() {
-    LeafValues<Bound> point = draw_leaves(program_.leaves, [this] { return drawn(); });
-    const bool is_positive = points_++ % 2 == 0;
-    for (std::uint32_t i = 0; i < point.parameters.size(); ++i) {
-      const bool is_assumed = assumption_of(program_.leaves, i) != Assumption::none;
-      Bound& parameter = point.parameters[i];
-      if (is_positive || is_assumed) parameter.value = abs(parameter.value);
-    }
+    const Positive positive = points_ % 2 == 0 ? Positive::parameters : Positive::assumed;
+    LeafValues<Bound> point = map_leaves([this](const cln::cl_RA& x) { return scaled(x); },
+                                         draw_.point(program_.leaves, positive));
+    ++points_;
     return point;
   }
 
@@ -104,7 +103,7 @@ class PointDrawer {
   }
 
   const Program& program_;
-  Random random_{seed_of_zeros};
+  Sampler draw_{seed_of_zeros};
   std::size_t points_ = 0;
 };
 

@@ -7,8 +7,8 @@
 #include <algorithm>
 
 #include "accuracy/bounded.hpp"
-#include "numbers/random.hpp"
 #include "program/network/analytic.hpp"
+#include "sample/points.hpp"
 
 namespace elgen {
 namespace {
@@ -26,13 +26,6 @@ bool is_below(const Real& x, const Real& y, const Real& share) {
 bool is_zero(const Bound& x) { return x.value.is_defined() && cln::zerop(x.value.value()); }
 
 Bound drawn(const cln::cl_RA& value) { return leaf_bound(value, rounding<double>()); }
-
-/// Parameters are positive, as most masses and lengths have to be.
-LeafValues<Bound> random_point(const LeafNames& leaves, Random& random) {
-  LeafValues<Bound> point = draw_leaves(leaves, [&] { return drawn(random.rational()); });
-  for (Bound& bound : point.parameters) bound.value = abs(bound.value);
-  return point;
-}
 
 /// The functions with kinks, which may be zero in a whole region. Roots are computed.
 std::vector<bool> kinks(const Function& function) {
@@ -80,14 +73,14 @@ Bound settled(const Instruction& i, const Values& values, Bound x) {
 /// The instructions that are `needed`, at the next random point; the `variables` among them are
 /// drawn, not computed.
 Values run(const Program& program, const Function& function, const std::vector<bool>& needed,
-           const std::vector<bool>& variables, Random& random) {
-  const LeafValues<Bound> point = random_point(program.leaves, random);
+           const std::vector<bool>& variables, Sampler& draw) {
+  const LeafValues<Bound> point = map_leaves(drawn, draw.point(program.leaves));
   const BoundRules rules{point, rounding<double>()};
   Values values(function.instructions.size());
   for (std::size_t at = 0; at < values.size(); ++at) {
     if (!needed[at]) continue;
     const Instruction& i = function.instructions[at];
-    values[at] = variables[at] ? drawn(cln::abs(random.rational()))
+    values[at] = variables[at] ? drawn(cln::abs(draw.number()))
                                : settled(i, values, folded(rules, program, i, values));
   }
   return values;
@@ -106,9 +99,9 @@ std::vector<bool> needed_for_undefined(const Function& function, const Values& v
 /// Of `candidates` those that vanish at one more point, too.
 std::vector<std::uint32_t> still_vanishing(const Program& program, const Function& function,
                                            const std::vector<std::uint32_t>& candidates,
-                                           const std::vector<bool>& variables, Random& random) {
+                                           const std::vector<bool>& variables, Sampler& draw) {
   const std::vector<bool> needed = needed_for(function, candidates);
-  const Values values = run(program, function, needed, variables, random);
+  const Values values = run(program, function, needed, variables, draw);
   const std::vector<bool> excluded = needed_for_undefined(function, values, needed);
   std::vector<std::uint32_t> result;
   for (const std::uint32_t at : candidates) {
@@ -125,17 +118,17 @@ std::vector<std::uint32_t> vanishing(const Program& program, const Function& fun
   for (std::uint32_t at = 0; at < function.instructions.size(); ++at) {
     if (operand_count(function.instructions[at]) > 0) operations.push_back(at);
   }
-  Random random(first_seed);
-  return still_vanishing(program, function, operations, kinks(function), random);
+  Sampler draw(first_seed);
+  return still_vanishing(program, function, operations, kinks(function), draw);
 }
 
 std::vector<bool> vanishing_elsewhere(const Program& program, const Function& function) {
   const std::vector<std::uint32_t> entries = entries_of(function);
   const std::vector<bool> variables = unknowns(program, function);
   std::vector<std::uint32_t> left = entries;
-  Random random(other_seed);
+  Sampler draw(other_seed);
   for (std::size_t i = 1; i < zero_points && !left.empty(); ++i) {
-    left = still_vanishing(program, function, left, variables, random);
+    left = still_vanishing(program, function, left, variables, draw);
   }
   std::vector<bool> result;
   for (const std::uint32_t at : entries) {
