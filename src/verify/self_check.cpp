@@ -100,7 +100,7 @@ class SelfChecking {
   Regime look_at(Visit<double>& visit, std::size_t index) {
     Regime regime = Regime::regular;
     for (const FieldPlace& place : field_places(subject_, index)) {
-      const Finding finding = visit.look_at(place, random_);
+      const Finding finding = visit.look_at(place, draw_);
       regime = worse(regime, finding.regime);
       if (finding.error) result_.worst = std::max(result_.worst.value_or(0), *finding.error);
       // Rounding is a figure; NaN and infinity are none.
@@ -161,7 +161,7 @@ class SelfChecking {
 
   const Subject& subject_;
   const Program* parts_;
-  Random random_{1};
+  Sampler draw_{1};
   std::vector<bool> without_value_;  ///< by function
   std::vector<State> states_ = {};
   SelfCheck result_ = {};

@@ -14,13 +14,13 @@ namespace {
 std::string compare(const System& system, OutputKind kind) {
   const Subject subject = system.subject();
   OracleCache oracle(subject, random_state(system.model, 2));
-  Random random(1);
+  Sampler draw(1);
   for (const FieldPlace& place : field_places(subject)) {
     if (place.function->kind != kind) continue;
     const BoundedRun run =
         bounded_run(system.program, *place.function, oracle.state(), rounding<double>());
     REQUIRE(run.regime == Regime::regular);
-    const std::string differs = compare_projection(subject, place, run, oracle, random).text;
+    const std::string differs = compare_projection(subject, place, run, oracle, draw).text;
     if (!differs.empty()) return differs;
   }
   return {};

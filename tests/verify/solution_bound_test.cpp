@@ -101,8 +101,8 @@ Finding finding_at(const System& system, double c, const Program* parts, std::si
   const Subject subject = system.subject();
   const SampledState<double> sample = state_with(system, c);
   Visit<double> visit(subject, sample, {Comparison::entries, parts});
-  Random random(1);
-  return visit.look_at(field_places(subject, 2)[field], random);
+  Sampler draw(1);
+  return visit.look_at(field_places(subject, 2)[field], draw);
 }
 
 /// x^2 / (x - y), then its square root.

@@ -29,8 +29,8 @@ Finding first_finding(const System& system, Comparison comparison,
                       const SampledState<double>& state) {
   const Subject subject = system.subject();
   Visit<double> visit(subject, state, {comparison});
-  Random random(1);
-  return visit.look_at(field_places(subject).front(), random);
+  Sampler draw(1);
+  return visit.look_at(field_places(subject).front(), draw);
 }
 
 System alone(const std::string& body, const std::string& results) {

@@ -11,7 +11,6 @@
 
 #include "elgen/evaluate.hpp"
 #include "elgen/oracle.hpp"
-#include "numbers/random.hpp"
 #include "run/tradeoff/errors.hpp"
 #include "sample/states.hpp"
 
@@ -169,7 +168,7 @@ class ErrorSearch {
     std::vector<Arguments<double>> states;
     for (const Climb& climb : climbs) {
       for (const MovingNumber& number : moving_) {
-        const double share = shares_.uniform(0.5, 1);
+        const double share = draw_.share();
         states.push_back(moved(climb, number, share));
         states.push_back(moved(climb, number, -share));
       }
@@ -220,7 +219,7 @@ class ErrorSearch {
   FieldScales scales_;
   std::vector<MovingNumber> moving_;
   const DesignValues& design_;
-  Random shares_ = Random(1);
+  Sampler draw_{1};
 };
 
 }  // namespace
