@@ -4,7 +4,6 @@
 //     -> choose -> typeset -> emit -> self-check
 //
 //     specialise -> steps    the derivation as a student writes it
-//     cancel -> parts        what solutions are judged by
 //     specialise -> choose   what `step` calls, derived in its own name
 //     specialise -> equilibria -> modes   states of rest and motions about them, from outputs of
 //                                         their own
@@ -87,9 +86,8 @@ Result<CheckedModel> resolved(const Syntaxes& syntaxes, const PipelineOptions& o
   return {std::move(*result), std::move(all)};
 }
 
-Result<SelfCheck> checked(const CheckedModel& checked, const Program& program,
-                          const Program& parts) {
-  SelfCheck check = self_check(checked.model, checked.scene, program, &parts);
+Result<SelfCheck> checked(const CheckedModel& checked, const Program& program) {
+  SelfCheck check = self_check(checked.model, checked.scene, program);
   if (check.failure.empty()) return check;
   if (check.lacks_value) {
     return Diagnostic{Code::E521, check.place.value_or(Span{}), check.failure, check.remedy};
@@ -119,7 +117,6 @@ class Compilation {
     out.closed_forms = std::move(forms_.product);
     if (choice_.product) out.program = std::move(choice_.product->program);
     if (choice_.product) out.costs = std::move(choice_.product->costs);
-    if (parts_.product) out.parts = std::move(*parts_.product);
     out.steps = std::move(steps_.product);
     out.book = std::move(book_.product);
     out.equilibria = std::move(equilibria_.product);
@@ -211,13 +208,9 @@ class Compilation {
                                return emit(c.model, c.scene, chosen.program, book);
                              }};
 
-  Stage<Program> parts_{run_, Goal::parts, std::tie(lagrangian_, checked_, recursive_), parts};
-
-  Stage<SelfCheck> self_check_{
-      run_, Goal::self_check, std::tie(checked_, choice_, recursive_, files_),
-      [](const CheckedModel& c, const Choice& chosen, const Program& p, const EmittedFiles&) {
-        return checked(c, chosen.program, known_parts(c, p));
-      }};
+  Stage<SelfCheck> self_check_{run_, Goal::self_check, std::tie(checked_, choice_, files_),
+                               [](const CheckedModel& c, const Choice& chosen,
+                                  const EmittedFiles&) { return checked(c, chosen.program); }};
 };
 
 }  // namespace

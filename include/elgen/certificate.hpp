@@ -23,15 +23,14 @@ enum class Verdict : std::uint8_t {
   holds,
   fails,
   skipped,
-  noted,  ///< rounding is beyond its bound, half of the digits are lost, or a side of a kink was
-          ///< not seen
+  noted,  ///< half of the digits are lost, or a side of a kink was not seen
 };
 
 /// Why nothing is said at a state.
 enum class Obstacle : std::uint8_t {
   overflow,         ///< an exact intermediate is near the scalar's largest number
   undefined,        ///< outside of the domain: 1/0, sqrt(-1)
-  ill_conditioned,  ///< rounding has no bound, or the solution is not known
+  ill_conditioned,  ///< rounding has no estimate, or the solution is not known
   singular,         ///< M is singular: a pole, a gimbal
   unsettled,        ///< 1000 digits do not tell whether program and oracle are one: 1 - cos(1e-300)
 };
@@ -58,10 +57,9 @@ struct CertificateRow {
   Evidence evidence = Evidence::states;
   std::size_t samples = 0;                   ///< states at which it was compared
   std::vector<SkippedStates> skipped = {};   ///< and at which it could not be
-  std::optional<double> error = {};          ///< largest, in u B
   std::optional<double> loss = {};           ///< largest, in u R; 10^digits of the scalar at most
   std::optional<double> loss_of_field = {};  ///< the same in u of the largest entry of its field
-  std::string worst = {};                    ///< the figure, "2.1 u B"; why nothing was compared
+  std::string worst = {};                    ///< the figure; why nothing was compared
   std::string where = {};      ///< the state of the worst value, empty where nothing was sampled
   std::string tolerance = {};  ///< the bound and its reason
   Verdict verdict = Verdict::holds;
@@ -73,12 +71,6 @@ struct Certificate {
   std::uint64_t seed = 0;
   std::vector<CertificateRow> rows = {};
 };
-
-/// The outputs by which solutions M x = b of the scene are judged: M, bias, the input matrix, and
-/// where derivatives of accelerations are asked for, forward dynamics and the derivatives of
-/// inverse dynamics; under constraints instead of these their residual, Jacobian and bias. Empty
-/// where nothing is solved. An expansion is judged by itself.
-[[nodiscard]] std::vector<OutputRequest> needed_parts(const Model& model, const Scene& scene);
 
 struct VerifyOptions {
   /// Random states per output, and at most as many (64) near zeros of typed sums; 256 where none
@@ -92,8 +84,6 @@ struct VerifyOptions {
   /// Prove [[expect]]; parallel to the program's functions. Without them, and where they do not
   /// decide, it is sampled.
   ClosedForms* forms = nullptr;
-  /// The needed parts in recursive form; without them solutions are judged by the code's own bound.
-  const Program* parts = nullptr;
   /// Lost digits are those inside the declared ranges, near zeros of typed sums too; with
   /// `extremes` also beyond.
   bool extremes = false;
@@ -104,10 +94,10 @@ struct VerifyOptions {
 };
 
 /// Compares oracle, program, and compiled code, and checks the structure of M, C and energies.
-/// Without `compiled` headers (quick) their rows are absent. Those of Build::as_users are measured
-/// by the bounds of the program, all others held to its bits. Rounding fails nothing: a row is
-/// noted where it is beyond its bound, and fails where a value is NaN or infinite that exact
-/// arithmetic has inside the scalar's range.
+/// Without `compiled` headers (quick) their rows are absent. Those of Build::as_users are held to
+/// the running errors of the program, all others to its bits. Rounding fails nothing: digits lost
+/// are a figure. A value fails that is NaN or infinite while exact arithmetic stays inside the
+/// scalar's range.
 /// Diagnostics: wrong [[expect]] with witness point.
 struct Verification {
   Certificate certificate;
@@ -129,12 +119,11 @@ struct Verification {
 
 /// The check that precedes every write: every output projected on random rational vectors at 4 to
 /// 32 states, fewer of long programs. States outside the domain are drawn anew, up to eight times
-/// as many in all. `parts` as in VerifyOptions.
+/// as many in all.
 struct SelfCheck {
   std::size_t states = 0;  ///< at which an output was compared
-  /// Largest error in u B, of the closed form, or of the recursive program; none where rounding has
-  /// no bound at any state.
-  std::optional<double> worst = {};
+  /// Digits lost by the entry that loses most, inside the ranges; none where no state tells.
+  std::optional<double> digits_lost = {};
   std::string failure =
       {};  ///< empty when it holds; otherwise the output, the state and both values
   std::size_t sampled_zeros = 0;   ///< entries that rest on zeros which are not proved
@@ -143,12 +132,13 @@ struct SelfCheck {
   std::optional<Span> place = {};  ///< then: the first expression of it that is
   std::string remedy = {};         ///< and what may be done
 };
-[[nodiscard]] SelfCheck self_check(const Model& model, const Scene& scene, const Program& program,
-                                   const Program* parts = nullptr);
+[[nodiscard]] SelfCheck self_check(const Model& model, const Scene& scene, const Program& program);
 
-/// "the program was checked at 32 states in 60 digits: 2.1 uB", or "without a bound of rounding";
-/// "; 3 outside the domain" where some are; and "2 entries rest on zeros found at 64 points, not
-/// proved".
+/// "at most 0.4 digits lost", "no digit lost".
+[[nodiscard]] std::string lost_text(double digits);
+
+/// "compared with 60-digit arithmetic at 32 states; at most 0.4 digits lost"; "; 3 outside the
+/// domain" where some are; and "2 entries rest on zeros found at 64 points, not proved".
 [[nodiscard]] std::string receipt(const SelfCheck& result);
 
 }  // namespace elgen

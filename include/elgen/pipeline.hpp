@@ -48,13 +48,12 @@ enum class Goal : std::uint8_t {
   claims,
   typeset,
   emit,
-  parts,
   self_check,
 };
-inline constexpr std::array<std::string_view, 19> goal_names{
-    "parse",  "check",   "inspect", "formulate", "specialise", "steps", "derive",
-    "lower",  "cancel",  "present", "choose",    "equilibria", "modes", "symmetries",
-    "claims", "typeset", "emit",    "parts",     "self-check"};
+inline constexpr std::array<std::string_view, 18> goal_names{
+    "parse",  "check",      "inspect", "formulate", "specialise", "steps",
+    "derive", "lower",      "cancel",  "present",   "choose",     "equilibria",
+    "modes",  "symmetries", "claims",  "typeset",   "emit",       "self-check"};
 
 [[nodiscard]] constexpr std::string_view name_of(Goal goal) {
   return goal_names[static_cast<std::size_t>(goal)];
@@ -86,9 +85,6 @@ struct Products {
   std::optional<Program> lowered = {};  ///< before terms cancel and forms are chosen
   std::optional<ClosedForms> closed_forms = {};
   std::optional<Program> program = {};  ///< each function in its chosen form
-  /// The outputs by which solutions are judged (VerifyOptions::parts); no functions where nothing
-  /// is solved, or where a limit was reached.
-  Program parts = {};
   std::vector<FormCosts> costs = {};
   std::optional<ReadableSteps> steps = {};
   std::optional<Book> book = {};

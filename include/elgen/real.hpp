@@ -64,6 +64,7 @@ class Real {
 [[nodiscard]] bool operator<(const Real& x, const Real& y);
 [[nodiscard]] bool operator<=(const Real& x, const Real& y);
 [[nodiscard]] inline bool operator>(const Real& x, const Real& y) { return y < x; }
+[[nodiscard]] bool is_zero(const Real& x);
 
 /// |x - y| < 10^-digits. Closed forms whose values agree to 40 of 64 digits may be equal.
 [[nodiscard]] bool is_near(const Real& x, const Real& y, long digits = 40);

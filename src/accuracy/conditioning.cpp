@@ -16,8 +16,6 @@ struct OneMoves {
   }
 };
 
-bool is_zero(const Real& x) { return x.is_defined() && cln::zerop(x.value()); }
-
 }  // namespace
 
 Conditioning::Conditioning(const Program& program, const Function& function,
@@ -47,7 +45,7 @@ bool Conditioning::counts(const Instruction& i) const {
 }
 
 Real Conditioning::of(std::uint32_t instruction) const {
-  std::vector<Real> adjoints(instruction + 1);
+  std::vector<Real> adjoints(instruction + 1, Real());
   adjoints[instruction] = Real(1);
   Real sum;
   for (std::size_t at = instruction + 1; at-- > 0;) {

@@ -1,69 +1,210 @@
 // The rules of running errors.
 #include "accuracy/running_errors.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <type_traits>
+
 namespace elgen {
 namespace {
 
-/// Magnitude of the derivative by one argument.
-Real slope(FunctionId function, const Running& x, const Running& y, bool by_first) {
-  const Dual<Real> first{x.value, Real(by_first ? 1 : 0)};
-  const Dual<Real> second{y.value, Real(by_first ? 0 : 1)};
-  return abs(interpreter::call(function, first, second).slope);
+using std::abs;
+using std::max;
+using std::sqrt;
+
+/// An operand that is right to one part in 1000 leaves errors of first order right within a few.
+constexpr double certain = 0x1p-10;
+
+bool is_number(const Real& x) { return x.is_defined(); }
+bool is_number(double x) { return std::isfinite(x); }
+
+bool is_zero(double x) { return x == 0; }
+
+template <class Number>
+Number number(double x) {
+  if constexpr (std::is_same_v<Number, double>) {
+    return x;
+  } else {
+    return Number(exact_value(x));
+  }
+}
+
+template <class Scalar, class Number>
+Rounding<Number> rounding_of() {
+  using Limits = std::numeric_limits<Scalar>;
+  const double u = double{Limits::epsilon()} / 2;
+  return {number<Number>(u), number<Number>(Limits::denorm_min()) / number<Number>(u),
+          number<Number>(Limits::min()), number<Number>(Limits::max()) / number<Number>(16),
+          [](const cln::cl_R& value) {
+            const auto nearest = ScalarTraits<Scalar>::from_real(value);
+            return std::isfinite(nearest) && exact_value(double{nearest}) == value;
+          }};
+}
+
+/// A result of these operands.
+template <class Number>
+Running<Number> made(const Number& value, const Number& error, const Running<Number>& x,
+                     const Running<Number>& y, const Rounding<Number>& rounding) {
+  Running<Number> result{value, error, x.is_lost || y.is_lost, x.underflows || y.underflows};
+  if (value < rounding.smallest && -value < rounding.smallest && !is_zero(value)) {
+    result.error = result.error + rounding.underflow;
+    result.underflows = true;
+  }
+  result.is_lost = result.is_lost || !is_number(result.error);
+  return result;
+}
+
+/// Whether multiplying by x rounds nothing. Values that were rounded are powers of two by chance.
+template <class Number>
+bool is_scale(const Running<Number>& x) {
+  return is_zero(x.error) && is_power_of_two(x.value);
+}
+
+/// Whether the error of x is small beside a scale.
+template <class Number>
+bool is_known(const Running<Number>& x, const Number& scale, const Rounding<Number>& rounding) {
+  static const auto share = number<Number>(certain);
+  return x.error * rounding.roundoff <= scale * share;
+}
+
+/// Whether a function can be taken at x: entire ones change little where x does, others where x
+/// does beside its own size.
+template <class Number>
+bool is_known_argument(const FunctionRow& row, const Running<Number>& x,
+                       const Rounding<Number>& rounding) {
+  if (is_circular(row.id)) return true;
+  const bool is_entire =
+      row.smoothness == Smoothness::everywhere || row.smoothness == Smoothness::positive;
+  return is_known(x, is_entire ? max(abs(x.value), Number(1)) : abs(x.value), rounding);
+}
+
+/// The value of an exponential function so far out that 64 digits do not tell it from its limit;
+/// the exponent of exp(1e300) would leave even CLN's range. Infinite limits are beyond the overflow
+/// threshold.
+std::optional<Real> limit_value(const FunctionRow& row, const Real& x,
+                                const Rounding<Real>& rounding) {
+  static const Real far(cln::cl_R(1 << 20));
+  if (!row.far_values || !(far < abs(x))) return std::nullopt;
+  const double limit = cln::plusp(x.value()) ? row.far_values->right : row.far_values->left;
+  if (std::isfinite(limit)) return Real(static_cast<int>(limit));
+  const Real infinite = rounding.largest * Real(32);
+  return limit < 0 ? -infinite : infinite;
+}
+std::optional<double> limit_value(const FunctionRow& /*row*/, double /*x*/,
+                                  const Rounding<double>& /*rounding*/) {
+  return std::nullopt;
+}
+
+/// f and its slope by one argument.
+template <class Number>
+Dual<Number> with_slope(FunctionId function, const Number& x, const Number& y, bool by_first) {
+  const Dual<Number> first{x, Number(by_first ? 1 : 0)};
+  const Dual<Number> second{y, Number(by_first ? 0 : 1)};
+  return interpreter::call(function, first, second);
 }
 
 }  // namespace
 
-std::vector<Real> values_of(const std::vector<Running>& all) {
-  std::vector<Real> values;
-  values.reserve(all.size());
-  for (const Running& x : all) values.push_back(x.value);
-  return values;
+bool is_power_of_two(const Real& x) {
+  if (!x.is_defined() || is_zero(x)) return false;
+  return cln::abs(cln::decode_float(x.value()).mantissa) == cln::cl_RA(1) / 2;
+}
+bool is_power_of_two(double x) {
+  int exponent = 0;
+  return std::abs(std::frexp(x, &exponent)) == 0.5;
 }
 
-LeafValues<Running> running_leaves(const Arguments<double>& point, Leaves leaves) {
+template <class Scalar, class Number>
+const Rounding<Number>& rounding() {
+  static const Rounding<Number> constants = rounding_of<Scalar, Number>();
+  return constants;
+}
+template const Rounding<Real>& rounding<float, Real>();
+template const Rounding<Real>& rounding<double, Real>();
+template const Rounding<double>& rounding<double, double>();
+
+template <class Number>
+Running<Number> running_leaf(const cln::cl_R& value, const Rounding<Number>& rounding) {
+  const auto x = ScalarTraits<Number>::from_real(value);
+  return {x, rounding.is_exact(value) ? Number{} : abs(x)};
+}
+template Running<Real> running_leaf(const cln::cl_R&, const Rounding<Real>&);
+template Running<double> running_leaf(const cln::cl_R&, const Rounding<double>&);
+
+template <class Number>
+LeafValues<Running<Number>> running_leaves(const Arguments<double>& point, Leaves leaves) {
   const auto leaf = [leaves](double x) {
-    const Real value(exact_value(x));
-    return Running{value, leaves == Leaves::rounded ? abs(value) : Real()};
+    const auto value = number<Number>(x);
+    return Running<Number>{value, leaves == Leaves::rounded ? abs(value) : Number{}};
   };
   return map_leaves(leaf, point);
 }
+template LeafValues<Running<Real>> running_leaves(const Arguments<double>&, Leaves);
+template LeafValues<Running<double>> running_leaves(const Arguments<double>&, Leaves);
 
-Running RunningErrorRules::constant(const Constant& constant) const {
-  const Bound bound = leaf_bound(constant.value, rounding);
-  return {bound.value, bound.exact ? Real() : abs(bound.value)};
+template <class Number>
+auto RunningErrorRules<Number>::add(const Value& x, const Value& y) const -> Value {
+  const Number value = x.value + y.value;
+  return made<Number>(value, x.error + y.error + abs(value), x, y, rounding);
 }
 
-Running RunningErrorRules::add(const Running& x, const Running& y) const {
-  const Real value = x.value + y.value;
-  return {value, x.error + y.error + abs(value)};
+template <class Number>
+auto RunningErrorRules<Number>::multiply(const Value& x, const Value& y) const -> Value {
+  const Number value = x.value * y.value;
+  const bool is_scaled = is_scale(x) || is_scale(y);
+  const Number own = is_scaled ? Number{} : abs(value);
+  return made<Number>(value, x.error * abs(y.value) + y.error * abs(x.value) + own, x, y, rounding);
 }
 
-Running RunningErrorRules::multiply(const Running& x, const Running& y) const {
-  const Real value = x.value * y.value;
-  const bool is_scaled = is_power_of_two(x.value) || is_power_of_two(y.value);
-  const Real own = is_scaled ? Real() : abs(value);
-  return {value, x.error * abs(y.value) + y.error * abs(x.value) + own};
+template <class Number>
+auto RunningErrorRules<Number>::divide(const Value& x, const Value& y) const -> Value {
+  const Number value = x.value / y.value;
+  const Number error = (x.error + abs(value) * y.error) / abs(y.value) + abs(value);
+  Value result = made<Number>(value, error, x, y, rounding);
+  result.is_lost = result.is_lost || !is_known(y, abs(y.value), rounding);
+  return result;
 }
 
-Running RunningErrorRules::divide(const Running& x, const Running& y) const {
-  const Real value = x.value / y.value;
-  return {value, (x.error + abs(value) * y.error) / abs(y.value) + abs(value)};
+template <class Number>
+auto RunningErrorRules<Number>::square_root(const Value& x) const -> Value {
+  const Number value = sqrt(x.value);
+  const Number slope = is_zero(x.error) ? Number{} : x.error / (value + value);
+  Value result = made<Number>(value, slope + value, x, x, rounding);
+  result.is_lost = result.is_lost || !is_known(x, abs(x.value), rounding);
+  return result;
 }
 
-Running RunningErrorRules::square_root(const Running& x) const {
-  const Real value = sqrt(x.value);
-  return {value, x.error / (value + value) + value};
-}
-
-/// Kinked functions pass an operand on. Those of one argument ignore y.
-Running RunningErrorRules::call(FunctionId function, const Running& x, const Running& y) const {
+template <class Number>
+auto RunningErrorRules<Number>::call(FunctionId function, const Value& x, const Value& y) const
+    -> Value {
   const FunctionRow& row = function_row(function);
-  const Real value = interpreter::call(function, x.value, y.value);
-  const Running& second = row.arity == 2 ? y : x;
-  if (is_kinked(function)) return {value, max(x.error, second.error)};
-  Real error = abs(value) + slope(function, x, y, true) * x.error;
-  if (row.arity == 2) error = error + slope(function, x, y, false) * y.error;
-  return {value, error};
+  const bool is_binary = row.arity == 2;
+  const Value& second = is_binary ? y : x;
+  if (is_kinked(function)) {
+    return made<Number>(interpreter::call(function, x.value, y.value), max(x.error, second.error),
+                        x, second, rounding);
+  }
+  if (const auto limit = limit_value(row, x.value, rounding)) {
+    return made<Number>(*limit, abs(*limit), x, second, rounding);
+  }
+  const Dual<Number> f = with_slope(function, x.value, y.value, true);
+  Number error = abs(f.value);
+  if (!is_zero(x.error)) error = error + abs(f.slope) * x.error;
+  if (is_circular(function)) {
+    error = error + rounding.roundoff * x.error * x.error / Number(2);
+  }
+  if (is_binary && !is_zero(y.error)) {
+    error = error + abs(with_slope(function, x.value, y.value, false).slope) * y.error;
+  }
+  Value result = made<Number>(f.value, error, x, second, rounding);
+  result.is_lost = result.is_lost || !is_known_argument(row, x, rounding) ||
+                   !is_known_argument(row, second, rounding);
+  return result;
 }
+
+template struct RunningErrorRules<Real>;
+template struct RunningErrorRules<double>;
 
 }  // namespace elgen

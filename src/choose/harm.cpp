@@ -23,35 +23,33 @@ constexpr double certainly_equal = 4;
 /// A value that is right to one part in 1000 tells its magnitude.
 constexpr double certain_digits = 0x1p-10;
 
-bool is_certainly_harmless(const RoughError& own, const RoughError& text) {
+bool is_certainly_harmless(const Running<double>& own, const Running<double>& text) {
   const double apart = std::abs(own.value - text.value);
-  return own.error <= certainly_harmless * std::max(text.error, std::abs(text.value)) &&
+  return !own.is_lost && !text.is_lost &&
+         own.error <= certainly_harmless * std::max(text.error, std::abs(text.value)) &&
          apart <= certainly_equal * unit_roundoff * (own.error + text.error);
 }
 
 /// A way that holds on one side of a branch only has another value on the other.
-bool has_other_value(const Running& own, const Running& text) {
+bool has_other_value(const Running<Real>& own, const Running<Real>& text) {
   static const Real negligible(power_of_ten(-45));
   const Real scale = own.error + text.error + abs(text.value);
   return abs(own.value - text.value).value() > (scale * negligible).value();
 }
 
-bool is_harmed(const Running& own, const Running& text) {
+bool is_harmed(const Running<Real>& own, const Running<Real>& text) {
   if (!text.error.is_defined()) return false;
   if (!own.error.is_defined() || has_other_value(own, text)) return true;
   const Real allowed = max(text.error, abs(text.value)) * Real(cln::cl_I(most_harmless));
   return own.error.value() > allowed.value();
 }
 
-std::vector<Running> running_entries(const Program& program, const Function& function,
-                                     const Arguments<double>& point) {
-  const RunningErrorRules rules{running_leaves(point, Leaves::exact)};
-  return entries_of(function, fold<Running>(rules, program, function));
-}
-
-std::vector<RoughError> rough_entries(const Program& program, const Function& function,
-                                      const Arguments<double>& point) {
-  return entries_of(function, fold<RoughError>(RoughRules{point}, program, function));
+/// Number: Real, or double for rough figures.
+template <class Number>
+std::vector<Running<Number>> running_entries(const Program& program, const Function& function,
+                                             const Arguments<double>& point) {
+  const RunningErrorRules<Number> rules{running_leaves<Number>(point, Leaves::exact)};
+  return entries_of(function, fold<Running<Number>>(rules, program, function));
 }
 
 /// Not a number where it is undefined.
@@ -83,7 +81,7 @@ TextErrors::TextErrors(const Program& program, const Function& text, Points poin
     : program_(program), text_(text), harm_points_(points.size()), points_(std::move(points)) {
   points_.insert(points_.end(), extremes.begin(), extremes.end());
   for (std::size_t point = 0; point < points_.size(); ++point) {
-    rough_.push_back(rough_entries(program, text, points_[point]));
+    rough_.push_back(running_entries<double>(program, text, points_[point]));
     magnitudes_.push_back(magnitudes_at(point, scale));
     least_.push_back(point < harm_points_ ? errors_at(program, text, point) : conditions_at(point));
   }
@@ -91,8 +89,8 @@ TextErrors::TextErrors(const Program& program, const Function& text, Points poin
 
 /// K of all entries.
 std::vector<double> TextErrors::conditions_at(std::size_t point) const {
-  const auto all = fold<Running>(RunningErrorRules{running_leaves(points_[point], Leaves::exact)},
-                                 program_, text_);
+  const RunningErrorRules<Real> rules{running_leaves<Real>(points_[point], Leaves::exact)};
+  const auto all = fold<Running<Real>>(rules, program_, text_);
   const Conditioning conditioning(program_, text_, values_of(all));
   std::vector<double> conditions;
   for (const std::uint32_t entry : entries_of(text_)) {
@@ -105,9 +103,10 @@ std::vector<double> TextErrors::conditions_at(std::size_t point) const {
 std::vector<double> TextErrors::magnitudes_at(std::size_t point, Scale scale) const {
   std::vector<double> magnitudes;
   for (std::size_t i = 0; i < rough_[point].size(); ++i) {
-    const auto [value, error] = rough_[point][i];
-    const bool is_certain = error * unit_roundoff <= certain_digits * std::abs(value);
-    magnitudes.push_back(is_certain ? std::abs(value) : number_of(exact_text(point)[i].value));
+    const Running<double>& rough = rough_[point][i];
+    const double size = std::abs(rough.value);
+    const bool is_certain = !rough.is_lost && rough.error * unit_roundoff <= certain_digits * size;
+    magnitudes.push_back(is_certain ? size : number_of(exact_text(point)[i].value));
   }
   if (scale == Scale::entry) return magnitudes;
   auto begin = magnitudes.begin();
@@ -124,12 +123,12 @@ std::vector<double> TextErrors::magnitudes_at(std::size_t point, Scale scale) co
 std::vector<double> TextErrors::errors_at(const Program& program, const Function& form,
                                           std::size_t point) const {
   std::vector<double> errors;
-  std::optional<std::vector<Running>> exact;
-  for (const RoughError& entry : rough_entries(program, form, points_[point])) {
+  std::optional<std::vector<Running<Real>>> exact;
+  for (const auto& entry : running_entries<double>(program, form, points_[point])) {
     const std::size_t i = errors.size();
     errors.push_back(entry.error);
-    if (std::isfinite(entry.error)) continue;
-    if (!exact) exact = running_entries(program, form, points_[point]);
+    if (!entry.is_lost && std::isfinite(entry.error)) continue;
+    if (!exact) exact = running_entries<Real>(program, form, points_[point]);
     errors.back() = number_of((*exact)[i].error);
   }
   return errors;
@@ -195,20 +194,21 @@ std::optional<std::size_t> TextErrors::harmed_entry(const Program& program,
 
 std::optional<std::size_t> TextErrors::harmed(const Program& program, const Function& form,
                                               std::size_t first, std::size_t point) const {
-  const std::vector<RoughError> rough = rough_entries(program, form, points_[point]);
-  std::optional<std::vector<Running>> exact;
+  const auto rough = running_entries<double>(program, form, points_[point]);
+  std::optional<std::vector<Running<Real>>> exact;
   for (std::size_t i = 0; i < rough.size(); ++i) {
     if (is_certainly_harmless(rough[i], rough_[point][first + i])) continue;
-    if (!exact) exact = running_entries(program, form, points_[point]);
+    if (!exact) exact = running_entries<Real>(program, form, points_[point]);
     if (is_harmed((*exact)[i], exact_text(point)[first + i])) return first + i;
   }
   return std::nullopt;
 }
 
-const std::vector<Running>& TextErrors::exact_text(std::size_t point) const {
+const std::vector<Running<Real>>& TextErrors::exact_text(std::size_t point) const {
   const auto known = exact_.find(point);
   if (known != exact_.end()) return known->second;
-  return exact_.emplace(point, running_entries(program_, text_, points_[point])).first->second;
+  return exact_.emplace(point, running_entries<Real>(program_, text_, points_[point]))
+      .first->second;
 }
 
 }  // namespace elgen

@@ -18,7 +18,6 @@
 #include <vector>
 
 #include "accuracy/conditioning.hpp"
-#include "accuracy/rough_errors.hpp"
 #include "accuracy/running_errors.hpp"
 #include "choose/points.hpp"
 #include "program/graph/rebuild.hpp"
@@ -78,7 +77,7 @@ class TextErrors {
  private:
   [[nodiscard]] std::optional<std::size_t> harmed(const Program& program, const Function& form,
                                                   std::size_t first, std::size_t point) const;
-  [[nodiscard]] const std::vector<Running>& exact_text(std::size_t point) const;
+  [[nodiscard]] const std::vector<Running<Real>>& exact_text(std::size_t point) const;
   [[nodiscard]] std::vector<double> errors_at(const Program& program, const Function& form,
                                               std::size_t point) const;
   [[nodiscard]] std::vector<double> conditions_at(std::size_t point) const;
@@ -88,8 +87,8 @@ class TextErrors {
   const Function& text_;
   std::size_t harm_points_;  ///< the first so many points
   Points points_;
-  std::vector<std::vector<RoughError>> rough_ = {};  ///< of the text, by point and entry
-  mutable std::map<std::size_t, std::vector<Running>> exact_ = {};  ///< once it is asked for
+  std::vector<std::vector<Running<double>>> rough_ = {};  ///< of the text, by point and entry
+  mutable std::map<std::size_t, std::vector<Running<Real>>> exact_ = {};  ///< once it is asked for
   std::vector<std::vector<double>> magnitudes_ = {};  ///< by point and entry; NaN: no value
   std::vector<std::vector<double>> least_ = {};       ///< E of all known ways, or K, likewise
 };

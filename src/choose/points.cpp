@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "accuracy/rough_errors.hpp"
 #include "elgen/evaluate.hpp"
 #include "elgen/leaf_names.hpp"
 
@@ -128,9 +127,8 @@ class Making {
   }
 
   [[nodiscard]] std::ptrdiff_t value_count(const Arguments<double>& point) const {
-    const auto entries = entries_of(text_, fold<RoughError>(RoughRules{point}, program_, text_));
-    return std::ranges::count_if(
-        entries, [](const RoughError& entry) { return std::isfinite(entry.value); });
+    return std::ranges::count_if(evaluate(program_, text_, point),
+                                 [](double entry) { return std::isfinite(entry); });
   }
 
   /// For each coordinate, whether it has no range and stands in an exponential or a logarithm.

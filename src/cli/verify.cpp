@@ -106,7 +106,6 @@ Result<Verification> compared(const std::string& path, const Inputs& inputs, Pro
   if (!compiled) return compiled.diagnostics;
   VerifyOptions verification = options;
   verification.forms = &*products.closed_forms;
-  verification.parts = &products.parts;
   if (products.claims) verification.claims = &*products.claims;
   verification.on_step = [&progress](const std::string& step) { progress.stage(step); };
   const auto& [model, scene] = *products.checked;
@@ -126,7 +125,7 @@ Result<Verification> compared(const std::string& path, const Inputs& inputs, Pro
 ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& options,
                     const Inputs& inputs, std::vector<std::string>& certificates) {
   const std::string& path = (inputs.scene != nullptr ? inputs.scene : inputs.model)->path;
-  PipelineOptions pipeline = pipeline_options(global, {Goal::emit, Goal::parts, Goal::claims});
+  PipelineOptions pipeline = pipeline_options(global, {Goal::emit, Goal::claims});
   pipeline.scene.large_expectations = true;
   Products products = run_shown(path, inputs, pipeline);
   const ExitCode generated = report_products(global, products);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "accuracy/bounded.hpp"
+#include "accuracy/running_errors.hpp"
 #include "elgen/closed_forms.hpp"
 #include "elgen/fold.hpp"
 #include "numbers/exact_number.hpp"
@@ -28,7 +28,7 @@ class PointDrawer {
 
   /// All entries of the function at the next point. The `variables` are drawn, not computed.
   std::vector<Seen> operator()(const Function& function, const std::vector<bool>& variables) {
-    const std::vector<Bound> values = values_at(next_point(), function, variables);
+    const std::vector<Running<Real>> values = values_at(next_point(), function, variables);
     // A variable that is drawn may be where no value of it can be.
     const bool is_computed = std::ranges::count(variables, true) == 0;
     std::vector<Seen> seen;
@@ -41,9 +41,9 @@ class PointDrawer {
   }
 
   /// Likewise at a point that is given, where one of two terms may be 0/0.
-  std::vector<Seen> at(const LeafValues<Bound>& point, const Function& function,
+  std::vector<Seen> at(const LeafValues<Running<Real>>& point, const Function& function,
                        const std::vector<bool>& variables) {
-    const std::vector<Bound> values = values_at(point, function, variables);
+    const std::vector<Running<Real>> values = values_at(point, function, variables);
     std::vector<Seen> seen;
     for (const std::uint32_t entry : entries_of(function)) {
       seen.push_back(judged(function.instructions[entry], values, values[entry]));
@@ -52,10 +52,11 @@ class PointDrawer {
   }
 
  private:
-  std::vector<Bound> values_at(const LeafValues<Bound>& point, const Function& function,
-                               const std::vector<bool>& variables) {
-    const RunningBoundRules rules{{point, rounding<double>()}};
-    std::vector<Bound> values;
+  std::vector<Running<Real>> values_at(const LeafValues<Running<Real>>& point,
+                                       const Function& function,
+                                       const std::vector<bool>& variables) {
+    const RunningErrorRules<Real> rules{point};
+    std::vector<Running<Real>> values;
     for (std::size_t i = 0; i < function.instructions.size(); ++i) {
       values.push_back(variables[i] ? scaled(draw_.number())
                                     : folded(rules, program_, function.instructions[i], values));
@@ -63,8 +64,8 @@ class PointDrawer {
     return values;
   }
 
-  [[nodiscard]] Bound scaled(const cln::cl_RA& number) const {
-    return leaf_bound(number * scale(), rounding<double>());
+  [[nodiscard]] Running<Real> scaled(const cln::cl_RA& number) const {
+    return running_leaf(number * scale(), rounding<double>());
   }
 
   /// In turn, so that what differs for large or small values only is seen, too.
@@ -75,26 +76,27 @@ class PointDrawer {
 
   /// Parameters without an assumption are positive at every second point, since most masses and
   /// lengths have to be.
-  LeafValues<Bound> next_point() {
+  LeafValues<Running<Real>> next_point() {
     const Positive positive = points_ % 2 == 0 ? Positive::parameters : Positive::assumed;
-    LeafValues<Bound> point = map_leaves([this](const cln::cl_RA& x) { return scaled(x); },
-                                         draw_.point(program_.leaves, positive));
+    LeafValues<Running<Real>> point = map_leaves([this](const cln::cl_RA& x) { return scaled(x); },
+                                                 draw_.point(program_.leaves, positive));
     ++points_;
     return point;
   }
 
   /// Whether only one of two terms has a value: log(x^2) has one where 2 log(x) has none.
-  static bool is_one_sided(const Instruction& i, const std::vector<Bound>& values) {
+  static bool is_one_sided(const Instruction& i, const std::vector<Running<Real>>& values) {
     return operand_count(i) > 1 && values[i.a].value.is_defined() != values[i.b].value.is_defined();
   }
 
   /// Nothing is seen where rounding in 64 digits hides more than the last digits of the terms, or,
   /// where these are 0, of leaves, which are about 1.
-  static Seen judged(const Instruction& i, const std::vector<Bound>& values, const Bound& x) {
+  static Seen judged(const Instruction& i, const std::vector<Running<Real>>& values,
+                     const Running<Real>& x) {
     static const Real share(power_of_ten(-45));
     static const Real hidden(power_of_ten(-25));
-    if (!x.value.is_defined() || !x.bound.is_defined()) return Seen::nothing;
-    const Real noise = abs(x.bound) * share;
+    if (!x.value.is_defined() || !x.error.is_defined()) return Seen::nothing;
+    const Real noise = abs(x.error) * share;
     if (abs(x.value).value() > noise.value()) return Seen::other;
     Real terms(power_of_ten(-5));
     if (operand_count(i) > 0) terms = max(terms, abs(values[i.a].value));
@@ -128,8 +130,9 @@ constexpr PresentBudget zeros_budget{
     .products_per_function = 10'000, .products = 40'000, .terms = 1'000};
 
 /// The exact numbers that doubles are.
-LeafValues<Bound> point_of(const Arguments<double>& state) {
-  return map_leaves([](double x) { return leaf_bound(exact_value(x), rounding<double>()); }, state);
+LeafValues<Running<Real>> point_of(const Arguments<double>& state) {
+  return map_leaves([](double x) { return running_leaf(exact_value(x), rounding<double>()); },
+                    state);
 }
 
 /// Whether each entry is zero at as many points as are asked for, of those at which it has a value:

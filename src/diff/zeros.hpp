@@ -6,7 +6,7 @@
 
 namespace elgen {
 
-/// A value vanishes at a point where |x| <= 1e-45 B in 64 digits, B of its error bound u B.
+/// A value vanishes at a point where |x| <= 1e-45 E in 64 digits, E the running error of x.
 enum class Zero : std::uint8_t {
   no,
   not_decided,  ///< vanishes at `zero_points` points or more, but is not analytic: another may tell

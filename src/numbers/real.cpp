@@ -106,6 +106,7 @@ Real sqrt(const Real& x) {
 
 bool operator<(const Real& x, const Real& y) { return both(x, y) && number(x) < number(y); }
 bool operator<=(const Real& x, const Real& y) { return both(x, y) && number(x) <= number(y); }
+bool is_zero(const Real& x) { return x.is_defined() && cln::zerop(x.value()); }
 
 bool is_near(const Real& x, const Real& y, long digits) {
   return abs(x - y) < Real(power_of_ten(-digits));

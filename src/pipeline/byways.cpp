@@ -1,5 +1,5 @@
-// By-ways: choose, then what the scene's methods make of its choice; parts, picked where they are
-// and derived where not; the functions of elgen/steps.hpp, and the names of the masses.
+// By-ways: choose, then what the scene's methods make of its choice; the functions of
+// elgen/steps.hpp, and the names of the masses.
 #include "pipeline/byways.hpp"
 
 #include <fmt/format.h>
@@ -122,26 +122,6 @@ Result<Choice> chosen(const Lagrangian& lagrangian, const Program& recursive,
     add_costs(*choice);
   }
   return choice;
-}
-
-Program known_parts(const CheckedModel& checked, const Program& recursive) {
-  Program some{recursive.leaves, recursive.constants};
-  for (const OutputRequest& request : needed_parts(checked.model, checked.scene)) {
-    const Function* known = find_function(recursive, request.kind);
-    if (known == nullptr) return {};
-    some.functions.push_back(*known);
-  }
-  return some;
-}
-
-Result<Program> parts(const Lagrangian& lagrangian, const CheckedModel& checked,
-                      const Program& recursive, const Limits& limits) {
-  const std::vector<OutputRequest> needed = needed_parts(checked.model, checked.scene);
-  if (needed.empty()) return Program{};
-  Program known = known_parts(checked, recursive);
-  if (!known.functions.empty()) return known;
-  // Where a limit is in the way, solutions are judged by the code's own bound.
-  return recursive_program(lagrangian, needed, limits).value.value_or(Program{});
 }
 
 Result<Equilibria> equilibria(const Lagrangian& lagrangian, const CheckedModel& checked,

@@ -23,15 +23,6 @@ namespace elgen {
                                     const ClosedForms& forms, const CheckedModel& checked,
                                     const Limits& limits);
 
-/// M, bias and what else solutions of M x = b are judged by, from the program before forms were
-/// chosen: those that the scene has; no functions where nothing is solved, or where one is missing.
-[[nodiscard]] Program known_parts(const CheckedModel& checked, const Program& recursive);
-
-/// Those that the scene has not are derived. Always in recursive form: what is closed has cancelled
-/// terms that solutions do not. No functions where nothing is solved, or where a limit was reached.
-[[nodiscard]] Result<Program> parts(const Lagrangian& lagrangian, const CheckedModel& checked,
-                                    const Program& recursive, const Limits& limits);
-
 /// The equilibria of a model, or the one `about` which motions are asked for. Errors of
 /// find_equilibria() and equilibrium_at().
 [[nodiscard]] Result<Equilibria> equilibria(const Lagrangian& lagrangian,

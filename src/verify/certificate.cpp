@@ -2,7 +2,7 @@
 //
 //     certificate of cart_pole, scene full, seed 1
 //
-//       holds    mass_matrix        9 checks, 1.2 u B at 276 states
+//       holds    mass_matrix        9 checks, at 276 states, at most 0.4 digits lost
 //       FAILS    gravity            1 of 8 checks
 //                program vs oracle: gravity (double)
 //                worst      entry 1 is 2, the oracle says 1
@@ -30,7 +30,7 @@ using OutputRows = std::pair<std::string, Rows>;
 
 constexpr std::array<std::string_view, 4> verdict_words{"holds", "FAILS", "skipped", "noted"};
 constexpr std::array<std::string_view, 5> obstacle_words{"overflow", "outside the domain",
-                                                         "too ill-conditioned to bound", "singular",
+                                                         "too ill-conditioned", "singular",
                                                          "where the oracle cannot say"};
 
 constexpr std::array<std::string_view, 4> verdict_names{"holds", "fails", "skipped", "noted"};
@@ -43,7 +43,7 @@ std::string_view word(const std::array<std::string_view, size>& words, Enum valu
   return words[static_cast<std::size_t>(value)];
 }
 
-/// "41 states too ill-conditioned to bound, 1 overflow"
+/// "41 states too ill-conditioned, 1 overflow"
 std::string skipped_text(const CertificateRow& row) {
   std::string text;
   for (const SkippedStates& some : row.skipped) {
@@ -110,32 +110,32 @@ bool rests_on(const Rows& rows, Evidence evidence) {
   return std::ranges::count(rows, evidence, &CertificateRow::evidence) > 0;
 }
 
-/// The fewest states at which one of the rows was compared: of those with an error in u B, where
-/// there are such.
-std::optional<std::size_t> fewest_states(const Rows& rows, bool with_error) {
+/// The fewest states at which one of the rows was compared: of those with a loss, where there are
+/// such.
+std::optional<std::size_t> fewest_states(const Rows& rows, bool with_loss) {
   std::optional<std::size_t> fewest;
   for (const CertificateRow* row : rows) {
     const bool counts = row->evidence == Evidence::states && row->verdict == Verdict::holds;
-    if (!counts || row->error.has_value() != with_error) continue;
+    if (!counts || row->loss.has_value() != with_loss) continue;
     fewest = std::min(fewest.value_or(row->samples), row->samples);
   }
   return fewest;
 }
 
-/// "9 checks, 1.2 u B at 276 states", "4 checks, proved"
+/// "9 checks, at 276 states, at most 0.4 digits lost", "4 checks, proved"
 std::string summary(const Rows& rows) {
   const std::size_t failed = count_of(rows, Verdict::fails);
   if (failed > 0) return fmt::format("{} of {}", failed, counted(rows.size(), "check"));
   std::string text = counted(rows.size(), "check");
   if (rests_on(rows, Evidence::numbers)) return text + ", exact";
   if (!rests_on(rows, Evidence::states)) return text + ", proved";
-  std::optional<double> error;
+  std::optional<double> loss;
   for (const CertificateRow* row : rows) {
-    if (row->error) error = std::max(error.value_or(0), *row->error);
+    if (row->loss) loss = std::max(loss.value_or(1), *row->loss);
   }
-  const auto states = fewest_states(rows, error.has_value());
-  if (error) text += fmt::format(", {:.2g} u B", *error);
-  if (states) text += (error ? " at " : ", at ") + counted(*states, "state");
+  const auto states = fewest_states(rows, loss.has_value());
+  if (states) text += ", at " + counted(*states, "state");
+  if (loss) text += ", " + lost_text(std::log10(*loss));
   if (rests_on(rows, Evidence::proof)) text += ", some proved";
   if (rests_on(rows, Evidence::zeros)) text += ", rests on zeros that are not proved";
   return text;
@@ -183,8 +183,6 @@ Json json_of(const CertificateRow& row) {
             {"subject", row.subject}, {"verdict", word(verdict_names, row.verdict)},
             {"formula", row.formula}, {"evidence", word(evidence_names, row.evidence)},
             {"samples", row.samples}, {"skipped_states", skipped}};
-  // JSON has no infinity, which a value that is no number is off by.
-  if (row.error && std::isfinite(*row.error)) json["error_in_bounds"] = *row.error;
   if (row.loss) json["loss"] = *row.loss;
   if (row.loss_of_field) json["loss_of_field"] = *row.loss_of_field;
   json["worst"] = row.worst;
@@ -201,6 +199,10 @@ std::size_t count(const Certificate& certificate, Verdict verdict) {
 }
 
 bool holds(const Certificate& certificate) { return count(certificate, Verdict::fails) == 0; }
+
+std::string lost_text(double digits) {
+  return digits < 0.05 ? "no digit lost" : fmt::format("at most {:.1f} digits lost", digits);
+}
 
 std::string verdict_line(const Certificate& certificate) {
   const bool is_full = certificate.scene == "full";

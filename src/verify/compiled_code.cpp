@@ -9,9 +9,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <utility>
 
 #include "emit/interface/code_interface.hpp"
 #include "emit/interface/pack_trigonometry.hpp"
+#include "verify/bounds/exact_run.hpp"
 
 namespace elgen {
 namespace {
@@ -163,6 +166,37 @@ CertificateRow sine_row(const Subject& subject, const CompiledHeader& compiled) 
   return row;
 }
 
+/// f(x, order) from 2^-26, where series begin, to 2^10, beyond what stretches and turns are.
+template <class Scalar>
+CertificateRow helper_row(const FunctionRow& helper, Scalar order) {
+  constexpr std::size_t arguments = 256;
+  const Real exact_order{exact_value(static_cast<double>(order))};
+  double worst = 0;
+  Scalar at = 0;
+  for (std::size_t i = 0; i < arguments; ++i) {
+    const auto x = static_cast<Scalar>(std::exp2(36.0 * static_cast<double>(i) / arguments - 26));
+    const Real exact{exact_value(static_cast<double>(x))};
+    const Real truth = interpreter::call(helper.id, exact, exact_order);
+    const Scalar value = interpreter::call(helper.id, x, order);
+    const double error = in_roundoffs(excess_error(value, truth, 1, rounding<Scalar>()), abs(truth),
+                                      rounding<Scalar>());
+    if (error <= worst) continue;
+    worst = error;
+    at = x;
+  }
+  CertificateRow row;
+  row.check = row.output = "functions of the code";
+  row.subject = fmt::format("{}(x, {}) ({})", helper.name, order, name_of(scalar_kind<Scalar>));
+  row.formula = "|f - f*| / |f*| in 64 digits, 2^-26 <= x < 2^10";
+  row.samples = arguments;
+  row.worst = fmt::format("{:.1f} u", worst);
+  row.where = fmt::format("x = {:.17g}", at);
+  row.tolerance = fmt::format("{} u, half the epsilon: the error that digits are counted with",
+                              helper.roundings);
+  row.verdict = worst <= helper.roundings ? Verdict::holds : Verdict::fails;
+  return row;
+}
+
 }  // namespace
 
 std::vector<CertificateRow> check_sines(const Subject& subject, const CompiledHeader& compiled) {
@@ -173,6 +207,24 @@ std::vector<CertificateRow> check_sines(const Subject& subject, const CompiledHe
   }
   if (compiled.functions->has(scalar_kind<float>)) {
     rows.push_back(sine_row<float>(subject, compiled));
+  }
+  return rows;
+}
+
+std::vector<CertificateRow> check_helpers(const Subject& subject) {
+  std::set<std::pair<FunctionId, double>> calls;
+  for (const Function& function : subject.program.functions) {
+    for (const Instruction& i : function.instructions) {
+      if (i.opcode != Opcode::call || is_kinked(i.function)) continue;
+      if (function_row(i.function).own_name.empty()) continue;
+      const Constant& order = subject.program.constants[function.instructions[i.b].a];
+      calls.emplace(i.function, ScalarTraits<double>::from_real(order.value));
+    }
+  }
+  std::vector<CertificateRow> rows;
+  for (const auto& [helper, order] : calls) {
+    rows.push_back(helper_row<double>(function_row(helper), order));
+    rows.push_back(helper_row<float>(function_row(helper), static_cast<float>(order)));
   }
   return rows;
 }

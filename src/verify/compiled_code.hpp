@@ -21,6 +21,11 @@ template <class Scalar>
 [[nodiscard]] std::vector<CertificateRow> check_sines(const Subject& subject,
                                                       const CompiledHeader& compiled);
 
+/// One row per scalar and function that code brings with it (stumpff), as the program calls it: its
+/// value at 256 arguments against 64 digits. Bits say nothing of it, for code and interpreter share
+/// the algorithm.
+[[nodiscard]] std::vector<CertificateRow> check_helpers(const Subject& subject);
+
 /// The row of a header that lacks its functions: skipped, with the reason.
 [[nodiscard]] CertificateRow without_code(const CompiledHeader& compiled);
 

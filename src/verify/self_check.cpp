@@ -8,6 +8,7 @@
 #include "elgen/certificate.hpp"
 #include "elgen/outputs.hpp"
 #include "elgen/references.hpp"
+#include "elgen/scalars.hpp"
 #include "elgen/wording.hpp"
 #include "inspect/roots.hpp"
 #include "verify/bounds/visit.hpp"
@@ -61,14 +62,15 @@ std::optional<ExpressionId> undefined_expression(const Model& model, const Funct
 /// The self-check over all states.
 class SelfChecking {
  public:
-  SelfChecking(const Subject& subject, const Program* parts)
-      : subject_(subject), parts_(parts), without_value_(subject.program.functions.size(), true) {
+  explicit SelfChecking(const Subject& subject)
+      : subject_(subject), without_value_(subject.program.functions.size(), true) {
     result_.sampled_zeros = count_sampled_zeros(subject.program);
   }
 
   /// Visits all functions at one state.
   void visit(const SampledState<double>& sample) {
-    Visit<double> visit(subject_, sample, {Comparison::projections, parts_});
+    Visit<double> visit(subject_, sample,
+                        {Comparison::projections, Losing::inside_ranges, loss_.value_or(0)});
     states_.push_back(visit.state());
     bool is_compared = false;
     bool is_outside = false;
@@ -102,12 +104,12 @@ class SelfChecking {
     for (const FieldPlace& place : field_places(subject_, index)) {
       const Finding finding = visit.look_at(place, draw_);
       regime = worse(regime, finding.regime);
-      if (finding.error) result_.worst = std::max(result_.worst.value_or(0), *finding.error);
-      // Rounding is a figure; NaN and infinity are none.
-      const bool is_rounding = std::isfinite(finding.error.value_or(0));
-      const std::string& wrong = is_rounding ? finding.mistake : finding.imprecision;
-      if (wrong.empty()) continue;
-      result_.failure = fmt::format("`{}`: {}, at {}", place.function->name, wrong,
+      if (finding.loss) {
+        loss_ = std::max(loss_.value_or(0), finding.loss->of_entry.figure);
+        result_.digits_lost = digits_lost(*loss_, ScalarKind::double_precision);
+      }
+      if (finding.mistake.empty()) continue;
+      result_.failure = fmt::format("`{}`: {}, at {}", place.function->name, finding.mistake,
                                     describe(subject_, visit.state()));
       break;
     }
@@ -160,19 +162,18 @@ class SelfChecking {
   }
 
   const Subject& subject_;
-  const Program* parts_;
   Sampler draw_{1};
   std::vector<bool> without_value_;  ///< by function
   std::vector<State> states_ = {};
+  std::optional<double> loss_ = {};  ///< the largest
   SelfCheck result_ = {};
 };
 
 }  // namespace
 
-SelfCheck self_check(const Model& model, const Scene& scene, const Program& program,
-                     const Program* parts) {
+SelfCheck self_check(const Model& model, const Scene& scene, const Program& program) {
   const Subject subject{model, scene, program};
-  SelfChecking checking(subject, parts);
+  SelfChecking checking(subject);
   const std::size_t wanted = states_checked(subject);
   StateSequence<double> states(subject, {draws_per_state * wanted, 1, false});
   while (const auto sample = states.next()) {
@@ -184,10 +185,9 @@ SelfCheck self_check(const Model& model, const Scene& scene, const Program& prog
 }
 
 std::string receipt(const SelfCheck& result) {
-  const std::string worst =
-      result.worst ? fmt::format("{:.2g} uB", *result.worst) : "without a bound of rounding";
-  std::string text = fmt::format("the program was checked at {} in 60 digits: {}",
-                                 counted(result.states, "state"), worst);
+  std::string text =
+      fmt::format("compared with 60-digit arithmetic at {}", counted(result.states, "state"));
+  if (result.digits_lost) text += "; " + lost_text(*result.digits_lost);
   if (result.outside > 0) text += fmt::format("; {} outside the domain", result.outside);
   if (result.sampled_zeros == 0) return text;
   const bool is_one = result.sampled_zeros == 1;

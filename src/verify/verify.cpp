@@ -144,7 +144,7 @@ std::vector<CertificateRow> sampled_zeros(const Program& program) {
     CertificateRow row;
     row.check = "zeros that are not proved";
     row.output = row.subject = function.name;
-    row.formula = "|x| <= 1e-40 B in 60 digits, of what is taken for 0";
+    row.formula = "|x| <= 1e-40 E in 60 digits, of what is taken for 0";
     row.evidence = Evidence::zeros;
     row.samples = zero_points;
     row.worst = fmt::format("in entr{} {}", function.sampled_zeros.size() == 1 ? "y" : "ies",
@@ -183,6 +183,7 @@ std::vector<CertificateRow> check_code(const Subject& subject, const CompiledHea
   }
   append(rows, lacking);
   append(rows, sines);
+  if (!compiled.empty()) append(rows, check_helpers(subject));
   for (const CompiledHeader& header : compiled) {
     if (!header.declared.empty()) rows.push_back(check_declared(header.declared));
   }
@@ -207,9 +208,9 @@ Verification verify(const Model& model, const Scene& scene, const Program& progr
   const CompiledModel* const as_users = users_code(compiled);
   const auto accuracy = [&](ScalarKind scalar) {
     const bool has = as_users != nullptr && as_users->has(scalar);
-    const VisitOptions visit{comparison_for(model, options), options.parts,
-                             options.extremes ? Losing::everywhere : Losing::inside_ranges,
-                             has ? as_users : nullptr};
+    VisitOptions visit{comparison_for(model, options)};
+    visit.losing = options.extremes ? Losing::everywhere : Losing::inside_ranges;
+    visit.as_users = has ? as_users : nullptr;
     return AccuracyOptions{visit, options.on_step, options.jobs};
   };
 

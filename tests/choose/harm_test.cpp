@@ -82,8 +82,9 @@ double error_of_force(const Chosen& model, double x) {
   Arguments<double> point =
       domain_of({model.checked.model, {}, model.recursive.leaves}).states.front();
   point.q = {x};
-  const RunningErrorRules rules{running_leaves(point, Leaves::exact)};
-  const Running force = entries_of(gravity, fold<Running>(rules, program, gravity)).at(0);
+  const RunningErrorRules<Real> rules{running_leaves<Real>(point, Leaves::exact)};
+  const Running<Real> force =
+      entries_of(gravity, fold<Running<Real>>(rules, program, gravity)).at(0);
   return ScalarTraits<double>::from_real((force.error / abs(force.value)).value());
 }
 

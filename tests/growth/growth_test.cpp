@@ -69,7 +69,7 @@ PipelineOptions of_chain(int links, const std::string& output) {
 
 Counts counts_of_chain(int links) {
   PipelineOptions options = of_chain(links, "inverse_dynamics");
-  options.goals = {Goal::emit, Goal::parts};
+  options.goals = {Goal::emit};
   // A self-check visits as many states as there is time for: it has two of its own below.
   Count count;
   options.on_stage = [&](const std::string& stage) { count.begin(stage); };

@@ -16,7 +16,6 @@ Products check_accepted(const std::string& text, const std::string& scene = {}) 
   VerifyOptions options;
   options.quick = true;
   options.forms = &*products.closed_forms;
-  options.parts = &products.parts;
   const auto& [model, of_scene] = *products.checked;
   const Certificate certificate =
       verify(model, of_scene, *products.program, {}, options).certificate;

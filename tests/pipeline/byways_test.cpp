@@ -1,6 +1,5 @@
-// By-ways: the step of a scene stands behind what was chosen, and costs what it executes; what
-// solutions are judged by is picked where the scene has it, and derived where not; the derivation
-// as it is read.
+// By-ways: the step of a scene stands behind what was chosen, and costs what it executes; the
+// derivation as it is read.
 #include "pipeline/byways.hpp"
 
 #include <algorithm>
@@ -15,20 +14,6 @@ namespace {
 Products cart_with(const std::string& outputs) {
   return run_pipeline(inputs_of(model_file("cart_pole"), "[outputs]\n" + outputs), {});
 }
-
-/// The parts for some outputs of the cart and pole.
-Products with_parts(const std::string& outputs) {
-  return derived(inputs_of(model_file("cart_pole")), outputs, {Goal::choose, Goal::parts});
-}
-
-std::vector<OutputKind> kinds(const Products& products) {
-  std::vector<OutputKind> result;
-  for (const Function& function : products.parts.functions) result.push_back(function.kind);
-  return result;
-}
-
-const std::vector<OutputKind> of_accelerations{OutputKind::mass_matrix, OutputKind::bias,
-                                               OutputKind::input_matrix};
 
 }  // namespace
 
@@ -59,27 +44,6 @@ TEST_CASE("a method that does not apply ends the pipeline before anything is emi
   CHECK_FALSE(products.files);
   REQUIRE_FALSE(products.diagnostics.empty());
   CHECK(products.diagnostics.front().code == Code::E622);
-}
-
-TEST_CASE("parts are derived where the scene lacks one, and picked where it has all") {
-  const Products lacking = with_parts("forward_dynamics");
-  CHECK(kinds(lacking) == of_accelerations);
-  CHECK(known_parts(*lacking.checked, *lacking.program).functions.empty());
-
-  const Products having = with_parts("mass_matrix, bias, input_matrix, forward_dynamics");
-  CHECK(kinds(having) == of_accelerations);
-  CHECK(known_parts(*having.checked, *having.program).functions.size() == 3);
-}
-
-TEST_CASE("nothing solved has no parts, nor has what a limit ends") {
-  CHECK(with_parts("inverse_dynamics").parts.functions.empty());
-  const Products lacking = with_parts("forward_dynamics");
-  const Result<Lagrangian> lagrangian = formulate(lacking.checked->model);
-  Limits limits;
-  limits.derived_nodes = 3;
-  const Result<Program> ended = parts(*lagrangian, *lacking.checked, *lacking.program, limits);
-  REQUIRE(ended);
-  CHECK(ended->functions.empty());
 }
 
 TEST_CASE("a page that fails stops no code, and says that it has the forms of code") {

@@ -28,7 +28,6 @@ double loss_of(const Generated& g, OutputKind kind) {
   VerifyOptions options;
   options.quick = true;
   options.extremes = true;
-  options.parts = &g.products.parts;
   const std::string subject = g.function(kind).name + " (double)";
   const Certificate certificate =
       verify(g.model(), g.products.checked->scene, g.program(), {}, options).certificate;
@@ -41,7 +40,7 @@ double loss_of(const Generated& g, OutputKind kind) {
 
 Generated generated(const std::string& text, const std::string& scene = {}) {
   PipelineOptions options;
-  options.goals = {Goal::choose, Goal::parts};
+  options.goals = {Goal::choose};
   return {derived(inputs_of(text, scene), options)};
 }
 

@@ -31,7 +31,7 @@ TEST_CASE("all stages run in their order and give a checked program and its file
   std::vector<std::string> expected;
   for (const std::string_view name : goal_names) {
     // Nobody asked for these.
-    constexpr std::array others{"steps", "parts", "equilibria", "modes", "symmetries", "claims"};
+    constexpr std::array others{"steps", "equilibria", "modes", "symmetries", "claims"};
     if (std::ranges::find(others, name) == others.end()) expected.emplace_back(name);
   }
   CHECK(stages(products) == expected);
@@ -73,7 +73,6 @@ TEST_CASE("a goal runs what it needs, each once and in order, and nothing else")
       ++next;
     }
     CHECK(products.steps.has_value() == (goal == "steps"));
-    CHECK(!products.parts.functions.empty() == (goal == "parts"));
     CHECK(products.self_check.has_value() == (goal == "self-check"));
     CHECK(products.files.has_value() == (goal == "emit" || goal == "self-check"));
   }
@@ -81,10 +80,9 @@ TEST_CASE("a goal runs what it needs, each once and in order, and nothing else")
 
 TEST_CASE("what two goals need is made once") {
   PipelineOptions options;
-  options.goals = {Goal::emit, Goal::parts, Goal::steps};
+  options.goals = {Goal::emit, Goal::choose, Goal::steps};
   const Products products = run_pipeline(model("cart_pole"), options);
   CHECK(products.files.has_value());
-  CHECK(!products.parts.functions.empty());
   CHECK(products.steps.has_value());
   std::vector<std::string> run = stages(products);
   std::sort(run.begin(), run.end());
@@ -109,8 +107,7 @@ TEST_CASE("each stage is told before it runs, and equations and programs are dum
     const Products products = run_pipeline(model("cart_pole"), options);
     INFO(name);
     CHECK(last == name);
-    const bool has_text =
-        name == "derive" || name == "lower" || name == "cancel" || name == "parts";
+    const bool has_text = name == "derive" || name == "lower" || name == "cancel";
     CHECK(products.dump.empty() != has_text);
   }
 }

@@ -133,6 +133,24 @@ TEST_CASE("sines of packs may be off by what the scene says, in every build") {
         "sine and cosine (double, batch, -O3 -march=native, contraction on)");
 }
 
+TEST_CASE("functions that code brings are off by what digits are counted with") {
+  ModelBuilder builder;
+  builder.coordinate("x").T("x_d^2/2").V("stumpff(x, 2)");
+  const System system = system_of(builder.model,
+                                  "coordinates x\nfunction potential_energy\n"
+                                  "  0 = coordinate x\n  1 = constant 2\n  2 = stumpff 0 1\n"
+                                  "  result 1 1 = 2\n");
+  const auto rows = check_helpers(system.subject());
+  REQUIRE(rows.size() == 2);
+  for (const CertificateRow& row : rows) {
+    INFO(row.worst << " at " << row.where);
+    CHECK(row.verdict == Verdict::holds);
+    CHECK(row.samples == 256);
+  }
+  CHECK(rows[0].subject == "stumpff(x, 2) (double)");
+  CHECK(check_helpers(cart_pole_system().subject()).empty());
+}
+
 TEST_CASE("code that is not there is skipped, with the reason") {
   CompiledHeader eigen{"Eigen"};
   eigen.lacking = "<Eigen/Core> is not installed";

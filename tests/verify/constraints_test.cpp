@@ -146,8 +146,7 @@ coincide = ["P", "Q"]
 
 /// With its extremes; one contraction of a field instead of all entries where it is quick.
 Certificate certificate_of(const System& system, std::size_t samples, bool quick = true) {
-  VerifyOptions options{.samples = samples, .quick = quick};
-  options.parts = &system.program;
+  const VerifyOptions options{.samples = samples, .quick = quick};
   return verify(system.model, system.scene, system.program, {}, options).certificate;
 }
 
@@ -175,9 +174,6 @@ void check_holds_under_constraints(const Certificate& certificate) {
     const auto subject = std::string(field) + " (double)";
     CHECK(checked_row(certificate, "program vs oracle", subject).samples > 0);
   }
-  const auto& multipliers =
-      checked_row(certificate, "program vs oracle", "forward_dynamics.multipliers (double)");
-  CHECK(multipliers.tolerance.find("in the norm of W (a, lambda)") != std::string::npos);
   CHECK(checked_row(certificate, "constraints along the motion", "forward_dynamics").samples > 0);
 }
 
@@ -203,7 +199,7 @@ TEST_CASE("right programs under constraints hold, at ordinary and extreme states
   for (const std::string& model : {bob(), rolling(), linkage()}) {
     const System system = constrained(model);
     check_holds_under_constraints(certificate_of(system, 8));
-    CHECK(self_check(system.model, system.scene, system.program, &system.program).failure.empty());
+    CHECK(self_check(system.model, system.scene, system.program).failure.empty());
   }
   check_holds_under_constraints(certificate_of(constrained(bob()), 4, false));
 }
@@ -220,7 +216,7 @@ TEST_CASE("multipliers of the other sign are found by every row that they stand 
     CHECK(verdict("inverse of forward dynamics", "forward_dynamics") == Verdict::fails);
     CHECK(verdict("constraints along the motion", "forward_dynamics") == Verdict::holds);
     CHECK(verdict("program vs oracle", "forward_dynamics.multipliers (double)") == Verdict::fails);
-    const SelfCheck check = self_check(wrong.model, wrong.scene, wrong.program, nullptr);
+    const SelfCheck check = self_check(wrong.model, wrong.scene, wrong.program);
     CHECK(check.failure.find("w.x of multipliers is ") != std::string::npos);
   }
 }
@@ -253,7 +249,7 @@ TEST_CASE("every field of what solves under constraints is compared by projectio
         std::pair(OutputKind::constrained_inverse_dynamics, "multipliers")}) {
     INFO(field);
     const System wrong = turned(right, kind, field);
-    const SelfCheck check = self_check(wrong.model, wrong.scene, wrong.program, nullptr);
+    const SelfCheck check = self_check(wrong.model, wrong.scene, wrong.program);
     CHECK(check.failure.find(std::string(" of ") + field + " is ") != std::string::npos);
   }
 }

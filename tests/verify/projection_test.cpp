@@ -17,8 +17,8 @@ std::string compare(const System& system, OutputKind kind) {
   Sampler draw(1);
   for (const FieldPlace& place : field_places(subject)) {
     if (place.function->kind != kind) continue;
-    const BoundedRun run =
-        bounded_run(system.program, *place.function, oracle.state(), rounding<double>());
+    const ExactRun run =
+        exact_run(system.program, *place.function, oracle.state(), rounding<double>());
     REQUIRE(run.regime == Regime::regular);
     const std::string differs = compare_projection(subject, place, run, oracle, draw).text;
     if (!differs.empty()) return differs;

@@ -6,14 +6,15 @@
 
 #include <algorithm>
 
-#include "accuracy/bounded.hpp"
+#include "accuracy/running_errors.hpp"
 #include "program/network/analytic.hpp"
 #include "sample/points.hpp"
 
 namespace elgen {
 namespace {
 
-using Values = std::vector<Bound>;
+using Number = Running<Real>;
+using Values = std::vector<Number>;
 
 constexpr std::uint64_t first_seed = 1;
 constexpr std::uint64_t other_seed = 2;
@@ -23,9 +24,7 @@ bool is_below(const Real& x, const Real& y, const Real& share) {
   return abs(x).value() <= (abs(y) * share).value();
 }
 
-bool is_zero(const Bound& x) { return x.value.is_defined() && cln::zerop(x.value.value()); }
-
-Bound drawn(const cln::cl_RA& value) { return leaf_bound(value, rounding<double>()); }
+Number drawn(const cln::cl_RA& value) { return running_leaf(value, rounding<double>()); }
 
 /// The functions with kinks, which may be zero in a whole region. Roots are computed.
 std::vector<bool> kinks(const Function& function) {
@@ -38,21 +37,20 @@ std::vector<bool> kinks(const Function& function) {
 
 /// A sum of which one term is so small beside the other that twenty digits of it are gone, or a
 /// function that its argument hardly moves, or moves so much that its own digits are gone.
-bool hides_something(const Instruction& i, const Values& values, const Bound& x) {
+bool hides_something(const Instruction& i, const Values& values, const Number& x) {
   static const Real hidden(power_of_ten(-20));
   if (i.opcode == Opcode::add || i.opcode == Opcode::subtract) {
-    const Bound& a = values[i.a];
-    const Bound& b = values[i.b];
-    if (is_zero(a) || is_zero(b)) return false;
+    const Number& a = values[i.a];
+    const Number& b = values[i.b];
+    if (is_zero(a.value) || is_zero(b.value)) return false;
     return is_below(a.value, b.value, hidden) || is_below(b.value, a.value, hidden);
   }
-  const bool has_argument = i.opcode == Opcode::call && !values[i.a].exact;
+  const bool has_argument = i.opcode == Opcode::call && !is_zero(values[i.a].error);
   return has_argument &&
-         (is_below(x.bound - abs(x.value), x.value, hidden) || is_below(x.value, x.bound, hidden));
+         (is_below(x.error - abs(x.value), x.value, hidden) || is_below(x.value, x.error, hidden));
 }
 
-/// Whether what rounding may leave of a zero is little beside the terms: a bound that many products
-/// have raised says nothing.
+/// Whether what rounding may leave of a zero is little beside the terms.
 bool is_sharp(const Instruction& i, const Values& values, const Real& noise) {
   static const Real hidden(power_of_ten(-20));
   Real terms = abs(values[i.a].value);
@@ -61,22 +59,22 @@ bool is_sharp(const Instruction& i, const Values& values, const Real& noise) {
 }
 
 /// The value at the point: exactly 0 where it vanishes, lost where its digits do not tell.
-Bound settled(const Instruction& i, const Values& values, Bound x) {
+Number settled(const Instruction& i, const Values& values, Number x) {
   static const Real vanished(power_of_ten(-40));
   if (!x.value.is_defined() || operand_count(i) == 0) return x;
-  x.lost = x.lost || hides_something(i, values, x);
+  x.is_lost = x.is_lost || hides_something(i, values, x);
   const bool vanishes =
-      !x.lost && is_below(x.value, x.bound, vanished) && is_sharp(i, values, x.bound * vanished);
-  return vanishes ? leaf_bound(Real(), true) : x;
+      !x.is_lost && is_below(x.value, x.error, vanished) && is_sharp(i, values, x.error * vanished);
+  return vanishes ? Number{} : x;
 }
 
 /// The instructions that are `needed`, at the next random point; the `variables` among them are
 /// drawn, not computed.
 Values run(const Program& program, const Function& function, const std::vector<bool>& needed,
            const std::vector<bool>& variables, Sampler& draw) {
-  const LeafValues<Bound> point = map_leaves(drawn, draw.point(program.leaves));
-  const BoundRules rules{point, rounding<double>()};
-  Values values(function.instructions.size());
+  const LeafValues<Number> point = map_leaves(drawn, draw.point(program.leaves));
+  const RunningErrorRules<Real> rules{point};
+  Values values(function.instructions.size(), Number{});
   for (std::size_t at = 0; at < values.size(); ++at) {
     if (!needed[at]) continue;
     const Instruction& i = function.instructions[at];
@@ -105,7 +103,7 @@ std::vector<std::uint32_t> still_vanishing(const Program& program, const Functio
   const std::vector<bool> excluded = needed_for_undefined(function, values, needed);
   std::vector<std::uint32_t> result;
   for (const std::uint32_t at : candidates) {
-    const bool vanishes = is_zero(values[at]) && !values[at].lost;
+    const bool vanishes = is_zero(values[at].value) && !values[at].is_lost;
     if (vanishes && !excluded[at]) result.push_back(at);
   }
   return result;

@@ -48,7 +48,7 @@ bool rounds_more_angles(const Expressions& way, const Expressions& reference) {
 }
 
 /// The error that may take the place of x's.
-Real admitted_error(const Running& x) {
+Real admitted_error(const Running<Real>& x) {
   static const Real recounted(3);
   static const Real always(8);
   return max(x.error * recounted, abs(x.value) * always);
@@ -102,9 +102,9 @@ bool is_as_precise(const Expressions& way, const Expressions& reference, const P
   const BothWays both = both_ways(way, reference);
   bool is_compared = false;
   for (const Arguments<double>& point : points) {
-    const std::vector<Running> entries =
-        entries_of(both.function, fold<Running>(RunningErrorRules{running_leaves(point, leaves)},
-                                                both.program, both.function));
+    const RunningErrorRules<Real> rules{running_leaves<Real>(point, leaves)};
+    const auto entries =
+        entries_of(both.function, fold<Running<Real>>(rules, both.program, both.function));
     const Real& own = entries[0].error;
     const Real admitted = admitted_error(entries[1]);
     if (!admitted.is_defined()) continue;

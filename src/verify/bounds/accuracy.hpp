@@ -1,5 +1,5 @@
-// Accuracy: a program's values in double and float against the 60-digit oracle, in units of an
-// error bound: that of the closed form a function is emitted in, else the program's own.
+// Accuracy: a program's values in double and float against the 60-digit oracle. Wrong values fail;
+// the digits that rounding takes are a figure.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace elgen {
 
-/// One row per output and field, and one per output of the digits that it loses where
-/// options.visit.losing says so. A state fails where the exact value of the program is not the
-/// oracle's (to 50 digits of its bound) or, at a nominal state, is undefined where the oracle has
-/// one, and where the rounded value is no finite number. One that is further off than promised is
-/// noted.
+/// One row per output and field, one of the code as users compile it where there is such code, and
+/// one per output of the digits that it loses where options.visit.losing says so. A state fails
+/// where the exact value of the program is not the oracle's (to 50 digits of E + |x*|) or, at a
+/// nominal state, is undefined where the oracle has one, where the rounded value is no finite
+/// number, and where the code of users is further from the program than most_of_users allows.
 template <class Scalar>
 [[nodiscard]] std::vector<CertificateRow> check_accuracy(
     const Subject& subject, const std::vector<SampledState<Scalar>>& states,

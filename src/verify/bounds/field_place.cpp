@@ -24,21 +24,21 @@ std::size_t number_of_field(OutputKind kind, std::string_view name) {
   return found == fields.end() ? 0 : static_cast<std::size_t>(found - fields.begin());
 }
 
-/// The judge of one field of functions[index], whose entries start at `first`.
-Judge judge_of(const Program& program, std::size_t index, const Field& field, std::size_t first) {
+/// That of one field of functions[index], whose entries start at `first`.
+ClosedForm form_of(const Program& program, std::size_t index, const Field& field,
+                   std::size_t first) {
   const Function& function = program.functions[index];
-  const Judge own{&function, first, false};
-  if (function.form != Form::closed) return own;
+  if (function.form != Form::closed) return {};
   if (!output_row(function.kind).repeats) {
     const bool is_readable =
         index < program.readable.size() && !program.readable[index].fields.empty();
-    return is_readable ? Judge{&program.readable[index], first, true} : own;
+    return is_readable ? ClosedForm{&program.readable[index], first} : ClosedForm{};
   }
   // `dynamics` repeats the entries of the function that bears the field's name.
   for (const Function& readable : program.readable) {
-    if (readable.name == field.name && !readable.fields.empty()) return {&readable, 0, true};
+    if (readable.name == field.name && !readable.fields.empty()) return {&readable, 0};
   }
-  return own;
+  return {};
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ std::vector<FieldPlace> field_places(const Subject& subject, std::size_t index) 
     place.function = &function;
     place.index = i;
     place.first = first;
-    place.judge = judge_of(subject.program, index, field, first);
+    place.form = form_of(subject.program, index, field, first);
     place.request = request_of(subject, function, field);
     place.request_field = number_of_field(place.request.kind, field.name);
     place.first_oracle = holds_others ? 0 : first;

@@ -1,26 +1,23 @@
-// FieldPlace: one field of a function of the program, what judges it, and what it is compared with.
+// FieldPlace: one field of a function of the program, and what it is compared with.
 #pragma once
 
 #include <vector>
 
 #include "program/evaluate/subject.hpp"
-#include "verify/bounds/own_bound.hpp"
 
 namespace elgen {
 
-/// The judge of an entry: B of the closed form where the function is emitted in it (a bound that
-/// does not depend on the code), else B run along the function itself, the weaker "own bound".
-struct Judge {
-  const Function* function = nullptr;
-  std::size_t first = 0;  ///< of the field's entries among the judge's
-  bool is_closed_form = false;
+/// The closed form that a function was emitted in, as it is printed.
+struct ClosedForm {
+  const Function* function = nullptr;  ///< null where there is none
+  std::size_t first = 0;               ///< of the field's entries among the form's
 };
 
 struct FieldPlace {
   const Function* function = nullptr;
   std::size_t index = 0;  ///< of the field among the function's
   std::size_t first = 0;  ///< of its entries among the function's
-  Judge judge = {};
+  ClosedForm form = {};
   OutputRequest request = {};     ///< the request to the oracle
   std::size_t request_field = 0;  ///< of the field in the output table; a model may lack others
   std::size_t first_oracle = 0;   ///< of its entries among the oracle's

@@ -1,53 +1,15 @@
-// loss: running errors at one state, and R, each computed when asked for.
+// loss: R at one state, computed where it is asked for.
 #include "verify/bounds/loss.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <set>
-
-#include "numbers/more_digits.hpp"
 
 namespace elgen {
 namespace {
 
-std::vector<bool> entries_in(const std::vector<SolvedColumn>& columns, std::size_t count) {
-  std::vector<bool> is_in(count);
-  for (const SolvedColumn& column : columns) {
-    for (const std::size_t entry : column.entries) is_in[entry] = true;
-  }
-  return is_in;
-}
-
-Real norm(const SolvedColumn& column, const std::vector<Real>& values) {
-  Real square;
-  for (std::size_t i = 0; i < column.entries.size(); ++i) {
-    const Real weighted = values[column.entries[i]] * column.weights[i];
-    square = square + weighted * weighted;
-  }
-  return sqrt(square);
-}
-
-/// The magnitudes that errors are compared with: |x*|; the largest of the field where that is 0, or
-/// all of its column are.
-std::vector<Real> scales_of(const std::vector<Real>& exact,
-                            const std::vector<SolvedColumn>& columns) {
-  std::vector<Real> scales;
-  Real largest;
-  for (const Real& x : exact) {
-    scales.push_back(abs(x));
-    largest = max(largest, abs(x));
-  }
-  const auto scale = [&](const std::vector<std::size_t>& entries) {
-    const auto is_there = [&](std::size_t i) { return scales[i] > Real(); };
-    if (std::ranges::any_of(entries, is_there)) return;
-    for (const std::size_t i : entries) scales[i] = largest;
-  };
-  for (const SolvedColumn& column : columns) scale(column.entries);
-  const std::vector<bool> by_norm = entries_in(columns, exact.size());
-  for (std::size_t i = 0; i < exact.size(); ++i) {
-    if (!by_norm[i]) scale({i});
-  }
-  return scales;
-}
+/// Two roundings: 0.3 digits.
+constexpr double negligible_loss = 2;
 
 /// The constants that parameters which a scene fixed may have left, alone or multiplied. Literals
 /// of the model are none, powers of two scale without error, and what has pi or a root in it is
@@ -73,102 +35,100 @@ std::vector<bool> constants_of_fixed(const Model& model, const Scene& scene,
 
 }  // namespace
 
-Losses::Losses(const Subject& subject, const State& state, const Rounding& rounding)
+Losses::Losses(const Subject& subject, OracleCache& oracle, const Rounding<Real>& rounding,
+               double least)
     : subject_(subject),
-      state_(state),
+      oracle_(oracle),
       rounding_(rounding),
+      least_(least),
       fixed_(constants_of_fixed(subject.model, subject.scene, subject.program)) {}
 
-const std::vector<Running>& Losses::errors(const Function& function) {
-  auto known = errors_.find(&function);
-  if (known != errors_.end()) return known->second;
-  std::vector<Running> values = with_enough_digits([&] {
-    const auto leaf = [&](const cln::cl_R& value) {
-      const Bound bound = leaf_bound(value, rounding_);
-      return Running{bound.value, bound.exact ? Real() : abs(bound.value)};
-    };
-    return fold<Running>(RunningErrorRules{map_leaves(leaf, state_), rounding_}, subject_.program,
-                         function);
-  });
-  return errors_.emplace(&function, std::move(values)).first->second;
-}
-
 /// K of an entry.
-Real Losses::conditioning(const FieldPlace& place, std::size_t entry) {
-  const Function& function = *place.function;
-  const std::vector<Running>& own = errors(function);
-  std::unique_ptr<Conditioning>& known = conditioning_[&function];
+Real Losses::conditioning(const FieldPlace& place, const ExactRun& run, std::size_t entry) {
+  std::unique_ptr<Conditioning>& known = conditioning_[place.function];
   if (known == nullptr) {
-    known = std::make_unique<Conditioning>(subject_.program, function, values_of(own), fixed_);
+    known = std::make_unique<Conditioning>(subject_.program, *place.function, values_of(run.values),
+                                           fixed_);
   }
   return known->of(place.field().entries[entry]);
 }
 
 bool Losses::knows_angles() const {
   static const Real known(cln::cl_RA(1) / 1000);
-  for (std::size_t i = 0; i < state_.q.size(); ++i) {
+  const State& state = oracle_.state();
+  for (std::size_t i = 0; i < state.q.size(); ++i) {
     const bool turns = is_angle(subject_.model.coordinates[i]);
-    if (turns && abs(Real(state_.q[i])) * rounding_.roundoff > known) return false;
+    if (turns && abs(Real(state.q[i])) * rounding_.roundoff > known) return false;
   }
   return true;
 }
 
-Real Losses::norm_of_references(const FieldPlace& place, const SolvedColumn& column,
-                                std::vector<Real> scales) {
-  for (const std::size_t entry : column.entries) {
-    scales[entry] = scales[entry] + conditioning(place, entry);
+/// Columns are looked for only where an entry of a field that solves may have lost digits.
+auto Losses::groups(const FieldPlace& place, const std::vector<Real>& errors,
+                    const std::vector<Real>& exact) -> std::vector<Group> {
+  std::vector<double> most;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    most.push_back(in_roundoffs(errors[i], abs(exact[i]), rounding_));
   }
-  return norm(column, scales);
+  std::vector<SolvedColumn> columns;
+  if (std::ranges::any_of(most, [](double figure) { return figure > negligible_loss; })) {
+    columns = solved_columns(place, oracle_);
+  }
+  std::vector<bool> is_solved(errors.size());
+  for (const SolvedColumn& column : columns) {
+    for (const std::size_t entry : column.entries) is_solved[entry] = true;
+  }
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    if (!is_solved[i]) columns.push_back({{i}, {Real(1)}});
+  }
+  std::vector<Group> result;
+  for (SolvedColumn& column : columns) {
+    const std::size_t entry = *std::ranges::max_element(column.entries, std::less(),
+                                                        [&most](std::size_t i) { return most[i]; });
+    result.push_back({std::move(column), most[entry], entry});
+  }
+  return result;
 }
 
-double Losses::of_entry(const FieldPlace& place, std::size_t entry, const std::vector<Real>& errors,
-                        const std::vector<Real>& scales, const std::vector<SolvedColumn>& columns) {
-  static const Real tolerated(cln::cl_RA(static_cast<long>(tolerated_loss)));
-  const Real threshold = tolerated * rounding_.roundoff;
-  const auto has_entry = [entry](const SolvedColumn& column) {
-    return std::ranges::count(column.entries, entry) > 0;
-  };
-  const auto column = std::ranges::find_if(columns, has_entry);
-  const bool by_norm = column != columns.end();
-  const Real error = by_norm ? norm(*column, errors) : errors[entry];
-  const Real scale = by_norm ? norm(*column, scales) : scales[entry];
-  // R is no less than the scale, which costs nothing.
-  if (!(error > threshold * scale)) return in_bounds(error, scale, rounding_);
-  const Real reference =
-      by_norm ? norm_of_references(place, *column, scales) : scale + conditioning(place, entry);
-  return reference.is_defined() ? in_bounds(error, reference, rounding_) : 0;
+/// None where R is 0: exact values have 60 digits of E, and what is left out of them is no R.
+std::optional<double> Losses::figure_of(const FieldPlace& place, const ExactRun& run,
+                                        const Group& group, const std::vector<Real>& errors,
+                                        const std::vector<Real>& exact) {
+  static const Real negligible(power_of_ten(-45));
+  if (group.most <= negligible_loss) return group.most;
+  std::vector<Real> references(errors.size());
+  Real error;
+  for (const std::size_t entry : group.column.entries) {
+    references[entry] = abs(exact[entry]) + conditioning(place, run, entry);
+    error = max(error, run.entries[place.first + entry].error);
+  }
+  const Real reference = norm(group.column, references);
+  if (!reference.is_defined()) return 0;
+  if (reference <= error * negligible) return std::nullopt;
+  return in_roundoffs(norm(group.column, errors), reference, rounding_);
 }
 
 LostEntry Losses::of_largest(const std::vector<Real>& errors,
-                             const std::vector<Real>& scales) const {
+                             const std::vector<Real>& exact) const {
   const auto largest =
       std::ranges::max_element(errors, [](const Real& x, const Real& y) { return x < y; });
   Real value;
-  for (const Real& scale : scales) value = max(value, scale);
+  for (const Real& x : exact) value = max(value, abs(x));
   if (largest == errors.end() || !(value > Real())) return {};
-  return {in_bounds(*largest, value, rounding_),
+  return {in_roundoffs(*largest, value, rounding_),
           static_cast<std::size_t>(largest - errors.begin())};
 }
 
-Loss Losses::of_field(const FieldPlace& place, const std::vector<Real>& errors,
-                      const std::vector<Real>& exact, const std::vector<SolvedColumn>& columns) {
-  const std::vector<Real> scales = scales_of(exact, columns);
-  Loss loss{{}, of_largest(errors, scales)};
-  LostEntry& worst = loss.of_entry;
-  const auto look_at = [&](std::size_t entry) {
-    const double figure = of_entry(place, entry, errors, scales, columns);
-    if (figure > worst.figure) worst = {figure, entry};
-  };
-  for (const SolvedColumn& column : columns) look_at(column.entries.front());
-  const std::vector<bool> by_norm = entries_in(columns, errors.size());
-  std::vector<std::pair<double, std::size_t>> most;  // what each may lose, as R is no less
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    if (!by_norm[i]) most.emplace_back(in_bounds(errors[i], scales[i], rounding_), i);
-  }
-  std::ranges::sort(most, std::ranges::greater());
-  for (const auto& [figure, entry] : most) {
-    if (figure <= worst.figure) break;
-    look_at(entry);
+Loss Losses::of_field(const FieldPlace& place, const ExactRun& run, const std::vector<Real>& errors,
+                      const std::vector<Real>& exact) {
+  Loss loss{{}, of_largest(errors, exact), 0};
+  std::vector<Group> all = groups(place, errors, exact);
+  std::ranges::sort(all, std::ranges::greater(), &Group::most);
+  for (const Group& group : all) {
+    if (group.most <= std::max(loss.of_entry.figure, least_)) break;
+    const std::optional<double> figure = figure_of(place, run, group, errors, exact);
+    if (!figure) ++loss.untold;
+    if (figure.value_or(0) > loss.of_entry.figure) loss.of_entry = {*figure, group.entry};
   }
   return loss;
 }

@@ -2,22 +2,21 @@
 //
 //     loss = max(0, |x - x*| - N eta) / (u R),     R = |x*| + K
 //
-// Where x* is 0 on paper the largest |x*| of the field takes its place in R, as errors are noise
-// beside it.
 // K = sum |z dx/dz| (accuracy/conditioning.hpp) is what one rounding of every input would cost, so
 // that an angle of 1e15 rad, which is known to a tenth, excuses what is made of it. In solutions of
-// M x = b the norm |D^1/2 x| is taken of errors and of R alike. It is looked at only where |x - x*|
-// > 64 u |x*|; elsewhere it is less.
+// M x = b the norm |D^1/2 x| is taken of errors and of R alike. Both are looked at only where |x -
+// x*| > 2 u |x*|; elsewhere the loss is less. Where R is 0 on paper, nothing is told.
 #pragma once
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "accuracy/conditioning.hpp"
-#include "accuracy/running_errors.hpp"
+#include "verify/bounds/exact_run.hpp"
 #include "verify/bounds/field_place.hpp"
-#include "verify/bounds/solution_bound.hpp"
+#include "verify/bounds/solved_columns.hpp"
 
 namespace elgen {
 
@@ -30,38 +29,45 @@ struct LostEntry {
 struct Loss {
   LostEntry of_entry = {};  ///< in u R of its own
   LostEntry of_field = {};  ///< in u of the largest entry
+  std::size_t untold = 0;   ///< entries that are off while R is 0
 };
 
 class Losses {
  public:
-  /// All arguments outlive it.
-  Losses(const Subject& subject, const State& state, const Rounding& rounding);
+  /// All arguments outlive it. No loss of an entry below `least` is told.
+  Losses(const Subject& subject, OracleCache& oracle, const Rounding<Real>& rounding,
+         double least = 0);
 
   /// Whether angles are known well enough for K, which is of first order: to 1/1000 rad.
   [[nodiscard]] bool knows_angles() const;
 
-  /// Of entries that are off by `errors` (without N eta) from `exact`; those of `columns` are
-  /// judged by their norms. 0 where K has no value.
-  [[nodiscard]] Loss of_field(const FieldPlace& place, const std::vector<Real>& errors,
-                              const std::vector<Real>& exact,
-                              const std::vector<SolvedColumn>& columns);
+  /// Of entries that are off by `errors` (without N eta) from `exact`, in a run of the place's
+  /// function. 0 where K has no value.
+  [[nodiscard]] Loss of_field(const FieldPlace& place, const ExactRun& run,
+                              const std::vector<Real>& errors, const std::vector<Real>& exact);
 
  private:
-  const std::vector<Running>& errors(const Function& function);
-  Real conditioning(const FieldPlace& place, std::size_t entry);
-  [[nodiscard]] double of_entry(const FieldPlace& place, std::size_t entry,
-                                const std::vector<Real>& errors, const std::vector<Real>& scales,
-                                const std::vector<SolvedColumn>& columns);
+  /// What is judged together: one entry, or a solved column.
+  struct Group {
+    SolvedColumn column = {};
+    double most = 0;        ///< what it may lose, as R is no less than |x*|
+    std::size_t entry = 0;  ///< that of `most`
+  };
+
+  [[nodiscard]] std::vector<Group> groups(const FieldPlace& place, const std::vector<Real>& errors,
+                                          const std::vector<Real>& exact);
+  [[nodiscard]] std::optional<double> figure_of(const FieldPlace& place, const ExactRun& run,
+                                                const Group& group, const std::vector<Real>& errors,
+                                                const std::vector<Real>& exact);
+  [[nodiscard]] Real conditioning(const FieldPlace& place, const ExactRun& run, std::size_t entry);
   [[nodiscard]] LostEntry of_largest(const std::vector<Real>& errors,
-                                     const std::vector<Real>& scales) const;
-  Real norm_of_references(const FieldPlace& place, const SolvedColumn& column,
-                          std::vector<Real> scales);
+                                     const std::vector<Real>& exact) const;
 
   const Subject& subject_;
-  const State& state_;
-  const Rounding& rounding_;
+  OracleCache& oracle_;
+  const Rounding<Real>& rounding_;
+  double least_;
   std::vector<bool> fixed_;  ///< of the program's constants, those that fixed parameters have left
-  std::map<const Function*, std::vector<Running>> errors_ = {};  ///< of all instructions
   std::map<const Function*, std::unique_ptr<Conditioning>> conditioning_ = {};
 };
 

@@ -6,7 +6,9 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "accuracy/running_errors.hpp"
 #include "program/evaluate/subject.hpp"
 
 namespace elgen {
@@ -19,21 +21,19 @@ class OracleCache {
 
   [[nodiscard]] const OracleValues& values(const OutputRequest& request);
 
-  /// |E| and the magnitudes of V's terms, in whose rounding entries that are zero on paper drown; 0
+  /// The diagonal of M; empty where it has no value.
+  [[nodiscard]] const std::vector<cln::cl_R>& diagonal_of_mass();
+
+  /// |E| and the magnitudes of V's terms, in whose rounding most of the oracle's zeros drown; 0
   /// where E is undefined.
   [[nodiscard]] const cln::cl_R& energy();
 
-  /// The largest generalized force of the motion, in whose rounding the oracle's differences of
-  /// forces (drift) drown where that is larger than |E|.
-  [[nodiscard]] cln::cl_R force();
-
-  /// |M| (|v| + |a|) of the largest entries: what derivatives of inertial forces are rounding of
-  /// where M does not depend on q, however slow the motion is.
-  [[nodiscard]] cln::cl_R inertia();
-
-  /// |v|^2 + |a| of the largest entries: what accelerations of points and frames are rounding of,
-  /// also where energies and forces have no value.
-  [[nodiscard]] cln::cl_R motion() const;
+  /// The energy, and what other zeros of the oracle drown in, each 0 where it has no value:
+  ///
+  ///     |force| of the motion    differences of forces (drift), where that is larger than |E|
+  ///     |M| (|v| + |a|)          derivatives of inertial forces where M does not depend on q
+  ///     |v|^2 + |a|              accelerations of points and frames, also without energies
+  [[nodiscard]] const cln::cl_R& drowning();
 
   /// Whether the oracle's solution of M a = b is known to 50 digits. It is solved in 95, entry i of
   /// a with an error of 1e-95 F/(d_i M_ii), where F is the largest force and d_i the relative
@@ -45,26 +45,23 @@ class OracleCache {
   const Subject& subject_;
   State state_;
   std::map<std::pair<OutputKind, std::uint32_t>, OracleValues> known_ = {};
+  std::optional<std::vector<cln::cl_R>> diagonal_ = {};
   std::optional<cln::cl_R> energy_ = {};
+  std::optional<cln::cl_R> drowning_ = {};
   std::optional<bool> solves_ = {};
 
+  [[nodiscard]] cln::cl_R force();
+  [[nodiscard]] cln::cl_R inertia();
   [[nodiscard]] bool solution_is_known();
 };
 
-/// A number in 64 digits with the B of its error bound.
-struct Measured {
-  Real value = {};
-  Real bound = {};
-};
+/// To 50 digits of E + |truth|, or 52 of `drowning`: a number that is zero on paper has no E worth
+/// the name. An undefined number agrees with none.
+[[nodiscard]] bool agrees(const Running<Real>& number, const Real& truth, const Real& drowning);
 
-/// To 50 digits of the bound. A number that is zero on paper has no bound worth the name: it is
-/// rounding of `scale`, the largest magnitude met on the way. An undefined number agrees with none.
-[[nodiscard]] bool agrees(const Measured& number, const Real& truth, const Real& scale);
-
-/// The scale grows by what the oracle's own rounding is of: where the entry's does not do, by the
-/// energy, and where that is not enough, by the forces, by the inertia, or by the motion.
-[[nodiscard]] bool agrees_with_oracle(const Measured& number, const cln::cl_R& truth,
-                                      const Real& scale, OracleCache& oracle);
+/// Likewise, with nothing for `drowning`, the oracle's energy, or all of its own.
+[[nodiscard]] bool agrees_with_oracle(const Running<Real>& number, const cln::cl_R& truth,
+                                      OracleCache& oracle);
 
 /// Two exact numbers that should be one, in words; no words where they agree.
 struct Mismatch {

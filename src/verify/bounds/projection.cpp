@@ -20,12 +20,6 @@ using Numbers = std::vector<cl_R>;
 /// Up to so many coordinates the oracle solves by itself.
 constexpr std::size_t directly_solved = 4;
 
-Numbers random_direction(std::size_t size, Random& random) {
-  Numbers direction;
-  for (std::size_t i = 0; i < size; ++i) direction.emplace_back(random.rational());
-  return direction;
-}
-
 Mismatch mismatch(const std::string& what, const Real& value, const cl_R& truth) {
   return {fmt::format("{} is {}, the oracle says {}", what, short_text(value), short_text(truth)),
           value, Real(truth)};
@@ -34,9 +28,9 @@ Mismatch mismatch(const std::string& what, const Real& value, const cl_R& truth)
 /// One field at one state.
 class Projection {
  public:
-  Projection(const Subject& subject, const FieldPlace& place, const BoundedRun& run,
-             OracleCache& oracle, Random& random)
-      : subject_(subject), place_(place), run_(run), oracle_(oracle), random_(random) {}
+  Projection(const Subject& subject, const FieldPlace& place, const ExactRun& run,
+             OracleCache& oracle, Sampler& draw)
+      : subject_(subject), place_(place), run_(run), oracle_(oracle), draw_(draw) {}
 
   Mismatch compare() {
     const OutputRow& output = output_row(place_.request.kind);
@@ -51,18 +45,20 @@ class Projection {
 
  private:
   [[nodiscard]] const State& state() const { return oracle_.state(); }
-  [[nodiscard]] const Bound& entry(std::size_t i) const { return run_.entries[place_.first + i]; }
+  [[nodiscard]] const Running<Real>& entry(std::size_t i) const {
+    return run_.entries[place_.first + i];
+  }
   [[nodiscard]] const FieldRow& row() const { return place_.row(); }
 
   /// As many entries as w and y have.
-  [[nodiscard]] Measured contracted(const Contraction& by) const {
-    Measured sum;
+  [[nodiscard]] Running<Real> contracted(const Contraction& by) const {
+    Running<Real> sum;
     const std::size_t columns = by.y.empty() ? 1 : by.y.size();
     for (std::size_t i = 0; i < by.w.size() * columns; ++i) {
       const cl_R factor = by.y.empty() ? by.w[i] : by.w[i / columns] * by.y[i % columns];
       const Real size(cln::abs(factor));
       sum.value = sum.value + entry(i).value * Real(factor);
-      sum.bound = sum.bound + entry(i).bound * size;
+      sum.error = sum.error + entry(i).error * size;
     }
     return sum;
   }
@@ -70,16 +66,16 @@ class Projection {
   Mismatch compare_contraction() {
     const Field& field = place_.field();
     if (field.entries.empty()) return {};
-    Contraction by{random_direction(field.rows, random_), {}, place_.request_field};
+    Contraction by{draw_.vector(field.rows), {}, place_.request_field};
     const bool is_matrix = row().columns != Extent::one || field.columns > 1;
-    if (is_matrix) by.y = random_direction(field.columns, random_);
+    if (is_matrix) by.y = draw_.vector(field.columns);
     return compare_by(by);
   }
 
   Mismatch compare_by(const Contraction& by) {
-    const Measured sum = contracted(by);
+    const Running<Real> sum = contracted(by);
     const auto truth = oracle_contraction(subject_.model, place_.request, state(), by);
-    if (!truth || agrees_with_oracle(sum, *truth, run_.largest, oracle_)) return {};
+    if (!truth || agrees_with_oracle(sum, *truth, oracle_)) return {};
     const std::string of_field = place_.field().name.empty() ? "" : " of " + place_.field().name;
     return mismatch((by.y.empty() ? "w.x" : "w.X y") + of_field, sum.value, *truth);
   }
@@ -92,8 +88,8 @@ class Projection {
 
   /// Both sides of an equation between projected forces, each a number of the oracle's.
   Mismatch compare_forces(const std::string& what, const cl_R& left, const cl_R& right) {
-    const Measured sum{Real(left), Real(cln::abs(left) + cln::abs(right))};
-    if (agrees_with_oracle(sum, right, run_.largest, oracle_)) return {};
+    const Running<Real> sum{Real(left), Real(cln::abs(left) + cln::abs(right))};
+    if (agrees_with_oracle(sum, right, oracle_)) return {};
     return mismatch(what, sum.value, right);
   }
 
@@ -110,7 +106,7 @@ class Projection {
       if (!entry(i).value.is_defined()) return compare_undefined("an acceleration");
       moving.a[i] = entry(i).value.value();
     }
-    const Numbers w = random_direction(n, random_);
+    const Numbers w = draw_.vector(n);
     const auto force =
         oracle_contraction(subject_.model, {.kind = OutputKind::inverse_dynamics}, moving, {w});
     const auto driven = input_force(w, state().u);
@@ -186,8 +182,8 @@ class Projection {
     const Field& field = place_.field();
     if (field.entries.empty()) return {};
     const std::size_t n = state().v.size();
-    const Numbers w = random_direction(n, random_);
-    const Numbers y = random_direction(field.columns, random_);
+    const Numbers w = draw_.vector(n);
+    const Numbers y = draw_.vector(field.columns);
     const auto z = response(y);
     if (!z) return compare_undefined("a derivative");
     const OutputRequest mass{.kind = OutputKind::mass_matrix};
@@ -202,24 +198,23 @@ class Projection {
   Mismatch compare_rates() {
     const Field& field = place_.field();
     const std::size_t n = state().v.size();
-    Contraction by{random_direction(n, random_), random_direction(field.columns, random_),
-                   place_.request_field};
+    Contraction by{draw_.vector(n), draw_.vector(field.columns), place_.request_field};
     by.w.resize(field.rows, cl_R(0));
     return compare_by(by);
   }
 
   const Subject& subject_;
   const FieldPlace& place_;
-  const BoundedRun& run_;
+  const ExactRun& run_;
   OracleCache& oracle_;
-  Random& random_;
+  Sampler& draw_;
 };
 
 }  // namespace
 
-Mismatch compare_projection(const Subject& subject, const FieldPlace& place, const BoundedRun& run,
-                            OracleCache& oracle, Random& random) {
-  return Projection(subject, place, run, oracle, random).compare();
+Mismatch compare_projection(const Subject& subject, const FieldPlace& place, const ExactRun& run,
+                            OracleCache& oracle, Sampler& draw) {
+  return Projection(subject, place, run, oracle, draw).compare();
 }
 
 }  // namespace elgen

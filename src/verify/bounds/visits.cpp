@@ -22,11 +22,9 @@ namespace {
 /// Calls `pass` with every member, one after another.
 template <class AnyFinding, class Pass>
 void each_member(AnyFinding& finding, const Pass& pass) {
-  auto& [regime, mistake, error, in_norm, imprecision, cancellation, ulps, loss, users_error,
-         users_imprecision] = finding;
+  auto& [regime, is_compared, mistake, ulps, loss, users_error, users_mistake] = finding;
   const auto all = [&pass](auto&... members) { (pass(members), ...); };
-  all(regime, mistake, error, in_norm, imprecision, cancellation, ulps, loss, users_error,
-      users_imprecision);
+  all(regime, is_compared, mistake, ulps, loss, users_error, users_mistake);
 }
 
 /// Findings of one state after another, as the bytes in memory. Processes that are forked write,
@@ -119,12 +117,12 @@ class Visits {
  private:
   [[nodiscard]] Findings findings_at(std::size_t i) const {
     Visit<Scalar> visit(subject_, states_[i], options_.visit);
-    Random random(i + 1);
+    Sampler draw(i + 1);
     const std::size_t velocities = visit.state().v.size();
     Findings findings;
     for (const FieldPlace& place : places_) {
       const bool looks = is_due(place.request.kind, velocities, i, options_.visit.comparison);
-      findings.push_back(looks ? std::optional(visit.look_at(place, random)) : std::nullopt);
+      findings.push_back(looks ? std::optional(visit.look_at(place, draw)) : std::nullopt);
     }
     return findings;
   }

@@ -1,0 +1,155 @@
+// The rules of running errors, one by one, in Real and in double.
+#include "accuracy/running_errors.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "oracle/model_builder.hpp"
+
+using namespace elgen;
+
+namespace {
+
+using Value = Running<Real>;
+
+const RunningErrorRules<Real> rules{};
+const RunningErrorRules<double> rough{};
+
+// Formulas of values with errors, as they are read.
+Value operator-(const Value& x) { return rules.negate(x); }
+Value operator+(const Value& x, const Value& y) { return rules.add(x, y); }
+Value operator-(const Value& x, const Value& y) { return rules.subtract(x, y); }
+Value operator*(const Value& x, const Value& y) { return rules.multiply(x, y); }
+Value operator/(const Value& x, const Value& y) { return rules.divide(x, y); }
+Value sqrt(const Value& x) { return rules.square_root(x); }
+Value call(FunctionId function, const Value& x) { return rules.call(function, x, x); }
+
+Value leaf(const char* text) { return running_leaf(test::exact(text), rounding<double>()); }
+Value off(const char* text, const char* error) {
+  return {Real(test::exact(text)), Real(test::exact(error))};
+}
+double number(const Real& x) { return ScalarTraits<double>::from_real(x.value()); }
+double error(const Value& x) { return number(x.error); }
+
+}  // namespace
+
+TEST_CASE("leaves: numbers of the scalar are exact, others are rounded") {
+  CHECK(error(leaf("-3/4")) == 0);
+  CHECK(error(leaf("1/10")) == Approx(0.1));
+  CHECK(error(leaf("16777217")) == 0);
+  CHECK(number(running_leaf(cln::cl_R("16777217"), rounding<float>()).error) == 16777217);
+  Arguments<double> point;
+  point.q = {-3};
+  CHECK(error(running_leaves<Real>(point, Leaves::exact).q[0]) == 0);
+  CHECK(error(running_leaves<Real>(point, Leaves::rounded).q[0]) == 3);
+}
+
+TEST_CASE("each operation rounds once, and passes errors on") {
+  CHECK(error(off("3", "2") + off("-1", "1")) == 2 + 1 + 2);
+  CHECK(error(leaf("3") - leaf("5")) == 2);
+  CHECK(error(off("3", "2") * off("5", "1")) == 2 * 5 + 3 + 15);
+  CHECK(error(off("6", "1") / off("3", "2")) == Approx((1 + 2 * 2) / 3.0 + 2));
+  CHECK(error(sqrt(off("9", "6"))) == Approx(1 + 3));
+}
+
+TEST_CASE("a power of two rounds no product; a value that is one by chance does") {
+  CHECK(error(off("3", "2") * leaf("4")) == 2 * 4);
+  CHECK(error(leaf("3") * leaf("-1/2")) == 0);
+  CHECK(error(leaf("3") * off("4", "1")) == 3 + 12);
+}
+
+TEST_CASE("functions pass errors on by their slopes") {
+  const Value x = off("0.5", "3");
+  CHECK(error(call(FunctionId::sin, x)) == Approx(std::sin(0.5) + 3 * std::cos(0.5)));
+  CHECK(error(call(FunctionId::abs, x)) == 3);
+  CHECK(error(rules.call(FunctionId::max, leaf("1"), off("2", "5"))) == 5);
+  CHECK(error(rules.call(FunctionId::atan2, leaf("1") + leaf("2"), leaf("4"))) ==
+        Approx(std::atan2(3, 4) + 3.0 * 4 / 25));
+}
+
+TEST_CASE("where a sine does not change to first order, it does to second") {
+  const double a = 3e15;
+  const Value angle = off("0", "3000000000000000");
+  CHECK(error(call(FunctionId::cos, angle)) == Approx(1 + 0.5 * 0x1p-53 * a * a));
+}
+
+TEST_CASE("functions of one argument do not look at what stands in the other slot") {
+  const Value x = leaf("3/4") * leaf("3");
+  const Value other = leaf("1/10") * leaf("1000");
+  for (const FunctionRow& row : function_table()) {
+    if (row.arity != 1 || row.id == FunctionId::asin || row.id == FunctionId::acos) continue;
+    INFO(row.name);
+    CHECK(error(rules.call(row.id, x, other)) == error(rules.call(row.id, x, x)));
+  }
+}
+
+TEST_CASE("functions have the values that their rows say") {
+  for (const FunctionRow& row : function_table()) {
+    INFO(row.name);
+    if (row.arity == 1)
+      CHECK(interpreter::call<double>(row.id, row.exact_at, 0) == row.exact_value);
+    if (!row.far_values) continue;
+    CHECK(interpreter::call<double>(row.id, -1e6, 0) == row.far_values->left);
+    CHECK(interpreter::call<double>(row.id, 1e6, 0) == row.far_values->right);
+  }
+}
+
+TEST_CASE("exponentials far out take their limits") {
+  const Value far = leaf("1e300");
+  CHECK(number(call(FunctionId::tanh, -far).value) == -1);
+  CHECK(number(call(FunctionId::exp, -far).value) == 0);
+  for (const Value& infinite : {call(FunctionId::exp, far), call(FunctionId::cosh, far),
+                                call(FunctionId::sinh, far), -call(FunctionId::sinh, -far)}) {
+    CHECK(infinite.value > rounding<double>().largest);
+  }
+}
+
+TEST_CASE("what underflows carries the smallest denormal along") {
+  const Value tiny = leaf("1e-300") * leaf("1e-300");
+  CHECK(tiny.underflows);
+  CHECK(error(tiny) >= 0x1p-1074 / 0x1p-53);
+  CHECK(error(tiny / leaf("1e-300")) > 1e-9);
+  CHECK((tiny / leaf("1e-300")).underflows);
+  CHECK_FALSE((leaf("1e-100") * leaf("1e-100")).underflows);
+}
+
+TEST_CASE("dividing by what is hardly known loses the error, also for what follows") {
+  const Value difference = leaf("3000000000000001") * leaf("3") - leaf("9000000000000000");
+  CHECK_FALSE(difference.is_lost);
+  CHECK((leaf("1") / difference).is_lost);
+  CHECK((leaf("2") + leaf("1") / difference).is_lost);
+  CHECK(sqrt(difference).is_lost);
+  CHECK(call(FunctionId::log, difference).is_lost);
+  CHECK_FALSE((leaf("1") / leaf("3")).is_lost);
+  CHECK_FALSE(call(FunctionId::tanh, off("0", "3")).is_lost);
+}
+
+TEST_CASE("an error that has no value is lost") {
+  const Value root = sqrt(off("0", "1"));
+  CHECK(number(root.value) == 0);
+  CHECK(root.is_lost);
+}
+
+TEST_CASE("where an iteration takes errors away, they do not grow") {
+  Value x = leaf("21") - leaf("20");
+  for (int i = 0; i < 20; ++i) x = leaf("1") + x * x / leaf("8");
+  CHECK(error(x) < 10);
+}
+
+TEST_CASE("in double the figures are those of 64 digits") {
+  const auto both = [](double x, double e) {
+    return std::pair(Value{Real(exact_value(x)), Real(exact_value(e))}, Running<double>{x, e});
+  };
+  const auto [x, x_rough] = both(0.75, 3);
+  const auto [y, y_rough] = both(-2.5, 1);
+  CHECK(rough.add(x_rough, y_rough).error == Approx(error(x + y)));
+  CHECK(rough.multiply(x_rough, y_rough).error == Approx(error(x * y)));
+  CHECK(rough.divide(x_rough, y_rough).error == Approx(error(x / y)));
+  CHECK(rough.square_root(x_rough).error == Approx(error(sqrt(x))));
+  for (const FunctionRow& row : function_table()) {
+    INFO(row.name);
+    CHECK(rough.call(row.id, x_rough, {2, 1}).error ==
+          Approx(error(rules.call(row.id, x, off("2", "1")))));
+  }
+  CHECK(rough.divide(x_rough, {1e-18, 1}).is_lost);
+}

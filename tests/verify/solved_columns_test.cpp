@@ -1,0 +1,227 @@
+// Exact runs along a program: regimes, and errors in roundoffs. Solutions lose digits in the norm
+// of D^1/2, under constraints too.
+#include "verify/bounds/solved_columns.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "verify/bounds/visit.hpp"
+#include "verify/systems.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+/// M = [1 c; c 1] and bias = (b, 0), all parameters, solved as `body` says.
+System symmetric_pair(const std::string& body, const std::string& results) {
+  const std::string leaves =
+      "  0 = parameter one\n  1 = parameter c\n  2 = parameter b\n  3 = constant 0\n";
+  ModelBuilder builder;
+  builder.coordinate("x", "m").coordinate("y", "m");
+  builder.parameter("one", "1").parameter("c", "0.5").parameter("b", "3");
+  builder.T("one*x_d^2/2 + c*x_d*y_d + one*y_d^2/2").V("b*x");
+  return system_of(builder.model,
+                   "parameters one c b\ncoordinates x y\n" +
+                       function_text("mass_matrix", leaves, "  result 2 2 = 0 1 1 0\n") +
+                       function_text("bias", leaves, "  result 2 1 = 2 3\n") +
+                       function_text("forward_dynamics", leaves + body, results));
+}
+
+// 4 -b  5 L = c/1  6 D2 = 1 - c L  7 -L r1 = c b  8 a2  9 L a2  10 a1  11 d2
+const std::string solve =
+    "  4 = negate 2\n  5 = divide 1 0\n  6 = multiply 5 1\n  7 = subtract 0 6\n"
+    "  8 = multiply 5 4\n  9 = negate 8\n  10 = divide 9 7\n  11 = multiply 5 10\n"
+    "  12 = subtract 4 11\n  13 = divide 7 0\n";
+const std::string results =
+    "  result acceleration 2 1 = 12 10\n  result relative_pivots 2 1 = 0 13\n";
+
+SampledState<double> state_with(const System& system, double c) {
+  auto states = sample_states<double>(system.subject(), {1, 3, false});
+  states.front().values.parameters[1] = c;
+  return states.front();
+}
+
+/// The same pair, driven by b and d, with x held at 0: M is eliminated first, then A M^-1 A^T.
+System held_pair(const std::optional<std::pair<std::string, std::string>>& gains = {}) {
+  const std::string leaves =
+      "  0 = parameter one\n  1 = parameter c\n  2 = parameter b\n  3 = parameter d\n"
+      "  4 = constant 0\n  5 = constant 1\n";
+  // 6 r1  7 r2  8 L = c/1  10 D2  12 z2 = r2 - L r1  13 L/D2  16 S  19 w z2 - r1  20 lambda
+  const std::string body =
+      "  6 = negate 2\n  7 = negate 3\n  8 = divide 1 0\n  9 = multiply 8 1\n"
+      "  10 = subtract 0 9\n  11 = multiply 8 6\n  12 = subtract 7 11\n  13 = divide 8 10\n"
+      "  14 = multiply 8 13\n  15 = divide 5 0\n  16 = add 15 14\n  17 = multiply 13 12\n"
+      "  18 = divide 6 0\n  19 = subtract 17 18\n  20 = divide 19 16\n"
+      // 21 z1 + W1 lambda  23 z2 + W2 lambda  24 a2  27 a1  28 d2
+      "  21 = add 6 20\n  22 = multiply 8 20\n  23 = subtract 12 22\n  24 = divide 23 10\n"
+      "  25 = divide 21 0\n  26 = multiply 8 24\n  27 = subtract 25 26\n  28 = divide 10 0\n";
+  ModelBuilder builder;
+  builder.coordinate("x", "m").coordinate("y", "m");
+  builder.parameter("one", "1").parameter("c", "0.5").parameter("b", "3.1").parameter("d", "1.7");
+  builder.T("one*x_d^2/2 + c*x_d*y_d + one*y_d^2/2").V("b*x + d*y");
+  Constraint held;
+  held.name = held.identifier = "held";
+  held.value = builder.expression("x");
+  if (gains) held.omega = builder.expression(gains->first);
+  if (gains) held.zeta = builder.expression(gains->second);
+  builder.model.constraints.push_back(held);
+  return system_of(
+      builder.model,
+      "parameters one c b d\ncoordinates x y\n" +
+          function_text("mass_matrix", leaves, "  result 2 2 = 0 1 1 0\n") +
+          function_text("bias", leaves, "  result 2 1 = 2 3\n") +
+          function_text("forward_dynamics", leaves + body,
+                        "  result acceleration 2 1 = 27 24\n"
+                        "  result relative_pivots 3 1 = 5 28 5\n  result multipliers 1 1 = 20\n") +
+          function_text("constraint_residual", "  0 = coordinate x\n  1 = velocity x\n",
+                        "  result position 1 1 = 0\n  result rate 1 1 = 1\n") +
+          function_text("constraint_jacobian", leaves, "  result 1 2 = 5 4\n") +
+          function_text("constraint_bias", leaves, "  result 1 1 = 4\n"));
+}
+
+/// Of one field of forward_dynamics.
+std::vector<SolvedColumn> columns_at(const System& system, double c, std::size_t field = 0) {
+  const Subject subject = system.subject();
+  OracleCache oracle(subject, exact_state(subject, state_with(system, c).values));
+  return solved_columns(field_places(subject, 2)[field], oracle);
+}
+
+Finding finding_at(const System& system, double c, std::size_t field = 0) {
+  const Subject subject = system.subject();
+  const SampledState<double> sample = state_with(system, c);
+  Visit<double> visit(subject, sample, {Comparison::entries, Losing::everywhere});
+  Sampler draw(1);
+  return visit.look_at(field_places(subject, 2)[field], draw);
+}
+
+/// x^2 / (x - y), then its square root.
+const char* text =
+    "coordinates x y\nfunction bias\n  0 = coordinate x\n  1 = coordinate y\n"
+    "  2 = multiply 0 0\n  3 = subtract 0 1\n  4 = divide 2 3\n  5 = square_root 4\n"
+    "  result 1 1 = 5\n";
+
+template <class Scalar>
+ExactRun run_at(double x, double y) {
+  const Program program = program_of(text);
+  State state;
+  state.q = {exact_value(x), exact_value(y)};
+  return exact_run(program, program.functions.front(), state, rounding<Scalar>());
+}
+
+}  // namespace
+
+TEST_CASE("accelerations are one column, weighed by the roots of the diagonal of M") {
+  const auto columns = columns_at(symmetric_pair(solve, results), 0.5);
+  REQUIRE(columns.size() == 1);
+  CHECK(columns[0].entries == std::vector<std::size_t>{0, 1});
+  CHECK(ScalarTraits<double>::from_real(columns[0].weights[1].value()) == Approx(1));
+  CHECK(columns_at(symmetric_pair(solve, results), 0.5, 1).empty());
+}
+
+TEST_CASE("a small acceleration beside a large one has no digits of its own") {
+  // a = (-b, c b)/(1 - c^2): at c = 1e-17 the second is lost whole in (1 + c) - 1.
+  const std::string body =
+      "  4 = add 0 1\n  5 = subtract 4 0\n  6 = negate 2\n  7 = multiply 5 2\n"
+      "  8 = multiply 1 1\n  9 = subtract 0 8\n  10 = divide 6 9\n  11 = divide 7 9\n"
+      "  12 = divide 9 0\n";
+  const System system = symmetric_pair(
+      body, "  result acceleration 2 1 = 10 11\n  result relative_pivots 2 1 = 0 12\n");
+  const Finding finding = finding_at(system, 0x1p-60);
+  CHECK(finding.mistake.empty());
+  REQUIRE(finding.loss);
+  CHECK(finding.loss->of_entry.figure < 2);
+}
+
+TEST_CASE("near a singular M a solution is right, and its lost digits are excused by K") {
+  const System system = symmetric_pair(solve, results);
+  for (const double c : {0.5, 1 - 1e-9, 1 - 1e-12}) {
+    INFO(c);
+    const Finding finding = finding_at(system, c);
+    CHECK(finding.mistake.empty());
+    REQUIRE(finding.loss);
+    CHECK(finding.loss->of_entry.figure < 64);
+  }
+  CHECK(finding_at(system, 1 - 1e-15).regime == Regime::ill_conditioned);
+}
+
+TEST_CASE("a way to solve that loses digits is told so") {
+  // (c + 1e6) - 1e6 for c in the pivot: 4 1e6  6 c  7 -b  8 L  10 D2  13 a2  15 a1
+  const std::string body =
+      "  4 = constant 1000000\n  5 = add 1 4\n  6 = subtract 5 4\n  7 = negate 2\n"
+      "  8 = divide 1 0\n  9 = multiply 8 6\n  10 = subtract 0 9\n  11 = multiply 8 7\n"
+      "  12 = negate 11\n  13 = divide 12 10\n  14 = multiply 8 13\n  15 = subtract 7 14\n"
+      "  16 = divide 10 0\n";
+  const System system = symmetric_pair(
+      body, "  result acceleration 2 1 = 15 13\n  result relative_pivots 2 1 = 0 16\n");
+  const Finding finding = finding_at(system, 0.3);
+  CHECK(finding.mistake.empty());
+  REQUIRE(finding.loss);
+  CHECK(finding.loss->of_entry.figure > 1e3);
+}
+
+TEST_CASE("multipliers are weighed by the rows of A D^-1/2") {
+  const auto multipliers = columns_at(held_pair(), 0.5, 2);
+  REQUIRE(multipliers.size() == 1);
+  CHECK(multipliers[0].entries == std::vector<std::size_t>{0});
+  CHECK(ScalarTraits<double>::from_real(multipliers[0].weights.at(0).value()) == Approx(1));
+  CHECK(columns_at(held_pair(), 0.5).size() == 1);
+}
+
+TEST_CASE("where M alone is ill-conditioned, digits are lost that the whole system would keep") {
+  const System system = held_pair();
+  const Finding finding = finding_at(system, 1 - 1e-9);
+  CHECK(finding.mistake.empty());
+  REQUIRE(finding.loss);
+  CHECK(finding.loss->of_entry.figure > 1e3);
+}
+
+TEST_CASE("each regime is told") {
+  CHECK(run_at<double>(3, 2).regime == Regime::regular);
+  CHECK(run_at<double>(2, 2).regime == Regime::undefined);
+  CHECK(run_at<double>(2, 3).regime == Regime::undefined);
+  CHECK(run_at<double>(1e160, 1).regime == Regime::overflow);
+  CHECK(run_at<float>(1e30, 1).regime == Regime::overflow);
+  CHECK(run_at<double>(1e30, 1).regime == Regime::regular);
+  // x - y is exact, sqrt(x) - y is not: hardly a digit of it is left.
+  CHECK(run_at<double>(std::nextafter(3.0, 4.0), 3).regime == Regime::regular);
+  const Program program = program_of(
+      "coordinates x y\nfunction bias\n  0 = coordinate x\n  1 = coordinate y\n"
+      "  2 = square_root 0\n  3 = subtract 2 1\n  4 = divide 0 3\n  result 1 1 = 4\n");
+  State state;
+  state.q = {exact_value(2), exact_value(std::sqrt(2.0))};
+  CHECK(exact_run(program, program.functions.front(), state, rounding<double>()).regime ==
+        Regime::ill_conditioned);
+}
+
+TEST_CASE("what leaves every exponent is an overflow too") {
+  const Program program = program_of(
+      "coordinates x\nfunction bias\n  0 = coordinate x\n  1 = exp 0\n  result 1 1 = 1\n");
+  State state;
+  state.q = {exact_value(1e300)};
+  CHECK(exact_run(program, program.functions.front(), state, rounding<double>()).regime ==
+        Regime::overflow);
+}
+
+TEST_CASE("entries are exact to 64 digits") {
+  CHECK(ScalarTraits<double>::from_real(run_at<double>(3, 2).entries.at(0).value.value()) == 3);
+}
+
+TEST_CASE("errors are measured in roundoffs, less what underflow may cost") {
+  const auto in_double = [](double x, const Real& exact, std::size_t operations) {
+    return in_roundoffs(excess_error(x, exact, operations, rounding<double>()), exact,
+                        rounding<double>());
+  };
+  const double next = std::nextafter(1.0, 2.0);
+  CHECK(in_double(1.0, Real(1), 5) == 0);
+  CHECK(in_double(next, Real(1), 5) == Approx(2));
+  CHECK(in_double(5e-324, Real(), 1) == 0);
+  CHECK(std::isinf(in_double(std::nan(""), Real(1), 1)));
+  CHECK(std::isinf(in_double(HUGE_VAL, Real(1), 1)));
+  CHECK(std::isinf(in_double(1e-100, Real(), 1)));
+  CHECK(in_roundoffs(excess_error(std::nextafter(1.0F, 2.0F), Real(1), 5, rounding<float>()),
+                     Real(1), rounding<float>()) == Approx(2));
+}
