@@ -18,14 +18,14 @@ namespace {
 // Texts of several parts
 
 /// An entry of the table that such a text becomes: bytes of the decoded text.
-struct Part {
+struct KeyPart {
   const char* key;
   std::size_t begin = 0;
   std::size_t end = 0;
   ValueKind kind = ValueKind::expression;
 };
 
-using Parts = std::vector<Part>;
+using KeyParts = std::vector<KeyPart>;
 
 /// A kind of such texts: its names in messages, and the error where it has no parts.
 struct PartedText {
@@ -33,11 +33,11 @@ struct PartedText {
   std::string_view expected;
   Code code;
   const char* hint;
-  Parts (*split)(const DecodedText& text);
+  KeyParts (*split)(const DecodedText& text);
 };
 
 /// "i in 1..n" to { index = i, low = 1, high = n }
-Parts split_repetition(const DecodedText& text) {
+KeyParts split_repetition(const DecodedText& text) {
   const std::size_t dots = text.text.find("..");
   if (dots == std::string::npos) return {};
   Lexer lexer(text, 0, dots);
@@ -50,7 +50,7 @@ Parts split_repetition(const DecodedText& text) {
 }
 
 /// "a > b" to { left = a, sign = ">", right = b }; a second comparison is an error of its side.
-Parts split_condition(const DecodedText& text) {
+KeyParts split_condition(const DecodedText& text) {
   const std::size_t begin = text.text.find_first_of("<>");
   if (begin == std::string::npos) return {};
   const std::size_t end = text.text.substr(begin + 1).starts_with('=') ? begin + 2 : begin + 1;
@@ -59,7 +59,7 @@ Parts split_condition(const DecodedText& text) {
 }
 
 /// "a = b" to { left = a, right = b }
-Parts split_equation(const DecodedText& text) {
+KeyParts split_equation(const DecodedText& text) {
   const std::size_t sign = text.text.find('=');
   if (sign == std::string::npos || text.text.find('=', sign + 1) != std::string::npos) return {};
   return {{"left", 0, sign}, {"right", sign + 1, text.text.size()}};
@@ -74,7 +74,7 @@ constexpr PartedText equation_text{"equation", "an equation (a string)", Code::E
                                    "an equation is written `left = right`, with one `=`",
                                    &split_equation};
 
-KeySyntax part_entry(const Part& part, const DecodedText& text, FileReading& reading) {
+KeySyntax part_entry(const KeyPart& part, const DecodedText& text, FileReading& reading) {
   KeySyntax result;
   result.key = part.key;
   result.key_span = result.value.span = text.span(part.begin, part.end);
@@ -94,12 +94,12 @@ ValueSyntax read_parts(const TomlValue& value, const PartedText& kind, FileReadi
     report_wrong_type(value, kind.expected, reading);
     return result;
   }
-  const Parts parts = kind.split(value.text);
+  const KeyParts parts = kind.split(value.text);
   if (parts.empty()) {
     reading.report(kind.code, value.text.whole,
                    fmt::format("{} is no {}", in_backticks(value.text.text), kind.noun), kind.hint);
   }
-  for (const Part& part : parts) {
+  for (const KeyPart& part : parts) {
     result.entries.push_back(part_entry(part, value.text, reading));
   }
   return result;

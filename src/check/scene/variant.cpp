@@ -16,7 +16,7 @@ namespace elgen {
 namespace {
 
 /// The prescribed functions that take the places of a held coordinate and of its rate.
-struct Replacement {
+struct HeldLeaf {
   std::uint32_t value = 0;
   std::uint32_t rate = 0;
 };
@@ -161,7 +161,7 @@ class VariantBuilder {
 
   const Model& whole_;
   VariablesLeft left_;
-  std::vector<Replacement> replacements_;
+  std::vector<HeldLeaf> replacements_;
   Model model_;
 };
 
