@@ -5,7 +5,8 @@
 // K = sum |z dx/dz| (accuracy/conditioning.hpp) is what one rounding of every input would cost, so
 // that an angle of 1e15 rad, which is known to a tenth, excuses what is made of it. In solutions of
 // M x = b the norm |D^1/2 x| is taken of errors and of R alike. Both are looked at only where |x -
-// x*| > 2 u |x*|; elsewhere the loss is less. Where R is 0 on paper, nothing is told.
+// x*| > 2 u |x*|, and at 16 entries of a field; elsewhere |x*| stands for R, and the loss is no
+// less than it would be. Where R is 0 on paper, nothing is told.
 #pragma once
 
 #include <map>
