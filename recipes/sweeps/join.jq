@@ -2,5 +2,5 @@
 # Of every check the row of the seed at which it is worst, with the number of seeds and the states of all of them.
 map({model, scene, seed} + .checks[])
 | group_by([.model, .scene, .check, .subject])
-| map(max_by([.verdict == "fails", .error_in_bounds // .loss // 0])
+| map(max_by([.verdict == "fails", .loss // 0])
       + {seeds: length, samples: (map(.samples) | add)})

@@ -155,7 +155,8 @@ auto RunningErrorRules<Number>::multiply(const Value& x, const Value& y) const -
   const Number value = x.value * y.value;
   const bool is_scaled = is_scale(x) || is_scale(y);
   const Number own = is_scaled ? Number{} : abs(value);
-  return made<Number>(value, x.error * abs(y.value) + y.error * abs(x.value) + own, x, y, rounding);
+  const Number farthest = abs(y.value) + rounding.roundoff * y.error;
+  return made<Number>(value, x.error * farthest + y.error * abs(x.value) + own, x, y, rounding);
 }
 
 template <class Number>
@@ -183,8 +184,11 @@ auto RunningErrorRules<Number>::call(FunctionId function, const Value& x, const 
   const bool is_binary = row.arity == 2;
   const Value& second = is_binary ? y : x;
   if (is_kinked(function)) {
-    return made<Number>(interpreter::call(function, x.value, y.value), max(x.error, second.error),
-                        x, second, rounding);
+    Value result = made<Number>(interpreter::call(function, x.value, y.value),
+                                max(x.error, second.error), x, second, rounding);
+    const bool jumps = function == FunctionId::sign;
+    result.is_lost = result.is_lost || (jumps && !is_known(x, abs(x.value), rounding));
+    return result;
   }
   if (const auto limit = limit_value(row, x.value, rounding)) {
     return made<Number>(*limit, abs(*limit), x, second, rounding);

@@ -4,13 +4,13 @@
 //
 //     leaf        |x|, or 0 where x is a number of the scalar
 //     x +- y      Ex + Ey + |x +- y|
-//     x y         Ex |y| + Ey |x| + |x y|, without the last where x or y is a power of two
-//     x / y       (Ex + |x/y| Ey) / |y| + |x/y|
-//     f(x)        |f'| Ex + |f|; of sines and cosines also u/2 Ex^2, which remains where f' = 0
+//     x y         Ex |y| + Ey |x| + u Ex Ey + |x y|, without the last where x or y is a power of
+//     two x / y       (Ex + |x/y| Ey) / |y| + |x/y| f(x)        |f'| Ex + |f|; of sines and cosines
+//     also u/2 Ex^2
 //
-// Beside that a result below the normal numbers is off by eta/u, eta the smallest denormal. All but
-// the sines of uncertain angles is of first order: N. J. Higham, Accuracy and Stability of
-// Numerical Algorithms, 2nd ed., section 3.3.
+// Beside that a result below the normal numbers is off by eta/u, eta the smallest denormal. This is
+// the first order of N. J. Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., section
+// 3.3, and the second where it is all that remains: at a zero of f', and in (x^2 - y^2)^2 at x = y.
 //
 // Number is Real, or double for a rough figure, right within a factor of two on every machine as
 // long as nothing but the last digits of a value is lost.
@@ -45,8 +45,8 @@ template <class Number>
 struct Running {
   Number value = {};
   Number error = {};     ///< E, in u; undefined where the value or a slope is
-  bool is_lost = false;  ///< made of a quotient, root or function of what is hardly known, so that
-                         ///< E says nothing
+  bool is_lost = false;  ///< made of a quotient, root, function or sign of what is hardly known, so
+                         ///< that E says nothing
   bool underflows = false;  ///< something it is made of is below the normal numbers
 };
 
@@ -94,7 +94,8 @@ struct RunningErrorRules {
   [[nodiscard]] Value multiply(const Value& x, const Value& y) const;
   [[nodiscard]] Value divide(const Value& x, const Value& y) const;
   [[nodiscard]] Value square_root(const Value& x) const;
-  /// Kinked functions pass an operand on. Functions of one argument ignore y.
+  /// Kinked functions pass an operand on; the sign of what is hardly known is lost. Functions of
+  /// one argument ignore y.
   [[nodiscard]] Value call(FunctionId function, const Value& x, const Value& y) const;
 };
 

@@ -67,6 +67,18 @@ TEST_CASE("functions pass errors on by their slopes") {
         Approx(std::atan2(3, 4) + 3.0 * 4 / 25));
 }
 
+TEST_CASE("factors that are nothing but their errors make the product of these") {
+  CHECK(error(off("0", "1024") * off("0", "4096")) == Approx(0x1p-53 * 1024 * 4096));
+  CHECK(rough.multiply({0, 1024}, {0, 4096}).error == Approx(0x1p-53 * 1024 * 4096));
+}
+
+TEST_CASE("the sign of what is hardly known is lost, that of 0 is not") {
+  CHECK_FALSE(call(FunctionId::sign, off("1", "1000")).is_lost);
+  CHECK_FALSE(call(FunctionId::sign, leaf("0")).is_lost);
+  CHECK(call(FunctionId::sign, off("1", "10000000000000000")).is_lost);
+  CHECK(rough.call(FunctionId::sign, {0, 1}, {0, 1}).is_lost);
+}
+
 TEST_CASE("where a sine does not change to first order, it does to second") {
   const double a = 3e15;
   const Value angle = off("0", "3000000000000000");

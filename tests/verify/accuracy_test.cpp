@@ -90,6 +90,12 @@ TEST_CASE("what an iteration leaves is right, and has no digits to lose") {
   }
 }
 
+TEST_CASE("what an iteration leaves is measured in its running error by its own row") {
+  const auto rows = rows_of<double>(stepped_spring());
+  CHECK(row_of(rows, "step.residual (double)").worst.find(" u E") != std::string::npos);
+  CHECK(row_of(rows, "step.rates (double)").worst.find(" ulp") != std::string::npos);
+}
+
 TEST_CASE("there is a row per output and field, dynamics included") {
   const auto rows = rows_of<double>(cart_pole_system(), 2, false);
   CHECK(rows.size() == 21);
@@ -174,6 +180,27 @@ TEST_CASE("another rounding holds, an error beyond what rounding explains fails 
   CHECK(row.worst.find("bias (double): entry 1 is ") == 0);
   CHECK(row.worst.find(" u E apart") != std::string::npos);
   CHECK(row.where.find("q = (") == 0);
+}
+
+TEST_CASE("the square of what cancels to 0 may round to the square of its error") {
+  // Contraction leaves the rounding of x x in x x - y y at x = y.
+  ModelBuilder builder;
+  builder.coordinate("x").coordinate("y").T("(x_d^2 + y_d^2)/2").V("(x^2 - y^2)^2");
+  const System system = system_of(
+      builder.model,
+      "coordinates x y\nfunction potential_energy\n  0 = coordinate x\n  1 = coordinate y\n"
+      "  2 = multiply 0 0\n  3 = multiply 1 1\n  4 = subtract 2 3\n  5 = multiply 4 4\n"
+      "  result 1 1 = 5\n");
+  auto states = sample_states<double>(system.subject(), {1, 1, false});
+  states.front().values.q = {0.7, 0.7};
+  const auto verdict_of = [&](double error) {
+    const Changed code(system.program, "potential_energy", [error](double x) { return x + error; });
+    AccuracyOptions options;
+    options.visit.as_users = &code;
+    return check_accuracy(system.subject(), states, options).back().verdict;
+  };
+  CHECK(verdict_of(7e-34) == Verdict::holds);
+  CHECK(verdict_of(1e-30) == Verdict::fails);
 }
 
 TEST_CASE("what is no number where exact arithmetic has one fails") {

@@ -111,7 +111,7 @@ TEST_CASE("a right field is exact, and its roundings are counted") {
     const Finding finding = first_finding(system, comparison, state_of(system));
     CHECK(finding.regime == Regime::regular);
     CHECK(finding.mistake.empty());
-    CHECK(finding.ulps.size() == 2);
+    CHECK(finding.errors.size() == 2);
   }
 }
 

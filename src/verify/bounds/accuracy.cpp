@@ -20,8 +20,8 @@ namespace {
 /// One field of a function, and what was found of it so far.
 struct FieldRecord {
   FieldPlace place = {};
-  std::vector<double> ulps = {};  ///< at nominal states
-  std::size_t compared = 0;       ///< states
+  std::vector<double> errors = {};  ///< at nominal states
+  std::size_t compared = 0;         ///< states
   std::map<Regime, std::size_t> states = {};
   std::string mistake = {};  ///< the first, and where
   std::string mistake_at = {};
@@ -34,7 +34,7 @@ void add(FieldRecord& record, const Finding& finding, const Subject& subject, co
     record.mistake_at = describe(subject, state);
   }
   record.compared += finding.is_compared ? 1 : 0;
-  record.ulps.insert(record.ulps.end(), finding.ulps.begin(), finding.ulps.end());
+  record.errors.insert(record.errors.end(), finding.errors.begin(), finding.errors.end());
 }
 
 double median(std::vector<double> values) {
@@ -76,9 +76,10 @@ CertificateRow row_of(const FieldRecord& record, std::string_view scalar,
   row.skipped = skipped(record);
   row.tolerance =
       "50 digits of E + |x*|, E the running error of x; NaN and infinity fail where exact "
-      "arithmetic stays below max/16";
+      "arithmetic stays below max/16 and E is known";
   row.worst = record.compared == 0 ? "no state to compare at"
-                                   : fmt::format("equal; median {:.2g} ulp", median(record.ulps));
+                                   : fmt::format("equal; median {:.2g} {}", median(record.errors),
+                                                 record.place.is_remainder() ? "u E" : "ulp");
   if (record.compared == 0) row.verdict = Verdict::skipped;
   if (!record.mistake.empty()) {
     row.worst = record.mistake;

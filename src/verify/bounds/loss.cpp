@@ -101,14 +101,14 @@ std::optional<double> Losses::figure_of(const FieldPlace& place, const ExactRun&
   static const Real negligible(power_of_ten(-45));
   if (group.most <= negligible_loss) return group.most;
   std::vector<Real> references(errors.size());
-  Real error;
+  std::vector<Real> roundings(errors.size());
   for (const std::size_t entry : group.column.entries) {
     references[entry] = abs(exact[entry]) + conditioning(place, run, entry);
-    error = max(error, run.entries[place.first + entry].error);
+    roundings[entry] = run.entries[place.first + entry].error;
   }
   const Real reference = norm(group.column, references);
   if (!reference.is_defined()) return 0;
-  if (reference <= error * negligible) return std::nullopt;
+  if (reference <= norm(group.column, roundings) * negligible) return std::nullopt;
   return in_roundoffs(norm(group.column, errors), reference, rounding_);
 }
 

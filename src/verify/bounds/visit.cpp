@@ -154,15 +154,20 @@ Mismatch Visit<Scalar>::differing_projection(const FieldPlace& place, Sampler& d
 
 template <class Scalar>
 void Visit<Scalar>::measure(const FieldPlace& place, Finding& finding) const {
+  const std::size_t operations = place.function->instructions.size();
   for (std::size_t i = 0; i < place.field().entries.size(); ++i) {
-    const Real& truth = exact(place, i).value;
+    const Running<Real>& truth = exact(place, i);
     const Scalar x = values_[place.first + i];
     if (!std::isfinite(x)) {
-      finding.mistake = fmt::format("entry {} is {} instead of {}", i + 1, x, short_text(truth));
+      finding.mistake =
+          fmt::format("entry {} is {} instead of {}", i + 1, x, short_text(truth.value));
       return;
     }
-    if (sample_.region != Region::nominal || cln::zerop(truth.value())) continue;
-    finding.ulps.push_back(ulps_apart(x, truth));
+    if (sample_.region != Region::nominal || is_zero(truth.value)) continue;
+    const Real error = excess_error(x, truth.value, operations, rounding<Scalar>());
+    finding.errors.push_back(place.is_remainder()
+                                 ? in_roundoffs(error, truth.error, rounding<Scalar>())
+                                 : ulps_apart(x, truth.value));
   }
 }
 

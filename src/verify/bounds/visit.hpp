@@ -36,7 +36,7 @@ struct Finding {
   Regime regime = Regime::regular;  ///< of the program, or of the oracle where that has no value
   bool is_compared = false;         ///< exact values with the oracle's
   std::string mistake = {};         ///< an exact value that is not the oracle's, or no number
-  std::vector<double> ulps = {};    ///< of entries that are not 0
+  std::vector<double> errors = {};  ///< of entries that are not 0, in ulp; of remainders in u E
   std::optional<Loss> loss = {};    ///< none where it is not asked for, or cannot be told
   std::optional<double> users_error = {};  ///< |x_users - x| in u E, where there is such code
   std::string users_mistake = {};          ///< an entry that is further off than 16
