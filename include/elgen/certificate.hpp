@@ -28,11 +28,10 @@ enum class Verdict : std::uint8_t {
 
 /// Why nothing is said at a state.
 enum class Obstacle : std::uint8_t {
-  overflow,         ///< an exact intermediate is near the scalar's largest number
-  undefined,        ///< outside of the domain: 1/0, sqrt(-1)
-  ill_conditioned,  ///< rounding has no estimate, or the solution is not known
-  singular,         ///< M is singular: a pole, a gimbal
-  unsettled,        ///< 1000 digits do not tell whether program and oracle are one: 1 - cos(1e-300)
+  overflow,   ///< an exact intermediate is near the scalar's largest number
+  undefined,  ///< outside of the domain: 1/0, sqrt(-1)
+  singular,   ///< M is singular: a pole, a gimbal
+  unsettled,  ///< 1000 digits do not tell whether program and oracle are one: 1 - cos(1e-300)
 };
 
 /// The evidence that a row rests on.

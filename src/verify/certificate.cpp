@@ -29,13 +29,12 @@ using Json = nlohmann::ordered_json;
 using OutputRows = std::pair<std::string, Rows>;
 
 constexpr std::array<std::string_view, 4> verdict_words{"holds", "FAILS", "skipped", "noted"};
-constexpr std::array<std::string_view, 5> obstacle_words{"overflow", "outside the domain",
-                                                         "too ill-conditioned", "singular",
-                                                         "where the oracle cannot say"};
+constexpr std::array<std::string_view, 4> obstacle_words{"overflow", "outside the domain",
+                                                         "singular", "where the oracle cannot say"};
 
 constexpr std::array<std::string_view, 4> verdict_names{"holds", "fails", "skipped", "noted"};
-constexpr std::array<std::string_view, 5> obstacle_names{"overflow", "undefined", "ill_conditioned",
-                                                         "singular", "unsettled"};
+constexpr std::array<std::string_view, 4> obstacle_names{"overflow", "undefined", "singular",
+                                                         "unsettled"};
 constexpr std::array<std::string_view, 4> evidence_names{"states", "proof", "zeros", "numbers"};
 
 template <class Enum, std::size_t size>
@@ -43,7 +42,7 @@ std::string_view word(const std::array<std::string_view, size>& words, Enum valu
   return words[static_cast<std::size_t>(value)];
 }
 
-/// "41 states too ill-conditioned, 1 overflow"
+/// "41 outside the domain, 1 overflow"
 std::string skipped_text(const CertificateRow& row) {
   std::string text;
   for (const SkippedStates& some : row.skipped) {

@@ -72,6 +72,31 @@ System tangent_less_sine() {
                         "  result 1 1 = 9\n");
 }
 
+/// A load on a rope of length l at the angle th: a_l = l th_d^2 + g cos(th), and of
+/// a_th = -(2 l_d th_d + g sin(th))/l the oracle has what is left of forces without l.
+System crane(const std::string& twice = "13 = add 12 12") {
+  ModelBuilder builder;
+  builder.coordinate("l").coordinate("th").parameter("m", "50").parameter("g", "9.81");
+  builder.point("load", {"l*sin(th)", "-l*cos(th)"}, "m").gravity({"0", "-g"});
+  return system_of(builder.model,
+                   "parameters m g\ncoordinates l th\nfunction forward_dynamics\n"
+                   "  0 = parameter g\n  1 = coordinate l\n  2 = coordinate th\n"
+                   "  3 = velocity l\n  4 = velocity th\n  5 = sin 2\n  6 = cos 2\n"
+                   "  7 = multiply 0 6\n  8 = multiply 4 4\n  9 = multiply 1 8\n"
+                   "  10 = add 9 7\n  11 = multiply 0 5\n  12 = multiply 3 4\n  " +
+                       twice +
+                       "\n  14 = add 13 11\n  15 = divide 14 1\n  16 = negate 15\n"
+                       "  17 = constant 1\n  result acceleration 2 1 = 10 16\n"
+                       "  result relative_pivots 2 1 = 17 17\n");
+}
+
+SampledState<double> state_at_length(const System& system, double l) {
+  SampledState<double> state = state_of(system, Region::extreme);
+  state.values.q = {l, 0.3};
+  state.values.v = {1, 2};
+  return state;
+}
+
 SampledState<double> state_at(const System& system, double x) {
   SampledState<double> state = state_of(system, Region::extreme);
   state.values.q[0] = x;
@@ -132,6 +157,24 @@ TEST_CASE("where 1 - cos(x) asks for more digits, program and oracle get them") 
         CHECK(finding.regime == Regime::regular);
       }
     }
+  }
+}
+
+TEST_CASE("a solution that large forces leave is compared in as many digits as it takes") {
+  const System right = crane();
+  for (const double l : {1.0, -1e-10, -1e-150}) {
+    for (const Comparison comparison : {Comparison::entries, Comparison::projections}) {
+      const Finding finding = first_finding(right, comparison, state_at_length(right, l));
+      INFO(l << ": " << finding.mistake);
+      CHECK(finding.is_compared);
+      CHECK(finding.mistake.empty());
+    }
+  }
+  const System wrong = crane("13 = add 12 3");
+  for (const double l : {1.0, -1e-10}) {
+    INFO(l);
+    CHECK_FALSE(
+        first_finding(wrong, Comparison::entries, state_at_length(wrong, l)).mistake.empty());
   }
 }
 

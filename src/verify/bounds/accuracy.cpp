@@ -46,11 +46,9 @@ double median(std::vector<double> values) {
 
 std::vector<SkippedStates> skipped(const FieldRecord& record) {
   std::vector<SkippedStates> result;
-  for (const auto& [regime, obstacle] :
-       {std::pair(Regime::overflow, Obstacle::overflow),
-        std::pair(Regime::undefined, Obstacle::undefined),
-        std::pair(Regime::ill_conditioned, Obstacle::ill_conditioned),
-        std::pair(Regime::unsettled, Obstacle::unsettled)}) {
+  for (const auto& [regime, obstacle] : {std::pair(Regime::overflow, Obstacle::overflow),
+                                         std::pair(Regime::undefined, Obstacle::undefined),
+                                         std::pair(Regime::unsettled, Obstacle::unsettled)}) {
     const auto found = record.states.find(regime);
     if (found != record.states.end()) result.push_back({obstacle, found->second});
   }

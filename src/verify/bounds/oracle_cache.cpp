@@ -70,40 +70,6 @@ cln::cl_R OracleCache::inertia() {
   return largest_of(*mass) * (largest_of(state_.v) + largest_of(state_.a));
 }
 
-bool OracleCache::solves() {
-  if (!solves_) solves_ = solution_is_known();
-  return *solves_;
-}
-
-bool OracleCache::solution_is_known() {
-  static const cln::cl_R digits = power_of_ten(-95);
-  static const cln::cl_R wanted = power_of_ten(-50);
-  static const cln::cl_R least_pivot = power_of_ten(-40);  // 55 digits are left of itself
-  const OracleValues& solution = values({.kind = OutputKind::forward_dynamics});
-  const OracleValues& mass = values({.kind = OutputKind::mass_matrix});
-  if (!solution || !mass) return false;
-  const std::size_t n = state_.v.size();
-  const std::size_t pivots = n + subject_.model.constraints.size();
-  for (std::size_t i = n; i < n + pivots; ++i) {
-    if (cln::abs((*solution)[i]) < least_pivot) return false;
-  }
-  const cln::cl_R largest_force = force();
-  cln::cl_R largest_mass = 0;
-  cln::cl_R largest_acceleration = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    largest_mass = cln::max(largest_mass, cln::abs((*mass)[i * n + i]));
-    largest_acceleration = cln::max(largest_acceleration, cln::abs((*solution)[i]));
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    const cln::cl_R pivot = cln::abs((*solution)[n + i] * (*mass)[i * n + i]);
-    if (cln::zerop(pivot)) return false;
-    // An acceleration that cancels to 0 is known as well as forces of this size allow.
-    const cln::cl_R scale = cln::max(largest_acceleration, largest_force / largest_mass);
-    if (digits * largest_force > wanted * scale * pivot) return false;
-  }
-  return true;
-}
-
 bool agrees(const Running<Real>& number, const Real& truth, const Real& drowning) {
   static const Real of_error(power_of_ten(-digits_of_error));
   static const Real of_drowning(power_of_ten(-digits_of_drowning));

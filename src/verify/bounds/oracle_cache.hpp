@@ -35,12 +35,6 @@ class OracleCache {
   ///     |v|^2 + |a|              accelerations of points and frames, also without energies
   [[nodiscard]] const cln::cl_R& drowning();
 
-  /// Whether the oracle's solution of M a = b is known to 50 digits. It is solved in 95, entry i of
-  /// a with an error of 1e-95 F/(d_i M_ii), where F is the largest force and d_i the relative
-  /// pivot: near a singular chart, where constraints almost depend on each other, and where large
-  /// forces cancel to almost nothing, less is left.
-  [[nodiscard]] bool solves();
-
  private:
   const Subject& subject_;
   State state_;
@@ -48,11 +42,9 @@ class OracleCache {
   std::optional<std::vector<cln::cl_R>> diagonal_ = {};
   std::optional<cln::cl_R> energy_ = {};
   std::optional<cln::cl_R> drowning_ = {};
-  std::optional<bool> solves_ = {};
 
   [[nodiscard]] cln::cl_R force();
   [[nodiscard]] cln::cl_R inertia();
-  [[nodiscard]] bool solution_is_known();
 };
 
 /// To 50 digits of E + |truth|, or 52 of `drowning`: a number that is zero on paper has no E worth
