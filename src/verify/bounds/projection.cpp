@@ -25,6 +25,34 @@ Mismatch mismatch(const std::string& what, const Real& value, const cl_R& truth)
           value, Real(truth)};
 }
 
+/// Both sides of an equation between projected forces, each a number of the oracle's.
+Mismatch compare_forces(const std::string& what, const cl_R& left, const cl_R& right,
+                        OracleCache& oracle) {
+  const Running<Real> sum{Real(left), Real(cln::abs(left) + cln::abs(right))};
+  if (agrees_with_oracle(sum, right, oracle)) return {};
+  return mismatch(what, sum.value, right);
+}
+
+/// Values of the program where it has them and the model is big, else the oracle's.
+OracleValues values_of(const Subject& subject, OutputKind kind, OracleCache& oracle) {
+  const Function* function = find_function(subject.program, kind);
+  const State& state = oracle.state();
+  if (function == nullptr || state.v.size() <= directly_solved)
+    return oracle.values({.kind = kind});
+  return defined_values(evaluate(subject.program, *function, arguments_at<Real>(state)));
+}
+
+/// In the model's order of elimination.
+OracleValues pivots_of_mass(const Subject& subject, OracleCache& oracle) {
+  OracleValues m = values_of(subject, OutputKind::mass_matrix, oracle);
+  if (!m) return std::nullopt;
+  const bool last_first = eliminates_last_first(subject.model);
+  if (last_first) std::ranges::reverse(*m);
+  OracleValues pivots = oracle_relative_pivots(std::move(*m), oracle.state().v.size());
+  if (last_first && pivots) std::ranges::reverse(*pivots);
+  return pivots;
+}
+
 /// One field at one state.
 class Projection {
  public:
@@ -34,7 +62,9 @@ class Projection {
 
   Mismatch compare() {
     const OutputRow& output = output_row(place_.request.kind);
-    if (!output.solves || !subject_.model.constraints.empty()) return compare_contraction();
+    if (!output.solves || !subject_.model.constraints.empty()) {
+      return compare_contraction(place_.field().rows);
+    }
     if (!output.gives_pivots) return compare_response();
     const bool is_acceleration = place_.field().name == "acceleration";
     return is_acceleration ? compare_acceleration() : compare_pivots();
@@ -60,34 +90,25 @@ class Projection {
     return sum;
   }
 
-  Mismatch compare_contraction() {
+  /// Of the first rows.
+  Mismatch compare_contraction(std::size_t rows) {
     const Field& field = place_.field();
     if (field.entries.empty()) return {};
-    Contraction by{draw_.vector(field.rows), {}, place_.request_field};
+    Contraction by{draw_.vector(rows), {}, place_.request_field};
+    by.w.resize(field.rows, cl_R(0));
     const bool is_matrix = row().columns != Extent::one || field.columns > 1;
     if (is_matrix) by.y = draw_.vector(field.columns);
-    return compare_by(by);
-  }
-
-  Mismatch compare_by(const Contraction& by) {
     const Running<Real> sum = contracted(by);
     const auto truth = oracle_contraction(subject_.model, place_.request, state(), by);
     if (!truth || agrees_with_oracle(sum, *truth, oracle_)) return {};
-    const std::string of_field = place_.field().name.empty() ? "" : " of " + place_.field().name;
-    return mismatch((by.y.empty() ? "w.x" : "w.X y") + of_field, sum.value, *truth);
+    const std::string of_field = field.name.empty() ? "" : " of " + field.name;
+    return mismatch((is_matrix ? "w.X y" : "w.x") + of_field, sum.value, *truth);
   }
 
   /// An entry is undefined: a mistake where the oracle has a value.
   Mismatch compare_undefined(const std::string& what) {
     const OracleValues& truth = oracle_.values(place_.request);
     return truth ? mismatch(what, Real::undefined(), truth->front()) : Mismatch();
-  }
-
-  /// Both sides of an equation between projected forces, each a number of the oracle's.
-  Mismatch compare_forces(const std::string& what, const cl_R& left, const cl_R& right) {
-    const Running<Real> sum{Real(left), Real(cln::abs(left) + cln::abs(right))};
-    if (agrees_with_oracle(sum, right, oracle_)) return {};
-    return mismatch(what, sum.value, right);
   }
 
   /// w.B y
@@ -108,31 +129,11 @@ class Projection {
         oracle_contraction(subject_.model, {.kind = OutputKind::inverse_dynamics}, moving, {w});
     const auto driven = input_force(w, state().u);
     if (!force || !driven) return {};
-    return compare_forces("w.(M a + bias)", *force, *driven);
-  }
-
-  /// Those of the program where it has them and the model is big, else the oracle's.
-  OracleValues values_of(OutputKind kind) {
-    const Function* function = find_function(subject_.program, kind);
-    if (function != nullptr && state().v.size() > directly_solved) {
-      return defined_values(evaluate(subject_.program, *function, arguments_at<Real>(state())));
-    }
-    return oracle_.values({.kind = kind});
-  }
-
-  /// Of M in the model's order of elimination.
-  OracleValues pivots_of_mass() {
-    OracleValues m = values_of(OutputKind::mass_matrix);
-    if (!m) return std::nullopt;
-    const bool last_first = eliminates_last_first(subject_.model);
-    if (last_first) std::reverse(m->begin(), m->end());
-    OracleValues pivots = oracle_relative_pivots(std::move(*m), state().v.size());
-    if (last_first && pivots) std::reverse(pivots->begin(), pivots->end());
-    return pivots;
+    return compare_forces("w.(M a + bias)", *force, *driven, oracle_);
   }
 
   Mismatch compare_pivots() {
-    const OracleValues pivots = pivots_of_mass();
+    const OracleValues pivots = pivots_of_mass(subject_, oracle_);
     if (!pivots) return {};
     for (std::size_t i = 0; i < pivots->size(); ++i) {
       const Real truth((*pivots)[i]);
@@ -160,17 +161,16 @@ class Projection {
   /// The number that w.M z has to be, where z is the response to the changes y.
   std::optional<cl_R> response_force(const Numbers& w, const Numbers& y) {
     if (row().columns == Extent::inputs) return input_force(w, y);
-    const auto solution = values_of(OutputKind::forward_dynamics);
+    const auto solution = values_of(subject_, OutputKind::forward_dynamics, oracle_);
     if (!solution) return std::nullopt;
-    const std::size_t n = w.size();
     State moving = state();
-    std::copy_n(solution->begin(), n, moving.a.begin());
-    const Numbers rest(n, cl_R(0));
-    const bool is_of_state = row().columns == Extent::states;
-    const auto middle = y.begin() + static_cast<std::ptrdiff_t>(is_of_state ? n : 0);
+    std::copy_n(solution->begin(), w.size(), moving.a.begin());
+    const auto n = static_cast<std::ptrdiff_t>(w.size());
+    const Numbers rest(w.size(), cl_R(0));
     const bool by_velocity = row().name == "by_velocity";
-    const Numbers x = is_of_state ? Numbers(y.begin(), middle) : by_velocity ? rest : y;
-    const Numbers rates = is_of_state ? Numbers(middle, y.end()) : by_velocity ? y : rest;
+    const bool by_rates = by_velocity || row().columns == Extent::states;
+    const Numbers x = by_velocity ? rest : Numbers(y.begin(), y.begin() + n);
+    const Numbers rates = by_rates ? Numbers(y.end() - n, y.end()) : rest;
     const auto slope = oracle_residual_slope(subject_.model, moving, w, x, rates);
     return slope ? std::optional<cl_R>(-*slope) : std::nullopt;
   }
@@ -187,17 +187,9 @@ class Projection {
     const auto left = oracle_contraction(subject_.model, mass, state(), {w, *z});
     const auto right = response_force(w, y);
     if (!left || !right) return {};
-    const Mismatch wrong = compare_forces("w.M (X y) of " + field.name, *left, *right);
-    return wrong.text.empty() && field.rows > n ? compare_rates() : wrong;
-  }
-
-  /// The rows above those of accelerations, which nothing is solved for.
-  Mismatch compare_rates() {
-    const Field& field = place_.field();
-    const std::size_t n = state().v.size();
-    Contraction by{draw_.vector(n), draw_.vector(field.columns), place_.request_field};
-    by.w.resize(field.rows, cl_R(0));
-    return compare_by(by);
+    const Mismatch wrong = compare_forces("w.M (X y) of " + field.name, *left, *right, oracle_);
+    // Nothing is solved for in the rows above those of accelerations.
+    return wrong.text.empty() && field.rows > n ? compare_contraction(n) : wrong;
   }
 
   const Subject& subject_;
