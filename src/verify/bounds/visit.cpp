@@ -58,11 +58,11 @@ Mismatch mismatch(std::size_t entry, const Real& value, const Real& truth) {
           value, truth};
 }
 
-using Entries = std::vector<Running<Real>>;
-
-Entries slice(const Entries& entries, std::size_t first, std::size_t count) {
-  const auto begin = entries.begin() + static_cast<std::ptrdiff_t>(first);
-  return {begin, begin + static_cast<std::ptrdiff_t>(count)};
+/// The function of one field that a field of `dynamics` repeats; null where there is none.
+const Function* repeated(const Program& program, const FieldPlace& place) {
+  if (!output_row(place.function->kind).repeats) return nullptr;
+  const auto found = std::ranges::find(program.functions, place.field().name, &Function::name);
+  return found == program.functions.end() || found->fields.size() != 1 ? nullptr : &*found;
 }
 
 }  // namespace
@@ -77,21 +77,21 @@ Visit<Scalar>::Visit(const Subject& subject, const SampledState<Scalar>& sample,
       losses_(subject, oracle_, rounding<Scalar>(), options.least_loss) {}
 
 template <class Scalar>
+const ExactRun& Visit<Scalar>::exact_run_of(const Function& function) {
+  const auto known = exact_runs_.find(&function);
+  if (known != exact_runs_.end()) return known->second;
+  return exact_runs_[&function] =
+             exact_run(subject_.program, function, state(), rounding<Scalar>());
+}
+
+template <class Scalar>
 void Visit<Scalar>::run(const FieldPlace& place) {
-  if (place.function != function_) {
-    function_ = place.function;
-    exact_ = exact_run(subject_.program, *function_, state(), rounding<Scalar>());
-    values_ = evaluate(subject_.program, *function_, sample_.values);
-    if (options_.as_users != nullptr) {
-      users_values_ = options_.as_users->call(function_->name, sample_.values);
-    }
-    const bool is_repeated =
-        options_.comparison == Comparison::projections && function_->fields.size() == 1;
-    if (is_repeated) known_[function_->name] = exact_.entries;
-  }
-  if (place.form.function == nullptr || place.form.function == form_) return;
-  form_ = place.form.function;
-  form_entries_ = exact_run(subject_.program, *form_, state(), rounding<Scalar>()).entries;
+  if (place.function == function_) return;
+  function_ = place.function;
+  exact_ = &exact_run_of(*function_);
+  values_ = evaluate(subject_.program, *function_, sample_.values);
+  if (options_.as_users == nullptr) return;
+  users_values_ = options_.as_users->call(function_->name, sample_.values);
 }
 
 template <class Scalar>
@@ -107,48 +107,45 @@ Mismatch Visit<Scalar>::differing_entry(const FieldPlace& place, Finding& findin
     const Running<Real>& own = exact(place, i);
     if (!agrees_with_oracle(own, entry, oracle_)) return mismatch(i, own.value, Real(entry));
     if (place.form.function == nullptr) continue;
-    const Running<Real>& form = form_entries_[place.form.first + i];
+    const Running<Real>& form = exact_run_of(*place.form.function).entries[place.form.first + i];
     if (!agrees_with_oracle(form, entry, oracle_)) return mismatch(i, form.value, Real(entry));
   }
   return {};
 }
 
 template <class Scalar>
-Mismatch Visit<Scalar>::differing_from(const FieldPlace& place, const Entries& others,
-                                       std::string_view of) const {
-  for (std::size_t i = 0; i < others.size(); ++i) {
+Mismatch Visit<Scalar>::differing_from(const FieldPlace& place, const Function& other_function,
+                                       std::size_t first, std::string_view name) {
+  const ExactRun& others = exact_run_of(other_function);
+  for (std::size_t i = 0; i < place.field().entries.size(); ++i) {
     const Running<Real>& own = exact(place, i);
-    Running<Real> other = others[i];
+    Running<Real> other = others.entries[first + i];
     if (!own.value.is_defined() && !other.value.is_defined()) continue;
     other.error = other.error + own.error;
     if (agrees(other, own.value, Real())) continue;
     return {fmt::format("entry {} is {}, but {} in {}", i + 1, short_text(own.value),
-                        short_text(other.value), of),
+                        short_text(other.value), name),
             own.value, other.value};
   }
   return {};
 }
 
 template <class Scalar>
-bool Visit<Scalar>::is_defined(const FieldPlace& place) const {
-  const Entries entries = slice(exact_.entries, place.first, place.field().entries.size());
-  return std::ranges::all_of(entries, [](const auto& x) { return x.value.is_defined(); });
-}
-
-template <class Scalar>
 Mismatch Visit<Scalar>::differing_projection(const FieldPlace& place, Sampler& draw) {
-  const bool repeats = output_row(place.function->kind).repeats;
-  const auto known = repeats ? known_.find(place.field().name) : known_.end();
-  if (known != known_.end())
-    return differing_from(place, known->second, "the function of its name");
+  const Function* const same = repeated(subject_.program, place);
+  if (same != nullptr) return differing_from(place, *same, 0, "the function of its name");
   // An entry without a value is compared with the oracle alone: a closed form may have one outside
   // of the domain, where a solution that it belongs to has none.
-  if (place.form.function != nullptr && is_defined(place)) {
-    const Entries form = slice(form_entries_, place.form.first, place.field().entries.size());
-    Mismatch differs = differing_from(place, form, "its closed form");
+  bool is_defined = true;
+  for (std::size_t i = 0; i < place.field().entries.size(); ++i) {
+    is_defined = is_defined && exact(place, i).value.is_defined();
+  }
+  if (place.form.function != nullptr && is_defined) {
+    Mismatch differs =
+        differing_from(place, *place.form.function, place.form.first, "its closed form");
     if (!differs.text.empty()) return differs;
   }
-  return compare_projection(subject_, place, exact_, oracle_, draw);
+  return compare_projection(subject_, place, *exact_, oracle_, draw);
 }
 
 template <class Scalar>
@@ -209,7 +206,7 @@ std::optional<Loss> Visit<Scalar>::measured_loss(const FieldPlace& place) {
     errors.push_back(error > unknown && !own.underflows ? error : Real());
     references.push_back(abs(own.value) > unknown ? own.value : Real());
   }
-  Loss loss = losses_.of_field(place, exact_, errors, references);
+  Loss loss = losses_.of_field(place, *exact_, errors, references);
   // Where the largest entry itself cancels, what the inputs' rounding costs is no loss.
   double& of_field = loss.of_field.figure;
   if (sample_.region == Region::near_zero) of_field = std::min(of_field, loss.of_entry.figure);
@@ -227,44 +224,40 @@ bool Visit<Scalar>::may_lose(const FieldPlace& place) const {
 template <class Scalar>
 Finding Visit<Scalar>::look_at(const FieldPlace& place, Sampler& draw) {
   const Sampler directions = draw;
-  Finding first = found(place, draw);
-  if (mismatch_.text.empty()) return first;
+  Look look = found(place, draw);
   const double telling = telling_digits(state());
   const unsigned most = most_digits(subject_.program);
-  Mismatch before = mismatch_;
-  for (unsigned digits = digits_of_first_look; digits < most; digits *= 2) {
-    const auto closer_look = [&]() -> std::optional<Finding> {
-      Visit closer(subject_, sample_, options_);
+  for (unsigned digits = digits_of_first_look; !look.mismatch.text.empty(); digits *= 2) {
+    if (digits >= most) return Finding{.regime = Regime::unsettled};
+    Look closer = with_digits(2 * digits - digits_of_first_look, [&] {
       Sampler same = directions;
-      Finding finding = closer.found(place, same);
-      const bool is_told = digits >= telling && is_settled(before, closer.mismatch_);
-      if (closer.mismatch_.text.empty() || is_told) return finding;
-      before = closer.mismatch_;
-      return std::nullopt;
-    };
-    const auto finding = with_digits(2 * digits - digits_of_first_look, closer_look);
-    if (finding) return *finding;
+      return Visit(subject_, sample_, options_).found(place, same);
+    });
+    const bool is_told = digits >= telling && is_settled(look.mismatch, closer.mismatch);
+    if (is_told) return closer.finding;
+    look = std::move(closer);
   }
-  return Finding{.regime = Regime::unsettled};
+  return look.finding;
 }
 
 template <class Scalar>
-Finding Visit<Scalar>::found(const FieldPlace& place, Sampler& draw) {
+auto Visit<Scalar>::found(const FieldPlace& place, Sampler& draw) -> Look {
   run(place);
-  mismatch_ = {};
-  Finding finding{.regime = exact_.regime};
+  Look look;
+  Finding& finding = look.finding;
+  finding.regime = exact_->regime;
   finding.is_compared = has_values(finding.regime);
   // At ordinary states the oracle is asked all the same: what has a value there must have one here.
-  if (!has_values(finding.regime) && sample_.region != Region::nominal) return finding;
-  mismatch_ = options_.comparison == Comparison::entries ? differing_entry(place, finding)
-                                                         : differing_projection(place, draw);
-  finding.mistake = mismatch_.text;
-  if (!finding.mistake.empty()) return finding;
-  if (has_values(exact_.regime) && may_lose(place)) finding.loss = measured_loss(place);
-  if (finding.regime != Regime::regular) return finding;
+  if (!finding.is_compared && sample_.region != Region::nominal) return look;
+  look.mismatch = options_.comparison == Comparison::entries ? differing_entry(place, finding)
+                                                             : differing_projection(place, draw);
+  finding.mistake = look.mismatch.text;
+  if (!finding.mistake.empty()) return look;
+  if (has_values(exact_->regime) && may_lose(place)) finding.loss = measured_loss(place);
+  if (finding.regime != Regime::regular) return look;
   measure(place, finding);
   if (finding.mistake.empty() && options_.as_users != nullptr) measure_users(place, finding);
-  return finding;
+  return look;
 }
 
 std::size_t work_of_state(const Subject& subject) {

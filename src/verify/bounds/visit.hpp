@@ -68,15 +68,21 @@ class Visit {
   [[nodiscard]] Finding look_at(const FieldPlace& place, Sampler& draw);
 
  private:
-  [[nodiscard]] Finding found(const FieldPlace& place, Sampler& draw);
+  /// A finding, and the two numbers that differ where it is a mistake.
+  struct Look {
+    Finding finding = {};
+    Mismatch mismatch = {};
+  };
+
+  [[nodiscard]] Look found(const FieldPlace& place, Sampler& draw);
   void run(const FieldPlace& place);
+  /// Exact runs, each made once.
+  const ExactRun& exact_run_of(const Function& function);
   [[nodiscard]] Mismatch differing_entry(const FieldPlace& place, Finding& finding);
-  /// Whether all entries of the field have exact values.
-  [[nodiscard]] bool is_defined(const FieldPlace& place) const;
   [[nodiscard]] Mismatch differing_projection(const FieldPlace& place, Sampler& draw);
-  [[nodiscard]] Mismatch differing_from(const FieldPlace& place,
-                                        const std::vector<Running<Real>>& others,
-                                        std::string_view of) const;
+  /// Against the entries from `first` on that another function has.
+  [[nodiscard]] Mismatch differing_from(const FieldPlace& place, const Function& other,
+                                        std::size_t first, std::string_view name);
   void measure(const FieldPlace& place, Finding& finding) const;
   void measure_users(const FieldPlace& place, Finding& finding) const;
   /// None where an entry has no exact value.
@@ -85,7 +91,7 @@ class Visit {
 
   /// Entry i of the field, in 64 digits.
   [[nodiscard]] const Running<Real>& exact(const FieldPlace& place, std::size_t i) const {
-    return exact_.entries[place.first + i];
+    return exact_->entries[place.first + i];
   }
 
   const Subject& subject_;
@@ -93,15 +99,11 @@ class Visit {
   VisitOptions options_;
   OracleCache oracle_;
   Losses losses_;
+  std::map<const Function*, ExactRun> exact_runs_ = {};
   const Function* function_ = nullptr;  ///< of the following runs
-  ExactRun exact_ = {};
+  const ExactRun* exact_ = nullptr;
   std::vector<Scalar> values_ = {};
   std::vector<Scalar> users_values_ = {};  ///< of the code as users compile it
-  Mismatch mismatch_ = {};                 ///< of the last field
-  const Function* form_ = nullptr;
-  std::vector<Running<Real>> form_entries_ = {};
-  /// Entries of functions of one field.
-  std::map<std::string, std::vector<Running<Real>>> known_ = {};
 };
 
 /// The work of a state: instructions, and the oracle's exact solution of constrained equations.
