@@ -3,6 +3,7 @@
 // table of outputs.
 #include "verify/structure/identities.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -10,8 +11,14 @@
 
 namespace elgen {
 
-void add_all(Balance& balance, const std::vector<Real>& terms, int factor) {
-  for (std::size_t i = 0; i < terms.size(); ++i) balance.add(i, terms[i] * factor);
+Balance balance_of(const std::vector<Terms>& all) {
+  Balance balance(all.front().values.size() / all.front().per_entry);
+  for (const Terms& terms : all) {
+    for (std::size_t i = 0; i < terms.values.size(); ++i) {
+      balance.add(i / terms.per_entry, terms.values[i] * terms.factor);
+    }
+  }
+  return balance;
 }
 
 Arguments<Real> unit_position(const ExactValues& at, std::size_t i) {
@@ -27,12 +34,13 @@ namespace {
 using K = OutputKind;
 using Values = std::vector<Real>;
 
-/// balance_i += factor * sum_j matrix_ij x_j
-void add_product(Balance& balance, const Values& matrix, const Values& x, int factor) {
-  if (x.empty()) return;
+/// factor * sum_j matrix_ij x_j
+Terms product(const Values& matrix, const Values& x, int factor = 1) {
+  Terms terms{matrix, factor, std::max<std::size_t>(x.size(), 1)};
   for (std::size_t i = 0; i < matrix.size(); ++i) {
-    balance.add(i / x.size(), matrix[i] * x[i % x.size()] * factor);
+    terms.values[i] = matrix[i] * x[i % x.size()];
   }
+  return terms;
 }
 
 Arguments<Real> unit_rate(const ExactValues& at, std::size_t i) {
@@ -41,12 +49,14 @@ Arguments<Real> unit_rate(const ExactValues& at, std::size_t i) {
   return direction;
 }
 
-/// balance_i += factor * the derivative of an energy along each direction
-void add_gradient(Balance& balance, const ExactValues& at, K energy,
-                  Arguments<Real> (*direction)(const ExactValues&, std::size_t), int factor) {
+/// The derivatives of an energy along the directions of all velocities.
+Values gradient(const ExactValues& at, K energy,
+                Arguments<Real> (*direction)(const ExactValues&, std::size_t)) {
+  Values slopes;
   for (std::size_t i = 0; i < at.size(); ++i) {
-    balance.add(i, at.slopes(energy, direction(at, i))[0] * factor);
+    slopes.push_back(at.slopes(energy, direction(at, i))[0]);
   }
+  return slopes;
 }
 
 Values acceleration(ExactValues& at) {
@@ -101,115 +111,85 @@ Balance skew(ExactValues& at) {
   return balance;
 }
 
-/// -dL/dt = dE/dt - v.dp/dt, both at rest, since L = v.p - E
-void add_explicit_time(Balance& balance, ExactValues& at) {
-  if (!at.subject().model.uses_time) return;
-  Arguments<Real> direction = at.at_rest();
-  direction.t = Real(1);
-  balance.add(0, -at.slopes(K::energy_function, direction)[0]);
-  const Values p_rate = at.slopes(K::momentum, direction);
-  for (std::size_t i = 0; i < at.size(); ++i) balance.add(0, at.arguments().v[i] * p_rate[i]);
-}
-
-/// dE/dt - v.(B u + Q - dD/dv + A^T lambda) + dL/dt
+/// dE/dt - v.(B u + Q - dD/dv + A^T lambda) + dL/dt, where -dL/dt = dE/dt - v.dp/dt, both at rest,
+/// since L = v.p - E
 Balance power(ExactValues& at) {
   Arguments<Real> motion = at.at_rest();
   motion.q = at.coordinate_rates(at.arguments().v);
   motion.v = acceleration(at);
   motion.t = Real(1);
-  Balance balance(1);
-  balance.add(0, at.slopes(K::energy_function, motion)[0]);
-  add_explicit_time(balance, at);
-  const Values input = input_force(at);
-  const Values held = held_force(at);
-  const Values applied = at.value(K::applied_force);
-  const Values dissipation = at.value(K::dissipation);
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    const Real& v = at.arguments().v[i];
-    balance.add(0, -(v * input[i]));
-    balance.add(0, -(v * held[i]));
-    balance.add(0, -(v * applied[i]));
-    balance.add(0, v * dissipation[i]);
-  }
-  return balance;
+  const Values& v = at.arguments().v;
+  std::vector<Terms> terms{{at.slopes(K::energy_function, motion)},
+                           product(input_force(at), v, -1),
+                           product(held_force(at), v, -1),
+                           product(at.value(K::applied_force), v, -1),
+                           product(at.value(K::dissipation), v)};
+  if (!at.subject().model.uses_time) return balance_of(terms);
+  Arguments<Real> direction = at.at_rest();
+  direction.t = Real(1);
+  terms.push_back({at.slopes(K::energy_function, direction), -1});
+  terms.push_back(product(at.slopes(K::momentum, direction), v));
+  return balance_of(terms);
 }
 
 Balance inverse_of_forward(ExactValues& at) {
   Arguments<Real> arguments = at.arguments();
   arguments.a = acceleration(at);
-  Balance balance(at.size());
-  add_all(balance, at.value_at(K::inverse_dynamics, arguments), 1);
-  add_all(balance, input_force(at), -1);
-  add_all(balance, held_force(at), -1);
-  return balance;
+  return balance_of(
+      {{at.value_at(K::inverse_dynamics, arguments)}, {input_force(at), -1}, {held_force(at), -1}});
 }
 
 Balance constrained_motion(ExactValues& at) {
-  const Values& bias = at.value(K::constraint_bias);
-  Balance balance(bias.size());
-  add_product(balance, at.value(K::constraint_jacobian), acceleration(at), 1);
-  add_all(balance, bias, 1);
   const Values& residual = at.value(K::constraint_residual);
-  add_all(balance, stabilising_terms(at.subject().model, at.state(), residual), 1);
-  return balance;
+  return balance_of({{at.value(K::constraint_bias)},
+                     product(at.value(K::constraint_jacobian), acceleration(at)),
+                     {stabilising_terms(at.subject().model, at.state(), residual)}});
 }
 
 Balance momentum_gradient(ExactValues& at) {
   const std::size_t n = at.size();
-  Balance balance(n * n);
-  add_all(balance, at.value(K::mass_matrix), 1);
+  Values slopes(n * n);
   for (std::size_t j = 0; j < n; ++j) {
     const Values column = at.slopes(K::momentum, unit_rate(at, j));
-    for (std::size_t i = 0; i < n; ++i) balance.add(i * n + j, -column[i]);
+    for (std::size_t i = 0; i < n; ++i) slopes[i * n + j] = column[i];
   }
-  return balance;
+  return balance_of({{at.value(K::mass_matrix)}, {slopes, -1}});
 }
 
 Balance energy_gradient(ExactValues& at) {
-  Balance balance(at.size());
-  add_product(balance, at.value(K::mass_matrix), at.arguments().v, 1);
-  add_gradient(balance, at, K::energy_function, unit_rate, -1);
-  return balance;
+  return balance_of({product(at.value(K::mass_matrix), at.arguments().v),
+                     {gradient(at, K::energy_function, unit_rate), -1}});
 }
 
 Balance momentum_from_energies(ExactValues& at) {
-  Balance balance(at.size());
-  add_all(balance, at.value(K::momentum), 1);
-  add_gradient(balance, at, K::kinetic_energy, unit_rate, -2);
-  add_gradient(balance, at, K::total_energy, unit_rate, 1);
-  return balance;
+  return balance_of({{at.value(K::momentum)},
+                     {gradient(at, K::kinetic_energy, unit_rate), -2},
+                     {gradient(at, K::total_energy, unit_rate)}});
 }
 
 Balance gravity_gradient(ExactValues& at) {
-  Balance balance(at.size());
-  add_all(balance, at.value(K::gravity), 1);
-  add_gradient(balance, at, K::potential_energy, unit_position, -1);
-  return balance;
+  return balance_of(
+      {{at.value(K::gravity)}, {gradient(at, K::potential_energy, unit_position), -1}});
 }
 
 Balance coriolis_product(ExactValues& at) {
-  Balance balance(at.size());
-  add_all(balance, at.value(K::velocity_force), 1);
-  add_product(balance, at.value(K::coriolis_matrix), at.arguments().v, -1);
-  return balance;
+  return balance_of(
+      {{at.value(K::velocity_force)}, product(at.value(K::coriolis_matrix), at.arguments().v, -1)});
 }
 
 Balance bias_parts(ExactValues& at) {
-  Balance balance(at.size());
-  add_all(balance, at.value(K::bias), 1);
-  for (const K part : {K::velocity_force, K::drift, K::gravity, K::dissipation}) {
-    add_all(balance, at.value(part), -1);
-  }
-  add_all(balance, at.value(K::applied_force), 1);
-  return balance;
+  return balance_of({{at.value(K::bias)},
+                     {at.value(K::velocity_force), -1},
+                     {at.value(K::drift), -1},
+                     {at.value(K::gravity), -1},
+                     {at.value(K::dissipation), -1},
+                     {at.value(K::applied_force)}});
 }
 
 Balance inverse_parts(ExactValues& at) {
-  Balance balance(at.size());
-  add_all(balance, at.value(K::inverse_dynamics), 1);
-  add_product(balance, at.value(K::mass_matrix), at.arguments().a, -1);
-  add_all(balance, at.value(K::bias), -1);
-  return balance;
+  return balance_of({{at.value(K::inverse_dynamics)},
+                     product(at.value(K::mass_matrix), at.arguments().a, -1),
+                     {at.value(K::bias), -1}});
 }
 
 /// The state with the velocities that its momenta give; none where M is singular.
@@ -221,29 +201,19 @@ std::optional<ExactValues> at_momenta(ExactValues& at) {
   return ExactValues(at.subject(), std::move(state));
 }
 
-/// Of an entry without a value.
-Balance undefined() {
-  Balance balance(1);
-  balance.add(0, Real::undefined());
-  return balance;
-}
+/// An entry without a value.
+Balance undefined() { return balance_of({Terms{{Real::undefined()}}}); }
 
 Balance momenta_of_velocities(ExactValues& at) {
   std::optional<ExactValues> moving = at_momenta(at);
   if (!moving) return undefined();
-  Balance balance(at.size());
-  add_all(balance, moving->value(K::momentum), 1);
-  add_all(balance, at.arguments().momenta, -1);
-  return balance;
+  return balance_of({{moving->value(K::momentum)}, {at.arguments().momenta, -1}});
 }
 
 Balance hamiltonian_energy(ExactValues& at) {
   std::optional<ExactValues> moving = at_momenta(at);
   if (!moving) return undefined();
-  Balance balance(1);
-  add_all(balance, at.value(K::hamiltonian), 1);
-  add_all(balance, moving->value(K::energy_function), -1);
-  return balance;
+  return balance_of({{at.value(K::hamiltonian)}, {moving->value(K::energy_function), -1}});
 }
 
 /// d/dt (q, dL/dv) along the motion, less (dq/dt, dp/dt)
@@ -257,10 +227,7 @@ Balance canonical_motion(ExactValues& at) {
   Values rates = motion.q;
   const Values of_momenta = moving->slopes(K::momentum, motion);
   rates.insert(rates.end(), of_momenta.begin(), of_momenta.end());
-  Balance balance(rates.size());
-  add_all(balance, at.value(K::hamilton_equations), 1);
-  add_all(balance, rates, -1);
-  return balance;
+  return balance_of({{at.value(K::hamilton_equations)}, {rates, -1}});
 }
 
 }  // namespace

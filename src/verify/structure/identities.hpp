@@ -31,8 +31,15 @@ struct OutputIdentity {
 
 [[nodiscard]] const std::vector<OutputIdentity>& output_identities();
 
-/// balance_i += factor * terms_i
-void add_all(Balance& balance, const std::vector<Real>& terms, int factor);
+/// Terms of a balance: factor times so many values in each entry, one entry after another.
+struct Terms {
+  std::vector<Real> values = {};
+  int factor = 1;
+  std::size_t per_entry = 1;
+};
+
+/// The sum of all terms; the first of them say how many entries there are.
+[[nodiscard]] Balance balance_of(const std::vector<Terms>& all);
 
 /// A unit displacement along velocity i.
 [[nodiscard]] Arguments<Real> unit_position(const ExactValues& at, std::size_t i);

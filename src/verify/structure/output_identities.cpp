@@ -96,8 +96,7 @@ Balance jacobian_balance(ExactValues& at, std::uint32_t user) {
   const UserOutput& output = at.subject().model.outputs[user];
   const std::vector<Real>& jacobian = at.value(K::user_jacobian, user);
   const std::size_t n = at.size();
-  Balance balance(jacobian.size());
-  add_all(balance, jacobian, 1);
+  Balance balance = balance_of({Terms{jacobian}});
   for (std::size_t j = 0; j < n; ++j) {
     const std::vector<Real> column = at.slopes(K::user_value, unit_position(at, j), user);
     if (output.frame) {
@@ -115,15 +114,12 @@ Balance output_bias_balance(ExactValues& at, std::uint32_t user) {
   motion.q = at.coordinate_rates(at.arguments().v);
   motion.t = Real(1);
   const std::vector<Real>& bias = at.value(K::user_bias, user);
-  Balance balance(bias.size());
-  add_all(balance, bias, 1);
-  if (output.frame) {
-    const PoseMotion pose{at.value(K::user_value, user), at.slopes(K::user_value, motion, user),
-                          second_rate(at, motion, user)};
-    subtract_twist_rate({balance, 0, 1, output.in_world}, pose);
-  } else {
-    add_all(balance, second_rate(at, motion, user), -1);
-  }
+  const std::vector<Real> acceleration = second_rate(at, motion, user);
+  if (!output.frame) return balance_of({{bias}, {acceleration, -1}});
+  Balance balance = balance_of({Terms{bias}});
+  const PoseMotion pose{at.value(K::user_value, user), at.slopes(K::user_value, motion, user),
+                        acceleration};
+  subtract_twist_rate({balance, 0, 1, output.in_world}, pose);
   return balance;
 }
 
