@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <set>
 #include <string>
 
@@ -55,10 +54,15 @@ std::vector<SkippedStates> skipped(const FieldRecord& record) {
   return result;
 }
 
+/// "forward_dynamics.acceleration"
+std::string name_of(const FieldPlace& place) {
+  const std::string& field = place.field().name;
+  return place.function->name + (field.empty() ? "" : "." + field);
+}
+
 /// The subject of a comparison, in words: the field, and the scalar.
 std::string subject_of(const FieldPlace& place, std::string_view scalar) {
-  const std::string& field = place.field().name;
-  return fmt::format("{}{}{} ({})", place.function->name, field.empty() ? "" : ".", field, scalar);
+  return fmt::format("{} ({})", name_of(place), scalar);
 }
 
 CertificateRow row_of(const FieldRecord& record, std::string_view scalar,
@@ -92,9 +96,15 @@ CertificateRow row_of(const FieldRecord& record, std::string_view scalar,
 /// program, and whose it is.
 class AsUsersRecord {
  public:
-  /// `field`: "forward_dynamics.acceleration (double)"; `at` is the number of the state. Fields of
-  /// one state come one after another.
-  void add(const std::string& field, const Finding& finding, const State& state, std::size_t at);
+  /// `field`: "forward_dynamics.acceleration (double)"; `at` is the number of the state.
+  void add(const std::string& field, const Finding& finding, const State& state, std::size_t at) {
+    if (!finding.users_error) return;
+    states_.insert(at);
+    fields_.insert(field);
+    if (!errors_.add(*finding.users_error, state)) return;
+    worst_ = field;
+    mistake_ = finding.users_mistake;
+  }
 
   /// One row for all fields of a scalar.
   [[nodiscard]] CertificateRow row(const Subject& subject, std::string_view scalar) const;
@@ -102,25 +112,10 @@ class AsUsersRecord {
  private:
   Tally errors_ = {};  ///< in u E
   std::set<std::string> fields_ = {};
-  std::size_t states_ = 0;
-  std::optional<std::size_t> last_ = {};  ///< of the states
-  std::string worst_ = {};                ///< the field of the largest
+  std::set<std::size_t> states_ = {};
+  std::string worst_ = {};  ///< the field of the largest
   std::string mistake_ = {};
 };
-
-void AsUsersRecord::add(const std::string& field, const Finding& finding, const State& state,
-                        std::size_t at) {
-  if (!finding.users_error) return;
-  if (last_ != at) ++states_;
-  last_ = at;
-  fields_.insert(field);
-  const double before = errors_.worst();
-  const bool is_first = errors_.samples() == 0;
-  errors_.add(*finding.users_error, state);
-  if (!is_first && errors_.worst() <= before) return;
-  worst_ = field;
-  mistake_ = finding.users_mistake;
-}
 
 CertificateRow AsUsersRecord::row(const Subject& subject, std::string_view scalar) const {
   CertificateRow row;
@@ -129,7 +124,7 @@ CertificateRow AsUsersRecord::row(const Subject& subject, std::string_view scala
   row.subject = fmt::format("all outputs ({})", scalar);
   row.formula = "|x_users - x| / (u E); x_users of -O3 -march=native, contraction on";
   errors_.tell(row, subject, most_of_users);
-  row.samples = states_;
+  row.samples = states_.size();
   row.tolerance = fmt::format(
       "{} u E + N eta, E the running error: each of both rounds once where E counts a rounding",
       most_of_users);
@@ -148,11 +143,22 @@ CertificateRow AsUsersRecord::row(const Subject& subject, std::string_view scala
 /// failure.
 class LostDigits {
  public:
-  /// `at` is the number of the state. Fields of one state come one after another.
+  /// `at` is the number of the state.
   void add(const FieldPlace& place, const Finding& finding, const Subject& subject,
-           const State& state, std::size_t at);
+           const State& state, std::size_t at) {
+    if (!finding.loss) return;
+    states_.insert(at);
+    untold_ += finding.loss->untold;
+    const auto record = [&](Worst& worst, const LostEntry& lost) {
+      if (lost.figure <= worst.figure) return;
+      worst = {lost.figure, name_of(place) + index_text(place.field(), lost.entry),
+               describe_exactly(subject, state)};
+    };
+    record(of_entry_, finding.loss->of_entry);
+    record(of_field_, finding.loss->of_field);
+  }
 
-  [[nodiscard]] bool is_empty() const { return states_ == 0; }
+  [[nodiscard]] bool is_empty() const { return states_.empty(); }
 
   /// The entry that loses most and its state, both of what one rounding of the inputs would cost,
   /// and of the largest entry of its field. Noted where that is more than half of all digits.
@@ -165,35 +171,11 @@ class LostDigits {
     std::string where = {};
   };
 
-  std::size_t states_ = 0;
-  std::size_t untold_ = 0;                ///< entries and states at which nothing is told
-  std::optional<std::size_t> last_ = {};  ///< of the states
+  std::set<std::size_t> states_ = {};
+  std::size_t untold_ = 0;  ///< entries and states at which nothing is told
   Worst of_entry_ = {};
   Worst of_field_ = {};
 };
-
-std::string name_of_entry(const FieldPlace& place, std::size_t entry) {
-  const Field& field = place.field();
-  const std::string name = place.function->name + (field.name.empty() ? "" : "." + field.name);
-  if (field.entries.size() == 1) return name;
-  const std::size_t row = entry / field.columns + 1;
-  if (field.columns == 1) return fmt::format("{}[{}]", name, row);
-  return fmt::format("{}[{},{}]", name, row, entry % field.columns + 1);
-}
-
-void LostDigits::add(const FieldPlace& place, const Finding& finding, const Subject& subject,
-                     const State& state, std::size_t at) {
-  if (!finding.loss) return;
-  states_ += last_ == at ? 0 : 1;
-  last_ = at;
-  untold_ += finding.loss->untold;
-  const auto record = [&](Worst& worst, const LostEntry& lost) {
-    if (lost.figure <= worst.figure) return;
-    worst = {lost.figure, name_of_entry(place, lost.entry), describe_exactly(subject, state)};
-  };
-  record(of_entry_, finding.loss->of_entry);
-  record(of_field_, finding.loss->of_field);
-}
 
 CertificateRow LostDigits::row(ScalarKind scalar) const {
   const int all = decimal_digits(scalar);
@@ -205,7 +187,7 @@ CertificateRow LostDigits::row(ScalarKind scalar) const {
       "log10 of |x - x*| / (u R), R = |x*| + K, K = sum |z dx/dz| over inputs and parameters: what "
       "their own rounding costs; solutions of M x = b in the norm |D^1/2 x|, D = diag M; in "
       "brackets of |x - x*| / (u max |x*|) of a field; at most all digits";
-  row.samples = states_;
+  row.samples = states_.size();
   row.loss = std::min(of_entry_.figure, std::pow(10.0, all));
   row.loss_of_field = std::min(of_field_.figure, std::pow(10.0, all));
   const bool is_grave = of_field > all / 2.0;
@@ -225,10 +207,12 @@ CertificateRow LostDigits::row(ScalarKind scalar) const {
   return row;
 }
 
+}  // namespace
+
 template <class Scalar>
-std::vector<CertificateRow> rows_at(const Subject& subject,
-                                    const std::vector<SampledState<Scalar>>& states,
-                                    const AccuracyOptions& options) {
+std::vector<CertificateRow> check_accuracy(const Subject& subject,
+                                           const std::vector<SampledState<Scalar>>& states,
+                                           const AccuracyOptions& options) {
   constexpr std::string_view scalar = name_of(scalar_kind<Scalar>);
   std::vector<FieldRecord> records;
   for (FieldPlace& place : field_places(subject)) records.push_back({std::move(place)});
@@ -258,15 +242,6 @@ std::vector<CertificateRow> rows_at(const Subject& subject,
     rows.push_back(std::move(row));
   }
   return rows;
-}
-
-}  // namespace
-
-template <class Scalar>
-std::vector<CertificateRow> check_accuracy(const Subject& subject,
-                                           const std::vector<SampledState<Scalar>>& states,
-                                           const AccuracyOptions& options) {
-  return rows_at(subject, states, options);
 }
 
 template std::vector<CertificateRow> check_accuracy(const Subject&,

@@ -12,12 +12,14 @@ namespace elgen {
 
 class Tally {
  public:
-  void add(double figure, const State& state) {
+  /// Whether the figure is the worst so far.
+  bool add(double figure, const State& state) {
     ++samples_;
     // A NaN is the worst there is.
-    if (worst_state_ && (std::isnan(worst_) || figure <= worst_)) return;
+    if (worst_state_ && (std::isnan(worst_) || figure <= worst_)) return false;
     worst_ = figure;
     worst_state_ = state;
+    return true;
   }
   void skip() { ++skipped_; }
 
