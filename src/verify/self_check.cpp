@@ -87,7 +87,7 @@ class SelfChecking {
 
   /// An output that is undefined so far, which calls for more states.
   [[nodiscard]] bool lacks_value() const {
-    return std::find(without_value_.begin(), without_value_.end(), true) != without_value_.end();
+    return std::ranges::find(without_value_, true) != without_value_.end();
   }
 
   [[nodiscard]] const SelfCheck& result() const { return result_; }
@@ -117,7 +117,7 @@ class SelfChecking {
   }
 
   void refuse() {
-    const auto first = std::find(without_value_.begin(), without_value_.end(), true);
+    const auto first = std::ranges::find(without_value_, true);
     const Function& function =
         subject_.program.functions[static_cast<std::size_t>(first - without_value_.begin())];
     result_.lacks_value = true;

@@ -69,11 +69,8 @@ const std::string& written_name(const Expectation& expectation) {
 }
 
 std::string name_of(const Entry& entry) {
-  const std::string& name = written_name(entry.of);
-  const std::size_t columns = std::max<std::size_t>(entry.of.columns, 1);
-  if (entry.of.entries.size() == 1) return name;
-  if (columns == 1) return fmt::format("{}[{}]", name, entry.index + 1);
-  return fmt::format("{}[{},{}]", name, entry.index / columns + 1, entry.index % columns + 1);
+  const Field field{.columns = std::max(entry.of.columns, 1U), .entries = entry.of.entries};
+  return written_name(entry.of) + index_text(field, entry.index);
 }
 
 CertificateRow row_of(const Entry& entry) {
@@ -117,14 +114,6 @@ Diagnostic nothing_compared(const Entry& entry) {
           fmt::format("this form of {} and the derived one have no value in common at {} points",
                       name_of(entry), point_count),
           "declare a `range` inside the domain"};
-}
-
-void finish(CertificateRow& row, const Tally& tally, const Subject& subject) {
-  tally.tell(row, subject, tolerance);
-  row.worst = fmt::format("{:.1e} relative", tally.worst());
-  if (row.verdict == Verdict::holds) row.where.clear();
-  // The author expects a value: where there is none, the expectation is not met.
-  if (tally.samples() == 0) row.verdict = Verdict::fails;
 }
 
 /// A state, and what an output is there by the oracle; of a rate the state alone.
@@ -234,7 +223,11 @@ void compare(ExpectationReport& report, const Entry& entry, const std::vector<Sa
     if (wrong.empty() && !(figure <= tolerance)) wrong = wrong_text(entry, *sample, point.state);
   }
   CertificateRow& row = report.rows.emplace_back(row_of(entry));
-  finish(row, tally, entry.subject);
+  tally.tell(row, entry.subject, tolerance);
+  row.worst = fmt::format("{:.1e} relative", tally.worst());
+  if (row.verdict == Verdict::holds) row.where.clear();
+  // The author expects a value: where there is none, the expectation is not met.
+  if (tally.samples() == 0) row.verdict = Verdict::fails;
   if (!unseen.empty()) row.tolerance += "; not seen on both sides: " + unseen;
   if (!wrong.empty()) {
     report.diagnostics.push_back({Code::E510, entry.span(), std::move(wrong)});

@@ -31,18 +31,26 @@ CertificateRow row_of(const Function& function, std::string_view check, std::str
   return row;
 }
 
-template <class Compute>
-CertificateRow identity_row(CertificateRow row, std::vector<ExactValues>& points,
-                            const Compute& compute) {
+/// Points at which `figure` gives none are skipped.
+template <class Figure>
+Tally tally_of(std::vector<ExactValues>& points, const Figure& figure) {
   Tally tally;
   for (ExactValues& at : points) {
-    const std::optional<double> figure = compute(at).figure(at.floor());
-    if (figure) {
-      tally.add(*figure, at.state());
+    const std::optional<double> found = figure(at);
+    if (found) {
+      tally.add(*found, at.state());
     } else {
       tally.skip();
     }
   }
+  return tally;
+}
+
+template <class Compute>
+CertificateRow identity_row(CertificateRow row, std::vector<ExactValues>& points,
+                            const Compute& compute) {
+  const Tally tally =
+      tally_of(points, [&](ExactValues& at) { return compute(at).figure(at.floor()); });
   row.worst = fmt::format("{:.1e} relative", tally.worst());
   row.tolerance = identity_reason;
   tally.tell(row, points.front().subject(), identity_tolerance);
@@ -150,16 +158,11 @@ std::optional<double> smallest_pivot(const std::vector<Real>& m, std::size_t n) 
 }
 
 CertificateRow definiteness_row(const Function& function, std::vector<ExactValues>& points) {
-  Tally tally;
-  for (ExactValues& at : points) {
-    const std::optional<double> pivot =
-        smallest_pivot(at.value(OutputKind::mass_matrix), at.size());
-    if (!pivot || std::abs(*pivot) < singular_pivot) {
-      tally.skip();
-    } else {
-      tally.add(-*pivot, at.state());
-    }
-  }
+  const Tally tally = tally_of(points, [](ExactValues& at) -> std::optional<double> {
+    const auto pivot = smallest_pivot(at.value(OutputKind::mass_matrix), at.size());
+    if (!pivot || std::abs(*pivot) < singular_pivot) return std::nullopt;
+    return -*pivot;
+  });
   CertificateRow row =
       row_of(function, "mass matrix positive definite", "D_i/M_ii > 0, M = L D L^T");
   row.worst = tally.samples() == 0 ? "no regular state"
