@@ -45,29 +45,6 @@ struct PackRules : interpreter::NumberRules<Scalar> {
   }
 };
 
-/// The numbers that the compiled function has to give.
-template <class Scalar>
-class Expected {
- public:
-  Expected(const Subject& subject, const CompiledHeader& compiled)
-      : program_(subject.program),
-        trigonometry_(subject.scene.numerics),
-        in_packs_(compiled.in_packs) {}
-
-  [[nodiscard]] std::vector<Scalar> of(const Function& function,
-                                       const Arguments<Scalar>& arguments) const {
-    // A batch takes one state after another where numbers are compared.
-    if (!in_packs_ || needs_order(function)) return evaluate(program_, function, arguments);
-    const PackRules<Scalar> rules{{arguments}, trigonometry_};
-    return entries_of(function, fold<Scalar>(rules, program_, function));
-  }
-
- private:
-  const Program& program_;
-  PackTrigonometry<Scalar> trigonometry_;
-  bool in_packs_;
-};
-
 /// "float, batch, -O3 -march=native": the kind of code.
 std::string kind_of_code(const CompiledHeader& compiled, std::string_view first) {
   std::string text(first);
@@ -85,12 +62,17 @@ template <class Scalar>
 CertificateRow compiled_row(const Subject& subject, const CompiledHeader& compiled,
                             const Function& function,
                             const std::vector<SampledState<Scalar>>& states) {
-  const Expected<Scalar> program(subject, compiled);
+  const PackTrigonometry<Scalar> trigonometry(subject.scene.numerics);
+  // A batch takes one state after another where numbers are compared.
+  const bool in_packs = compiled.in_packs && !needs_order(function);
   std::size_t wrong = 0;
   std::size_t entries = 0;
   std::string where;
   for (const SampledState<Scalar>& sample : states) {
-    const auto expected = program.of(function, sample.values);
+    const PackRules<Scalar> rules{{sample.values}, trigonometry};
+    const auto expected = in_packs
+                              ? entries_of(function, fold<Scalar>(rules, subject.program, function))
+                              : evaluate(subject.program, function, sample.values);
     const std::size_t count =
         differing(compiled.functions->call(function.name, sample.values), expected);
     if (wrong == 0 && count > 0) where = describe(subject, exact_state(subject, sample.values));

@@ -236,23 +236,6 @@ void compare(ExpectationReport& report, const Entry& entry, const std::vector<Sa
   }
 }
 
-bool rests_on_samples(const Program& program, OutputKind kind, std::uint32_t user,
-                      std::size_t entry) {
-  const Function* function = find_function(program, kind, user);
-  if (function == nullptr) return false;
-  const auto& sampled = function->sampled_zeros;
-  return std::find(sampled.begin(), sampled.end(), entry) != sampled.end();
-}
-
-/// Entries of all fields in order, as expectations count them.
-const std::optional<Fraction>* entry_of(const ClosedFunction& function, std::size_t entry) {
-  for (const ClosedField& field : function.fields) {
-    if (entry < field.entries.size()) return &field.entries[entry];
-    entry -= field.entries.size();
-  }
-  return nullptr;
-}
-
 /// The author's form and the derived one are one canonical sum. The former comes straight from the
 /// model, the latter from the program, so that they share nothing but the ring they are compared
 /// in.
@@ -268,7 +251,10 @@ class Proofs {
   [[nodiscard]] bool conserved(const Expectation& expectation, std::size_t entry);
 
  private:
-  [[nodiscard]] const ClosedFunction* derived(OutputKind kind, std::uint32_t user) const;
+  /// The form of an entry, counted over all fields; null where there is none, or where it rests on
+  /// zeros that were sampled.
+  [[nodiscard]] const Fraction* derived(OutputKind kind, std::uint32_t user,
+                                        std::size_t entry) const;
   [[nodiscard]] std::optional<std::vector<Fraction>> entries(OutputKind kind) const;
   [[nodiscard]] Replacements momenta() const;
   std::optional<Fraction> written(const Expectation& expectation, std::size_t entry);
@@ -277,10 +263,18 @@ class Proofs {
   ClosedForms* forms_;
 };
 
-const ClosedFunction* Proofs::derived(OutputKind kind, std::uint32_t user) const {
+const Fraction* Proofs::derived(OutputKind kind, std::uint32_t user, std::size_t entry) const {
   const std::vector<Function>& functions = subject_.program.functions;
   for (std::size_t i = 0; forms_ != nullptr && i < forms_->functions.size(); ++i) {
-    if (functions[i].kind == kind && functions[i].user == user) return &forms_->functions[i];
+    if (functions[i].kind != kind || functions[i].user != user) continue;
+    if (std::ranges::count(functions[i].sampled_zeros, entry) > 0) return nullptr;
+    for (const ClosedField& field : forms_->functions[i].fields) {
+      if (entry < field.entries.size()) {
+        return field.entries[entry] ? &*field.entries[entry] : nullptr;
+      }
+      entry -= field.entries.size();
+    }
+    return nullptr;
   }
   return nullptr;
 }
@@ -292,22 +286,21 @@ std::optional<Fraction> Proofs::written(const Expectation& expectation, std::siz
 
 bool Proofs::equal(const Expectation& expectation, std::size_t entry) {
   const auto request = find_request(subject_.model, expectation.output);
-  const ClosedFunction* function = request ? derived(request->kind, request->user) : nullptr;
-  const std::size_t place = expectation.first + entry;
-  const std::optional<Fraction>* form = function == nullptr ? nullptr : entry_of(*function, place);
-  if (form == nullptr || !form->has_value()) return false;
-  if (rests_on_samples(subject_.program, request->kind, request->user, place)) return false;
+  const Fraction* const form =
+      request ? derived(request->kind, request->user, expectation.first + entry) : nullptr;
+  if (form == nullptr) return false;
   const auto own = written(expectation, entry);
-  return own && proved_equal(*forms_, *own, **form);
+  return own && proved_equal(*forms_, *own, *form);
 }
 
 /// Of the first field; none where one of them has no form, or rests on samples.
 std::optional<std::vector<Fraction>> Proofs::entries(OutputKind kind) const {
-  const ClosedFunction* function = derived(kind, 0);
-  if (function == nullptr || function->fields.empty()) return std::nullopt;
+  const Function* const function = find_function(subject_.program, kind);
+  if (function == nullptr) return std::nullopt;
   std::vector<Fraction> result;
-  for (const std::optional<Fraction>& form : function->fields[0].entries) {
-    if (!form || rests_on_samples(subject_.program, kind, 0, result.size())) return std::nullopt;
+  for (std::size_t i = 0; i < function->fields.front().entries.size(); ++i) {
+    const Fraction* const form = derived(kind, 0, i);
+    if (form == nullptr) return std::nullopt;
     result.push_back(*form);
   }
   return result;
