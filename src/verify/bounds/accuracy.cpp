@@ -21,13 +21,19 @@ struct FieldRecord {
   FieldPlace place = {};
   std::vector<double> errors = {};  ///< at nominal states
   std::size_t compared = 0;         ///< states
-  std::map<Regime, std::size_t> states = {};
+  std::map<Obstacle, std::size_t> skipped = {};
   std::string mistake = {};  ///< the first, and where
   std::string mistake_at = {};
 };
 
+/// Why exact values were not compared.
+Obstacle obstacle_of(Regime regime) {
+  if (regime == Regime::overflow) return Obstacle::overflow;
+  return regime == Regime::unsettled ? Obstacle::unsettled : Obstacle::undefined;
+}
+
 void add(FieldRecord& record, const Finding& finding, const Subject& subject, const State& state) {
-  if (!finding.is_compared) ++record.states[finding.regime];
+  if (!finding.is_compared) ++record.skipped[obstacle_of(finding.regime)];
   if (record.mistake.empty() && !finding.mistake.empty()) {
     record.mistake = finding.mistake;
     record.mistake_at = describe(subject, state);
@@ -41,17 +47,6 @@ double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
-}
-
-std::vector<SkippedStates> skipped(const FieldRecord& record) {
-  std::vector<SkippedStates> result;
-  for (const auto& [regime, obstacle] : {std::pair(Regime::overflow, Obstacle::overflow),
-                                         std::pair(Regime::undefined, Obstacle::undefined),
-                                         std::pair(Regime::unsettled, Obstacle::unsettled)}) {
-    const auto found = record.states.find(regime);
-    if (found != record.states.end()) result.push_back({obstacle, found->second});
-  }
-  return result;
 }
 
 /// "forward_dynamics.acceleration"
@@ -75,7 +70,7 @@ CertificateRow row_of(const FieldRecord& record, std::string_view scalar,
                     ? "x = x* in exact arithmetic, each entry"
                     : "x = x* in exact arithmetic, by one random projection";
   row.samples = record.compared;
-  row.skipped = skipped(record);
+  for (const auto& [obstacle, states] : record.skipped) row.skipped.push_back({obstacle, states});
   row.tolerance =
       "50 digits of E + |x*|, E the running error of x; NaN and infinity fail where exact "
       "arithmetic stays below max/16 and E is known";

@@ -114,8 +114,7 @@ std::optional<double> Losses::figure_of(const FieldPlace& place, const ExactRun&
 
 LostEntry Losses::of_largest(const std::vector<Real>& errors,
                              const std::vector<Real>& exact) const {
-  const auto largest =
-      std::ranges::max_element(errors, [](const Real& x, const Real& y) { return x < y; });
+  const auto largest = std::ranges::max_element(errors, std::less());
   Real value;
   for (const Real& x : exact) value = max(value, abs(x));
   if (largest == errors.end() || !(value > Real())) return {};
