@@ -182,6 +182,18 @@ TEST_CASE("another rounding holds, an error beyond what rounding explains fails 
   CHECK(row.where.find("q = (") == 0);
 }
 
+TEST_CASE("code that gives no entries fails") {
+  const System system = cart_pole_system();
+  const Program nothing;
+  const Changed empty(nothing, "", [](double x) { return x; });
+  AccuracyOptions options;
+  options.visit.as_users = &empty;
+  const auto states = sample_states<double>(system.subject(), {1, 1, false});
+  const CertificateRow row = check_accuracy(system.subject(), states, options).back();
+  CHECK(row.verdict == Verdict::fails);
+  CHECK(row.worst.find("entry 1 is nan instead of ") != std::string::npos);
+}
+
 TEST_CASE("the square of what cancels to 0 may round to the square of its error") {
   // Contraction leaves the rounding of x x in x x - y y at x = y.
   ModelBuilder builder;

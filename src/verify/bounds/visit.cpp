@@ -92,6 +92,7 @@ void Visit<Scalar>::run(const FieldPlace& place) {
   values_ = evaluate(subject_.program, *function_, sample_.values);
   if (options_.as_users == nullptr) return;
   users_values_ = options_.as_users->call(function_->name, sample_.values);
+  users_values_.resize(values_.size(), std::numeric_limits<Scalar>::quiet_NaN());
 }
 
 template <class Scalar>
