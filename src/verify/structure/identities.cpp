@@ -11,9 +11,9 @@
 
 namespace elgen {
 
-Balance balance_of(const std::vector<Terms>& all) {
+Balance balance_of(const std::vector<BalanceTerms>& all) {
   Balance balance(all.front().values.size() / all.front().per_entry);
-  for (const Terms& terms : all) {
+  for (const BalanceTerms& terms : all) {
     for (std::size_t i = 0; i < terms.values.size(); ++i) {
       balance.add(i / terms.per_entry, terms.values[i] * terms.factor);
     }
@@ -35,8 +35,8 @@ using K = OutputKind;
 using Values = std::vector<Real>;
 
 /// factor * sum_j matrix_ij x_j
-Terms product(const Values& matrix, const Values& x, int factor = 1) {
-  Terms terms{matrix, factor, std::max<std::size_t>(x.size(), 1)};
+BalanceTerms product(const Values& matrix, const Values& x, int factor = 1) {
+  BalanceTerms terms{matrix, factor, std::max<std::size_t>(x.size(), 1)};
   for (std::size_t i = 0; i < matrix.size(); ++i) {
     terms.values[i] = matrix[i] * x[i % x.size()];
   }
@@ -119,11 +119,11 @@ Balance power(ExactValues& at) {
   motion.v = acceleration(at);
   motion.t = Real(1);
   const Values& v = at.arguments().v;
-  std::vector<Terms> terms{{at.slopes(K::energy_function, motion)},
-                           product(input_force(at), v, -1),
-                           product(held_force(at), v, -1),
-                           product(at.value(K::applied_force), v, -1),
-                           product(at.value(K::dissipation), v)};
+  std::vector<BalanceTerms> terms{{at.slopes(K::energy_function, motion)},
+                                  product(input_force(at), v, -1),
+                                  product(held_force(at), v, -1),
+                                  product(at.value(K::applied_force), v, -1),
+                                  product(at.value(K::dissipation), v)};
   if (!at.subject().model.uses_time) return balance_of(terms);
   Arguments<Real> direction = at.at_rest();
   direction.t = Real(1);
@@ -202,7 +202,7 @@ std::optional<ExactValues> at_momenta(ExactValues& at) {
 }
 
 /// An entry without a value.
-Balance undefined() { return balance_of({Terms{{Real::undefined()}}}); }
+Balance undefined() { return balance_of({BalanceTerms{{Real::undefined()}}}); }
 
 Balance momenta_of_velocities(ExactValues& at) {
   std::optional<ExactValues> moving = at_momenta(at);

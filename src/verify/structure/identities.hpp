@@ -32,14 +32,14 @@ struct OutputIdentity {
 [[nodiscard]] const std::vector<OutputIdentity>& output_identities();
 
 /// Terms of a balance: factor times so many values in each entry, one entry after another.
-struct Terms {
+struct BalanceTerms {
   std::vector<Real> values = {};
   int factor = 1;
   std::size_t per_entry = 1;
 };
 
 /// The sum of all terms; the first of them say how many entries there are.
-[[nodiscard]] Balance balance_of(const std::vector<Terms>& all);
+[[nodiscard]] Balance balance_of(const std::vector<BalanceTerms>& all);
 
 /// A unit displacement along velocity i.
 [[nodiscard]] Arguments<Real> unit_position(const ExactValues& at, std::size_t i);

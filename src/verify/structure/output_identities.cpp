@@ -66,7 +66,7 @@ Balance jacobian_balance(ExactValues& at, std::uint32_t user) {
   const Values& y = at.value(K::user_value, user);
   const std::size_t n = at.size();
   const std::size_t per_entry = output.frame ? axes : 1;
-  Terms slopes{Values(jacobian.size() * per_entry), -1, per_entry};
+  BalanceTerms slopes{Values(jacobian.size() * per_entry), -1, per_entry};
   for (std::size_t j = 0; j < n; ++j) {
     Values column = at.slopes(K::user_value, unit_position(at, j), user);
     if (output.frame) column = twist(y, axes_of(y, output.in_world), column, output.in_world);
