@@ -99,8 +99,8 @@ struct ExactNumber {
 struct TradeoffStates {
   std::vector<Arguments<double>> states = {};  ///< float gets them rounded, which counts
   std::vector<std::size_t> field_sizes = {};
-  std::vector<ExactNumber> exact = {};  ///< entry k of state i at [k * states.size() + i]
-  Arguments<double> low = {};           ///< ends of the ranges that they are drawn from
+  std::vector<std::vector<ExactNumber>> exact = {};  ///< of each state the entries
+  Arguments<double> low = {};                        ///< ends of the ranges they are drawn from
   Arguments<double> high = {};
 };
 

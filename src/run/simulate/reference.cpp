@@ -15,22 +15,12 @@
 #include "program/evaluate/subject.hpp"
 #include "run/simulate/ranks.hpp"
 #include "run/simulate/start.hpp"
+#include "run/steps/rounded_program.hpp"
 
 namespace elgen {
 namespace {
 
 namespace odeint = boost::numeric::odeint;
-
-/// Constants of a program are rounded once, not at every state.
-template <class Scalar>
-struct RoundedOnce : interpreter::NumberRules<Scalar> {
-  const Program& program;
-  const std::vector<Scalar>& constants;
-
-  [[nodiscard]] Scalar constant(const Constant& constant) const {
-    return constants[static_cast<std::size_t>(&constant - program.constants.data())];
-  }
-};
 
 /// d(q, v)/dt of q and v in one list.
 template <class Scalar>
@@ -42,12 +32,9 @@ class ReferenceSystem {
   ReferenceSystem(System& system, const CheckedModel& checked, const Program& program)
       : system_(system),
         program_(program),
+        rounded_(program),
         ranks_(system, "a run that ends before that place, or starts elsewhere, can be measured"),
-        at_(arguments_at<Scalar>(nominal_state(checked.model, checked.scene))) {
-    for (const Constant& constant : program.constants) {
-      constants_.push_back(ScalarTraits<Scalar>::from_real(constant.value));
-    }
-  }
+        at_(arguments_at<Scalar>(nominal_state(checked.model, checked.scene))) {}
 
   [[nodiscard]] Values start() {
     Values state;
@@ -70,9 +57,9 @@ class ReferenceSystem {
       at_.u.assign(u.begin(), u.end());
     }
     const Function* const turning = find_function(program_, OutputKind::coordinate_rates);
-    const Values of_q = turning == nullptr ? at_.v : values_of(*turning);
+    const Values of_q = turning == nullptr ? at_.v : rounded_.values_of(*turning, at_);
     const Function& dynamics = *find_function(program_, OutputKind::forward_dynamics);
-    const Values of_v = values_of(dynamics);
+    const Values of_v = rounded_.values_of(dynamics, at_);
     const auto middle = std::copy(of_q.begin(), of_q.end(), rates.begin());
     std::copy_n(of_v.data() + first_entry_of(dynamics, "acceleration"), system_.velocities(),
                 middle);
@@ -91,7 +78,7 @@ class ReferenceSystem {
     if (restored == nullptr) return;
     move_to(state);
     at_.t = t;
-    std::ranges::copy(values_of(*restored), state.begin());
+    std::ranges::copy(rounded_.values_of(*restored, at_), state.begin());
   }
 
  private:
@@ -101,16 +88,11 @@ class ReferenceSystem {
     at_.v.assign(middle, state.end());
   }
 
-  [[nodiscard]] Values values_of(const Function& function) const {
-    const RoundedOnce<Scalar> rules{{at_}, program_, constants_};
-    return entries_of(function, fold<Scalar>(rules, program_, function));
-  }
-
   System& system_;
   const Program& program_;
+  RoundedProgram<Scalar> rounded_;
   RankWatch ranks_;
   Arguments<Scalar> at_;
-  Values constants_ = {};
 };
 
 struct ReferenceEnd {

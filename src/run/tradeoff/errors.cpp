@@ -8,19 +8,16 @@
 namespace elgen {
 
 FieldScales::FieldScales(const TradeoffStates& states) {
-  const std::size_t count = states.states.size();
-  std::size_t next = 0;
+  std::size_t first = 0;
   for (const std::size_t entries : states.field_sizes) {
-    double largest = 0;
-    for (const std::size_t end = next + entries * count; next < end; ++next) {
-      largest = std::max(largest, std::abs(states.exact[next].high));
+    Scale& field = fields_.emplace_back(Scale{entries});
+    for (const std::vector<ExactNumber>& exact : states.exact) {
+      for (std::size_t k = first; k < first + entries; ++k) {
+        field.largest = std::max(field.largest, magnitude(exact[k]));
+      }
     }
-    fields_.push_back({entries, largest});
+    first += entries;
   }
-}
-
-double distance_to(double value, const ExactNumber& exact) {
-  return std::abs(value - exact.high - exact.low);
 }
 
 std::vector<double> state_errors(const std::vector<double>& results, const TradeoffStates& states) {
@@ -28,10 +25,7 @@ std::vector<double> state_errors(const std::vector<double>& results, const Trade
   const std::size_t count = states.states.size();
   std::vector<double> errors;
   for (std::size_t i = 0; i < count; ++i) {
-    const auto at = [i, count](std::size_t k) { return k * count + i; };
-    errors.push_back(scales.error(
-        [&](std::size_t k) { return distance_to(results[at(k)], states.exact[at(k)]); },
-        [&](std::size_t k) { return states.exact[at(k)].high; }));
+    errors.push_back(scales.error(results.data() + i, count, states.exact[i]));
   }
   return errors;
 }

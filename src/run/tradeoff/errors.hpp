@@ -12,25 +12,38 @@
 
 namespace elgen {
 
+/// |value - exact|, and |exact|
+[[nodiscard]] inline double distance(double value, const ExactNumber& exact) {
+  return std::abs(value - exact.high - exact.low);
+}
+[[nodiscard]] inline double distance(double value, long double exact) {
+  return static_cast<double>(std::abs(value - exact));
+}
+[[nodiscard]] inline double magnitude(const ExactNumber& exact) { return std::abs(exact.high); }
+[[nodiscard]] inline double magnitude(long double exact) {
+  return std::abs(static_cast<double>(exact));
+}
+
 /// The largest |x*| of each field at the states of a trade-off.
 class FieldScales {
  public:
   explicit FieldScales(const TradeoffStates& states);
 
-  /// Over the fields: the largest apart(k) = |x - x*| / the largest |x*| of the field at the states
-  /// and here, of(k) = x*. Where both are 0 everywhere, any distance is infinitely far.
-  template <class Apart, class Of>
-  [[nodiscard]] double error(const Apart& apart, const Of& of) const {
+  /// Over the fields: the largest |x - x*| / the largest |x*| of the field at the states and here.
+  /// x of entry k is values[k * stride]. Where x* is 0 everywhere, any distance is infinitely far.
+  template <class Exact>
+  [[nodiscard]] double error(const double* values, std::size_t stride,
+                             const std::vector<Exact>& exact) const {
     double worst = 0;
     std::size_t k = 0;
     for (const Scale& field : fields_) {
       double largest = field.largest;
       double farthest = 0;
       for (const std::size_t end = k + field.entries; k < end; ++k) {
-        const double here = apart(k);
+        const double here = distance(values[k * stride], exact[k]);
         if (std::isnan(here)) return std::numeric_limits<double>::infinity();
         farthest = std::max(farthest, here);
-        largest = std::max(largest, std::abs(of(k)));
+        largest = std::max(largest, magnitude(exact[k]));
       }
       if (farthest > 0) worst = std::max(worst, farthest / largest);
     }
@@ -44,9 +57,6 @@ class FieldScales {
   };
   std::vector<Scale> fields_ = {};
 };
-
-/// |value - exact|
-[[nodiscard]] double distance_to(double value, const ExactNumber& exact);
 
 /// The entries of the first function at the numbers of a state and the exact parameters, in 60
 /// digits; none where one of them has no value.

@@ -7,10 +7,12 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <optional>
 #include <vector>
 
-#include "elgen/evaluate.hpp"
 #include "elgen/oracle.hpp"
+#include "program/evaluate/subject.hpp"
+#include "run/steps/rounded_program.hpp"
 #include "run/tradeoff/errors.hpp"
 #include "sample/states.hpp"
 
@@ -24,44 +26,6 @@ constexpr std::size_t most_sweeps = 400;
 constexpr double longest_step = 0.5;  ///< of a range
 constexpr double first_step = 0.25;
 constexpr double shortest_step = 0x1p-20;
-
-/// Constants are converted once.
-struct LongRules : interpreter::NumberRules<long double> {
-  const Constant* first;
-  const std::vector<long double>& constants;
-
-  [[nodiscard]] long double constant(const Constant& constant) const {
-    return constants[static_cast<std::size_t>(&constant - first)];
-  }
-};
-
-/// The first function of a program in long double, with the exact parameters: 2048 times as exact
-/// as the same in double, where long double is longer.
-class LongProgram {
- public:
-  LongProgram(const CheckedModel& checked, const Program& program) : program_(program) {
-    for (const Constant& constant : program.constants) {
-      constants_.push_back(ScalarTraits<long double>::from_real(constant.value));
-    }
-    for (const cln::cl_R& value : nominal_state(checked.model, checked.scene).parameters) {
-      parameters_.push_back(ScalarTraits<long double>::from_real(value));
-    }
-  }
-
-  [[nodiscard]] std::vector<long double> at(const Arguments<double>& state) const {
-    Arguments<long double> arguments =
-        map_leaves([](double x) { return static_cast<long double>(x); }, state);
-    arguments.parameters = parameters_;
-    const Function& function = program_.functions.front();
-    const LongRules rules{{arguments}, program_.constants.data(), constants_};
-    return entries_of(function, fold<long double>(rules, program_, function));
-  }
-
- private:
-  const Program& program_;
-  std::vector<long double> constants_ = {};
-  std::vector<long double> parameters_ = {};
-};
 
 /// A number of the state that the function reads, and where it may be.
 struct MovingNumber {
@@ -103,7 +67,8 @@ class ErrorSearch {
               const DesignValues& design)
       : exact_(exact),
         program_(program),
-        reference_(exact, program),
+        reference_(program),
+        parameters_(arguments_at<long double>(nominal_state(exact.model, exact.scene)).parameters),
         scales_(states),
         moving_(moving_numbers(program.functions.front(), states)),
         design_(design) {}
@@ -121,36 +86,36 @@ class ErrorSearch {
 
   /// Each in 60 digits; 0 outside the domain.
   [[nodiscard]] std::vector<double> confirmed(const std::vector<Arguments<double>>& states) const {
-    const std::vector<double> values = design_(states);
-    std::vector<double> errors;
-    for (std::size_t i = 0; i < states.size(); ++i) {
-      const auto exact = exact_entries(exact_, program_, states[i]);
-      const auto apart = [&](std::size_t k) {
-        return distance_to(values[k * states.size() + i], (*exact)[k]);
-      };
-      const auto of = [&](std::size_t k) { return (*exact)[k].high; };
-      errors.push_back(exact ? scales_.error(apart, of) : 0);
-    }
-    return errors;
+    return errors(states, [this](const Arguments<double>& state) {
+      return exact_entries(exact_, program_, state);
+    });
   }
 
  private:
-  /// By the program in long double; 0 where that is not finite.
-  [[nodiscard]] std::vector<double> errors_at(const std::vector<Arguments<double>>& states) const {
+  /// `exact`: the entries at a state, none where they have no value.
+  template <class Exact>
+  [[nodiscard]] std::vector<double> errors(const std::vector<Arguments<double>>& states,
+                                           const Exact& exact) const {
     const std::vector<double> values = design_(states);
-    std::vector<double> errors;
+    std::vector<double> found;
     for (std::size_t i = 0; i < states.size(); ++i) {
-      const std::vector<long double> exact = reference_.at(states[i]);
-      const auto apart = [&](std::size_t k) {
-        const long double value = values[k * states.size() + i];
-        return static_cast<double>(std::abs(value - exact[k]));
-      };
-      const auto of = [&](std::size_t k) { return static_cast<double>(exact[k]); };
-      const bool is_defined =
-          std::ranges::all_of(exact, [](long double x) { return std::isfinite(x); });
-      errors.push_back(is_defined ? scales_.error(apart, of) : 0);
+      const auto entries = exact(states[i]);
+      found.push_back(entries ? scales_.error(values.data() + i, states.size(), *entries) : 0);
     }
-    return errors;
+    return found;
+  }
+
+  /// By the program in long double, which is 2048 times as exact as in double where it is longer.
+  [[nodiscard]] std::vector<double> errors_at(const std::vector<Arguments<double>>& states) const {
+    return errors(states, [this](const Arguments<double>& state) {
+      auto arguments = map_leaves([](double x) { return static_cast<long double>(x); }, state);
+      arguments.parameters = parameters_;
+      std::optional entries = reference_.values_of(program_.functions.front(), arguments);
+      const bool is_defined =
+          std::ranges::all_of(*entries, [](long double x) { return std::isfinite(x); });
+      if (!is_defined) entries.reset();
+      return entries;
+    });
   }
 
   [[nodiscard]] Arguments<double> moved(const Climb& climb, const MovingNumber& number,
@@ -215,7 +180,8 @@ class ErrorSearch {
 
   const CheckedModel& exact_;
   const Program& program_;
-  LongProgram reference_;
+  RoundedProgram<long double> reference_;
+  std::vector<long double> parameters_;  ///< the exact ones
   FieldScales scales_;
   std::vector<MovingNumber> moving_;
   const DesignValues& design_;

@@ -27,16 +27,6 @@ ExactNumber exact_number(const cln::cl_R& value) {
   return {high, ScalarTraits<double>::from_real(value - exact_value(high))};
 }
 
-/// State by state -> entry by entry.
-std::vector<ExactNumber> transposed(
-    const std::vector<std::vector<ExactNumber>>& entries_of_states) {
-  std::vector<ExactNumber> result;
-  for (std::size_t k = 0; k < entries_of_states.front().size(); ++k) {
-    for (const auto& entries : entries_of_states) result.push_back(entries[k]);
-  }
-  return result;
-}
-
 }  // namespace
 
 std::optional<std::vector<ExactNumber>> exact_entries(const CheckedModel& checked,
@@ -66,14 +56,13 @@ Result<TradeoffStates> tradeoff_states(const CheckedModel& exact, const Program&
   TradeoffStates result;
   result.low = map_leaves([](const Range& range) { return range.low; }, within);
   result.high = map_leaves([](const Range& range) { return range.high; }, within);
-  std::vector<std::vector<ExactNumber>> values;
   const std::size_t count = sampling.count;
   for (std::size_t tried = 0; result.states.size() < count && tried < 2 * count; ++tried) {
     const Arguments<double> state = drawn_within(subject, within, draw);
     auto entries = exact_entries(exact, program, state);
     if (!entries) continue;
     result.states.push_back(state);
-    values.push_back(std::move(*entries));
+    result.exact.push_back(std::move(*entries));
   }
   if (result.states.size() < count) {
     return Diagnostic{Code::E521,
@@ -85,7 +74,6 @@ Result<TradeoffStates> tradeoff_states(const CheckedModel& exact, const Program&
   for (const Field& field : program.functions.front().fields) {
     result.field_sizes.push_back(field.entries.size());
   }
-  result.exact = transposed(values);
   return result;
 }
 

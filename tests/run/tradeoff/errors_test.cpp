@@ -17,9 +17,7 @@ TradeoffStates three_states() {
   TradeoffStates states;
   states.states.resize(3);
   states.field_sizes = {2, 1};
-  for (const double value : {1.0, 2.0, -4.0, 0.0, 0.0, 1.0, 10.0, 20.0, 30.0}) {
-    states.exact.push_back({value, 0});
-  }
+  states.exact = {{{1}, {0}, {10}}, {{2}, {0}, {20}}, {{-4}, {1}, {30}}};
   return states;
 }
 
@@ -45,7 +43,7 @@ TEST_CASE("errors are relative to the largest magnitude of their field, the wors
 
 TEST_CASE("digits beyond those of double count") {
   TradeoffStates states = three_states();
-  states.exact[0].low = 1e-22;
+  states.exact[0][0].low = 1e-22;
   CHECK(state_errors({1, 2, -4, 0, 0, 1, 10, 20, 30}, states)[0] == Approx(0.25e-22));
 }
 
@@ -53,7 +51,7 @@ TEST_CASE("what is no number, or should be 0, is infinitely wrong") {
   TradeoffStates states = three_states();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK(std::isinf(state_errors({1, nan, -4, 0, 0, 1, 10, 20, 30}, states)[1]));
-  for (std::size_t i = 6; i < 9; ++i) states.exact[i] = {0, 0};
+  for (std::vector<ExactNumber>& exact : states.exact) exact[2] = {0, 0};
   CHECK(std::isinf(state_errors({1, 2, -4, 0, 0, 1, 0, 1e-30, 0}, states)[1]));
   CHECK(state_errors({1, 2, -4, 0, 0, 1, 0, 0, 0}, states)[1] == 0);
 }

@@ -17,8 +17,8 @@ class Searched {
   Searched(const std::string& text, const std::string& output)
       : products_(derived(text, output)),
         states_(*tradeoff_states(*products_.checked, *products_.program, {})) {
-    for (const ExactNumber& exact : states_.exact) {
-      scale_ = std::max(scale_, std::abs(exact.high));
+    for (const std::vector<ExactNumber>& exact : states_.exact) {
+      scale_ = std::max(scale_, std::abs(exact.front().high));
     }
   }
 
