@@ -35,70 +35,20 @@ std::string first_line(const Diagnostics& diagnostics) {
 
 /// Designs of one library.
 struct Workpiece {
-  std::vector<std::size_t> designs = {};
+  std::vector<TradeoffRow*> rows = {};
   /// Of each, then of each in packs by one state per call; none where they could not be made.
   TimedFunctions functions = {};
 };
 
-class DesignBench {
+/// Runs of the pipeline and of the compiler on designs of one output.
+class DesignRuns {
  public:
-  DesignBench(const DesignRequest& request, const BenchProcess& process)
-      : request_(request), process_(process) {}
+  DesignRuns(const DesignRequest& request, const OutputBase& base, const BenchProcess& process)
+      : request_(request), base_(base), process_(process) {}
 
-  Result<MeasuredTable> measure() {
-    const Result<Machine> machine = this_machine(process_.limits);
-    if (!machine) return machine.diagnostics;
-    result_.table.machine = *machine;
-    Result<OutputBase> base =
-        output_base(request_.inputs, request_.output, request_.ranges, process_.limits);
-    if (!base) return base.diagnostics;
-    base_ = std::move(*base);
-    Diagnostics wrong = contradictions(base_.base(), request_.choices.pinned);
-    if (!wrong.empty()) return wrong;
-    describe();
-    const Products& exact = derived(exact_design);
-    if (!exact.program) return exact.diagnostics;
-    if (!is_returned(exact.program->functions.front())) return too_large();
-    if (wrong = prepare(exact); !wrong.empty()) return wrong;
-    for (auto& [key, workpiece] : workpieces()) make(std::move(workpiece));
-    search_all(exact);
-    time_all();
-    result_.table.rows = std::move(rows_);
-    return {std::move(result_), std::move(base.diagnostics)};
-  }
-
- private:
-  void describe() {
-    result_.table.model = base_.checked.scene.base_name;
-    result_.table.subject = base_.checked.scene.outputs.front().name;
-    result_.table.cost = "ns per state";
-    result_.table.call_cost = "ns per call";
-    result_.table.error = "errors relative to the largest value of a field";
-    result_.table.sentences = {
-        fmt::format("the worst error is {} times the worst of {} states and a search from there",
-                    search_margin, state_count)};
-  }
-
-  [[nodiscard]] Diagnostics too_large() const {
-    return {{Code::E603,
-             {},
-             fmt::format("{} has more than {} entries, and is not measured",
-                         in_backticks(result_.table.subject), largest_returned)}};
-  }
-
+  /// Of designs that are derived alike their derivation_of() has one text.
   [[nodiscard]] std::string text_of(const Design& design) const {
     return scene_text(base_.base(), design, request_.inputs.model->path);
-  }
-
-  Products run(const Design& design, Goal goal) {
-    process_.renew_time_limit();
-    PipelineOptions options;
-    options.limits = process_.limits;
-    options.goals = {goal};
-    const SourcePointer scene = make_kept_source("design.scene.toml", text_of(design));
-    Products products = run_pipeline({request_.inputs.model, scene}, options);
-    if (products.checked) keep_only(result_.table.subject, products);
-    return products;
   }
 
   /// Runs the pipeline where no design before was derived alike.
@@ -112,78 +62,38 @@ class DesignBench {
     return at->second;
   }
 
-  /// The designs, the states, and what is exact there.
-  Diagnostics prepare(const Products& exact) {
-    Result<TradeoffPlan> planned = plan(*exact.checked, *exact.program, request_.choices);
-    if (!planned) return planned.diagnostics;
-    process_.on_stage("states");
-    Result<TradeoffStates> states = tradeoff_states(*exact.checked, *exact.program, {});
-    if (!states) return states.diagnostics;
-    states_ = std::move(*states);
-    result_.table.dimensions = planned->dimensions;
-    designs_ = std::move(planned->designs);
-    // One by one, a state is a call.
-    const auto in_packs = [](const PlannedDesign& each) { return each.design.in_packs; };
-    if (std::ranges::none_of(designs_, in_packs)) {
-      result_.table.cost = std::exchange(result_.table.call_cost, {});
-    }
-    for (const PlannedDesign& each : designs_) {
-      rows_.push_back({.values = each.values, .design = each.design});
-    }
-    return {};
-  }
-
-  /// By what their designs have in common: those derived alike follow each other.
-  [[nodiscard]] std::map<std::string, Workpiece> workpieces() const {
-    std::map<std::string, Workpiece> pieces;
-    for (std::size_t i = 0; i < designs_.size(); ++i) {
-      const Design& design = designs_[i].design;
-      const std::string key = text_of(derivation_of(design)) + design.trigonometry;
-      pieces[key].designs.push_back(i);
-    }
-    return pieces;
-  }
-
-  void make(Workpiece piece) {
-    const Design& first = designs_[piece.designs.front()].design;
-    const Products& products = derived(first);
-    if (!products.program) return fail(piece, first_line(products.diagnostics));
-    process_.on_stage(fmt::format("compile {}", name_of(rows_[piece.designs.front()])));
-    Result<TimedFunctions> made = compiled(piece, products);
-    if (!made) {
-      fail(piece, first_line(made.diagnostics));
-      Diagnostics& all = result_.not_compiled;
-      all.insert(all.end(), made.diagnostics.begin(), made.diagnostics.end());
-      return;
-    }
-    piece.functions = std::move(*made);
-    made_.push_back(std::move(piece));
-  }
-
-  void fail(const Workpiece& piece, const std::string& why) {
-    for (const std::size_t i : piece.designs) rows_[i].failure = why;
-  }
-
-  Result<TimedFunctions> compiled(const Workpiece& piece, const Products& products) {
-    TimingOptions timing{.states = states_.states, .limits = process_.limits};
+  Result<TimedFunctions> compiled(const Workpiece& piece, const Products& products,
+                                  const TradeoffStates& states) {
+    TimingOptions timing{.states = states.states, .limits = process_.limits};
     Scene scene = products.checked->scene;
     scene.emission = {};
     scene.numerics.scalars.clear();
-    for (const std::size_t i : piece.designs) {
-      const Design& design = designs_[i].design;
+    for (const TradeoffRow* const row : piece.rows) {
+      const Design& design = row->design;
       timing.variants.push_back({design.scalar, design.in_packs});
       if (design.in_packs) scene.numerics = numerics_of(design, std::move(scene.numerics.scalars));
       scene.emission.batch = scene.emission.batch || design.in_packs;
     }
-    for (const std::size_t i : piece.designs) {
-      const Design& design = designs_[i].design;
-      if (design.in_packs) timing.variants.push_back({design.scalar, true, true});
+    for (const TradeoffRow* const row : piece.rows) {
+      if (row->design.in_packs) timing.variants.push_back({row->design.scalar, true, true});
     }
     if (scene.numerics.scalars.empty()) scene.numerics.scalars = {timing.variants.front().scalar};
     const Model& model = products.checked->model;
     const Result<EmittedFiles> files = emit(model, scene, *products.program, {});
     if (!files) return files.diagnostics;
     return compile_timed(*files, model, scene, *products.program, timing);
+  }
+
+ private:
+  Products run(const Design& design, Goal goal) {
+    process_.renew_time_limit();
+    PipelineOptions options;
+    options.limits = process_.limits;
+    options.goals = {goal};
+    const SourcePointer scene = make_kept_source("design.scene.toml", text_of(design));
+    Products products = run_pipeline({request_.inputs.model, scene}, options);
+    if (products.checked) keep_only(base_.checked.scene.outputs.front().name, products);
+    return products;
   }
 
   /// The numerics of the design's own scene, for one more scalar.
@@ -194,18 +104,111 @@ class DesignBench {
     return numerics;
   }
 
+  const DesignRequest& request_;
+  const OutputBase& base_;
+  const BenchProcess& process_;
+  std::map<std::string, Products> derived_ = {};
+};
+
+TradeoffTable table_of(const Scene& scene, const Machine& machine) {
+  return {.model = scene.base_name,
+          .subject = scene.outputs.front().name,
+          .cost = "ns per state",
+          .call_cost = "ns per call",
+          .error = "errors relative to the largest value of a field",
+          .sentences = {fmt::format(
+              "the worst error is {} times the worst of {} states and a search from there",
+              search_margin, state_count)},
+          .machine = machine};
+}
+
+class DesignBench {
+ public:
+  DesignBench(const DesignRequest& request, const OutputBase& base, const BenchProcess& process,
+              const Machine& machine)
+      : choices_(request.choices),
+        process_(process),
+        runs_(request, base, process),
+        table_(table_of(base.checked.scene, machine)) {}
+
+  Result<MeasuredTable> measure() {
+    const Products& exact = runs_.derived(exact_design);
+    if (!exact.program) return exact.diagnostics;
+    if (!is_returned(exact.program->functions.front())) {
+      return Diagnostic{Code::E603,
+                        {},
+                        fmt::format("{} has more than {} entries, and is not measured",
+                                    in_backticks(table_.subject), largest_returned)};
+    }
+    if (Diagnostics wrong = prepare(exact); !wrong.empty()) return wrong;
+    for (auto& [key, workpiece] : workpieces()) make(std::move(workpiece));
+    search_all(exact);
+    time_all();
+    return MeasuredTable{std::move(table_), std::move(not_compiled_)};
+  }
+
+ private:
+  /// The designs, the states, and what is exact there.
+  Diagnostics prepare(const Products& exact) {
+    Result<TradeoffPlan> planned = plan(*exact.checked, *exact.program, choices_);
+    if (!planned) return planned.diagnostics;
+    process_.on_stage("states");
+    Result<TradeoffStates> states = tradeoff_states(*exact.checked, *exact.program, {});
+    if (!states) return states.diagnostics;
+    states_ = std::move(*states);
+    table_.dimensions = planned->dimensions;
+    for (const PlannedDesign& each : planned->designs) {
+      table_.rows.push_back({.values = each.values, .design = each.design});
+    }
+    // One by one, a state is a call.
+    const auto in_packs = [](const TradeoffRow& row) { return row.design.in_packs; };
+    if (std::ranges::none_of(table_.rows, in_packs)) {
+      table_.cost = std::exchange(table_.call_cost, {});
+    }
+    return {};
+  }
+
+  /// By what their designs have in common: those derived alike follow each other.
+  [[nodiscard]] std::map<std::string, Workpiece> workpieces() {
+    std::map<std::string, Workpiece> pieces;
+    for (TradeoffRow& row : table_.rows) {
+      const Design& design = row.design;
+      const std::string key = runs_.text_of(derivation_of(design)) + design.trigonometry;
+      pieces[key].rows.push_back(&row);
+    }
+    return pieces;
+  }
+
+  void make(Workpiece piece) {
+    const TradeoffRow& first = *piece.rows.front();
+    const Products& products = runs_.derived(first.design);
+    if (!products.program) return fail(piece, first_line(products.diagnostics));
+    process_.on_stage(fmt::format("compile {}", name_of(first)));
+    Result<TimedFunctions> made = runs_.compiled(piece, products, states_);
+    if (!made) {
+      fail(piece, first_line(made.diagnostics));
+      not_compiled_.insert(not_compiled_.end(), made.diagnostics.begin(), made.diagnostics.end());
+      return;
+    }
+    piece.functions = std::move(*made);
+    made_.push_back(std::move(piece));
+  }
+
+  static void fail(const Workpiece& piece, const std::string& why) {
+    for (TradeoffRow* const row : piece.rows) row->failure = why;
+  }
+
   /// No clock has a say in how accurate a design is.
   void search_all(const Products& exact) {
-    for (const Workpiece& piece : made_) {
-      for (std::size_t k = 0; k < piece.designs.size(); ++k) {
-        TradeoffRow& row = rows_[piece.designs[k]];
-        process_.on_stage(fmt::format("search {}", name_of(row)));
+    for (const auto& [rows, functions] : made_) {
+      for (std::size_t k = 0; k < rows.size(); ++k) {
+        process_.on_stage(fmt::format("search {}", name_of(*rows[k])));
         process_.renew_time_limit();
-        const TimedFunction& function = *piece.functions[k];
+        const TimedFunction& function = *functions[k];
         const FoundErrors found =
             found_errors(*exact.checked, *exact.program, states_,
                          [&function](const auto& states) { return function.at(states); });
-        row.error = {search_margin * found.worst, found.median};
+        rows[k]->error = {search_margin * found.worst, found.median};
       }
     }
   }
@@ -217,29 +220,26 @@ class DesignBench {
     const auto add = [&works](TimedFunction& function, Spread& cost) {
       works.push_back({[&function] { function.run(); }, state_count, &cost});
     };
-    for (const Workpiece& piece : made_) {
-      std::size_t calls = piece.designs.size();
-      for (std::size_t k = 0; k < piece.designs.size(); ++k) {
-        const std::size_t i = piece.designs[k];
-        add(*piece.functions[k], rows_[i].cost);
-        if (designs_[i].design.in_packs) add(*piece.functions[calls++], rows_[i].call_cost);
+    for (const auto& [rows, functions] : made_) {
+      std::size_t calls = rows.size();
+      for (std::size_t k = 0; k < rows.size(); ++k) {
+        add(*functions[k], rows[k]->cost);
+        if (rows[k]->design.in_packs) add(*functions[calls++], rows[k]->call_cost);
       }
     }
     find_costs(works);
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      if (!designs_[i].design.in_packs) rows_[i].call_cost = rows_[i].cost;
+    for (TradeoffRow& row : table_.rows) {
+      if (!row.design.in_packs) row.call_cost = row.cost;
     }
   }
 
-  const DesignRequest& request_;
+  const DesignChoices& choices_;
   const BenchProcess& process_;
-  std::map<std::string, Products> derived_ = {};
-  OutputBase base_ = {};
-  std::vector<PlannedDesign> designs_ = {};
-  std::vector<TradeoffRow> rows_ = {};  ///< of the designs
+  DesignRuns runs_;
+  TradeoffTable table_;
   TradeoffStates states_ = {};
   std::vector<Workpiece> made_ = {};
-  MeasuredTable result_ = {};
+  Diagnostics not_compiled_ = {};
 };
 
 }  // namespace
@@ -287,7 +287,16 @@ Result<OutputBase> output_base(const Inputs& inputs, const std::string& output,
 }
 
 Result<MeasuredTable> measured_designs(const DesignRequest& request, const BenchProcess& process) {
-  return DesignBench(request, process).measure();
+  const Result<Machine> machine = this_machine(process.limits);
+  if (!machine) return machine.diagnostics;
+  const Result<OutputBase> base =
+      output_base(request.inputs, request.output, request.ranges, process.limits);
+  if (!base) return base.diagnostics;
+  Diagnostics wrong = contradictions(base->base(), request.choices.pinned);
+  if (!wrong.empty()) return wrong;
+  Result<MeasuredTable> measured = DesignBench(request, *base, process, *machine).measure();
+  if (measured) measured.diagnostics = base.diagnostics;
+  return measured;
 }
 
 }  // namespace elgen

@@ -33,6 +33,20 @@ struct StepCode {
   Spread in_packs = {};
 };
 
+/// `bar`: how far the runs of the reference differ.
+std::vector<std::string> sentences(const std::map<ChosenStep, StepCode>& codes, double bar) {
+  std::vector<std::string> all{fmt::format(
+      "reference: Fehlberg's method of order 8 to 1e-15 in long double and to 1e-12 in double, "
+      "which differ by {:.1e}",
+      bar)};
+  for (const auto& [step, code] : codes) {
+    if (code.loops.one == nullptr) continue;
+    all.push_back(fmt::format("a step by {} takes {:.4g} ns, in packs {:.4g}", name_of_step(step),
+                              code.one.median, code.in_packs.median));
+  }
+  return all;
+}
+
 class RunBench {
  public:
   RunBench(const Inputs& inputs, double time, const BenchProcess& process)
@@ -61,7 +75,8 @@ class RunBench {
     process_.on_stage("time");
     process_.renew_time_limit();
     time_all();
-    tell();
+    table_.sentences = sentences(codes_, bar_);
+    table_.sentences.insert(table_.sentences.end(), refusals_.begin(), refusals_.end());
     return {{std::move(table_)}, exact_.diagnostics};
   }
 
@@ -165,20 +180,6 @@ class RunBench {
       const auto steps = static_cast<double>(steps_[i]);
       table_.rows[i].cost = {median * steps, low * steps, high * steps};
     }
-  }
-
-  void tell() {
-    table_.sentences.push_back(fmt::format(
-        "reference: Fehlberg's method of order 8 to 1e-15 in long double and to 1e-12 in "
-        "double, which differ by {:.1e}",
-        bar_));
-    for (const auto& [step, code] : codes_) {
-      if (code.loops.one == nullptr) continue;
-      table_.sentences.push_back(fmt::format("a step by {} takes {:.4g} ns, in packs {:.4g}",
-                                             name_of_step(step), code.one.median,
-                                             code.in_packs.median));
-    }
-    table_.sentences.insert(table_.sentences.end(), refusals_.begin(), refusals_.end());
   }
 
   const Inputs& inputs_;

@@ -17,9 +17,14 @@ namespace {
 std::string expression_text(const std::string& text) {
   constexpr std::size_t most_digits = 18;
   const bool is_integer = !text.empty() && text.size() <= most_digits &&
-                          std::ranges::all_of(text, [](char c) { return '0' <= c && c <= '9'; }) &&
+                          std::ranges::all_of(text, is_digit) &&
                           (text.size() == 1 || text.front() != '0');
   return is_integer ? text : toml_string(text);
+}
+
+/// "a = 1"
+std::string assigned(const std::string& key, const std::string& value) {
+  return fmt::format("{} = {}", toml_key(key), value);
 }
 
 std::string value_text(const ValueSyntax& value) {
@@ -36,7 +41,7 @@ std::string value_text(const ValueSyntax& value) {
       return toml_list(parts);
     case ValueKind::table:
       for (const KeySyntax& key : value.entries) {
-        parts.push_back(fmt::format("{} = {}", toml_key(key.key), value_text(key.value)));
+        parts.push_back(assigned(key.key, value_text(key.value)));
       }
       return toml_inline_table(parts);
   }
@@ -69,7 +74,7 @@ class DesignText {
 
   /// Nothing where there is no value.
   static std::string line(const std::string& key, const std::string& value) {
-    return value.empty() ? "" : fmt::format("{} = {}\n", toml_key(key), value);
+    return value.empty() ? "" : assigned(key, value) + "\n";
   }
 
   static std::string section(const char* title, const Lines& lines) {
@@ -144,7 +149,7 @@ class DesignText {
           found == known.end() ? FixedValue{parameter.value, parameter.form} : found->second;
       const std::string text =
           value.form ? to_string(model, *value.form) : exact_text(value.number);
-      values.push_back(fmt::format("{} = {}", toml_key(parameter.name), expression_text(text)));
+      values.push_back(assigned(parameter.name, expression_text(text)));
     }
     return toml_inline_table(values);
   }
@@ -164,8 +169,8 @@ class DesignText {
     Lines values;
     for (const Coordinate& coordinate : base_.checked.model.coordinates) {
       if (coordinate.rotation) continue;
-      values.push_back(fmt::format("{} = {}", toml_key(coordinate.name),
-                                   expression_text(exact_text(coordinate.start_value))));
+      values.push_back(
+          assigned(coordinate.name, expression_text(exact_text(coordinate.start_value))));
     }
     return toml_inline_table(values);
   }
@@ -177,11 +182,10 @@ class DesignText {
         line("form", own("numeric", "form")),
         line("prefer", own("numeric", "prefer")),
         line("trigonometry", error.empty() ? "" : fmt::format("{{ max_error = \"{}\" }}", error)),
-        line("max_error", base_.max_error ? number(*base_.max_error) : ""),
+        line("max_error",
+             base_.max_error ? expression_text(fmt::format("{}", *base_.max_error)) : ""),
         line("ranges", ranges())};
   }
-
-  static std::string number(double value) { return expression_text(fmt::format("{}", value)); }
 
   /// Those of the scene, and those given beside them or in their place.
   [[nodiscard]] std::string ranges() const {
@@ -193,9 +197,7 @@ class DesignText {
     const auto given = parse_options(base_.ranges, KeyType::range, Limits{});
     for (const KeySyntax& range : *given) ends[range.key] = value_text(range.value);
     Lines entries;
-    for (const auto& [name, range] : ends) {
-      entries.push_back(fmt::format("{} = {}", toml_key(name), range));
-    }
+    for (const auto& [name, range] : ends) entries.push_back(assigned(name, range));
     return entries.empty() ? "" : toml_inline_table(entries);
   }
 
