@@ -26,45 +26,82 @@ struct ShowOptions {
   SceneOptions scene = {};
 };
 
-/// The subjects that --what may ask for beside outputs; each stands alone.
-enum class ShownSubject : unsigned char {
-  outputs,
-  lagrangian,
-  steps,
-  cost,
-  equilibria,
-  modes,
-  symmetries
-};
+/// Of an analysis: `parts` are what its stages made.
+template <auto write, auto... parts>
+auto made(const Products& products, const PageOptions&) {
+  return write(*products.checked, *(products.*parts)...);
+}
 
+/// The sidecar, which has all outputs.
+std::string json_of_outputs(const Products& products, const PageOptions&) {
+  for (const auto& [path, text] : products.files->files) {
+    if (path.ends_with(".json")) return text;
+  }
+  return {};
+}
+
+template <class T>
+using Shown = T (*)(const Products& products, const PageOptions& options);
+
+/// A subject that --what may ask for beside outputs; each stands alone.
 struct SubjectRow {
-  std::string_view word;
-  ShownSubject subject;
-  Goal goal;                 ///< the stage whose product is shown
-  bool has_formulas = true;  ///< else text alone
-  bool has_json = false;
+  std::string_view word;  ///< "": outputs
+  Goal goal;              ///< the stage whose product is shown
+  Shown<std::string> text;
+  Shown<Sheet> sheet;       ///< null: text alone
+  Shown<std::string> json;  ///< null: none
+  bool is_of_rest = false;  ///< states of rest and motions about them
 };
 
 constexpr std::array subjects{
-    SubjectRow{"", ShownSubject::outputs, Goal::emit, true, true},
-    SubjectRow{"lagrangian", ShownSubject::lagrangian, Goal::steps},
-    SubjectRow{"steps", ShownSubject::steps, Goal::steps},
-    SubjectRow{"cost", ShownSubject::cost, Goal::emit, false},
-    SubjectRow{"equilibria", ShownSubject::equilibria, Goal::equilibria, true, true},
-    SubjectRow{"modes", ShownSubject::modes, Goal::modes, true, true},
-    SubjectRow{"symmetries", ShownSubject::symmetries, Goal::symmetries, true, true}};
+    SubjectRow{"", Goal::emit,
+               [](const Products& all, const PageOptions& options) {
+                 const auto& [model, scene] = *all.checked;
+                 return text_page(model, scene, all.book->program, options);
+               },
+               [](const Products& all, const PageOptions& options) {
+                 const auto& [model, scene] = *all.checked;
+                 return sheet(model, scene, all.book->program, options);
+               },
+               &json_of_outputs},
+    SubjectRow{"lagrangian", Goal::steps,
+               [](const Products& all, const PageOptions&) {
+                 return steps_text(all.checked->model, *all.steps, energies_title);
+               },
+               [](const Products& all, const PageOptions&) {
+                 const auto& [model, scene] = *all.checked;
+                 return steps_sheet(model, scene, *all.steps, energies_title);
+               },
+               nullptr},
+    SubjectRow{"steps", Goal::steps,
+               [](const Products& all, const PageOptions&) {
+                 return steps_text(all.checked->model, *all.steps);
+               },
+               [](const Products& all, const PageOptions&) {
+                 return steps_sheet(all.checked->model, all.checked->scene, *all.steps);
+               },
+               nullptr},
+    SubjectRow{"cost", Goal::emit,
+               [](const Products& all, const PageOptions&) { return cost_page(all.costs); },
+               nullptr, nullptr},
+    SubjectRow{"equilibria", Goal::equilibria, &made<&equilibria_text, &Products::equilibria>,
+               &made<&equilibria_sheet, &Products::equilibria>,
+               &made<&equilibria_json, &Products::equilibria>, true},
+    SubjectRow{"modes", Goal::modes, &made<&modes_text, &Products::equilibria, &Products::motions>,
+               &made<&modes_sheet, &Products::equilibria, &Products::motions>,
+               &made<&modes_json, &Products::equilibria, &Products::motions>, true},
+    SubjectRow{"symmetries", Goal::symmetries, &made<&symmetries_text, &Products::symmetries>,
+               &made<&symmetries_sheet, &Products::symmetries>,
+               &made<&symmetries_json, &Products::symmetries>}};
 
-const SubjectRow& row_of(ShownSubject subject) {
-  return *std::ranges::find(subjects, subject, &SubjectRow::subject);
-}
-
-Result<ShownSubject> subject_of(const ShowOptions& options) {
+Result<const SubjectRow*> subject_of(const ShowOptions& options) {
   for (const SubjectRow& row : subjects) {
     if (row.word.empty()) continue;
     if (options.what == row.word) {
       const bool is_plain = options.as == "text" || options.as == "unicode";
-      const bool is_printed = options.as == "json" ? row.has_json : row.has_formulas || is_plain;
-      if (is_printed) return row.subject;
+      const bool is_printed =
+          options.as == "json" ? row.json != nullptr : row.sheet != nullptr || is_plain;
+      if (is_printed) return &row;
       return Diagnostic{
           Code::E913, {}, fmt::format("`{}` is not printed as {}", row.word, options.as)};
     }
@@ -75,7 +112,7 @@ Result<ShownSubject> subject_of(const ShowOptions& options) {
                         "show it in a command of its own"};
     }
   }
-  return ShownSubject::outputs;
+  return &subjects.front();
 }
 
 double seconds(const std::vector<StageTime>& times, std::string_view first, std::string_view last) {
@@ -165,70 +202,21 @@ std::string generation_costs(const Inputs& inputs, const PipelineOptions& option
   return text + "\n";
 }
 
-Sheet sheet_of(const Products& products, ShownSubject subject, const PageOptions& options) {
-  const auto& [model, scene] = *products.checked;
-  if (subject == ShownSubject::outputs) return sheet(model, scene, products.book->program, options);
-  if (subject == ShownSubject::equilibria) {
-    return equilibria_sheet(*products.checked, *products.equilibria);
-  }
-  if (subject == ShownSubject::modes) {
-    return modes_sheet(*products.checked, *products.equilibria, *products.motions);
-  }
-  if (subject == ShownSubject::symmetries) {
-    return symmetries_sheet(*products.checked, *products.symmetries);
-  }
-  const bool is_all = subject == ShownSubject::steps;
-  return steps_sheet(model, scene, *products.steps, is_all ? "" : energies_title);
-}
-
-std::string text_of(const Products& products, ShownSubject subject, const PageOptions& options) {
-  const auto& [model, scene] = *products.checked;
-  switch (subject) {
-    case ShownSubject::outputs:
-      return text_page(model, scene, products.book->program, options);
-    case ShownSubject::lagrangian:
-      return steps_text(model, *products.steps, energies_title);
-    case ShownSubject::steps:
-      return steps_text(model, *products.steps);
-    case ShownSubject::cost:
-      return cost_page(products.costs);
-    case ShownSubject::equilibria:
-      return equilibria_text(*products.checked, *products.equilibria);
-    case ShownSubject::modes:
-      return modes_text(*products.checked, *products.equilibria, *products.motions);
-    case ShownSubject::symmetries:
-      return symmetries_text(*products.checked, *products.symmetries);
-  }
-  return {};
-}
-
-std::string page(const Products& products, ShownSubject subject, const ShowOptions& wanted) {
+std::string page(const Products& products, const SubjectRow& subject, const ShowOptions& wanted) {
   PageOptions options;
   options.zeros = !wanted.what.empty();  // what is asked for by name is shown
   if (options.zeros) options.most_entries = SIZE_MAX;
   const bool opens = wanted.what.empty() && products.book && products.book->steps;
   if (opens) options.opening = &*products.book->steps;
-  if (wanted.as == "unicode" && row_of(subject).has_formulas) {
-    return screen_page(sheet_of(products, subject, options),
-                       {screen_of(stdout).columns, Alphabet::unicode});
+  if (wanted.as == "json") return subject.json(products, options);
+  const bool is_screen = wanted.as == "unicode" && subject.sheet != nullptr;
+  if (wanted.as == "text" || (wanted.as == "unicode" && !is_screen)) {
+    return subject.text(products, options);
   }
-  if (wanted.as == "text" || wanted.as == "unicode") return text_of(products, subject, options);
-  if (wanted.as == "latex") return latex_document(sheet_of(products, subject, options));
-  if (wanted.as == "mathml") return html_page(sheet_of(products, subject, options));
-  if (wanted.as == "markdown") return markdown_page(sheet_of(products, subject, options));
-  if (subject == ShownSubject::equilibria) {
-    return equilibria_json(*products.checked, *products.equilibria);
-  }
-  if (subject == ShownSubject::modes) {
-    return modes_json(*products.checked, *products.equilibria, *products.motions);
-  }
-  if (subject == ShownSubject::symmetries) {
-    return symmetries_json(*products.checked, *products.symmetries);
-  }
-  for (const auto& [path, text] : products.files->files) {
-    if (path.ends_with(".json")) return text;
-  }
-  return {};
+  const Sheet shown = subject.sheet(products, options);
+  if (is_screen) return screen_page(shown, {screen_of(stdout).columns, Alphabet::unicode});
+  if (wanted.as == "latex") return latex_document(shown);
+  return wanted.as == "mathml" ? html_page(shown) : markdown_page(shown);
 }
 
 /// Pipes get what programs read.
@@ -240,11 +228,12 @@ std::string usual_notation(const GlobalOptions& global) {
 ExitCode show(const GlobalOptions& global, const ShowOptions& given) {
   ShowOptions options = given;
   if (options.as.empty()) options.as = usual_notation(global);
-  const Result<ShownSubject> subject = subject_of(options);
-  if (!subject) return report(global, subject.diagnostics);
+  const Result<const SubjectRow*> found = subject_of(options);
+  if (!found) return report(global, found.diagnostics);
+  const SubjectRow& subject = **found;
   const Result<Inputs> inputs = read_inputs(options.input, global.limits);
   if (!inputs) return report(global, inputs.diagnostics);
-  PipelineOptions pipeline = pipeline_options(global, {row_of(*subject).goal});
+  PipelineOptions pipeline = pipeline_options(global, {subject.goal});
   pipeline.scene = options.scene;
   if (!options.at.empty()) {
     const bool is_place = options.at.find('=') != std::string::npos;
@@ -252,17 +241,16 @@ ExitCode show(const GlobalOptions& global, const ShowOptions& given) {
     if (is_place) pipeline.scene.starts = {make_source("--at", options.at)};
   }
   // States of rest are those of one potential: what a model leaves open is its sample.
-  pipeline.scene.close_functions =
-      *subject == ShownSubject::equilibria || *subject == ShownSubject::modes;
-  if (*subject == ShownSubject::outputs && !options.what.empty()) {
+  pipeline.scene.close_functions = subject.is_of_rest;
+  if (subject.word.empty() && !options.what.empty()) {
     pipeline.scene.outputs = {make_source("command line", options.what)};
   }
   const Products products = run_shown(options.input, *inputs, pipeline);
   const ExitCode derived = report_products(global, products);
   tell_times(global, products);
   if (derived != ExitCode::success || !global.stop_after.empty()) return derived;
-  std::string text = page(products, *subject, options);
-  if (*subject == ShownSubject::cost) text += "\n" + generation_costs(*inputs, pipeline, products);
+  std::string text = page(products, subject, options);
+  if (subject.word == "cost") text += "\n" + generation_costs(*inputs, pipeline, products);
   return print(global, text);
 }
 
