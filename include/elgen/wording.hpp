@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,8 +27,17 @@ namespace elgen {
 /// "1 component", "3 components"
 [[nodiscard]] std::string counted(std::size_t count, std::string_view noun);
 
-/// "did you mean `m`?", or nothing where no candidate is near.
+/// "did you mean `m`?"; `otherwise` where no candidate is near.
 [[nodiscard]] std::string suggestion(std::string_view word,
-                                     const std::vector<std::string>& candidates);
+                                     const std::vector<std::string>& candidates,
+                                     const std::string& otherwise = {});
+
+/// A word of every row, such as its name: words_in(step_methods, &StepMethodRow::name).
+template <class Rows, class Word>
+[[nodiscard]] std::vector<std::string> words_in(const Rows& rows, const Word& word) {
+  std::vector<std::string> words;
+  for (const auto& row : rows) words.emplace_back(std::invoke(word, row));
+  return words;
+}
 
 }  // namespace elgen

@@ -104,9 +104,10 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
   return result;
 }
 
-std::string suggestion(std::string_view word, const std::vector<std::string>& candidates) {
+std::string suggestion(std::string_view word, const std::vector<std::string>& candidates,
+                       const std::string& otherwise) {
   const std::string near = nearest(word, candidates);
-  return near.empty() ? "" : "did you mean `" + near + "`?";
+  return near.empty() ? otherwise : "did you mean `" + near + "`?";
 }
 
 }  // namespace elgen

@@ -45,12 +45,6 @@ constexpr std::array formats{
                [](const DiffReport& report, const DiffOptions&) { return to_annotations(report); },
                true}};
 
-std::vector<std::string> format_names() {
-  std::vector<std::string> names;
-  for (const DiffFormat& format : formats) names.emplace_back(format.name);
-  return names;
-}
-
 const DiffFormat& output_format(const GlobalOptions& global, const DiffOptions& options) {
   const std::string_view name =
       options.format.empty() ? format_row(global.style.format).word : options.format;
@@ -148,7 +142,7 @@ void add_diff(CLI::App& app, Action& action) {
   command
       ->add_option("--format", options->format,
                    "text, json, markdown (a comment on a pull request) or github (annotations)")
-      ->check(CLI::IsMember(format_names()));
+      ->check(CLI::IsMember(words_in(formats, &DiffFormat::name)));
   set_action(*command, action, options, &diff);
 }
 

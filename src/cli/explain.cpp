@@ -3,6 +3,7 @@
 // or a name in [[expect]].
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 
@@ -12,6 +13,7 @@
 #include "elgen/outputs.hpp"
 #include "elgen/syntax.hpp"
 #include "elgen/wording.hpp"
+#include "emit/interface/code_interface.hpp"
 
 namespace elgen::cli {
 namespace {
@@ -163,8 +165,7 @@ std::string text_of(const std::vector<KeyRow>& keys) {
 /// Every code, output, function and name, and every entry that stands in a file under a header of
 /// its own.
 std::vector<std::string> known_names() {
-  std::vector<std::string> names;
-  for (const EntryRow& entry : entry_table()) names.emplace_back(entry.entry);
+  std::vector<std::string> names = words_in(entry_table(), &EntryRow::entry);
   for (const CodeRow& code : code_table()) names.emplace_back(code.name);
   for (const OutputRow& output : output_table()) {
     if (!output.of_user) names.emplace_back(output.name);
@@ -174,25 +175,11 @@ std::vector<std::string> known_names() {
   return names;
 }
 
-const WordRow* find_word(std::string_view name) {
-  for (const WordRow& word : word_table) {
-    if (word.name == name) return &word;
-  }
-  return nullptr;
-}
-
 const OutputRow* find_output(std::string_view name) {
   for (const OutputRow& output : output_table()) {
     if (!output.of_user && output.name == name) return &output;
   }
   return nullptr;
-}
-
-std::string in_capitals(std::string text) {
-  for (char& letter : text) {
-    if (letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
-  }
-  return text;
 }
 
 template <class Row>
@@ -201,7 +188,7 @@ ExitCode print_row(const GlobalOptions& global, const Row& row) {
 }
 
 ExitCode explain(const GlobalOptions& global, const std::string& name) {
-  if (const CodeRow* row = find_code(in_capitals(name))) return print_row(global, *row);
+  if (const CodeRow* row = find_code(capitals(name))) return print_row(global, *row);
   const std::vector<KeyRow> keys = keys_of_entry(name);
   if (!keys.empty()) {
     Json list = Json::array();
@@ -213,7 +200,8 @@ ExitCode explain(const GlobalOptions& global, const std::string& name) {
   }
   if (const OutputRow* row = find_output(name)) return print_row(global, *row);
   if (const FunctionRow* row = find_function(name)) return print_row(global, *row);
-  if (const WordRow* row = find_word(name)) return print_row(global, *row);
+  const auto word = std::ranges::find(word_table, name, &WordRow::name);
+  if (word != word_table.end()) return print_row(global, *word);
   return report(global, {{Code::E913,
                           {},
                           fmt::format("`{}` is no error code, entry, output or function", name),

@@ -39,12 +39,6 @@ struct RawOptions {
   bool list_limits = false;
 };
 
-std::vector<std::string> format_words() {
-  std::vector<std::string> words;
-  for (const DiagnosticFormatRow& row : diagnostic_formats()) words.emplace_back(row.word);
-  return words;
-}
-
 /// "elgen 0.1.0 (d205d2cd1a2b)"
 std::string version() {
   const std::string of_commit = *commit == '\0' ? "" : fmt::format(" ({})", commit);
@@ -56,7 +50,7 @@ void add_global_options(CLI::App& app, CommandLine& line, RawOptions& raw) {
   app.add_option("--color", raw.color, "auto, always or never (NO_COLOR is honoured)")
       ->check(CLI::IsMember({"auto", "always", "never"}));
   app.add_option("--format", raw.format, "of messages: text, json (of results too) or github")
-      ->check(CLI::IsMember(format_words()));
+      ->check(CLI::IsMember(words_in(diagnostic_formats(), &DiagnosticFormatRow::word)));
   app.add_flag("-q,--quiet", line.global.quiet, "errors and warnings only");
   app.add_flag("-v,--verbose", line.global.verbose, "show the equations on a screen");
   app.add_option("--dump", line.global.dump_stage, "print what a stage made, on stdout")
@@ -138,13 +132,11 @@ Result<Limits> read_limits(const std::vector<std::string>& settings) {
     const std::string name = setting.substr(0, equals);
     const auto row = std::ranges::find(limit_table(), name, &LimitRow::name);
     if (row == limit_table().end()) {
-      std::vector<std::string> names;
-      for (const LimitRow& known : limit_table()) names.emplace_back(known.name);
-      const std::string hint = suggestion(name, names);
+      const std::vector<std::string> names = words_in(limit_table(), &LimitRow::name);
       return Diagnostic{Code::E913,
                         {},
                         fmt::format("`{}` is no limit", name),
-                        hint.empty() ? "see `elgen --limits`" : hint};
+                        suggestion(name, names, "see `elgen --limits`")};
     }
     const std::string value = equals == std::string::npos ? "" : setting.substr(equals + 1);
     const char* end = value.data() + value.size();

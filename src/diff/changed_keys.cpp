@@ -7,6 +7,7 @@
 
 #include "diff/renamed.hpp"
 #include "elgen/diff.hpp"
+#include "elgen/wording.hpp"
 
 namespace elgen {
 namespace {
@@ -273,9 +274,7 @@ class KeyComparison {
         std::ranges::mismatch(olds, news, {}, &Names::value_type::first, &Names::value_type::first);
     if (moved.in2 == news.end()) return;
     const auto listed = [](const Names& names) {
-      std::vector<std::string> all;
-      for (const auto& name : names) all.push_back(name.first);
-      return fmt::format("{}", fmt::join(all, ", "));
+      return fmt::format("{}", fmt::join(words_in(names, &Names::value_type::first), ", "));
     };
     add({}, listed(olds), listed(news), moved.in1->second, moved.in2->second);
   }

@@ -58,9 +58,7 @@ Names members(const Model& model, const std::vector<ParameterArray>& arrays,
 }
 
 std::string listed(const Names& members) {
-  std::string text;
-  for (const KnownName& member : members) text += (text.empty() ? "" : ", ") + member.name;
-  return text;
+  return fmt::format("{}", fmt::join(words_in(members, &KnownName::name), ", "));
 }
 
 const KnownName* find(const Names& members, const std::string& name) {

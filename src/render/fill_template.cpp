@@ -42,9 +42,7 @@ TemplateData section_if(bool present, const TemplateData& values) {
 }
 
 TemplateData lines_data(const std::vector<std::string>& lines) {
-  TemplateData list(TemplateData::type::list);
-  for (const std::string& line : lines) list.push_back(TemplateData("line", line));
-  return list;
+  return rows_data(lines, [](const std::string& line) { return TemplateData("line", line); });
 }
 
 std::string fill_template(std::string_view path, const TemplateData& data) {

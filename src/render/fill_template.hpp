@@ -14,6 +14,16 @@
 namespace elgen {
 
 using TemplateData = kainjow::mustache::data;
+/// The values of holes, by their names.
+using TemplateRow = kainjow::mustache::object;
+
+/// What a section repeats over: `row_of` every element.
+template <class Elements, class RowOf>
+[[nodiscard]] TemplateData rows_data(const Elements& elements, const RowOf& row_of) {
+  TemplateData list(TemplateData::type::list);
+  for (const auto& element : elements) list.push_back(row_of(element));
+  return list;
+}
 
 /// The list an optional section stands on: one element with the values, or none.
 [[nodiscard]] TemplateData section_if(bool present, const TemplateData& values = {});

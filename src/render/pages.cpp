@@ -43,16 +43,13 @@ std::string title_text(const std::string& title, const std::string& latex, const
 }
 
 TemplateData table(const std::vector<SheetVariable>& variables, const PageWords& words) {
-  TemplateData rows(List::list);
-  for (const SheetVariable& variable : variables) {
-    TemplateData row;
-    row.set("symbol", words.in_line(variable.symbol));
-    row.set("name", words.name(variable.name));
-    row.set("value", words.plain(variable.value));
-    row.set("unit", words.unit(variable.unit));
-    row.set("doc", words.plain(variable.doc));
-    rows << row;
-  }
+  const TemplateData rows = rows_data(variables, [&words](const SheetVariable& variable) {
+    return TemplateRow{{"symbol", words.in_line(variable.symbol)},
+                       {"name", words.name(variable.name)},
+                       {"value", words.plain(variable.value)},
+                       {"unit", words.unit(variable.unit)},
+                       {"doc", words.plain(variable.doc)}};
+  });
   return section_if(!variables.empty(), {"rows", rows});
 }
 

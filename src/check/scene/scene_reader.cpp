@@ -21,17 +21,14 @@ namespace elgen {
 namespace {
 
 std::string one_of_them() {
-  std::vector<std::string_view> names;
-  for (const StepMethodRow& row : step_methods) names.push_back(row.name);
-  return fmt::format("one of {}, which are straight-line code", fmt::join(names, ", "));
+  return fmt::format("one of {}, which are straight-line code",
+                     fmt::join(words_in(step_methods, &StepMethodRow::name), ", "));
 }
 
 void report_unknown(const ValueSyntax& value, Report& report) {
-  std::vector<std::string> names;
-  for (const StepMethodRow& row : step_methods) names.emplace_back(row.name);
-  const std::string hint = suggestion(value.text, names);
+  const std::vector<std::string> names = words_in(step_methods, &StepMethodRow::name);
   report.add(Code::E620, value.span, "`step` has no method " + in_backticks(value.text),
-             hint.empty() ? one_of_them() : hint);
+             suggestion(value.text, names, one_of_them()));
 }
 
 void refuse_keys(const ValueSyntax& entry, const OutputRequest& output, Report& report) {

@@ -5,13 +5,12 @@
 #include <array>
 
 #include "cli/help/command_list.hpp"
+#include "elgen/wording.hpp"
 #include "render/fill_template.hpp"
 
 namespace elgen::cli {
 
 namespace {
-
-using List = TemplateData::type;
 
 struct ShellRow {
   std::string_view shell;
@@ -26,12 +25,6 @@ std::string spaced(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
-std::vector<std::string> names_of(const std::vector<ListedCommand>& commands) {
-  std::vector<std::string> names;
-  for (const ListedCommand& command : commands) names.push_back(command.name);
-  return names;
-}
-
 /// Of options, not of positionals.
 std::vector<std::string> names_of(const std::vector<ListedOption>& options) {
   std::vector<std::string> names;
@@ -42,20 +35,11 @@ std::vector<std::string> names_of(const std::vector<ListedOption>& options) {
 }
 
 /// Inside of '…', for all three shells.
-std::string in_single_quotes(const std::string& text) {
-  std::string result;
-  for (const char c : text) result += c == '\'' ? "'\\''" : std::string(1, c);
-  return result;
-}
+std::string in_single_quotes(const std::string& text) { return escaped(text, {{'\'', "'\\''"}}); }
 
 /// Before and inside of the brackets of _arguments.
 std::string zsh_text(const std::string& text) {
-  std::string result;
-  for (const char c : in_single_quotes(text)) {
-    if (c == '[' || c == ']' || c == ':') result += '\\';
-    result += c;
-  }
-  return result;
+  return escaped(in_single_quotes(text), {{'[', "\\["}, {']', "\\]"}, {':', "\\:"}});
 }
 
 /// '--as[doc]:TEXT:(text json)'
@@ -102,68 +86,52 @@ void add_fish_options(std::vector<std::string>& lines, const std::string& comman
   }
 }
 
-TemplateData choices_row(const std::string& command, const std::string& name,
-                         const ListedOption& option) {
-  TemplateData row;
-  row.set("command", command);
-  row.set("name", name);
-  row.set("words", spaced(option.choices));
-  return row;
-}
-
 struct BashChoices {
-  TemplateData options{List::list};
-  TemplateData positionals{List::list};
+  TemplateData options{TemplateData::type::list};
+  TemplateData positionals{TemplateData::type::list};
 
   void add(const std::string& command, const std::vector<ListedOption>& of) {
     for (const ListedOption& option : of) {
       if (option.choices.empty()) continue;
       for (const std::string& name : option.names) {
         TemplateData& list = option.is_positional ? positionals : options;
-        list << choices_row(command, name, option);
+        list << TemplateRow{
+            {"command", command}, {"name", name}, {"words", spaced(option.choices)}};
       }
     }
   }
 };
 
 TemplateData command_row(const ListedCommand& command) {
-  TemplateData row;
-  row.set("name", command.name);
-  row.set("quoted_doc", in_single_quotes(command.doc));
-  row.set("option_names", spaced(names_of(command.options)));
-  row.set("specs", zsh_specs(command.options));
-  return row;
+  return TemplateRow{{"name", command.name},
+                     {"quoted_doc", in_single_quotes(command.doc)},
+                     {"option_names", spaced(names_of(command.options))},
+                     {"specs", zsh_specs(command.options)}};
 }
 
 }  // namespace
 
-std::vector<std::string> completed_shells() {
-  std::vector<std::string> names;
-  for (const ShellRow& row : shells) names.emplace_back(row.shell);
-  return names;
-}
+std::vector<std::string> completed_shells() { return words_in(shells, &ShellRow::shell); }
 
 std::string completions(const CommandList& list, const std::string& shell) {
-  TemplateData commands(List::list);
   BashChoices choices;
   std::vector<std::string> fish_options;
   choices.add("*", list.options);
   add_fish_options(fish_options, "", list.options);
   for (const ListedCommand& command : list.commands) {
-    commands << command_row(command);
     choices.add(command.name, command.options);
     add_fish_options(fish_options, command.name, command.options);
   }
-  TemplateData data;
-  data.set("commands", commands);
-  data.set("choices", choices.options);
-  data.set("positionals", choices.positionals);
-  data.set("command_pattern", fmt::format("{}", fmt::join(names_of(list.commands), " | ")));
-  data.set("command_names", spaced(names_of(list.commands)));
-  data.set("global_names", spaced(names_of(list.options)));
-  data.set("global_specs", zsh_specs(list.options));
-  data.set("fish_options", lines_data(fish_options));
-  return fill_template(std::ranges::find(shells, shell, &ShellRow::shell)->path, data);
+  const std::vector<std::string> names = words_in(list.commands, &ListedCommand::name);
+  return fill_template(std::ranges::find(shells, shell, &ShellRow::shell)->path,
+                       TemplateRow{{"commands", rows_data(list.commands, command_row)},
+                                   {"choices", choices.options},
+                                   {"positionals", choices.positionals},
+                                   {"command_pattern", fmt::format("{}", fmt::join(names, " | "))},
+                                   {"command_names", spaced(names)},
+                                   {"global_names", spaced(names_of(list.options))},
+                                   {"global_specs", zsh_specs(list.options)},
+                                   {"fish_options", lines_data(fish_options)}});
 }
 
 }  // namespace elgen::cli

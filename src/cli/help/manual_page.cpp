@@ -11,8 +11,6 @@ namespace elgen::cli {
 
 namespace {
 
-using List = TemplateData::type;
-
 struct ExitRow {
   ExitCode code;
   std::string_view doc;
@@ -55,41 +53,29 @@ std::string heading_of(const ListedOption& option) {
 }
 
 TemplateData option_rows(const std::vector<ListedOption>& options) {
-  TemplateData rows(List::list);
-  for (const ListedOption& option : options) {
-    TemplateData row;
-    row.set("heading", heading_of(option));
-    row.set("doc", troff_text(option.doc));
-    rows << row;
-  }
-  return rows;
+  return rows_data(options, [](const ListedOption& option) {
+    return TemplateRow{{"heading", heading_of(option)}, {"doc", troff_text(option.doc)}};
+  });
 }
 
 }  // namespace
 
 std::string manual_page(const CommandList& list) {
-  TemplateData commands(List::list);
-  for (const ListedCommand& command : list.commands) {
-    TemplateData row;
-    row.set("name", command.name);
-    row.set("manual_doc", troff_text(command.doc));
-    row.set("manual_options", option_rows(command.options));
-    commands << row;
-  }
-  TemplateData exit_codes(List::list);
-  for (const ExitRow& exit_row : exit_rows) {
-    TemplateData row;
-    row.set("code", std::to_string(static_cast<int>(exit_row.code)));
-    row.set("doc", troff_text(std::string(exit_row.doc)));
-    exit_codes << row;
-  }
-  TemplateData data;
-  data.set("version", ELGEN_VERSION);
-  data.set("doc", troff_text(list.doc));
-  data.set("options", option_rows(list.options));
-  data.set("commands", commands);
-  data.set("exit_codes", exit_codes);
-  return fill_template("pages/manual.1.mustache", data);
+  const TemplateData commands = rows_data(list.commands, [](const ListedCommand& command) {
+    return TemplateRow{{"name", command.name},
+                       {"manual_doc", troff_text(command.doc)},
+                       {"manual_options", option_rows(command.options)}};
+  });
+  const TemplateData exit_codes = rows_data(exit_rows, [](const ExitRow& row) {
+    return TemplateRow{{"code", std::to_string(static_cast<int>(row.code))},
+                       {"doc", troff_text(std::string(row.doc))}};
+  });
+  return fill_template("pages/manual.1.mustache",
+                       TemplateRow{{"version", ELGEN_VERSION},
+                                   {"doc", troff_text(list.doc)},
+                                   {"options", option_rows(list.options)},
+                                   {"commands", commands},
+                                   {"exit_codes", exit_codes}});
 }
 
 }  // namespace elgen::cli

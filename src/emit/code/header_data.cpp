@@ -13,36 +13,26 @@
 namespace elgen {
 namespace {
 
-using List = TemplateData::type;
-
 TemplateData struct_data(const FunctionText& text, const Dialect& dialect) {
   std::vector<Member> members;
   for (const Field& field : text.function.fields) {
     const std::string declaration = dialect.member(text.function, field);
     if (!declaration.empty()) members.push_back({declaration, field_summary(text, field)});
   }
-  TemplateData data;
-  data.set("name", dialect.struct_name(text.function));
-  data.set("doc", fmt::format("The results of {}.", text.function.name));
-  data.set("members", lines_data(documented_members(members)));
-  return data;
+  return TemplateRow{{"name", dialect.struct_name(text.function)},
+                     {"doc", fmt::format("The results of {}.", text.function.name)},
+                     {"members", lines_data(documented_members(members))}};
 }
 
 TemplateData parts_data(const Function& function, const Dialect& dialect,
                         const FunctionDefinition& definition) {
-  TemplateData list(List::list);
-  for (const auto& [signature, body] : definition.parts) {
-    TemplateData part;
-    part.set("signature", signature);
-    part.set("body", body);
-    list.push_back(part);
-  }
-  TemplateData data;
-  data.set("function", function.name);
-  data.set("workspace", dialect.workspace_name(function));
-  data.set("values", lines_data(definition.workspace));
-  data.set("part", list);
-  return data;
+  const TemplateData parts = rows_data(definition.parts, [](const DefinitionText& part) {
+    return TemplateRow{{"signature", part.signature}, {"body", part.body}};
+  });
+  return TemplateRow{{"function", function.name},
+                     {"workspace", dialect.workspace_name(function)},
+                     {"values", lines_data(definition.workspace)},
+                     {"part", parts}};
 }
 
 TemplateData function_data(const EmissionInput& input, const Dialect& dialect, std::size_t index) {
@@ -53,24 +43,22 @@ TemplateData function_data(const EmissionInput& input, const Dialect& dialect, s
                           input.equations[index],
                           input.scene.base_name + ".equations.json",
                           input.scene.emission};
-  TemplateData data;
   const bool has_struct = gives_struct(function);
-  data.set("struct",
-           section_if(has_struct, has_struct ? struct_data(text, dialect) : TemplateData()));
-  data.set("summary", function_heading(text));
-  data.set("documentation", lines_data(function_docs(text)));
   const FunctionDefinition written =
       definition(dialect, input.program, function, input.scene.emission.storage);
   const bool has_parts = !written.parts.empty();
-  data.set("parts", section_if(has_parts, has_parts ? parts_data(function, dialect, written)
-                                                    : TemplateData()));
-  data.set("signature", written.whole.signature);
-  data.set("body", written.whole.body);
-  return data;
+  return TemplateRow{
+      {"struct", section_if(has_struct, has_struct ? struct_data(text, dialect) : TemplateData())},
+      {"summary", function_heading(text)},
+      {"documentation", lines_data(function_docs(text))},
+      {"parts",
+       section_if(has_parts, has_parts ? parts_data(function, dialect, written) : TemplateData())},
+      {"signature", written.whole.signature},
+      {"body", written.whole.body}};
 }
 
 TemplateData functions(const EmissionInput& input, const Dialect& dialect) {
-  TemplateData list(List::list);
+  TemplateData list(TemplateData::type::list);
   for (std::size_t i = 0; i < input.program.functions.size(); ++i) {
     list.push_back(function_data(input, dialect, i));
   }
@@ -109,14 +97,12 @@ std::string without_repeated_blank_lines(const std::string& text) {
 }  // namespace
 
 TemplateData stamp_data(const EmissionInput& input) {
-  TemplateData data;
-  data.set("generated", input.generated);
-  data.set("model_hash", input.model_hash);
-  data.set("scene_hash", input.scene_hash);
-  data.set("body_hash", std::string(blank_hash()));
-  data.set("namespace", name_space(input.scene));
-  data.set("storage", std::string(name_of(input.scene.emission.storage)));
-  return data;
+  return TemplateRow{{"generated", input.generated},
+                     {"model_hash", input.model_hash},
+                     {"scene_hash", input.scene_hash},
+                     {"body_hash", std::string(blank_hash())},
+                     {"namespace", name_space(input.scene)},
+                     {"storage", std::string(name_of(input.scene.emission.storage))}};
 }
 
 TemplateData header_data(const EmissionInput& input, const Dialect& dialect) {

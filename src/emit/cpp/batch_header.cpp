@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "emit/code/function_docs.hpp"
 #include "emit/code/header_data.hpp"
@@ -18,7 +19,6 @@
 namespace elgen {
 namespace {
 
-using List = TemplateData::type;
 using Texts = std::vector<std::string>;
 
 constexpr std::array<std::string_view, 2> own_names{"Pack", "batch"};
@@ -26,13 +26,6 @@ constexpr std::array<std::string_view, 2> own_names{"Pack", "batch"};
 std::string literal(double value, ScalarKind scalar) {
   const bool is_float = scalar == ScalarKind::single_precision;
   return shortest_literal(exact_value(value), scalar) + (is_float ? "F" : "");
-}
-
-TemplateData number(const char* name, const std::string& text) {
-  TemplateData item;
-  item.set("constant", name);
-  item.set("number", text);
-  return item;
 }
 
 std::string coefficients(const SinePolynomial& polynomial, ScalarKind scalar) {
@@ -44,25 +37,18 @@ std::string coefficients(const SinePolynomial& polynomial, ScalarKind scalar) {
 TemplateData element(const Numerics& numerics, ScalarKind scalar) {
   const AngleReduction& known = angle_reduction(scalar);
   const cln::cl_RA error = trigonometry_error(numerics, scalar);
-  TemplateData reduction(List::list);
-  reduction << number("domain", literal(known.domain, scalar))
-            << number("high", literal(known.high, scalar))
-            << number("low", literal(known.low, scalar))
-            << number("inverse", literal(known.inverse, scalar))
-            << number("shift", literal(known.shift, scalar));
-  TemplateData data;
-  data.set("element", std::string(name_of(scalar)));
-  data.set("integer", scalar == ScalarKind::single_precision ? "std::int32_t" : "std::int64_t");
-  data.set("reduction", reduction);
-  data.set("sine", coefficients(cheapest(sine_polynomials(), error, scalar), scalar));
-  data.set("cosine", coefficients(cheapest(cosine_polynomials(), error, scalar), scalar));
-  return data;
-}
-
-TemplateData elements(const Numerics& numerics) {
-  TemplateData list(List::list);
-  for (const ScalarKind scalar : numerics.scalars) list << element(numerics, scalar);
-  return list;
+  const std::array numbers{std::pair("domain", known.domain), std::pair("high", known.high),
+                           std::pair("low", known.low), std::pair("inverse", known.inverse),
+                           std::pair("shift", known.shift)};
+  const TemplateData reduction = rows_data(numbers, [scalar](const auto& number) {
+    return TemplateRow{{"constant", number.first}, {"number", literal(number.second, scalar)}};
+  });
+  return TemplateRow{
+      {"element", std::string(name_of(scalar))},
+      {"integer", scalar == ScalarKind::single_precision ? "std::int32_t" : "std::int64_t"},
+      {"reduction", reduction},
+      {"sine", coefficients(cheapest(sine_polynomials(), error, scalar), scalar)},
+      {"cosine", coefficients(cheapest(cosine_polynomials(), error, scalar), scalar)}};
 }
 
 Texts notes(const EmissionInput& input) {
@@ -150,29 +136,22 @@ std::string body(const EmissionInput& input, const Function& function) {
 }
 
 TemplateData functions(const EmissionInput& input) {
-  TemplateData list(List::list);
+  TemplateData list(TemplateData::type::list);
   for (std::size_t i = 0; i < input.program.functions.size(); ++i) {
     const Function& function = input.program.functions[i];
     if (!is_returned(function)) continue;
     const FunctionText text{input.model, input.program,       function, input.equations[i],
                             {},          input.scene.emission};
-    TemplateData data;
-    data.set("summary", function_heading(text));
-    data.set("signature", batch_signature(input.model, function));
-    data.set("body", body(input, function));
-    list << data;
+    list << TemplateRow{{"summary", function_heading(text)},
+                        {"signature", batch_signature(input.model, function)},
+                        {"body", body(input, function)}};
   }
   return list;
 }
 
 TemplateData calls_data(const Program& program, std::size_t arity) {
-  TemplateData list(List::list);
-  for (const std::string_view name : library_calls(program, arity)) {
-    TemplateData item;
-    item.set("call", std::string(name));
-    list << item;
-  }
-  return list;
+  return rows_data(library_calls(program, arity),
+                   [](std::string_view name) { return TemplateData("call", std::string(name)); });
 }
 
 }  // namespace
@@ -181,7 +160,10 @@ std::string batch_header(const EmissionInput& input) {
   TemplateData data = stamp_data(input);
   data.set("header", input.scene.base_name + ".hpp");
   data.set("notes", lines_data(notes(input)));
-  data.set("elements", elements(input.scene.numerics));
+  const Numerics& numerics = input.scene.numerics;
+  data.set("elements", rows_data(numerics.scalars, [&numerics](ScalarKind scalar) {
+             return element(numerics, scalar);
+           }));
   data.set("calls", calls_data(input.program, 1));
   data.set("calls_of_two", calls_data(input.program, 2));
   data.set("sine_cosine", section_if(has_sine_with_cosine(input.program)));

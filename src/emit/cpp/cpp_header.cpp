@@ -17,7 +17,6 @@
 namespace elgen {
 namespace {
 
-using List = TemplateData::type;
 using Texts = std::vector<std::string>;
 
 /// "{{1, 2}}", or `{}` for no elements; doubled braces name the array inside std::array.
@@ -39,6 +38,7 @@ std::string interval(const std::optional<Interval>& range) {
                      bound(range->high, "unbounded"));
 }
 
+/// Names, units, ranges and limits of coordinates and inputs.
 TemplateData declared(const DeclaredArray& array) {
   Texts elements;
   for (const std::string& text : array.texts) elements.push_back(string_literal(text));
@@ -47,12 +47,8 @@ TemplateData declared(const DeclaredArray& array) {
   const std::string count = std::to_string(array.size());
   const std::size_t column =
       fmt::format("inline constexpr std::array<{}, {}> {};", type, count, array.name).size();
-  TemplateData item;
-  item.set("type", type);
-  item.set("count", count);
-  item.set("name", array.name);
-  item.set("value", braced(elements, column));
-  return item;
+  return TemplateRow{
+      {"type", type}, {"count", count}, {"name", array.name}, {"value", braced(elements, column)}};
 }
 
 Texts parameter_values(const Model& model, const ParameterArray& array) {
@@ -77,13 +73,6 @@ std::string member_declaration(const Model& model, const ParameterArray& array) 
   return fmt::format("{}{{{{\n      {},\n  }}}};", start, fmt::join(values, ",\n      "));
 }
 
-/// Names, units, ranges and limits of coordinates and inputs: type, count, name, value.
-TemplateData declarations(const Model& model) {
-  TemplateData list(List::list);
-  for (const DeclaredArray& array : declared_arrays(model)) list << declared(array);
-  return list;
-}
-
 /// Members of Parameters, with their defaults.
 std::vector<Member> declared_parameters(const Model& model,
                                         const std::vector<ParameterArray>& arrays) {
@@ -102,18 +91,15 @@ bool has_filled_array(const Model& model, const std::vector<ParameterArray>& arr
 
 /// The functions that hold constants too long to stand in an equation, in order of the program.
 TemplateData numbers(const Program& program) {
-  TemplateData list(List::list);
+  TemplateData list(TemplateData::type::list);
   for (const Constant& constant : executed_constants(program)) {
     if (is_short_constant(constant.value)) continue;
-    TemplateData item;
     const cln::cl_R magnitude = cln::abs(constant.value);
-    item.set("text", is_rational(constant) ? exact_text(magnitude) : text_of(constant.form));
-    item.set("name", constant_name(constant));
-    const Wrapping wrapping{line_width - 10, std::string(6, ' ')};
-    item.set("value",
-             fmt::format(
-                 "{}", fmt::join(wrap_expression(cpp_magnitude(constant.value), wrapping), "\n")));
-    list.push_back(item);
+    const Texts value = wrap_expression(cpp_magnitude(magnitude), {line_width - 10, "      "});
+    list << TemplateRow{
+        {"text", is_rational(constant) ? exact_text(magnitude) : text_of(constant.form)},
+        {"name", constant_name(constant)},
+        {"value", fmt::format("{}", fmt::join(value, "\n"))}};
   }
   return list;
 }
@@ -123,7 +109,7 @@ TemplateData numbers(const Program& program) {
 std::string cpp_header(const EmissionInput& input) {
   const std::vector<ParameterArray> parameters = emitted_parameters(input.model, input.program);
   TemplateData data = header_data(input, *cpp_dialect(input.model, input.program));
-  data.set("declared", declarations(input.model));
+  data.set("declared", rows_data(declared_arrays(input.model), declared));
   data.set("filled", section_if(has_filled_array(input.model, parameters)));
   data.set("numbers", numbers(input.program));
   data.set("sine_cosine", section_if(has_sine_with_cosine(input.program)));

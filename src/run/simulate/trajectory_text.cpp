@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "elgen/simulate.hpp"
+#include "elgen/wording.hpp"
 
 namespace elgen {
 namespace {
@@ -93,11 +94,8 @@ std::string to_text(const Trajectory& trajectory) {
 }
 
 std::string to_csv(const Trajectory& trajectory) {
-  std::string text;
-  for (const TrajectoryColumn& column : trajectory.columns) {
-    text += (text.empty() ? "" : ",") + column.name;
-  }
-  text += '\n';
+  const auto names = words_in(trajectory.columns, &TrajectoryColumn::name);
+  std::string text = fmt::format("{}\n", fmt::join(names, ","));
   for (const auto& row : trajectory.rows) text += fmt::format("{}\n", fmt::join(row, ","));
   return text;
 }

@@ -51,13 +51,11 @@ Result<MethodRow> find_method(const SimulationOptions& options) {
                       fmt::format("`{}` has no order {}", name, *options.order),
                       fmt::format("it has {}", fmt::join(orders, ", "))};
   }
-  std::vector<std::string> names;
-  for (const MethodRow& row : table) names.emplace_back(row.name);
-  const std::string hint = suggestion(name, names);
+  const std::vector<std::string> names = words_in(table, &MethodRow::name);
   return Diagnostic{Code::E620,
                     {},
                     fmt::format("unknown method `{}`", name),
-                    hint.empty() ? fmt::format("one of {}", fmt::join(names, ", ")) : hint};
+                    suggestion(name, names, fmt::format("one of {}", fmt::join(names, ", ")))};
 }
 
 Result<StepRule> step_rule(const MethodRow& method, const SimulationOptions& options) {

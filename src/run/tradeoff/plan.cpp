@@ -88,16 +88,14 @@ constexpr std::array value_rows{
 
 /// E631. Dimensions that are always there may be named too.
 Diagnostics unknown_dimensions(const std::vector<std::string>& more) {
-  std::vector<std::string> known;
-  for (const DimensionRow& row : dimension_rows) known.emplace_back(row.name);
+  const std::vector<std::string> known = words_in(dimension_rows, &DimensionRow::name);
   Diagnostics found;
   for (const std::string& word : more) {
     if (std::ranges::find(known, word) != known.end()) continue;
-    const std::string hint = suggestion(word, known);
     found.push_back({Code::E631,
                      {},
                      fmt::format("unknown dimension {}", in_backticks(word)),
-                     hint.empty() ? fmt::format("one of {}", fmt::join(known, ", ")) : hint});
+                     suggestion(word, known, fmt::format("one of {}", fmt::join(known, ", ")))});
   }
   return found;
 }
@@ -140,8 +138,7 @@ std::string option_of(const PinnedDimension& pin) {
 
 /// E645
 Diagnostics none_as_pinned(const std::vector<PinnedDimension>& pinned, const char* why) {
-  std::vector<std::string> options;
-  for (const PinnedDimension& pin : pinned) options.push_back(option_of(pin));
+  const std::vector<std::string> options = words_in(pinned, option_of);
   return {{Code::E645, {}, fmt::format("no design is left by {}", fmt::join(options, ", ")), why}};
 }
 
