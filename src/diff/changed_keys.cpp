@@ -77,15 +77,15 @@ bool is_repeated(const EntrySyntax& entry) {
   return row != entry_table().end() && row->repeated;
 }
 
-/// The properties that tell a repeated entry from its likes.
-struct EntryIdentity {
-  std::string_view table = {};
+/// An entry, and what tells a repeated one from its likes.
+struct IdentifiedEntry {
+  const EntrySyntax* entry = nullptr;
   const KeySyntax* key = nullptr;  ///< "name", "on", "at" or "frame"; null where it has none
   std::size_t number = 1;          ///< of those that are called alike
 };
 
-bool is_alike(const EntryIdentity& x, const EntryIdentity& y) {
-  if (x.table != y.table || (x.key == nullptr) != (y.key == nullptr)) return false;
+bool is_alike(const IdentifiedEntry& x, const IdentifiedEntry& y) {
+  if (x.entry->name != y.entry->name || (x.key == nullptr) != (y.key == nullptr)) return false;
   return x.key == nullptr || is_same(*x.key, *y.key);
 }
 
@@ -97,14 +97,15 @@ const KeySyntax* identifying_key(const EntrySyntax& entry) {
 }
 
 /// "[[point]] bob", "[[force]] on x #2", "[gravity]"; "" of the file's own keys
-std::string text_of(const EntryIdentity& identity, bool is_repeated) {
-  if (!is_repeated) return identity.table.empty() ? "" : fmt::format("[{}]", identity.table);
-  std::string text = fmt::format("[[{}]]", identity.table);
-  if (const KeySyntax* const key = identity.key) {
-    if (key->key != "name") text += " " + key->key;
-    text += " " + text_of(key->value);
+std::string text_of(const IdentifiedEntry& one) {
+  const auto& table = one.entry->name;
+  if (!is_repeated(*one.entry)) return table.empty() ? "" : fmt::format("[{}]", table);
+  std::string text = fmt::format("[[{}]]", table);
+  if (one.key != nullptr) {
+    if (one.key->key != "name") text += " " + one.key->key;
+    text += " " + text_of(one.key->value);
   }
-  if (identity.key == nullptr || identity.number > 1) text += fmt::format(" #{}", identity.number);
+  if (one.key == nullptr || one.number > 1) text += fmt::format(" #{}", one.number);
   return text;
 }
 
@@ -115,32 +116,24 @@ Path below(Path path, KeyStep step) {
   return path;
 }
 
-struct IdentifiedEntry {
-  const EntrySyntax* entry = nullptr;
-  EntryIdentity identity = {};
-};
-
-bool is_same_entry(const IdentifiedEntry& x, const IdentifiedEntry& y) {
-  return is_alike(x.identity, y.identity) && x.identity.number == y.identity.number;
-}
-
 using IdentifiedEntries = std::vector<IdentifiedEntry>;
 
 IdentifiedEntries identified(const FileSyntax& file) {
   IdentifiedEntries all;
   for (const EntrySyntax& entry : file.entries) {
-    EntryIdentity identity{entry.name, is_repeated(entry) ? identifying_key(entry) : nullptr};
+    IdentifiedEntry one{&entry, is_repeated(entry) ? identifying_key(entry) : nullptr};
     for (const IdentifiedEntry& other : all) {
-      if (is_alike(other.identity, identity)) ++identity.number;
+      if (is_alike(other, one)) ++one.number;
     }
-    all.push_back({&entry, identity});
+    all.push_back(one);
   }
   return all;
 }
 
 const IdentifiedEntry* find(const IdentifiedEntries& entries, const IdentifiedEntry& wanted) {
-  const auto found = std::ranges::find_if(
-      entries, [&wanted](const IdentifiedEntry& entry) { return is_same_entry(entry, wanted); });
+  const auto found = std::ranges::find_if(entries, [&wanted](const IdentifiedEntry& one) {
+    return is_alike(one, wanted) && one.number == wanted.number;
+  });
   return found == entries.end() ? nullptr : &*found;
 }
 
@@ -169,8 +162,7 @@ class KeyComparison {
 
  private:
   void go_to(const IdentifiedEntry& found) {
-    place_ = {.table = std::string(prefix_) + found.entry->name,
-              .entry = text_of(found.identity, is_repeated(*found.entry))};
+    place_ = {.table = std::string(prefix_) + found.entry->name, .entry = text_of(found)};
   }
 
   void add(Path path, std::string before, std::string after, Span old_at, Span new_at) {
@@ -245,18 +237,19 @@ class KeyComparison {
 
   static Names names_of(const IdentifiedEntries& entries, std::string_view kind) {
     Names names;
-    for (const auto& [entry, identity] : entries) {
-      if (entry->name != kind || identity.key == nullptr) continue;
-      names.emplace_back(text_of(identity.key->value), entry->span);
+    for (const auto& [entry, key, number] : entries) {
+      if (entry->name == kind && key != nullptr) {
+        names.emplace_back(text_of(key->value), entry->span);
+      }
     }
     return names;
   }
 
   static Names keys_of(const IdentifiedEntries& entries) {
     Names names;
-    for (const auto& [entry, identity] : entries) {
-      if (entry->name != "parameters") continue;
-      for (const KeySyntax& key : entry->keys) names.emplace_back(key.key, key.key_span);
+    for (const IdentifiedEntry& one : entries) {
+      if (one.entry->name != "parameters") continue;
+      for (const KeySyntax& key : one.entry->keys) names.emplace_back(key.key, key.key_span);
     }
     return names;
   }
