@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -43,80 +44,51 @@ bool is_there(const fs::path& path) {
 bool is_hidden(const fs::path& name) { return name.string().starts_with("."); }
 
 /// Where the files of a version are.
-class Side {
- public:
-  Side() = default;
-  Side(const Side&) = delete;
-  Side& operator=(const Side&) = delete;
-  virtual ~Side() = default;
-
-  [[nodiscard]] virtual Result<SourcePointer> read(const std::string& path) const = 0;
-  [[nodiscard]] virtual Result<Inputs> inputs(const std::string& path) const = 0;
+struct Side {
+  SourceReader read;
+  std::function<Result<Inputs>(const std::string& path)> inputs;
   /// By their paths from the folder, but for those in hidden folders. E707: one cannot be read.
-  [[nodiscard]] virtual Result<std::vector<std::string>> files_below(
-      const std::string& folder) const = 0;
+  std::function<Result<std::vector<std::string>>(const std::string& folder)> files_below;
 };
 
-class FileSystem final : public Side {
- public:
-  explicit FileSystem(const Limits& limits) : limits_(limits) {}
+Result<std::vector<std::string>> files_on_disk(const std::string& folder) {
+  std::vector<std::string> files;
+  std::error_code error;
+  fs::path last = folder;
+  for (auto at = fs::recursive_directory_iterator(folder, error);
+       !error && at != fs::recursive_directory_iterator(); at.increment(error)) {
+    last = at->path();
+    // Of a link that leads nowhere, or round in a circle, nothing is known.
+    std::error_code unknown;
+    if (at->is_directory(unknown) && is_hidden(last.filename())) at.disable_recursion_pending();
+    if (!at->is_regular_file(unknown)) continue;
+    files.push_back(last.lexically_relative(folder).generic_string());
+  }
+  if (!error) return files;
+  return Diagnostic{
+      Code::E707,
+      {},
+      fmt::format("{} could not be read: {}", in_backticks(last.string()), error.message())};
+}
 
-  [[nodiscard]] Result<SourcePointer> read(const std::string& path) const override {
-    return read_source(path, limits_);
-  }
-  [[nodiscard]] Result<Inputs> inputs(const std::string& path) const override {
-    return read_inputs(path, limits_);
-  }
-  [[nodiscard]] Result<std::vector<std::string>> files_below(
-      const std::string& folder) const override {
-    std::vector<std::string> files;
-    std::error_code error;
-    fs::path last = folder;
-    for (auto at = fs::recursive_directory_iterator(folder, error);
-         !error && at != fs::recursive_directory_iterator(); at.increment(error)) {
-      last = at->path();
-      // Of a link that leads nowhere, or round in a circle, nothing is known.
-      std::error_code unknown;
-      if (at->is_directory(unknown) && is_hidden(last.filename())) at.disable_recursion_pending();
-      if (!at->is_regular_file(unknown)) continue;
-      files.push_back(last.lexically_relative(folder).generic_string());
-    }
-    if (!error) return files;
-    return Diagnostic{
-        Code::E707,
-        {},
-        fmt::format("{} could not be read: {}", in_backticks(last.string()), error.message())};
-  }
+Side on_disk(const Limits& limits) {
+  return {[&limits](const std::string& path) { return read_source(path, limits); },
+          [&limits](const std::string& path) { return read_inputs(path, limits); }, &files_on_disk};
+}
 
- private:
-  const Limits& limits_;
-};
-
-class InRevision final : public Side {
- public:
-  InRevision(const Revision& revision, const Limits& limits)
-      : revision_(revision), limits_(limits) {}
-
-  [[nodiscard]] Result<SourcePointer> read(const std::string& path) const override {
-    return revision_.read(path, limits_);
-  }
-  [[nodiscard]] Result<Inputs> inputs(const std::string& path) const override {
-    return read_inputs(path, limits_, [this](const std::string& file) { return read(file); });
-  }
-  [[nodiscard]] Result<std::vector<std::string>> files_below(
-      const std::string& folder) const override {
-    std::vector<std::string> files = revision_.files_below(folder);
-    std::erase_if(files, [](const fs::path& file) {
-      const fs::path folders = file.parent_path();
-      return std::any_of(folders.begin(), folders.end(), is_hidden);
-    });
-    return files;
-  }
-
- private:
-  const Revision& revision_;
-  const Limits& limits_;
-};
+Side in_revision(const Revision& revision, const Limits& limits) {
+  const SourceReader read = [&](const std::string& path) { return revision.read(path, limits); };
+  return {read,
+          [&limits, read](const std::string& path) { return read_inputs(path, limits, read); },
+          [&revision](const std::string& folder) {
+            std::vector<std::string> files = revision.files_below(folder);
+            std::erase_if(files, [](const fs::path& file) {
+              const fs::path folders = file.parent_path();
+              return std::any_of(folders.begin(), folders.end(), is_hidden);
+            });
+            return files;
+          }};
+}
 
 /// The systems of a folder, and its other TOML files; by the paths by which those of two folders
 /// match.
@@ -318,7 +290,7 @@ class VersionPairs {
 
 Result<DiffReport> compared_paths(const std::string& before, const std::string& after,
                                   const CompareOptions& options, const Limits& limits) {
-  const FileSystem files(limits);
+  const Side files = on_disk(limits);
   VersionPairs comparing(options, limits);
   if (is_folder(before) && is_folder(after)) {
     comparing.compare_folders(files, before, files, after);
@@ -332,8 +304,8 @@ Result<DiffReport> compared_with_revision(const std::string& name, std::vector<s
                                           const CompareOptions& options, const Limits& limits) {
   const Result<Revision> revision = Revision::open(name);
   if (!revision) return revision.diagnostics;
-  const InRevision committed(*revision, limits);
-  const FileSystem files(limits);
+  const Side committed = in_revision(*revision, limits);
+  const Side files = on_disk(limits);
   if (paths.empty()) paths = {"."};
   VersionPairs comparing(options, limits);
   for (const std::string& path : paths) {
