@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "diff/renamed.hpp"
 #include "elgen/diff.hpp"
@@ -71,6 +72,10 @@ struct Changes {
   std::vector<InterfaceChange> all = {};
 
   void add(Impact impact, std::string text) { all.push_back({impact, std::move(text)}); }
+  template <class... Values>
+  void add(Impact impact, fmt::format_string<Values...> text, Values&&... values) {
+    add(impact, fmt::format(text, std::forward<Values>(values)...));
+  }
 
   void add_silent(const std::string& text) {
     all.push_back({Impact::breaks, text + "; callers compile and mean something else", true});
@@ -102,9 +107,8 @@ void compare_units(Changes& changes, const std::string& what, const Names& olds,
 void compare_lists(Changes& changes, const std::string& what, const Names& olds,
                    const Names& news) {
   if (olds.size() != news.size()) {
-    changes.add(Impact::breaks,
-                fmt::format("{} where there were {}: {}", counted(news.size(), what), olds.size(),
-                            fmt::format("{} -> {}", listed(olds), listed(news))));
+    changes.add(Impact::breaks, "{} where there were {}: {} -> {}", counted(news.size(), what),
+                olds.size(), listed(olds), listed(news));
   } else if (listed(olds) != listed(news)) {
     changes.add_silent(fmt::format("{}s are other ones, or in another order: {} -> {}", what,
                                    listed(olds), listed(news)));
@@ -125,13 +129,12 @@ void compare_values(Changes& changes, const Model& before, const Model& after,
     });
     if (old == before.parameters.end()) continue;
     if (old->value != now.value) {
-      changes.add(Impact::values,
-                  fmt::format("the value of {} is {} where it was {}", in_backticks(now.name),
-                              exact_text(now.value), exact_text(old->value)));
+      changes.add(Impact::values, "the value of {} is {} where it was {}", in_backticks(now.name),
+                  exact_text(now.value), exact_text(old->value));
     }
     if (old->assumption != now.assumption) {
-      changes.add(Impact::values, fmt::format("{} is assumed to be {} where it was {}",
-                                              in_backticks(now.name), assumed(now), assumed(*old)));
+      changes.add(Impact::values, "{} is assumed to be {} where it was {}", in_backticks(now.name),
+                  assumed(now), assumed(*old));
     }
   }
 }
@@ -142,13 +145,13 @@ void compare_names(Changes& changes, const Version& before, const Version& after
       emitted_parameters(before.checked.model, before.program);
   for (const auto& [from, to] : renames) {
     const bool is_member = std::ranges::count(old_arrays, from, &ParameterArray::name) > 0;
-    changes.add(is_member ? Impact::breaks : Impact::values,
-                fmt::format("{} is called {} now", in_backticks(from), in_backticks(to)));
+    changes.add(is_member ? Impact::breaks : Impact::values, "{} is called {} now",
+                in_backticks(from), in_backticks(to));
   }
   if (before.checked.scene.base_name != after.checked.scene.base_name) {
-    changes.add(Impact::breaks, fmt::format("files are called {} now, which were {}",
-                                            in_backticks(after.checked.scene.base_name),
-                                            in_backticks(before.checked.scene.base_name)));
+    changes.add(Impact::breaks, "files are called {} now, which were {}",
+                in_backticks(after.checked.scene.base_name),
+                in_backticks(before.checked.scene.base_name));
   }
 }
 
@@ -157,12 +160,10 @@ void compare_parameters(Changes& changes, const Names& olds, const Names& news) 
   for (const KnownName& old : olds) {
     const KnownName* const now = find(news, old.name);
     if (now == nullptr) {
-      changes.add(Impact::breaks,
-                  fmt::format("there is no parameter {} any more", in_backticks(old.name)));
+      changes.add(Impact::breaks, "there is no parameter {} any more", in_backticks(old.name));
     } else if (now->size != old.size) {
-      changes.add(Impact::breaks,
-                  fmt::format("parameter {} has {} where it had {}", in_backticks(old.name),
-                              counted(now->size, "element"), old.size));
+      changes.add(Impact::breaks, "parameter {} has {} where it had {}", in_backticks(old.name),
+                  counted(now->size, "element"), old.size);
     }
   }
   Names kept = news;
@@ -192,20 +193,18 @@ void compare_parameters(Changes& changes, const Names& olds, const Names& news) 
 
 void compare_methods(Changes& changes, const OutputRequest& old, const OutputRequest& now) {
   if (old.user != now.user) {
-    changes.add(Impact::different,
-                fmt::format("the method of {} is {} where it was {}", in_backticks(now.name),
-                            step_methods[now.user].name, step_methods[old.user].name));
+    changes.add(Impact::different, "the method of {} is {} where it was {}", in_backticks(now.name),
+                step_methods[now.user].name, step_methods[old.user].name);
   } else if (old.composed_order != now.composed_order) {
     const std::uint32_t own = step_methods[now.user].order;
     const auto order = [own](const OutputRequest& step) {
       return step.composed_order > 0 ? step.composed_order : own;
     };
-    changes.add(Impact::different, fmt::format("{} is of order {} where it was of order {}",
-                                               in_backticks(now.name), order(now), order(old)));
+    changes.add(Impact::different, "{} is of order {} where it was of order {}",
+                in_backticks(now.name), order(now), order(old));
   } else if (old.iterations != now.iterations) {
-    changes.add(Impact::different,
-                fmt::format("{} has {} where it had {}", in_backticks(now.name),
-                            counted(now.iterations, "iteration"), old.iterations));
+    changes.add(Impact::different, "{} has {} where it had {}", in_backticks(now.name),
+                counted(now.iterations, "iteration"), old.iterations);
   }
 }
 
@@ -213,8 +212,7 @@ void compare_outputs(Changes& changes, const Scene& before, const Scene& after) 
   for (const OutputRequest& old : before.outputs) {
     const OutputRequest* const now = find_request(after, old.name);
     if (now == nullptr) {
-      changes.add(Impact::breaks,
-                  fmt::format("there is no function {} any more", in_backticks(old.name)));
+      changes.add(Impact::breaks, "there is no function {} any more", in_backticks(old.name));
     } else if (now->kind != old.kind) {
       changes.add_silent(fmt::format("the function {} is another output", in_backticks(old.name)));
     } else if (output_row(now->kind).steps) {
@@ -223,8 +221,7 @@ void compare_outputs(Changes& changes, const Scene& before, const Scene& after) 
   }
   for (const OutputRequest& now : after.outputs) {
     if (find_request(before, now.name) != nullptr) continue;
-    changes.add(Impact::extended,
-                fmt::format("there is a new function {}", in_backticks(now.name)));
+    changes.add(Impact::extended, "there is a new function {}", in_backticks(now.name));
   }
 }
 
@@ -252,16 +249,15 @@ void compare_shapes(Changes& changes, const Program& before, const Program& afte
     const bool is_told =
         output_row(now.kind).of_user || now.kind == OutputKind::constraint_residual;
     if (!is_in_both || !is_told || has_shape_of(*old, now)) continue;
-    changes.add(Impact::breaks, fmt::format("{} is {} where it was {}", in_backticks(now.name),
-                                            shape(now), shape(*old)));
+    changes.add(Impact::breaks, "{} is {} where it was {}", in_backticks(now.name), shape(now),
+                shape(*old));
   }
 }
 
 void compare_header(Changes& changes, const char* suffix, bool was_there, bool is_there) {
   if (was_there == is_there) return;
-  changes.add(
-      is_there ? Impact::extended : Impact::breaks,
-      fmt::format("there is {} header NAME{}.hpp", is_there ? "a new" : "no longer a", suffix));
+  changes.add(is_there ? Impact::extended : Impact::breaks, "there is {} header NAME{}.hpp",
+              is_there ? "a new" : "no longer a", suffix);
 }
 
 void compare_target(Changes& changes, const Scene& before, const Scene& after) {
@@ -269,9 +265,8 @@ void compare_target(Changes& changes, const Scene& before, const Scene& after) {
   const Emission& now = after.emission;
   if (old.language != now.language) changes.add(Impact::breaks, "the language of the code differs");
   if (name_space(before) != name_space(after) && before.base_name == after.base_name) {
-    changes.add(Impact::breaks,
-                fmt::format("the namespace is {} where it was {}", in_backticks(name_space(after)),
-                            in_backticks(name_space(before))));
+    changes.add(Impact::breaks, "the namespace is {} where it was {}",
+                in_backticks(name_space(after)), in_backticks(name_space(before)));
   }
   if (old.storage != now.storage) {
     changes.add_silent(fmt::format("matrices are stored {} where they were {}",
