@@ -26,7 +26,7 @@ struct ShowOptions {
   SceneOptions scene = {};
 };
 
-/// Of an analysis: `parts` are what its stages made.
+/// Written from the `parts` that the stages of an analysis made.
 template <auto write, auto... parts>
 auto made(const Products& products, const PageOptions&) {
   return write(*products.checked, *(products.*parts)...);

@@ -77,7 +77,7 @@ bool is_repeated(const EntrySyntax& entry) {
   return row != entry_table().end() && row->repeated;
 }
 
-/// An entry, and what tells a repeated one from its likes.
+/// An entry, and the key and number that tell a repeated one from its likes.
 struct IdentifiedEntry {
   const EntrySyntax* entry = nullptr;
   const KeySyntax* key = nullptr;  ///< "name", "on", "at" or "frame"; null where it has none

@@ -17,7 +17,7 @@ using TemplateData = kainjow::mustache::data;
 /// The values of holes, by their names.
 using TemplateRow = kainjow::mustache::object;
 
-/// What a section repeats over: `row_of` every element.
+/// The list that a section repeats over: `row_of` every element.
 template <class Elements, class RowOf>
 [[nodiscard]] TemplateData rows_data(const Elements& elements, const RowOf& row_of) {
   TemplateData list(TemplateData::type::list);

@@ -46,7 +46,7 @@ class DesignRuns {
   DesignRuns(const DesignRequest& request, const OutputBase& base, const BenchProcess& process)
       : request_(request), base_(base), process_(process) {}
 
-  /// Of designs that are derived alike their derivation_of() has one text.
+  /// The derivation_of() of designs that are derived alike has one text.
   [[nodiscard]] std::string text_of(const Design& design) const {
     return scene_text(base_.base(), design, request_.inputs.model->path);
   }

@@ -105,7 +105,7 @@ class ErrorSearch {
     return found;
   }
 
-  /// By the program in long double, which is 2048 times as exact as in double where it is longer.
+  /// By the program in long double: 2048 times as exact as in double, where that is longer.
   [[nodiscard]] std::vector<double> errors_at(const std::vector<Arguments<double>>& states) const {
     return errors(states, [this](const Arguments<double>& state) {
       auto arguments = map_leaves([](double x) { return static_cast<long double>(x); }, state);
