@@ -202,12 +202,10 @@ CertificateRow LostDigits::row(ScalarKind scalar) const {
   return row;
 }
 
-}  // namespace
-
 template <class Scalar>
-std::vector<CertificateRow> check_accuracy(const Subject& subject,
-                                           const std::vector<SampledState<Scalar>>& states,
-                                           const AccuracyOptions& options) {
+std::vector<CertificateRow> rows_at(const Subject& subject,
+                                    const std::vector<SampledState<Scalar>>& states,
+                                    const AccuracyOptions& options) {
   constexpr std::string_view scalar = name_of(scalar_kind<Scalar>);
   std::vector<FieldRecord> records;
   for (FieldPlace& place : field_places(subject)) records.push_back({std::move(place)});
@@ -237,6 +235,15 @@ std::vector<CertificateRow> check_accuracy(const Subject& subject,
     rows.push_back(std::move(row));
   }
   return rows;
+}
+
+}  // namespace
+
+template <class Scalar>
+std::vector<CertificateRow> check_accuracy(const Subject& subject,
+                                           const std::vector<SampledState<Scalar>>& states,
+                                           const AccuracyOptions& options) {
+  return rows_at(subject, states, options);
 }
 
 template std::vector<CertificateRow> check_accuracy(const Subject&,
