@@ -18,6 +18,64 @@ struct Operands {
   bool is_negative = false;             ///< the constant's sign
 };
 
+/// Operations of a network, of which numbers and reciprocals are made once.
+class Operations {
+ public:
+  NodeId add(Operation operation) {
+    network.operations.push_back(std::move(operation));
+    return static_cast<NodeId>(network.operations.size() - 1);
+  }
+
+  /// The number that a form stands for, its sign apart; none where it has no value.
+  std::optional<Ref> folded(const ConstantForm& form) {
+    Graph scratch;
+    std::optional<Constant> constant = constant_of(scratch.form_of(scratch.constant(form)));
+    if (!constant) return std::nullopt;
+    const bool negative = cln::minusp(constant->value);
+    if (negative) *constant = {-constant->value, negated(std::move(constant->form))};
+    return Ref{number(*constant), negative};
+  }
+
+  void append_power(NodeId base, std::int32_t exponent, std::vector<Ref>& factors) {
+    if (exponent <= written_out_power) {
+      factors.insert(factors.end(), static_cast<std::size_t>(exponent), Ref{base});
+      return;
+    }
+    if (exponent % 2 != 0) factors.push_back({base});
+    append_power(product({{base}, {base}}), exponent / 2, factors);
+  }
+
+  NodeId product(std::vector<Ref> factors) {
+    if (factors.empty()) return number(rational_constant(1));
+    if (factors.size() == 1) return factors[0].node;
+    return add({.kind = OperationKind::product, .operands = std::move(factors)});
+  }
+
+  NodeId quotient(NodeId above, NodeId below) {
+    return add({.kind = OperationKind::quotient, .operands = {{above}, {below}}});
+  }
+
+  NodeId reciprocal(NodeId base) {
+    const auto [it, is_new] = reciprocals_.emplace(base, NodeId{0});
+    if (is_new) it->second = quotient(product({}), base);
+    return it->second;
+  }
+
+  Network network = {};
+
+ private:
+  NodeId number(const Constant& constant) {
+    const std::uint32_t index = position_of(constant, network.constants);
+    if (index == numbers_.size()) {
+      numbers_.push_back(add({.kind = OperationKind::constant, .index = index}));
+    }
+    return numbers_[index];
+  }
+
+  std::vector<NodeId> numbers_ = {};  ///< parallel to Network::constants
+  std::map<NodeId, NodeId> reciprocals_ = {};
+};
+
 class Conversion {
  public:
   explicit Conversion(const Expressions& expressions)
@@ -30,6 +88,12 @@ class Conversion {
     }
   }
 
+  Network converted(const std::vector<Ref>& values) && {
+    for (const Ref value : values) made_.network.values.push_back(convert(value));
+    return std::move(made_.network);
+  }
+
+ private:
   Ref convert(Ref value) {
     std::vector<NodeId> pending = {value.node};
     while (!pending.empty()) {
@@ -47,32 +111,6 @@ class Conversion {
     return with_sign(result, value.negative && !graph_.is_zero(value.node));
   }
 
-  Network network = {};
-
- private:
-  NodeId add(Operation operation) {
-    network.operations.push_back(std::move(operation));
-    return static_cast<NodeId>(network.operations.size() - 1);
-  }
-
-  NodeId add_constant(const Constant& constant) {
-    const std::uint32_t index = position_of(constant, network.constants);
-    if (index == constant_operations_.size()) {
-      constant_operations_.push_back(add({.kind = OperationKind::constant, .index = index}));
-    }
-    return constant_operations_[index];
-  }
-
-  /// The number that a form stands for, its sign apart; none where it has no value.
-  std::optional<Ref> folded(const ConstantForm& form) {
-    Graph scratch;
-    std::optional<Constant> constant = constant_of(scratch.form_of(scratch.constant(form)));
-    if (!constant) return std::nullopt;
-    const bool negative = cln::minusp(constant->value);
-    if (negative) *constant = {-constant->value, negated(std::move(constant->form))};
-    return Ref{add_constant(*constant), negative};
-  }
-
   /// Each once: 1/2*pi*x multiplies x by one number.
   const Operands& operands_of(NodeId id) {
     const auto [at, is_new] = operands_.try_emplace(id);
@@ -88,7 +126,7 @@ class Conversion {
         result.rest.push_back(operand);
       }
     }
-    const auto number = form.parts.empty() ? std::nullopt : folded(form);
+    const auto number = form.parts.empty() ? std::nullopt : made_.folded(form);
     if (number) {
       result.constant = number->node;
       result.is_negative = number->negative;
@@ -108,7 +146,7 @@ class Conversion {
 
   /// Whether the node became a number.
   bool fold(NodeId id) {
-    if (!converted_[id]) converted_[id] = folded(graph_.form_of(id));
+    if (!converted_[id]) converted_[id] = made_.folded(graph_.form_of(id));
     return converted_[id].has_value();
   }
 
@@ -121,23 +159,15 @@ class Conversion {
                      : node.kind == NodeKind::call        ? OperationKind::call
                                                           : OperationKind::sum;
     operation.name = node.name;
-    if (node.kind == NodeKind::sum) return convert_sum(id, std::move(operation));
-    for (const Operand& operand : node.operands) {
+    const bool is_sum = node.kind == NodeKind::sum;
+    // The constant of a sum stands where the first of its terms stood: at the front.
+    if (is_sum && operands_of(id).constant) {
+      operation.operands.push_back({*operands_of(id).constant, operands_of(id).is_negative});
+    }
+    for (const Operand& operand : is_sum ? operands_of(id).rest : node.operands) {
       operation.operands.push_back(with_sign(*converted_[operand.node], operand.weight < 0));
     }
-    return {add(std::move(operation))};
-  }
-
-  /// The constant stands where the first of its terms stood: at the front.
-  Ref convert_sum(NodeId id, Operation operation) {
-    const Operands& operands = operands_of(id);
-    if (operands.constant) {
-      operation.operands.push_back({*operands.constant, operands.is_negative});
-    }
-    for (const Operand& term : operands.rest) {
-      operation.operands.push_back(with_sign(*converted_[term.node], term.weight < 0));
-    }
-    return {add(std::move(operation))};
+    return {made_.add(std::move(operation))};
   }
 
   Ref convert_product(NodeId id) {
@@ -151,62 +181,33 @@ class Conversion {
       const Ref base = *converted_[factor.node];
       negative = negative != (base.negative && factor.weight % 2 != 0);
       if (factor.weight > 0) {
-        append_power(base.node, factor.weight, numerator);
+        made_.append_power(base.node, factor.weight, numerator);
       } else if (divisions_[factor.node] > 1) {
-        append_power(reciprocal(base.node), -factor.weight, numerator);
+        made_.append_power(made_.reciprocal(base.node), -factor.weight, numerator);
       } else {
-        append_power(base.node, -factor.weight, denominator);
+        made_.append_power(base.node, -factor.weight, denominator);
       }
     }
-    const NodeId product = product_of(std::move(numerator));
-    const NodeId result =
-        denominator.empty() ? product : quotient({product, product_of(std::move(denominator))});
-    std::string& name = network.operations[result].name;
+    NodeId result = made_.product(std::move(numerator));
+    if (!denominator.empty()) {
+      result = made_.quotient(result, made_.product(std::move(denominator)));
+    }
+    std::string& name = made_.network.operations[result].name;
     if (name.empty() && !negative) name = node.name;
     return {result, negative};
-  }
-
-  void append_power(NodeId base, std::int32_t exponent, std::vector<Ref>& factors) {
-    if (exponent <= written_out_power) {
-      factors.insert(factors.end(), static_cast<std::size_t>(exponent), Ref{base});
-      return;
-    }
-    if (exponent % 2 != 0) factors.push_back({base});
-    append_power(product_of({{base}, {base}}), exponent / 2, factors);
-  }
-
-  NodeId product_of(std::vector<Ref> factors) {
-    if (factors.empty()) return add_constant(rational_constant(1));
-    if (factors.size() == 1) return factors[0].node;
-    return add({.kind = OperationKind::product, .operands = std::move(factors)});
-  }
-
-  NodeId quotient(std::vector<NodeId> operands) {
-    return add({.kind = OperationKind::quotient, .operands = {{operands[0]}, {operands[1]}}});
-  }
-
-  NodeId reciprocal(NodeId base) {
-    const auto [it, is_new] = reciprocals_.emplace(base, NodeId{0});
-    if (is_new) it->second = quotient({product_of({}), base});
-    return it->second;
   }
 
   const Graph& graph_;
   std::vector<std::optional<Ref>> converted_;
   std::vector<std::uint32_t> divisions_;  ///< products that divide by the node
   std::map<NodeId, Operands> operands_;   ///< of sums and products
-  std::map<NodeId, NodeId> reciprocals_;
-  std::vector<NodeId> constant_operations_;  ///< parallel to Network::constants
+  Operations made_;
 };
 
 }  // namespace
 
 Network make_network(const Expressions& expressions) {
-  Conversion conversion(expressions);
-  std::vector<Ref> values;
-  for (const Ref value : expressions.values) values.push_back(conversion.convert(value));
-  conversion.network.values = std::move(values);
-  return std::move(conversion.network);
+  return Conversion(expressions).converted(expressions.values);
 }
 
 }  // namespace elgen
