@@ -113,6 +113,15 @@ bool is_sum(const Instruction& i) {
 
 bool is_wave(const Instruction& i) { return i.opcode == Opcode::call && is_circular(i.function); }
 
+/// The numbers of a sum as one.
+SumPart number_in(const SumParts& sum) {
+  SumPart total{SumPart::Kind::number, 0};
+  for (const SumPart& part : sum) {
+    if (part.kind == SumPart::Kind::number) total.factor += part.factor;
+  }
+  return total;
+}
+
 /// Taken from the coordinates in turn.
 NearPlaces first_of(const std::vector<NearPlaces>& by_coordinate, std::size_t most) {
   NearPlaces places;
@@ -228,10 +237,7 @@ class PlaceSearch {
   }
 
   void add_cancelling(const SumParts& sum) {
-    SumPart total{SumPart::Kind::number, 0};
-    for (const SumPart& part : sum) {
-      if (part.kind == SumPart::Kind::number) total.factor += part.factor;
-    }
+    const SumPart total = number_in(sum);
     for (std::size_t i = 0; i < sum.size(); ++i) {
       if (total.factor != 0) add_cancelling(sum[i], total);
       for (std::size_t k = 0; k < sum.size(); ++k) {
