@@ -12,6 +12,7 @@
 
 #include <cln/rational.h>
 
+#include <compare>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -29,7 +30,7 @@ using AtomId = std::uint32_t;
 struct AtomPower {
   AtomId atom = 0;
   std::int32_t exponent = 1;
-  friend bool operator==(const AtomPower&, const AtomPower&) = default;
+  friend auto operator<=>(const AtomPower&, const AtomPower&) = default;
 };
 
 /// Ascending atoms, no exponent 0; exponents may be negative.

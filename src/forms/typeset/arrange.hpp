@@ -51,17 +51,8 @@ class Arranger {
   [[nodiscard]] bool is_one_product(const Fraction& form);
 
  private:
-  /// One term of a sum whose sines and cosines are real.
-  struct Mixed {
-    cln::cl_RA number = 1;
-    Monomial powers = {};  ///< of all atoms that are no exponentials
-    std::vector<CircularPower> circular = {};
-  };
-  using MixedSum = std::vector<Mixed>;
-  /// A fixed order.
-  struct MixedLess {
-    [[nodiscard]] bool operator()(const MixedSum& x, const MixedSum& y) const;
-  };
+  /// A sum whose sines and cosines are real.
+  using MixedSum = std::vector<RealTerm>;
 
   /// front * rest.
   struct Taken {
@@ -89,11 +80,11 @@ class Arranger {
   [[nodiscard]] MixedSum mixed(const Polynomial& sum);
   [[nodiscard]] const BookSum& collected(const MixedSum& sum);
   [[nodiscard]] BookSum newly_collected(const MixedSum& sum);
-  [[nodiscard]] bool share_a_factor(const MixedSum& sum) const;
+  [[nodiscard]] BookProduct shared_powers(const MixedSum& sum) const;
   [[nodiscard]] BookSum by_kinds(const MixedSum& sum);
   [[nodiscard]] std::optional<BookSum> by_shared_parameter(const MixedSum& sum);
   [[nodiscard]] BookProduct product(MixedSum sum);
-  [[nodiscard]] BookProduct product(const Mixed& term) const;
+  [[nodiscard]] BookProduct product(const RealTerm& term) const;
 
   void multiply(BookProduct& product, const Monomial& powers) const;
   void multiply(BookProduct& product, BookSum sum, std::int32_t exponent) const;
@@ -108,7 +99,7 @@ class Arranger {
   /// Written before, by their number among the typed sums: each holds others, and is met again.
   std::shared_ptr<std::map<std::size_t, BookFactor>> typed_factors_ =
       std::make_shared<std::map<std::size_t, BookFactor>>();
-  std::map<MixedSum, BookSum, MixedLess> collected_ = {};  ///< likewise
+  std::map<MixedSum, BookSum> collected_ = {};  ///< likewise
 };
 
 }  // namespace elgen

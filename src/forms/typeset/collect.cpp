@@ -16,12 +16,6 @@ bool holds_typed_sum(const BookProduct& product) {
   });
 }
 
-bool same_waves(const std::vector<CircularPower>& x, const std::vector<CircularPower>& y) {
-  return std::ranges::equal(x, y, [](const CircularPower& a, const CircularPower& b) {
-    return a.angle == b.angle && a.cosine == b.cosine && a.sine == b.sine;
-  });
-}
-
 }  // namespace
 
 Arranger::MixedSum Arranger::mixed(const Polynomial& sum) {
@@ -41,38 +35,35 @@ Arranger::MixedSum Arranger::mixed(const Polynomial& sum) {
   return result;
 }
 
-BookProduct Arranger::product(const Mixed& term) const {
+BookProduct Arranger::product(const RealTerm& term) const {
   BookProduct result;
-  result.number = term.number;
+  result.number = term.coefficient;
   multiply(result, term.powers);
   for (const CircularPower& power : term.circular) elgen::multiply(result, algebra_, power);
   return result;
 }
 
-bool Arranger::share_a_factor(const MixedSum& sum) const {
+/// The powers that all terms have.
+BookProduct Arranger::shared_powers(const MixedSum& sum) const {
   Polynomial powers;
-  for (const Mixed& term : sum) powers.emplace(term.powers, Gaussian{1, 0});
-  BookProduct front;
-  take_monomial(powers, front);
-  return !front.factors.empty();
+  for (const RealTerm& term : sum) powers.emplace(term.powers, Gaussian{1, 0});
+  BookProduct shared;
+  take_monomial(powers, shared);
+  return shared;
 }
 
 /// What all terms have in common, times the sum of what is left of them.
 BookProduct Arranger::product(MixedSum sum) {
-  Polynomial powers;
-  for (const Mixed& term : sum) powers.emplace(term.powers, Gaussian{1, 0});
-  BookProduct result;
-  Polynomial left = powers;
-  take_monomial(left, result);
+  BookProduct result = shared_powers(sum);
   Monomial taken;
   for (const BookFactor& factor : result.factors) taken.push_back({factor.atom, -factor.exponent});
   std::ranges::sort(taken, {}, &AtomPower::atom);
-  for (Mixed& term : sum) term.powers = elgen::product(term.powers, taken);
+  for (RealTerm& term : sum) term.powers = elgen::product(term.powers, taken);
   const bool is_plain =
-      std::ranges::all_of(sum, [](const Mixed& term) { return term.circular.empty(); });
+      std::ranges::all_of(sum, [](const RealTerm& term) { return term.circular.empty(); });
   if (is_plain) {
     Polynomial plain;
-    for (const Mixed& term : sum) add_term(plain, term.powers, {term.number, 0});
+    for (const RealTerm& term : sum) add_term(plain, term.powers, {term.coefficient, 0});
     const Taken whole = this->taken(std::move(plain));
     if (!whole.front.factors.empty()) {
       elgen::multiply(result, product(whole));
@@ -86,30 +77,29 @@ BookProduct Arranger::product(MixedSum sum) {
 /// One product for all terms with the same coordinates, sines and cosines.
 BookSum Arranger::by_kinds(const MixedSum& sum) {
   struct Kind {
-    Mixed shared = {};
+    RealTerm shared = {};
     MixedSum of_parameters = {};
   };
   std::vector<Kind> kinds;
-  for (const Mixed& term : sum) {
-    Mixed shared{1, {}, term.circular};
-    Mixed rest{term.number, {}, {}};
+  for (const RealTerm& term : sum) {
+    RealTerm shared{1, {}, term.circular};
+    RealTerm rest{term.coefficient, {}, {}};
     for (const AtomPower& power : term.powers) {
       const bool is_parameter = atom_factor(power).place.group == FactorGroup::parameter;
       (is_parameter ? rest : shared).powers.push_back(power);
     }
     auto known = std::ranges::find_if(kinds, [&](const Kind& kind) {
-      return kind.shared.powers == shared.powers &&
-             same_waves(kind.shared.circular, shared.circular);
+      return kind.shared.powers == shared.powers && kind.shared.circular == shared.circular;
     });
     if (known == kinds.end()) known = kinds.insert(known, Kind{std::move(shared), {}});
     known->of_parameters.push_back(std::move(rest));
   }
   BookSum result;
   for (const auto& [shared, of_parameters] : kinds) {
-    const bool stands_alone =
-        shared.powers.empty() && shared.circular.empty() && !share_a_factor(of_parameters);
+    const bool stands_alone = shared.powers.empty() && shared.circular.empty() &&
+                              shared_powers(of_parameters).factors.empty();
     if (stands_alone || of_parameters.size() == 1) {
-      for (const Mixed& term : of_parameters) {
+      for (const RealTerm& term : of_parameters) {
         result.terms.push_back(product(term));
         elgen::multiply(result.terms.back(), product(shared));
       }
@@ -124,7 +114,7 @@ BookSum Arranger::by_kinds(const MixedSum& sum) {
 /// m (a + b) + c, m the parameter of the most terms, where not all have one.
 std::optional<BookSum> Arranger::by_shared_parameter(const MixedSum& sum) {
   std::map<std::pair<FactorPlace, AtomId>, std::size_t> parameters;  // all numbers have one place
-  for (const Mixed& term : sum) {
+  for (const RealTerm& term : sum) {
     for (const AtomPower& power : term.powers) {
       const FactorPlace place = atom_factor(power).place;
       if (place.group != FactorGroup::parameter || power.exponent < 1) continue;
@@ -138,14 +128,14 @@ std::optional<BookSum> Arranger::by_shared_parameter(const MixedSum& sum) {
   if (most.second < 2) return std::nullopt;
   MixedSum with;
   MixedSum without;
-  for (const Mixed& term : sum) {
+  for (const RealTerm& term : sum) {
     const bool has_it = std::ranges::any_of(
         term.powers, [&](const AtomPower& p) { return p.atom == most.first && p.exponent > 0; });
     (has_it ? with : without).push_back(term);
   }
   BookSum result = collected(without);
   BookProduct whole = product(with);
-  for (Mixed& term : with) {
+  for (RealTerm& term : with) {
     term.powers = elgen::product(term.powers, Monomial{{most.first, -1}});
   }
   BookProduct group;
@@ -155,18 +145,6 @@ std::optional<BookSum> Arranger::by_shared_parameter(const MixedSum& sum) {
       holds_typed_sum(whole) || written_factors({{whole}}) < written_factors({{group}});
   result.terms.push_back(is_whole ? std::move(whole) : std::move(group));
   return result;
-}
-
-bool Arranger::MixedLess::operator()(const MixedSum& x, const MixedSum& y) const {
-  const auto wave_less = [](const CircularPower& a, const CircularPower& b) {
-    if (a.angle != b.angle) return MonomialLess()(a.angle, b.angle);
-    return std::pair(a.cosine, a.sine) < std::pair(b.cosine, b.sine);
-  };
-  return std::ranges::lexicographical_compare(x, y, [&](const Mixed& a, const Mixed& b) {
-    if (a.number != b.number) return a.number < b.number;
-    if (a.powers != b.powers) return MonomialLess()(a.powers, b.powers);
-    return std::ranges::lexicographical_compare(a.circular, b.circular, wave_less);
-  });
 }
 
 const BookSum& Arranger::collected(const MixedSum& sum) {

@@ -14,8 +14,10 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <map>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "elgen/closed_forms.hpp"
@@ -43,12 +45,17 @@ struct CircularPower {
   Monomial angle = {};
   std::int32_t cosine = 0;
   std::int32_t sine = 0;
+  friend auto operator<=>(const CircularPower&, const CircularPower&) = default;
 };
 
 struct RealTerm {
   cln::cl_RA coefficient = 0;
   Monomial powers = {};  ///< of all other atoms
   std::vector<CircularPower> circular = {};
+  friend bool operator<(const RealTerm& x, const RealTerm& y) {
+    return std::tie(x.coefficient, x.powers, x.circular) <
+           std::tie(y.coefficient, y.powers, y.circular);
+  }
 };
 
 /// The length that a call adds to the written text, and the one that a multiple of an angle adds:
