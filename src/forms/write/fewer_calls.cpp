@@ -8,12 +8,6 @@
 namespace elgen {
 namespace {
 
-using cln::cl_RA;
-
-bool is_call_of(const Node& node, FunctionId function) {
-  return node.kind == NodeKind::call && node.function == function;
-}
-
 /// The calls that have one beside them that they may be made of.
 std::set<NodeId> replaceable_calls(const Expressions& expressions) {
   Graph graph = expressions.graph;
@@ -22,7 +16,7 @@ std::set<NodeId> replaceable_calls(const Expressions& expressions) {
   const auto has_call = [&](FunctionId function, Ref argument) {
     return std::ranges::any_of(nodes, [&](NodeId id) {
       const Node& node = graph.node(id);
-      if (!is_call_of(node, function)) return false;
+      if (!is_call(node, function)) return false;
       const Ref other = argument_of(node);
       return function == FunctionId::sin ? other.node == argument.node : other == argument;
     });
@@ -30,15 +24,12 @@ std::set<NodeId> replaceable_calls(const Expressions& expressions) {
   std::set<NodeId> found;
   for (const NodeId id : nodes) {
     const Node node = graph.node(id);
-    const bool is_circular_call = node.kind == NodeKind::call && is_circular(node.function);
-    if (!is_circular_call && !is_call_of(node, FunctionId::exp)) continue;
-    Ref argument = argument_of(node);
-    if (is_circular_call) {
-      argument = graph.product({{graph.rational(cl_RA(1) / 2), 1}, {argument, 1}});
-    }
-    if (has_call(is_circular_call ? FunctionId::sin : FunctionId::expm1, argument)) {
-      found.insert(id);
-    }
+    if (!is_wave(node) && !is_call(node, FunctionId::exp)) continue;
+    const Ref argument = argument_of(node);
+    const bool is_found = is_wave(node)
+                              ? has_call(FunctionId::sin, GraphTerms(graph).half(argument))
+                              : has_call(FunctionId::expm1, argument);
+    if (is_found) found.insert(id);
   }
   return found;
 }
@@ -48,7 +39,7 @@ Ref with_shared_call(Graph& graph, FunctionId function, Ref argument) {
   if (function == FunctionId::exp) {
     return graph.sum({one, graph.call(FunctionId::expm1, {argument})});
   }
-  const Ref half = graph.product({{graph.rational(cl_RA(1) / 2), 1}, {argument, 1}});
+  const Ref half = GraphTerms(graph).half(argument);
   const Ref sine = graph.call(FunctionId::sin, {half});
   const Ref two = graph.rational(2);
   if (function == FunctionId::cos) return graph.sum({one, -graph.product({{two, 1}, {sine, 2}})});

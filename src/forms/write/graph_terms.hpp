@@ -51,12 +51,13 @@ class GraphTerms {
   /// Whether it may vanish on one side of a branch: (|x| - x) does.
   [[nodiscard]] bool has_branches(Ref value) const;
 
+ protected:
+  Graph& graph_;
+
  private:
   std::vector<Ref> parts_of(Ref value);
   [[nodiscard]] bool is_one(Ref value) const;
   void append_power(ScaledTerm& term, NodeId base, std::int32_t exponent) const;
-
-  Graph& graph_;
 };
 
 }  // namespace elgen

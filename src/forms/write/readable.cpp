@@ -20,8 +20,7 @@ std::set<NodeSet> rounded_angles(const Graph& graph, Ref value) {
   std::set<NodeSet> angles;
   for (const NodeId id : reachable(graph, {value})) {
     const Node& node = graph.node(id);
-    const bool is_wave = node.kind == NodeKind::call && is_circular(node.function);
-    if (!is_wave || is_exact_multiple(graph, node.operands[0].node)) continue;
+    if (!is_wave(node) || is_exact_multiple(graph, node.operands[0].node)) continue;
     NodeSet leaves;
     for (const NodeId part : reachable(graph, {{node.operands[0].node, false}})) {
       if (graph.node(part).kind == NodeKind::leaf) leaves.insert(part);

@@ -61,15 +61,11 @@ struct Split {
   int sign = 1;
 };
 
-bool is_circular(const Node& node) {
-  return node.kind == NodeKind::call && is_circular(node.function);
-}
-
 std::vector<AngleTerms> angles_of(const Expressions& expressions) {
   const Graph& graph = expressions.graph;
   std::vector<AngleTerms> angles;
   for (const NodeId id : reachable(graph, expressions.values)) {
-    if (!is_circular(graph.node(id))) continue;
+    if (!is_wave(graph.node(id))) continue;
     const NodeId argument = graph.node(id).operands[0].node;
     const auto same = [&](const AngleTerms& known) { return known.argument == argument; };
     if (std::any_of(angles.begin(), angles.end(), same)) continue;
@@ -135,7 +131,7 @@ class AngleSums {
 
   Ref operator()(Graph& graph, const RebuildStep& step) {
     const Node& node = step.old_graph.node(step.old_node);
-    if (!is_circular(node) || splits_.count(node.operands[0].node) == 0) return copy(graph, step);
+    if (!is_wave(node) || splits_.count(node.operands[0].node) == 0) return copy(graph, step);
     const Ref value = circular(graph, step, node.function, node.operands[0].node);
     const bool negative = node.function == FunctionId::sin && node.operands[0].weight < 0;
     return with_sign(value, negative);

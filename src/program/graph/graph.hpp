@@ -56,6 +56,15 @@ struct Node {
   std::string name = {};  ///< what it is, for a reader
 };
 
+[[nodiscard]] inline bool is_call(const Node& node, FunctionId function) {
+  return node.kind == NodeKind::call && node.function == function;
+}
+
+/// A sine or a cosine.
+[[nodiscard]] inline bool is_wave(const Node& node) {
+  return node.kind == NodeKind::call && is_circular(node.function);
+}
+
 /// A constant of so many nodes is too large for a form: a tree of what is shared outgrows the
 /// graph.
 inline constexpr std::uint32_t unwritable_constant = 400;

@@ -145,8 +145,7 @@ std::size_t Graph::squared_sine(NodeId id) const {
   const std::vector<Operand>& factors = node(id).operands;
   if (node(id).kind != NodeKind::product) return factors.size();
   const auto is_squared_sine = [this](const Operand& factor) {
-    const Node& base = node(factor.node);
-    return factor.weight == 2 && base.kind == NodeKind::call && base.function == FunctionId::sin;
+    return factor.weight == 2 && is_call(node(factor.node), FunctionId::sin);
   };
   const auto it = std::find_if(factors.begin(), factors.end(), is_squared_sine);
   return static_cast<std::size_t>(it - factors.begin());
