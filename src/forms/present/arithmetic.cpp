@@ -65,13 +65,7 @@ std::vector<Monomial> angles_of(const Polynomial& x, const Algebra& algebra) {
   for (const auto& [monomial, coefficient] : x) {
     const Monomial angle = split(algebra, monomial).angle;
     if (angle.empty() || angle.front().exponent < 0) continue;
-    const bool is_even = std::all_of(angle.begin(), angle.end(),
-                                     [](const AtomPower& part) { return part.exponent % 2 == 0; });
-    if (is_even) {
-      Monomial half = angle;
-      for (AtomPower& part : half) part.exponent /= 2;
-      add(half);
-    }
+    if (const auto half = square_root(angle)) add(*half);
     add(angle);
   }
   return angles;

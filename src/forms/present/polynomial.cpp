@@ -267,18 +267,23 @@ Polynomial by_hyperbolic_squares(const Algebra& algebra, Polynomial sum) {
   return sum;
 }
 
-std::optional<Polynomial> square_root(const Polynomial& x) {
-  Monomial lead = x.rbegin()->first;
-  for (AtomPower& power : lead) {
+std::optional<Monomial> square_root(Monomial x) {
+  for (AtomPower& power : x) {
     if (power.exponent % 2 != 0) return std::nullopt;
     power.exponent /= 2;
   }
-  Polynomial root{{lead, {1, 0}}};
+  return x;
+}
+
+std::optional<Polynomial> square_root(const Polynomial& x) {
+  const std::optional<Monomial> lead = square_root(x.rbegin()->first);
+  if (!lead) return std::nullopt;
+  Polynomial root{{*lead, {1, 0}}};
   Polynomial rest = sum(x, scaled(product(root, root), {-1, 0}));
   while (!rest.empty()) {
     if (root.size() > x.size()) return std::nullopt;
     const Gaussian& next = rest.rbegin()->second;
-    const Monomial monomial = product(rest.rbegin()->first, power(lead, -1));
+    const Monomial monomial = product(rest.rbegin()->first, power(*lead, -1));
     if (root.count(monomial) > 0) return std::nullopt;
     add_term(root, monomial, {next.real / 2, next.imaginary / 2});
     rest = sum(x, scaled(product(root, root), {-1, 0}));

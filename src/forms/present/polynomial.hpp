@@ -47,6 +47,9 @@ void divide_out(Fraction& x, const Algebra& algebra, std::size_t& work);
 /// cosh^2 = 1 + sinh^2 in the direction that leaves fewer terms.
 [[nodiscard]] Polynomial by_hyperbolic_squares(const Algebra& algebra, Polynomial sum);
 
+/// The product whose square is x; none where an exponent is odd.
+[[nodiscard]] std::optional<Monomial> square_root(Monomial x);
+
 /// The sum whose square is x, by long division from the leading term, which has coefficient 1.
 [[nodiscard]] std::optional<Polynomial> square_root(const Polynomial& x);
 

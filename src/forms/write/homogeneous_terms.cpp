@@ -98,16 +98,6 @@ std::optional<Wave> wave_of(const Monomial& direction, const Multiples& multiple
               is_sine ? coefficient.imaginary * -2 : coefficient.real * 2, is_sine};
 }
 
-/// (x + y)/2 or (x - y)/2; none where that is no multiple of what angles are counted in.
-std::optional<Monomial> half(const Monomial& x, const Monomial& y, std::int32_t sign) {
-  Monomial sum = product(x, power(y, sign));
-  for (AtomPower& part : sum) {
-    if (part.exponent % 2 != 0) return std::nullopt;
-    part.exponent /= 2;
-  }
-  return sum;
-}
-
 /// sin x + sin y = 2 sin((x + y)/2) cos((x - y)/2), and so on: two waves that may cancel as one
 /// product.
 std::optional<RealTerm> product_of_waves(const Monomial& powers, const Factor& factor) {
@@ -117,8 +107,9 @@ std::optional<RealTerm> product_of_waves(const Monomial& powers, const Factor& f
   if (!x || !y || x->is_sine != y->is_sine) return std::nullopt;
   const bool is_difference = x->coefficient == -y->coefficient;
   if (!is_difference && x->coefficient != y->coefficient) return std::nullopt;
-  const auto sum = half(x->angle, y->angle, 1);
-  const auto difference = half(x->angle, y->angle, -1);
+  // Halves are none where they are no multiples of what angles are counted in.
+  const auto sum = square_root(product(x->angle, y->angle));
+  const auto difference = square_root(product(x->angle, power(y->angle, -1)));
   if (!sum || !difference) return std::nullopt;
   const bool has_sine_of_sum = x->is_sine != is_difference;
   const bool has_sine_of_difference = is_difference;
