@@ -32,23 +32,6 @@ constexpr double most_lost = 8192;
 /// 1.25 times.
 constexpr std::size_t quarters_for_balance = 5;
 
-/// Whether a form of this cost is taken in the place of another that loses digits.
-bool is_worth_its_digits(OutputKind kind, std::size_t cost, std::size_t other) {
-  return output_row(kind).solves || cost <= most_for_digits * other;
-}
-
-/// The form the scene asks for; none where the cost decides.
-std::optional<Form> wish_for(const Scene& scene, const Function& function) {
-  const OutputRequest* request = find_request(scene, function.name);
-  return request == nullptr ? std::nullopt : request->form;
-}
-
-/// Where the function was asked for.
-Span place_of(const Scene& scene, const Function& function) {
-  const OutputRequest* request = find_request(scene, function.name);
-  return request == nullptr ? Span{} : request->span;
-}
-
 bool prefers_accuracy(const Scene& scene) { return scene.numerics.prefer == Preference::accuracy; }
 
 Scale scale_for(const Scene& scene) {
@@ -68,9 +51,10 @@ Splits splits_for(const Scene& scene, const Function& function) {
   return is_whole ? Splits::sums : Splits::sums_and_differences;
 }
 
+/// Whether a form of this cost is taken in the place of another that loses digits.
 bool is_worth_its_cost(const Scene& scene, OutputKind kind, std::size_t cost, std::size_t other) {
-  return prefers_accuracy(scene) ? is_worth_its_digits(kind, cost, other)
-                                 : is_affordable(cost, other, quarters_for_balance);
+  if (!prefers_accuracy(scene)) return is_affordable(cost, other, quarters_for_balance);
+  return output_row(kind).solves || cost <= most_for_digits * other;
 }
 
 bool is_worth_lowering(const ReadableEntries& entries, const Function& recursive) {
@@ -220,8 +204,9 @@ class Choosing {
   Diagnostics choose_form(std::size_t index) {
     const Function& function = recursive_forms_.of(index);
     ReadableEntries& entries = entries_of(index);
-    const std::optional<Form> wish = wish_for(scene_, function);
-    const bool wants_closed = wish == Form::closed;
+    const OutputRequest* const request = find_request(scene_, function.name);
+    const std::optional<Form> wish = request == nullptr ? std::nullopt : request->form;
+    const bool wants_closed = request != nullptr && wish == Form::closed;
     result_.program.functions[index] = finished(function, result_.program, normalized_);
     FormCosts costs{function.name, count_operations(result_.program.functions[index])};
     costs.is_asked_for = wish.has_value();
@@ -234,7 +219,7 @@ class Choosing {
       }
       fill_readable(result_.program, index, recursive_.functions[index], entries);
     } else if (wants_closed) {
-      return {{Code::E608, place_of(scene_, function),
+      return {{Code::E608, request->span,
                fmt::format("the closed form of `{}` was given up", function.name)}};
     }
     if (costs.chosen == Form::closed) {

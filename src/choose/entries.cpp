@@ -88,7 +88,8 @@ class Judging {
     for (std::size_t i = 0; i < ways_.size(); ++i) {
       const double loss = text_.loss_of(errors_[i], entry_);
       if (std::max(loss, tolerated_loss) > std::max(least, tolerated_loss)) continue;
-      const std::size_t cost = elgen::cost(count_operations(OneEntry(ways_[i]).function));
+      const Linearised way(make_network(ways_[i]));
+      const std::size_t cost = elgen::cost(count_operations(way.function));
       const bool is_as_good = best && std::max(least, loss) <= tolerated_loss;
       const bool is_better = is_as_good ? cost < least_cost : loss < least;
       if (!is_better) continue;

@@ -67,11 +67,6 @@ double loss_at(double error, double magnitude, double least) {
 
 }  // namespace
 
-OneEntry::OneEntry(const Expressions& way) {
-  function.fields = {Field{"", 1, 1, {0}}};
-  linearise(make_network(way), program, function);
-}
-
 bool loses_more(double loss, double other, double tolerated) {
   return loss > std::max(tolerated, similar_losses * other);
 }
@@ -135,7 +130,7 @@ std::vector<double> TextErrors::errors_at(const Program& program, const Function
 }
 
 ErrorsAtPoints TextErrors::errors_of(const Expressions& way) const {
-  const OneEntry one(way);
+  const Linearised one(make_network(way));
   ErrorsAtPoints errors;
   for (std::size_t point = 0; point < points_.size(); ++point) {
     errors.push_back(errors_at(one.program, one.function, point).front());
@@ -177,7 +172,7 @@ double TextErrors::worst_loss(const Program& program, const Function& form) cons
 }
 
 bool TextErrors::is_harmed_by(const Expressions& way, std::size_t entry) const {
-  const OneEntry one(way);
+  const Linearised one(make_network(way));
   for (std::size_t point = 0; point < harm_points_; ++point) {
     if (harmed(one.program, one.function, entry, point)) return true;
   }

@@ -34,14 +34,6 @@ enum class Scale : std::uint8_t {
   field,  ///< the largest entry of its field: one that vanishes among others may be noise
 };
 
-/// A way as a function of one entry, with its constants.
-struct OneEntry {
-  explicit OneEntry(const Expressions& way);
-
-  Program program = {};
-  Function function = {};
-};
-
 /// By point, E; not a number where the way has no value.
 using ErrorsAtPoints = std::vector<double>;
 

@@ -53,21 +53,6 @@ Real admitted_error(const Running<Real>& x) {
   return max(x.error * recounted, abs(x.value) * always);
 }
 
-/// Two ways as one function of two entries, with its constants.
-struct BothWays {
-  Program program = {};
-  Function function = {};
-};
-
-BothWays both_ways(const Expressions& way, const Expressions& reference) {
-  Expressions both;
-  both.values = {copied(both.graph, way), copied(both.graph, reference)};
-  BothWays result;
-  result.function.fields = {Field{"", 1, 2, {0, 1}}};
-  linearise(make_network(both), result.program, result.function);
-  return result;
-}
-
 /// Written out over the leaves, an entry as derived may have this many operations. Longer ones are
 /// never the shortest way: 1000 gives the same pages for models/; 20 makes some longer.
 constexpr std::size_t longest_derived = 60;
@@ -98,7 +83,9 @@ std::size_t shortest_precise(const std::vector<Collected>& ways, std::size_t jud
 bool is_as_precise(const Expressions& way, const Expressions& reference, const Points& points,
                    Leaves leaves) {
   if (leaves == Leaves::exact && rounds_more_angles(way, reference)) return false;
-  const BothWays both = both_ways(way, reference);
+  Expressions expressions;
+  expressions.values = {copied(expressions.graph, way), copied(expressions.graph, reference)};
+  const Linearised both(make_network(expressions));
   bool is_compared = false;
   for (const Arguments<double>& point : points) {
     const RunningErrorRules<Real> rules{running_leaves<Real>(point, leaves)};

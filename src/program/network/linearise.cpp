@@ -129,4 +129,11 @@ void linearise(const Network& network, Program& program, Function& function) {
   }
 }
 
+Linearised::Linearised(const Network& network) {
+  Field& field = function.fields.emplace_back();
+  field.rows = static_cast<std::uint32_t>(network.values.size());
+  for (std::uint32_t i = 0; i < field.rows; ++i) field.entries.push_back(i);
+  linearise(network, program, function);
+}
+
 }  // namespace elgen

@@ -18,4 +18,12 @@ namespace elgen {
 /// `network.values` into instructions. New constants are appended to those of `program`.
 void linearise(const Network& network, Program& program, Function& function);
 
+/// The values of a network as a function of one field, with its constants.
+struct Linearised {
+  explicit Linearised(const Network& network);
+
+  Program program = {};
+  Function function = {};
+};
+
 }  // namespace elgen
