@@ -278,46 +278,30 @@ Enclosed EnclosedArithmetic::call(FunctionId function, const EnclosedNumber& x,
 cl_R function_value(FunctionId function, const cl_F& x, const cl_F& y) {
   const auto cofunction = [&x] { return cln::sqrt((1 - x) * (1 + x)); };
   switch (function) {
-    case FunctionId::sin:
-      return cln::sin(x);
-    case FunctionId::cos:
-      return cln::cos(x);
-    case FunctionId::tan:
-      return cln::tan(x);
-    case FunctionId::asin:
-      return cln::atan(cofunction(), x);
-    case FunctionId::acos:
-      return cln::atan(x, cofunction());
-    case FunctionId::atan:
-      return cln::atan(x);
-    case FunctionId::atan2:
-      return cln::atan(y, x);
-    case FunctionId::sinh:
-      return cln::sinh(x);
-    case FunctionId::cosh:
-      return cln::cosh(x);
-    case FunctionId::tanh:
-      return cln::tanh(x);
-    case FunctionId::exp:
-      return cln::exp(x);
-    case FunctionId::log:
-      return cln::ln(x);
-    case FunctionId::log1p:
-      return logarithm_of_sum(x);
-    case FunctionId::expm1:
-      return exponential_less_one(x);
-    case FunctionId::hypot:
-      return cln::sqrt(x * x + y * y);
-    case FunctionId::stumpff:
-      return stumpff_function(x, whole_number(y));
-    case FunctionId::abs:
-      return cln::abs(x);
-    case FunctionId::sign:
-      return cln::signum(x);
-    case FunctionId::min:
-      return cln::min(x, y);
-    case FunctionId::max:
-      return cln::max(x, y);
+#define ELGEN_VALUE(name, ...) \
+  case FunctionId::name:       \
+    return __VA_ARGS__;
+    ELGEN_VALUE(sin, cln::sin(x))
+    ELGEN_VALUE(cos, cln::cos(x))
+    ELGEN_VALUE(tan, cln::tan(x))
+    ELGEN_VALUE(asin, cln::atan(cofunction(), x))
+    ELGEN_VALUE(acos, cln::atan(x, cofunction()))
+    ELGEN_VALUE(atan, cln::atan(x))
+    ELGEN_VALUE(atan2, cln::atan(y, x))
+    ELGEN_VALUE(sinh, cln::sinh(x))
+    ELGEN_VALUE(cosh, cln::cosh(x))
+    ELGEN_VALUE(tanh, cln::tanh(x))
+    ELGEN_VALUE(exp, cln::exp(x))
+    ELGEN_VALUE(log, cln::ln(x))
+    ELGEN_VALUE(log1p, logarithm_of_sum(x))
+    ELGEN_VALUE(expm1, exponential_less_one(x))
+    ELGEN_VALUE(hypot, cln::sqrt(x * x + y * y))
+    ELGEN_VALUE(stumpff, stumpff_function(x, whole_number(y)))
+    ELGEN_VALUE(abs, cln::abs(x))
+    ELGEN_VALUE(sign, cln::signum(x))
+    ELGEN_VALUE(min, cln::min(x, y))
+    ELGEN_VALUE(max, cln::max(x, y))
+#undef ELGEN_VALUE
   }
   return x;
 }

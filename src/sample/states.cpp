@@ -203,13 +203,6 @@ class Extremes {
   std::vector<SampledState<double>> states_;
 };
 
-/// The nearest finite number: what a range reaches in double may be too large for float.
-template <class Scalar>
-Scalar finite(double value) {
-  constexpr double largest = std::numeric_limits<Scalar>::max();
-  return static_cast<Scalar>(std::clamp(value, -largest, largest));
-}
-
 }  // namespace
 
 LeafValues<Range> ranges_of(const StateSpace& space) {
@@ -272,7 +265,11 @@ Domain domain_of(const StateSpace& space) {
 
 template <class Scalar>
 LeafValues<Scalar> nearest_finite(const LeafValues<double>& values) {
-  return map_leaves([](double value) { return finite<Scalar>(value); }, values);
+  const auto nearest = [](double value) {
+    constexpr double largest = std::numeric_limits<Scalar>::max();
+    return static_cast<Scalar>(std::clamp(value, -largest, largest));
+  };
+  return map_leaves(nearest, values);
 }
 
 std::size_t golden_step(std::size_t count) {

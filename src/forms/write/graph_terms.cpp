@@ -55,15 +55,12 @@ std::size_t GraphTerms::term_count(Ref value) const {
   return node.kind == NodeKind::sum ? node.operands.size() : 1;
 }
 
-bool GraphTerms::is_one(Ref value) const {
-  return !value.negative && graph_.is_rational(value.node) && graph_.rational_of(value.node) == 1;
-}
-
 bool GraphTerms::has_one(Ref value) const {
   const Node& node = graph_.node(value.node);
   if (node.kind != NodeKind::sum) return false;
   return std::ranges::any_of(node.operands, [&](const Operand& term) {
-    return is_one({term.node, (term.weight < 0) != value.negative});
+    const bool is_negative = (term.weight < 0) != value.negative;
+    return !is_negative && graph_.is_rational(term.node) && graph_.rational_of(term.node) == 1;
   });
 }
 

@@ -56,7 +56,6 @@ class GraphTerms {
 
  private:
   std::vector<Ref> parts_of(Ref value);
-  [[nodiscard]] bool is_one(Ref value) const;
   void append_power(ScaledTerm& term, NodeId base, std::int32_t exponent) const;
 };
 

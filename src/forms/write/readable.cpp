@@ -38,12 +38,11 @@ bool rounds_more_angles(const Expressions& way, const Expressions& reference) {
   const Ref known = copied(both, reference);
   const auto known_angles = rounded_angles(both, known);
   const auto is_known = [&known_angles](const NodeSet& angle) {
-    return std::any_of(known_angles.begin(), known_angles.end(), [&angle](const NodeSet& other) {
-      return std::includes(other.begin(), other.end(), angle.begin(), angle.end());
+    return std::ranges::any_of(known_angles, [&angle](const NodeSet& other) {
+      return std::ranges::includes(other, angle);
     });
   };
-  const auto own_angles = rounded_angles(both, own);
-  return !std::all_of(own_angles.begin(), own_angles.end(), is_known);
+  return !std::ranges::all_of(rounded_angles(both, own), is_known);
 }
 
 /// The error that may take the place of x's.
@@ -55,24 +54,15 @@ Real admitted_error(const Running<Real>& x) {
 
 /// Written out over the leaves, an entry as derived may have this many operations. Longer ones are
 /// never the shortest way: 1000 gives the same pages for models/; 20 makes some longer.
-constexpr std::size_t longest_derived = 60;
-
-std::size_t shortest_weighted(const std::vector<Collected>& ways) {
-  const auto shorter = [](const Collected& x, const Collected& y) {
-    return x.weighted_length < y.weighted_length;
-  };
-  return static_cast<std::size_t>(
-      std::distance(ways.begin(), std::min_element(ways.begin(), ways.end(), shorter)));
-}
+constexpr int longest_derived = 60;
 
 /// The shortest of those that are as precise as `judge`, by whose B the code is judged.
 std::size_t shortest_precise(const std::vector<Collected>& ways, std::size_t judge,
                              const Points& points) {
   std::vector<std::size_t> order(ways.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t x, std::size_t y) { return ways[x].length < ways[y].length; });
-  return *std::find_if(order.begin(), order.end(), [&](std::size_t way) {
+  std::ranges::stable_sort(order, {}, [&](std::size_t way) { return ways[way].length; });
+  return *std::ranges::find_if(order, [&](std::size_t way) {
     return ways[way].terms == ways[judge].terms ||
            is_as_precise(ways[way].expressions, ways[judge].expressions, points, Leaves::exact);
   });
@@ -104,7 +94,8 @@ std::optional<ReadableForm> shortest(const Algebra& algebra, const Fraction& for
                                      const Expressions* derived, const Points& points) {
   std::vector<Collected> ways = collected_ways(algebra, form);
   if (ways.empty() && derived == nullptr) return std::nullopt;
-  std::size_t readable = ways.empty() ? 0 : shortest_weighted(ways);
+  const auto least = std::ranges::min_element(ways, {}, &Collected::weighted_length);
+  auto readable = static_cast<std::size_t>(least - ways.begin());
   if (derived != nullptr) {
     ways.push_back(derived_way(*derived));
     const std::size_t last = ways.size() - 1;
@@ -121,9 +112,7 @@ std::optional<ReadableForm> shortest(const Algebra& algebra, const Fraction& for
 std::optional<DerivedEntry> as_derived(const Program& program, const Function& function,
                                        std::uint32_t entry) {
   const std::vector<bool> needed = needed_for(function, {entry});
-  if (static_cast<std::size_t>(std::count(needed.begin(), needed.end(), true)) > longest_derived) {
-    return std::nullopt;
-  }
+  if (std::ranges::count(needed, true) > longest_derived) return std::nullopt;
   DerivedEntry derived{from_program(program, function, {entry}), {}};
   derived.written_out = flatten(derived.as_it_stands, Flattened::all_products);
   if (written_length(derived.written_out) > longest_derived) return std::nullopt;

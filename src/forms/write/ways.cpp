@@ -139,16 +139,14 @@ std::vector<Written> candidates(const Algebra& algebra, const Fraction& form) {
   for (const std::optional<Trigonometry>& trigonometry : ways) {
     auto candidate = written(algebra, form, {trigonometry, Grouping::none});
     if (!candidate) continue;
-    const auto same = [&](const Written& known) { return known.length == candidate->length; };
-    if (std::any_of(all.begin(), all.end(), same)) continue;
+    if (std::ranges::find(all, candidate->length, &Written::length) != all.end()) continue;
     least = std::min(least, candidate->length);
     all.push_back(std::move(*candidate));
   }
   const auto is_long = [&](const Written& way) { return way.length > terms_over_least * least; };
   std::erase_if(all, is_long);
   if (form.numerator.size() <= always_compared || all.empty()) return all;
-  const auto shorter = [](const Written& x, const Written& y) { return x.length < y.length; };
-  return {*std::min_element(all.begin(), all.end(), shorter)};
+  return {*std::ranges::min_element(all, {}, &Written::length)};
 }
 
 }  // namespace

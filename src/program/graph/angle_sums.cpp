@@ -67,8 +67,7 @@ std::vector<AngleTerms> angles_of(const Expressions& expressions) {
   for (const NodeId id : reachable(graph, expressions.values)) {
     if (!is_wave(graph.node(id))) continue;
     const NodeId argument = graph.node(id).operands[0].node;
-    const auto same = [&](const AngleTerms& known) { return known.argument == argument; };
-    if (std::any_of(angles.begin(), angles.end(), same)) continue;
+    if (std::ranges::find(angles, argument, &AngleTerms::argument) != angles.end()) continue;
     AngleTerms angle{argument};
     add_terms(graph, argument, 1, angle.terms);
     for (const auto& [node, coefficient] : angle.terms) {
