@@ -19,113 +19,77 @@ namespace elgen {
 
 namespace {
 
-struct SpelledCharacter {
-  char32_t character;
+/// A text of the language, and the characters that it stands for.
+struct ReplacementRow {
   std::string_view written;
+  std::u32string_view characters;
 };
 
 constexpr std::array replacements{
     // ASCII that other languages use
-    SpelledCharacter{U'\'', "dot(x)"},
-    SpelledCharacter{U'{', "("},
-    SpelledCharacter{U'}', ")"},
+    ReplacementRow{"dot(x)", U"'"},
+    ReplacementRow{"(", U"{"},
+    ReplacementRow{")", U"}"},
     // operators
-    SpelledCharacter{0x00B7, "*"},
-    SpelledCharacter{0x00D7, "*"},
-    SpelledCharacter{0x2022, "*"},
-    SpelledCharacter{0x2217, "*"},
-    SpelledCharacter{0x2219, "*"},
-    SpelledCharacter{0x22C5, "*"},
-    SpelledCharacter{0x00F7, "/"},
-    SpelledCharacter{0x2044, "/"},
-    SpelledCharacter{0x2215, "/"},
-    SpelledCharacter{0x00AD, "-"},
-    SpelledCharacter{0x2010, "-"},
-    SpelledCharacter{0x2011, "-"},
-    SpelledCharacter{0x2012, "-"},
-    SpelledCharacter{0x2013, "-"},
-    SpelledCharacter{0x2014, "-"},
-    SpelledCharacter{0x2212, "-"},
-    SpelledCharacter{0x221A, "sqrt(x)"},
-    SpelledCharacter{0x2032, "dot(x)"},
-    SpelledCharacter{0x0307, "dot(x)"},
-    SpelledCharacter{0x02D9, "dot(x)"},
-    SpelledCharacter{0x2019, "dot(x)"},
+    ReplacementRow{"*", U"\u00B7\u00D7\u2022\u2217\u2219\u22C5"},
+    ReplacementRow{"/", U"\u00F7\u2044\u2215"},
+    ReplacementRow{"-", U"\u00AD\u2010\u2011\u2012\u2013\u2014\u2212"},
+    ReplacementRow{"sqrt(x)", U"\u221A"},
+    ReplacementRow{"dot(x)", U"\u2032\u0307\u02D9\u2019"},
     // superscripts, fractions, degrees
-    SpelledCharacter{0x00B2, "^2"},
-    SpelledCharacter{0x00B3, "^3"},
-    SpelledCharacter{0x00B9, "^1"},
-    SpelledCharacter{0x2070, "^0"},
-    SpelledCharacter{0x2074, "^4"},
-    SpelledCharacter{0x207B, "^-"},
-    SpelledCharacter{0x00BC, "1/4"},
-    SpelledCharacter{0x00BD, "1/2"},
-    SpelledCharacter{0x00BE, "3/4"},
-    SpelledCharacter{0x00B0, "*pi/180"},
+    ReplacementRow{"^2", U"\u00B2"},
+    ReplacementRow{"^3", U"\u00B3"},
+    ReplacementRow{"^1", U"\u00B9"},
+    ReplacementRow{"^0", U"\u2070"},
+    ReplacementRow{"^4", U"\u2074"},
+    ReplacementRow{"^-", U"\u207B"},
+    ReplacementRow{"1/4", U"\u00BC"},
+    ReplacementRow{"1/2", U"\u00BD"},
+    ReplacementRow{"3/4", U"\u00BE"},
+    ReplacementRow{"*pi/180", U"\u00B0"},
     // spaces
-    SpelledCharacter{0x00A0, " "},
-    SpelledCharacter{0x2009, " "},
-    SpelledCharacter{0x202F, " "},
-    SpelledCharacter{0x3000, " "},
+    ReplacementRow{" ", U"\u00A0\u2009\u202F\u3000"},
     // Greek
-    SpelledCharacter{0x03B1, "alpha"},
-    SpelledCharacter{0x03B2, "beta"},
-    SpelledCharacter{0x03B3, "gamma"},
-    SpelledCharacter{0x03B4, "delta"},
-    SpelledCharacter{0x03B5, "epsilon"},
-    SpelledCharacter{0x03B6, "zeta"},
-    SpelledCharacter{0x03B7, "eta"},
-    SpelledCharacter{0x03B8, "theta"},
-    SpelledCharacter{0x03D1, "theta"},
-    SpelledCharacter{0x03B9, "iota"},
-    SpelledCharacter{0x03BA, "kappa"},
-    SpelledCharacter{0x03BB, "lambda"},
-    SpelledCharacter{0x03BC, "mu"},
-    SpelledCharacter{0x00B5, "mu"},
-    SpelledCharacter{0x03BD, "nu"},
-    SpelledCharacter{0x03BE, "xi"},
-    SpelledCharacter{0x03C0, "pi"},
-    SpelledCharacter{0x03C1, "rho"},
-    SpelledCharacter{0x03C3, "sigma"},
-    SpelledCharacter{0x03C4, "tau"},
-    SpelledCharacter{0x03C5, "upsilon"},
-    SpelledCharacter{0x03C6, "phi"},
-    SpelledCharacter{0x03D5, "phi"},
-    SpelledCharacter{0x03C7, "chi"},
-    SpelledCharacter{0x03C8, "psi"},
-    SpelledCharacter{0x03C9, "omega"},
-    SpelledCharacter{0x0393, "Gamma"},
-    SpelledCharacter{0x0394, "Delta"},
-    SpelledCharacter{0x0398, "Theta"},
-    SpelledCharacter{0x039B, "Lambda"},
-    SpelledCharacter{0x03A0, "Pi"},
-    SpelledCharacter{0x03A3, "sum(i, a, b, e)"},
-    SpelledCharacter{0x2211, "sum(i, a, b, e)"},
-    SpelledCharacter{0x03A6, "Phi"},
-    SpelledCharacter{0x03A8, "Psi"},
-    SpelledCharacter{0x03A9, "Omega"},
-    // Cyrillic letters that look like Latin ones
-    SpelledCharacter{0x0410, "A"},
-    SpelledCharacter{0x0412, "B"},
-    SpelledCharacter{0x0415, "E"},
-    SpelledCharacter{0x041A, "K"},
-    SpelledCharacter{0x041C, "M"},
-    SpelledCharacter{0x041D, "H"},
-    SpelledCharacter{0x041E, "O"},
-    SpelledCharacter{0x0420, "P"},
-    SpelledCharacter{0x0421, "C"},
-    SpelledCharacter{0x0422, "T"},
-    SpelledCharacter{0x0425, "X"},
-    SpelledCharacter{0x0430, "a"},
-    SpelledCharacter{0x0435, "e"},
-    SpelledCharacter{0x043E, "o"},
-    SpelledCharacter{0x0440, "p"},
-    SpelledCharacter{0x0441, "c"},
-    SpelledCharacter{0x0443, "y"},
-    SpelledCharacter{0x0445, "x"},
-    SpelledCharacter{0x0456, "i"},
-    SpelledCharacter{0x0458, "j"},
+    ReplacementRow{"alpha", U"\u03B1"},
+    ReplacementRow{"beta", U"\u03B2"},
+    ReplacementRow{"gamma", U"\u03B3"},
+    ReplacementRow{"delta", U"\u03B4"},
+    ReplacementRow{"epsilon", U"\u03B5"},
+    ReplacementRow{"zeta", U"\u03B6"},
+    ReplacementRow{"eta", U"\u03B7"},
+    ReplacementRow{"theta", U"\u03B8\u03D1"},
+    ReplacementRow{"iota", U"\u03B9"},
+    ReplacementRow{"kappa", U"\u03BA"},
+    ReplacementRow{"lambda", U"\u03BB"},
+    ReplacementRow{"mu", U"\u03BC\u00B5"},
+    ReplacementRow{"nu", U"\u03BD"},
+    ReplacementRow{"xi", U"\u03BE"},
+    ReplacementRow{"pi", U"\u03C0"},
+    ReplacementRow{"rho", U"\u03C1"},
+    ReplacementRow{"sigma", U"\u03C3"},
+    ReplacementRow{"tau", U"\u03C4"},
+    ReplacementRow{"upsilon", U"\u03C5"},
+    ReplacementRow{"phi", U"\u03C6\u03D5"},
+    ReplacementRow{"chi", U"\u03C7"},
+    ReplacementRow{"psi", U"\u03C8"},
+    ReplacementRow{"omega", U"\u03C9"},
+    ReplacementRow{"Gamma", U"\u0393"},
+    ReplacementRow{"Delta", U"\u0394"},
+    ReplacementRow{"Theta", U"\u0398"},
+    ReplacementRow{"Lambda", U"\u039B"},
+    ReplacementRow{"Pi", U"\u03A0"},
+    ReplacementRow{"sum(i, a, b, e)", U"\u03A3\u2211"},
+    ReplacementRow{"Phi", U"\u03A6"},
+    ReplacementRow{"Psi", U"\u03A8"},
+    ReplacementRow{"Omega", U"\u03A9"},
 };
+
+/// Cyrillic letters that look like Latin ones, and those, in the same order.
+constexpr std::u32string_view look_alikes =
+    U"\u0410\u0412\u0415\u041A\u041C\u041D\u041E\u0420\u0421\u0422"
+    U"\u0425\u0430\u0435\u043E\u0440\u0441\u0443\u0445\u0456\u0458";
+constexpr std::string_view latin_letters = "ABEKMHOPCTXaeopcyxij";
+static_assert(look_alikes.size() == latin_letters.size());
 
 /// Full-width forms stand at a fixed distance from their ASCII.
 bool is_full_width(char32_t c) { return c >= 0xFF01 && c <= 0xFF5E; }
@@ -137,18 +101,26 @@ std::string_view script_name(char32_t c) {
   return "this character";
 }
 
-/// "write `pi`" for U+03C0, "write `-`" for U+2212 …; empty where there is nothing to suggest.
+/// `pi` of U+03C0, `-` of U+2212 …; empty where there is nothing to suggest.
+std::string_view replacement(char32_t character) {
+  const std::size_t letter = look_alikes.find(character);
+  if (letter != std::u32string_view::npos) return latin_letters.substr(letter, 1);
+  const auto row = std::ranges::find_if(replacements, [&](const ReplacementRow& r) {
+    return r.characters.find(character) != std::u32string_view::npos;
+  });
+  return row == replacements.end() ? "" : row->written;
+}
+
+/// "write `pi`" for U+03C0 and so on.
 std::string replacement_hint(char32_t character) {
   if (is_full_width(character)) {
     return fmt::format("write `{}`", static_cast<char>(character - full_width_distance));
   }
-  const auto row =
-      std::find_if(replacements.begin(), replacements.end(),
-                   [&](const SpelledCharacter& r) { return r.character == character; });
-  if (row == replacements.end()) return {};
-  if (row->written == " ") return "write a plain space";
-  if (character < 0x80) return fmt::format("write `{}`", row->written);
-  return fmt::format("write `{}` instead of {}", row->written, script_name(character));
+  const std::string_view written = replacement(character);
+  if (written.empty()) return {};
+  if (written == " ") return "write a plain space";
+  if (character < 0x80) return fmt::format("write `{}`", written);
+  return fmt::format("write `{}` instead of {}", written, script_name(character));
 }
 
 bool starts_comparison(char c) { return c == '=' || c == '<' || c == '>'; }
