@@ -13,15 +13,63 @@ namespace {
 bool has_energy(const Point& point) { return point.mass.has_value(); }
 bool has_energy(const Body& body) { return body.mass.has_value() || !body.inertia.empty(); }
 
-template <class Rows>
-bool any_energy(const Rows& rows) {
-  return std::any_of(rows.begin(), rows.end(), [](const auto& row) { return has_energy(row); });
+bool has_masses(const Model& model) {
+  const auto has_own = [](const auto& row) { return has_energy(row); };
+  const auto has_armature = [](const Coordinate& q) { return q.armature.has_value(); };
+  return std::ranges::any_of(model.points, has_own) || std::ranges::any_of(model.bodies, has_own) ||
+         std::ranges::any_of(model.coordinates, has_armature);
 }
 
-bool has_masses(const Model& model) {
-  const auto has_armature = [](const Coordinate& q) { return q.armature.has_value(); };
-  return any_energy(model.points) || any_energy(model.bodies) ||
-         std::any_of(model.coordinates.begin(), model.coordinates.end(), has_armature);
+using Expressions = std::vector<ExpressionId>;
+
+template <class Ids>
+void append(Expressions& all, const Ids& ids) {
+  all.insert(all.end(), ids.begin(), ids.end());
+}
+
+/// The values of a force, and what it does work on: the motion of where it acts, the turning of its
+/// frames.
+void append_force(Expressions& all, const Model& model, const Force& force) {
+  append(all, force.value);
+  append(all, force.reaction);
+  for (const auto& point : {force.at, force.from}) {
+    if (point) append(all, model.points[*point].at);
+  }
+  for (const auto& frame : {force.frame, force.from_frame}) {
+    if (frame) append(all, model.frames[*frame].spin);
+  }
+}
+
+/// All that an equation is made of: a point without mass that nothing uses is in none.
+Expressions in_equations(const Model& model) {
+  Expressions all;
+  const Energies& e = model.energies;
+  for (const auto& energy : {e.T, e.V, e.D, e.L}) {
+    if (energy) all.push_back(*energy);
+  }
+  if (model.gravity) append(all, *model.gravity);
+  for (const Point& point : model.points) {
+    if (has_energy(point)) append(all, point.at);
+  }
+  for (const Body& body : model.bodies) {
+    append(all, body.com);
+    append(all, body.spin);
+  }
+  for (const Force& force : model.forces) append_force(all, model, force);
+  for (const Constraint& constraint : model.constraints) all.push_back(constraint.value);
+  for (const UserOutput& output : model.outputs) append(all, output.values);
+  return all;
+}
+
+/// Whether some kinetic energy is not of second degree in the rates, or V not of degree 0.
+bool finds_drift(const Model& model, const std::vector<Traits>& traits) {
+  const Energies& e = model.energies;
+  const auto lowest = [&](ExpressionId id) { return traits[id].lowest_rate_degree; };
+  const auto turns_at_rest = [&](const Body& body) {
+    return std::ranges::any_of(body.spin, [&](ExpressionId id) { return lowest(id) < 1; });
+  };
+  return e.L || (e.T && lowest(*e.T) < 2) || (e.V && traits[*e.V].rate_degree > 0) ||
+         std::ranges::any_of(model.bodies, turns_at_rest);
 }
 
 class MechanicsCheck {
@@ -47,8 +95,10 @@ class MechanicsCheck {
       }
     }
     check_lagrangian();
-    model_.uses_time = finds_time();
-    model_.may_drift = model_.uses_time || finds_drift();
+    model_.uses_time = std::ranges::any_of(in_equations(model_), [&](ExpressionId id) {
+      return (traits_[id].ingredients & uses_time) != 0;
+    });
+    model_.may_drift = model_.uses_time || finds_drift(model_, traits_);
   }
 
  private:
@@ -131,71 +181,10 @@ class MechanicsCheck {
     }
   }
 
-  [[nodiscard]] bool has_time(ExpressionId id) const {
-    return (traits_[id].ingredients & uses_time) != 0;
-  }
-
-  template <class Ids>
-  [[nodiscard]] bool any_time(const Ids& ids) const {
-    return std::any_of(ids.begin(), ids.end(), [&](ExpressionId id) { return has_time(id); });
-  }
-
-  [[nodiscard]] bool any_time(const std::optional<ExpressionId>& id) const {
-    return id && has_time(*id);
-  }
-
-  /// A force does work on the motion of where it acts, a torque on the turning of its frames.
-  [[nodiscard]] bool reaches_time(const Force& force) const {
-    const auto moves = [&](const std::optional<std::uint32_t>& point) {
-      return point && any_time(model_.points[*point].at);
-    };
-    const auto turns = [&](const std::optional<std::uint32_t>& frame) {
-      return frame && any_time(model_.frames[*frame].spin);
-    };
-    return any_time(force.value) || any_time(force.reaction) || moves(force.at) ||
-           moves(force.from) || turns(force.frame) || turns(force.from_frame);
-  }
-
-  /// t matters where it reaches an equation: a point without mass that nothing uses does not count.
-  [[nodiscard]] bool finds_time() const {
-    const Energies& e = model_.energies;
-    const bool in_energy = any_time(e.T) || any_time(e.V) || any_time(e.D) || any_time(e.L);
-    const auto point = [&](const Point& p) { return has_energy(p) && any_time(p.at); };
-    const auto body = [&](const Body& b) { return any_time(b.com) || any_time(b.spin); };
-    const auto force = [&](const Force& f) { return reaches_time(f); };
-    const auto output = [&](const UserOutput& o) { return any_time(o.values); };
-    return in_energy || (model_.gravity && any_time(*model_.gravity)) ||
-           std::any_of(model_.points.begin(), model_.points.end(), point) ||
-           std::any_of(model_.bodies.begin(), model_.bodies.end(), body) ||
-           std::any_of(model_.forces.begin(), model_.forces.end(), force) ||
-           std::ranges::any_of(model_.constraints,
-                               [&](const Constraint& c) { return has_time(c.value); }) ||
-           std::any_of(model_.outputs.begin(), model_.outputs.end(), output);
-  }
-
-  /// Whether some kinetic energy is not of second degree in the rates, or V not of degree 0.
-  [[nodiscard]] bool finds_drift() const {
-    const Energies& e = model_.energies;
-    const auto lowest = [&](ExpressionId id) { return traits_[id].lowest_rate_degree; };
-    const auto turns_at_rest = [&](const Body& body) {
-      return std::any_of(body.spin.begin(), body.spin.end(),
-                         [&](ExpressionId id) { return lowest(id) < 1; });
-    };
-    return e.L || (e.T && lowest(*e.T) < 2) || (e.V && traits_[*e.V].rate_degree > 0) ||
-           std::any_of(model_.bodies.begin(), model_.bodies.end(), turns_at_rest);
-  }
-
   Context& context_;
   Model& model_;
   const std::vector<Traits>& traits_;
 };
-
-using Expressions = std::vector<ExpressionId>;
-
-template <class Ids>
-void append(Expressions& all, const Ids& ids) {
-  all.insert(all.end(), ids.begin(), ids.end());
-}
 
 /// The terms of the kinetic energy as the model writes them.
 Expressions in_energies(const Model& model) {
