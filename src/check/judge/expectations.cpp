@@ -79,6 +79,59 @@ std::string found_shape(const Rows& rows) {
   return is_ragged ? "rows of different lengths" : shape(rows.size(), columns) + " entries";
 }
 
+/// Nothing after an error of require_request.
+std::optional<ExpectedField> require(Context& context, std::string_view name, const Span& span) {
+  const Model& model = context.model;
+  const bool is_field = name == multipliers && !model.constraints.empty();
+  auto request = require_request(model, is_field ? "forward_dynamics" : name, span, context.report);
+  if (!request) return std::nullopt;
+  if (!is_field) return ExpectedField{std::move(*request)};
+  ExpectedField expected{std::move(*request), std::string(name)};
+  expected.first = expected.request.rows + extent_of(model, Extent::pivots);
+  expected.request.rows = extent_of(model, Extent::constraints);
+  return expected;
+}
+
+/// A closed form without its entries.
+Expectation blank(const ExpectedField& expected, const Span& span) {
+  Expectation expectation;
+  expectation.output = expected.request.name;
+  expectation.field = expected.field;
+  expectation.first = expected.first;
+  expectation.rows = expected.request.rows;
+  expectation.columns = expected.request.columns;
+  expectation.span = span;
+  return expectation;
+}
+
+/// The index of the entry that a scope stands at: indices count from 1 in files. E517.
+std::optional<std::size_t> index_in(const OutputRequest& request,
+                                    const std::vector<RangeSyntax>& ranges, const Scope& scope,
+                                    const Span& span, Report& report) {
+  const std::int64_t row = *scope.find(ranges[0].index);
+  const std::int64_t column = ranges.size() > 1 ? *scope.find(ranges[1].index) : 1;
+  if (row >= 1 && row <= request.rows && column >= 1 && column <= request.columns) {
+    return static_cast<std::size_t>((row - 1) * std::int64_t{request.columns} + column - 1);
+  }
+  report.add(Code::E517, span,
+             "entry " + std::to_string(row) + ", " + std::to_string(column) + ", but " +
+                 in_backticks(request.name) + " is " + shape(request.rows, request.columns));
+  return std::nullopt;
+}
+
+bool check_complete(Expectation& expectation, const Span& span, Report& report) {
+  std::vector<ExpressionId>& entries = expectation.entries;
+  entries.resize(std::size_t{expectation.rows} * expectation.columns, no_expression);
+  const auto missing = std::find(entries.begin(), entries.end(), no_expression);
+  if (missing == entries.end()) return true;
+  const auto index = static_cast<std::size_t>(missing - entries.begin());
+  report.add(Code::E517, span,
+             "no entry " + std::to_string(index / expectation.columns + 1) + ", " +
+                 std::to_string(index % expectation.columns + 1) + " of " +
+                 in_backticks(expectation.output));
+  return false;
+}
+
 class ExpectationReader {
  public:
   explicit ExpectationReader(Context& context)
@@ -89,32 +142,18 @@ class ExpectationReader {
       read_conserved(key);
     } else if (key.value.kind == ValueKind::table) {
       read_sized(key);
-    } else if (const auto expected = require(key.key, key.key_span)) {
+    } else if (const auto expected = require(context_, key.key, key.key_span)) {
       read_matrix(key, *expected);
     }
   }
 
  private:
-  std::optional<ExpectedField> require(std::string_view name, const Span& span) {
-    const Model& model = context_.model;
-    const bool is_field = name == multipliers && !model.constraints.empty();
-    auto request =
-        require_request(model, is_field ? "forward_dynamics" : name, span, context_.report);
-    if (!request) return std::nullopt;
-    if (!is_field) return ExpectedField{std::move(*request)};
-    ExpectedField expected{std::move(*request), std::string(name)};
-    expected.first = expected.request.rows + extent_of(model, Extent::pivots);
-    expected.request.rows = extent_of(model, Extent::constraints);
-    return expected;
-  }
-
   void read_conserved(const KeySyntax& key) {
     Expectation expectation;
     expectation.output = key.key;
     expectation.span = key.key_span;
     for (const ValueSyntax& item : key.value.items) {
-      expectation.entries.push_back(values_.root(item, {conserved_form}));
-      expectation.spans.push_back(item.span);
+      add_entry(expectation, item, {conserved_form});
     }
     expectation.rows = static_cast<std::uint32_t>(expectation.entries.size());
     expectation.columns = 1;
@@ -127,12 +166,11 @@ class ExpectationReader {
     Expectation expectation = blank(expected, key.key_span);
     const bool lacks_rows = is_matrix(request) && !is_nested(key.value);
     bool fits = rows.size() == request.rows && !lacks_rows;
-    for (std::uint32_t i = 0; fits && i < rows.size(); ++i) {
+    for (std::size_t i = 0; fits && i < rows.size(); ++i) {
       fits = rows[i].size() == request.columns;
-      for (std::uint32_t j = 0; fits && j < rows[i].size(); ++j) {
-        add_entry(expectation, *rows[i][j],
-                  {place_for(expected),
-                   unit_of_entry(context_.model, {request.kind, expected.field, i, j})});
+      for (std::size_t j = 0; fits && j < rows[i].size(); ++j) {
+        const std::size_t index = expectation.entries.size();
+        add_entry(expectation, *rows[i][j], request_for(expected, index));
       }
     }
     if (!fits) {
@@ -152,6 +190,13 @@ class ExpectationReader {
     }
   }
 
+  /// The place and the unit of an entry of the output.
+  RootRequest request_for(const ExpectedField& expected, std::size_t index) const {
+    const auto& [output, field, first] = expected;
+    const EntryPlace place{output.kind, field, index / output.columns, index % output.columns};
+    return {place_for(expected), unit_of_entry(context_.model, place)};
+  }
+
   void add_entry(Expectation& expectation, const ValueSyntax& value, const RootRequest& entry) {
     expectation.entries.push_back(values_.root(value, entry));
     expectation.spans.push_back(value.span);
@@ -165,7 +210,8 @@ class ExpectationReader {
                           "did you mean `" + key.key + std::string(entry_suffix) + "`?");
       return;
     }
-    const auto expected = require(name.substr(0, name.size() - entry_suffix.size()), key.key_span);
+    const std::string_view output = name.substr(0, name.size() - entry_suffix.size());
+    const auto expected = require(context_, output, key.key_span);
     const KeySyntax* repetition = key.value.find("for");
     const KeySyntax* value = key.value.find("value");
     if (!expected || repetition == nullptr || value == nullptr) {
@@ -185,77 +231,24 @@ class ExpectationReader {
 
   void expand(const ExpectedField& expected, const std::vector<RangeSyntax>& ranges,
               const KeySyntax& value, const Span& span) {
-    const OutputRequest& request = expected.request;
     Expectation expectation = blank(expected, span);
     Scope scope(context_.sizes);
     const auto add = [&] {
-      const auto at = position(request, ranges, scope, value.value.span);
-      if (!at) {
-        return false;
-      }
-      const auto unit =
-          unit_of_entry(context_.model, {request.kind, expected.field, at->row, at->column});
+      const auto index =
+          index_in(expected.request, ranges, scope, value.value.span, context_.report);
+      if (!index) return false;
       const ExpressionId entry =
-          ValueReader(context_, scope).root(value.value, {place_for(expected), unit});
-      const std::size_t index = at->row * std::size_t{request.columns} + at->column;
+          ValueReader(context_, scope).root(value.value, request_for(expected, *index));
       // Grown as needed: a form beyond the limit of nodes ends long before its last entry.
-      expectation.entries.resize(std::max(expectation.entries.size(), index + 1), no_expression);
-      expectation.entries[index] = entry;
+      expectation.entries.resize(std::max(expectation.entries.size(), *index + 1), no_expression);
+      expectation.entries[*index] = entry;
       return entry != no_expression;
     };
     const bool complete = repeat(ranges, scope, context_.report, add);
-    if (complete && check_complete(expectation, value.value.span)) {
+    if (complete && check_complete(expectation, value.value.span, context_.report)) {
       expectation.spans.assign(expectation.entries.size(), value.value.span);
       context_.model.expectations.push_back(std::move(expectation));
     }
-  }
-
-  struct Position {
-    std::uint32_t row = 0;
-    std::uint32_t column = 0;
-  };
-
-  /// Indices count from 1 in files.
-  std::optional<Position> position(const OutputRequest& request,
-                                   const std::vector<RangeSyntax>& ranges, const Scope& scope,
-                                   const Span& span) {
-    const std::int64_t row = *scope.find(ranges[0].index);
-    const std::int64_t column = ranges.size() > 1 ? *scope.find(ranges[1].index) : 1;
-    const bool inside = row >= 1 && row <= request.rows && column >= 1 && column <= request.columns;
-    if (!inside) {
-      context_.report.add(Code::E517, span,
-                          "entry " + std::to_string(row) + ", " + std::to_string(column) +
-                              ", but " + in_backticks(request.name) + " is " +
-                              shape(request.rows, request.columns));
-      return std::nullopt;
-    }
-    return Position{static_cast<std::uint32_t>(row - 1), static_cast<std::uint32_t>(column - 1)};
-  }
-
-  bool check_complete(Expectation& expectation, const Span& span) {
-    std::vector<ExpressionId>& entries = expectation.entries;
-    entries.resize(std::size_t{expectation.rows} * expectation.columns, no_expression);
-    const auto missing = std::find(entries.begin(), entries.end(), no_expression);
-    if (missing == entries.end()) {
-      return true;
-    }
-    const auto index = static_cast<std::size_t>(missing - entries.begin());
-    context_.report.add(Code::E517, span,
-                        "no entry " + std::to_string(index / expectation.columns + 1) + ", " +
-                            std::to_string(index % expectation.columns + 1) + " of " +
-                            in_backticks(expectation.output));
-    return false;
-  }
-
-  static Expectation blank(const ExpectedField& expected, const Span& span) {
-    Expectation expectation;
-    expectation.output = expected.request.name;
-    expectation.field = expected.field;
-    expectation.first = expected.first;
-    expectation.rows = expected.request.rows;
-    expectation.columns = expected.request.columns;
-    expectation.span = span;
-    return expectation;
   }
 
   Context& context_;
