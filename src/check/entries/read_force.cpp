@@ -14,38 +14,36 @@ constexpr Place torque_place{"a torque", place::of_force, Code::E319, true};
 
 void read_generalized_force(ValueReader& values, const KeySyntax& on, const KeySyntax& value,
                             Force& force) {
+  Context& context = values.context();
   force.on = values.velocity(on.value);
-  std::optional<Unit> unit;
-  if (force.on) {
-    unit = force_unit(values.context().model.velocities[*force.on]);
-  }
+  const auto unit = force.on ? force_unit(context.model.velocities[*force.on]) : std::nullopt;
   force.value = values.roots(value.value, {force_place, unit});
   if (value.value.kind == ValueKind::list) {
-    values.context().report.add(Code::E104, value.value.span,
-                                "a list, but a generalized force is one number");
+    context.report.add(Code::E104, value.value.span,
+                       "a list, but a generalized force is one number");
   }
 }
 
-/// The frame whose axes the components are in: `in`, or what is usual.
+/// The frame that a key names, or what is usual.
 std::optional<std::uint32_t> axes_of(ValueReader& values, const EntrySyntax& entry,
-                                     std::optional<std::uint32_t> usual) {
-  const KeySyntax* in = entry.find("in");
-  return in == nullptr ? usual : values.frame_or_world(in->value);
+                                     std::string_view name, std::optional<std::uint32_t> usual) {
+  const KeySyntax* key = entry.find(name);
+  return key == nullptr ? usual : values.frame_or_world(key->value);
 }
 
-/// Keeps the components as written, and turns them into the axes the model keeps them in.
-void turn_components(Context& context, std::optional<std::uint32_t> to, Force& force) {
-  force.written = force.value;
+/// The components as written, turned into the axes of a frame, or of the world.
+std::vector<ExpressionId> turned_to(std::optional<std::uint32_t> axes, const Force& force,
+                                    Context& context) {
   NodeBuilder nodes(context, force.span);
-  const Vector3 components = turned(nodes, padded(force.value), force.axes, to);
-  force.value.assign(components.begin(), components.end());
+  const Vector3 components = turned(nodes, padded(force.written), force.axes, axes);
+  return {components.begin(), components.end()};
 }
 
 void read_point_force(ValueReader& values, const EntrySyntax& entry, Force& force) {
   Context& context = values.context();
   const KeySyntax& value = *entry.find("value");
   force.at = values.reference(entry.find("at")->value, SymbolKind::point);
-  force.axes = axes_of(values, entry, std::nullopt);
+  force.axes = axes_of(values, entry, "in", std::nullopt);
   force.value = values.roots(value.value, {force_place, find_unit("N")});
   const std::size_t count = force.value.size();
   if (force.at && count != context.model.points[*force.at].dimension) {
@@ -57,14 +55,15 @@ void read_point_force(ValueReader& values, const EntrySyntax& entry, Force& forc
   if (const KeySyntax* from = entry.find("from")) {
     force.from = values.reference(from->value, SymbolKind::point);
   }
-  turn_components(context, std::nullopt, force);
+  force.written = force.value;
+  force.value = turned_to(std::nullopt, force, context);
 }
 
 void read_torque(ValueReader& values, const EntrySyntax& entry, Force& force) {
   Context& context = values.context();
   const KeySyntax& value = *entry.find("value");
   force.frame = values.reference(entry.find("frame")->value, SymbolKind::frame);
-  force.axes = axes_of(values, entry, force.frame);
+  force.axes = axes_of(values, entry, "in", force.frame);
   force.value = values.roots(value.value, {torque_place, *find_unit("N") * *find_unit("m")});
   const std::size_t expected = context.dimension == 2 ? 1 : 3;
   if (force.value.size() != expected) {
@@ -74,14 +73,10 @@ void read_torque(ValueReader& values, const EntrySyntax& entry, Force& force) {
     force.value.resize(expected, no_expression);
   }
   if (expected == 1) force.value = {no_expression, no_expression, force.value.front()};
-  if (const KeySyntax* from = entry.find("from")) {
-    force.from_frame = values.frame_or_world(from->value);
-  }
-  turn_components(context, force.frame, force);
-  if (!force.from_frame) return;
-  NodeBuilder nodes(context, force.span);
-  const Vector3 components = turned(nodes, padded(force.written), force.axes, force.from_frame);
-  force.reaction.assign(components.begin(), components.end());
+  force.from_frame = axes_of(values, entry, "from", std::nullopt);
+  force.written = force.value;
+  force.value = turned_to(force.frame, force, context);
+  if (force.from_frame) force.reaction = turned_to(force.from_frame, force, context);
 }
 
 constexpr std::array<std::string_view, 3> force_places{"on", "at", "frame"};
@@ -105,14 +100,11 @@ void read_frame_output(ValueReader& values, const EntrySyntax& entry, UserOutput
   if (!output.frame) {
     return;
   }
-  std::optional<std::uint32_t> axes;
-  if (const KeySyntax* key = entry.find("axes")) {
-    axes = values.frame_or_world(key->value);
-    if (axes && axes != output.frame) {
-      context.report.add(Code::E112, key->value.span,
-                         "axes are `world` or those of the frame itself");
-      return;
-    }
+  const std::optional<std::uint32_t> axes = axes_of(values, entry, "axes", std::nullopt);
+  if (axes && axes != output.frame) {
+    context.report.add(Code::E112, entry.find("axes")->value.span,
+                       "axes are `world` or those of the frame itself");
+    return;
   }
   output.in_world = !axes;
   write_frame_output(context, output);

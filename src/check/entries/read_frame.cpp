@@ -115,6 +115,45 @@ const RootRequest length_request{{"a position", place::of_configuration}, find_u
 constexpr std::array<std::string_view, 5> orientations{"rotate", "rpy", "dh", "quaternion",
                                                        "rotation"};
 
+/// The key that turns the frame; null where there is none, or after E112 where there are two.
+const KeySyntax* orientation_of(const EntrySyntax& entry, Report& report) {
+  const auto [first, second] = first_two(entry, orientations);
+  if (second == nullptr) return first;
+  report.add(Code::E112, second->key_span,
+             "a frame is turned by one of `rotate`, `rpy`, `dh`, `quaternion`, `rotation`");
+  return nullptr;
+}
+
+/// E104.
+bool has_count(const ValueSyntax& value, std::size_t count, const std::string& noun,
+               Report& report) {
+  if (value.items.size() == count) return true;
+  report.add(
+      Code::E104, value.span,
+      counted(value.items.size(), "component") + ", but " + noun + " has " + std::to_string(count));
+  return false;
+}
+
+/// The axis of unit length, exactly: irrational components keep their form.
+std::optional<Vector3> unit_axis(ValueReader& values, const ValueSyntax& axis) {
+  Context& context = values.context();
+  NodeBuilder nodes(context, axis.span);
+  Vector3 given{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::optional<FixedValue> value = values.constant_with_form(axis.items[i]);
+    if (!value) return std::nullopt;
+    given[i] = value->form ? *value->form : nodes.number(cln::rational(value->number));
+  }
+  const ExpressionId squared = nodes.dot(given, given);
+  if (context.constants[squared] == 0) {
+    context.report.add(Code::E112, axis.span, "an axis of length 0 has no direction");
+    return std::nullopt;
+  }
+  const ExpressionId scale = nodes.power(squared, cln::cl_RA(-1) / 2);
+  for (ExpressionId& component : given) component = nodes.multiply({component, scale});
+  return given;
+}
+
 class FrameReader {
  public:
   FrameReader(ValueReader& values, const EntrySyntax& entry, Frame& frame)
@@ -125,52 +164,36 @@ class FrameReader {
         report_(context_.report) {}
 
   void read() {
-    check_name();
+    if (frame_.name == world) {
+      report_.add(Code::E204, frame_.span, "`world` is reserved: it is what does not move");
+    }
     if (const KeySyntax* parent = entry_.find("parent")) {
       frame_.parent = values_.frame_or_world(parent->value);
     }
     if (const KeySyntax* translate = entry_.find("translate")) read_translation(translate->value);
-    if (has_one_orientation()) read_orientation();
+    if (const KeySyntax* turned = orientation_of(entry_, report_)) read_orientation(*turned);
     write_pose(context_, frame_);
   }
 
  private:
-  void check_name() {
-    if (frame_.name == world) {
-      report_.add(Code::E204, frame_.span, "`world` is reserved: it is what does not move");
-    }
-  }
-
-  bool has_one_orientation() {
-    const auto [first, second] = first_two(entry_, orientations);
-    if (second != nullptr) {
-      report_.add(Code::E112, second->key_span,
-                  "a frame is turned by one of `rotate`, `rpy`, `dh`, `quaternion`, `rotation`");
-    }
-    return first != nullptr && second == nullptr;
-  }
-
   void read_translation(const ValueSyntax& value) {
-    if (!values_.is_vector(value)) {
-      return;
-    }
-    std::vector<ExpressionId> offset = values_.roots(value, length_request);
-    offset.resize(3, no_expression);
-    frame_.steps.push_back({FrameStepKind::translation, {offset[0], offset[1], offset[2]}});
+    if (!values_.is_vector(value)) return;
+    const Vector3 offset = padded(values_.roots(value, length_request));
+    frame_.steps.push_back({FrameStepKind::translation, offset});
   }
 
-  void read_orientation() {
-    if (const KeySyntax* key = entry_.find("rotate")) read_turns(key->value);
-    if (const KeySyntax* key = entry_.find("rpy")) read_rpy(key->value);
-    if (const KeySyntax* key = entry_.find("dh")) read_dh(key->value);
-    if (const KeySyntax* key = entry_.find("quaternion")) read_quaternion(key->value);
-    if (const KeySyntax* key = entry_.find("rotation")) read_rotation(key->value);
+  void read_orientation(const KeySyntax& turned) {
+    const auto& [key, span, value] = turned;
+    if (key == "rotate") read_turns(value);
+    if (key == "rpy") read_rpy(value);
+    if (key == "dh") read_dh(value);
+    if (key == "quaternion") read_quaternion(value);
+    if (key == "rotation") read_rotation(value);
   }
 
   void add_turn(std::size_t axis, ExpressionId angle) {
-    NodeBuilder nodes(context_, frame_.span);
     FrameStep step{FrameStepKind::turn};
-    step.vector[axis] = nodes.number(1);
+    step.vector[axis] = NodeBuilder(context_, frame_.span).number(1);
     step.angle = angle;
     frame_.steps.push_back(step);
   }
@@ -188,7 +211,8 @@ class FrameReader {
       const ExpressionId angle = values_.root(turn.items[1], angle_request);
       note_degrees(turn.items[1], angle);
       if (axis.kind == ValueKind::list) {
-        add_turn_about(axis, angle);
+        const std::optional<Vector3> direction = unit_axis(values_, axis);
+        if (direction) frame_.steps.push_back({FrameStepKind::turn, *direction, angle});
       } else if (axis.text == "x" || axis.text == "y" || axis.text == "z") {
         add_turn(static_cast<std::size_t>(axis.text.front() - 'x'), angle);
       } else {
@@ -198,37 +222,8 @@ class FrameReader {
     }
   }
 
-  /// The axis of unit length, exactly: irrational components keep their form.
-  void add_turn_about(const ValueSyntax& axis, ExpressionId angle) {
-    NodeBuilder nodes(context_, axis.span);
-    Vector3 given{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::optional<FixedValue> value = values_.constant_with_form(axis.items[i]);
-      if (!value) return;
-      given[i] = value->form ? *value->form : nodes.number(cln::rational(value->number));
-    }
-    const ExpressionId squared = nodes.dot(given, given);
-    if (context_.constants[squared] == 0) {
-      report_.add(Code::E112, axis.span, "an axis of length 0 has no direction");
-      return;
-    }
-    const ExpressionId scale = nodes.power(squared, cln::cl_RA(-1) / 2);
-    FrameStep step{FrameStepKind::turn};
-    for (std::size_t i = 0; i < 3; ++i) step.vector[i] = nodes.multiply({given[i], scale});
-    step.angle = angle;
-    frame_.steps.push_back(step);
-  }
-
-  bool has_count(const ValueSyntax& value, std::size_t count, std::string_view what) {
-    if (value.items.size() == count) return true;
-    report_.add(Code::E104, value.span,
-                counted(value.items.size(), "component") + ", but " + std::string(what) + " has " +
-                    std::to_string(count));
-    return false;
-  }
-
   void read_rpy(const ValueSyntax& value) {
-    if (!has_count(value, 3, "`rpy`")) return;
+    if (!has_count(value, 3, "`rpy`", report_)) return;
     const std::vector<ExpressionId> angles = values_.roots(value, angle_request);
     for (const std::size_t axis : {2U, 1U, 0U}) {
       if (value.kind == ValueKind::list) note_degrees(value.items[axis], angles[axis]);
@@ -260,7 +255,7 @@ class FrameReader {
   }
 
   void read_quaternion(const ValueSyntax& value) {
-    if (!has_count(value, 4, "a quaternion")) return;
+    if (!has_count(value, 4, "a quaternion", report_)) return;
     const Place place{"a quaternion", place::of_configuration};
     const std::vector<ExpressionId> components = values_.roots(value, {place});
     FrameStep step{FrameStepKind::quaternion};

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "check/entries/entries.hpp"
+#include "check/entries/in_frame.hpp"
 #include "check/expressions/places.hpp"
 #include "check/expressions/values.hpp"
 #include "check/names/reserved_names.hpp"
@@ -56,10 +57,8 @@ void read_gravity(ValueReader& values, const EntrySyntax& entry) {
   }
   const Unit acceleration = *find_unit("m") / power(*find_unit("s"), {2, 1});
   const Place place{"gravity", place::of_time};
-  std::vector<ExpressionId> components = values.roots(vector->value, {place, acceleration});
+  values.context().model.gravity = padded(values.roots(vector->value, {place, acceleration}));
   (void)values.is_vector(vector->value);
-  components.resize(3, no_expression);
-  values.context().model.gravity = {components[0], components[1], components[2]};
 }
 
 struct EnergyKey {
@@ -88,7 +87,7 @@ void read_energies(ValueReader& values, const EntrySyntax& entry) {
 }  // namespace
 
 void read_table(Context& context, const EntrySyntax& entry) {
-  ValueReader values(context, Scope(context.sizes));
+  ValueReader values(context);
   if (entry.name == "model") {
     read_header(context, entry);
   } else if (entry.name == "define") {

@@ -22,12 +22,6 @@ std::optional<Unit> unit_of(const EntrySyntax& entry, Context& context) {
   return context.has_units ? unit : std::nullopt;
 }
 
-std::optional<Interval> interval_of(ValueReader& values, const EntrySyntax& entry,
-                                    std::string_view name) {
-  const KeySyntax* key = entry.find(name);
-  return key == nullptr ? std::nullopt : values.interval(key->value);
-}
-
 /// E104: a list is what rotations start with.
 cln::cl_R start_constant(ValueReader& values, const ValueSyntax& value) {
   if (value.kind == ValueKind::list) {
@@ -77,7 +71,7 @@ void check_start(Context& context, const ValueSyntax& table, const Coordinate& c
 
 void read_rate(ValueReader& values, const EntrySyntax& entry, const Coordinate& coordinate) {
   Velocity& velocity = values.context().model.velocities[coordinate.velocity];
-  velocity.rate_range = interval_of(values, entry, "rate_range");
+  velocity.rate_range = values.interval(entry, "rate_range");
   if (coordinate.unit) {
     velocity.unit = *coordinate.unit / *find_unit("s");
   }
@@ -114,7 +108,7 @@ void read_coordinate(ValueReader& values, const EntrySyntax& entry, std::uint32_
   Context& context = values.context();
   Coordinate& coordinate = context.model.coordinates[target];
   coordinate.unit = unit_of(entry, context);
-  coordinate.range = interval_of(values, entry, "range");
+  coordinate.range = values.interval(entry, "range");
   if (coordinate.range) {
     const std::vector<ValueSyntax>& ends = entry.find("range")->value.items;
     note_degrees(context.report, ends[0].span, coordinate, coordinate.range->low);
@@ -137,7 +131,7 @@ void read_input(ValueReader& values, const EntrySyntax& entry, std::uint32_t tar
   Context& context = values.context();
   Input& input = context.model.inputs[target];
   input.unit = unit_of(entry, context);
-  input.limits = interval_of(values, entry, "limits");
+  input.limits = values.interval(entry, "limits");
   if (const KeySyntax* on = entry.find("on")) {
     input.on = values.velocity(on->value);
   }

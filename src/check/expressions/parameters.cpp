@@ -43,7 +43,7 @@ Assumption assumption_of(const ValueSyntax& table) {
 class ParameterReader {
  public:
   ParameterReader(Context& context, ParameterArray& array)
-      : context_(context), array_(array), values_(context, Scope(context.sizes)) {}
+      : context_(context), array_(array), values_(context) {}
 
   void read(const ValueSyntax& value) {
     if (value.kind != ValueKind::table) {
@@ -195,7 +195,7 @@ void declare_parameter(Context& context, const KeySyntax& key) {
   const KeySyntax* size = key.value.kind == ValueKind::table ? key.value.find("size") : nullptr;
   std::int64_t count = 1;
   if (size != nullptr) {
-    const auto value = ValueReader(context, Scope(context.sizes)).integer(size->value);
+    const auto value = ValueReader(context).integer(size->value);
     if (!value) {
       context.symbols.mark_failed(key.key);
       return;

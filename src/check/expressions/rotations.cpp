@@ -130,11 +130,9 @@ void read_rotation(ValueReader& values, const EntrySyntax& entry, std::uint32_t 
       context.report.add(Code::E112, key.key_span, "a rotation has no " + in_backticks(key.key));
     }
   }
-  if (const KeySyntax* range = entry.find("rate_range")) {
-    const std::optional<Interval> interval = values.interval(range->value);
-    for (std::uint32_t i = 0; i < axis_count; ++i) {
-      context.model.velocities[rotation.first_velocity + i].rate_range = interval;
-    }
+  const std::optional<Interval> rates = values.interval(entry, "rate_range");
+  for (std::uint32_t i = 0; i < axis_count; ++i) {
+    context.model.velocities[rotation.first_velocity + i].rate_range = rates;
   }
   if (const KeySyntax* start = entry.find("start")) {
     read_start(values, start->value, rotation);

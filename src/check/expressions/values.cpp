@@ -113,7 +113,10 @@ std::optional<FixedValue> ValueReader::constant_with_form(const ValueSyntax& val
   return FixedValue{rounded(*result), needs_form ? id : std::nullopt};
 }
 
-std::optional<Interval> ValueReader::interval(const ValueSyntax& value) {
+std::optional<Interval> ValueReader::interval(const EntrySyntax& entry, std::string_view key) {
+  const KeySyntax* given = entry.find(key);
+  if (given == nullptr) return std::nullopt;
+  const ValueSyntax& value = given->value;
   const std::optional<cln::cl_R> low = constant(value.items[0]);
   const std::optional<cln::cl_R> high = constant(value.items[1]);
   if (!low || !high) {

@@ -27,6 +27,8 @@ struct RootRequest {
 class ValueReader {
  public:
   ValueReader(Context& context, const Scope& scope) : context_(context), scope_(scope) {}
+  /// Of an entry that is not repeated.
+  explicit ValueReader(Context& context) : ValueReader(context, Scope(context.sizes)) {}
 
   /// Resolves an expression and registers it as a root; `no_expression` after an error.
   ExpressionId root(const ExpressionSyntax& expression, const RootRequest& request);
@@ -52,8 +54,8 @@ class ValueReader {
   /// The same with its expression, which stays in the model, where it is not rational.
   std::optional<FixedValue> constant_with_form(const ValueSyntax& value);
 
-  /// [low, high]; E112 unless low < high.
-  std::optional<Interval> interval(const ValueSyntax& value);
+  /// [low, high] of a key, where the entry has it; E112 unless low < high.
+  std::optional<Interval> interval(const EntrySyntax& entry, std::string_view key);
 
   std::optional<std::int64_t> integer(const ValueSyntax& value);
 

@@ -134,8 +134,7 @@ bool check_complete(Expectation& expectation, const Span& span, Report& report) 
 
 class ExpectationReader {
  public:
-  explicit ExpectationReader(Context& context)
-      : context_(context), values_(context, Scope(context.sizes)) {}
+  explicit ExpectationReader(Context& context) : context_(context), values_(context) {}
 
   void read(const KeySyntax& key) {
     if (key.key == "conserved") {

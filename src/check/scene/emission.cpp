@@ -94,7 +94,7 @@ class BatchReader {
     }
     const KeySyntax* key = trigonometry.value.find("max_error");
     if (key == nullptr) return;
-    const auto wanted = ValueReader(context_, Scope(context_.sizes)).constant(key->value);
+    const auto wanted = ValueReader(context_).constant(key->value);
     if (!wanted) return;
     const bool has_float = has_scalar(scene_, ScalarKind::single_precision);
     const ScalarKind coarsest =

@@ -45,7 +45,7 @@ std::optional<Held> held_variable(Context& context, const KeySyntax& key) {
 class HeldReader {
  public:
   explicit HeldReader(Context& context)
-      : context_(context), model_(context.model), values_(context, Scope(context.sizes)) {}
+      : context_(context), model_(context.model), values_(context) {}
 
   void read_locks(const EntrySyntax& entry) {
     std::vector<Lock>& locks = model_.variant.locks;

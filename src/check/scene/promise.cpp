@@ -29,7 +29,7 @@ std::vector<std::string> names_of_states(const Model& model) {
 class PromiseReader {
  public:
   PromiseReader(Context& context, Numerics& numerics)
-      : context_(context), values_(context, Scope(context.sizes)), numerics_(numerics) {}
+      : context_(context), values_(context), numerics_(numerics) {}
 
   void read_error(const ValueSyntax& value) {
     const std::optional<double> error = number(value);

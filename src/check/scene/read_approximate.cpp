@@ -61,7 +61,7 @@ class ApproximationReader {
   /// The values given, or those of an equilibrium of the model.
   void read_point(const ValueSyntax& about) {
     if (about.kind == ValueKind::text) return take_equilibrium(about);
-    ValueReader values(context_, Scope(context_.sizes));
+    ValueReader values(context_);
     for (const KeySyntax& key : about.entries) {
       const Variables found = read_point_value(values, about_table, key, result_);
       for (const std::uint32_t i : found.coordinates) {

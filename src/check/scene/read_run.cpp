@@ -40,10 +40,7 @@ std::vector<StartPlace> start_places(const Model& model) {
 class StartReader {
  public:
   explicit StartReader(Context& context)
-      : context_(context),
-        model_(context.model),
-        values_(context, Scope(context.sizes)),
-        places_(start_places(model_)) {}
+      : context_(context), model_(context.model), values_(context), places_(start_places(model_)) {}
 
   void read(const KeySyntax& key) {
     const StartPlace* const place = place_of(key);
@@ -121,8 +118,7 @@ void read_law(Context& context, const KeySyntax& key) {
   }
   const Place place{"the law of an input", place::of_state | uses_kink};
   const std::size_t known = context.roots.size();
-  const ExpressionId law =
-      ValueReader(context, Scope(context.sizes)).root(key.value, {place, std::nullopt});
+  const ExpressionId law = ValueReader(context).root(key.value, {place, std::nullopt});
   if (context.roots.size() == known) return;
   context.roots.back().plain_numbers = true;
   input->law = law;
@@ -144,7 +140,7 @@ void read_laws(Context& context, const SceneOptions& options) {
 }
 
 void read_values(Context& context, const Scene& scene, const SceneOptions& options) {
-  ValueReader values(context, Scope(context.sizes));
+  ValueReader values(context);
   for (const KeySyntax& key : keys_of(context, options.values, KeyType::expression)) {
     const auto targets = named_parameters(context, key.key, key.key_span);
     if (targets.empty()) continue;

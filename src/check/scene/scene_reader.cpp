@@ -296,7 +296,7 @@ class SceneReader {
     if (targets.empty()) return;
     std::optional<FixedValue> own;
     if (value != nullptr) {
-      own = ValueReader(context_, Scope(context_.sizes)).constant_with_form(*value);
+      own = ValueReader(context_).constant_with_form(*value);
     }
     for (const std::uint32_t target : targets) {
       if (own) check_value(context_, target, own->number, value->expression.span);
