@@ -6,6 +6,7 @@
 //     exponent = integer | "(" integer [ "/" integer ] ")"
 #include "check/expressions/unit_expression.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -37,6 +38,41 @@ constexpr std::array<MultipleRow, 16> multiples{{{"deg", "pi/180", "rad"},
                                                  {"mA", "0.001", "A"},
                                                  {"mH", "0.001", "H"},
                                                  {"uF", "1e-6", "F"}}};
+
+/// The value in the unit that there is, where it is known and in this unit alone.
+std::string converted(const MultipleRow& row, const ValueSyntax* value) {
+  const std::string factor(row.factor);
+  const std::string unit(row.unit);
+  const std::string equation = "1 " + std::string(row.name) + " is " + factor + " " + unit;
+  if (value == nullptr || value->kind != ValueKind::expression) return equation;
+  const std::string number(covered_text(value->expression.span));
+  const bool is_sum = number.find_first_of("+-", 1) != std::string::npos;
+  return equation + ": write `value = \"" + factor + "*" + (is_sum ? "(" : "") + number +
+         (is_sum ? ")" : "") + "\", unit = \"" + unit + "\"`";
+}
+
+/// "kg*m" of "kgm": two units without the sign between them; else nothing. A name that starts
+/// with m is meant as milli.
+std::string as_product(std::string_view name) {
+  if (name.starts_with('m')) return {};
+  for (std::size_t i = 1; i < name.size(); ++i) {
+    if (!find_unit(name.substr(0, i)) || !find_unit(name.substr(i))) continue;
+    return std::string(name.substr(0, i)) + "*" + std::string(name.substr(i));
+  }
+  return {};
+}
+
+/// How to write an unknown unit; `value` is in it alone, or not known.
+std::string hint_on(std::string_view name, const ValueSyntax* value) {
+  const auto* const multiple = std::ranges::find(multiples, name, &MultipleRow::name);
+  if (multiple != multiples.end()) return converted(*multiple, value);
+  std::vector<std::string> candidates{as_product(name)};
+  if (candidates.front().empty()) {
+    candidates.clear();
+    for (const UnitRow& row : unit_table()) candidates.emplace_back(row.name);
+  }
+  return suggestion(name, candidates);
+}
 
 class UnitReader {
  public:
@@ -132,47 +168,9 @@ class UnitReader {
   }
 
   std::optional<Unit> unknown(std::string_view name, std::size_t begin) {
-    const std::string message = "unknown unit " + in_backticks(name);
-    const Span span = part(begin, begin + name.size());
-    for (const MultipleRow& row : multiples) {
-      if (row.name != name) continue;
-      report_.add(Code::E402, span, message, converted(row));
-      return std::nullopt;
-    }
-    std::vector<std::string> candidates;
-    const std::string product = as_product(name);
-    if (!product.empty()) {
-      candidates.push_back(product);
-    } else {
-      for (const UnitRow& row : unit_table()) candidates.emplace_back(row.name);
-    }
-    report_.add(Code::E402, span, message, suggestion(name, candidates));
+    report_.add(Code::E402, part(begin, begin + name.size()), "unknown unit " + in_backticks(name),
+                hint_on(name, name == text_ ? value_ : nullptr));
     return std::nullopt;
-  }
-
-  /// The value in the unit that there is, where it is known and in this unit alone.
-  [[nodiscard]] std::string converted(const MultipleRow& row) const {
-    const std::string factor(row.factor);
-    const std::string unit(row.unit);
-    const std::string equation = "1 " + std::string(row.name) + " is " + factor + " " + unit;
-    if (value_ == nullptr || value_->kind != ValueKind::expression || text_ != row.name) {
-      return equation;
-    }
-    const std::string number(covered_text(value_->expression.span));
-    const bool is_sum = number.find_first_of("+-", 1) != std::string::npos;
-    return equation + ": write `value = \"" + factor + "*" + (is_sum ? "(" : "") + number +
-           (is_sum ? ")" : "") + "\", unit = \"" + unit + "\"`";
-  }
-
-  /// "kg*m" of "kgm": two units without the sign between them; else nothing. A name that starts
-  /// with m is meant as milli.
-  static std::string as_product(std::string_view name) {
-    if (name.starts_with('m')) return {};
-    for (std::size_t i = 1; i < name.size(); ++i) {
-      if (!find_unit(name.substr(0, i)) || !find_unit(name.substr(i))) continue;
-      return std::string(name.substr(0, i)) + "*" + std::string(name.substr(i));
-    }
-    return {};
   }
 
   std::optional<Unit> fail(std::size_t begin, std::size_t end, const std::string& message) {

@@ -122,20 +122,19 @@ void note_missing_units(Context& context) {
       first = span;
     }
   };
-  for (const Coordinate& coordinate : model.coordinates) {
-    if (!coordinate.unit && coordinate.unit_text.empty()) note(coordinate.name, coordinate.span);
-  }
+  const auto note_rows = [&](const auto& rows) {
+    for (const auto& row : rows) {
+      if (!row.unit && row.unit_text.empty()) note(row.name, row.span);
+    }
+  };
+  note_rows(model.coordinates);
   for (const ParameterArray& array : model.parameter_arrays) {
     const Parameter& parameter = model.parameters[array.first];
     const bool is_silent = !parameter.unit && array.unit_text.empty();
     if (is_silent && !parameter.is_computed) note(array.name, array.span);
   }
-  for (const Input& input : model.inputs) {
-    if (!input.unit && input.unit_text.empty()) note(input.name, input.span);
-  }
-  for (const OpenFunction& function : model.functions) {
-    if (!function.unit && function.unit_text.empty()) note(function.name, function.span);
-  }
+  note_rows(model.inputs);
+  note_rows(model.functions);
   if (names.empty()) {
     return;
   }
