@@ -16,6 +16,43 @@ std::string symmetric_range(const std::optional<FileNumber>& limit) {
   return toml_list({toml_number("-" + limit->text), toml_number(limit->text)});
 }
 
+/// "sqrt(0.7^2 + 0.7^2)", or "1" where an oblique axis has exactly that length.
+std::string length_of(const Vector& axis) {
+  cln::cl_RA square = 0;
+  std::string terms;
+  for (const FileNumber& component : axis) {
+    if (component.is_zero()) continue;
+    square = square + component.value * component.value;
+    const bool is_negative = cln::minusp(component.value);
+    terms +=
+        (terms.empty() ? "" : " + ") + (is_negative ? negative(component) : component).text + "^2";
+  }
+  return square == 1 ? "1" : "sqrt(" + terms + ")";
+}
+
+/// At most one step.
+std::vector<std::string> turn_by(const std::string& angle, const Vector& xyz, AngleDigits digits) {
+  if (angle == "0") return {};
+  const Axis axis = axis_of(xyz, digits);
+  if (!axis.along) {
+    return {step_text(vector_text({xyz[0].text, xyz[1].text, xyz[2].text}), angle)};
+  }
+  return {
+      step_text(toml_string(axis_letter(*axis.along)), axis.is_reversed ? negated(angle) : angle)};
+}
+
+Components slide_by(const std::string& way, const Vector& xyz, AngleDigits digits) {
+  Components result{"0", "0", "0"};
+  const Axis axis = axis_of(xyz, digits);
+  if (axis.along) {
+    result[*axis.along] = axis.is_reversed ? negated(way) : way;
+    return result;
+  }
+  const std::string length = length_of(xyz);
+  for (std::size_t i = 0; i < 3; ++i) result[i] = quotient(product(xyz[i].text, way), length);
+  return result;
+}
+
 class JointDrafter {
  public:
   JointDrafter(Draft& draft, const Branch& branch)
@@ -30,9 +67,10 @@ class JointDrafter {
     switch (joint_.type) {
       case JointType::revolute:
       case JointType::continuous:
-        return {{"0", "0", "0"}, turn_by(draft_coupling().position()), {}};
+        return {
+            {"0", "0", "0"}, turn_by(draft_coupling().position(), joint_.axis, robot_.digits), {}};
       case JointType::prismatic:
-        return {slide_by(draft_coupling().position()), {}, {}};
+        return {slide_by(draft_coupling().position(), joint_.axis, robot_.digits), {}, {}};
       case JointType::floating:
         return draft_floating();
       case JointType::planar:
@@ -100,46 +138,6 @@ class JointDrafter {
     draft_.inputs.push_back({branch_.joint, std::move(table)});
   }
 
-  /// At most one step.
-  [[nodiscard]] std::vector<std::string> turn_by(const std::string& angle) const {
-    if (angle == "0") return {};
-    const Axis axis = axis_of(joint_.axis, robot_.digits);
-    if (axis.along) {
-      return {step_text(toml_string(axis_letter(*axis.along)),
-                        axis.is_reversed ? negated(angle) : angle)};
-    }
-    const Components oblique{joint_.axis[0].text, joint_.axis[1].text, joint_.axis[2].text};
-    return {step_text(vector_text(oblique), angle)};
-  }
-
-  [[nodiscard]] Components slide_by(const std::string& way) const {
-    Components result{"0", "0", "0"};
-    const Axis axis = axis_of(joint_.axis, robot_.digits);
-    if (axis.along) {
-      result[*axis.along] = axis.is_reversed ? negated(way) : way;
-      return result;
-    }
-    const std::string length = axis_length();
-    for (std::size_t i = 0; i < 3; ++i) {
-      result[i] = quotient(product(joint_.axis[i].text, way), length);
-    }
-    return result;
-  }
-
-  /// "sqrt(0.7^2 + 0.7^2)", or "1" where an oblique axis has exactly that length.
-  [[nodiscard]] std::string axis_length() const {
-    cln::cl_RA square = 0;
-    std::string terms;
-    for (const FileNumber& component : joint_.axis) {
-      if (component.is_zero()) continue;
-      square = square + component.value * component.value;
-      const bool is_negative = cln::minusp(component.value);
-      terms += (terms.empty() ? "" : " + ") + (is_negative ? negative(component) : component).text +
-               "^2";
-    }
-    return square == 1 ? "1" : "sqrt(" + terms + ")";
-  }
-
   /// A coordinate called NAME_end, in formulas as that of a body alone.
   std::string draft_free(const std::string& end, const std::string& unit,
                          const std::string& symbol) {
@@ -170,7 +168,7 @@ class JointDrafter {
     if (joint_.is_angle_welded) return motion;
     const std::string angle = draft_free("angle", "rad", "\\varphi");
     add_input(angle, true);
-    motion.turn = turn_by(angle);
+    motion.turn = turn_by(angle, joint_.axis, robot_.digits);
     return motion;
   }
 

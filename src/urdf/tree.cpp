@@ -42,6 +42,29 @@ Indices indices_of(const std::vector<Named>& elements, std::string_view noun, Di
   return indices;
 }
 
+/// The joint that a joint mimics; none after E812.
+std::optional<std::size_t> mimicked_by(const Joint& joint, const Robot& robot,
+                                       const Indices& joints, Diagnostics& found) {
+  if (!joint.mimic || joint.welded || joint.mimic->joint.text.empty()) return std::nullopt;
+  const Text& name = joint.mimic->joint;
+  const auto other = joints.find(name.text);
+  if (other == joints.end()) {
+    found.push_back({Code::E812, name.span,
+                     fmt::format("the robot has no joint {}", in_backticks(name.text)),
+                     suggestion(name.text, names_of(joints))});
+    return std::nullopt;
+  }
+  for (const Joint* one : {&joint, &robot.joints[other->second]}) {
+    if (has_one_coordinate(one->type)) continue;
+    found.push_back({Code::E812, name.span,
+                     fmt::format("{} is {}: it has no coordinate to share",
+                                 in_backticks(one->name.text), word(one->type)),
+                     fmt::format("`--weld {}` holds what mimics", joint.name.text)});
+    return std::nullopt;
+  }
+  return other->second;
+}
+
 class TreeMaker {
  public:
   explicit TreeMaker(const Robot& robot)
@@ -56,7 +79,10 @@ class TreeMaker {
     if (is_connected_ && !has_errors(found_)) find_root();
     if (is_connected_ && !has_errors(found_)) grow();
     tree_.mimicked.resize(robot_.joints.size());
-    for (const Branch& branch : tree_.branches) find_mimicked(branch.joint);
+    for (const Branch& branch : tree_.branches) {
+      const Joint& joint = robot_.joints[branch.joint];
+      tree_.mimicked[branch.joint] = mimicked_by(joint, robot_, joints_, found_);
+    }
     for (const Branch& branch : tree_.branches) follow_mimics(branch.joint);
     if (has_errors(found_)) return found_;
     return tree_;
@@ -154,28 +180,6 @@ class TreeMaker {
 
   std::size_t parent_of(std::size_t link) const {
     return links_.at(robot_.joints[*joint_above_[link]].parent.text);
-  }
-
-  void find_mimicked(std::size_t index) {
-    const Joint& joint = robot_.joints[index];
-    if (!joint.mimic || joint.welded || joint.mimic->joint.text.empty()) return;
-    const Text& name = joint.mimic->joint;
-    const auto refuse = [&](std::string message, std::string hint = {}) {
-      found_.push_back({Code::E812, name.span, std::move(message), std::move(hint)});
-    };
-    const auto other = joints_.find(name.text);
-    if (other == joints_.end()) {
-      return refuse(fmt::format("the robot has no joint {}", in_backticks(name.text)),
-                    suggestion(name.text, names_of(joints_)));
-    }
-    const Joint& mimicked = robot_.joints[other->second];
-    for (const Joint* one : {&joint, &mimicked}) {
-      if (has_one_coordinate(one->type)) continue;
-      return refuse(fmt::format("{} is {}: it has no coordinate to share",
-                                in_backticks(one->name.text), word(one->type)),
-                    fmt::format("`--weld {}` holds what mimics", joint.name.text));
-    }
-    tree_.mimicked[index] = other->second;
   }
 
   /// Whoever mimics itself by way of others has no coordinate to share.
