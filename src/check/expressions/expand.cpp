@@ -2,6 +2,7 @@
 // resolved.
 #include "check/expressions/expand.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -38,12 +39,8 @@ constexpr std::array<EntryKind, 11> entry_kinds{{
 }};
 
 const EntryKind* find_kind(std::string_view entry) {
-  for (const EntryKind& kind : entry_kinds) {
-    if (kind.entry == entry) {
-      return &kind;
-    }
-  }
-  return nullptr;
+  const auto found = std::ranges::find(entry_kinds, entry, &EntryKind::entry);
+  return found == entry_kinds.end() ? nullptr : &*found;
 }
 
 /// The names among which one of this kind is unique.

@@ -195,7 +195,7 @@ void declare_parameter(Context& context, const KeySyntax& key) {
   const KeySyntax* size = key.value.kind == ValueKind::table ? key.value.find("size") : nullptr;
   std::int64_t count = 1;
   if (size != nullptr) {
-    const auto value = ValueReader(context).integer(size->value);
+    const auto value = integer_value(size->value.expression, Scope(context.sizes), context.report);
     if (!value) {
       context.symbols.mark_failed(key.key);
       return;

@@ -131,10 +131,6 @@ std::optional<Interval> ValueReader::interval(const EntrySyntax& entry, std::str
   return Interval{*low, *high};
 }
 
-std::optional<std::int64_t> ValueReader::integer(const ValueSyntax& value) {
-  return integer_value(value.expression, scope_, context_.report);
-}
-
 std::optional<std::uint32_t> ValueReader::reference(const ValueSyntax& value, SymbolKind kind) {
   const ExpressionSyntax& name = value.expression;
   Resolver resolver(context_, scope_);

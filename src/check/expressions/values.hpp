@@ -57,8 +57,6 @@ class ValueReader {
   /// [low, high] of a key, where the entry has it; E112 unless low < high.
   std::optional<Interval> interval(const EntrySyntax& entry, std::string_view key);
 
-  std::optional<std::int64_t> integer(const ValueSyntax& value);
-
   /// The index in the Model of what a name refers to. E201, E207, E208.
   std::optional<std::uint32_t> reference(const ValueSyntax& value, SymbolKind kind);
 

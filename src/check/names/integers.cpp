@@ -39,15 +39,26 @@ std::optional<std::int64_t> literal_value(const ExpressionSyntax& literal, Repor
   return cln::cl_I_to_long(cln::numerator(literal.value));
 }
 
+/// Two at a time, so that no intermediate overflows.
+template <class Combine>
+std::optional<std::int64_t> folded(const std::vector<std::int64_t>& values, Combine combine) {
+  std::int64_t result = values.front();
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    result = combine(result, values[i]);
+    if (std::abs(result) > largest_integer) return std::nullopt;
+  }
+  return result;
+}
+
 std::optional<std::int64_t> combined(const ExpressionSyntax& expression,
                                      const std::vector<std::int64_t>& values) {
   switch (expression.kind) {
     case SyntaxKind::negate:
       return -values.front();
     case SyntaxKind::add:
-      return values[0] + values[1];
+      return folded(values, std::plus<>());
     case SyntaxKind::multiply:
-      return values[0] * values[1];
+      return folded(values, std::multiplies<>());
     case SyntaxKind::call:
       if (values.size() == 2 && expression.text == "min") {
         return std::min(values[0], values[1]);
@@ -59,49 +70,6 @@ std::optional<std::int64_t> combined(const ExpressionSyntax& expression,
     default:
       return std::nullopt;
   }
-}
-
-bool is_left_fold(SyntaxKind kind) {
-  return kind == SyntaxKind::add || kind == SyntaxKind::multiply;
-}
-
-/// Folds n-ary sums and products two at a time, so that no intermediate overflows.
-std::optional<std::int64_t> folded(const ExpressionSyntax& expression,
-                                   const std::vector<std::int64_t>& values) {
-  if (!is_left_fold(expression.kind)) {
-    return combined(expression, values);
-  }
-  std::int64_t result = values.front();
-  for (std::size_t i = 1; i < values.size(); ++i) {
-    result = *combined(expression, {result, values[i]});
-    if (std::abs(result) > largest_integer) {
-      return std::nullopt;
-    }
-  }
-  return result;
-}
-
-bool repeat_from(const std::vector<RangeSyntax>& ranges, std::size_t first, Scope& scope,
-                 Report& report, const std::function<bool()>& body) {
-  if (first == ranges.size()) {
-    return body();
-  }
-  const RangeSyntax& range = ranges[first];
-  const auto low = integer_value(range.low, scope, report);
-  const auto high = integer_value(range.high, scope, report);
-  if (!low || !high) return false;
-  if (*low > *high) {
-    report.add(
-        Code::E209, range.span,
-        "from " + std::to_string(*low) + " to " + std::to_string(*high) + " there is no element");
-  }
-  bool going = *low <= *high;
-  for (std::int64_t i = *low; going && i <= *high; ++i) {
-    scope.push(range.index, i);
-    going = repeat_from(ranges, first + 1, scope, report, body);
-    scope.pop();
-  }
-  return going;
 }
 
 }  // namespace
@@ -144,7 +112,7 @@ std::optional<std::int64_t> integer_value(const ExpressionSyntax& expression, co
     values.push_back(*value);
   }
   const std::optional<std::int64_t> result =
-      values.empty() ? std::nullopt : folded(expression, values);
+      values.empty() ? std::nullopt : combined(expression, values);
   return result ? result : not_an_integer(expression, report);
 }
 
@@ -158,9 +126,25 @@ std::vector<RangeSyntax> read_repetition(const ValueSyntax& value) {
   return ranges;
 }
 
-bool repeat(const std::vector<RangeSyntax>& ranges, Scope& scope, Report& report,
+bool repeat(std::span<const RangeSyntax> ranges, Scope& scope, Report& report,
             const std::function<bool()>& body) {
-  return repeat_from(ranges, 0, scope, report, body);
+  if (ranges.empty()) return body();
+  const RangeSyntax& range = ranges.front();
+  const auto low = integer_value(range.low, scope, report);
+  const auto high = integer_value(range.high, scope, report);
+  if (!low || !high) return false;
+  if (*low > *high) {
+    report.add(
+        Code::E209, range.span,
+        "from " + std::to_string(*low) + " to " + std::to_string(*high) + " there is no element");
+  }
+  bool going = *low <= *high;
+  for (std::int64_t i = *low; going && i <= *high; ++i) {
+    scope.push(range.index, i);
+    going = repeat(ranges.subspan(1), scope, report, body);
+    scope.pop();
+  }
+  return going;
 }
 
 }  // namespace elgen

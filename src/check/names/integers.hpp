@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,7 +57,7 @@ struct RangeSyntax {
 /// Calls `body` for every combination, the last range fastest; a later range may depend on earlier
 /// indices. Stops early, returning false, at the first error or where `body` returns false. E209
 /// where a range has no element.
-bool repeat(const std::vector<RangeSyntax>& ranges, Scope& scope, Report& report,
+bool repeat(std::span<const RangeSyntax> ranges, Scope& scope, Report& report,
             const std::function<bool()>& body);
 
 }  // namespace elgen

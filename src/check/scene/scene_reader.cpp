@@ -20,15 +20,11 @@
 namespace elgen {
 namespace {
 
-std::string one_of_them() {
-  return fmt::format("one of {}, which are straight-line code",
-                     fmt::join(words_in(step_methods, &StepMethodRow::name), ", "));
-}
-
-void report_unknown(const ValueSyntax& value, Report& report) {
+/// The method that a word is nearest to, or all of them.
+std::string method_hint(const std::string& word) {
   const std::vector<std::string> names = words_in(step_methods, &StepMethodRow::name);
-  report.add(Code::E620, value.span, "`step` has no method " + in_backticks(value.text),
-             suggestion(value.text, names, one_of_them()));
+  return suggestion(word, names,
+                    fmt::format("one of {}, which are straight-line code", fmt::join(names, ", ")));
 }
 
 void refuse_keys(const ValueSyntax& entry, const OutputRequest& output, Report& report) {
@@ -79,10 +75,14 @@ void read_step(const ValueSyntax& entry, OutputRequest& output, Report& report) 
   const KeySyntax* method = entry.find("method");
   if (method == nullptr) {
     return report.add(Code::E105, output.span, "`step` needs a `method`, which a scene gives it",
-                      one_of_them());
+                      method_hint(""));
   }
   const auto found = std::ranges::find(step_methods, method->value.text, &StepMethodRow::name);
-  if (found == step_methods.end()) return report_unknown(method->value, report);
+  if (found == step_methods.end()) {
+    const std::string& word = method->value.text;
+    return report.add(Code::E620, method->value.span, "`step` has no method " + in_backticks(word),
+                      method_hint(word));
+  }
   output.user = static_cast<std::uint32_t>(found - step_methods.begin());
   output.iterations = found->iterations;
   const KeySyntax* iterations = entry.find("iterations");
