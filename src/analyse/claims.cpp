@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 #include "analyse/searched_range.hpp"
 #include "forms/present/arithmetic.hpp"
@@ -19,98 +20,84 @@ std::string words(std::size_t count) {
   return count < names.size() ? names[count] : std::to_string(count);
 }
 
-class Claims {
+/// "= 0" of boxes that six digits do not show.
+std::string side_text(const Interval& sides) {
+  static const cln::cl_R shown = power_of_ten(-6);
+  const cln::cl_R middle = (sides.low + sides.high) / 2;
+  const bool holds_zero = !cln::plusp(sides.low) && !cln::minusp(sides.high);
+  if (sides.high - sides.low < shown * cln::max(cln::cl_R(1), cln::abs(middle))) {
+    return "= " + (holds_zero ? "0" : short_text(middle));
+  }
+  return fmt::format("in [{}, {}]", short_text(sides.low), short_text(sides.high));
+}
+
+/// "l in [0.5, 5], theta = 0; l = 2, theta = 1"
+std::string undecided_places(const Model& model, const Equilibria& equilibria) {
+  constexpr std::size_t most_shown = 4;
+  std::string places;
+  for (std::size_t k = 0; k < std::min(most_shown, equilibria.undecided.size()); ++k) {
+    std::string place;
+    for (const auto& [coordinate, sides] : equilibria.undecided[k]) {
+      place += fmt::format("{}{} {}", place.empty() ? "" : ", ", model.coordinates[coordinate].name,
+                           side_text(sides));
+    }
+    places += (places.empty() ? "" : "; ") + place;
+  }
+  if (equilibria.undecided.size() > most_shown) places += "; and other places";
+  return places;
+}
+
+/// Whether a coordinate is so at a point that is one at these parameters alone.
+template <class Wanted>
+bool has_inexact(const Equilibria& equilibria, const Wanted& wanted) {
+  return std::ranges::any_of(equilibria.points, [&wanted](const RestPoint& point) {
+    return !point.is_exact && std::ranges::any_of(point.coordinates, wanted);
+  });
+}
+
+bool has_wave(const RestPoint& point) {
+  return std::ranges::any_of(point.coordinates, [](const CoordinateAtRest& coordinate) {
+    return coordinate.wave.has_value();
+  });
+}
+
+std::size_t count_with_waves(const Equilibria& equilibria) {
+  return static_cast<std::size_t>(std::ranges::count_if(equilibria.points, has_wave));
+}
+
+Printed with_semicolon(const Printed& formula) {
+  return {formula.text + ";", formula.latex + "\\text{; }"};
+}
+
+/// The conditions of the closed forms, and where was searched.
+class Scope {
  public:
-  Claims(const Model& model, const Equilibria& equilibria)
+  Scope(const Model& model, const Equilibria& equilibria)
       : model_(model),
         equilibria_(equilibria),
         forms_(equilibria.forms),
         symbols_(symbols_of(model)) {}
 
-  Printed scope_of_forms() {
+  Printed operator()() {
     std::vector<Printed> special;
-    if (has_inexact([](const CoordinateAtRest& x) { return !x.is_any && !x.form; })) {
+    if (has_inexact(equilibria_, [](const CoordinateAtRest& x) { return !x.is_any && !x.form; })) {
       special.push_back(prose("numbers"));
     }
-    if (has_inexact([](const CoordinateAtRest& x) { return x.is_any; })) {
+    if (has_inexact(equilibria_, [](const CoordinateAtRest& x) { return x.is_any; })) {
       special.push_back(prose("any"));
     }
-    Printed result = count_with_waves() > 0 ? existence()
-                     : special.empty()      ? prose("exact for all values of the parameters")
-                                            : Printed{};
-    if (!result.text.empty()) result = with_comma(result, ";");
+    Printed result = count_with_waves(equilibria_) > 0 ? existence()
+                     : special.empty() ? prose("exact for all values of the parameters")
+                                       : Printed{};
+    if (!result.text.empty()) result = with_semicolon(result);
     special.push_back(prose("stability"));
     return with_turns(result + listed(special) + prose("at the parameters' values"));
   }
 
-  [[nodiscard]] Printed claim() const {
-    const std::string places = undecided_places();
-    switch (equilibria_.completeness) {
-      case Completeness::proved:
-        return prose("these are all at the parameters' values (proved)");
-      case Completeness::searched:
-        if (equilibria_.points.empty() && !places.empty()) break;
-        return prose(fmt::format("found from {} start{}{}, there may be more{}{}",
-                                 std::max<std::uint64_t>(equilibria_.starts, 1),
-                                 equilibria_.starts > 1 ? "s" : "",
-                                 equilibria_.is_cut ? " at the limit of enclosures" : "",
-                                 places.empty() ? "" : ": undecided near ", places));
-      case Completeness::undecided:
-        if (places.empty()) return prose("undecided: 64 digits do not tell bias - B u from 0");
-        break;
-    }
-    return prose("undecided near " + places);
-  }
-
  private:
-  /// "l in [0.5, 5], theta = 0; l = 2, theta = 1"
-  [[nodiscard]] std::string undecided_places() const {
-    constexpr std::size_t most_shown = 4;
-    std::string places;
-    for (std::size_t k = 0; k < std::min(most_shown, equilibria_.undecided.size()); ++k) {
-      std::string place;
-      for (const auto& [coordinate, sides] : equilibria_.undecided[k]) {
-        place += fmt::format("{}{} {}", place.empty() ? "" : ", ",
-                             model_.coordinates[coordinate].name, side_text(sides));
-      }
-      places += (places.empty() ? "" : "; ") + place;
-    }
-    if (equilibria_.undecided.size() > most_shown) places += "; and other places";
-    return places;
-  }
-
-  /// "= 0" of boxes that six digits do not show.
-  static std::string side_text(const Interval& sides) {
-    static const cln::cl_R shown = power_of_ten(-6);
-    const cln::cl_R middle = (sides.low + sides.high) / 2;
-    const bool holds_zero = !cln::plusp(sides.low) && !cln::minusp(sides.high);
-    if (sides.high - sides.low < shown * cln::max(cln::cl_R(1), cln::abs(middle))) {
-      return "= " + (holds_zero ? "0" : short_text(middle));
-    }
-    return fmt::format("in [{}, {}]", short_text(sides.low), short_text(sides.high));
-  }
-
-  /// Whether a coordinate is so at a point that is one at these parameters alone.
-  template <class Wanted>
-  [[nodiscard]] bool has_inexact(const Wanted& wanted) const {
-    return std::ranges::any_of(equilibria_.points, [&wanted](const RestPoint& point) {
-      return !point.is_exact && std::ranges::any_of(point.coordinates, wanted);
-    });
-  }
-
-  static bool has_wave(const RestPoint& point) {
-    return std::ranges::any_of(point.coordinates, [](const CoordinateAtRest& coordinate) {
-      return coordinate.wave.has_value();
-    });
-  }
-
-  [[nodiscard]] std::size_t count_with_waves() const {
-    return static_cast<std::size_t>(std::ranges::count_if(equilibria_.points, has_wave));
-  }
-
   /// "the last two exist where |g| <= R W^2"
   Printed existence() {
-    const std::size_t count = count_with_waves();
+    const std::size_t count = count_with_waves(equilibria_);
     std::optional<Fraction> wave;
     bool is_one = true;
     for (const RestPoint& point : equilibria_.points) {
@@ -120,7 +107,7 @@ class Claims {
         wave = coordinate.wave;
       }
     }
-    const bool are_last = are_waves_last(count);
+    const bool are_last = std::ranges::is_partitioned(equilibria_.points, std::not_fn(has_wave));
     const std::string subject = count == equilibria_.points.size() ? "they exist"
                                 : !are_last                        ? "angles exist"
                                 : count == 1                       ? "the last one exists"
@@ -129,19 +116,6 @@ class Claims {
     const Printed where = condition ? prose("where") + *condition
                                     : prose("where the arguments of acos and asin are in [-1, 1]");
     return prose(subject) + where;
-  }
-
-  [[nodiscard]] bool are_waves_last(std::size_t count) const {
-    for (std::size_t i = 0; i < equilibria_.points.size(); ++i) {
-      if (has_wave(equilibria_.points[i]) != (i + count >= equilibria_.points.size())) return false;
-    }
-    return true;
-  }
-
-  static Printed with_comma(Printed formula, const char* sign) {
-    formula.text += sign;
-    formula.latex += fmt::format("\\text{{{} }}", sign);
-    return formula;
   }
 
   /// |numerator| <= |denominator|, without bars where the sign is known.
@@ -188,7 +162,7 @@ class Claims {
     const auto add = [&result](const std::vector<Printed>& names, const Printed& rest) {
       if (names.empty()) return;
       const Printed part = listed(names) + rest;
-      result = result.text.empty() ? part : with_comma(result, ";") + part;
+      result = result.text.empty() ? part : with_semicolon(result) + part;
     };
     for (std::size_t i = 0; i < model_.coordinates.size(); ++i) {
       const Interval* const range = searched_range(model_.coordinates[i], equilibria_.kinds[i]);
@@ -214,11 +188,26 @@ class Claims {
 }  // namespace
 
 Printed scope_of(const Model& model, const Equilibria& equilibria) {
-  return Claims(model, equilibria).scope_of_forms();
+  return Scope(model, equilibria)();
 }
 
 Printed claim_of(const Model& model, const Equilibria& equilibria) {
-  return Claims(model, equilibria).claim();
+  const std::string places = undecided_places(model, equilibria);
+  switch (equilibria.completeness) {
+    case Completeness::proved:
+      return prose("these are all at the parameters' values (proved)");
+    case Completeness::searched:
+      if (equilibria.points.empty() && !places.empty()) break;
+      return prose(fmt::format("found from {} start{}{}, there may be more{}{}",
+                               std::max<std::uint64_t>(equilibria.starts, 1),
+                               equilibria.starts > 1 ? "s" : "",
+                               equilibria.is_cut ? " at the limit of enclosures" : "",
+                               places.empty() ? "" : ": undecided near ", places));
+    case Completeness::undecided:
+      if (places.empty()) return prose("undecided: 64 digits do not tell bias - B u from 0");
+      break;
+  }
+  return prose("undecided near " + places);
 }
 
 }  // namespace elgen

@@ -50,6 +50,82 @@ Real determinant(const std::vector<Real>& matrix, std::size_t n) {
   return echelon.is_defined() ? echelon.determinant() : Real::undefined();
 }
 
+/// The angle k pi +- acos(c) or asin(c) has its cosine and sine; others have their value alone.
+Replacement replacement_of(Arithmetic& at, const Algebra& algebra, const Fraction& value) {
+  Replacement result{value};
+  if (!value.denominator.empty()) return result;
+  Value rest = value;
+  for (const auto& [monomial, coefficient] : value.numerator) {
+    if (monomial.size() != 1 || monomial[0].exponent != 1) continue;
+    const Atom atom = algebra.atoms[monomial[0].atom];
+    const bool is_inverse = atom.kind == AtomKind::call && (atom.function == FunctionId::acos ||
+                                                            atom.function == FunctionId::asin);
+    if (!is_inverse || cln::abs(coefficient.real) != 1) continue;
+    rest = at.subtract(rest, fraction_of(Polynomial{{monomial, coefficient}}));
+    const Value known = atom.arguments[0];
+    const Value one = fraction_of(cln::cl_RA(1));
+    const Value other = at.square_root(at.subtract(one, at.multiply(known, known)));
+    const bool is_cosine = atom.function == FunctionId::acos;
+    const Value cosine = is_cosine ? known : other;
+    const Value own = is_cosine ? other : known;
+    const Value sine = cln::minusp(coefficient.real) ? at.negate(own) : own;
+    // cos and sin of rest + angle
+    const Value c = at.call(FunctionId::cos, rest, {});
+    const Value s = at.call(FunctionId::sin, rest, {});
+    const Value both_c = at.subtract(at.multiply(c, cosine), at.multiply(s, sine));
+    const Value both_s = at.add(at.multiply(s, cosine), at.multiply(c, sine));
+    if (both_c && both_s) result.waves = CosineAndSine{*both_c, *both_s};
+    return result;
+  }
+  return result;
+}
+
+/// d(bias - B u)/dq
+std::vector<Real> slopes_at(const Model& model, const Program& moving, const Arguments<Real>& at) {
+  const std::size_t n = at.v.size();
+  std::vector<std::uint32_t> velocities(n);
+  for (std::uint32_t i = 0; i < velocities.size(); ++i) velocities[i] = i;
+  std::vector<Real> slopes =
+      position_slopes(model, moving, *find_function(moving, OutputKind::bias), at, velocities);
+  const Function* const inputs = find_function(moving, OutputKind::input_matrix);
+  if (inputs == nullptr) return slopes;
+  const std::vector<Real> of_inputs = position_slopes(model, moving, *inputs, at, velocities);
+  for (std::size_t i = 0; i < n * n; ++i) {
+    for (std::size_t k = 0; k < at.u.size(); ++k) {
+      const std::size_t entry = i / n * at.u.size() + k;
+      slopes[i] = slopes[i] - of_inputs[entry * n + i % n] * at.u[k];
+    }
+  }
+  return slopes;
+}
+
+/// Both polynomials at n + 1 places, to 30 digits of the larger one.
+std::optional<bool> has_frequencies_at(const Model& model, const Program& moving,
+                                       const Equilibrium& declared, const State& state) {
+  static const cl_R noise = power_of_ten(-30);
+  const std::size_t n = state.v.size();
+  const Arguments<Real> at = arguments_at<Real>(state);
+  const std::vector<Real> mass =
+      evaluate(moving, *find_function(moving, OutputKind::mass_matrix), at);
+  const std::vector<Real> stiffness = slopes_at(model, moving, at);
+  for (std::size_t place = 0; place <= n; ++place) {
+    const Real x(cl_R(static_cast<int>(place)) - cl_R(1) / 3);
+    std::vector<Real> pencil;
+    for (std::size_t i = 0; i < n * n; ++i) pencil.push_back(x * mass[i] - stiffness[i]);
+    Real product = determinant(mass, n);
+    for (const ExpressionId expression : declared.frequencies_squared) {
+      const auto square = oracle_expression(model, expression, state);
+      if (!square) return std::nullopt;
+      product = product * (x - Real(*square));
+    }
+    const Real own = determinant(pencil, n);
+    const Real difference = abs(own - product);
+    if (!difference.is_defined()) return std::nullopt;
+    if (difference.value() > noise * max(abs(own), abs(product)).value()) return false;
+  }
+  return true;
+}
+
 class DeclaredEquilibrium {
  public:
   DeclaredEquilibrium(const CheckedModel& checked, const Program& moving, ClosedForms& forms,
@@ -92,36 +168,6 @@ class DeclaredEquilibrium {
     return closed_form(forms_, model_, checked_.scene.specialisation.fixed, expression);
   }
 
-  /// The angle k pi +- acos(c) or asin(c) has its cosine and sine; others have their value alone.
-  Replacement replacement_of(const Fraction& value) {
-    Replacement result{value};
-    if (!value.denominator.empty()) return result;
-    Value rest = value;
-    for (const auto& [monomial, coefficient] : value.numerator) {
-      if (monomial.size() != 1 || monomial[0].exponent != 1) continue;
-      const Atom atom = forms_.algebra.atoms[monomial[0].atom];
-      const bool is_inverse = atom.kind == AtomKind::call && (atom.function == FunctionId::acos ||
-                                                              atom.function == FunctionId::asin);
-      if (!is_inverse || cln::abs(coefficient.real) != 1) continue;
-      rest = at_.subtract(rest, fraction_of(Polynomial{{monomial, coefficient}}));
-      const Value known = atom.arguments[0];
-      const Value one = fraction_of(cln::cl_RA(1));
-      const Value other = at_.square_root(at_.subtract(one, at_.multiply(known, known)));
-      const bool is_cosine = atom.function == FunctionId::acos;
-      const Value cosine = is_cosine ? known : other;
-      const Value own = is_cosine ? other : known;
-      const Value sine = cln::minusp(coefficient.real) ? at_.negate(own) : own;
-      // cos and sin of rest + angle
-      const Value c = at_.call(FunctionId::cos, rest, {});
-      const Value s = at_.call(FunctionId::sin, rest, {});
-      const Value both_c = at_.subtract(at_.multiply(c, cosine), at_.multiply(s, sine));
-      const Value both_s = at_.add(at_.multiply(s, cosine), at_.multiply(c, sine));
-      if (both_c && both_s) result.waves = CosineAndSine{*both_c, *both_s};
-      return result;
-    }
-    return result;
-  }
-
   /// The residual at the point, and K there; empty where a form is not known.
   void find_forms() {
     const ClosedFunction* const bias = closed(OutputKind::bias);
@@ -135,7 +181,7 @@ class DeclaredEquilibrium {
       if (!declared_.coordinates[i]) continue;
       const Value value = form_of(*declared_.coordinates[i]);
       if (!value) return;
-      place[{Opcode::coordinate, i}] = replacement_of(*value);
+      place[{Opcode::coordinate, i}] = replacement_of(at_, forms_.algebra, *value);
     }
     const std::size_t n = size();
     for (std::size_t i = 0; i < n; ++i) {
@@ -185,58 +231,13 @@ class DeclaredEquilibrium {
   void judge_frequencies(const std::vector<State>& points, JudgedEquilibrium& result) const {
     result.frequencies = ClaimStatus::open;
     for (const State& point : points) {
-      const std::optional<bool> holds = has_frequencies_at(point);
+      const std::optional<bool> holds = has_frequencies_at(model_, moving_, declared_, point);
       if (!holds) continue;
       result.frequencies = *holds ? ClaimStatus::sampled : ClaimStatus::wrong;
       if (*holds) continue;
       result.witness = describe({model_, checked_.scene, moving_}, point);
       return;
     }
-  }
-
-  /// Both polynomials at n + 1 places, to 30 digits of the larger one.
-  [[nodiscard]] std::optional<bool> has_frequencies_at(const State& state) const {
-    static const cl_R noise = power_of_ten(-30);
-    const std::size_t n = size();
-    const Arguments<Real> at = arguments_at<Real>(state);
-    const std::vector<Real> mass =
-        evaluate(moving_, *find_function(moving_, OutputKind::mass_matrix), at);
-    const std::vector<Real> stiffness = slopes_at(at);
-    for (std::size_t place = 0; place <= n; ++place) {
-      const Real x(cl_R(static_cast<int>(place)) - cl_R(1) / 3);
-      std::vector<Real> pencil;
-      for (std::size_t i = 0; i < n * n; ++i) pencil.push_back(x * mass[i] - stiffness[i]);
-      Real product = determinant(mass, n);
-      for (const ExpressionId expression : declared_.frequencies_squared) {
-        const auto square = oracle_expression(model_, expression, state);
-        if (!square) return std::nullopt;
-        product = product * (x - Real(*square));
-      }
-      const Real own = determinant(pencil, n);
-      const Real difference = abs(own - product);
-      if (!difference.is_defined()) return std::nullopt;
-      if (difference.value() > noise * max(abs(own), abs(product)).value()) return false;
-    }
-    return true;
-  }
-
-  /// d(bias - B u)/dq
-  [[nodiscard]] std::vector<Real> slopes_at(const Arguments<Real>& at) const {
-    std::vector<std::uint32_t> velocities(size());
-    for (std::uint32_t i = 0; i < velocities.size(); ++i) velocities[i] = i;
-    std::vector<Real> slopes =
-        position_slopes(model_, moving_, *find_function(moving_, OutputKind::bias), at, velocities);
-    const Function* const inputs = find_function(moving_, OutputKind::input_matrix);
-    if (inputs == nullptr) return slopes;
-    const std::vector<Real> of_inputs = position_slopes(model_, moving_, *inputs, at, velocities);
-    const std::size_t n = size();
-    for (std::size_t i = 0; i < n * n; ++i) {
-      for (std::size_t k = 0; k < at.u.size(); ++k) {
-        const std::size_t entry = i / n * at.u.size() + k;
-        slopes[i] = slopes[i] - of_inputs[entry * n + i % n] * at.u[k];
-      }
-    }
-    return slopes;
   }
 
   const CheckedModel& checked_;

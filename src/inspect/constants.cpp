@@ -60,6 +60,15 @@ double digits_of(const cl_R& number) {
   return is_unit ? 0 : static_cast<double>(digit_count(rational));
 }
 
+/// Whatever an open function is of.
+bool is_last(const Expression& node) {
+  return node.operands.empty() || node.kind == ExpressionKind::leaf;
+}
+
+bool is_number(const Expression& node) {
+  return node.kind == ExpressionKind::number || node.kind == ExpressionKind::pi;
+}
+
 class NamedConstants {
  public:
   explicit NamedConstants(const Inspected& subject)
@@ -111,15 +120,6 @@ class NamedConstants {
     if (is_last(node)) return is_number(node);
     return std::all_of(node.operands.begin(), node.operands.end(),
                        [this](ExpressionId operand) { return known_[operand].has_value(); });
-  }
-
-  /// Whatever an open function is of.
-  static bool is_last(const Expression& node) {
-    return node.operands.empty() || node.kind == ExpressionKind::leaf;
-  }
-
-  static bool is_number(const Expression& node) {
-    return node.kind == ExpressionKind::number || node.kind == ExpressionKind::pi;
   }
 
   [[nodiscard]] bool is_zero(ExpressionId id) const {
