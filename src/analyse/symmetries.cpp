@@ -28,6 +28,187 @@ constexpr std::size_t most_unknowns = 500;
 
 using Entries = std::vector<Value>;
 
+/// The closed forms of the functions that a motion has.
+struct MotionForms {
+  const Model& model;
+  const Program& program;
+  ClosedForms& forms;
+
+  /// Zeros where there is no such function.
+  [[nodiscard]] Entries entries(OutputKind kind, std::size_t count = 1) const {
+    for (std::size_t i = 0; i < program.functions.size(); ++i) {
+      if (program.functions[i].kind != kind) continue;
+      const ClosedField& field = forms.functions[i].fields[0];
+      return {field.entries.begin(), field.entries.end()};
+    }
+    return Entries(count, Fraction{});
+  }
+  [[nodiscard]] Entries of_velocities(OutputKind kind) const {
+    return entries(kind, model.velocities.size());
+  }
+};
+
+void turn_sign(const FormField& field, Symmetry& symmetry) {
+  symmetry.by_names = field.negate(symmetry.by_names).value();
+  for (Value* const value : {&symmetry.closed, &symmetry.total, &symmetry.loss, &symmetry.rate}) {
+    *value = field.negate(*value);
+  }
+}
+
+/// p.dq - E dt
+Value integral_of(FormField& field, const Entries& displacement, const Entries& momentum,
+                  const Fraction& time, const Value& energy) {
+  Value sum = field.negate(field.is_zero(time) ? field.integer(0) : field.multiply(time, energy));
+  for (std::size_t i = 0; i < displacement.size(); ++i) {
+    if (field.is_zero(displacement[i])) continue;
+    sum = field.add(sum, field.multiply(displacement[i], momentum[i]));
+  }
+  return sum;
+}
+
+/// The power of an atom where w^2 of each rotation is 1 - x^2 - y^2 - z^2.
+Value reduced(FormField& field, const Algebra& algebra, const GeneratorClass& all,
+              AtomPower power) {
+  const Atom& atom = algebra.atoms[power.atom];
+  const bool is_scalar_part =
+      atom.kind == AtomKind::leaf && atom.leaf == Opcode::coordinate &&
+      std::ranges::any_of(all.rotations, [&](const GeneratorClass::Place& place) {
+        return place.first_coordinate == atom.index;
+      });
+  const std::uint32_t first = atom.index;
+  Value result = field.integer(1);
+  for (; is_scalar_part && power.exponent >= 2; power.exponent -= 2) {
+    Value rest = field.integer(1);
+    for (std::uint32_t i = 1; i <= axis_count; ++i) {
+      const Value x = field.leaf(Opcode::coordinate, first + i);
+      rest = field.add(rest, field.negate(field.multiply(x, x)));
+    }
+    result = field.multiply(result, rest);
+  }
+  if (power.exponent == 0) return result;
+  return field.multiply(result, fraction_of(Polynomial{{Monomial{power}, Gaussian{1, 0}}}));
+}
+
+/// w^2 = 1 - x^2 - y^2 - z^2 of the numerator.
+Value with_unit_quaternions(Algebra& algebra, const GeneratorClass& all, const Fraction& form) {
+  if (all.rotations.empty()) return form;
+  FormField field(algebra);
+  Fraction over{{{Monomial{}, Gaussian{1, 0}}}, form.denominator};
+  Value sum = Fraction{};
+  for (const auto& [monomial, coefficient] : form.numerator) {
+    Value term = fraction_of(Polynomial{{Monomial{}, coefficient}});
+    for (const AtomPower& power : monomial)
+      term = field.multiply(term, reduced(field, algebra, all, power));
+    sum = field.add(sum, term);
+  }
+  return field.multiply(sum, over);
+}
+
+bool keeps_lagrangian_at(const Subject& subject, const Algebra& algebra, const Generator& generator,
+                         const State& state) {
+  constexpr double noise = 1e-90;
+  RealField field;
+  ExactValues values(subject, state);
+  std::vector<Real> unknowns;
+  for (const Fraction& entry : generator) {
+    unknowns.push_back(value_of(algebra, entry, values.arguments()));
+  }
+  const PointChange<Real> change =
+      change_of(field, GeneratorClass(subject.model), sampled_point(values), unknowns);
+  Arguments<Real> direction = values.at_rest();
+  direction.q = values.coordinate_rates(change.position);
+  direction.v = change.velocity;
+  direction.t = unknowns.back();
+  const Arguments<Real>& at = values.arguments();
+  const std::vector<Real>& momentum = values.value(OutputKind::momentum);
+  const std::vector<Real> slopes = values.slopes(OutputKind::momentum, direction);
+  Real size = abs(values.value_at(OutputKind::energy_function, at)[0]);
+  Balance balance(1);
+  balance.add(0, -values.slopes(OutputKind::energy_function, direction)[0]);
+  for (std::size_t i = 0; i < momentum.size(); ++i) {
+    size = size + abs(at.v[i] * momentum[i]);
+    balance.add(0, change.velocity[i] * momentum[i]);
+    balance.add(0, at.v[i] * slopes[i]);
+  }
+  const std::optional<double> figure = balance.figure(size);  // that of L = v.p - E
+  return figure && *figure < noise;
+}
+
+/// Whether dL is 0 at all states: then F is 0.
+bool keeps_lagrangian(const Subject& subject, const Algebra& algebra, const Generator& generator,
+                      const std::vector<State>& states) {
+  return with_digits(sampling_digits, [&] {
+    return std::ranges::all_of(states, [&](const State& state) {
+      return keeps_lagrangian_at(subject, algebra, generator, state);
+    });
+  });
+}
+
+/// An unknown is a fraction where it is one to 35 digits, else a number of six.
+Generator simple_generator(const std::vector<cl_R>& numbers, bool& is_rounded) {
+  static const cln::cl_I largest = cln::expt_pos(cln::cl_I(10), 9);
+  static const cl_RA near = power_of_ten(-35);
+  Generator generator;
+  for (const cl_R& number : numbers) {
+    const std::optional<cl_RA> exact = simple_fraction(number, largest, near);
+    is_rounded = is_rounded || !exact;
+    generator.push_back(fraction_of(exact ? *exact : rounded(number, 6)));
+  }
+  return generator;
+}
+
+/// (dq - v dt).(B u + Q - dD/dv)
+void add_rates(FormField& field, const MotionForms& motion, const Entries& displacement,
+               Symmetry& symmetry) {
+  const std::size_t n = motion.model.velocities.size();
+  const std::size_t inputs = motion.model.inputs.size();
+  const Entries dissipation = motion.of_velocities(OutputKind::dissipation);
+  const Entries force = motion.of_velocities(OutputKind::applied_force);
+  const Entries by_input = motion.entries(OutputKind::input_matrix, n * inputs);
+  Value loss = Fraction{};
+  Value work = Fraction{};
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const Value passed = field.multiply(symmetry.generator.back(), field.leaf(Opcode::velocity, i));
+    const Value along = field.add(displacement[i], field.negate(passed));
+    if (field.is_zero(along)) continue;
+    const Value own = field.add(force[i], field.negate(dissipation[i]));
+    loss = field.add(loss, field.multiply(along, own));
+    for (std::uint32_t k = 0; k < inputs; ++k) {
+      const Value input = field.multiply(by_input[i * inputs + k], field.leaf(Opcode::input, k));
+      work = field.add(work, field.multiply(along, input));
+    }
+  }
+  symmetry.rate = field.add(loss, work);
+  symmetry.loss = std::move(loss);
+}
+
+/// Of rational unknowns.
+bool solves_all(const std::vector<SampledGenerators>& sets, const Generator& generator) {
+  std::vector<cl_R> numbers;
+  for (const Fraction& entry : generator) {
+    numbers.push_back(rational_value(entry.numerator).value());
+  }
+  return !sets.empty() && std::ranges::all_of(sets, [&](const SampledGenerators& set) {
+    return solves(set, numbers);
+  });
+}
+
+/// T + V - E = 2 T0 + T1: without T1 its rate is 0 where it holds neither q nor t.
+bool loses_energy(Symmetries& found, const MotionForms& motion) {
+  const bool has_time = std::ranges::any_of(
+      found.all, [](const Symmetry& symmetry) { return symmetry.kind == SymmetryKind::time; });
+  if (!has_time || find_function(motion.program, OutputKind::total_energy) == nullptr) return false;
+  FormField field(found.forms.algebra);
+  const Value difference = field.add(motion.entries(OutputKind::total_energy)[0],
+                                     field.negate(motion.entries(OutputKind::energy_function)[0]));
+  if (!difference) return false;
+  const auto holds = [&](bool (*wanted)(const Atom&)) {
+    return LeafSearch(found.forms.algebra, wanted).holds(*difference);
+  };
+  return !holds([](const Atom& leaf) { return leaf.leaf == Opcode::velocity; }) &&
+         holds([](const Atom& leaf) { return leaf.leaf != Opcode::parameter; });
+}
+
 class SymmetrySearch {
  public:
   SymmetrySearch(const CheckedModel& checked, const Program& moving)
@@ -49,32 +230,18 @@ class SymmetrySearch {
       add(without_divisors(result_.forms, std::move(generator)));
     }
     std::ranges::stable_sort(result_.all, {}, &Symmetry::kind);
-    result_.loses_energy = loses_energy();
+    result_.loses_energy = loses_energy(result_, motion_);
     return std::move(result_);
   }
 
  private:
   static constexpr PresentBudget budget{300'000, 1'500'000, 50'000};
 
-  /// The closed forms of a function; zeros where there is none.
-  [[nodiscard]] Entries entries_of(OutputKind kind, std::size_t count) const {
-    for (std::size_t i = 0; i < moving_.functions.size(); ++i) {
-      if (moving_.functions[i].kind != kind) continue;
-      const ClosedField& field = result_.forms.functions[i].fields[0];
-      return {field.entries.begin(), field.entries.end()};
-    }
-    return Entries(count, Fraction{});
-  }
-
-  [[nodiscard]] Entries of_velocities(OutputKind kind) const {
-    return entries_of(kind, all_.velocity_count);
-  }
-
   std::vector<Generator> found_basis() {
     FormField field(result_.forms.algebra);
-    Entries residual = of_velocities(OutputKind::inverse_dynamics);
-    const Entries dissipation = of_velocities(OutputKind::dissipation);
-    const Entries force = of_velocities(OutputKind::applied_force);
+    Entries residual = motion_.of_velocities(OutputKind::inverse_dynamics);
+    const Entries dissipation = motion_.of_velocities(OutputKind::dissipation);
+    const Entries force = motion_.of_velocities(OutputKind::applied_force);
     for (std::size_t i = 0; i < residual.size(); ++i) {
       residual[i] = field.add(residual[i], field.add(force[i], field.negate(dissipation[i])));
     }
@@ -92,18 +259,11 @@ class SymmetrySearch {
     const std::size_t hidden = result_.sampled_elsewhere.value_or(0);
     result_.is_exact = exact && (result_.is_complete || hidden <= exact->basis.size());
     if (result_.is_exact) return exact->basis;
-    // An unknown is a fraction where it is one to 35 digits.
-    static const cln::cl_I largest = cln::expt_pos(cln::cl_I(10), 9);
-    static const cl_RA near = power_of_ten(-35);
     std::vector<Generator> basis;
-    for (const std::vector<cl_R>& numbers :
-         sampled_ ? sampled_->basis : decltype(sampled_->basis){}) {
-      Generator& generator = basis.emplace_back();
-      for (const cl_R& number : numbers) {
-        const std::optional<cl_RA> exact_number = simple_fraction(number, largest, near);
-        if (!exact_number) rounded_.insert(basis.size() - 1);
-        generator.push_back(fraction_of(exact_number ? *exact_number : rounded(number, 6)));
-      }
+    for (std::size_t k = 0; sampled_ && k < sampled_->basis.size(); ++k) {
+      bool is_rounded = false;
+      basis.push_back(simple_generator(sampled_->basis[k], is_rounded));
+      if (is_rounded) rounded_.insert(k);
     }
     return basis;
   }
@@ -111,7 +271,8 @@ class SymmetrySearch {
   void add(Generator generator) {
     Symmetry symmetry;
     symmetry.is_rounded = rounded_.contains(result_.all.size());
-    symmetry.is_special = symmetry.is_rounded || (!result_.is_exact && !holds_elsewhere(generator));
+    symmetry.is_special =
+        symmetry.is_rounded || (!result_.is_exact && !solves_all(elsewhere_, generator));
     symmetry.kind = kind_of(result_.forms, all_, generator);
     FormField field(result_.forms.algebra);
     const Entries unknowns(generator.begin(), generator.end());
@@ -127,52 +288,27 @@ class SymmetrySearch {
     }
     symmetry.by_names =
         integral_of(field, change.position, names, time, field.leaf(Opcode::energy, 0)).value();
-    const Value energy = entries_of(OutputKind::energy_function, 1)[0];
-    symmetry.closed =
-        integral_of(field, change.position, of_velocities(OutputKind::momentum), time, energy);
+    const Value energy = motion_.entries(OutputKind::energy_function)[0];
+    symmetry.closed = integral_of(field, change.position,
+                                  motion_.of_velocities(OutputKind::momentum), time, energy);
     symmetry.total = total_of(change, time);
     symmetry.is_proved = symmetry.total && !symmetry.is_rounded;
-    if (!symmetry.total && keeps_lagrangian(symmetry)) symmetry.total = Fraction{};
-    add_rates(field, change.position, symmetry);
+    if (!symmetry.total && sampled_ &&
+        keeps_lagrangian({model_, checked_.scene, moving_}, result_.forms.algebra,
+                         symmetry.generator, sampled_->states)) {
+      symmetry.total = Fraction{};
+    }
+    add_rates(field, motion_, change.position, symmetry);
     if (symmetry.kind == SymmetryKind::time) turn_sign(field, symmetry);
     result_.all.push_back(std::move(symmetry));
-  }
-
-  static void turn_sign(const FormField& field, Symmetry& symmetry) {
-    symmetry.by_names = field.negate(symmetry.by_names).value();
-    for (Value* const value : {&symmetry.closed, &symmetry.total, &symmetry.loss, &symmetry.rate}) {
-      *value = field.negate(*value);
-    }
-  }
-
-  /// At other values of the parameters; of rational unknowns.
-  [[nodiscard]] bool holds_elsewhere(const Generator& generator) const {
-    std::vector<cl_R> numbers;
-    for (const Fraction& entry : generator) {
-      numbers.push_back(rational_value(entry.numerator).value());
-    }
-    return !elsewhere_.empty() &&
-           std::ranges::all_of(elsewhere_,
-                               [&](const SampledGenerators& set) { return solves(set, numbers); });
-  }
-
-  /// p.dq - E dt
-  static Value integral_of(FormField& field, const Entries& displacement, const Entries& momentum,
-                           const Fraction& time, const Value& energy) {
-    Value sum = field.negate(field.is_zero(time) ? field.integer(0) : field.multiply(time, energy));
-    for (std::size_t i = 0; i < displacement.size(); ++i) {
-      if (field.is_zero(displacement[i])) continue;
-      sum = field.add(sum, field.multiply(displacement[i], momentum[i]));
-    }
-    return sum;
   }
 
   /// L = v.p - E
   const Value& lagrangian() {
     if (lagrangian_) return *lagrangian_;
     FormField field(result_.forms.algebra);
-    Value sum = field.negate(entries_of(OutputKind::energy_function, 1)[0]);
-    const Entries momentum = of_velocities(OutputKind::momentum);
+    Value sum = field.negate(motion_.entries(OutputKind::energy_function)[0]);
+    const Entries momentum = motion_.of_velocities(OutputKind::momentum);
     for (std::uint32_t i = 0; i < all_.velocity_count; ++i) {
       sum = field.add(sum, field.multiply(field.leaf(Opcode::velocity, i), momentum[i]));
     }
@@ -190,7 +326,7 @@ class SymmetrySearch {
     }
     for (const Value& velocity : change.velocity) moved.velocities.push_back(velocity.value());
     Value slope = rate_along(result_.forms, *lagrangian(), moved);
-    if (slope) slope = with_unit_quaternions(*slope);
+    if (slope) slope = with_unit_quaternions(result_.forms.algebra, all_, *slope);
     if (!slope) return std::nullopt;
     return total_integral(result_.forms, model_, rates_, open_values_, *slope);
   }
@@ -205,120 +341,6 @@ class SymmetrySearch {
     return substituted(result_.forms.algebra, rates_[i], replacements);
   }
 
-  /// w^2 = 1 - x^2 - y^2 - z^2 of the numerator.
-  Value with_unit_quaternions(const Fraction& form) {
-    if (all_.rotations.empty()) return form;
-    FormField field(result_.forms.algebra);
-    Fraction over{{{Monomial{}, Gaussian{1, 0}}}, form.denominator};
-    Value sum = Fraction{};
-    for (const auto& [monomial, coefficient] : form.numerator) {
-      Value term = fraction_of(Polynomial{{Monomial{}, coefficient}});
-      for (const AtomPower& power : monomial) term = field.multiply(term, reduced(field, power));
-      sum = field.add(sum, term);
-    }
-    return field.multiply(sum, over);
-  }
-
-  Value reduced(FormField& field, AtomPower power) const {
-    const Atom& atom = result_.forms.algebra.atoms[power.atom];
-    const bool is_scalar_part =
-        atom.kind == AtomKind::leaf && atom.leaf == Opcode::coordinate &&
-        std::ranges::any_of(all_.rotations, [&](const GeneratorClass::Place& place) {
-          return place.first_coordinate == atom.index;
-        });
-    const std::uint32_t first = atom.index;
-    Value result = field.integer(1);
-    for (; is_scalar_part && power.exponent >= 2; power.exponent -= 2) {
-      Value rest = field.integer(1);
-      for (std::uint32_t i = 1; i <= axis_count; ++i) {
-        const Value x = field.leaf(Opcode::coordinate, first + i);
-        rest = field.add(rest, field.negate(field.multiply(x, x)));
-      }
-      result = field.multiply(result, rest);
-    }
-    if (power.exponent == 0) return result;
-    return field.multiply(result, fraction_of(Polynomial{{Monomial{power}, Gaussian{1, 0}}}));
-  }
-
-  /// Whether dL is 0 at all sampled states: then F is 0.
-  [[nodiscard]] bool keeps_lagrangian(const Symmetry& symmetry) const {
-    if (!sampled_) return false;
-    return with_digits(sampling_digits, [&] {
-      return std::ranges::all_of(sampled_->states, [&](const State& state) {
-        return keeps_lagrangian_at(symmetry, state);
-      });
-    });
-  }
-
-  [[nodiscard]] bool keeps_lagrangian_at(const Symmetry& symmetry, const State& state) const {
-    constexpr double noise = 1e-90;
-    RealField field;
-    ExactValues values({model_, checked_.scene, moving_}, state);
-    std::vector<Real> unknowns;
-    for (const Fraction& entry : symmetry.generator) {
-      unknowns.push_back(value_of(result_.forms.algebra, entry, values.arguments()));
-    }
-    const PointChange<Real> change = change_of(field, all_, sampled_point(values), unknowns);
-    Arguments<Real> direction = values.at_rest();
-    direction.q = values.coordinate_rates(change.position);
-    direction.v = change.velocity;
-    direction.t = unknowns.back();
-    const Arguments<Real>& at = values.arguments();
-    const std::vector<Real>& momentum = values.value(OutputKind::momentum);
-    const std::vector<Real> slopes = values.slopes(OutputKind::momentum, direction);
-    Real size = abs(values.value_at(OutputKind::energy_function, at)[0]);
-    Balance balance(1);
-    balance.add(0, -values.slopes(OutputKind::energy_function, direction)[0]);
-    for (std::size_t i = 0; i < momentum.size(); ++i) {
-      size = size + abs(at.v[i] * momentum[i]);
-      balance.add(0, change.velocity[i] * momentum[i]);
-      balance.add(0, at.v[i] * slopes[i]);
-    }
-    const std::optional<double> figure = balance.figure(size);  // that of L = v.p - E
-    return figure && *figure < noise;
-  }
-
-  /// (dq - v dt).(B u + Q - dD/dv)
-  void add_rates(FormField& field, const Entries& displacement, Symmetry& symmetry) const {
-    const std::size_t n = all_.velocity_count;
-    const std::size_t inputs = model_.inputs.size();
-    const Entries dissipation = of_velocities(OutputKind::dissipation);
-    const Entries force = of_velocities(OutputKind::applied_force);
-    const Entries by_input = entries_of(OutputKind::input_matrix, n * inputs);
-    Value loss = Fraction{};
-    Value work = Fraction{};
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const Value passed =
-          field.multiply(symmetry.generator.back(), field.leaf(Opcode::velocity, i));
-      const Value along = field.add(displacement[i], field.negate(passed));
-      if (field.is_zero(along)) continue;
-      const Value own = field.add(force[i], field.negate(dissipation[i]));
-      loss = field.add(loss, field.multiply(along, own));
-      for (std::uint32_t k = 0; k < inputs; ++k) {
-        const Value input = field.multiply(by_input[i * inputs + k], field.leaf(Opcode::input, k));
-        work = field.add(work, field.multiply(along, input));
-      }
-    }
-    symmetry.rate = field.add(loss, work);
-    symmetry.loss = std::move(loss);
-  }
-
-  /// T + V - E = 2 T0 + T1: without T1 its rate is 0 where it holds neither q nor t.
-  bool loses_energy() {
-    const bool has_time = std::ranges::any_of(
-        result_.all, [](const Symmetry& symmetry) { return symmetry.kind == SymmetryKind::time; });
-    if (!has_time || find_function(moving_, OutputKind::total_energy) == nullptr) return false;
-    FormField field(result_.forms.algebra);
-    const Value difference = field.add(entries_of(OutputKind::total_energy, 1)[0],
-                                       field.negate(entries_of(OutputKind::energy_function, 1)[0]));
-    if (!difference) return false;
-    const auto holds = [&](bool (*wanted)(const Atom&)) {
-      return LeafSearch(result_.forms.algebra, wanted).holds(*difference);
-    };
-    return !holds([](const Atom& leaf) { return leaf.leaf == Opcode::velocity; }) &&
-           holds([](const Atom& leaf) { return leaf.leaf != Opcode::parameter; });
-  }
-
   const CheckedModel& checked_;
   const Model& model_;
   const Program& moving_;
@@ -330,6 +352,7 @@ class SymmetrySearch {
   std::vector<SampledGenerators> elsewhere_ = {};  ///< where these are needed
   std::set<std::size_t> rounded_ = {};
   Symmetries result_ = {};
+  MotionForms motion_{model_, moving_, result_.forms};
 };
 
 }  // namespace
