@@ -25,9 +25,28 @@ struct InferredUnit {
 };
 
 InferredUnit known(const Unit& unit) { return {Known::yes, unit}; }
+InferredUnit known(std::string_view unit) { return known(*find_unit(unit)); }
 
 InferredUnit declared(const std::optional<Unit>& unit) {
   return unit ? known(*unit) : InferredUnit{};
+}
+
+/// Nothing where it is not known, or any.
+std::optional<Unit> certain(const InferredUnit& inferred) {
+  return inferred.known == Known::yes ? std::optional(inferred.unit) : std::nullopt;
+}
+
+InferredUnit quotient(const InferredUnit& a, const InferredUnit& b) {
+  if (a.known == Known::any) return a;
+  const bool both = a.known == Known::yes && b.known == Known::yes;
+  return both ? known(a.unit / b.unit) : InferredUnit{};
+}
+
+InferredUnit rate(const InferredUnit& base) { return quotient(base, known("s")); }
+
+/// A pure number, as far as the argument is known.
+InferredUnit ratio(const InferredUnit& argument) {
+  return argument.known == Known::no ? InferredUnit{} : known(Unit{});
 }
 
 Exponent exponent_of(const cln::cl_RA& number) {
@@ -53,49 +72,43 @@ class UnitInference {
     }
     for (const WrittenExpression& root : context_.roots) compare_with_place(root);
     for (OpenValue& value : context_.model.open_values) {
-      const InferredUnit unit = of_open_value(value);
-      if (unit.known != Known::yes) continue;
-      value.unit = unit.unit;
-      value.unit_text = to_string(unit.unit);
+      const std::optional<Unit> unit = certain(of_open_value(value));
+      if (!unit) continue;
+      value.unit = unit;
+      value.unit_text = to_string(*unit);
     }
     for (Constraint& constraint : context_.model.constraints) {
-      const auto& [is_known, unit] = units_[constraint.value];
-      if (is_known == Known::yes) constraint.unit = unit;
+      if (const auto unit = certain(units_[constraint.value])) constraint.unit = unit;
     }
-    for (Expectation& expectation : context_.model.expectations) keep_units(expectation);
+    for (Expectation& expectation : context_.model.expectations) {
+      for (const ExpressionId entry : expectation.entries) {
+        expectation.units.push_back(certain(units_[entry]));
+      }
+    }
   }
 
  private:
-  void keep_units(Expectation& expectation) const {
-    for (const ExpressionId entry : expectation.entries) {
-      const auto& [is_known, unit] = units_[entry];
-      expectation.units.push_back(is_known == Known::yes ? std::optional(unit) : std::nullopt);
-    }
-  }
-
   void compare_with_place(const WrittenExpression& root) {
-    const InferredUnit& inferred = units_[root.value];
-    if (root.unit && !root.misplaced && inferred.known == Known::yes &&
-        inferred.unit != *root.unit) {
-      refuse(Code::E403, root.value, inferred.unit,
-             std::string(root.place.noun) + " is in " + unit_text_in(root.place, *root.unit),
-             inferred.unit == Unit{} ? unnamed_number_hint(model_, root.value) : "");
-    }
+    const std::optional<Unit> inferred = certain(units_[root.value]);
+    if (!root.unit || root.misplaced || !inferred || *inferred == *root.unit) return;
+    refuse(Code::E403, root.value, *inferred,
+           std::string(root.place.noun) + " is in " + unit_text_in(root.place, *root.unit),
+           *inferred == Unit{} ? unnamed_number_hint(model_, root.value) : "");
   }
 
   InferredUnit of(ExpressionId id) {
     const Expression& node = model_.expressions[id];
     switch (node.kind) {
       case ExpressionKind::number:
-        return cln::zerop(node.number) ? InferredUnit{Known::any, {}} : known({});
+        return cln::zerop(node.number) ? InferredUnit{Known::any, {}} : known(Unit{});
       case ExpressionKind::pi:
-        return known({});
+        return known(Unit{});
       case ExpressionKind::leaf:
         return of_leaf(node);
       case ExpressionKind::prescribed:
         return of_prescribed(node.index);
       case ExpressionKind::point_component:
-        return known(*find_unit("m"));
+        return known("m");
       case ExpressionKind::frame_component:
         return known(node.index % components_per_frame < 9 ? Unit{} : *find_unit("m"));
       default:
@@ -106,7 +119,7 @@ class UnitInference {
   [[nodiscard]] InferredUnit of_leaf(const Expression& node) const {
     switch (leaf_kind(node.leaf)) {
       case LeafKind::time:
-        return known(*find_unit("s"));
+        return known("s");
       case LeafKind::coordinate:
         return declared(model_.coordinates[node.index].unit);
       case LeafKind::velocity:
@@ -114,9 +127,9 @@ class UnitInference {
       case LeafKind::acceleration:
         return rate(declared(model_.velocities[node.index].unit));
       case LeafKind::momentum:
-        return quotient(known(*find_unit("J")), declared(model_.velocities[node.index].unit));
+        return quotient(known("J"), declared(model_.velocities[node.index].unit));
       case LeafKind::energy:
-        return known(*find_unit("J"));
+        return known("J");
       case LeafKind::input:
         return declared(model_.inputs[node.index].unit);
       case LeafKind::open_value:
@@ -166,20 +179,8 @@ class UnitInference {
     return unit ? known(*unit) : units_[model_.prescribed[index].value];
   }
 
-  static InferredUnit rate(const InferredUnit& base) {
-    return base.known == Known::yes ? known(base.unit / *find_unit("s")) : base;
-  }
-
-  static InferredUnit quotient(const InferredUnit& a, const InferredUnit& b) {
-    if (a.known == Known::any) {
-      return a;
-    }
-    const bool both = a.known == Known::yes && b.known == Known::yes;
-    return both ? known(a.unit / b.unit) : InferredUnit{};
-  }
-
   InferredUnit product(const Expression& node) const {
-    InferredUnit result = known({});
+    InferredUnit result = known(Unit{});
     for (const ExpressionId operand : node.operands) {
       const InferredUnit& factor = units_[operand];
       if (factor.known == Known::any) {
@@ -206,7 +207,7 @@ class UnitInference {
       if (term.known == Known::yes && term.unit != result.unit) {
         refuse(Code::E401, unsigned_term(operand), term.unit,
                std::string(what) + " is in " + text_at(operand, result.unit),
-               hint_on_pure({operand, term.unit}, {first, result.unit}));
+               hint_on_pure(operand, first));
         return {};
       }
     }
@@ -245,26 +246,16 @@ class UnitInference {
     return own.empty() ? function_row(node.function).name : own;
   }
 
-  /// A pure number, as far as the argument is known.
-  static InferredUnit ratio(const InferredUnit& argument) {
-    return argument.known == Known::no ? InferredUnit{} : known({});
-  }
-
   /// Of `a - b` the term is b.
   [[nodiscard]] ExpressionId unsigned_term(ExpressionId id) const {
     const Expression& term = model_.expressions[id];
     return term.kind == ExpressionKind::negate ? term.operands[0] : id;
   }
 
-  struct Term {
-    ExpressionId id = no_expression;
-    Unit unit = {};
-  };
-
   /// Of two terms that differ, the one without a unit may have a number that wants one.
-  [[nodiscard]] std::string hint_on_pure(const Term& a, const Term& b) const {
-    if (a.unit == Unit{}) return unnamed_number_hint(model_, a.id);
-    return b.unit == Unit{} ? unnamed_number_hint(model_, b.id) : "";
+  [[nodiscard]] std::string hint_on_pure(ExpressionId a, ExpressionId b) const {
+    if (units_[a].unit == Unit{}) return unnamed_number_hint(model_, a);
+    return units_[b].unit == Unit{} ? unnamed_number_hint(model_, b) : "";
   }
 
   [[nodiscard]] std::string text_at(ExpressionId id, const Unit& unit) const {
