@@ -204,22 +204,22 @@ class Choosing {
   Diagnostics choose_form(std::size_t index) {
     const Function& function = recursive_forms_.of(index);
     ReadableEntries& entries = entries_of(index);
-    const OutputRequest* const request = find_request(scene_, function.name);
-    const std::optional<Form> wish = request == nullptr ? std::nullopt : request->form;
-    const bool wants_closed = request != nullptr && wish == Form::closed;
+    const OutputRequest* const found = find_request(scene_, function.name);
+    const OutputRequest request = found == nullptr ? OutputRequest{} : *found;
+    const bool wants_closed = request.form == Form::closed;
     result_.program.functions[index] = finished(function, result_.program, normalized_);
     FormCosts costs{function.name, count_operations(result_.program.functions[index])};
-    costs.is_asked_for = wish.has_value();
+    costs.is_asked_for = request.form.has_value();
     Function closed;
     if (is_complete(entries)) {
       if (wants_closed || is_worth_lowering(entries, function)) {
         closed = compare(index, function, entries, costs);
-        if (wish) costs.chosen = *wish;
+        costs.chosen = request.form.value_or(costs.chosen);
         if (costs.chosen == Form::closed) read_as_precisely(entries, points_);
       }
       fill_readable(result_.program, index, recursive_.functions[index], entries);
     } else if (wants_closed) {
-      return {{Code::E608, request->span,
+      return {{Code::E608, request.span,
                fmt::format("the closed form of `{}` was given up", function.name)}};
     }
     if (costs.chosen == Form::closed) {
