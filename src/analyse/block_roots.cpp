@@ -366,9 +366,8 @@ std::optional<RootOrder> root_order(RestSystem& system, std::uint32_t row, std::
         partial_derivative(system.forms, result.derivative, coordinate, system.state.q.size());
     if (!next) return std::nullopt;
     result.derivative = *next;
-    const Value there = substituted(system.forms.algebra, *next, place);
-    if (!there) return std::nullopt;
-    const Value number = substituted(system.forms.algebra, *there, *values);
+    const Value number =
+        substituted(system.forms.algebra, substituted(system.forms.algebra, *next, place), *values);
     if (!number) return std::nullopt;
     if (!number->numerator.empty()) return result;
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "analyse/chart_breaks.hpp"
 #include "analyse/rest.hpp"
 #include "numbers/dual.hpp"
 #include "numbers/exact_number.hpp"
@@ -47,12 +48,9 @@ bool is_positive_semidefinite(std::vector<cl_R> a, std::size_t n) {
 bool dissipates(const Program& moving, const State& state) {
   if (is_absent(moving, OutputKind::dissipation)) return true;
   if (!none_holds(moving, OutputKind::dissipation, holds_coordinates)) return false;
-  std::vector<cl_R> matrix;
-  for (const Real& slope :
-       velocity_slopes(moving, OutputKind::dissipation, arguments_at<Real>(state))) {
-    matrix.push_back(slope.value());
-  }
-  return is_positive_semidefinite(std::move(matrix), state.v.size());
+  const std::vector<Real> slopes =
+      velocity_slopes(moving, OutputKind::dissipation, arguments_at<Real>(state));
+  return is_positive_semidefinite(numbers_of(slopes), state.v.size());
 }
 
 }  // namespace

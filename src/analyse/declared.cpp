@@ -185,29 +185,25 @@ class DeclaredEquilibrium {
     }
     const std::size_t n = size();
     for (std::size_t i = 0; i < n; ++i) {
-      Value row = at_rest(bias->fields[0].entries[i], rest);
+      Value row = substituted(forms_.algebra, bias->fields[0].entries[i], rest);
       for (std::size_t k = 0; k < model_.inputs.size(); ++k) {
         if (!declared_.inputs[k]) continue;
         const Value force =
-            at_.multiply(at_rest(inputs->fields[0].entries[i * model_.inputs.size() + k], rest),
+            at_.multiply(substituted(forms_.algebra,
+                                     inputs->fields[0].entries[i * model_.inputs.size() + k], rest),
                          form_of(*declared_.inputs[k]));
         row = at_.subtract(row, force);
       }
-      residual_.push_back(row ? substituted(forms_.algebra, *row, place) : std::nullopt);
+      residual_.push_back(substituted(forms_.algebra, row, place));
       for (std::uint32_t k = 0; k < n; ++k) {
         const std::uint32_t coordinate = model_.velocities[k].coordinate;
         const Value slope =
             row ? partial_derivative(forms_, *row, coordinate, model_.coordinates.size())
                 : std::nullopt;
-        const auto& m = mass->fields[0].entries[i * n + k];
-        stiffness_.push_back(slope ? substituted(forms_.algebra, *slope, place) : std::nullopt);
-        mass_.push_back(m ? substituted(forms_.algebra, *m, place) : std::nullopt);
+        stiffness_.push_back(substituted(forms_.algebra, slope, place));
+        mass_.push_back(substituted(forms_.algebra, mass->fields[0].entries[i * n + k], place));
       }
     }
-  }
-
-  Value at_rest(const std::optional<Fraction>& form, const Replacements& rest) {
-    return form ? substituted(forms_.algebra, *form, rest) : std::nullopt;
   }
 
   /// det(x M - K) = det M (x - w1^2) (x - w2^2) ...

@@ -109,8 +109,8 @@ class EquilibriumSearch {
   void leave_out_coordinates() {
     const std::optional<Replacements> values = parameter_values(state_.parameters);
     for (std::uint32_t row = 0; values && row < rows_.size(); ++row) {
-      const auto& form = result_.forms.functions[0].fields[0].entries[row];
-      const Value there = form ? substituted(result_.forms.algebra, *form, *values) : Value();
+      const Value there = substituted(result_.forms.algebra,
+                                      result_.forms.functions[0].fields[0].entries[row], *values);
       if (!there) continue;
       std::erase_if(rows_[row].coordinates, [&](std::uint32_t coordinate) {
         return !holds_coordinate(result_.forms.algebra, *there, coordinate);

@@ -202,7 +202,7 @@ class EquilibriaPage {
     const CoordinateAtRest& coordinate = point.coordinates[0];
     if (coordinate.form) {
       const Value value =
-          substituted(forms_.algebra, *stiffness_, replacements_of({0}, {coordinate}));
+          substituted(forms_.algebra, stiffness_, replacements_of({0}, {coordinate}));
       if (const auto formula = read(value)) return *formula;
     }
     return number(point.stiffness[0]);

@@ -137,7 +137,7 @@ std::optional<LinearSolution> linear_solution(ClosedForms& forms, const std::vec
       if (!slope || holds_coordinate(forms.algebra, *slope)) return std::nullopt;
       equation.push_back({n - 1 - equation.size(), *slope});
     }
-    const Value rest = substituted(forms.algebra, *row, origin);
+    const Value rest = substituted(forms.algebra, row, origin);
     if (!rest) return std::nullopt;
     std::ranges::reverse(equation);
     equation.push_back({n, *rest});

@@ -154,10 +154,7 @@ std::vector<NormalMode> normal_modes(const RestPoint& point) {
     mode.omega_squared = quadratic_form(point.stiffness, exact) / quadratic_form(point.mass, exact);
   }
   cl_R largest = 0;
-  for (const NormalMode& mode : modes) {
-    const cl_R size = cln::abs(mode.omega_squared);
-    if (size > largest) largest = size;
-  }
+  for (const NormalMode& mode : modes) largest = cln::max(largest, cln::abs(mode.omega_squared));
   const cl_R noise = largest * exact_value(equal_share);
   for (NormalMode& mode : modes) {
     if (cln::abs(mode.omega_squared) < largest * power_of_ten(-20)) mode.omega_squared = 0;

@@ -115,9 +115,8 @@ class ModesPage {
           row && model_.rotations.empty()
               ? partial_derivative(forms_, *row, coordinate, point.coordinates.size())
               : std::nullopt;
-      const Value k = slope ? substituted(forms_.algebra, *slope, place) : std::nullopt;
-      const Value m =
-          masses.entries[i] ? substituted(forms_.algebra, *masses.entries[i], place) : std::nullopt;
+      const Value k = substituted(forms_.algebra, slope, place);
+      const Value m = substituted(forms_.algebra, masses.entries[i], place);
       if (is_form_at_place(m)) mass_.push_back(*m);
       if (is_form_at_place(k)) stiffness_.push_back(*k);
     }

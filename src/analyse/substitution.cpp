@@ -125,8 +125,8 @@ Value complex_form(Arithmetic& arithmetic, const Value& x, const Value& y) {
   return arithmetic.add(x, arithmetic.multiply(y, i));
 }
 
-Value substituted(Algebra& algebra, const Fraction& form, const Replacements& replacements) {
-  return Substituting(algebra, replacements).of(form);
+Value substituted(Algebra& algebra, const Value& form, const Replacements& replacements) {
+  return form ? Substituting(algebra, replacements).of(*form) : std::nullopt;
 }
 
 std::optional<Replacements> parameter_values(const std::vector<cln::cl_R>& values) {

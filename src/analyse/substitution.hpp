@@ -21,9 +21,9 @@ struct Replacement {
 /// By kind and number.
 using Replacements = std::map<std::pair<Opcode, std::uint32_t>, Replacement>;
 
-/// The form with these values; none where it has no value there (a denominator becomes 0), or
-/// beyond the budget.
-[[nodiscard]] Value substituted(Algebra& algebra, const Fraction& form,
+/// The form with these values; none of none, where it has no value there (a denominator becomes 0),
+/// and beyond the budget.
+[[nodiscard]] Value substituted(Algebra& algebra, const Value& form,
                                 const Replacements& replacements);
 
 /// x + i y over real x, y.

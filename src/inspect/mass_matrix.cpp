@@ -6,6 +6,7 @@
 // the same at every sample, by its dimension where they turn with the configuration.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "elgen/outputs.hpp"
@@ -18,18 +19,13 @@
 namespace elgen {
 namespace {
 
-bool agree(const Vector& x, const Vector& y) {
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    if (readable(x[i]) != readable(y[i])) return false;
-  }
-  return true;
-}
+using Basis = std::vector<Vector>;
 
-bool agree(const std::vector<Vector>& x, const std::vector<Vector>& y) {
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    if (!agree(x[i], y[i])) return false;
-  }
-  return true;
+/// Entry by entry, as they are read.
+bool agree(const Basis& x, const Basis& y) {
+  return std::ranges::equal(x, y, [](const Vector& a, const Vector& b) {
+    return std::ranges::equal(a, b, {}, readable, readable);
+  });
 }
 
 std::vector<std::size_t> moving(const Vector& x) {
@@ -66,7 +62,7 @@ Diagnostic motion_without_energy(const Model& model, const Vector& x) {
 }
 
 /// The dimension, and one direction at one configuration.
-Diagnostic rank_deficit(const Model& model, const std::vector<Vector>& basis, const State& state) {
+Diagnostic rank_deficit(const Model& model, const Basis& basis, const State& state) {
   const std::size_t n = model.velocities.size();
   std::string at;
   for (const cln::cl_R& q : state.q) at += (at.empty() ? "" : ", ") + readable(q);
@@ -112,13 +108,9 @@ Diagnostics not_definite(const Inspected& subject, const std::vector<std::size_t
   return {};
 }
 
-using Basis = std::vector<Vector>;
-
 Diagnostics without_rank(const Model& model, const std::vector<Basis>& found, const State& last) {
   for (const Basis& basis : found) {
-    if (basis.size() != found.front().size() || !agree(basis, found.front())) {
-      return {rank_deficit(model, found.back(), last)};
-    }
+    if (!agree(basis, found.front())) return {rank_deficit(model, found.back(), last)};
   }
   Diagnostics diagnostics;
   for (const Vector& x : found.front()) diagnostics.push_back(motion_without_energy(model, x));
