@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
+#include <utility>
 
 #include "derive/lagrangian/symmetric_solve.hpp"
 #include "derive/lagrangian/turning.hpp"
@@ -19,69 +21,39 @@ namespace {
 
 using Fields = std::vector<FieldEquations>;
 
-/// Fields of `rows` rows, or one column each; one without entries is left out: a model without
-/// inputs has none by them.
-Fields named(const std::vector<std::pair<std::string, Vector>>& entries,
-             std::optional<std::size_t> rows = {}) {
+/// The fields of an output, in the order of the table.
+using Parts = std::vector<Vector>;
+
+Parts parts(Vector x) { return {std::move(x)}; }
+Parts parts(const ex& x) { return {Vector{x}}; }
+Parts parts(const InverseDerivatives& x) { return {x.by_position, x.by_velocity}; }
+Parts parts(const ForwardDerivatives& x) { return {x.by_position, x.by_velocity, x.by_input}; }
+Parts parts(const Linearization& x) { return {x.a, x.b}; }
+Parts parts(const ForwardDynamics& x) {
+  return {x.acceleration, x.relative_pivots, x.multipliers, x.diagonal};
+}
+Parts parts(const HamiltonEquations& x) { return {x.coordinate_rates, x.momentum_rates}; }
+Parts parts(const ConstraintResidual& x) { return {x.position, x.rate}; }
+Parts parts(const ProjectedState& x) { return {x.coordinates, x.rates}; }
+Parts parts(const ConstrainedInverse& x) { return {x.inputs, x.multipliers, x.unbalanced}; }
+
+/// One of several without entries is left out: a model without inputs has none by them. The table
+/// does not have the diagonal beside the pivots.
+Fields fields(const Derivation& derivation, const OutputRequest& request, const Parts& all) {
+  if (all.size() == 1) return {{"", request.rows, request.columns, all.front()}};
+  const std::span<const FieldRow> rows = output_row(request.kind).fields;
   Fields result;
-  for (const auto& [name, values] : entries) {
-    if (values.empty()) continue;
-    const std::size_t height = rows.value_or(values.size());
-    result.push_back({name, static_cast<std::uint32_t>(height),
-                      static_cast<std::uint32_t>(values.size() / height), values});
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Vector& entries = all[i];
+    if (entries.empty()) continue;
+    const FieldRow row = i < rows.size() ? rows[i] : FieldRow{.name = "diagonal"};
+    const std::size_t states = row.rows == Extent::states ? 2 : 1;
+    const std::size_t height =
+        row.columns == Extent::one ? entries.size() : states * derivation.size();
+    result.push_back({std::string(row.name), static_cast<std::uint32_t>(height),
+                      static_cast<std::uint32_t>(entries.size() / height), entries});
   }
   return result;
-}
-
-Fields fields(const Derivation& /*derivation*/, const OutputRequest& request, Vector entries) {
-  return {{"", request.rows, request.columns, std::move(entries)}};
-}
-
-Fields fields(const Derivation& derivation, const OutputRequest& request, const ex& entry) {
-  return fields(derivation, request, Vector{entry});
-}
-
-Fields fields(const Derivation& d, const OutputRequest& /*request*/, const InverseDerivatives& x) {
-  return named({{"by_position", x.by_position}, {"by_velocity", x.by_velocity}}, d.size());
-}
-
-Fields fields(const Derivation& d, const OutputRequest& /*request*/, const ForwardDerivatives& x) {
-  return named(
-      {{"by_position", x.by_position}, {"by_velocity", x.by_velocity}, {"by_input", x.by_input}},
-      d.size());
-}
-
-Fields fields(const Derivation& d, const OutputRequest& /*request*/, const Linearization& x) {
-  return named({{"A", x.a}, {"B", x.b}}, 2 * d.size());
-}
-
-Fields fields(const Derivation& /*derivation*/, const OutputRequest& /*request*/,
-              const ForwardDynamics& x) {
-  return named({{"acceleration", x.acceleration},
-                {"relative_pivots", x.relative_pivots},
-                {"multipliers", x.multipliers},
-                {"diagonal", x.diagonal}});
-}
-
-Fields fields(const Derivation& /*derivation*/, const OutputRequest& /*request*/,
-              const HamiltonEquations& x) {
-  return named({{"coordinate_rates", x.coordinate_rates}, {"momentum_rates", x.momentum_rates}});
-}
-
-Fields fields(const Derivation& /*derivation*/, const OutputRequest& /*request*/,
-              const ConstraintResidual& x) {
-  return named({{"position", x.position}, {"rate", x.rate}});
-}
-
-Fields fields(const Derivation& /*derivation*/, const OutputRequest& /*request*/,
-              const ProjectedState& x) {
-  return named({{"coordinates", x.coordinates}, {"rates", x.rates}});
-}
-
-Fields fields(const Derivation& /*derivation*/, const OutputRequest& /*request*/,
-              const ConstrainedInverse& x) {
-  return named(
-      {{"inputs", x.inputs}, {"multipliers", x.multipliers}, {"unbalanced", x.unbalanced}});
 }
 
 Vector user_value(Derivation& /*derivation*/, const NamedOutput& output) { return output.values; }
@@ -99,10 +71,10 @@ Vector user_bias(Derivation& derivation, const NamedOutput& output) {
 /// The function of each output, in the order of the table; what is made of others has none.
 constexpr Fields (*derivations[])(Derivation&, const OutputRequest&) = {
 #define ELGEN_OUTPUT(name) \
-  [](Derivation& d, const OutputRequest& request) { return fields(d, request, name(d)); },
-#define ELGEN_USER_OUTPUT(name)                                             \
-  [](Derivation& d, const OutputRequest& request) {                         \
-    return fields(d, request, name(d, d.lagrangian.outputs[request.user])); \
+  [](Derivation& d, const OutputRequest& request) { return fields(d, request, parts(name(d))); },
+#define ELGEN_USER_OUTPUT(name)                                                    \
+  [](Derivation& d, const OutputRequest& request) {                                \
+    return fields(d, request, parts(name(d, d.lagrangian.outputs[request.user]))); \
   },
 #define ELGEN_SUMMARY(name) nullptr,
 #define ELGEN_STEP(name) nullptr
