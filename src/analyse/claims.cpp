@@ -70,9 +70,9 @@ Printed with_semicolon(const Printed& formula) {
 }
 
 /// The conditions of the closed forms, and where was searched.
-class Scope {
+class ScopeOfForms {
  public:
-  Scope(const Model& model, const Equilibria& equilibria)
+  ScopeOfForms(const Model& model, const Equilibria& equilibria)
       : model_(model),
         equilibria_(equilibria),
         forms_(equilibria.forms),
@@ -188,7 +188,7 @@ class Scope {
 }  // namespace
 
 Printed scope_of(const Model& model, const Equilibria& equilibria) {
-  return Scope(model, equilibria)();
+  return ScopeOfForms(model, equilibria)();
 }
 
 Printed claim_of(const Model& model, const Equilibria& equilibria) {
