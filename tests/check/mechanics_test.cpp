@@ -1,8 +1,7 @@
 // Mechanics: degrees of energies, forces affine in inputs, and which velocities move something.
-#include "check/judge/mechanics.hpp"
-
 #include <catch2/catch.hpp>
 
+#include "check/judge/judge.hpp"
 #include "check_testing.hpp"
 #include "elgen/leaf_names.hpp"
 #include "elgen/model.hpp"

@@ -1,14 +1,13 @@
 // Expectations: closed forms as matrices of expressions, row-major, or by entry:
 //
 //     gravity_entry = { for = "i in 1..2", value = "m[i]*g" }   ->   gravity = [m[1]*g, m[2]*g]
-#include "check/judge/expectations.hpp"
-
 #include <algorithm>
 #include <utility>
 
 #include "check/expressions/open_functions.hpp"
 #include "check/expressions/places.hpp"
 #include "check/expressions/values.hpp"
+#include "check/judge/judge.hpp"
 #include "model/output_units.hpp"
 #include "model/requests.hpp"
 
@@ -75,7 +74,7 @@ bool is_nested(const ValueSyntax& value) {
 std::string found_shape(const Rows& rows) {
   const std::size_t columns = rows.empty() ? 0 : rows.front().size();
   const bool is_ragged =
-      std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row.size() != columns; });
+      std::ranges::any_of(rows, [&](const auto& row) { return row.size() != columns; });
   return is_ragged ? "rows of different lengths" : shape(rows.size(), columns) + " entries";
 }
 
@@ -122,7 +121,7 @@ std::optional<std::size_t> index_in(const OutputRequest& request,
 bool check_complete(Expectation& expectation, const Span& span, Report& report) {
   std::vector<ExpressionId>& entries = expectation.entries;
   entries.resize(std::size_t{expectation.rows} * expectation.columns, no_expression);
-  const auto missing = std::find(entries.begin(), entries.end(), no_expression);
+  const auto missing = std::ranges::find(entries, no_expression);
   if (missing == entries.end()) return true;
   const auto index = static_cast<std::size_t>(missing - entries.begin());
   report.add(Code::E517, span,

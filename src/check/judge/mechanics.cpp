@@ -1,9 +1,8 @@
 // Mechanics: degrees of the energies in the rates, forces affine in the inputs, and that everything
 // that may move has kinetic energy.
-#include "check/judge/mechanics.hpp"
-
 #include <algorithm>
 
+#include "check/judge/judge.hpp"
 #include "elgen/references.hpp"
 
 namespace elgen {
@@ -199,7 +198,7 @@ Expressions in_energies(const Model& model) {
 /// The terms that are differentiated there by time, and the places of masses.
 Expressions differentiated(const Model& model, const Expressions& energies) {
   Expressions roots;
-  std::copy_if(energies.begin(), energies.end(), std::back_inserter(roots), [&](ExpressionId id) {
+  std::ranges::copy_if(energies, std::back_inserter(roots), [&](ExpressionId id) {
     return model.expressions[id].kind == ExpressionKind::time_derivative;
   });
   for (const Point& point : model.points) {

@@ -1,10 +1,12 @@
-// Mechanics: what a set of resolved entries must be to have equations of motion.
+// What a set of resolved entries must be to have equations of motion, and its closed forms:
+// [[expect]] -> Model::expectations.
 #pragma once
 
 #include <vector>
 
 #include "check/expressions/traits.hpp"
 #include "check/names/context.hpp"
+#include "elgen/syntax.hpp"
 
 namespace elgen {
 
@@ -16,5 +18,10 @@ void check_mechanics(Context& context, const std::vector<Traits>& traits);
 
 /// E535, E536, E539 of the constraints of a model that is reduced.
 void check_constraints(Context& context);
+
+/// Resolves every closed form and compares its shape with that of the output. Closed forms of sized
+/// models grow faster than the model, so that those of more than 4096 nodes are kept only where
+/// `large`. E517, E601, E603, E505.
+void read_expectations(Context& context, const FileSyntax& syntax, bool large);
 
 }  // namespace elgen
