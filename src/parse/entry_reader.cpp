@@ -23,7 +23,7 @@ std::string header_text(std::string_view name, bool repeated) {
 bool is_array_of_tables(const TomlValue& value) {
   const auto is_table = [](const TomlValue& item) { return item.kind == TomlKind::table; };
   return value.kind == TomlKind::array && !value.items.empty() &&
-         std::all_of(value.items.begin(), value.items.end(), is_table);
+         std::ranges::all_of(value.items, is_table);
 }
 
 /// The header of a table, or of the first of an array of tables.
@@ -36,104 +36,95 @@ class EntryReader {
   EntryReader(FileKind kind, FileReading& reading)
       : kind_(kind), rows_(entry_rows_of(kind)), reading_(reading) {}
 
-  std::vector<EntrySyntax> read(const TomlValue& root);
+  std::vector<EntrySyntax> read(const TomlValue& root) {
+    std::vector<TomlEntry> keys;
+    for (const TomlEntry& entry : root.entries) {
+      if (const EntryRow* row = find(entry.key)) {
+        read_known(*row, entry);
+      } else if (is_unknown_table(entry)) {
+        report_unknown(entry);
+      } else {
+        keys.push_back(entry);
+      }
+    }
+    report_missing(root);
+    std::ranges::sort(entries_, [](const EntrySyntax& a, const EntrySyntax& b) {
+      return a.span.begin < b.span.begin;
+    });
+    const Span start{root.span.source, 0, 0};
+    const TableContext top{kind_ == FileKind::scene ? "scene" : "", "the file", start};
+    entries_.insert(entries_.begin(), EntrySyntax{"", start, read_keys(keys, top, reading_)});
+    return std::move(entries_);
+  }
 
  private:
-  [[nodiscard]] const EntryRow* find(std::string_view name) const;
-  [[nodiscard]] bool is_unknown_table(const TomlEntry& entry) const;
-  void read_known(const EntryRow& row, const TomlEntry& entry);
-  void report_wrong_kind(const EntryRow& row, const TomlEntry& entry);
-  void report_unknown(const TomlEntry& entry);
-  void report_missing(const TomlValue& root);
-  void add(const EntryRow& row, const TomlValue& table);
+  [[nodiscard]] const EntryRow* find(std::string_view name) const {
+    const auto row = std::ranges::find(rows_, name, &EntryRow::entry);
+    return row == rows_.end() ? nullptr : &*row;
+  }
+
+  /// Keys of the top level hold no tables.
+  [[nodiscard]] bool is_unknown_table(const TomlEntry& entry) const {
+    return entry.value.kind == TomlKind::table || is_array_of_tables(entry.value);
+  }
+
+  void read_known(const EntryRow& row, const TomlEntry& entry) {
+    const TomlValue& value = entry.value;
+    if (!row.supported) {
+      reading_.report(Code::E108, header_of(value),
+                      header_text(row.entry, row.repeated) + " is not yet supported");
+    } else if (row.repeated && is_array_of_tables(value)) {
+      for (const TomlValue& table : value.items) add(row, table);
+    } else if (!row.repeated && value.kind == TomlKind::table) {
+      add(row, value);
+    } else {
+      report_wrong_kind(row, entry);
+    }
+  }
+
+  void report_wrong_kind(const EntryRow& row, const TomlEntry& entry) {
+    const bool is_table = entry.value.kind == TomlKind::table;
+    if (!is_table && !is_array_of_tables(entry.value)) {
+      report_wrong_type(entry.value, row.repeated ? "an array of tables" : "a table", reading_);
+      return;
+    }
+    reading_.report(Code::E107, header_of(entry.value),
+                    header_text(row.entry, !is_table) + " is the wrong kind of table",
+                    "write " + header_text(row.entry, row.repeated));
+  }
+
+  void report_unknown(const TomlEntry& entry) {
+    std::vector<std::string> candidates;
+    for (const EntryRow& row : rows_) {
+      if (row.supported) candidates.emplace_back(row.entry);
+    }
+    const std::string near = nearest(entry.key, candidates);
+    const EntryRow* row = find(near);
+    reading_.report(
+        Code::E106, header_of(entry.value), "unknown entry " + in_backticks(entry.key),
+        row == nullptr ? "" : fmt::format("did you mean {}?", header_text(near, row->repeated)));
+  }
+
+  void report_missing(const TomlValue& root) {
+    for (const EntryRow& row : rows_) {
+      if (!row.required || find_entry(root.entries, row.entry) != nullptr) continue;
+      reading_.report(Code::E105, {root.span.source, 0, 0},
+                      "no " + header_text(row.entry, row.repeated) + " in the file");
+    }
+  }
+
+  void add(const EntryRow& row, const TomlValue& table) {
+    const TableContext context{table_entry(kind_, row), header_text(row.entry, row.repeated),
+                               table.span};
+    entries_.push_back(
+        {std::string(row.entry), table.span, read_keys(table.entries, context, reading_)});
+  }
 
   FileKind kind_;
   std::vector<EntryRow> rows_;
   FileReading& reading_;
   std::vector<EntrySyntax> entries_ = {};
 };
-
-std::vector<EntrySyntax> EntryReader::read(const TomlValue& root) {
-  std::vector<TomlEntry> keys;
-  for (const TomlEntry& entry : root.entries) {
-    if (const EntryRow* row = find(entry.key)) {
-      read_known(*row, entry);
-    } else if (is_unknown_table(entry)) {
-      report_unknown(entry);
-    } else {
-      keys.push_back(entry);
-    }
-  }
-  report_missing(root);
-  std::sort(entries_.begin(), entries_.end(),
-            [](const EntrySyntax& a, const EntrySyntax& b) { return a.span.begin < b.span.begin; });
-  const Span start{root.span.source, 0, 0};
-  const TableContext top{kind_ == FileKind::scene ? "scene" : "", "the file", start};
-  entries_.insert(entries_.begin(), EntrySyntax{"", start, read_keys(keys, top, reading_)});
-  return std::move(entries_);
-}
-
-const EntryRow* EntryReader::find(std::string_view name) const {
-  const auto row = std::ranges::find(rows_, name, &EntryRow::entry);
-  return row == rows_.end() ? nullptr : &*row;
-}
-
-/// Keys of the top level hold no tables.
-bool EntryReader::is_unknown_table(const TomlEntry& entry) const {
-  return entry.value.kind == TomlKind::table || is_array_of_tables(entry.value);
-}
-
-void EntryReader::read_known(const EntryRow& row, const TomlEntry& entry) {
-  const TomlValue& value = entry.value;
-  if (!row.supported) {
-    reading_.report(Code::E108, header_of(value),
-                    header_text(row.entry, row.repeated) + " is not yet supported");
-  } else if (row.repeated && is_array_of_tables(value)) {
-    for (const TomlValue& table : value.items) add(row, table);
-  } else if (!row.repeated && value.kind == TomlKind::table) {
-    add(row, value);
-  } else {
-    report_wrong_kind(row, entry);
-  }
-}
-
-void EntryReader::report_wrong_kind(const EntryRow& row, const TomlEntry& entry) {
-  const bool is_table = entry.value.kind == TomlKind::table;
-  if (!is_table && !is_array_of_tables(entry.value)) {
-    report_wrong_type(entry.value, row.repeated ? "an array of tables" : "a table", reading_);
-    return;
-  }
-  reading_.report(Code::E107, header_of(entry.value),
-                  header_text(row.entry, !is_table) + " is the wrong kind of table",
-                  "write " + header_text(row.entry, row.repeated));
-}
-
-void EntryReader::report_unknown(const TomlEntry& entry) {
-  std::vector<std::string> candidates;
-  for (const EntryRow& row : rows_) {
-    if (row.supported) candidates.emplace_back(row.entry);
-  }
-  const std::string near = nearest(entry.key, candidates);
-  const EntryRow* row = find(near);
-  reading_.report(
-      Code::E106, header_of(entry.value), "unknown entry " + in_backticks(entry.key),
-      row == nullptr ? "" : fmt::format("did you mean {}?", header_text(near, row->repeated)));
-}
-
-void EntryReader::report_missing(const TomlValue& root) {
-  for (const EntryRow& row : rows_) {
-    if (!row.required || find_entry(root.entries, row.entry) != nullptr) continue;
-    reading_.report(Code::E105, {root.span.source, 0, 0},
-                    "no " + header_text(row.entry, row.repeated) + " in the file");
-  }
-}
-
-void EntryReader::add(const EntryRow& row, const TomlValue& table) {
-  const TableContext context{table_entry(kind_, row), header_text(row.entry, row.repeated),
-                             table.span};
-  entries_.push_back(
-      {std::string(row.entry), table.span, read_keys(table.entries, context, reading_)});
-}
 
 }  // namespace
 

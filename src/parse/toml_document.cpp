@@ -27,34 +27,29 @@ namespace {
 /// toml++ counts columns in code points and does not count a byte order mark.
 class TomlPositions {
  public:
-  explicit TomlPositions(const SourceText& source);
+  explicit TomlPositions(const SourceText& source) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    const std::string_view text = source.text;
+    const std::size_t begin = text.substr(0, 3) == byte_order_mark ? 3 : 0;
+    line_points_.push_back(0);
+    for (std::size_t i = begin; i < text.size(); ++i) {
+      if (starts_code_point(text[i])) points_.push_back(static_cast<std::uint32_t>(i));
+      if (text[i] == '\n') line_points_.push_back(static_cast<std::uint32_t>(points_.size()));
+    }
+    points_.push_back(static_cast<std::uint32_t>(text.size()));
+  }
 
   /// The byte offset of 1-based `line` and `column`; the end of the file for what lies beyond it.
-  [[nodiscard]] std::uint32_t offset(std::uint32_t line, std::uint32_t column) const;
+  [[nodiscard]] std::uint32_t offset(std::uint32_t line, std::uint32_t column) const {
+    if (line == 0 || line > line_points_.size()) return points_.back();
+    const std::size_t point = std::size_t{line_points_[line - 1]} + column - 1;
+    return points_[std::min(point, points_.size() - 1)];
+  }
 
  private:
   std::vector<std::uint32_t> points_;       ///< byte offset of each code point
   std::vector<std::uint32_t> line_points_;  ///< index of the first code point of each line
 };
-
-TomlPositions::TomlPositions(const SourceText& source) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  const std::string_view text = source.text;
-  const std::size_t begin = text.substr(0, 3) == byte_order_mark ? 3 : 0;
-  line_points_.push_back(0);
-  for (std::size_t i = begin; i < text.size(); ++i) {
-    const bool continues = (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U;
-    if (!continues) points_.push_back(static_cast<std::uint32_t>(i));
-    if (text[i] == '\n') line_points_.push_back(static_cast<std::uint32_t>(points_.size()));
-  }
-  points_.push_back(static_cast<std::uint32_t>(text.size()));
-}
-
-std::uint32_t TomlPositions::offset(std::uint32_t line, std::uint32_t column) const {
-  if (line == 0 || line > line_points_.size()) return points_.back();
-  const std::size_t point = std::size_t{line_points_[line - 1]} + column - 1;
-  return points_[std::min(point, points_.size() - 1)];
-}
 
 constexpr std::size_t most_key_parts = 100;
 
@@ -111,7 +106,7 @@ std::string message_of(std::string_view description) {
   const std::size_t colon = description.find(": ");
   std::string message(colon == std::string_view::npos ? description
                                                       : description.substr(colon + 2));
-  std::replace(message.begin(), message.end(), '\'', '`');
+  std::ranges::replace(message, '\'', '`');
   return message;
 }
 
@@ -217,7 +212,28 @@ class DocumentBuilder {
  public:
   explicit DocumentBuilder(const SourceText& source) : source_(source), positions_(source) {}
 
-  [[nodiscard]] TomlValue value(const toml::node& node) const;
+  [[nodiscard]] TomlValue value(const toml::node& node) const {
+    TomlValue result;
+    result.span = span(node.source());
+    if (node.is_string()) {
+      result.kind = TomlKind::string;
+      result.text = decode_string(result.span);
+    } else if (const auto* boolean = node.as_boolean()) {
+      result.kind = TomlKind::boolean;
+      result.boolean = boolean->get();
+    } else if (const auto* array = node.as_array()) {
+      result.kind = TomlKind::array;
+      for (const toml::node& item : *array) result.items.push_back(value(item));
+    } else if (const auto* table = node.as_table()) {
+      result.entries = entries(*table);
+    } else {
+      result.text = copied_text(result.span);
+      const bool decimal = node.is_number() && is_decimal_token(result.text.text);
+      result.kind = decimal ? TomlKind::number : TomlKind::other;
+    }
+    return result;
+  }
+
   [[nodiscard]] std::uint32_t offset(const toml::source_position& position) const {
     return positions_.offset(position.line, position.column);
   }
@@ -226,44 +242,20 @@ class DocumentBuilder {
   [[nodiscard]] Span span(const toml::source_region& region) const {
     return {&source_, offset(region.begin), offset(region.end)};
   }
-  [[nodiscard]] std::vector<TomlEntry> entries(const toml::table& table) const;
+  [[nodiscard]] std::vector<TomlEntry> entries(const toml::table& table) const {
+    std::vector<TomlEntry> result;
+    for (const auto& [key, node] : table) {
+      result.push_back({std::string(key.str()), span(key.source()), value(node)});
+    }
+    std::ranges::sort(result, [](const TomlEntry& a, const TomlEntry& b) {
+      return a.key_span.begin < b.key_span.begin;
+    });
+    return result;
+  }
 
   const SourceText& source_;
   TomlPositions positions_;
 };
-
-TomlValue DocumentBuilder::value(const toml::node& node) const {
-  TomlValue result;
-  result.span = span(node.source());
-  if (node.is_string()) {
-    result.kind = TomlKind::string;
-    result.text = decode_string(result.span);
-  } else if (const auto* boolean = node.as_boolean()) {
-    result.kind = TomlKind::boolean;
-    result.boolean = boolean->get();
-  } else if (const auto* array = node.as_array()) {
-    result.kind = TomlKind::array;
-    for (const toml::node& item : *array) result.items.push_back(value(item));
-  } else if (const auto* table = node.as_table()) {
-    result.entries = entries(*table);
-  } else {
-    result.text = copied_text(result.span);
-    const bool decimal = node.is_number() && is_decimal_token(result.text.text);
-    result.kind = decimal ? TomlKind::number : TomlKind::other;
-  }
-  return result;
-}
-
-std::vector<TomlEntry> DocumentBuilder::entries(const toml::table& table) const {
-  std::vector<TomlEntry> result;
-  for (const auto& [key, node] : table) {
-    result.push_back({std::string(key.str()), span(key.source()), value(node)});
-  }
-  std::sort(result.begin(), result.end(), [](const TomlEntry& a, const TomlEntry& b) {
-    return a.key_span.begin < b.key_span.begin;
-  });
-  return result;
-}
 
 }  // namespace
 
