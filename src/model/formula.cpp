@@ -30,7 +30,7 @@ bool is_no_call(const Formula& factor) { return factor.tail.empty(); }
 
 /// So that no factor is read as a part of their arguments.
 std::vector<Formula> functions_last(std::vector<Formula> factors) {
-  std::stable_partition(factors.begin(), factors.end(), is_no_call);
+  std::ranges::stable_partition(factors, is_no_call);
   return factors;
 }
 
@@ -188,8 +188,7 @@ Formula sum(const Spelling& spelling, const std::vector<Summand>& terms) {
 
 Formula product(const Spelling& spelling, const std::vector<Formula>& factors) {
   if (factors.size() == 1) return factors.front();
-  if (spelling.is_two_dimensional &&
-      !std::is_partitioned(factors.begin(), factors.end(), is_no_call)) {
+  if (spelling.is_two_dimensional && !std::ranges::is_partitioned(factors, is_no_call)) {
     return product(spelling, functions_last(factors));
   }
   // Only the first factor may be a quotient, or carry a sign, without brackets.

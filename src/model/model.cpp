@@ -77,7 +77,7 @@ ExpressionId component_of_frame(const Model& model, std::uint32_t index) {
 
 std::optional<std::uint32_t> open_value(const Model& model, std::uint32_t function,
                                         std::vector<std::uint32_t> by) {
-  std::sort(by.begin(), by.end());
+  std::ranges::sort(by);
   for (std::uint32_t i = 0; i < model.open_values.size(); ++i) {
     const OpenValue& value = model.open_values[i];
     if (value.function == function && value.by == by) return i;

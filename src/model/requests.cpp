@@ -159,8 +159,7 @@ std::string_view name_of(LeftOutReason reason) {
 }
 
 const OutputRequest* find_request(const Scene& scene, std::string_view name) {
-  const auto found = std::find_if(scene.outputs.begin(), scene.outputs.end(),
-                                  [&](const OutputRequest& output) { return output.name == name; });
+  const auto found = std::ranges::find(scene.outputs, name, &OutputRequest::name);
   return found == scene.outputs.end() ? nullptr : &*found;
 }
 

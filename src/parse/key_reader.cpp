@@ -167,7 +167,7 @@ ValueSyntax read_choice(const TomlValue& value, const KeyRow& row, FileReading& 
   ValueSyntax result = read_text(value, reading);
   if (value.kind != TomlKind::string) return result;
   const std::vector<std::string_view> words = choice_words(row);
-  if (std::find(words.begin(), words.end(), result.text) == words.end()) {
+  if (std::ranges::find(words, result.text) == words.end()) {
     report_choice(result, in_backticks(result.text), row, reading);
   }
   return result;

@@ -35,7 +35,7 @@ constexpr std::array<std::string_view, 6> inertia_names{"Ixx", "Iyy", "Izz", "Ix
 std::vector<std::string> inertia_of(Glossary& glossary, const std::string& link,
                                     const std::array<FileNumber, 6>& numbers) {
   const auto is_zero = [](const FileNumber& number) { return number.is_zero(); };
-  if (std::all_of(numbers.begin(), numbers.end(), is_zero)) return {};
+  if (std::ranges::all_of(numbers, is_zero)) return {};
   const std::size_t count = std::all_of(numbers.begin() + 3, numbers.end(), is_zero) ? 3 : 6;
   std::vector<std::string> inertia;
   for (std::size_t i = 0; i < count; ++i) {

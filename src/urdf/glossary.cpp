@@ -21,8 +21,7 @@ constexpr std::array<std::string_view, 5> names_of_headers{"Parameters", "Scalar
 
 bool is_reserved(const std::string& name) {
   return !reserved_reason(name).empty() ||
-         std::find(names_of_headers.begin(), names_of_headers.end(), name) !=
-             names_of_headers.end();
+         std::ranges::find(names_of_headers, name) != names_of_headers.end();
 }
 
 /// "q", "q1" and "q_1" are symbols as they are.
@@ -116,7 +115,7 @@ std::string Glossary::parameter_symbol(const std::string& name) const {
 
 void Glossary::note_change(const std::string& from, const std::string& to) {
   const std::string change = fmt::format("`{}` is called {}", from, to);
-  const bool is_known = std::find(renamed_.begin(), renamed_.end(), change) != renamed_.end();
+  const bool is_known = std::ranges::find(renamed_, change) != renamed_.end();
   if (from != to && !is_known) renamed_.push_back(change);
 }
 

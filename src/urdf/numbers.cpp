@@ -14,7 +14,7 @@ namespace elgen::urdf {
 namespace {
 
 std::string take_digits(std::string_view& rest) {
-  const auto end = std::find_if_not(rest.begin(), rest.end(), is_digit);
+  const auto end = std::ranges::find_if_not(rest, is_digit);
   const auto count = static_cast<std::size_t>(end - rest.begin());
   std::string digits(rest.substr(0, count));
   rest.remove_prefix(count);

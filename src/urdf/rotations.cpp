@@ -95,7 +95,7 @@ Axis axis_of(const Vector& direction, AngleDigits digits) {
   const auto shorter = [](const FileNumber& left, const FileNumber& right) {
     return cln::abs(left.value) < cln::abs(right.value);
   };
-  const auto* longest = std::max_element(direction.begin(), direction.end(), shorter);
+  const auto* longest = std::ranges::max_element(direction, shorter);
   const auto along = static_cast<std::size_t>(longest - direction.begin());
   const FileNumber& second = direction[(along + 1) % 3];
   const FileNumber& third = direction[(along + 2) % 3];

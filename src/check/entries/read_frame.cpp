@@ -261,7 +261,7 @@ class FrameReader {
     FrameStep step{FrameStepKind::quaternion};
     std::copy(components.begin(), components.end(), step.quaternion.begin());
     const auto is_zero = [&](ExpressionId id) { return context_.constants[id] == 0; };
-    if (std::all_of(components.begin(), components.end(), is_zero)) {
+    if (std::ranges::all_of(components, is_zero)) {
       report_.add(Code::E112, value.span, "a quaternion of length 0 is no orientation");
       return;
     }
@@ -300,7 +300,7 @@ namespace {
 void require_zero(Context& context, const std::vector<ExpressionId>& components,
                   ExpressionId blamed, const std::string& moves) {
   const auto is_zero = [&](ExpressionId id) { return context.constants[id] == 0; };
-  if (std::all_of(components.begin(), components.end(), is_zero)) return;
+  if (std::ranges::all_of(components, is_zero)) return;
   const Span& span = context.model.expressions[blamed].span;
   context.report.add(Code::E516, span,
                      in_backticks(span) + " " + moves +

@@ -13,7 +13,7 @@ namespace {
 
 bool is_model_name(std::string_view name) {
   const auto has_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
-  return is_well_formed_name(name) && std::none_of(name.begin(), name.end(), has_capital);
+  return is_well_formed_name(name) && std::ranges::none_of(name, has_capital);
 }
 
 void read_header(Context& context, const EntrySyntax& entry) {

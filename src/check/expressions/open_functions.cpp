@@ -28,7 +28,7 @@ void close_by_scene(Context& context, const FileSyntax& model, const FileSyntax&
   for (const EntrySyntax& entry : scene.entries) {
     if (entry.name != "functions") continue;
     for (const KeySyntax& key : entry.keys) {
-      if (std::find(names.begin(), names.end(), key.key) == names.end()) {
+      if (std::ranges::find(names, key.key) == names.end()) {
         context.report.add(Code::E201, key.key_span, "unknown function " + in_backticks(key.key),
                            suggestion(key.key, names));
       } else {
@@ -94,9 +94,9 @@ bool uses_closed(const Context& context, const ExpressionSyntax& expression) {
     const DeclaredName* symbol = context.symbols.find(expression.text);
     if (symbol != nullptr && symbol->kind == SymbolKind::closed_derivative) return true;
   }
-  return std::any_of(
-      expression.operands.begin(), expression.operands.end(),
-      [&](const ExpressionSyntax& operand) { return uses_closed(context, operand); });
+  return std::ranges::any_of(expression.operands, [&](const ExpressionSyntax& operand) {
+    return uses_closed(context, operand);
+  });
 }
 
 /// A coordinate, a rate or the time.
@@ -201,10 +201,10 @@ void check_function_expressions(Context& context) {
 
 bool uses_closed_derivative(const Context& context, const ValueSyntax& value) {
   return uses_closed(context, value.expression) ||
-         std::any_of(
-             value.items.begin(), value.items.end(),
+         std::ranges::any_of(
+             value.items,
              [&](const ValueSyntax& item) { return uses_closed_derivative(context, item); }) ||
-         std::any_of(value.entries.begin(), value.entries.end(), [&](const KeySyntax& key) {
+         std::ranges::any_of(value.entries, [&](const KeySyntax& key) {
            return uses_closed_derivative(context, key.value);
          });
 }

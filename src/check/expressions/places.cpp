@@ -147,7 +147,7 @@ bool check_cycles(Context& context) {
   }
   if (cycle.empty()) return true;
   const auto earlier = [](const Named& a, const Named& b) { return a.span.begin < b.span.begin; };
-  std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end(), earlier), cycle.end());
+  std::rotate(cycle.begin(), std::ranges::min_element(cycle, earlier), cycle.end());
   std::string text;
   for (const Named& entry : cycle) text += entry.name + " -> ";
   const auto& [first, span] = cycle.front();

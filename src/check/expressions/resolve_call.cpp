@@ -25,8 +25,7 @@ constexpr std::array composites{
 };
 
 const Resolver::Composite* find_composite(std::string_view name) {
-  const auto found = std::find_if(composites.begin(), composites.end(),
-                                  [&](const auto& row) { return row.name == name; });
+  const auto found = std::ranges::find(composites, name, &Resolver::Composite::name);
   return found == composites.end() ? nullptr : &*found;
 }
 
@@ -253,8 +252,7 @@ std::optional<ExpressionId> Resolver::resolve_component(const ExpressionSyntax& 
   if (!point) {
     return std::nullopt;
   }
-  const auto axis =
-      static_cast<std::uint32_t>(std::find(axes.begin(), axes.end(), call.text) - axes.begin());
+  const auto axis = static_cast<std::uint32_t>(std::ranges::find(axes, call.text) - axes.begin());
   if (axis >= context_.model.points[*point].dimension) {
     context_.report.add(
         Code::E516, call.span,

@@ -39,7 +39,7 @@ std::optional<Expression> named(SymbolKind kind) {
 
 bool is_function_name(const std::string& name) {
   const std::vector<std::string>& functions = function_names();
-  return std::find(functions.begin(), functions.end(), name) != functions.end();
+  return std::ranges::find(functions, name) != functions.end();
 }
 
 /// The numbers that can be written instead of a name that is no number.

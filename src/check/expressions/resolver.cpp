@@ -144,7 +144,7 @@ std::optional<cln::cl_RA> Resolver::resolve_exponent(const ExpressionSyntax& exp
 
   const Diagnostics errors = inner.sorted();
   const auto is_variable = [](const Diagnostic& error) { return error.code == Code::E311; };
-  if (id ? !value.has_value() : std::any_of(errors.begin(), errors.end(), is_variable)) {
+  if (id ? !value.has_value() : std::ranges::any_of(errors, is_variable)) {
     context_.report.add(Code::E311, exponent.span,
                         in_backticks(exponent.span) + " is not a rational constant",
                         "write exp(y*log(x)) for x^y");

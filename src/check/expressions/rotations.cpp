@@ -125,8 +125,7 @@ void read_rotation(ValueReader& values, const EntrySyntax& entry, std::uint32_t 
   const Rotation& rotation = context.model.rotations[target];
   check_unit(context, entry);
   for (const KeySyntax& key : entry.keys) {
-    if (std::find(keys_of_numbers.begin(), keys_of_numbers.end(), key.key) !=
-        keys_of_numbers.end()) {
+    if (std::ranges::find(keys_of_numbers, key.key) != keys_of_numbers.end()) {
       context.report.add(Code::E112, key.key_span, "a rotation has no " + in_backticks(key.key));
     }
   }

@@ -292,11 +292,11 @@ bool uses_units(const FileSyntax& model) {
   };
   const auto has_unit = [&](const EntrySyntax& entry) {
     if (entry.name != "parameters") return is_used(entry.find("unit"));
-    return std::any_of(entry.keys.begin(), entry.keys.end(), [&](const KeySyntax& parameter) {
+    return std::ranges::any_of(entry.keys, [&](const KeySyntax& parameter) {
       return is_used(parameter.value.find("unit"));
     });
   };
-  return std::any_of(model.entries.begin(), model.entries.end(), has_unit);
+  return std::ranges::any_of(model.entries, has_unit);
 }
 
 void check_units(Context& context) {

@@ -19,7 +19,7 @@ std::vector<ExpressionId> written_parts(const Model& model, ExpressionId express
     if (part.kind == ExpressionKind::leaf) continue;
     parts.insert(parts.end(), part.operands.begin(), part.operands.end());
   }
-  std::stable_sort(parts.begin(), parts.end(), [&](ExpressionId a, ExpressionId b) {
+  std::ranges::stable_sort(parts, [&](ExpressionId a, ExpressionId b) {
     return model.expressions[a].span.begin < model.expressions[b].span.begin;
   });
   return parts;

@@ -22,7 +22,7 @@ bool names_nothing(const std::vector<Expression>& nodes, ExpressionId first, Exp
                              ExpressionKind::definition, ExpressionKind::point_component,
                              ExpressionKind::frame_component};
   return std::none_of(nodes.begin() + first, nodes.begin() + last + 1, [&](const auto& node) {
-    return std::find(names.begin(), names.end(), node.kind) != names.end();
+    return std::ranges::find(names, node.kind) != names.end();
   });
 }
 
@@ -180,7 +180,7 @@ std::uint32_t usual_dimension(const FileSyntax& model) {
   for (const EntrySyntax& entry : model.entries) {
     for (const KeySyntax& key : entry.keys) {
       const bool is_vector = key.value.kind == ValueKind::list && key.value.items.size() < 4 &&
-                             std::find(vectors.begin(), vectors.end(), key.key) != vectors.end();
+                             std::ranges::find(vectors, key.key) != vectors.end();
       if (is_vector) ++counts[key.value.items.size()];
     }
   }
@@ -198,7 +198,7 @@ std::array<const KeySyntax*, 2> first_two(const EntrySyntax& entry,
                                           std::span<const std::string_view> keys) {
   std::array<const KeySyntax*, 2> found{};
   for (const KeySyntax& key : entry.keys) {
-    if (std::find(keys.begin(), keys.end(), key.key) == keys.end()) continue;
+    if (std::ranges::find(keys, key.key) == keys.end()) continue;
     if (found[0] != nullptr) return {found[0], &key};
     found[0] = &key;
   }

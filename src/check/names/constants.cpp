@@ -147,7 +147,7 @@ ConstantOutcome evaluate_constant(const Expression& node,
 std::optional<ConstantFailure> Constants::append(const std::vector<Expression>& arena) {
   const Expression& node = arena[values_.size()];
   const auto constant = [&](ExpressionId id) { return values_[id].has_value(); };
-  const bool all = std::all_of(node.operands.begin(), node.operands.end(), constant);
+  const bool all = std::ranges::all_of(node.operands, constant);
   const bool divides = node.kind == ExpressionKind::divide && constant(node.operands[1]);
   values_.emplace_back();
   if (divides && sign_of(*values_[node.operands[1]]) == 0) {

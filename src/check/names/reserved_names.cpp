@@ -32,7 +32,7 @@ constexpr std::array component_names{"x", "y", "z"};
 
 template <class List>
 bool contains(const List& list, std::string_view name) {
-  return std::find(list.begin(), list.end(), name) != list.end();
+  return std::ranges::find(list, name) != list.end();
 }
 
 bool is_function(std::string_view name) {
@@ -41,12 +41,12 @@ bool is_function(std::string_view name) {
 
 bool has_macro_prefix(std::string_view name) {
   const auto starts = [&](std::string_view prefix) { return name.starts_with(prefix); };
-  return std::any_of(macro_prefixes.begin(), macro_prefixes.end(), starts);
+  return std::ranges::any_of(macro_prefixes, starts);
 }
 
 bool is_macro(std::string_view name) {
-  return std::binary_search(library_macros.begin(), library_macros.end(), name) ||
-         contains(more_macros, name) || has_macro_prefix(name);
+  return std::ranges::binary_search(library_macros, name) || contains(more_macros, name) ||
+         has_macro_prefix(name);
 }
 
 }  // namespace
@@ -89,8 +89,7 @@ std::string_view reserved_reason(std::string_view name) {
 }
 
 bool is_well_formed_name(std::string_view name) {
-  return !name.empty() && is_letter(name.front()) &&
-         std::all_of(name.begin(), name.end(), is_word_character);
+  return !name.empty() && is_letter(name.front()) && std::ranges::all_of(name, is_word_character);
 }
 
 bool check_name(const std::string& name, const Span& span, Report& report) {

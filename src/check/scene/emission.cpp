@@ -14,8 +14,7 @@ namespace elgen {
 namespace {
 
 LanguageId language_named(std::string_view name) {
-  const auto* const row = std::find_if(language_table.begin(), language_table.end(),
-                                       [name](const LanguageRow& r) { return r.name == name; });
+  const auto* const row = std::ranges::find(language_table, name, &LanguageRow::name);
   return row == language_table.end() ? default_language : row->id;
 }
 
@@ -40,9 +39,7 @@ void check_together(const FileSyntax* syntax, const Emission& emission, const Sc
 }
 
 bool lists(const KeySyntax& key, std::string_view word) {
-  const auto& items = key.value.items;
-  return std::any_of(items.begin(), items.end(),
-                     [word](const ValueSyntax& item) { return item.text == word; });
+  return std::ranges::count(key.value.items, word, &ValueSyntax::text) > 0;
 }
 
 /// Code is always written.

@@ -163,7 +163,7 @@ class SceneReader {
       return;
     }
     request_reaction();
-    std::stable_sort(scene_.outputs.begin(), scene_.outputs.end(), precedes);
+    std::ranges::stable_sort(scene_.outputs, precedes);
     check_function_names();
     check_dynamics();
     check_step();
@@ -189,7 +189,7 @@ class SceneReader {
   /// `dynamics` has no equations of its own.
   void check_dynamics() {
     const auto is_member = [](const OutputRequest& output) { return is_repeated(output.kind); };
-    if (std::any_of(scene_.outputs.begin(), scene_.outputs.end(), is_member)) {
+    if (std::ranges::any_of(scene_.outputs, is_member)) {
       return;
     }
     for (const OutputRequest& output : scene_.outputs) {
@@ -325,11 +325,9 @@ class SceneReader {
     }
     scene_.numerics.scalars.clear();
     for (const ScalarRow& row : scalar_table) {
-      const auto named = [&](const ValueSyntax& item) { return item.text == row.name; };
       const auto& items = scalars->value.items;
-      if (std::any_of(items.begin(), items.end(), named)) {
-        scene_.numerics.scalars.push_back(row.kind);
-      }
+      const bool is_named = std::ranges::count(items, row.name, &ValueSyntax::text) > 0;
+      if (is_named) scene_.numerics.scalars.push_back(row.kind);
     }
   }
 
