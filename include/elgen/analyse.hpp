@@ -49,8 +49,8 @@ struct CoordinateAtRest {
   cln::cl_R value = 0;
   std::optional<Fraction> form = {};
   /// The cosine or sine of an angle that exists where this is in [-1, 1], and both of them.
-  std::optional<Fraction> wave = {};
-  std::optional<CosineAndSine> waves = {};
+  std::optional<Fraction> sinusoid = {};
+  std::optional<CosineAndSine> sinusoids = {};
 };
 
 enum class Stability : std::uint8_t {
@@ -92,7 +92,7 @@ struct RestPoint {
   StabilityVerdict stability = {};
 };
 
-/// The value of a coordinate at a solution of r = 0 at which M is singular.
+/// The value of a coordinate where r = 0 and M is singular.
 struct ChartBreak {
   std::uint32_t coordinate = 0;
   CoordinateAtRest at = {};
@@ -154,7 +154,7 @@ struct LinearMotions {
   std::size_t controllable = 0;  ///< least rank of [A - pole 1, B]: 2n where u reaches all states
 };
 
-/// Those about the points given, or with `stable` about those of them that are stable. E532: no
+/// Motions about the given points, or with `stable` about the stable ones among them. E532: no
 /// point is; E533: M has no inverse.
 [[nodiscard]] Result<std::vector<LinearMotions>> linear_motions(const CheckedModel& checked,
                                                                 const Equilibria& equilibria,
@@ -232,7 +232,7 @@ struct Symmetries {
 [[nodiscard]] std::string symmetries_json(const CheckedModel& checked,
                                           const Symmetries& symmetries);
 
-/// What is known of a claim.
+/// The evidence for a claim.
 enum class ClaimStatus : std::uint8_t {
   proved,   ///< by closed forms, for all values of the parameters
   sampled,  ///< right at random values of the parameters

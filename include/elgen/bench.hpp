@@ -1,5 +1,5 @@
-// Benches of a trade-off: the designs of one output, or runs in time by all steps that can be
-// emitted, are derived, compiled, timed, and compared with what is exact.
+// Benches of a trade-off: derive, compile and time the designs of one output, or runs in time by
+// all steps that can be emitted, and compare them with exact values.
 #pragma once
 
 #include <functional>

@@ -34,7 +34,7 @@ enum class Obstacle : std::uint8_t {
   unsettled,  ///< 1000 digits do not tell whether program and oracle are one: 1 - cos(1e-300)
 };
 
-/// The evidence that a row rests on.
+/// The evidence for a row.
 enum class Evidence : std::uint8_t {
   states,   ///< a comparison at `samples` states
   proof,    ///< canonical forms that are equal, whatever the state

@@ -6,10 +6,10 @@
 // since what cancels on paper is gone. Both are lowered and counted after sharing, and the cheaper
 // is kept, the closed one on a tie, unless the scene asks for one. A closed form that loses digits
 // which the recursive one keeps is not taken, whatever it costs. Where sums cancel entries are
-// written in other ways, and the other form is taken, if digits are lost (choose/harm.hpp):
-// many, and for a little more, where the scene wants balance; any where it prefers accuracy; never
-// for speed. Guards that make either hold at states that algebra passes over come last, and then
-// the order in which all is evaluated (choose/finish.hpp).
+// rewritten, and the other form is taken, if digits are lost (choose/text_errors.hpp): many, and
+// for a little more, where the scene wants balance; any where it prefers accuracy; never for speed.
+// Guards that make either hold at states that algebra passes over come last, and then the order in
+// which all is evaluated (choose/finish.hpp).
 #pragma once
 
 #include <optional>
@@ -29,13 +29,13 @@ struct FormCosts {
   OperationCounts recursive = {};
   std::optional<OperationCounts> closed = {};  ///< none: given up, or far beyond the recursive form
   /// The largest error of either form at points where sums cancel, as a multiple of |x| and of the
-  /// least error of all known ways (choose/harm.hpp): x is the entry where the scene prefers
-  /// accuracy, else the largest one of its field. None where it did not matter.
+  /// least error of all known rewritings (choose/text_errors.hpp): x is the entry where the scene
+  /// prefers accuracy, else the largest one of its field. None where it did not matter.
   std::optional<double> recursive_loss = {};
   std::optional<double> closed_loss = {};
-  /// The first entry, by its number among all, that every closed form tried would harm: its digits
-  /// would be lost where the recursive form keeps them (choose/harm.hpp).
-  std::optional<std::size_t> harmed = {};
+  /// The first entry, by its number among all, that is inaccurate in every closed form tried, while
+  /// the recursive form keeps its digits (choose/text_errors.hpp).
+  std::optional<std::size_t> inaccurate = {};
   Form chosen = Form::recursive;
   bool is_asked_for = false;  ///< by the scene, whatever it costs
 };

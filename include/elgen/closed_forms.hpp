@@ -127,8 +127,8 @@ enum class ZeroProof : std::uint8_t {
   not_zero,  ///< another sum of leaves, numbers, pi, sines and cosines, which has one form
 };
 
-/// Of the closed form of each entry, in the order of the fields. A form that is given up is no
-/// proof. Cost: that of the forms, within the budget.
+/// Proofs by the closed form of each entry, in the order of the fields. A form that is given up is
+/// no proof. Cost: that of the forms, within the budget.
 [[nodiscard]] std::vector<ZeroProof> proved_zeros(const Program& program, Function function,
                                                   const PresentBudget& budget = {});
 

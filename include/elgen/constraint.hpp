@@ -66,7 +66,7 @@ struct Lock : Held {
 /// parameter.
 struct Cyclic : Held {
   std::uint32_t parameter = 0;
-  /// Of numbers and parameters; none: that at the start.
+  /// Made of numbers and parameters; none: the momentum at the start.
   std::optional<ExpressionId> momentum = {};
 };
 

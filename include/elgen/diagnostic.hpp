@@ -107,7 +107,7 @@ struct DiagnosticStyle {
 [[nodiscard]] std::string nearest(std::string_view word,
                                   const std::vector<std::string>& candidates);
 
-/// A value, with the warnings found on the way, or the errors that prevented it.
+/// A value with the warnings met, or the errors that prevented it.
 template <class T>
 struct Result {
   std::optional<T> value = {};

@@ -84,7 +84,7 @@ enum class EntryVerdict : std::uint8_t {
   removed,
 };
 
-/// A state at which the versions differ, its numbers rounded to three digits.
+/// A state at which the versions differ, rounded to three digits.
 struct Witness {
   std::string at = {};  ///< "theta = 0.3, dot(x) = -1.2": what the entry depends on
   double before = 0;
@@ -163,7 +163,7 @@ struct SystemChange {
   std::vector<InterfaceChange> interface = {};
   std::optional<std::vector<OperationsChange>> operations = {};  ///< none: not known
   bool is_told_apart = true;  ///< not where some entries are equal at points alone
-  /// Where `extended`: the values of new parameters at which all entries are the old ones.
+  /// If `extended`: values of new parameters at which all entries equal the old ones.
   std::string extension = {};
   /// Entries of [[expect]] that held, and hold no longer: "gravity[2,1]".
   std::vector<std::string> broken_expectations = {};

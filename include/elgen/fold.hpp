@@ -55,7 +55,7 @@ template <class Value, class Rules>
   return values;
 }
 
-/// Those of the entries of all fields, field by field, row-major.
+/// The values of all entries, field by field, row-major.
 template <class Value>
 [[nodiscard]] std::vector<Value> entries_of(const Function& function,
                                             const std::vector<Value>& values) {

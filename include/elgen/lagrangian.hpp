@@ -193,8 +193,8 @@ struct ConstraintEquation {
   Entity origin = {};
 };
 
-/// A variable that is held at functions of time: s(t), or the four of a unit quaternion. One that
-/// is cyclic is held at its momentum, a parameter.
+/// A variable held at functions of time: s(t), or the four of a unit quaternion. A cyclic one is
+/// held at its momentum, a parameter.
 struct HeldVariable : Held {
   std::vector<GiNaC::ex> values = {};
 };

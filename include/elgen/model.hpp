@@ -221,9 +221,9 @@ struct Force {
   Span span = {};
 };
 
-/// An [[output]]: its value, and with `jacobian` also d value/dq and the bias of its second rate.
-/// Of a frame: the pose [R p], 3 x 4; the Jacobian is that of the twist (angular velocity; velocity
-/// of the origin), d twist/dv, and the bias what is left of its rate at a = 0.
+/// An [[output]]: its value, and with `jacobian` also d value/dq and the bias of its second rate. A
+/// frame gives the pose [R p], 3 x 4; its Jacobian is d twist/dv (twist: angular velocity; velocity
+/// of the origin), and its bias is d twist/dt at a = 0.
 struct UserOutput {
   std::string name;
   std::vector<ExpressionId> values = {};  ///< row-major
@@ -380,7 +380,7 @@ std::uint32_t append_rotation(Model& model, Rotation rotation);
   return model.energies.L.has_value() || has_routhian(model);
 }
 
-/// What the equations of outputs depend on.
+/// The properties that equations of outputs depend on.
 [[nodiscard]] inline EquationSetting setting_of(const Model& model) {
   return {!model.rotations.empty(), !model.constraints.empty()};
 }

@@ -1,6 +1,6 @@
 // The table of outputs (outputs.def): arguments, shape, units, type, availability and equation.
 //
-// Whatever differs between outputs is a column here, which every stage reads. Only the derivation
+// The columns hold all differences between outputs, and every stage reads them. Only the derivation
 // and the oracle's definition of an output stand elsewhere, under its name.
 #pragma once
 
@@ -110,7 +110,7 @@ struct OutputRow {
   bool steps = false;            ///< by a method that the scene names, not derived
 };
 
-/// Whether it has equations to be read, and is not made of other outputs.
+/// Whether it has readable equations, and is not made of other outputs.
 [[nodiscard]] constexpr bool has_equations(const OutputRow& output) {
   return !output.repeats && !output.steps;
 }

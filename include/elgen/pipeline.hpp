@@ -64,7 +64,7 @@ inline constexpr std::array<std::string_view, 18> goal_names{
 struct PipelineOptions {
   SceneOptions scene = {};
   Limits limits = {};
-  /// Its product as text, into Products::dump, where that is equations or a program.
+  /// Dumps its product as text into Products::dump, if that is equations or a program.
   std::optional<Goal> dump = {};
   /// The stages whose products are wanted; those that they need run before them.
   std::vector<Goal> goals = {Goal::self_check};

@@ -166,7 +166,7 @@ inline constexpr std::array operation_columns{OperationColumn{"add", &OperationC
 [[nodiscard]] std::vector<std::string> temporary_names(const Program& program,
                                                        const Function& function);
 
-/// Those of them that say what an instruction is; "" where only a hash of its content would.
+/// The names that describe an instruction; "" where the name would be a hash of its content.
 [[nodiscard]] std::vector<std::string> told_names(const Program& program, const Function& function);
 
 }  // namespace elgen

@@ -44,7 +44,7 @@ struct FunctionEquations {
 /// The same in LaTeX.
 [[nodiscard]] FunctionEquations latex_equations(const Model& model, const Program& program,
                                                 std::size_t index);
-/// Of a function whose definitions have these names.
+/// The equations of a function whose definitions have these names.
 [[nodiscard]] FunctionEquations latex_equations(const Model& model, const Program& program,
                                                 const Function& function,
                                                 const std::vector<std::string>& names);

@@ -36,7 +36,7 @@ inline constexpr std::array scalar_table{ScalarRow{ScalarKind::single_precision,
   return loss > 1 ? std::min<double>(std::log10(loss), decimal_digits(kind)) : 0;
 }
 
-/// Of a type.
+/// The kind of a type.
 template <std::floating_point Scalar>
 inline constexpr ScalarKind scalar_kind = ScalarKind::long_double;
 template <>

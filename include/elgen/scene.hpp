@@ -78,7 +78,7 @@ struct OutputRequest {
   std::uint32_t composed_order = 0;  ///< of a `step` whose method is composed; 0: it is not
 };
 
-/// The criterion that decides between ways to compute the same.
+/// The criterion that decides between rewritings.
 enum class Preference : std::uint8_t {
   balanced,  ///< the cheapest, unless another that costs little more keeps many more digits
   accuracy,  ///< of those that keep as many digits at extremes the cheapest
@@ -97,7 +97,7 @@ struct Numerics {
   Preference prefer = Preference::balanced;
   std::vector<ScalarKind> scalars = {ScalarKind::double_precision};
   std::optional<cln::cl_RA> trigonometry_error = {};  ///< of sines and cosines in batches, at most
-  /// What the error of every output, as `tradeoff` measures it, is at most; `verify` looks.
+  /// The largest error of any output, as `tradeoff` measures it; `verify` checks it.
   std::optional<double> max_error = {};
   std::vector<NamedRange> ranges = {};  ///< where, beside the ranges of the model
 };

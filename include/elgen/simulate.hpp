@@ -56,7 +56,7 @@ struct ConstraintOffset {
   double rate = 0;
 };
 
-/// By how much a coordinate or rate of the start was moved, to meet the constraints.
+/// The change of a coordinate or rate of the start that meets the constraints.
 struct StartMove {
   std::string name = {};
   std::string unit = {};
@@ -75,8 +75,8 @@ struct KeptConstraints {
 struct TrajectoryColumn {
   std::string name = {};    ///< as in models: "theta", "dot(theta)"
   std::string unit = {};    ///< "" where none is given
-  std::string panel = {};   ///< of the picture that shows it; "" where none does
-  bool from_start = false;  ///< the picture shows how far it went from its first value
+  std::string panel = {};   ///< of the plot that shows it; "" where none does
+  bool from_start = false;  ///< the plot shows how far it went from its first value
 };
 
 struct Trajectory {
@@ -92,7 +92,7 @@ struct Trajectory {
   /// constraints that move by themselves - int v.A^T lambda dt.
   Drift energy = {};
   std::vector<Drift> momenta = {};  ///< of what is cyclic, and free of forces and constraints
-  /// Of the model's `conserved`, which speaks of u = 0; none of a scene that locks or expands.
+  /// Drifts of the model's `conserved`, which holds at u = 0; none where a scene locks or expands.
   std::vector<ConservedDrift> conserved = {};
   std::optional<KeptConstraints> constraints = {};  ///< of a model that has some
   std::uint64_t steps = 0;

@@ -123,7 +123,7 @@ class TimedFunction {
       const std::vector<Arguments<double>>& states) const = 0;
 };
 
-/// Of each variant.
+/// One for each variant.
 using TimedFunctions = std::vector<std::unique_ptr<TimedFunction>>;
 
 struct TimingOptions {
@@ -153,8 +153,8 @@ struct StepLoops {
   std::size_t entries = 0;  ///< of the result of the step
 };
 
-/// Of the first function of a program, a `step`, in double, whose scene has a batch; parameters
-/// have their values in the model and are arguments. Errors and cost as of compile_timed.
+/// Loops over the first function of a program, a `step` in double with a batch. Parameters have
+/// their values in the model and are arguments. Errors and cost as of compile_timed.
 [[nodiscard]] Result<StepLoops> compile_steps(const EmittedFiles& files, const Model& model,
                                               const Scene& scene, const Program& program,
                                               const Limits& limits);

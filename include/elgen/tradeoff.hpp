@@ -23,7 +23,7 @@ namespace elgen {
 struct DesignBase {
   const CheckedModel& checked;        ///< with the output as the first one
   const FileSyntax* scene = nullptr;  ///< null: the model alone
-  /// What a scene that is written promises, beside the ranges of `scene` in these ("theta=-1..1").
+  /// The promise of a written scene, in the ranges of `scene` and these ("theta=-1..1").
   std::optional<double> max_error = {};
   std::vector<SourcePointer> ranges = {};
 };
@@ -117,7 +117,7 @@ struct TradeoffSampling {
                                                      const Program& program,
                                                      const TradeoffSampling& sampling);
 
-/// Of each state: the largest |x - x*| of the entries of a field / the largest |x*| of that field
+/// For each state: the largest |x - x*| of the entries of a field / the largest |x*| of that field
 /// at any state. Infinite where x is no number. `results` as those of DesignValues.
 [[nodiscard]] std::vector<double> state_errors(const std::vector<double>& results,
                                                const TradeoffStates& states);
@@ -197,9 +197,9 @@ struct PlannedRun {
 [[nodiscard]] TimedWork timed_steps(const CheckedModel& checked, const Program& program,
                                     const StepLoops& loops, bool in_packs, double length);
 
-/// Of coordinates and rates at the end: the distance from the reference / the largest magnitude of
-/// that number in the reference; the largest and the median one. Angles that wrap are near each
-/// other across the jump.
+/// Errors of coordinates and rates at the end: the distance from the reference / the largest
+/// magnitude of that number in the reference; the largest and the median. Angles that wrap are near
+/// each other across the jump.
 [[nodiscard]] DesignErrors errors_of(const std::vector<double>& last, const ReferenceRun& reference,
                                      const Model& model);
 
@@ -215,7 +215,7 @@ struct TradeoffRow {
   /// From 1 on. A rank is the cheapest row that no rank has yet, with those whose quartiles overlap
   /// its own: their costs are taken to be equal. 0 where it failed.
   std::size_t rank = 0;
-  bool is_on_front = false;  ///< no row before it is as accurate, and its error is at most 1
+  bool is_on_pareto_front = false;  ///< no row before it is as accurate, and its error is at most 1
 };
 
 struct TradeoffTable {
@@ -232,7 +232,7 @@ struct TradeoffTable {
   std::optional<double> max_error = {};  ///< that a row is picked by
 };
 
-/// Ranks and sorts the rows, which are as planned, and marks the front.
+/// Ranks and sorts the rows, which are as planned, and marks the Pareto front.
 [[nodiscard]] TradeoffTable judged(TradeoffTable table);
 
 /// "float, packs, full, fixed"
@@ -250,7 +250,7 @@ struct TradeoffTable {
 [[nodiscard]] std::string to_text(const TradeoffTable& table);
 [[nodiscard]] std::string to_csv(const TradeoffTable& table);
 [[nodiscard]] std::string to_json(const TradeoffTable& table);
-/// Worst errors over costs, both logarithmic; the front is a staircase.
+/// Worst errors over costs, both logarithmic; the Pareto front is a staircase.
 [[nodiscard]] std::string to_svg(const TradeoffTable& table);
 
 }  // namespace elgen

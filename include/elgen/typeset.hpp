@@ -1,6 +1,6 @@
 // typeset: closed forms -> functions written as books write them, for people: pages and `show`.
-// Code, its comments and the sidecar have the forms of choose, which do not change with the way in
-// which an energy is typed.
+// Code, its comments and the sidecar have the forms of choose, which do not depend on how an energy
+// is typed.
 //
 //     V = 1/2*k*x1^2 + 1/2*kc*(x2 - x1)^2    each summand of an energy as typed
 //     m*l^2*a + m*g*l*sin(x) = 0             accelerations first, one coefficient each; products of

@@ -19,7 +19,7 @@ namespace elgen {
 /// the formula.
 inline constexpr double tolerated_loss = 64;
 
-/// Losses that differ by less are alike: the cheaper way is taken.
+/// Losses that differ by less are alike: the cheaper rewriting is taken.
 inline constexpr double similar_losses = 8;
 
 /// Derivatives along a function at one point, by one sweep against its order for each value.
@@ -39,7 +39,7 @@ class Conditioning {
   [[nodiscard]] Real slope(const Instruction& i, std::uint32_t operand) const;
   [[nodiscard]] bool counts(const Instruction& i) const;
 
-  /// Of an instruction by its operands; by both together where they are one.
+  /// Slopes of an instruction by its operands; by both together where they are one.
   struct Slopes {
     Real by_a = {};
     Real by_b = {};

@@ -1,5 +1,5 @@
-// Linear equations are solved in closed form; others are searched in boxes, and where the boxes are
-// not enough, from the middles of those that are left.
+// Solves linear equations in closed form, and searches roots of others in boxes. Where boxes stay
+// undecided, Newton's method starts at their middles.
 #include "analyse/block_roots.hpp"
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 
 #include "analyse/formulas.hpp"
 #include "analyse/linear_solution.hpp"
-#include "analyse/polish.hpp"
+#include "analyse/newton_refinement.hpp"
 #include "analyse/searched_range.hpp"
 #include "numbers/exact_number.hpp"
 #include "program/evaluate/subject.hpp"
@@ -184,7 +184,7 @@ class BlockSearch {
 
   /// The root that iterations from there reach.
   [[nodiscard]] std::optional<Arguments<Real>> reached_from(const Arguments<Real>& first) const {
-    return polished(system_.model, system_.program, square_, first, along_);
+    return refined(system_.model, system_.program, square_, first, along_);
   }
 
   void add_from(const Arguments<Real>& first) {

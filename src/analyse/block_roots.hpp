@@ -20,7 +20,7 @@ struct RestSystem {
   State state = {};  ///< parameters and inputs as they are, coordinates at their starts
 
   [[nodiscard]] const Function& residual() const { return program.functions[0]; }
-  /// Of one equation; none beyond the budget.
+  /// The form of one equation; none beyond the budget.
   [[nodiscard]] const std::optional<Fraction>& row(std::uint32_t velocity) const {
     return forms.functions[0].fields[0].entries[velocity];
   }

@@ -16,7 +16,7 @@ namespace {
 double middle(const Enclosure& x) { return x.low + (x.high - x.low) / 2; }
 double length(const Enclosure& x) { return x.high - x.low; }
 
-/// The share by which a tested box is longer than the one that is looked at, on either side.
+/// The fraction by which a tested box is longer than the searched one, on either side.
 constexpr double margin = 0.05;
 
 /// All undecided boxes are refined by this factor before one is refined by more, so that they

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "analyse/formulas.hpp"
-#include "analyse/polish.hpp"
+#include "analyse/newton_refinement.hpp"
 #include "analyse/stability.hpp"
 #include "program/evaluate/subject.hpp"
 

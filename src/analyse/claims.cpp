@@ -55,14 +55,14 @@ bool has_inexact(const Equilibria& equilibria, const Wanted& wanted) {
   });
 }
 
-bool has_wave(const RestPoint& point) {
+bool has_sinusoid(const RestPoint& point) {
   return std::ranges::any_of(point.coordinates, [](const CoordinateAtRest& coordinate) {
-    return coordinate.wave.has_value();
+    return coordinate.sinusoid.has_value();
   });
 }
 
-std::size_t count_with_waves(const Equilibria& equilibria) {
-  return static_cast<std::size_t>(std::ranges::count_if(equilibria.points, has_wave));
+std::size_t count_with_sinusoids(const Equilibria& equilibria) {
+  return static_cast<std::size_t>(std::ranges::count_if(equilibria.points, has_sinusoid));
 }
 
 Printed with_semicolon(const Printed& formula) {
@@ -86,7 +86,7 @@ class ScopeOfForms {
     if (has_inexact(equilibria_, [](const CoordinateAtRest& x) { return x.is_any; })) {
       special.push_back(prose("any"));
     }
-    Printed result = count_with_waves(equilibria_) > 0 ? existence()
+    Printed result = count_with_sinusoids(equilibria_) > 0 ? existence()
                      : special.empty() ? prose("exact for all values of the parameters")
                                        : Printed{};
     if (!result.text.empty()) result = with_semicolon(result);
@@ -97,33 +97,34 @@ class ScopeOfForms {
  private:
   /// "the last two exist where |g| <= R W^2"
   Printed existence() {
-    const std::size_t count = count_with_waves(equilibria_);
-    std::optional<Fraction> wave;
+    const std::size_t count = count_with_sinusoids(equilibria_);
+    std::optional<Fraction> sinusoid;
     bool is_one = true;
     for (const RestPoint& point : equilibria_.points) {
       for (const CoordinateAtRest& coordinate : point.coordinates) {
-        if (!coordinate.wave) continue;
-        if (wave) is_one = is_one && proved_equal(forms_, *wave, *coordinate.wave);
-        wave = coordinate.wave;
+        if (!coordinate.sinusoid) continue;
+        if (sinusoid) is_one = is_one && proved_equal(forms_, *sinusoid, *coordinate.sinusoid);
+        sinusoid = coordinate.sinusoid;
       }
     }
-    const bool are_last = std::ranges::is_partitioned(equilibria_.points, std::not_fn(has_wave));
+    const bool are_last =
+        std::ranges::is_partitioned(equilibria_.points, std::not_fn(has_sinusoid));
     const std::string subject = count == equilibria_.points.size() ? "they exist"
                                 : !are_last                        ? "angles exist"
                                 : count == 1                       ? "the last one exists"
                                              : fmt::format("the last {} exist", words(count));
-    const std::optional<Printed> condition = is_one ? condition_of(*wave) : std::nullopt;
+    const std::optional<Printed> condition = is_one ? condition_of(*sinusoid) : std::nullopt;
     const Printed where = condition ? prose("where") + *condition
                                     : prose("where the arguments of acos and asin are in [-1, 1]");
     return prose(subject) + where;
   }
 
   /// |numerator| <= |denominator|, without bars where the sign is known.
-  std::optional<Printed> condition_of(const Fraction& wave) {
+  std::optional<Printed> condition_of(const Fraction& sinusoid) {
     Arithmetic arithmetic(forms_.algebra);
-    const Value below = divisor_of(forms_.algebra, wave);
+    const Value below = divisor_of(forms_.algebra, sinusoid);
     if (!below) return std::nullopt;
-    const std::optional<Printed> above = read(arithmetic.multiply(wave, below));
+    const std::optional<Printed> above = read(arithmetic.multiply(sinusoid, below));
     const std::optional<Printed> bound = read(below);
     if (!above || !bound) return std::nullopt;
     const auto bars = [](const Printed& x) {

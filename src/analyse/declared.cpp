@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "analyse/polish.hpp"
+#include "analyse/newton_refinement.hpp"
 #include "analyse/rest.hpp"
 #include "analyse/substitution.hpp"
 #include "elgen/analyse.hpp"
@@ -74,7 +74,7 @@ Replacement replacement_of(Arithmetic& at, const Algebra& algebra, const Fractio
     const Value s = at.call(FunctionId::sin, rest, {});
     const Value both_c = at.subtract(at.multiply(c, cosine), at.multiply(s, sine));
     const Value both_s = at.add(at.multiply(s, cosine), at.multiply(c, sine));
-    if (both_c && both_s) result.waves = CosineAndSine{*both_c, *both_s};
+    if (both_c && both_s) result.sinusoids = CosineAndSine{*both_c, *both_s};
     return result;
   }
   return result;

@@ -8,7 +8,7 @@
 #include "analyse/chart_breaks.hpp"
 #include "analyse/conservation.hpp"
 #include "analyse/formulas.hpp"
-#include "analyse/polish.hpp"
+#include "analyse/newton_refinement.hpp"
 #include "analyse/searched_range.hpp"
 #include "analyse/stability.hpp"
 #include "elgen/fold.hpp"
@@ -157,7 +157,9 @@ class EquilibriumSearch {
                            const std::vector<CoordinateAtRest>& y) {
     static const cl_R noise = power_of_ten(-40);
     for (std::size_t i = 0; i < x.size(); ++i) {
-      const auto is_plain = [](const CoordinateAtRest& value) { return value.form && !value.wave; };
+      const auto is_plain = [](const CoordinateAtRest& value) {
+        return value.form && !value.sinusoid;
+      };
       if (is_plain(x[i]) != is_plain(y[i])) return is_plain(x[i]);
       const cl_R difference =
           is_plain(x[i]) ? x[i].value - y[i].value : cln::abs(x[i].value) - cln::abs(y[i].value);
@@ -176,13 +178,13 @@ class EquilibriumSearch {
       for (const std::uint32_t coordinate : block.coordinates) {
         // Where the chart breaks somewhere in the turn, the range is the part that counts.
         const Coordinate& searched = model_.coordinates[coordinate];
-        const bool is_wave = !(searched.singular && searched.range) &&
-                             std::ranges::none_of(rows_, [&](const Occurrence& row) {
-                               return row.outside_waves.contains(coordinate);
-                             });
-        result_.kinds[coordinate] = turns     ? SearchKind::start
-                                    : is_wave ? SearchKind::turn
-                                              : SearchKind::range;
+        const bool is_periodic = !(searched.singular && searched.range) &&
+                                 std::ranges::none_of(rows_, [&](const Occurrence& row) {
+                                   return row.outside_sinusoids.contains(coordinate);
+                                 });
+        result_.kinds[coordinate] = turns         ? SearchKind::start
+                                    : is_periodic ? SearchKind::turn
+                                                  : SearchKind::range;
       }
     }
   }
@@ -291,7 +293,7 @@ class EquilibriumSearch {
     }
   }
 
-  /// K = 0 along a coordinate, exactly at the values of the parameters.
+  /// K = 0 along a coordinate, exact at the values of the parameters.
   void note_degenerate(RestSystem& system, const RestBlock& block, const CoordinateAtRest& root,
                        const RestPoint& point, RestConditions& here) {
     const std::uint32_t coordinate = block.coordinates[0];

@@ -175,7 +175,7 @@ class EquilibriaPage {
 
   void add_row(PageTable& table, const RestPoint& point, bool is_pair) {
     for (const CoordinateAtRest& coordinate : point.coordinates) {
-      table.cells.push_back(cell_of(coordinate, is_pair && coordinate.wave));
+      table.cells.push_back(cell_of(coordinate, is_pair && coordinate.sinusoid));
     }
     if (stiffness_) table.cells.push_back(stiffness_at(point));
     table.cells.push_back(verdict_of(point));
@@ -193,7 +193,7 @@ class EquilibriaPage {
     const Printed sign = is_pair ? Printed{"+-", "\\pm "} : Printed{};
     const Printed signed_form{sign.text + formula->text, sign.latex + formula->latex};
     const Printed value = number(size);
-    const bool is_plain = !coordinate.wave && !holds_leaves(forms_.algebra, *coordinate.form);
+    const bool is_plain = !coordinate.sinusoid && !holds_leaves(forms_.algebra, *coordinate.form);
     if (is_plain) return signed_form;
     return equation(signed_form, {sign.text + value.text, sign.latex + value.latex});
   }

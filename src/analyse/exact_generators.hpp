@@ -61,7 +61,7 @@ struct ExactGenerators {
   bool has_root = false;
 };
 
-/// Those for which dR + A^T R = 0 as forms. None of models with rotations, and none beyond the
+/// Solves dR + A^T R = 0 for closed forms. None for models with rotations, and none beyond the
 /// budget. Cost: 3 n + 1 derivatives of R, and an elimination over fractions of polynomials.
 [[nodiscard]] std::optional<ExactGenerators> exact_generators(ClosedForms& forms,
                                                               const Model& model,

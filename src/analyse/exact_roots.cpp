@@ -33,8 +33,8 @@ LeafSearch search_of(const Algebra& algebra, std::optional<std::uint32_t> coordi
 }
 
 /// The power k of e^(i q) that an atom to a power is; none of other atoms.
-std::optional<std::int32_t> wave_power(const Algebra& algebra, const AtomPower& power,
-                                       std::uint32_t coordinate) {
+std::optional<std::int32_t> sinusoid_power(const Algebra& algebra, const AtomPower& power,
+                                           std::uint32_t coordinate) {
   const Atom& atom = algebra.atoms[power.atom];
   if (atom.kind != AtomKind::circular) return std::nullopt;
   const Fraction& argument = atom.arguments[0];
@@ -52,16 +52,16 @@ std::optional<std::int32_t> wave_power(const Algebra& algebra, const AtomPower& 
 /// Coefficients of z^0, z^1, …; none where the coordinate occurs otherwise.
 using Coefficients = std::vector<Polynomial>;
 
-std::optional<Coefficients> in_waves(const Algebra& algebra, const Polynomial& sum,
-                                     std::uint32_t coordinate) {
+std::optional<Coefficients> in_sinusoids(const Algebra& algebra, const Polynomial& sum,
+                                         std::uint32_t coordinate) {
   std::map<std::int32_t, Polynomial> by_power;
   LeafSearch search = search_of(algebra, coordinate);
   for (const auto& [monomial, coefficient] : sum) {
     Monomial rest;
     std::int32_t total = 0;
     for (const AtomPower& power : monomial) {
-      if (const auto wave = wave_power(algebra, power, coordinate)) {
-        total += *wave;
+      if (const auto sinusoid = sinusoid_power(algebra, power, coordinate)) {
+        total += *sinusoid;
       } else if (search.holds(power.atom)) {
         return std::nullopt;
       } else {
@@ -96,12 +96,12 @@ void divide_out_root(Coefficients& coefficients, const Gaussian& root) {
 }
 
 /// cos(q) = c, or sin(q) = c.
-struct KnownWave {
+struct KnownSinusoid {
   Fraction value = {};
   bool is_cosine = true;
 };
 
-std::optional<KnownWave> wave_of(Arithmetic& arithmetic, Coefficients coefficients) {
+std::optional<KnownSinusoid> sinusoid_of(Arithmetic& arithmetic, Coefficients coefficients) {
   for (const Gaussian& root : std::array<Gaussian, 4>{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}}) {
     divide_out_root(coefficients, root);
   }
@@ -113,7 +113,7 @@ std::optional<KnownWave> wave_of(Arithmetic& arithmetic, Coefficients coefficien
   const Gaussian factor = is_cosine ? Gaussian{cl_RA(-1) / 2, 0} : Gaussian{0, cl_RA(1) / 2};
   const Value value =
       arithmetic.divide(fraction_of(scaled(coefficients[1], factor)), fraction_of(coefficients[2]));
-  return value ? std::optional(KnownWave{*value, is_cosine}) : std::nullopt;
+  return value ? std::optional(KnownSinusoid{*value, is_cosine}) : std::nullopt;
 }
 
 /// The root of the equation of one unknown, by its number.
@@ -127,9 +127,9 @@ class OneUnknown {
         arithmetic_(forms.algebra) {}
 
   std::optional<CoordinateAtRest> of(const Fraction& row) {
-    if (const auto waves = in_waves(algebra_, row.numerator, coordinate_)) {
-      const auto wave = wave_of(arithmetic_, *waves);
-      return wave ? angle(*wave) : std::nullopt;
+    if (const auto sinusoids = in_sinusoids(algebra_, row.numerator, coordinate_)) {
+      const auto sinusoid = sinusoid_of(arithmetic_, *sinusoids);
+      return sinusoid ? angle(*sinusoid) : std::nullopt;
     }
     return linear(row.numerator);
   }
@@ -137,22 +137,23 @@ class OneUnknown {
  private:
   [[nodiscard]] const Real& number() const { return root_.q[coordinate_]; }
 
-  /// That of the four angles which the root is.
-  std::optional<CoordinateAtRest> angle(const KnownWave& wave) {
-    const FunctionId inverse = wave.is_cosine ? FunctionId::acos : FunctionId::asin;
-    const Value square = arithmetic_.multiply(wave.value, wave.value);
+  /// Picks the one of the four angles that is the root.
+  std::optional<CoordinateAtRest> angle(const KnownSinusoid& sinusoid) {
+    const FunctionId inverse = sinusoid.is_cosine ? FunctionId::acos : FunctionId::asin;
+    const Value square = arithmetic_.multiply(sinusoid.value, sinusoid.value);
     const Value other =
         arithmetic_.square_root(arithmetic_.subtract(fraction_of(cl_RA(1)), square));
-    const Value first = arithmetic_.call(inverse, wave.value, {});
-    const Value second =
-        wave.is_cosine ? arithmetic_.negate(first) : arithmetic_.subtract(arithmetic_.pi(), first);
+    const Value first = arithmetic_.call(inverse, sinusoid.value, {});
+    const Value second = sinusoid.is_cosine ? arithmetic_.negate(first)
+                                            : arithmetic_.subtract(arithmetic_.pi(), first);
     for (const auto& [angle, signed_other] :
          {std::pair{first, other}, std::pair{second, arithmetic_.negate(other)}}) {
       if (!angle || !is_same_angle(value_of(algebra_, *angle, root_), number())) continue;
       if (!signed_other) return std::nullopt;
-      const CosineAndSine waves = wave.is_cosine ? CosineAndSine{wave.value, *signed_other}
-                                                 : CosineAndSine{*signed_other, wave.value};
-      return CoordinateAtRest{false, number().value(), angle, wave.value, waves};
+      const CosineAndSine sinusoids = sinusoid.is_cosine
+                                          ? CosineAndSine{sinusoid.value, *signed_other}
+                                          : CosineAndSine{*signed_other, sinusoid.value};
+      return CoordinateAtRest{false, number().value(), angle, sinusoid.value, sinusoids};
     }
     return std::nullopt;
   }
@@ -207,7 +208,7 @@ Replacements replacements_of(const std::vector<std::uint32_t>& coordinates,
   Replacements result;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!values[i].form) continue;
-    result[{Opcode::coordinate, coordinates[i]}] = {*values[i].form, values[i].waves};
+    result[{Opcode::coordinate, coordinates[i]}] = {*values[i].form, values[i].sinusoids};
   }
   return result;
 }

@@ -27,7 +27,7 @@ struct Unknowns {
     ClosedForms& forms, const std::vector<Fraction>& rows, const Unknowns& unknowns,
     const Arguments<Real>& root);
 
-/// What takes the place of the unknowns; those that are any keep theirs.
+/// The values that replace the unknowns; unknowns that may be anything stay.
 [[nodiscard]] Replacements replacements_of(const std::vector<std::uint32_t>& coordinates,
                                            const std::vector<CoordinateAtRest>& values);
 

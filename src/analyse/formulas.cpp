@@ -1,5 +1,5 @@
-// A closed form goes the way of the entry of an output: written as in a book, or where it is long
-// in its shortest way, made a function, and printed as one.
+// A closed form is treated like an entry of an output: written as in a book, or by its shortest
+// rewriting where it is long, turned into a function, and printed.
 #include "analyse/formulas.hpp"
 
 #include <algorithm>

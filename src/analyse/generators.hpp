@@ -117,7 +117,7 @@ struct PointChange {
   std::vector<Number> transposed = {};
 };
 
-/// That of the generator with these unknowns.
+/// The change by the generator with these unknowns.
 template <class Field>
 PointChange<typename Field::Number> change_of(Field& field, const GeneratorClass& all,
                                               const MotionPoint<typename Field::Number>& at,

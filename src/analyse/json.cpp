@@ -1,4 +1,4 @@
-// What analysis found as JSON, for programs: numbers in the digits that tell doubles apart.
+// Results of the analysis as JSON, for programs: numbers in the digits that tell doubles apart.
 #include <nlohmann/json.hpp>
 
 #include "analyse/formulas.hpp"

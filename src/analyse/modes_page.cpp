@@ -78,11 +78,11 @@ class ModesPage {
 
   /// "π", "l + m g/k = 0.7", "±0.697569"
   Printed value_of_coordinate(const CoordinateAtRest& at, bool is_pair) {
-    if (at.wave && is_pair) {
+    if (at.sinusoid && is_pair) {
       const Printed size = number(cln::abs(at.value));
       return {"+-" + size.text, "\\pm " + size.latex};
     }
-    const std::optional<Printed> form = at.wave ? std::nullopt : read(at.form);
+    const std::optional<Printed> form = at.sinusoid ? std::nullopt : read(at.form);
     if (!form) return number(at.value);
     if (cln::zerop(at.value) || !holds_leaves(forms_.algebra, *at.form)) return *form;
     return equation(*form, number(at.value));

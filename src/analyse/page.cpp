@@ -155,7 +155,7 @@ bool is_mirrored(ClosedForms& forms, const RestPoint& here, const RestPoint& nex
     if (!x.form || !y.form) return false;
     if (proved_equal(forms, *x.form, *y.form)) continue;
     const Value turned = arithmetic.negate(*y.form);
-    if (!x.wave || !proved_equal(forms, *x.form, *turned)) return false;
+    if (!x.sinusoid || !proved_equal(forms, *x.form, *turned)) return false;
     differs = true;
   }
   return differs;

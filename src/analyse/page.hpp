@@ -22,7 +22,7 @@ struct PageTable {
   std::vector<Printed> cells = {};  ///< row-major
 };
 
-/// What stands together between blank lines.
+/// A paragraph: lines between blank lines.
 struct PagePart {
   std::vector<Printed> lines = {};
   std::vector<PageMatrix> matrices = {};

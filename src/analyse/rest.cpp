@@ -82,16 +82,16 @@ struct Tracked {
 
 void unite(Occurrence& to, const Occurrence& from) {
   to.coordinates.insert(from.coordinates.begin(), from.coordinates.end());
-  to.outside_waves.insert(from.outside_waves.begin(), from.outside_waves.end());
+  to.outside_sinusoids.insert(from.outside_sinusoids.begin(), from.outside_sinusoids.end());
   to.has_time = to.has_time || from.has_time;
 }
 
-/// The value of a function that is no wave: its coordinates are seen outside of waves.
+/// The value of any other function: its coordinates are seen outside of sines and cosines.
 Tracked used(const Tracked& x) {
   Tracked result;
   result.all = x.all;
   for (const auto& [coordinate, multiple] : x.multiples) {
-    result.all.outside_waves.insert(coordinate);
+    result.all.outside_sinusoids.insert(coordinate);
   }
   return result;
 }
@@ -109,7 +109,9 @@ Tracked scaled(Tracked x, const cl_RA& factor) {
   return x;
 }
 
-bool is_wave(FunctionId function) { return is_circular(function) || function == FunctionId::tan; }
+bool is_trigonometric(FunctionId function) {
+  return is_circular(function) || function == FunctionId::tan;
+}
 
 /// The rules of fold.hpp.
 struct OccurrenceRules {
@@ -154,12 +156,12 @@ struct OccurrenceRules {
   }
   [[nodiscard]] Tracked square_root(const Tracked& x) const { return used(x); }
   [[nodiscard]] Tracked call(FunctionId function, const Tracked& x, const Tracked& y) const {
-    if (!is_wave(function))
+    if (!is_trigonometric(function))
       return function_row(function).arity == 2 ? used_together(x, y) : used(x);
     Tracked result;
     result.all = x.all;
     for (const auto& [coordinate, multiple] : x.multiples) {
-      if (cln::denominator(multiple) != 1) result.all.outside_waves.insert(coordinate);
+      if (cln::denominator(multiple) != 1) result.all.outside_sinusoids.insert(coordinate);
     }
     return result;
   }

@@ -27,18 +27,17 @@ struct RestProgram {
 [[nodiscard]] Result<RestProgram> rest_program(const Program& moving,
                                                const std::vector<cln::cl_R>& inputs);
 
-/// Every function by its closed form, where it has one that can be read: it holds no leaf that
-/// cancels.
+/// Uses closed forms of functions where they can be read, as these hold no leaf that cancels.
 [[nodiscard]] Program closed_program(const Program& recursive);
 
 /// The coordinates that a value depends on.
 struct Occurrence {
   std::set<std::uint32_t> coordinates = {};
-  std::set<std::uint32_t> outside_waves = {};  ///< not only in e^(i k q) with an integer k
+  std::set<std::uint32_t> outside_sinusoids = {};  ///< not only in e^(i k q) with an integer k
   bool has_time = false;
 };
 
-/// Of every entry of a function.
+/// One for every entry of a function.
 [[nodiscard]] std::vector<Occurrence> occurrences(const Program& program, const Function& function);
 
 /// Equations of rest that share coordinates, and these. Without coordinates: one equation, which is

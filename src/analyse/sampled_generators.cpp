@@ -20,7 +20,7 @@ constexpr std::uint64_t seed = 1;
 /// Outside of domains states have no value: so many are drawn for each that is wanted.
 constexpr std::size_t draws_per_state = 20;
 
-/// Of numbers scaled to 1.
+/// The noise of numbers scaled to 1.
 const cl_R& noise() {
   static const cl_R value = power_of_ten(-100);
   return value;

@@ -13,7 +13,7 @@ namespace elgen {
 struct RestConditions {
   bool is_conservative = false;
   std::size_t free_count = 0;  ///< coordinates that the equations at rest do not hold
-  /// Where K is exactly 0 along one coordinate that shares its equation with no other.
+  /// Coordinates alone in their equations along which K is exactly 0.
   std::vector<LeadingTerm> degenerate = {};
   std::vector<bool> is_positive = {};  ///< of the coefficients of `degenerate`
 };
@@ -25,9 +25,8 @@ struct RestConditions {
 /// empty where M is singular.
 [[nodiscard]] std::vector<std::complex<double>> poles_of(const RestPoint& point);
 
-/// Whether a symmetric matrix without the rows and columns of `left_out` is positive definite: by
-/// the pivots of its elimination in 64 digits, each above 1e-25 of its diagonal entry, or of that
-/// of the matrix that is usual there.
+/// Whether a symmetric matrix without the rows and columns of `left_out` is positive definite: each
+/// pivot in 64 digits is above 1e-25 of its diagonal entry, or of the entry in `usual`.
 [[nodiscard]] bool is_positive_definite(const std::vector<cln::cl_R>& matrix,
                                         const std::vector<std::uint32_t>& left_out = {},
                                         const std::vector<cln::cl_R>& usual = {});

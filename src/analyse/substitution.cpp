@@ -76,7 +76,7 @@ class Substituting {
     return std::nullopt;
   }
 
-  /// None of 0 to a negative power.
+  /// 0 to a negative power has no value.
   Value powered(const Value& base, std::int32_t exponent) {
     if (!base || (exponent < 0 && base->numerator.empty())) return std::nullopt;
     return arithmetic_.power(base, exponent);
@@ -85,7 +85,7 @@ class Substituting {
   /// e^(i exponent argument/divisor)
   Value circular_power(const Atom& atom, std::int32_t exponent) {
     const cl_RA multiple = cl_RA(exponent) / atom.divisor;
-    const std::optional<CosineAndSine> known = known_waves(atom);
+    const std::optional<CosineAndSine> known = known_sinusoids(atom);
     if (known && cln::denominator(multiple) == 1) {
       // e^(-i q) is cos q - i sin q: no reciprocal of a sum.
       const Value sine =
@@ -100,8 +100,8 @@ class Substituting {
     return complex_form(arithmetic_, cosine, sine);
   }
 
-  /// Of an argument that is a leaf.
-  [[nodiscard]] std::optional<CosineAndSine> known_waves(const Atom& atom) const {
+  /// Known only where the argument is a leaf.
+  [[nodiscard]] std::optional<CosineAndSine> known_sinusoids(const Atom& atom) const {
     const Fraction& argument = atom.arguments[0];
     if (argument.numerator.size() != 1 || !argument.denominator.empty()) return std::nullopt;
     const Monomial& monomial = argument.numerator.begin()->first;
@@ -109,7 +109,7 @@ class Substituting {
     const Atom& leaf = algebra_.atoms[monomial[0].atom];
     if (leaf.kind != AtomKind::leaf) return std::nullopt;
     const auto found = replacements_.find({leaf.leaf, leaf.index});
-    return found == replacements_.end() ? std::nullopt : found->second.waves;
+    return found == replacements_.end() ? std::nullopt : found->second.sinusoids;
   }
 
   Algebra& algebra_;

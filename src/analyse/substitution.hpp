@@ -13,10 +13,10 @@
 namespace elgen {
 
 /// The value that takes the place of a leaf. The cosine and sine of an angle such as acos(c) keep
-/// its waves free of functions of functions.
+/// its cosine and sine free of functions of functions.
 struct Replacement {
   Fraction value = {};
-  std::optional<CosineAndSine> waves = {};
+  std::optional<CosineAndSine> sinusoids = {};
 };
 /// By kind and number.
 using Replacements = std::map<std::pair<Opcode, std::uint32_t>, Replacement>;

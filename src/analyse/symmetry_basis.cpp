@@ -98,7 +98,7 @@ class BasisChange {
     const std::size_t dimension = taken.dimension;
     const Generator& rotation = taken.rotation;
     Arithmetic arithmetic(forms_.algebra);
-    // Of coordinate i where all points stand at 1 along an axis.
+    // The change of coordinate i where all points stand at 1 along an axis.
     const auto moved = [&](const Generator& of, std::size_t i, std::size_t axis) {
       Value sum = Fraction{};
       for (std::size_t k = axis; k < all.scalars(); k += dimension) {

@@ -11,8 +11,8 @@ namespace elgen {
 /// The unknowns of one, in the order of the class.
 using Generator = std::vector<Fraction>;
 
-/// Of a basis in which every vector has a last unknown that no other has: the rotations of all
-/// pairs, or triples, of coordinates at once take the place of vectors where they are symmetries.
+/// Replaces vectors of the basis by common rotations of all pairs, or triples, of coordinates where
+/// these are symmetries. Every vector has a last unknown that no other has.
 void prefer_common_rotations(ClosedForms& forms, const GeneratorClass& all,
                              std::vector<Generator>& basis);
 

@@ -313,8 +313,7 @@ constexpr OutputRow cyclic_rates{
     .doc = "Rates of the cyclic coordinates that were taken out, at their momenta.",
     .requirement = R::cyclic};
 
-// Of an [[output]]: `<y>` is its symbol, `<y''>` its second rate; the sentence goes on with its
-// name.
+// Rows of an [[output]]: `<y>` is its symbol, `<y''>` its second rate; its name ends the sentence.
 
 constexpr std::array value{FieldRow{"", E::user, E::one, U::none, entries}};
 constexpr OutputRow user_value{.symbol = {"y", "<y>"},

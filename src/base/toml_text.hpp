@@ -24,7 +24,7 @@ namespace elgen {
 /// "[1, 2]"
 [[nodiscard]] std::string toml_list(const std::vector<std::string>& values);
 
-/// Of entries "a = 1": "{ a = 1, b = 2 }"
+/// Entries "a = 1" become "{ a = 1, b = 2 }".
 [[nodiscard]] std::string toml_inline_table(const std::vector<std::string>& entries);
 
 /// One line, whatever the text contains.

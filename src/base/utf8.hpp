@@ -16,7 +16,7 @@ struct CodePoint {
 /// The code point at `position`, which lies inside `text`.
 [[nodiscard]] CodePoint code_point_at(std::string_view text, std::size_t position);
 
-/// Of UTF-8 text.
+/// The text is UTF-8.
 [[nodiscard]] constexpr bool starts_code_point(char byte) {
   return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
 }

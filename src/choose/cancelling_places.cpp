@@ -111,7 +111,9 @@ bool is_sum(const Instruction& i) {
   return i.opcode == Opcode::add || i.opcode == Opcode::subtract;
 }
 
-bool is_wave(const Instruction& i) { return i.opcode == Opcode::call && is_circular(i.function); }
+bool is_sine_or_cosine(const Instruction& i) {
+  return i.opcode == Opcode::call && is_circular(i.function);
+}
 
 /// The numbers of a sum as one.
 SumPart number_in(const SumParts& sum) {
@@ -138,7 +140,7 @@ NearPlaces first_of(const std::vector<NearPlaces>& by_coordinate, std::size_t mo
   return places;
 }
 
-/// The places of all coordinates: 0, where two terms of a sum cancel, and right angles.
+/// Finds points of all coordinates: 0, zeros where two terms of a sum cancel, and right angles.
 class PlaceSearch {
  public:
   PlaceSearch(const Program& program, const Function& text, const Domain& domain)
@@ -188,7 +190,7 @@ class PlaceSearch {
                                         const std::vector<NearPlaces>& below) const {
     NearPlaces all = latest_;
     if (i.opcode == Opcode::coordinate && is_alone(i.a)) all.push_back({i.a, 0});
-    const std::size_t operands = is_wave(i) ? 0 : operand_count(i);
+    const std::size_t operands = is_sine_or_cosine(i) ? 0 : operand_count(i);
     if (operands > 0) all.insert(all.end(), below[i.a].begin(), below[i.a].end());
     if (operands > 1) all.insert(all.end(), below[i.b].begin(), below[i.b].end());
     NearPlaces fitting;
@@ -202,7 +204,7 @@ class PlaceSearch {
   /// coordinates themselves are drawn anyway.
   void add_together(const Function& text, const Instruction& i,
                     const std::vector<NearPlaces>& below) {
-    if (is_sum(i) || is_wave(i) || i.opcode == Opcode::negate) return;
+    if (is_sum(i) || is_sine_or_cosine(i) || i.opcode == Opcode::negate) return;
     for (std::size_t k = 0; k < operand_count(i); ++k) {
       const std::uint32_t operand = k == 0 ? i.a : i.b;
       const NearPlaces& places = below[operand];

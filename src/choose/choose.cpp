@@ -69,7 +69,7 @@ std::size_t cost_of(const Function& form) {
 }
 
 void choose_by_cost(const Function& closed, const Function& recursive, FormCosts& costs) {
-  const bool is_closed = !costs.harmed && cost_of(closed) <= cost_of(recursive);
+  const bool is_closed = !costs.inaccurate && cost_of(closed) <= cost_of(recursive);
   costs.chosen = is_closed ? Form::closed : Form::recursive;
 }
 
@@ -78,15 +78,15 @@ struct Candidate {
   const FormCosts& costs;
 };
 
-/// Whether a way is free, or worth its cost, in the place of the closed form.
+/// Whether a rewriting of the closed form is free, or worth its cost.
 bool is_taken(const Scene& scene, const Function& recursive, const Candidate& closed,
-              const Candidate& way) {
-  const std::size_t cost = cost_of(way.function);
-  const double loss = *way.costs.closed_loss;
+              const Candidate& rewriting) {
+  const std::size_t cost = cost_of(rewriting.function);
+  const double loss = *rewriting.costs.closed_loss;
   const double known = *closed.costs.closed_loss;
   const std::size_t cheapest = std::min(cost_of(closed.function), cost_of(recursive));
   const bool is_free = cost <= cost_of(closed.function) && loss <= known;
-  const bool is_better = closed.costs.harmed || loses_more(known, loss, tolerated_by(scene));
+  const bool is_better = closed.costs.inaccurate || loses_more(known, loss, tolerated_by(scene));
   return is_free || (is_better && is_worth_its_cost(scene, recursive.kind, cost, cheapest));
 }
 
@@ -133,8 +133,8 @@ class RecursiveForms {
   std::map<std::size_t, TextErrors> errors_ = {};     ///< likewise
 };
 
-/// The function as it is emitted in either form: with what algebra would take out again.
-/// `normalized` is the name of the function of that kind.
+/// The function as it is emitted in either form, after the passes of finish.hpp. `normalized` is
+/// the name of the function of that kind.
 Function finished(Function function, Program& program, std::string& normalized) {
   if (function.kind == OutputKind::normalized) normalized = function.name;
   const bool repeats = output_row(function.kind).repeats && !normalized.empty();
@@ -195,7 +195,7 @@ class Choosing {
     if (TextErrors* text = is_complete(entries) ? recursive_forms_.errors_of(index) : nullptr) {
       for (std::size_t i = 0; i < entries.size(); ++i) {
         entries[i]->kept.reset();  // its function has decided that
-        text->add_way(text->errors_of(entries[i]->compact), i);
+        text->add_rewriting(text->errors_of(entries[i]->compact), i);
       }
     }
     return entries;
@@ -242,20 +242,20 @@ class Choosing {
     return closed;
   }
 
-  /// The entries as one function, and the form that follows from its cost and from what it harms.
+  /// Lowers the entries as one function; chooses by its cost and its inaccurate entries.
   Function lowered(std::size_t index, const Function& recursive, const ReadableEntries& entries,
                    FormCosts& costs) {
     const LoweringAim aim{splits_for(scene_, recursive), recursive_forms_.errors_of(index),
                           tolerated_by(scene_),
                           prefers_accuracy(scene_) ? 4 * most_for_digits : quarters_for_balance};
     Lowered closed = lowered_together(entries, recursive, result_.program, aim);
-    costs.harmed = closed.harmed;
+    costs.inaccurate = closed.inaccurate;
     choose_by_cost(closed.function, recursive, costs);
     return std::move(closed.function);
   }
 
-  /// Writes entries in the ways that keep their digits where that is free, or worth its cost: those
-  /// that lose many digits, and then all that lose some.
+  /// Uses rewritings that keep digits where that is free, or worth its cost: those that lose many
+  /// digits, and then all that lose some.
   void keep_digits(std::size_t index, ReadableEntries& entries, Function& closed,
                    FormCosts& costs) {
     const Function& recursive = recursive_forms_.of(index);
@@ -264,22 +264,22 @@ class Choosing {
     for (const double limit : {tolerated_by(scene_), tolerated_loss}) {
       std::optional<ReadableEntries> others = with_kept(entries, limit);
       if (!others) continue;
-      FormCosts way_costs = costs;
-      Function way = lowered(index, recursive, *others, way_costs);
-      if (way_costs.harmed) continue;
-      way_costs.closed_loss = text.worst_loss(result_.program, way);
-      if (!is_taken(scene_, recursive, {closed, costs}, {way, way_costs})) continue;
+      FormCosts rewriting_costs = costs;
+      Function rewriting = lowered(index, recursive, *others, rewriting_costs);
+      if (rewriting_costs.inaccurate) continue;
+      rewriting_costs.closed_loss = text.worst_loss(result_.program, rewriting);
+      if (!is_taken(scene_, recursive, {closed, costs}, {rewriting, rewriting_costs})) continue;
       entries = std::move(*others);
-      closed = std::move(way);
-      costs = way_costs;
+      closed = std::move(rewriting);
+      costs = rewriting_costs;
     }
   }
 
-  /// Between the forms, where one loses more: the cheaper one, or the other if it is affordable.
+  /// Where one form loses more digits: takes the cheaper form, or the other if it is affordable.
   void choose_by_losses(std::size_t index, const Function& closed, const Function& recursive,
                         FormCosts& costs) {
     const bool is_closed = costs.chosen == Form::closed;
-    if (costs.harmed || (is_closed && *costs.closed_loss <= tolerated_by(scene_))) return;
+    if (costs.inaccurate || (is_closed && *costs.closed_loss <= tolerated_by(scene_))) return;
     costs.recursive_loss =
         recursive_forms_.errors_of(index)->worst_loss(result_.program, recursive);
     const double own = is_closed ? *costs.closed_loss : *costs.recursive_loss;

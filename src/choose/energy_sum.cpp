@@ -9,7 +9,7 @@
 namespace elgen {
 namespace {
 
-/// Random points, with parameters of their own: at its value one may hide a part in the rates.
+/// Random points with random parameters: the value of a parameter may hide a part in the rates.
 constexpr std::size_t compared_points = 3;
 
 const Function* find_before(const Program& program, std::size_t index, OutputKind kind) {

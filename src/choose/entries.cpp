@@ -24,29 +24,34 @@ std::size_t term_count(const ClosedFunction& closed) {
   return count;
 }
 
-/// All ways to write an entry, the shortest first. `derived` may be null.
-std::vector<Expressions> all_ways(const Algebra& algebra, const Fraction& form,
-                                  const DerivedEntry* derived) {
-  std::vector<Expressions> ways;
-  for (Collected& way : collected_ways(algebra, form)) ways.push_back(std::move(way.expressions));
-  for (Collected& way : precise_ways(algebra, form)) ways.push_back(std::move(way.expressions));
-  if (derived != nullptr) {
-    ways.push_back(derived_way(derived->written_out).expressions);
-    ways.push_back(derived->as_it_stands);
+/// All rewritings of an entry, the shortest first. `derived` may be null.
+std::vector<Expressions> all_rewritings(const Algebra& algebra, const Fraction& form,
+                                        const DerivedEntry* derived) {
+  std::vector<Expressions> rewritings;
+  for (Collected& rewriting : collected_rewritings(algebra, form)) {
+    rewritings.push_back(std::move(rewriting.expressions));
   }
-  std::vector<Expressions> sources = plain_ways(algebra, form);
-  sources.insert(sources.end(), ways.begin(), ways.end());
+  for (Collected& rewriting : precise_rewritings(algebra, form)) {
+    rewritings.push_back(std::move(rewriting.expressions));
+  }
+  if (derived != nullptr) {
+    rewritings.push_back(derived_rewriting(derived->written_out).expressions);
+    rewritings.push_back(derived->as_it_stands);
+  }
+  std::vector<Expressions> sources = plain_rewritings(algebra, form);
+  sources.insert(sources.end(), rewritings.begin(), rewritings.end());
   for (const Expressions& source : sources) {
     auto kept = with_kept_digits(source, Squares::whole);
     auto apart = with_kept_digits(kept ? *kept : source, Squares::apart);
-    for (auto* way : {&kept, &apart}) {
-      if (!*way) continue;
-      if (auto fewer = with_fewer_calls(**way)) ways.push_back(std::move(*fewer));
-      ways.push_back(std::move(**way));
+    for (auto* rewriting : {&kept, &apart}) {
+      if (!*rewriting) continue;
+      if (auto fewer = with_fewer_calls(**rewriting)) rewritings.push_back(std::move(*fewer));
+      rewritings.push_back(std::move(**rewriting));
     }
   }
-  std::ranges::stable_sort(ways, {}, [](const Expressions& way) { return written_length(way); });
-  return ways;
+  std::ranges::stable_sort(rewritings, {},
+                           [](const Expressions& rewriting) { return written_length(rewriting); });
+  return rewritings;
 }
 
 /// One entry of the function, with what its text says.
@@ -55,41 +60,44 @@ class Judging {
   Judging(ReadableForm& known, std::size_t entry, TextErrors& text)
       : known_(known), entry_(entry), text_(text) {}
 
-  /// Writes the entry so that it is not harmed, where a way does that, and finds the way that keeps
+  /// Writes the entry accurately, where a rewriting does that, and finds the rewriting that keeps
   /// its digits.
   void operator()(const Algebra& algebra, const Fraction& form, const DerivedEntry* derived) {
-    const bool is_harmed = text_.is_harmed_by(known_.compact, entry_);
+    const bool is_inaccurate = text_.is_less_accurate(known_.compact, entry_);
     ErrorsAtPoints errors = text_.errors_of(known_.compact);
-    if (is_harmed || text_.may_lose(errors, entry_)) {
-      ways_ = all_ways(algebra, form, derived);
-      std::erase_if(ways_, [&](const Expressions& w) { return text_.is_harmed_by(w, entry_); });
-      for (const Expressions& way : ways_) errors_.push_back(text_.errors_of(way));
+    if (is_inaccurate || text_.may_lose(errors, entry_)) {
+      rewritings_ = all_rewritings(algebra, form, derived);
+      std::erase_if(rewritings_,
+                    [&](const Expressions& w) { return text_.is_less_accurate(w, entry_); });
+      for (const Expressions& rewriting : rewritings_) {
+        errors_.push_back(text_.errors_of(rewriting));
+      }
     }
-    if (is_harmed) {
-      if (ways_.empty()) return;
-      known_.compact = ways_.front();
+    if (is_inaccurate) {
+      if (rewritings_.empty()) return;
+      known_.compact = rewritings_.front();
       known_.is_rewritten = true;
       errors = errors_.front();
     } else {
-      known_.is_rewritten = text_.is_harmed_by(known_.readable, entry_);
+      known_.is_rewritten = text_.is_less_accurate(known_.readable, entry_);
     }
-    text_.add_way(errors, entry_);
-    for (const ErrorsAtPoints& way : errors_) text_.add_way(way, entry_);
+    text_.add_rewriting(errors, entry_);
+    for (const ErrorsAtPoints& rewriting : errors_) text_.add_rewriting(rewriting, entry_);
     known_.loss = text_.loss_of(errors, entry_);
     if (known_.loss > tolerated_loss) keep();
   }
 
  private:
-  /// The cheapest way that loses nothing, else the one that loses least.
+  /// The cheapest rewriting that loses nothing, else the one that loses least.
   void keep() {
     double least = known_.loss;
     std::size_t least_cost = 0;
     std::optional<std::size_t> best;
-    for (std::size_t i = 0; i < ways_.size(); ++i) {
+    for (std::size_t i = 0; i < rewritings_.size(); ++i) {
       const double loss = text_.loss_of(errors_[i], entry_);
       if (std::max(loss, tolerated_loss) > std::max(least, tolerated_loss)) continue;
-      const Linearised way(make_network(ways_[i]));
-      const std::size_t cost = elgen::cost(count_operations(way.function));
+      const Linearised rewriting(make_network(rewritings_[i]));
+      const std::size_t cost = elgen::cost(count_operations(rewriting.function));
       const bool is_as_good = best && std::max(least, loss) <= tolerated_loss;
       const bool is_better = is_as_good ? cost < least_cost : loss < least;
       if (!is_better) continue;
@@ -97,17 +105,17 @@ class Judging {
       least_cost = cost;
       best = i;
     }
-    if (best && loses_more(known_.loss, least)) known_.kept = std::move(ways_[*best]);
+    if (best && loses_more(known_.loss, least)) known_.kept = std::move(rewritings_[*best]);
   }
 
   ReadableForm& known_;
   std::size_t entry_;
   TextErrors& text_;
-  std::vector<Expressions> ways_ = {};  ///< that harm nothing
+  std::vector<Expressions> rewritings_ = {};  ///< the accurate ones
   std::vector<ErrorsAtPoints> errors_ = {};
 };
 
-/// Of forms that come in the order of their costs.
+/// Takes forms in the order of their costs.
 class Cheapest {
  public:
   Cheapest(const Function& shape, Program& program, const LoweringAim& aim)
@@ -116,19 +124,22 @@ class Cheapest {
   /// Whether no later one can be better.
   bool add(const CostedNetwork& costed) {
     const bool is_dearer = form_ && !is_affordable(costed.cost, cost_, aim_.most_quarters);
-    if (is_dearer && !form_->harmed) return true;
+    if (is_dearer && !form_->inaccurate) return true;
     Lowered form{unfilled(shape_)};
     form.function.form = Form::closed;
     linearise(costed.network, program_, form.function);
-    if (aim_.text != nullptr) form.harmed = aim_.text->harmed_entry(program_, form.function);
-    if (form_ && form.harmed) return false;
-    const double loss =
-        aim_.text == nullptr || form.harmed ? 0 : aim_.text->worst_loss(program_, form.function);
-    const bool is_first = !form_ || form_->harmed;
+    if (aim_.text != nullptr) {
+      form.inaccurate = aim_.text->inaccurate_entry(program_, form.function);
+    }
+    if (form_ && form.inaccurate) return false;
+    const double loss = aim_.text == nullptr || form.inaccurate
+                            ? 0
+                            : aim_.text->worst_loss(program_, form.function);
+    const bool is_first = !form_ || form_->inaccurate;
     if (!is_first && loss > aim_.tolerated) return false;
     form_ = std::move(form);
     cost_ = costed.cost;
-    return !form_->harmed && loss <= aim_.tolerated;
+    return !form_->inaccurate && loss <= aim_.tolerated;
   }
 
   Lowered form() && { return std::move(*form_); }

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "choose/harm.hpp"
-#include "forms/write/ways.hpp"
+#include "choose/text_errors.hpp"
+#include "forms/write/rewritings.hpp"
 #include "program/graph/angle_sums.hpp"
 
 namespace elgen {
@@ -26,8 +26,8 @@ struct BothForms {
 /// Whether every entry has a closed form, and all together are not too long.
 [[nodiscard]] bool has_closed_form(const ClosedFunction& closed);
 
-/// None where the closed forms are too long together. With `text`, an entry that the shortest ways
-/// harm is rewritten where there is one that does not, and each has the way that keeps its digits.
+/// None where the closed forms are too long together. With `text`, inaccurate entries get an
+/// accurate rewriting if there is one, and each entry has one that keeps its digits.
 [[nodiscard]] ReadableEntries read_entries(const BothForms& both, const Points& points,
                                            TextErrors* text);
 
@@ -42,22 +42,22 @@ struct BothForms {
 [[nodiscard]] std::vector<std::uint32_t> rewritten_entries(const ReadableEntries& entries,
                                                            std::size_t count);
 
-/// The entries that lose more than `limit` in the ways that keep their digits; none where no entry
-/// does, or none has another way.
+/// Replaces entries that lose more than `limit` by rewritings that keep their digits; none where no
+/// entry loses so much or has a rewriting.
 [[nodiscard]] std::optional<ReadableEntries> with_kept(const ReadableEntries& entries,
                                                        double limit);
 
-/// Shows those that are rewritten as they are computed where they would be shown in a way that is
-/// less precise, which would judge the code.
+/// Shows rewritten entries as they are computed where the readable form is less precise, since the
+/// code is judged by what is shown.
 void read_as_precisely(ReadableEntries& entries, const Points& points);
 
-/// All entries of a function as instructions, and the first one that is harmed by them.
+/// All entries of a function as instructions, and the first inaccurate one.
 struct Lowered {
   Function function = {};
-  std::optional<std::size_t> harmed = {};
+  std::optional<std::size_t> inaccurate = {};
 };
 
-/// What is asked of them.
+/// The demands on lowered entries.
 struct LoweringAim {
   Splits splits = Splits::sums_and_differences;  ///< which angles may be taken apart
   const TextErrors* text = nullptr;              ///< null: the cheapest form is taken
@@ -65,9 +65,9 @@ struct LoweringAim {
   std::size_t most_quarters = 4;  ///< of the cost of the cheapest form, for one that loses no more
 };
 
-/// All entries over one graph, as they are read or in their shortest forms: the cheapest one that
-/// harms nothing, or one that is a little dearer and loses no more than tolerated. `shape` says
-/// which they are; `program` gets their constants.
+/// All entries over one graph, as they are read or in their shortest forms: the cheapest accurate
+/// one, or one that is a little dearer and loses no more than tolerated. `shape` says which they
+/// are; `program` gets their constants.
 [[nodiscard]] Lowered lowered_together(const ReadableEntries& entries, const Function& shape,
                                        Program& program, const LoweringAim& aim);
 

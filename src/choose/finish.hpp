@@ -26,8 +26,8 @@ inline constexpr std::string_view diagonal_field = "diagonal";
 ///     before    w/sqrt(w^2 + x^2 + y^2 + z^2), …             (right on paper; 1e-160 squared is 0)
 ///     after     r = w/s, …   r/sqrt(r^2 + …), …   with s = |w| + |x| + |y| + |z|
 ///
-/// Of `normalized`, and of the field of `dynamics` that repeats it as `name`. An entry that is no
-/// coordinate itself is the component of a quaternion, four in a row.
+/// Scales quaternions of `normalized`, and of the field `name` of `dynamics` that repeats it.
+/// Entries that are no coordinates are components of quaternions, four in a row.
 [[nodiscard]] Function with_scaled_lengths(Function function, const std::string& name);
 
 /// The same instructions in an order in which sines and cosines come before all else, with what

@@ -1,4 +1,4 @@
-// points: where the ways to write a function are compared: at most 66, the same for all its forms.
+// points: where rewritings of a function are compared: at most 66, the same for all its forms.
 //
 // States inside the ranges, with the parameters at their values; such with other parameters, equal
 // ones of one unit multiplied by one factor, since what is equal may cancel; and states near the

@@ -58,7 +58,7 @@ Result<std::vector<std::string>> files_on_disk(const std::string& folder) {
   for (auto at = fs::recursive_directory_iterator(folder, error);
        !error && at != fs::recursive_directory_iterator(); at.increment(error)) {
     last = at->path();
-    // Of a link that leads nowhere, or round in a circle, nothing is known.
+    // A link that leads nowhere, or round in a circle, is no directory.
     std::error_code unknown;
     if (at->is_directory(unknown) && is_hidden(last.filename())) at.disable_recursion_pending();
     if (!at->is_regular_file(unknown)) continue;

@@ -138,7 +138,7 @@ std::string header(const std::string& name) {
   return name + "\n";
 }
 
-/// Of an entry and of the tables inside it; `routh` is `scene.routh`, as no model has one.
+/// Keys of an entry and of the tables inside it; `routh` means `scene.routh`, as no model has one.
 std::vector<KeyRow> keys_of_entry(const std::string& name) {
   std::vector<KeyRow> keys;
   for (const KeyRow& key : key_table()) {

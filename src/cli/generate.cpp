@@ -233,7 +233,7 @@ std::string repair_command(const GlobalOptions& global, const GenerateOptions& o
   return command;
 }
 
-/// Of the inputs with what they were; standard input was nothing.
+/// Compares the inputs with their old versions; none for standard input.
 std::string comparison_command(const GenerateOptions& options) {
   if (std::ranges::count(options.inputs, "-") > 0) return {};
   std::string command = "elgen diff --against REV";

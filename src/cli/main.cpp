@@ -97,7 +97,7 @@ std::vector<std::string> known_words(const CLI::App& app) {
   return known;
 }
 
-/// Of the command that was begun.
+/// Refers to the help of the command that was begun.
 std::string see_help(const CLI::App& app) {
   const std::vector<CLI::App*> begun = app.get_subcommands();
   const std::string command = begun.empty() ? "" : begun.front()->get_name() + " ";

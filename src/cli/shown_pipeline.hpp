@@ -8,7 +8,7 @@
 
 namespace elgen::cli {
 
-/// Those of every command: `goals`, unless --stop-after names another.
+/// Options that all commands have: `goals`, unless --stop-after names another.
 [[nodiscard]] PipelineOptions pipeline_options(const GlobalOptions& global,
                                                std::vector<Goal> goals);
 

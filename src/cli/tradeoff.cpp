@@ -88,8 +88,8 @@ Diagnostics refuse_output(const TradeoffOutput& output) {
   return refuse_places(files, output.force);
 }
 
-/// Of a table that was judged, of designs from `inputs` where a scene is wanted. E632 where no row
-/// is within max_error; E706.
+/// Writes a judged table, and a scene of the design that was picked where one is wanted. E632 where
+/// no row is within max_error; E706.
 ExitCode deliver(const GlobalOptions& global, const TradeoffOptions& options, const Inputs& inputs,
                  const TradeoffTable& table) {
   const TradeoffOutput& output = options.output;

@@ -254,7 +254,7 @@ class KeyComparison {
     return names;
   }
 
-  /// Of those that are in both.
+  /// Compares the order of names that both have.
   void compare_order(Names olds, Names news) {
     const auto drop_others = [](Names& names, const Names& others) {
       std::erase_if(names, [&others](const auto& name) {

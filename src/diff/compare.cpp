@@ -190,7 +190,7 @@ Diagnostics new_warnings(const Version& before, const Version& after) {
   return found;
 }
 
-/// Those of the model, then those of the scene.
+/// Changes of the model, then changes of the scene.
 std::vector<KeyChange> all_changed_keys(const Version& before, const Version& after,
                                         const Renames& renames) {
   std::vector<KeyChange> keys = changed_keys(before.model, after.model, renames);

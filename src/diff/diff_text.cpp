@@ -258,7 +258,7 @@ class Summary {
     section.count_others("change");
   }
 
-  /// Of all systems, or of none: a part of them would be taken for all.
+  /// All systems are listed, or none: a part of them would be taken for all.
   void add_operations() {
     Section section(lines_, "operations", most(most_operations));
     for (const SystemChange& system : report_.systems) {
@@ -311,7 +311,7 @@ std::vector<EntryList> entry_lists(const DiffReport& report) {
   return lists;
 }
 
-/// Of one system: a comment on GitHub has at most 65 536 characters.
+/// Lines of one system: a comment on GitHub has at most 65 536 characters.
 constexpr std::size_t most_lines = 200;
 
 /// Longer than any row of back-ticks inside.

@@ -31,7 +31,7 @@ std::string unit_text_of(const Entry& entry) {
   return entry.unit_text;
 }
 
-/// That of f or phi is not declared.
+/// Units of f and phi are not declared.
 std::string unit_text_of(const Constraint& constraint) {
   return constraint.unit ? to_string(*constraint.unit) : "";
 }
@@ -240,8 +240,8 @@ std::string shape(const Function& function) {
   return text;
 }
 
-/// Of the user's own outputs, and of the constraints on positions; the shapes of others follow
-/// from the lists above.
+/// Compares shapes of the user's own outputs, and of constraints on positions; all other shapes
+/// follow from the lists above.
 void compare_shapes(Changes& changes, const Program& before, const Program& after) {
   for (const Function& now : after.functions) {
     const auto old = std::ranges::find(before.functions, now.name, &Function::name);

@@ -88,7 +88,7 @@ auto JointProgram::add(const LeafNames& names) -> LeafPlaces {
 #include "elgen/leaves.def"
 #undef ELGEN_LEAVES
 #undef ELGEN_LEAF
-  // Of a parameter that both have, what both assume.
+  // A parameter of both keeps only the assumptions that both make.
   joint.assumptions.resize(joint.parameters.size(), Assumption::none);
   for (std::uint32_t i = 0; i < names.parameters.size(); ++i) {
     Assumption& assumption = joint.assumptions[places.parameters[i]];

@@ -206,7 +206,7 @@ ParameterValues fixed_as_they_are(const CheckedModel& free, const Renames& free_
   return values;
 }
 
-/// Of one output; more are told by their verdicts alone.
+/// Entries of one output; further ones are told by their verdicts alone.
 constexpr std::size_t most_told = 20;
 
 class OutputComparison {

@@ -14,9 +14,9 @@ enum class Zero : std::uint8_t {
   proved,       ///< its closed form is the empty sum
 };
 
-/// Of every entry, in the order of the fields. Cost: the function once in 64 digits; the values
-/// that vanish there are proved, or sampled 63 times more, twice where they are not analytic, which
-/// are looked at in `states`, too.
+/// One verdict per entry, in the order of the fields. Cost: the function once in 64 digits. Values
+/// that vanish there are proved, or sampled 63 times more; twice that and in `states` if they are
+/// not analytic.
 [[nodiscard]] std::vector<Zero> zeros(const Program& program, const Function& function,
                                       const std::vector<Arguments<double>>& states = {});
 

@@ -156,7 +156,7 @@ std::string sum_of_others(const Model& model, const Vector& factors) {
   return text.empty() ? "0" : text;
 }
 
-/// Of the pose that has fewest, whatever the others have more: there may be dead centres.
+/// Reports the pose with the fewest: others may be dead centres.
 Diagnostics redundant(const Model& model, const std::vector<Combinations>& at_poses) {
   const auto fewest =
       std::ranges::min_element(at_poses, {}, [](const Combinations& all) { return all.size(); });
@@ -185,7 +185,7 @@ Diagnostics redundant_equations(const Inspected& subject, const State& start) {
   return redundant(subject.model, at_poses);
 }
 
-/// Of inputs that no pose determines.
+/// Warns of inputs that no pose determines.
 Diagnostics undetermined_inputs(const Inspected& subject, const State& start) {
   const auto wanted = std::ranges::find(
       subject.scene.outputs, OutputKind::constrained_inverse_dynamics, &OutputRequest::kind);

@@ -25,7 +25,7 @@ using cln::cl_R;
 /// Exact and random; the first has the model's own values.
 constexpr unsigned equilibrium_samples = 4;
 
-/// Of parameters, until so many samples meet a condition.
+/// Draws of parameters, until so many samples meet a condition.
 constexpr unsigned condition_draws = 64;
 
 /// A point that is said to be one of rest.

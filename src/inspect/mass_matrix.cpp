@@ -74,8 +74,8 @@ Diagnostic rank_deficit(const Model& model, const Basis& basis, const State& sta
       "too many coordinates, or a mass is missing"};
 }
 
-/// Those of `candidates` whose diagonal entry is rounding beside its row: M is not positive
-/// definite, and its elimination fails.
+/// The `candidates` whose diagonal entry is rounding beside its row: M is not positive definite,
+/// and its elimination fails.
 std::vector<std::size_t> without_energy(const MassSample& sample,
                                         const std::vector<std::size_t>& candidates) {
   const std::size_t n = sample.state.v.size();

@@ -7,11 +7,11 @@
 
 namespace elgen {
 
-/// Of the equations of motion: energies, masses, points, bodies, frames, forces and constraints.
-/// Names in them are not followed.
+/// Roots of the equations of motion: energies, masses, points, bodies, frames, forces and
+/// constraints. Names in them are not followed.
 [[nodiscard]] std::vector<ExpressionId> equation_roots(const Model& model);
 
-/// Of an [[output]].
+/// Roots of an [[output]].
 [[nodiscard]] std::vector<ExpressionId> output_roots(const UserOutput& output);
 
 }  // namespace elgen

@@ -4,10 +4,10 @@
 //     W = -sum m gravity.p of the points and bodies       V as it is written
 //     K = sum 1/2 m v^2 of the points                     T as it is written
 //
-// Of both only what a mass brings in is kept, with and without gravity: their values at the
-// parameters' own less those with the mass, and with the parameters of gravity, at 0. Where V has
-// the same part as W, up to a constant, the weight stands in both; K and T alike. A mass without a
-// parameter takes V whole.
+// Only the part of each that a mass brings in is kept, with and without gravity: their values at
+// the parameters' own less those with the mass, and with the parameters of gravity, at 0. Where V
+// has the same part as W, up to a constant, the weight stands in both; K and T alike. A mass
+// without a parameter takes V whole.
 #include <fmt/format.h>
 
 #include <array>
@@ -107,7 +107,7 @@ bool are_equal(const std::vector<cl_R>& a, const std::vector<cl_R>& b) {
   return !is_zero;
 }
 
-/// Of all entries together; `of_entry` gives nothing where one has no value.
+/// Sums over all entries; none where `of_entry` has no value for one.
 template <class Entry, class Of>
 Energy sum_of(const std::vector<Entry>& entries, const Of& of_entry) {
   return [&entries, of_entry](const State& state) -> std::optional<cl_R> {

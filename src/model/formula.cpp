@@ -13,7 +13,7 @@
 namespace elgen {
 namespace {
 
-/// Brackets grow with what is taller than a line.
+/// Brackets grow with content that is taller than a line.
 std::string in_brackets(const Spelling& spelling, const std::string& text) {
   const bool is_tall = spelling.is_two_dimensional && (text.find("\\frac") != std::string::npos ||
                                                        text.find("\\sqrt") != std::string::npos);

@@ -15,7 +15,7 @@ MaybeUnit unit_in(const List& list, std::size_t i) {
   return i < list.size() ? list[i].unit : std::nullopt;
 }
 
-/// Of the i-th constraint on positions.
+/// The unit of the i-th constraint on positions.
 MaybeUnit unit_of_position(const Model& model, std::size_t i) {
   for (const Constraint& constraint : model.constraints) {
     if (constraint.is_position && i-- == 0) return constraint.unit;

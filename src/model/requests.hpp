@@ -37,7 +37,7 @@ namespace elgen {
 /// Whether the model has what the output needs.
 [[nodiscard]] bool is_available(const Model& model, const OutputRequest& request);
 
-/// Those of these kinds of which the model has what they need.
+/// Requests of these kinds whose needs the model meets.
 [[nodiscard]] std::vector<OutputRequest> available_requests(
     const Model& model, std::initializer_list<OutputKind> kinds);
 

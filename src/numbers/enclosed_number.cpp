@@ -29,7 +29,7 @@ cl_R largest(const EnclosedNumber& x) { return cln::abs(x.value) + x.error; }
 /// The least magnitude; not above 0 where 0 is enclosed.
 cl_R least(const EnclosedNumber& x) { return cln::abs(x.value) - x.error; }
 
-/// log(1 + x): the quotient of two values that are off by the same share (W. Kahan).
+/// log(1 + x): the quotient of two values with the same relative error (W. Kahan).
 cl_F logarithm_of_sum(const cl_F& x) {
   const cl_F sum = 1 + x;
   const cl_F kept = sum - 1;
@@ -175,7 +175,7 @@ Enclosed EnclosedArithmetic::tangent(const EnclosedNumber& x) const {
   return sloped(FunctionId::tan, x, cln::recip(cosine * cosine));
 }
 
-/// asin or acos; the slope 1/sqrt(1 - x^2) has no bound at ±1, where only an exact ±1 is told.
+/// asin or acos; the slope 1/sqrt(1 - x^2) has no bound at ±1, which must be exact.
 Enclosed EnclosedArithmetic::inverse_circular(FunctionId function, const EnclosedNumber& x) const {
   if (is_exact(x) && cln::abs(x.value) == 1) return sloped(function, x, 0);
   const EnclosedNumber sine = floating(x);

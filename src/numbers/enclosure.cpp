@@ -128,7 +128,7 @@ constexpr double largest_angle = 1e9;
 
 /// Sine or cosine, whose greatest values stand at `top` + 2 k pi.
 template <class F>
-Enclosure wave(const F& f, const Enclosure& x, double top) {
+Enclosure sinusoid(const F& f, const Enclosure& x, double top) {
   if (has_none(x)) return x;
   if (magnitude(x) > largest_angle) return {-1, 1, x.defined};
   const double first = f(x.low);
@@ -204,11 +204,11 @@ Enclosure sqrt(const Enclosure& x) {
 }
 
 Enclosure sin(const Enclosure& x) {
-  return wave([](double angle) { return std::sin(angle); }, x, pi_below / 2);
+  return sinusoid([](double angle) { return std::sin(angle); }, x, pi_below / 2);
 }
 
 Enclosure cos(const Enclosure& x) {
-  return wave([](double angle) { return std::cos(angle); }, x, 0);
+  return sinusoid([](double angle) { return std::cos(angle); }, x, 0);
 }
 
 Enclosure tan(const Enclosure& x) {

@@ -25,7 +25,7 @@ namespace elgen {
 [[nodiscard]] cln::cl_RA rounded(const cln::cl_R& x, long digits);
 
 /// The simplest fraction within `share` of x, relative to x, whose denominator is at most `most`:
-/// the first such convergent of its continued fraction. None where there is none; 0 of 0.
+/// the first such convergent of its continued fraction. None without such a convergent; 0 for 0.
 [[nodiscard]] std::optional<cln::cl_RA> simple_fraction(const cln::cl_R& x, const cln::cl_I& most,
                                                         const cln::cl_RA& share);
 

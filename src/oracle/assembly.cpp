@@ -27,7 +27,7 @@ const cl_R& dependent_share() {
   return share;
 }
 
-/// Of the coordinates, where the equations count as met.
+/// Equations count as met within this part of the coordinates.
 const cl_R& met_share() {
   static const cl_R share = power_of_ten(-60);
   return share;

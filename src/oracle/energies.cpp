@@ -67,8 +67,8 @@ Jet armature_energy(Evaluation& at) {
   return sum;
 }
 
-/// Of an expression with all terms of its sums and of their factors positive: rounding is a share
-/// of it, however much cancels. Recursion is as deep as expressions are written.
+/// The value of an expression with all terms of its sums and of their factors made positive:
+/// rounding is relative to it, however much cancels. Recursion is as deep as expressions are.
 Jet magnitude(Evaluation& at, ExpressionId id) {
   const Expression& e = at.model().expressions[id];
   Jet result;

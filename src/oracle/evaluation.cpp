@@ -8,7 +8,7 @@
 namespace elgen::oracle {
 namespace {
 
-/// Generators below belong to the caller's directions of differentiation.
+/// Lower generators belong to the caller's directions of differentiation.
 constexpr unsigned first_time_generator = 8;
 
 Generators time_generator(unsigned k) { return generator(first_time_generator + k); }
@@ -16,7 +16,7 @@ Generators time_generator(unsigned k) { return generator(first_time_generator + 
 /// The time generators beyond the first `order`.
 Generators beyond(unsigned order) { return all_generators & ~(time_generator(order) - 1); }
 
-/// The part of x of which some power vanishes.
+/// The nilpotent part of x: some power of it vanishes.
 Jet nilpotent(const Jet& x) {
   Jet result;
   for (const auto& [generators, coefficient] : x.terms()) {

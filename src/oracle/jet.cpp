@@ -159,7 +159,7 @@ Jet operator*(const Jet& x, const Jet& y) {
   Jet result;
   for (const auto& [in_x, x_value] : x.terms_) {
     for (const auto& [in_y, y_value] : y.terms_) {
-      // Of disjoint sets the sum is the union, and grades carry over where they vanish.
+      // The sum of disjoint sets is their union; grades that vanish carry over.
       const std::uint64_t product = std::uint64_t{in_x} + in_y;
       const bool vanishes = (in_x & in_y & all_generators) != 0 || product >> 32 != 0;
       if (!vanishes) result.add(static_cast<Generators>(product), x_value * y_value);

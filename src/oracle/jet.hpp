@@ -64,7 +64,7 @@ class Jet {
   /// The factor of a generator: the derivative, itself a jet in the others.
   [[nodiscard]] Jet tangent(Generators one) const { return part(one, one); }
 
-  /// Without every term in which one of the generators occurs.
+  /// Drops every term that has one of the generators.
   [[nodiscard]] Jet without(Generators any) const { return part(any, 0); }
 
   /// The lowest power of s that occurs, by its grade; 0 where none does.

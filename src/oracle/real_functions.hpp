@@ -3,8 +3,8 @@
 //
 // Exact rationals stay exact as long as they are short, and exact zeros stay exact, so that
 // derivatives that vanish cost nothing. Arguments of any size are reduced with as many digits as
-// their magnitude asks for. A value that does not exist is an OutsideDomain exception, caught at
-// the oracle's interface.
+// their magnitude asks for. Undefined values throw OutsideDomain, which is caught at the oracle's
+// interface.
 #pragma once
 
 #include <cln/exception.h>
@@ -35,7 +35,7 @@ struct OutsideDomain : std::runtime_error {
 /// `x` in working precision, unless it already is a float.
 [[nodiscard]] cln::cl_R as_float(const cln::cl_R& x);
 
-/// `x` itself, or a float where it is a rational too long to compute with.
+/// `x` itself, or a float if it is too long a rational to compute with.
 [[nodiscard]] cln::cl_R shortened(const cln::cl_R& x);
 
 /// pi in working precision.

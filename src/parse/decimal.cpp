@@ -23,7 +23,7 @@ std::size_t skip_digits(std::string_view text, std::size_t position) {
   return position;
 }
 
-/// To the end of what looks like one word of number characters, for the message.
+/// Extends to the end of the word of number characters, for the message.
 NumberExtent malformed(std::string_view text, std::size_t position) {
   const auto belongs = [](char c) { return is_word_character(c) || c == '.'; };
   while (belongs(at(text, position))) ++position;

@@ -1,4 +1,4 @@
-// Decimal numbers: the text of a number, exactly, as a rational; never through a double.
+// Decimal numbers: reads the text of a number as an exact rational, never through a double.
 #pragma once
 
 #include <cln/rational.h>

@@ -13,7 +13,7 @@ namespace elgen {
 
 namespace {
 
-/// Of entries in the tables, where a scene's are "scene.outputs" and so on.
+/// The prefix of a scene's entries in the tables: "scene.outputs" and so on.
 constexpr std::string_view scene_prefix = "scene.";
 
 std::string header_text(std::string_view name, bool repeated) {

@@ -6,7 +6,7 @@
 
 namespace elgen {
 
-/// However far the limit is raised, the parser recurses no deeper (about 1 KiB of stack a level).
+/// The parser never recurses deeper, whatever the limit is (about 1 KiB of stack a level).
 inline constexpr std::uint64_t deepest_expression = 1000;
 
 /// Reads bytes [begin, end) of `text`. At most one error: E3xx, E902, E903, E904.

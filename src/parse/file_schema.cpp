@@ -80,7 +80,7 @@ Json expression_schema() {
   return schema;
 }
 
-/// Of `count` items, or any number.
+/// A list of `count` items, or of any number.
 Json expressions_schema(std::size_t count = 0) {
   Json schema = list_schema(expression_schema());
   if (count != 0) schema["minItems"] = schema["maxItems"] = count;

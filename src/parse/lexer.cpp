@@ -136,7 +136,7 @@ TokenKind symbol_kind(char c) {
   return static_cast<TokenKind>(static_cast<std::size_t>(TokenKind::plus) + at);
 }
 
-/// For ASCII characters whose meaning elsewhere suggests what was meant.
+/// Suggests a replacement for ASCII characters that other languages use.
 std::string ascii_hint(char32_t character) {
   switch (character) {
     case U'#':

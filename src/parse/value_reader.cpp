@@ -140,7 +140,7 @@ void report_hidden(const DecodedText& text, FileReading& reading) {
   }
 }
 
-/// A runner takes a line that begins so for an order, wherever it was printed.
+/// A CI runner obeys lines that begin so, wherever they are printed.
 void report_order(const DecodedText& text, FileReading& reading) {
   constexpr std::string_view order = "::";
   const std::size_t begin = text.text.find_first_not_of(" \t\r\n");

@@ -1,4 +1,4 @@
-// Values: a TOML value to a ValueSyntax, as the type of its key says.
+// Values: turns a TOML value into a ValueSyntax, by the type of its key.
 #pragma once
 
 #include "elgen/syntax.hpp"

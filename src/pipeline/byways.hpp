@@ -48,7 +48,7 @@ namespace elgen {
 /// code.
 [[nodiscard]] Result<Book> book_or_code(const Program& code, const std::function<Book()>& make);
 
-/// A derivation step by step, as it is read. The steps go the way of every output: lowered,
+/// A derivation step by step, as it is read. The steps are treated like every output: lowered,
 /// presented, and read in their closed forms.
 [[nodiscard]] Result<ReadableSteps> readable_steps(const Lagrangian& lagrangian,
                                                    const CheckedModel& checked,

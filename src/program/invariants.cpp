@@ -40,7 +40,7 @@ std::string broken_instruction(const Program& program, const Function& function,
   return "";
 }
 
-/// A way of its own to find what pruning leaves.
+/// Finds the instructions that pruning keeps, independently of the pruning code.
 std::vector<bool> used_instructions(const Function& function) {
   std::vector<bool> used(function.instructions.size(), false);
   for (const std::uint32_t entry : entries_of(function)) used[entry] = true;

@@ -39,8 +39,8 @@ struct Display {
 /// Displays below each other, their signs in one column.
 using DisplayBlock = std::vector<Display>;
 
-/// As few blocks as hold all of them: long left sides, beside which too little room is left for the
-/// others' lines, stand alone.
+/// As few blocks as possible: equations with long left sides stand alone, as they leave too little
+/// room for the lines of others.
 [[nodiscard]] std::vector<DisplayBlock> aligned_blocks(const std::vector<SheetEquation>& equations,
                                                        const PageShape& shape = {});
 

@@ -232,7 +232,7 @@ class Drawer {
  public:
   Drawer(Alphabet alphabet, Fractions fractions) : alphabet_(alphabet), fractions_(fractions) {}
 
-  /// Of one line at least.
+  /// A block of one line at least.
   [[nodiscard]] Block draw(const LatexTree& tree) const {
     Block block = drawn(tree);
     return block.lines.empty() ? line_of("") : block;
@@ -314,7 +314,7 @@ class Drawer {
     return with_scripts(line_of(accented(base, inside, is_unicode())), exponent_alone);
   }
 
-  /// An index stands on the base line, an exponent at the top of what is tall.
+  /// An index stands on the base line, an exponent at the top of a tall base.
   [[nodiscard]] Block with_scripts(const Block& base, const LatexTree& tree) const {
     Block scripts = line_of(index(tree.parts[1]));
     const std::string above = exponent(tree.parts[2]);

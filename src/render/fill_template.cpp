@@ -46,11 +46,11 @@ TemplateData lines_data(const std::vector<std::string>& lines) {
 }
 
 std::string fill_template(std::string_view path, const TemplateData& data) {
-  kainjow::mustache::mustache picture{std::string(template_at(path))};
-  picture.set_custom_escape([](const std::string& value) { return value; });
+  kainjow::mustache::mustache parsed{std::string(template_at(path))};
+  parsed.set_custom_escape([](const std::string& value) { return value; });
   StrictContext context(&data, path);
-  std::string result = picture.render(context);
-  if (!picture.is_valid()) throw std::logic_error(picture.error_message());
+  std::string result = parsed.render(context);
+  if (!parsed.is_valid()) throw std::logic_error(parsed.error_message());
   return result;
 }
 

@@ -1,8 +1,8 @@
 // fill_template: a template and the values of its holes -> text.
 //
-// Templates are pictures of the output (Mustache): holes `{{name}}`, sections for what repeats or
-// may be absent, other pictures of the folder by their names (`{{> kinked}}`), no logic. A hole
-// without a value is a mistake in elgen and throws std::logic_error.
+// Templates look like the output (Mustache): holes `{{name}}`, sections for what repeats or may be
+// absent, other templates of the folder by their names (`{{> kinked}}`), no logic. A hole without a
+// value is a mistake in elgen and throws std::logic_error.
 #pragma once
 
 #include <kainjow/mustache.hpp>

@@ -42,7 +42,7 @@ LatexTree with_parts(LatexKind kind, std::string_view text, Parts... parts) {
   return tree;
 }
 
-/// Of all parts, one after the other.
+/// The letters of all parts, one after the other.
 std::string letters_of(const LatexTree& tree) {
   std::string text = tree.text;
   for (const LatexTree& part : tree.parts) text += letters_of(part);
@@ -132,7 +132,7 @@ class LatexReader {
     return {LatexKind::letter, std::string(text_.substr(begin, at_ - begin))};
   }
 
-  /// Of the character that stands next.
+  /// The length of the next character.
   [[nodiscard]] std::size_t bytes_here() const {
     return std::max<std::size_t>(1, code_point_at(text_, at_).bytes);
   }

@@ -1,4 +1,4 @@
-// named_parts: what stands in the place of equations that are too long to read.
+// named_parts: a summary that replaces equations which are too long to read.
 //
 //     force_link7_3 = m7*(c7x*motion_link7_8 + …)      on the page of text, each once
 //     n_{i} = \sum_{b} (…) + \sum_{j} (…)              on sheets: frames, and what they carry

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t no_frame = UINT32_MAX;
 
-/// What a value is made of, as far as it tells whose part it is.
+/// The operands of a value, as far as they tell whose part it is.
 struct PartOrigin {
   std::uint32_t carrier = no_frame;
   std::uint32_t outermost = 0;

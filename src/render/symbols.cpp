@@ -139,7 +139,7 @@ std::string seen(const SymbolText& symbol) {
   return text;
 }
 
-/// Of an argument that is a name; empty of other expressions.
+/// The symbol of an argument that is a name; empty for other expressions.
 std::string argument_symbol(const Model& model, const LeafValues<std::string>& leaves,
                             ExpressionId argument) {
   const Expression& e = model.expressions[argument];

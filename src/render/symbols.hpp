@@ -30,9 +30,9 @@ class ModelSymbols {
 
   [[nodiscard]] const LeafValues<std::string>& leaves() const { return leaves_; }
   [[nodiscard]] const std::vector<SymbolText>& coordinates() const { return coordinates_; }
-  /// Of parameters as they are declared: "l_{i}" of an array.
+  /// Symbols of parameters as they are declared: "l_{i}" for an array.
   [[nodiscard]] const std::vector<SymbolText>& arrays() const { return arrays_; }
-  /// Of something else that formulas name, unlike all others so far.
+  /// A symbol for something else in formulas, unlike all others so far.
   [[nodiscard]] SymbolText distinct(SymbolText symbol);
 
  private:

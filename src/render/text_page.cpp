@@ -114,8 +114,8 @@ std::string cost_page(const std::vector<FormCosts>& costs) {
   const auto add = [&](const FormCosts& of, Form form, const OperationCounts& n,
                        const std::optional<double>& loss) {
     std::string mark = form != of.chosen ? "" : of.is_asked_for ? "asked for" : "emitted";
-    if (form == Form::closed && of.harmed) {
-      mark += fmt::format("{}harms entry {}", mark.empty() ? "" : ", ", *of.harmed);
+    if (form == Form::closed && of.inaccurate) {
+      mark += fmt::format("{}harms entry {}", mark.empty() ? "" : ", ", *of.inaccurate);
     }
     add_line(fmt::format(row, of.function, width, name_of(form), n.add, n.mul, n.div, n.sqrt,
                          n.sincos, n.other, cost(n), digits_text(loss), mark));

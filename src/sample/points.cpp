@@ -8,8 +8,8 @@ namespace {
 
 constexpr double right_angle = 1.5707963267948966;
 
-/// Of three terms that are drawn alike each outweighs the others in a third of all points: that
-/// none of 12 wide points shows it happens in one of 130 cases.
+/// If three terms are drawn alike, each is the largest at a third of all points: all of 12 wide
+/// points miss it in one of 130 cases.
 constexpr std::size_t mixed_count = 16;
 
 /// The binary logarithms of magnitudes, and of what one parameter after another is multiplied by.
@@ -17,7 +17,7 @@ constexpr int wide = 26;
 constexpr int ordinary = 3;
 constexpr int parameter_ratios[]{40, -40, 15};
 
-/// Of more parameters some are left out.
+/// If there are more parameters, some are left out.
 constexpr std::size_t most_parameters = 10;
 
 }  // namespace

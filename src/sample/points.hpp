@@ -47,7 +47,7 @@ class Sampler {
   [[nodiscard]] double share() { return random_.uniform(0.5, 1); }
   /// 1 or -1.
   [[nodiscard]] double side() { return random_.uniform(-1, 1) < 0 ? -1 : 1; }
-  /// Of either sign and a magnitude in [2^low, 2^(high + 1)).
+  /// A number of either sign and a magnitude in [2^low, 2^(high + 1)).
   [[nodiscard]] double scaled(int low, int high) { return random_.log_uniform(low, high); }
   /// Such a number for every leaf that has a name; parameters are positive.
   [[nodiscard]] LeafValues<double> scaled_point(const LeafNames& leaves, int low, int high);
@@ -60,14 +60,14 @@ class Sampler {
 
 using Points = std::vector<LeafValues<double>>;
 
-/// Where ways to write one value are compared by how far rounding may take them:
+/// Points at which rewritings of one value are compared by their rounding errors:
 ///
 ///     2*a*(x + y) + b*z - a*(2*x + y)     has two terms more that cancel,   2 a x: where they are
-///     a*y + b*z                           large, no digit of the first way is right
+///     a*y + b*z                           large, no digit of the first is right
 ///
-/// A term that cancels shows where it outweighs all others, so every leaf has a magnitude of its
-/// own: at a quarter of the points an ordinary one, at the others from 2^-26 to 2^26, as wide as
-/// what programs are checked at.
+/// A cancelling term shows only where it outweighs all others. So every leaf has a magnitude of its
+/// own: ordinary at a quarter of the points, at the others from 2^-26 to 2^26, as wide as programs
+/// are checked.
 [[nodiscard]] Points mixed_points(const LeafNames& leaves);
 
 /// These, and ordinary magnitudes with angles at every place and one parameter after another far

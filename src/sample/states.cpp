@@ -31,7 +31,7 @@ Range range_or(const std::optional<Interval>& interval, double otherwise) {
   return {within_scalar(interval->low), within_scalar(interval->high)};
 }
 
-/// Of rates, momenta, accelerations, inputs, open values and time.
+/// The scale of rates, momenta, accelerations, inputs, open values and time.
 constexpr double default_rate = 10;
 constexpr std::size_t domain_states = 8;
 constexpr Range steps{0, 0.1};  ///< in s: a rate of 10 moves by 1 in the longest one

@@ -45,8 +45,8 @@ struct SampledState {
 [[nodiscard]] std::size_t golden_step(std::size_t count);
 
 struct Sampling {
-  /// Of random states: half nominal, a quarter small, a quarter large. There are at most as many
-  /// extremes of parameters together with angles.
+  /// Random states: half nominal, a quarter small, a quarter large. There are at most as many
+  /// extremes of parameters and angles.
   std::size_t count = 256;
   std::uint64_t seed = 1;
   bool extremes = true;

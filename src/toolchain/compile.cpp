@@ -124,7 +124,7 @@ bool read_declared(const Library& library, std::vector<DeclaredNumber>& numbers)
   return true;
 }
 
-/// Of all builds; the first of them ends with `declared`.
+/// Units of all builds; the first of them ends with `declared`.
 std::vector<DriverUnit> all_units(const DriverInput& input, const std::vector<Build>& builds,
                                   const std::string& declared) {
   std::vector<DriverUnit> all;

@@ -8,7 +8,7 @@
 namespace elgen {
 namespace {
 
-/// Of each leaf its value in every state.
+/// The value of each leaf in every state.
 template <class Scalar>
 using StateArrays = PerLeaf<std::vector<Scalar>, std::vector<Scalar>>;
 

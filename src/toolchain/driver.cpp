@@ -30,7 +30,7 @@ std::set<std::string> emitted_names(const DriverInput& input) {
   return names;
 }
 
-/// Of instructions: all headers of an arm of seven joints at once take a gigabyte.
+/// Instructions of a unit: all headers of an arm of seven joints at once take a gigabyte.
 constexpr std::size_t longest_together = 4096;
 
 std::size_t length_of(const Program& program) {
@@ -43,7 +43,7 @@ bool is_generic(const Scene& scene) {
   return language_row(scene.emission.language).scalars == LanguageScalars::any;
 }
 
-/// Null where there is nothing to compile.
+/// Null where no file is compiled.
 using DriverText = std::string (*)(const DriverInput& input);
 
 struct DriverRow {

@@ -49,8 +49,8 @@ struct DriverUnit {
   std::vector<Driver> drivers = {};
 };
 
-/// Those of a build: all in one unit, or where the program is long each in one of its own, because
-/// the compiler's memory grows with it. `more` ends the first unit.
+/// Drivers of a build: all in one unit, or one unit each where the program is long, because the
+/// compiler's memory grows with it. `more` ends the first unit.
 [[nodiscard]] std::vector<DriverUnit> units_of(const DriverInput& input, Build build,
                                                const std::string& more);
 
@@ -58,7 +58,7 @@ struct DriverUnit {
 /// fit that, else the scene's own.
 [[nodiscard]] std::vector<ScalarKind> driver_scalars(const DriverInput& input);
 
-/// Those of this driver: of a header on arrays of states the scene's.
+/// Scalars of this driver: a header on arrays of states has the scene's.
 [[nodiscard]] std::vector<ScalarKind> scalars_of(const Driver& driver, const DriverInput& input);
 
 /// Whether the driver has the function: a batch has none with more than 4096 entries.
@@ -117,16 +117,16 @@ using TimingDriverFunction = void (*)(std::size_t count,
 #undef ELGEN_LEAVES
                                       Scalar* result);
 
-/// Of a scene in C++, with its header of batches where a variant is in packs; the first function of
-/// the program.
+/// Times the first function of the program for a scene in C++, with its header of batches if a
+/// variant is in packs.
 [[nodiscard]] Source timing_driver(const DriverInput& input,
                                    const std::vector<TimedVariant>& variants);
 
 /// "elgen_timed_3" of variants[3].
 [[nodiscard]] std::string timed_symbol(std::size_t variant);
 
-/// Of a scene in C++ with its header of batches, a StepLoop of one state and one in packs, under
-/// these names; the first function of the program is a `step`.
+/// For a scene in C++ with its header of batches: a StepLoop of one state and one in packs, under
+/// these names. The first function of the program is a `step`.
 [[nodiscard]] Source step_driver(const DriverInput& input);
 inline constexpr const char* step_loop_of_one = "elgen_step_loop";
 inline constexpr const char* step_loop_in_packs = "elgen_step_loop_in_packs";

@@ -135,7 +135,7 @@ extern "C" void {in_packs}(std::size_t count, std::size_t steps, double start, d
 }}
 )";
 
-/// Of a model that knows the time.
+/// The clock of models that depend on time.
 constexpr std::string_view step_clock =
     "    for (double& time : times) time = start + static_cast<double>(i) * length;\n";
 

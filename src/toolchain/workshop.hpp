@@ -95,7 +95,7 @@ class Library {
   void* handle_;
 };
 
-/// Its directory goes with it, what it loaded stays. Whoever opens one holds NoInterrupts.
+/// Its directory is removed with it; loaded objects stay. The owner holds NoInterrupts.
 class Workshop {
  public:
   /// E704 without a compiler, E706 without room, E909 where the compiler does not answer.

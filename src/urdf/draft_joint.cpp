@@ -16,7 +16,7 @@ std::string symmetric_range(const std::optional<FileNumber>& limit) {
   return toml_list({toml_number("-" + limit->text), toml_number(limit->text)});
 }
 
-/// "sqrt(0.7^2 + 0.7^2)", or "1" where an oblique axis has exactly that length.
+/// "sqrt(0.7^2 + 0.7^2)", or "1" where an oblique axis has exactly length 1.
 std::string length_of(const Vector& axis) {
   cln::cl_RA square = 0;
   std::string terms;

@@ -100,7 +100,7 @@ std::string Glossary::symbol(std::size_t joint) const {
   return numbers_[joint].empty() ? "" : with_script("q", numbers_[joint]);
 }
 
-/// Of "Ixx_elbow" I_{xx,2}, of "damping_elbow" \mathrm{damping}_2; empty of names not made so.
+/// "Ixx_elbow" -> I_{xx,2}, "damping_elbow" -> \mathrm{damping}_2; empty for names not made so.
 std::string Glossary::parameter_symbol(const std::string& name) const {
   const std::string& number = numbers_[open_.joint];
   const std::string& joint = joints_[open_.joint];

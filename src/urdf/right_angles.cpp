@@ -16,7 +16,7 @@ double length(const Vector& xyz) {
   return std::hypot(number(0), number(1), number(2));
 }
 
-/// Of a pose: rad and m.
+/// The change of a pose, in rad and m.
 struct PoseChange {
   double angle = 0.0;
   double place = 0.0;

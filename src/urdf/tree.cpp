@@ -165,7 +165,7 @@ class TreeMaker {
     if (left != reached.end()) report_loop(static_cast<std::size_t>(left - reached.begin()));
   }
 
-  /// Upwards from a link that hangs on no root: the way ends in a loop.
+  /// Walks upwards from a link that hangs on no root: the path ends in a loop.
   void report_loop(std::size_t link) {
     std::set<std::size_t> seen;
     while (seen.insert(link).second) link = parent_of(link);

@@ -33,7 +33,7 @@ struct LinkTree {
   }
 };
 
-/// Not a value where the links are no tree: E807 to E809; E812 for what mimics in vain.
+/// Fails unless the links form a tree (E807 to E809), or if a joint mimics in vain (E812).
 [[nodiscard]] Result<LinkTree> make_tree(const Robot& robot);
 
 /// E508, E810, E816, E817; E803 where nothing moves: masses that are missing, or in the wrong

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "choose/chosen.hpp"
-#include "choose/harm.hpp"
+#include "choose/text_errors.hpp"
 #include "elgen/evaluate.hpp"
 #include "support/systems.hpp"
 
@@ -65,7 +65,7 @@ TEST_CASE("for speed the cheaper form is chosen, the closed one on a tie") {
   }
 }
 
-TEST_CASE("no form is chosen that harms an entry, or loses more digits than the recursive one") {
+TEST_CASE("no form is chosen that is inaccurate, or loses more digits than the recursive one") {
   const auto prefer = GENERATE(Preference::accuracy, Preference::balanced);
   for (const auto& [name, text] : systems()) {
     INFO(name);
@@ -74,13 +74,13 @@ TEST_CASE("no form is chosen that harms an entry, or loses more digits than the 
       const Function& own = c.choice.program.functions[i];
       const TextErrors errors = errors_of(c, i, Scale::entry);
       INFO(own.name);
-      CHECK_FALSE(errors.harmed_entry(c.choice.program, own));
+      CHECK_FALSE(errors.inaccurate_entry(c.choice.program, own));
       CHECK(errors.worst_loss(c.choice.program, own) <= tolerated_loss);
     }
   }
 }
 
-TEST_CASE("balanced, a form is dearer where the cheaper one harms, or by a quarter at most") {
+TEST_CASE("balanced, a form is dearer where the cheaper is inaccurate, or by a quarter at most") {
   for (const auto& [name, text] : systems()) {
     INFO(name);
     const Chosen fast = chosen(text, {}, Preference::speed);
@@ -91,7 +91,7 @@ TEST_CASE("balanced, a form is dearer where the cheaper one harms, or by a quart
       INFO(own.name);
       const std::size_t price = cost(count_operations(own));
       const std::size_t least = cost(count_operations(cheapest));
-      if (errors_of(c, i, Scale::field).harmed_entry(fast.choice.program, cheapest)) continue;
+      if (errors_of(c, i, Scale::field).inaccurate_entry(fast.choice.program, cheapest)) continue;
       CHECK(4 * price <= 5 * least + 16);  // or one division more
     }
   }

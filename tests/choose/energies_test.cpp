@@ -25,7 +25,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// How many times the error of another form is no harm.
+/// How many times the error of another form is accurate enough.
 constexpr double little_worse = 64;
 /// In u: a reference that loses digits is none.
 constexpr double most_of_stable = 32;

@@ -33,7 +33,7 @@ TEST_CASE("all entries of a function have a form") {
   CHECK_FALSE(is_complete({e.entries[0], std::nullopt}));
 }
 
-TEST_CASE("the way that keeps digits is known, and taken where the entry loses more than a limit") {
+TEST_CASE("a rewriting that keeps digits is taken where the entry loses more than a limit") {
   Entries e({"1 - cos(a)", "b"});
   Arguments<double> point;
   point.q = {1e-8, 1, 1, 1, 1};

@@ -52,7 +52,7 @@ std::vector<Running<Real>> entries_at(const Program& program, const Function& fu
   return entries_of(function, fold<Running<Real>>(rules, program, function));
 }
 
-/// Between points of judgement, where 64 times is harm, a way may lose a few times more.
+/// Between points of judgement, where 64 times is the limit, rewritings may lose a few times more.
 constexpr int little_worse_elsewhere = 512;
 
 /// Whether no entry loses more than so many times what the text loses.

@@ -89,7 +89,7 @@ TEST_CASE("an input that is one number runs as typed beyond its limits, a law is
   CHECK(workspace.run(command + "--input 'u=5 + x'").errors.empty());
 }
 
-TEST_CASE("the picture of a run takes the work off E") {
+TEST_CASE("the plot of a run takes the work off E") {
   const Workspace workspace;
   const std::string command =
       "elgen simulate -q --time 1 --method rk4 --step 0.1 -o run.svg " + models + "/cart_pole.toml";

@@ -67,7 +67,7 @@ TEST_CASE("operations follow their operands in canonical order") {
   CHECK(leaves == std::vector<std::uint32_t>{0, 4, 2, 3});
 }
 
-TEST_CASE("share: common sub-sums and sub-products are computed once, and no value changes") {
+TEST_CASE("common sub-sums and sub-products are computed once, and no value changes") {
   struct SharedRow {
     Texts texts;
     std::size_t add;
@@ -84,7 +84,7 @@ TEST_CASE("share: common sub-sums and sub-products are computed once, and no val
   }));
   Network network = network_of(row.texts);
   const Program before = program_of(network);
-  share(network);
+  eliminate_common_subexpressions(network);
   const Program after = program_of(network);
   CHECK(check_invariants(after) == "");
   CHECK(counts_of(network) == OperationCounts{.add = row.add, .mul = row.mul});
@@ -94,7 +94,7 @@ TEST_CASE("share: common sub-sums and sub-products are computed once, and no val
         evaluate(after, after.functions[0], arguments));
 }
 
-TEST_CASE("share: long sums are shared with their neighbours only, and correctly") {
+TEST_CASE("long sums are shared with their neighbours only, and correctly") {
   Network network;
   std::vector<Ref> terms;
   for (std::uint32_t i = 0; i < 200; ++i) {
@@ -106,7 +106,7 @@ TEST_CASE("share: long sums are shared with their neighbours only, and correctly
   terms.back().negative = true;
   network.operations.push_back({.kind = OperationKind::sum, .operands = terms});
   network.values = {{200}, {201}};
-  share(network);
+  eliminate_common_subexpressions(network);
   CHECK(counts_of(network).add == 200);
 }
 

@@ -36,7 +36,7 @@ TEST_CASE("a hole without a value and a template that is not there are mistakes 
   CHECK_THROWS_AS(fill_template("cpp/none.mustache", TemplateData()), std::logic_error);
 }
 
-TEST_CASE("a picture stands in another one of its folder, without its line end") {
+TEST_CASE("a template stands in another one of its folder, without its line end") {
   TemplateData data;
   for (const char* const name :
        {"header", "namespace", "storage", "order", "generated", "model_hash", "scene_hash",

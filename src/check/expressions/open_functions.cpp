@@ -71,7 +71,7 @@ std::string derivative_name(const std::string& function, const std::vector<std::
   return name;
 }
 
-/// Those of the key `of`, at most as many as a function has.
+/// Arguments of the key `of`, at most as many as a function has.
 std::uint32_t argument_count(const EntrySyntax& entry) {
   const KeySyntax* of = entry.find("of");
   const std::size_t given = of == nullptr ? 0 : of->value.items.size();

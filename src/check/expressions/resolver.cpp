@@ -128,8 +128,8 @@ std::optional<ExpressionId> Resolver::resolve_power(const ExpressionSyntax& powe
                .span = power.span});
 }
 
-/// The exponent's own nodes are dropped again. Of exponents inside exponents only the outermost
-/// that is no constant is reported: in x^y^z it is y^z.
+/// Drops the exponent's own nodes again. Where exponents nest, reports only the outermost that is
+/// no constant: in x^y^z it is y^z.
 std::optional<cln::cl_RA> Resolver::resolve_exponent(const ExpressionSyntax& exponent) {
   std::vector<Expression>& arena = context_.model.expressions;
   const std::size_t size = arena.size();

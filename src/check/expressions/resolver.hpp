@@ -34,11 +34,11 @@ class Resolver {
   /// The index in the Model of `name` or `name[i]`. E207, E208.
   std::optional<std::uint32_t> element(const ExpressionSyntax& name, const DeclaredName& symbol);
 
-  /// The declaration of a name of a kind; null after E201, for names that do not have its form too.
+  /// The declaration of a name of a kind; null after E201, which also covers names of another form.
   const DeclaredName* declared(const ExpressionSyntax& name, SymbolKind kind, bool has_form,
                                std::string_view shown);
 
-  /// A function that is its definition, in the model language.
+  /// A function defined in the model language.
   struct Composite {
     std::string_view name;
     std::size_t arity;

@@ -246,13 +246,13 @@ class UnitInference {
     return own.empty() ? function_row(node.function).name : own;
   }
 
-  /// Of `a - b` the term is b.
+  /// The term without its sign: b of `a - b`.
   [[nodiscard]] ExpressionId unsigned_term(ExpressionId id) const {
     const Expression& term = model_.expressions[id];
     return term.kind == ExpressionKind::negate ? term.operands[0] : id;
   }
 
-  /// Of two terms that differ, the one without a unit may have a number that wants one.
+  /// Where two terms differ, a number in the one without a unit may need a unit.
   [[nodiscard]] std::string hint_on_pure(ExpressionId a, ExpressionId b) const {
     if (units_[a].unit == Unit{}) return unnamed_number_hint(model_, a);
     return units_[b].unit == Unit{} ? unnamed_number_hint(model_, b) : "";

@@ -6,7 +6,7 @@
 
 namespace elgen {
 
-/// Whether a variable or parameter has a unit other than 1; without, none is checked.
+/// Whether a variable or parameter has a unit other than 1; otherwise units are not checked.
 [[nodiscard]] bool uses_units(const FileSyntax& model);
 
 /// E401, E403, E404, a note E405 of values that name nothing, and one E520 that lists what has no

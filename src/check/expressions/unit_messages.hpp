@@ -22,7 +22,7 @@ struct UnitDeclaration {
   std::string message = {};  ///< "`k` is declared here, in N/m"
 };
 
-/// Of the first parameter of the expression, else of its first coordinate or input.
+/// The first parameter of the expression has it, else its first coordinate or input.
 [[nodiscard]] std::optional<UnitDeclaration> unit_declaration(const Model& model,
                                                               ExpressionId expression);
 

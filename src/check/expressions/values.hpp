@@ -70,8 +70,8 @@ class ValueReader {
   /// The same for a frame; nothing for `world` (and after an error).
   std::optional<std::uint32_t> frame_or_world(const ValueSyntax& value);
 
-  /// False after E104: a vector has 2 or 3 components. E516 unless it has as many as most vectors
-  /// of the model, or as the first one.
+  /// False after E104: a vector has 2 or 3 components. E516 where it has fewer or more than most
+  /// vectors of the model, or than the first.
   bool is_vector(const ValueSyntax& value);
 
   Context& context() { return context_; }
@@ -87,7 +87,7 @@ void note_degrees(Report& report, const Span& span, const cln::cl_RA& angle);
 void note_degrees(Report& report, const Span& span, const Coordinate& coordinate,
                   const std::optional<cln::cl_R>& value);
 
-/// 2 or 3, whichever more vectors of the file have; 0 where all agree, or as many have either.
+/// The dimension of most vectors of the file, 2 or 3; 0 where all agree, or in a draw.
 [[nodiscard]] std::uint32_t usual_dimension(const FileSyntax& model);
 
 /// Text of an optional key of an entry or table, or nothing.

@@ -103,7 +103,7 @@ class MechanicsCheck {
  private:
   [[nodiscard]] const Span& span(ExpressionId id) const { return model_.expressions[id].span; }
 
-  /// Of an energy, or of a component of a spin: T is quadratic in that.
+  /// Checks the degree of an energy, or of a component of a spin: T is quadratic in spins.
   void check_degree(const std::optional<ExpressionId>& energy, std::uint8_t most, Code code,
                     const std::string& rule) {
     // Ingredients that have no place in an energy are reported as such.

@@ -19,7 +19,7 @@ using cln::cl_R;
 using cln::cl_RA;
 using Operands = std::vector<EnclosedNumber>;
 
-/// Of the floats: more than are kept, doubled until these are right.
+/// Digits of the floats: more than are kept, doubled until the kept ones are right.
 constexpr int first_digits = constant_digits + 20;
 constexpr int most_digits = 30'000;
 

@@ -15,12 +15,12 @@ constexpr auto keywords = std::to_array<std::string_view>({
 #include "check/names/keywords.def"
 });
 
-/// Of the headers that are installed where elgen is built; sorted.
+/// Macros of the headers that are installed where elgen is built; sorted.
 constexpr auto library_macros = std::to_array<std::string_view>({
 #include "check/names/library_macros.def"
 });
 
-/// Of other platforms.
+/// Macros of other platforms.
 constexpr std::array more_macros{"HUGE",  "OVERFLOW", "UNDERFLOW", "DOMAIN", "SING",
                                  "PLOSS", "TLOSS",    "imaginary", "i386",   "signgam"};
 

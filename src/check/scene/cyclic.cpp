@@ -3,9 +3,9 @@
 //     before    q = (r, phi)    L = 1/2*m*(dot(r)^2 + r^2*dot(phi)^2) - V
 //     after     q = (r)         R = L - p_phi*dot(phi) at dot(phi) = p_phi/(m*r^2)
 //
-// Forces, inputs and D are judged here, by what they are made of. Whether L changes with the
-// coordinate no reading of its text shows: find_momenta() asks the oracle. In the model that is
-// left, the coordinate and its rate are 0.
+// Forces, inputs and D are judged here, by what they are made of. The text of L does not show
+// whether L changes with the coordinate: find_momenta() asks the oracle. In the model that is left,
+// the coordinate and its rate are 0.
 #include <utility>
 
 #include "check/scene/scene.hpp"

@@ -1,4 +1,4 @@
-// [numeric] max_error, which says how far outputs may be off, and the ranges in which it holds.
+// [numeric] max_error, the bound on the errors of outputs, and the ranges in which it holds.
 #include <cln/real.h>
 
 #include <algorithm>

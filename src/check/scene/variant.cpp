@@ -113,7 +113,7 @@ class VariantBuilder {
     }
   }
 
-  /// Of a rotation 0: it is locked at a constant. (Accelerations occur in closed forms only.)
+  /// Rotations are locked at constants: rate 0. (Accelerations occur in closed forms only.)
   void rewrite_rate(Expression& node) const {
     const Velocity& velocity = whole_.velocities[node.index];
     if (velocity.rotation) {

@@ -93,8 +93,8 @@ bool is_scene(const SourceText& source) {
          source.path.ends_with(".scene.toml");
 }
 
-/// Of a file that is neither a model nor a scene: a robot description, or a scene whose name does
-/// not say so.
+/// The error of a file that is no model and is not named as a scene: a robot description, or a
+/// scene.
 std::optional<Diagnostic> misnamed(const SourceText& source) {
   const std::size_t first = source.text.find_first_not_of(" \t\r\n");
   if (first != std::string::npos && source.text[first] == '<') {

@@ -12,7 +12,7 @@
 
 namespace elgen::cli {
 
-/// Of the files that say what was generated.
+/// The ending of files that list the generated ones.
 inline constexpr std::string_view sidecar_ending = artifact_table.sidecar.ending;
 
 /// The condition on an existing file under which another takes its place unasked.

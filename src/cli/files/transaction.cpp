@@ -66,14 +66,14 @@ class TargetFolder {
 
   void add(const OutputFile& file) { files_.push_back(&file); }
 
-  /// That of the first file.
+  /// The path of the first file.
   [[nodiscard]] const std::string& path() const { return files_.front()->path; }
   /// Whether the lock is ours now; false while another process has it.
   [[nodiscard]] bool lock() const;
   /// Whether another process removed the folder before it was locked.
   [[nodiscard]] bool is_removed() const;
 
-  /// Of processes that were killed.
+  /// Removes stages of killed processes.
   void remove_stale_stages() const;
   /// Writes what differs from the disk into a fresh folder inside; `written` gains the paths.
   [[nodiscard]] std::optional<Failure> stage(std::vector<std::string>& written);

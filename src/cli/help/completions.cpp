@@ -25,7 +25,7 @@ std::string spaced(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
-/// Of options, not of positionals.
+/// Names of options without positionals.
 std::vector<std::string> names_of(const std::vector<ListedOption>& options) {
   std::vector<std::string> names;
   for (const ListedOption& option : options) {

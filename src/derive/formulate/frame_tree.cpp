@@ -44,7 +44,7 @@ std::vector<bool> carrying(const Model& model) {
   return needed;
 }
 
-/// Those frames, each after its parent; otherwise as declared.
+/// The wanted frames, each after its parent; otherwise as declared.
 std::vector<std::uint32_t> parents_first(const Model& model, const std::vector<bool>& wanted) {
   std::vector<std::uint32_t> order;
   std::vector<bool> done(model.frames.size(), false);
@@ -136,7 +136,7 @@ TreeStep translated(const Model& model, Translation& translation, Definitions& d
   result.vector = translation.vector(step.vector, name + "_offset", result.origin);
   if (step.kind == FrameStepKind::turn) {
     result.angle = translation.value(step.angle);
-    // Of a constant the sine is exact only while it is seen to be one.
+    // A constant gets no symbol: its sine is exact only while it is seen.
     if (!symbols_of(definitions, result.angle).empty()) {
       result.angle = define(definitions, result.angle, {name + "_angle", result.origin});
     }

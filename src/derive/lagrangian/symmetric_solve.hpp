@@ -100,7 +100,7 @@ class ConstrainedSolve {
   /// Entries are definitions.
   [[nodiscard]] Solution solve(const Vector& r, const Vector& s);
 
-  /// Those of M by velocity, then those of S by constraint.
+  /// Pivots of M by velocity, then pivots of S by constraint.
   [[nodiscard]] Vector relative_pivots() const;
   [[nodiscard]] Vector diagonal() const;
 

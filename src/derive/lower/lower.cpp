@@ -1,5 +1,5 @@
-// lower: EquationsOfMotion -> Program, one output at a time: import, flatten, factor, share, turn
-// signs, linearise.
+// lower: EquationsOfMotion -> Program, one output at a time: import, flatten, factor, eliminate
+// common subexpressions, turn signs, linearise.
 #include "elgen/lower.hpp"
 
 #include <cln/exception.h>
@@ -16,7 +16,7 @@
 namespace elgen {
 namespace {
 
-/// Of an output that divides by the pivots of M the message names the rate whose M_ii is 0.
+/// Where the output divides by pivots of M, the message names the rate whose M_ii is 0.
 Diagnostic zero_denominator(const Program& program, const OutputRequest& request) {
   if (!divides_by_mass(output_row(request.kind))) {
     return {Code::E312, request.span,
@@ -52,7 +52,7 @@ Diagnostics lower_output(const EquationsOfMotion& equations, const OutputRequest
   try {
     linearise(cheapest_network(expressions, function), program, function);
   } catch (const cln::division_by_0_exception&) {
-    // Only the other ways to write it show that a denominator is 0: sin(2*x) - 2*sin(x)*cos(x).
+    // Only other rewritings show that a denominator is 0: sin(2*x) - 2*sin(x)*cos(x).
     return {zero_denominator(program, request)};
   }
   program.functions.push_back(std::move(function));

@@ -54,7 +54,7 @@ std::vector<Weighted> inertial_forces_of_masses(Derivation& derivation, Tangent&
   });
 }
 
-/// Of forces with u = 0, or as they are.
+/// Sets u = 0 in forces, or leaves them as they are.
 Substitution acting(Derivation& derivation, InputForces inputs) {
   Seeds values;
   if (inputs == InputForces::absent) {
@@ -93,7 +93,7 @@ TreeForces negative_wrenches(Derivation& derivation, InputForces inputs) {
   return negative(tree_of(derivation).wrench_forces(std::ref(force)));
 }
 
-/// Of bodies in frames; gravity is an acceleration of their base.
+/// Forces of bodies in frames; gravity is an acceleration of their base.
 TreeForces tree_forces(Derivation& derivation, Tangent& second) {
   return inertial_forces(tree_of(derivation), {derivation.coasting, second, true});
 }
@@ -160,7 +160,7 @@ Vector drift(Derivation& derivation) {
   append(linear, weighted(energies.potential1, -1));
   for (const Weighted& term : linear) forces.pulled_back.push_back({term.value, -term.weight});
   append(forces.pulled_back, weighted(energies.kinetic0, -1));
-  // Of bodies in frames all inertial forces less those at frozen time.
+  // Bodies in frames give all inertial forces less those at frozen time.
   Tree& tree = tree_of(derivation);
   append(forces, inertial_forces(tree, {derivation.coasting, derivation.coasting}));
   append(forces, negative(inertial_forces(tree, {derivation.frozen, derivation.frozen})));

@@ -94,8 +94,8 @@ enum class Bodies : unsigned char { all, without_frames };
 /// d2y/dt2 at a = 0.
 [[nodiscard]] Vector second_rate(Derivation& derivation, const Terms& values);
 
-/// Of a frame's twist (angular velocity; velocity of its origin): d twist/dv, 6 x n_v, and what is
-/// left of its rate at a = 0.
+/// d twist/dv, 6 x n_v, of a frame's twist (angular velocity; velocity of its origin), and the rate
+/// of the twist at a = 0.
 [[nodiscard]] Vector twist_jacobian(Derivation& derivation, const TwistOutput& output);
 [[nodiscard]] Vector twist_bias(Derivation& derivation, const TwistOutput& output);
 

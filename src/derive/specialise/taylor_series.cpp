@@ -21,7 +21,7 @@ TaylorSeries::TaylorSeries(Definitions& definitions, const std::vector<SmallLeaf
   }
 }
 
-/// Of one term, by d/ds of the term with x0 + s x1 + s^2 x2 + … for each x.
+/// Coefficients of one term, by d/ds of the term with x0 + s x1 + s^2 x2 + … for each x.
 TaylorSeries::Coefficients TaylorSeries::coefficients_of(const ex& term) const {
   GiNaC::exmap curves;
   for (const ex& symbol : symbols_of(definitions_, term)) {

@@ -38,7 +38,7 @@ void accumulate(VectorAlgebra& algebra, const CompositeInertia& from, CompositeI
 /// In the axes before the step, about the origin there.
 [[nodiscard]] CompositeInertia to_parent(Tree& tree, std::size_t step, const CompositeInertia& c);
 
-/// Of every step.
+/// One for every step.
 [[nodiscard]] std::vector<CompositeInertia> composite_inertias(Tree& tree);
 
 /// I (spin; velocity): the momentum about the origin.
@@ -63,7 +63,7 @@ void accumulate(VectorAlgebra& algebra, const CompositeRate& from, CompositeRate
 /// In the axes before the step.
 [[nodiscard]] CompositeRate to_parent(Tree& tree, std::size_t step, const CompositeRate& rate);
 
-/// Of every step, in the axes after it, for the bodies moving with these twists.
+/// One for every step, in the axes after it, where the bodies move with these twists.
 [[nodiscard]] std::vector<CompositeRate> composite_rates(Tree& tree,
                                                          const std::vector<Twist>& twists);
 

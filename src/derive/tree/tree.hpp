@@ -60,7 +60,7 @@ class Tree {
   [[nodiscard]] const TreeStep& step(std::size_t index) const { return frames().steps[index]; }
   [[nodiscard]] const StepRotation& rotation(std::size_t index) const { return rotations_[index]; }
 
-  /// Those of the Lagrangian, with numbers regrouped (regrouped()).
+  /// Bodies of the Lagrangian, with numbers regrouped (regrouped()).
   [[nodiscard]] const std::vector<RigidBody>& bodies() const { return bodies_; }
 
   /// R x and R^T x of a step.
@@ -104,7 +104,7 @@ class Tree {
   std::vector<RigidBody> bodies_;
 };
 
-/// That of a Derivation, made when it is first asked for.
+/// The tree of a Derivation, made on first demand.
 [[nodiscard]] Tree& tree_of(Derivation& derivation);
 
 /// The sum on every step of what `of` makes of its bodies.

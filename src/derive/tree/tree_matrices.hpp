@@ -43,8 +43,8 @@ struct Coefficient {
   GiNaC::ex value = 0;
 };
 
-/// Those that depend on coordinates, steps ascending. Quaternions written over coordinates have
-/// none: `is_complete` is false then, and matrices are derived from forces instead.
+/// Variables that depend on coordinates, steps ascending. Quaternions written over coordinates have
+/// none: then `is_complete` is false, and matrices are derived from forces.
 struct TreeVariables {
   std::vector<TreeVariable> list = {};
   bool is_complete = true;

@@ -19,7 +19,7 @@ void collect(const Function& function, const std::vector<std::string>& names, st
   if (operand_count(i) > 1) collect(function, names, i.b, statement);
 }
 
-/// Of a sine and a cosine, their angle is what is written out.
+/// The text of a sine and a cosine is their angle.
 Statement completed(const Function& function, const std::vector<std::string>& names,
                     Statement statement) {
   const std::uint32_t at = statement.instruction;

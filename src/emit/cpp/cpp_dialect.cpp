@@ -176,7 +176,7 @@ class CppDialect : public Dialect {
     return field_type(model(), kind, field);
   }
   virtual std::string type_of_argument(Opcode argument) const {
-    // That of t is not deduced, so that t may be a number of another type.
+    // The type of t is not deduced, so that t may be a number of another type.
     return fmt::format("const {}&", leaf_row(argument).type);
   }
 

@@ -38,7 +38,7 @@ struct AngleReduction {
   double rounding = 0;  ///< the most that rounding adds to the error of either polynomial
 };
 
-/// Of float or double.
+/// The row of float or double.
 [[nodiscard]] const AngleReduction& angle_reduction(ScalarKind scalar);
 
 /// The polynomial of least degree whose error is at most `max_error` with what rounding in `scalar`

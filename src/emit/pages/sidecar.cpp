@@ -73,7 +73,7 @@ Json constraints(const Model& model) {
   return list;
 }
 
-/// What each is a function of, in the model language.
+/// Open functions with their arguments, in the model language.
 Json open_functions(const Model& model) {
   Json list = Json::array();
   for (const OpenFunction& function : model.functions) {

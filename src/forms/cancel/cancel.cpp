@@ -20,7 +20,7 @@ std::vector<bool> marked(const Function& function, const Places& places) {
   return result;
 }
 
-/// Those of `zeros` that an entry is, or that go into something else.
+/// The `zeros` that are entries, or operands of values that are not zero.
 Places outermost(const Function& function, const Places& zeros) {
   const std::vector<bool> is_zero = marked(function, zeros);
   std::vector<bool> used = marked(function, entries_of(function));

@@ -19,7 +19,7 @@ using Values = std::vector<Number>;
 constexpr std::uint64_t first_seed = 1;
 constexpr std::uint64_t other_seed = 2;
 
-/// x below a share of y.
+/// Whether x is below a fraction of y.
 bool is_below(const Real& x, const Real& y, const Real& share) {
   return abs(x).value() <= (abs(y) * share).value();
 }
@@ -94,7 +94,7 @@ std::vector<bool> needed_for_undefined(const Function& function, const Values& v
   return needed_for(function, undefined);
 }
 
-/// Of `candidates` those that vanish at one more point, too.
+/// The `candidates` that vanish at one more point, too.
 std::vector<std::uint32_t> still_vanishing(const Program& program, const Function& function,
                                            const std::vector<std::uint32_t>& candidates,
                                            const std::vector<bool>& variables, Sampler& draw) {

@@ -19,7 +19,7 @@ inline constexpr int angle_parts = 12;
 
 class Arithmetic {
  public:
-  /// Of at most `work` term products, and sums of at most `terms` terms.
+  /// Takes at most `work` products of terms, and sums of at most `terms` terms.
   explicit Arithmetic(Algebra& algebra, std::size_t work = PresentBudget{}.products,
                       std::size_t terms = PresentBudget{}.terms)
       : algebra_(algebra), work_(work), terms_(terms) {}

@@ -11,8 +11,8 @@
 namespace elgen {
 namespace {
 
-/// Of the product of rates of a term, in the order of a book: accelerations, the row's own first;
-/// squares; other products; single rates; inputs; multipliers; none.
+/// Ranks products of rates as a book orders them: accelerations, the row's own first; squares;
+/// other products; single rates; inputs; multipliers; none.
 int rank_of_rates(const Algebra& algebra, const Monomial& rates, std::optional<std::uint32_t> own) {
   std::int32_t degree = 0;
   bool is_input = false;

@@ -5,8 +5,8 @@
 //                 accelerations first
 //
 // Sums stay together as the model has them: k (r - l0)^2. What multiplies one product of parameters
-// has its sines and cosines written in the shortest way for itself, so that A sin^2 + C cos^2 is
-// not C + (A - C) sin^2.
+// has its sines and cosines in their own shortest form, so that A sin^2 + C cos^2 is not C + (A -
+// C) sin^2.
 #pragma once
 
 #include <map>
@@ -25,13 +25,13 @@ struct TooLongForABook : std::length_error {
 };
 
 /// Operations that an entry may have as it is written out, and factors of a typed sum. Functions of
-/// functions are short as they are shared, and double with every level as they are written.
+/// functions are short as common subexpressions, and double with every level as they are written.
 inline constexpr std::size_t longest_entry_of_a_book = 5'000;
 
 /// The rank of sums that no model has typed.
 inline constexpr std::uint32_t untyped = 10'000;
 
-/// Terms of a sum; of longer ones nobody sees what their terms share.
+/// Terms of a sum; nobody sees the common factors of longer ones.
 inline constexpr std::size_t longest_collected = 40;
 
 class Arranger {

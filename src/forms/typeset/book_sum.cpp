@@ -207,21 +207,23 @@ cln::cl_RA take_number(BookSum& sum) {
   return number;
 }
 
-std::vector<BookFactor> take_waves(BookSum& sum) {
+std::vector<BookFactor> take_sinusoids(BookSum& sum) {
   std::vector<BookFactor> common;
-  for (BookFactor wave : sum.terms.front().factors) {
-    const bool is_wave = wave.kind == BookFactorKind::sine || wave.kind == BookFactorKind::cosine;
+  for (BookFactor circular : sum.terms.front().factors) {
+    const bool is_sine_or_cosine =
+        circular.kind == BookFactorKind::sine || circular.kind == BookFactorKind::cosine;
     for (const BookProduct& term : sum.terms) {
       const auto own = std::ranges::find_if(
-          term.factors, [&](const BookFactor& factor) { return is_same(factor, wave); });
-      wave.exponent = own == term.factors.end() ? 0 : std::min(wave.exponent, own->exponent);
+          term.factors, [&](const BookFactor& factor) { return is_same(factor, circular); });
+      circular.exponent =
+          own == term.factors.end() ? 0 : std::min(circular.exponent, own->exponent);
     }
-    if (is_wave && wave.exponent > 0) common.push_back(std::move(wave));
+    if (is_sine_or_cosine && circular.exponent > 0) common.push_back(std::move(circular));
   }
-  for (const BookFactor& wave : common) {
+  for (const BookFactor& circular : common) {
     for (BookProduct& term : sum.terms) {
-      BookFactor inverse = wave;
-      inverse.exponent = -wave.exponent;
+      BookFactor inverse = circular;
+      inverse.exponent = -circular.exponent;
       add_factor(term, std::move(inverse));
     }
   }

@@ -99,7 +99,7 @@ void multiply(BookProduct& product, const Algebra& algebra, const CircularPower&
 [[nodiscard]] cln::cl_RA take_number(BookSum& sum);
 
 /// Takes the sines and cosines out that all terms have.
-[[nodiscard]] std::vector<BookFactor> take_waves(BookSum& sum);
+[[nodiscard]] std::vector<BookFactor> take_sinusoids(BookSum& sum);
 
 /// 1 - v^2/c^2 under a root: a positive term comes first, the others in their order.
 [[nodiscard]] BookSum positive_first(BookSum sum);

@@ -5,7 +5,7 @@
 
 #include "forms/present/polynomial.hpp"
 #include "forms/typeset/arrange.hpp"
-#include "forms/write/ways.hpp"
+#include "forms/write/rewritings.hpp"
 
 namespace elgen {
 namespace {
@@ -52,7 +52,7 @@ BookProduct Arranger::shared_powers(const MixedSum& sum) const {
   return shared;
 }
 
-/// What all terms have in common, times the sum of what is left of them.
+/// The common factors of all terms, times the sum of the quotients.
 BookProduct Arranger::product(MixedSum sum) {
   BookProduct result = shared_powers(sum);
   Monomial taken;
@@ -153,7 +153,7 @@ const BookSum& Arranger::collected(const MixedSum& sum) {
   return collected_.emplace(sum, newly_collected(sum)).first->second;
 }
 
-/// The shorter way; one with a sum as typed, where they are as long.
+/// The shorter rewriting; on a tie the one with a sum as typed.
 BookSum Arranger::newly_collected(const MixedSum& sum) {
   BookSum best = by_kinds(sum);
   if (sum.size() > 2 && sum.size() <= longest_collected) {

@@ -3,8 +3,8 @@
 //
 //     d/dt dL/dv - dL/dq + dD/dv = Q
 //
-// Of the summands of L those whose part of a row moves (it holds rates or accelerations) are added
-// up, since books give each product of rates one coefficient; the others stand each for itself.
+// Summands of L whose part of a row holds rates or accelerations are added up, since books give
+// each product of rates one coefficient. The other summands stand alone.
 #pragma once
 
 #include <optional>

@@ -5,7 +5,7 @@
 
 #include "forms/present/polynomial.hpp"
 #include "forms/typeset/arrange.hpp"
-#include "forms/write/ways.hpp"
+#include "forms/write/rewritings.hpp"
 
 namespace elgen {
 
@@ -55,9 +55,9 @@ FactorPlace Arranger::place_of_sum(const BookSum& sum, std::uint32_t rank) const
 }
 
 void Arranger::multiply(BookProduct& product, BookSum sum, std::int32_t exponent) const {
-  for (BookFactor& wave : take_waves(sum)) {
-    wave.exponent *= exponent;
-    add_factor(product, std::move(wave));
+  for (BookFactor& circular : take_sinusoids(sum)) {
+    circular.exponent *= exponent;
+    add_factor(product, std::move(circular));
   }
   sort_terms(sum);
   product.number = product.number * cln::expt(take_number(sum), exponent);
@@ -220,7 +220,7 @@ void Arranger::divide(BookProduct& product, const Polynomial& factor, std::int32
 
 /// Factors of sines and cosines are multiplied: present has sin x as 2 sin(x/2) cos(x/2).
 void Arranger::divide(BookProduct& product, const Fraction& form) {
-  Polynomial waves = constant(1);
+  Polynomial circular_factors = constant(1);
   for (const auto& [factor, exponent] : form.denominator) {
     const Polynomial& shown = algebra_.factors[factor].shown;
     const auto root = std::ranges::find_if(
@@ -233,11 +233,13 @@ void Arranger::divide(BookProduct& product, const Fraction& form) {
     } else if (!holds_exponentials(algebra_, shown)) {
       divide(product, shown, exponent);
     } else {
-      for (std::int32_t i = 0; i < exponent; ++i) waves = elgen::product(waves, shown);
+      for (std::int32_t i = 0; i < exponent; ++i) {
+        circular_factors = elgen::product(circular_factors, shown);
+      }
     }
-    if (waves.size() > most_terms) throw TooLongForABook();
+    if (circular_factors.size() > most_terms) throw TooLongForABook();
   }
-  if (!is_one(waves)) divide(product, waves, 1);
+  if (!is_one(circular_factors)) divide(product, circular_factors, 1);
 }
 
 BookProduct Arranger::product(const Fraction& form) {

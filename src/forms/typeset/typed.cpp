@@ -185,7 +185,7 @@ class ProductOrder {
     const auto at = std::ranges::find(order_, first);
     const auto other = std::ranges::find(order_, second);
     if (at < other) return;
-    // What stands between them keeps its place unless a product put it behind `second`.
+    // Sums between them keep their places unless a product put them behind `second`.
     const bool is_bound = std::any_of(other, at, [&](std::uint32_t between) {
       return is_known_[second * order_.size() + between] ||
              is_known_[between * order_.size() + first];

@@ -156,7 +156,7 @@ class Typesetting {
       const auto rows = rows_around(equations, first);
       for (std::uint32_t i = 0; i < rows.size(); ++i) {
         Field& field = result.fields.emplace_back(Field{model_.velocities[i].name, 0, 1, {}});
-        // What an expansion leaves out counts in a quotient; multipliers are not known.
+        // Quotients would need the terms that an expansion drops; multipliers are not known.
         if (model_.approximation || !model_.constraints.empty()) continue;
         const std::optional<BookSum> solution = equations.solved(rows, i);
         if (!solution || written_factors(*solution) > longest_solution) continue;
@@ -185,19 +185,19 @@ class Typesetting {
     return write.copied(known, known.fields[field].entries[entry]);
   }
 
-  struct Hands {
+  struct Typesetter {
     Arranger& arranger;
     BookWriter& write;
   };
 
   /// None of an entry that is too long.
-  static std::optional<std::uint32_t> entry_of(const Hands& hands,
+  static std::optional<std::uint32_t> entry_of(const Typesetter& typesetter,
                                                const std::optional<Fraction>& form, OutputKind kind,
                                                std::uint32_t row) {
     if (!is_short(form)) return std::nullopt;
     try {
-      return hands.write(is_sum_of_forces(kind) ? hands.arranger.spread(*form, row)
-                                                : hands.arranger.by_motion(*form));
+      return typesetter.write(is_sum_of_forces(kind) ? typesetter.arranger.spread(*form, row)
+                                                     : typesetter.arranger.by_motion(*form));
     } catch (const TooLongForABook&) {
       return std::nullopt;
     }

@@ -148,11 +148,11 @@ std::uint32_t BookWriter::factor(const BookFactor& factor) {
     case BookFactorKind::atom:
       return atom(factor.atom);
     case BookFactorKind::sine:
-      return wave(FunctionId::sin, factor.angle);
+      return trigonometric(FunctionId::sin, factor.angle);
     case BookFactorKind::cosine:
-      return wave(FunctionId::cos, factor.angle);
+      return trigonometric(FunctionId::cos, factor.angle);
     case BookFactorKind::tangent:
-      return wave(FunctionId::tan, factor.angle);
+      return trigonometric(FunctionId::tan, factor.angle);
     case BookFactorKind::sum:
       return (*this)(factor.sum);
     case BookFactorKind::name: {
@@ -164,7 +164,7 @@ std::uint32_t BookWriter::factor(const BookFactor& factor) {
   return 0;
 }
 
-std::uint32_t BookWriter::wave(FunctionId function, const Monomial& angle) {
+std::uint32_t BookWriter::trigonometric(FunctionId function, const Monomial& angle) {
   return instructions_.add({.opcode = Opcode::call, .function = function, .a = this->angle(angle)});
 }
 
@@ -174,9 +174,9 @@ std::uint32_t BookWriter::angle(const Monomial& parts) {
   if (known != angles_.end()) return known->second;
   BookSum sum;
   for (const AtomPower& part : parts) {
-    const Atom& wave = algebra_.atoms[part.atom];
-    for (BookProduct& term : arranger_.in_front(wave.arguments[0]).terms) {
-      term.number = term.number * part.exponent / wave.divisor;
+    const Atom& exponential = algebra_.atoms[part.atom];
+    for (BookProduct& term : arranger_.in_front(exponential.arguments[0]).terms) {
+      term.number = term.number * part.exponent / exponential.divisor;
       sum.terms.push_back(std::move(term));
     }
   }

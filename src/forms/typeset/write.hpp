@@ -31,7 +31,7 @@ class BookWriter {
  private:
   [[nodiscard]] std::uint32_t product(const BookProduct& product);
   [[nodiscard]] std::uint32_t factor(const BookFactor& factor);
-  [[nodiscard]] std::uint32_t wave(FunctionId function, const Monomial& angle);
+  [[nodiscard]] std::uint32_t trigonometric(FunctionId function, const Monomial& angle);
   [[nodiscard]] std::uint32_t angle(const Monomial& parts);
   [[nodiscard]] std::uint32_t atom(AtomId id);
   [[nodiscard]] std::uint32_t new_atom(AtomId id);

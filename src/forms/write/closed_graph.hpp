@@ -17,7 +17,7 @@ enum class Grouping : std::uint8_t {
 };
 
 /// How a closed form is written. Without `trigonometry`, what multiplies one product of rates is
-/// written in the way that is shortest for it.
+/// written in its shortest form.
 struct Layout {
   std::optional<Trigonometry> trigonometry = {};
   Grouping grouping = Grouping::none;

@@ -24,9 +24,9 @@ std::set<NodeId> replaceable_calls(const Expressions& expressions) {
   std::set<NodeId> found;
   for (const NodeId id : nodes) {
     const Node node = graph.node(id);
-    if (!is_wave(node) && !is_call(node, FunctionId::exp)) continue;
+    if (!is_sine_or_cosine(node) && !is_call(node, FunctionId::exp)) continue;
     const Ref argument = argument_of(node);
-    const bool is_found = is_wave(node)
+    const bool is_found = is_sine_or_cosine(node)
                               ? has_call(FunctionId::sin, GraphTerms(graph).half(argument))
                               : has_call(FunctionId::expm1, argument);
     if (is_found) found.insert(id);

@@ -42,7 +42,7 @@ class GraphTerms {
   [[nodiscard]] bool has_one(Ref value) const;
   /// Products in it are written out.
   [[nodiscard]] ScaledTerm scaled(Ref value) const;
-  /// Moves what both share from `x` and `y` to the result.
+  /// Moves common factors from `x` and `y` to the result.
   static std::vector<Operand> take_shared(ScaledTerm& x, ScaledTerm& y);
   Ref product(const cln::cl_RA& coefficient, const std::vector<Operand>& factors);
   /// Whether a term has neither coordinates nor rates: where all others vanish, the sum does not,

@@ -82,28 +82,28 @@ TwoPowers homogeneous(const Multiples& multiples, std::int32_t base) {
 }
 
 /// coefficient sin(angle), or cos(angle).
-struct Wave {
+struct Sinusoid {
   Monomial angle = {};
   cln::cl_RA coefficient = 0;
   bool is_sine = false;
 };
 
-/// The only wave of a direction.
-std::optional<Wave> wave_of(const Monomial& direction, const Multiples& multiples) {
+/// The only sine or cosine of a direction.
+std::optional<Sinusoid> sinusoid_of(const Monomial& direction, const Multiples& multiples) {
   if (multiples.size() != 1) return std::nullopt;
   const auto& [multiple, coefficient] = *multiples.begin();
   const bool is_sine = cln::zerop(coefficient.real);
   if (!is_sine && !cln::zerop(coefficient.imaginary)) return std::nullopt;
-  return Wave{power(direction, multiple),
-              is_sine ? coefficient.imaginary * -2 : coefficient.real * 2, is_sine};
+  return Sinusoid{power(direction, multiple),
+                  is_sine ? coefficient.imaginary * -2 : coefficient.real * 2, is_sine};
 }
 
-/// sin x + sin y = 2 sin((x + y)/2) cos((x - y)/2), and so on: two waves that may cancel as one
-/// product.
-std::optional<RealTerm> product_of_waves(const Monomial& powers, const Factor& factor) {
+/// sin x + sin y = 2 sin((x + y)/2) cos((x - y)/2), and so on: two sines or cosines that may cancel
+/// as one product.
+std::optional<RealTerm> product_of_sinusoids(const Monomial& powers, const Factor& factor) {
   if (factor.directions.size() != 2 || !cln::zerop(factor.constant)) return std::nullopt;
-  const auto x = wave_of(factor.directions.begin()->first, factor.directions.begin()->second);
-  const auto y = wave_of(factor.directions.rbegin()->first, factor.directions.rbegin()->second);
+  const auto x = sinusoid_of(factor.directions.begin()->first, factor.directions.begin()->second);
+  const auto y = sinusoid_of(factor.directions.rbegin()->first, factor.directions.rbegin()->second);
   if (!x || !y || x->is_sine != y->is_sine) return std::nullopt;
   const bool is_difference = x->coefficient == -y->coefficient;
   if (!is_difference && x->coefficient != y->coefficient) return std::nullopt;
@@ -114,12 +114,12 @@ std::optional<RealTerm> product_of_waves(const Monomial& powers, const Factor& f
   const bool has_sine_of_sum = x->is_sine != is_difference;
   const bool has_sine_of_difference = is_difference;
   const bool is_negative = !x->is_sine && is_difference;
-  const auto wave = [](const Monomial& angle, bool is_sine) {
+  const auto sinusoid = [](const Monomial& angle, bool is_sine) {
     return CircularPower{angle, is_sine ? 0 : 1, is_sine ? 1 : 0};
   };
   return RealTerm{x->coefficient * (is_negative ? -2 : 2),
                   powers,
-                  {wave(*sum, has_sine_of_sum), wave(*difference, has_sine_of_difference)}};
+                  {sinusoid(*sum, has_sine_of_sum), sinusoid(*difference, has_sine_of_difference)}};
 }
 
 }  // namespace
@@ -128,7 +128,7 @@ std::optional<std::vector<RealTerm>> homogeneous_terms(const Algebra& algebra,
                                                        const Polynomial& sum, std::size_t most) {
   std::vector<RealTerm> terms;
   for (const auto& [powers, factor] : factors_of(algebra, sum)) {
-    if (const auto product = product_of_waves(powers, factor)) {
+    if (const auto product = product_of_sinusoids(powers, factor)) {
       terms.push_back(*product);
       continue;
     }

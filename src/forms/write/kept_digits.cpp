@@ -83,8 +83,8 @@ class Triangles : GraphTerms {
     const Ref twice = doubled(times(*a, *b));
     if (mixed.node != twice.node) return std::nullopt;
     const bool is_difference = mixed.negative != twice.negative;
-    const FunctionId wave = is_difference ? FunctionId::sin : FunctionId::cos;
-    const Ref turn = times(doubled(twice), square(call(wave, half(angle))));
+    const FunctionId sinusoid = is_difference ? FunctionId::sin : FunctionId::cos;
+    const Ref turn = times(doubled(twice), square(call(sinusoid, half(angle))));
     return graph_.sum({square(graph_.sum({*a, -*b})), turn});
   }
 
@@ -355,8 +355,8 @@ class KeptSum : GraphTerms {
     } else if (x.coefficient != -y.coefficient) {
       return Conjugates(graph_)({first, second});
     }
-    if (const auto waves = known.cosines(x, y)) return whole(x.coefficient, *waves);
-    if (const auto waves = known.cosines(y, x)) return whole(y.coefficient, *waves);
+    if (const auto rewritten = known.cosines(x, y)) return whole(x.coefficient, *rewritten);
+    if (const auto rewritten = known.cosines(y, x)) return whole(y.coefficient, *rewritten);
     if (const auto less = known.difference(f, g)) return whole(x.coefficient, *less);
     if (const auto less = known.difference(g, f)) return whole(-x.coefficient, *less);
     return Conjugates(graph_)({first, second});

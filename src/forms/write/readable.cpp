@@ -1,10 +1,10 @@
-// readable: the shortest way. Two ways that are compared are one function of two entries, so that
-// what they share, sines above all, is evaluated once.
+// readable: the shortest rewriting. Two rewritings are compared as one function of two entries, so
+// that common parts, sines above all, are evaluated once.
 #include <algorithm>
 #include <numeric>
 #include <set>
 
-#include "forms/write/ways.hpp"
+#include "forms/write/rewritings.hpp"
 #include "program/graph/angle_sums.hpp"
 #include "program/graph/factor.hpp"
 #include "program/network/linearise.hpp"
@@ -14,13 +14,13 @@ namespace {
 
 using NodeSet = std::set<NodeId>;
 
-/// Of every angle that is rounded before its sine or cosine is taken, the leaves in it: x - y and
-/// 2 x - 2 y are rounded alike.
+/// Leaves of all angles rounded before their sines or cosines are taken: x - y and 2 x - 2 y count
+/// alike.
 std::set<NodeSet> rounded_angles(const Graph& graph, Ref value) {
   std::set<NodeSet> angles;
   for (const NodeId id : reachable(graph, {value})) {
     const Node& node = graph.node(id);
-    if (!is_wave(node) || is_exact_multiple(graph, node.operands[0].node)) continue;
+    if (!is_sine_or_cosine(node) || is_exact_multiple(graph, node.operands[0].node)) continue;
     NodeSet leaves;
     for (const NodeId part : reachable(graph, {{node.operands[0].node, false}})) {
       if (graph.node(part).kind == NodeKind::leaf) leaves.insert(part);
@@ -30,11 +30,11 @@ std::set<NodeSet> rounded_angles(const Graph& graph, Ref value) {
   return angles;
 }
 
-/// Whether `way` takes sines of sums that the reference has taken apart: q1 - q2 is rounded, q1 and
-/// q2 are not. Few points show it, where all else is small and the angles are large.
-bool rounds_more_angles(const Expressions& way, const Expressions& reference) {
+/// Whether `rewriting` takes sines of sums that the reference has taken apart: q1 - q2 is rounded,
+/// q1 and q2 are not. Few points show it, where all else is small and the angles are large.
+bool rounds_more_angles(const Expressions& rewriting, const Expressions& reference) {
   Graph both;
-  const Ref own = copied(both, way);
+  const Ref own = copied(both, rewriting);
   const Ref known = copied(both, reference);
   const auto known_angles = rounded_angles(both, known);
   const auto is_known = [&known_angles](const NodeSet& angle) {
@@ -53,28 +53,30 @@ Real admitted_error(const Running<Real>& x) {
 }
 
 /// Written out over the leaves, an entry as derived may have this many operations. Longer ones are
-/// never the shortest way: 1000 gives the same pages for models/; 20 makes some longer.
+/// never the shortest rewriting: 1000 gives the same pages for models/; 20 makes some longer.
 constexpr int longest_derived = 60;
 
 /// The shortest of those that are as precise as `judge`, by whose B the code is judged.
-std::size_t shortest_precise(const std::vector<Collected>& ways, std::size_t judge,
+std::size_t shortest_precise(const std::vector<Collected>& rewritings, std::size_t judge,
                              const Points& points) {
-  std::vector<std::size_t> order(ways.size());
+  std::vector<std::size_t> order(rewritings.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, {}, [&](std::size_t way) { return ways[way].length; });
-  return *std::ranges::find_if(order, [&](std::size_t way) {
-    return ways[way].terms == ways[judge].terms ||
-           is_as_precise(ways[way].expressions, ways[judge].expressions, points, Leaves::exact);
+  std::ranges::stable_sort(order, {},
+                           [&](std::size_t rewriting) { return rewritings[rewriting].length; });
+  return *std::ranges::find_if(order, [&](std::size_t rewriting) {
+    return rewritings[rewriting].terms == rewritings[judge].terms ||
+           is_as_precise(rewritings[rewriting].expressions, rewritings[judge].expressions, points,
+                         Leaves::exact);
   });
 }
 
 }  // namespace
 
-bool is_as_precise(const Expressions& way, const Expressions& reference, const Points& points,
+bool is_as_precise(const Expressions& rewriting, const Expressions& reference, const Points& points,
                    Leaves leaves) {
-  if (leaves == Leaves::exact && rounds_more_angles(way, reference)) return false;
+  if (leaves == Leaves::exact && rounds_more_angles(rewriting, reference)) return false;
   Expressions expressions;
-  expressions.values = {copied(expressions.graph, way), copied(expressions.graph, reference)};
+  expressions.values = {copied(expressions.graph, rewriting), copied(expressions.graph, reference)};
   const Linearised both(make_network(expressions));
   bool is_compared = false;
   for (const Arguments<double>& point : points) {
@@ -92,21 +94,22 @@ bool is_as_precise(const Expressions& way, const Expressions& reference, const P
 
 std::optional<ReadableForm> shortest(const Algebra& algebra, const Fraction& form,
                                      const Expressions* derived, const Points& points) {
-  std::vector<Collected> ways = collected_ways(algebra, form);
-  if (ways.empty() && derived == nullptr) return std::nullopt;
-  const auto least = std::ranges::min_element(ways, {}, &Collected::weighted_length);
-  auto readable = static_cast<std::size_t>(least - ways.begin());
+  std::vector<Collected> rewritings = collected_rewritings(algebra, form);
+  if (rewritings.empty() && derived == nullptr) return std::nullopt;
+  const auto least = std::ranges::min_element(rewritings, {}, &Collected::weighted_length);
+  auto readable = static_cast<std::size_t>(least - rewritings.begin());
   if (derived != nullptr) {
-    ways.push_back(derived_way(*derived));
-    const std::size_t last = ways.size() - 1;
-    const bool is_shorter = ways[last].weighted_length < ways[readable].weighted_length;
-    if (is_shorter && is_as_precise(ways[last].expressions, ways[readable].expressions, points,
-                                    Leaves::rounded)) {
+    rewritings.push_back(derived_rewriting(*derived));
+    const std::size_t last = rewritings.size() - 1;
+    const bool is_shorter = rewritings[last].weighted_length < rewritings[readable].weighted_length;
+    if (is_shorter && is_as_precise(rewritings[last].expressions, rewritings[readable].expressions,
+                                    points, Leaves::rounded)) {
       readable = last;
     }
   }
-  const std::size_t compact = shortest_precise(ways, readable, points);
-  return ReadableForm{ways[readable].expressions, ways[compact].expressions, ways[readable].length};
+  const std::size_t compact = shortest_precise(rewritings, readable, points);
+  return ReadableForm{rewritings[readable].expressions, rewritings[compact].expressions,
+                      rewritings[readable].length};
 }
 
 std::optional<DerivedEntry> as_derived(const Program& program, const Function& function,

@@ -1,4 +1,4 @@
-// real_terms: a canonical sum of exponentials as real terms, in one of several ways to write it.
+// real_terms: a canonical sum of exponentials as real terms, in one of several rewritings.
 //
 //     -1/4 m e^(2i theta) + 1/2 m - 1/4 m e^(-2i theta)
 //       multiple_angles   1/2 m - 1/2 m cos(2 theta)
@@ -10,7 +10,7 @@
 // A + (C - A) cos(theta)^2 is A sin(theta)^2 + C cos(theta)^2, and 1 - cos(theta) is
 // 2 sin(theta/2)^2: nothing cancels where one of them is 1.
 //
-// Of "directions", q1 + q2 is an angle like any other; of "units" it is taken apart into q1 and q2.
+// "directions" keep q1 + q2 as an angle like any other; "units" take it apart into q1 and q2.
 #pragma once
 
 #include <array>
@@ -33,7 +33,7 @@ enum class Trigonometry : std::uint8_t {
   homogeneous,
 };
 
-/// Those that people write.
+/// The ones that people write.
 inline constexpr std::array trigonometries{
     Trigonometry::multiple_angles, Trigonometry::directions_by_sines,
     Trigonometry::directions_by_cosines, Trigonometry::units_by_sines,
@@ -68,7 +68,7 @@ inline constexpr std::size_t multiple_length = 5;
 [[nodiscard]] std::size_t written_length(const Algebra& algebra,
                                          const std::vector<RealTerm>& terms);
 
-/// The shortest of all ways; on a tie the earlier one.
+/// The shortest of all rewritings; on a tie the earlier one.
 [[nodiscard]] std::optional<std::vector<RealTerm>> shortest_terms(const Algebra& algebra,
                                                                   const Polynomial& sum,
                                                                   std::size_t most);
@@ -88,7 +88,7 @@ inline constexpr std::size_t multiple_length = 5;
 /// The power of e^(i x/12) that is e^(i x).
 inline constexpr std::int32_t whole_angle = 12;
 
-/// Of the exponents; 0 of no angle.
+/// The greatest common divisor of the exponents; 0 where there is no angle.
 [[nodiscard]] std::int32_t common_divisor(const Monomial& angle);
 
 /// Without common divisor; the first part positive.

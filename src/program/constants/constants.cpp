@@ -17,7 +17,7 @@ namespace {
 
 /// The digits to which a constant is known.
 constexpr int promised_digits = 200;
-/// Of the floats, one after the other until that is kept.
+/// Digits of the floats, tried in turn until the promise is kept.
 constexpr std::array<int, 4> working_digits{220, 440, 880, 1760};
 
 Enclosed value_of(const ConstantForm& form, const EnclosedArithmetic& with);

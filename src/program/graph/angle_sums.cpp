@@ -65,7 +65,7 @@ std::vector<AngleTerms> angles_of(const Expressions& expressions) {
   const Graph& graph = expressions.graph;
   std::vector<AngleTerms> angles;
   for (const NodeId id : reachable(graph, expressions.values)) {
-    if (!is_wave(graph.node(id))) continue;
+    if (!is_sine_or_cosine(graph.node(id))) continue;
     const NodeId argument = graph.node(id).operands[0].node;
     if (std::ranges::find(angles, argument, &AngleTerms::argument) != angles.end()) continue;
     AngleTerms angle{argument};
@@ -130,7 +130,8 @@ class AngleSums {
 
   Ref operator()(Graph& graph, const RebuildStep& step) {
     const Node& node = step.old_graph.node(step.old_node);
-    if (!is_wave(node) || splits_.count(node.operands[0].node) == 0) return copy(graph, step);
+    if (!is_sine_or_cosine(node) || splits_.count(node.operands[0].node) == 0)
+      return copy(graph, step);
     const Ref value = circular(graph, step, node.function, node.operands[0].node);
     const bool negative = node.function == FunctionId::sin && node.operands[0].weight < 0;
     return with_sign(value, negative);

@@ -155,7 +155,7 @@ class Flattening {
   }
 
  private:
-  /// Of its user's kind, still so after its own renewal, and used once.
+  /// It has its user's kind, before and after its own renewal, and is used once.
   bool is_spliced(const Graph& graph, const RebuildStep& step, const Operand& operand) const {
     const NodeKind kind = step.old_graph.node(step.old_node).kind;
     const bool is_wanted = uses_[operand.node] == 1 ||

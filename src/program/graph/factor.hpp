@@ -7,7 +7,7 @@
 // factor that most terms have goes first (the earlier in the order of the graph on a tie), then
 // what is left, inside and outside.
 //
-// flatten, the way back: a sum used once, as a term of a sum, is written out there; likewise a
+// flatten, the inverse: a sum used once, as a term of a sum, is written out there; likewise a
 // product in a product.
 //
 //     before:  p = a + b   s = p - c   t = m*u   w = t*x     (p and t used nowhere else)

@@ -61,7 +61,7 @@ struct Node {
 }
 
 /// A sine or a cosine.
-[[nodiscard]] inline bool is_wave(const Node& node) {
+[[nodiscard]] inline bool is_sine_or_cosine(const Node& node) {
   return node.kind == NodeKind::call && is_circular(node.function);
 }
 
@@ -101,12 +101,12 @@ class Graph {
     return is_constant(id) && node(id).constant_size < unwritable_constant;
   }
   [[nodiscard]] bool is_rational(NodeId id) const { return node(id).kind == NodeKind::rational; }
-  /// Of a node that is rational; never negative.
+  /// The value of a rational node; never negative.
   [[nodiscard]] const cln::cl_RA& rational_of(NodeId id) const {
     return rationals_[node(id).index];
   }
   [[nodiscard]] bool is_zero(NodeId id) const;
-  /// Of a constant that is not too large for one.
+  /// The form of a constant that is not too large for one.
   [[nodiscard]] ConstantForm form_of(NodeId id) const;
   [[nodiscard]] ConstantForm form_of(Ref value) const;
 

@@ -92,7 +92,7 @@ class Signs {
     return odd;
   }
 
-  /// Of each smooth value that may be negative: the factors with odd exponents that may be.
+  /// For each smooth value that may be negative: its possibly negative factors with odd exponents.
   std::vector<std::vector<std::uint32_t>> odd_factors_ = {};
 };
 

@@ -23,8 +23,8 @@
 
 namespace elgen {
 
-/// Of each instruction, whether its value is an unknown. Parameters are positive where their
-/// assumption says so; ranges and values make nothing positive. Cost: one pass.
+/// Whether each instruction's value is an unknown. Parameters are positive where their assumption
+/// says so; ranges and values make nothing positive. Cost: one pass.
 [[nodiscard]] std::vector<bool> unknowns(const Program& program, const Function& function);
 
 }  // namespace elgen

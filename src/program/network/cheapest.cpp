@@ -15,7 +15,7 @@ constexpr std::size_t maximal_nodes_written_out = 20'000;
 
 CostedNetwork candidate(const Expressions& expressions, const Function& unfilled) {
   CostedNetwork result{make_network(expressions)};
-  share(result.network);
+  eliminate_common_subexpressions(result.network);
   turn_signs(result.network);
   Program scratch;
   Function function = unfilled;

@@ -1,9 +1,9 @@
 // cheapest: the form in which the values of a function cost least.
 //
-// Pulling common factors out of sums saves products but can undo what two sums would share, and
-// writing products out lets factors meet but takes shared ones apart; sines of sums of angles can
-// be calls or products of what is there. So several forms are made, counted after sharing, and put
-// in the order of their costs (the first made first on a tie).
+// Factoring sums saves products but can undo common subexpressions of two sums, and writing
+// products out lets factors meet but splits common ones; sines of sums of angles can be calls or
+// products of what is there. So several forms are made, counted after sharing, and put in the order
+// of their costs (the first made first on a tie).
 #pragma once
 
 #include <cstddef>

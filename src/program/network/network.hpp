@@ -49,7 +49,7 @@ struct Network {
 /// The only common-subexpression elimination. Greedy: the pair of operands found in most operations
 /// becomes an operation; pairs of a sum count up to sign, a - b as b - a. Ties go to the pair that
 /// comes first in the network.
-void share(Network& network);
+void eliminate_common_subexpressions(Network& network);
 
 /// A value that is only needed negative is computed negative, where a difference can turn for
 /// nothing.

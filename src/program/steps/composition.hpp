@@ -18,7 +18,7 @@ namespace elgen {
 /// Numbers of instructions.
 using Places = std::vector<std::uint32_t>;
 
-/// Where a function is called: what stands for q, v and t. Parameters and u are the caller's.
+/// The arguments q, v and t of a call. Parameters and u are the caller's.
 struct CallPoint {
   Places q = {};
   Places v = {};

@@ -18,7 +18,7 @@ namespace elgen {
   return result;
 }
 
-/// The opening tag, a white ground, and what the picture is called, in the topmost 30 pixels.
+/// The opening tag, a white ground, and the title of the plot, in the topmost 30 pixels.
 [[nodiscard]] inline std::string svg_start(double width, double height, const std::string& title) {
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
@@ -41,7 +41,7 @@ namespace elgen {
                      escaped_for_xml(text));
 }
 
-/// Of a part of the picture, in bold, from x on.
+/// The title of a part of the plot, in bold, from x on.
 [[nodiscard]] inline std::string svg_title(double x, double y, const std::string& text) {
   return fmt::format("<text x=\"{}\" y=\"{}\" font-weight=\"bold\">{}</text>\n", x, y,
                      escaped_for_xml(text));

@@ -79,7 +79,7 @@ void RankWatch::measure(const Numbers& state, double t) {
   }
 }
 
-/// The share of its largest value that a pivot has; 1 where it was always 0.
+/// The ratio of a pivot to its largest value; 1 where it was always 0.
 double RankWatch::share(std::size_t i) const {
   return largest_[i] > 0 ? std::abs(pivots_[i]) / largest_[i] : 1;
 }

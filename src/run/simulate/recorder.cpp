@@ -13,8 +13,8 @@
 namespace elgen {
 namespace {
 
-/// The estimate of a step's error is that of a method of lower order, so that most runs stay far
-/// inside what it allows. It may be too small by this factor where a step is long for its order.
+/// A step's error is estimated by a method of lower order, so most runs stay far within the
+/// tolerance. The estimate may be too small by this factor if a step is long for its order.
 constexpr double energy_margin = 10;
 
 bool is_finite(const Numbers& values) {

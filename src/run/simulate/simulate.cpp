@@ -184,7 +184,7 @@ std::vector<TrajectoryColumn> columns_of(const Model& model, const LeafNames& le
   return columns;
 }
 
-/// That of all rows of a field of the residual; "" where they differ, or are 1 or not known.
+/// The unit of all rows of a field of the residual; "" where units differ, or are 1 or unknown.
 std::string common_unit(const Model& model, std::string_view field, Extent rows) {
   std::vector<std::optional<Unit>> units;
   for (std::size_t row = 0; row < extent_of(model, rows); ++row) {

@@ -13,7 +13,7 @@
 namespace elgen {
 namespace {
 
-/// A share of the run: 1e12 steps take days, and only near a place without an acceleration is a
+/// A fraction of the run: 1e12 steps take days, and only near a place without an acceleration is a
 /// step asked to be so short.
 constexpr double shortest_share = 1e-12;
 
@@ -21,7 +21,7 @@ Diagnostic impossible(std::string message, std::string hint = {}) {
   return {Code::E621, {}, std::move(message), std::move(hint)};
 }
 
-/// Of the output `step`.
+/// The row of a method of the output `step`.
 constexpr MethodRow row_by_program(StepMethod method) {
   const StepMethodRow& row = step_methods[static_cast<std::size_t>(method)];
   return {row.name, row.order, StepKind::fixed, method, &make_step_program};

@@ -82,7 +82,7 @@ struct StepRule {
   double shortest = 0;  ///< chosen steps are not shorter
 };
 
-/// Of one length, or adapted to a tolerance unless a length is given.
+/// Steps have one length, or are adapted to a tolerance unless a length is given.
 enum class StepKind : std::uint8_t { fixed, adapted };
 
 struct MethodRow {
@@ -93,7 +93,7 @@ struct MethodRow {
   std::unique_ptr<Stepper> (*make)(System& system, const StepRule& rule);
 };
 
-/// Those that are offered, in their order.
+/// The methods that are offered, in their order.
 [[nodiscard]] std::span<const MethodRow> method_table();
 
 [[nodiscard]] std::unique_ptr<Stepper> make_rk4(System& system, const StepRule& rule);

@@ -28,7 +28,7 @@ std::vector<InputLaw> laws_of(const Model& model, const Arguments<double>& at) {
   return laws;
 }
 
-/// Of a result; 0 where there is no function.
+/// The size of a result; 0 where there is no function.
 std::size_t result_size(const Function* function) {
   return function == nullptr ? 0 : entry_count(*function);
 }

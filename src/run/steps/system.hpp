@@ -72,7 +72,7 @@ class System {
   /// q as rows show it: an angle with `wrap` in (-pi, pi].
   [[nodiscard]] const Numbers& shown(const double* q);
 
-  /// Of an expression of the model in q, v and t.
+  /// The value of an expression of the model in q, v and t.
   [[nodiscard]] double value(ExpressionId expression, const double* q, const double* v,
                              double t) const {
     return StateFunction(model_, expression, at_)(q, v, t);
@@ -111,7 +111,7 @@ class System {
   [[nodiscard]] double magnitude(const double* q, const double* v, double t);
   /// How far a state is off the constraints.
   [[nodiscard]] ConstraintOffset offset(const double* q, const double* v, double t);
-  /// Whether a step may leave quaternions of another length, or a state off the constraints.
+  /// Whether a step may change lengths of quaternions, or leave the constraints.
   [[nodiscard]] bool is_restored() const { return function(restored_) != nullptr; }
   /// Quaternions to length 1, and by one step of Newton back onto the constraints.
   void restore(Numbers& state, double t);
@@ -144,8 +144,7 @@ class System {
   const Model& model_;
   const Program& program_;
   const CompiledModel* compiled_;
-  /// Of a call; inputs are those that were last asked for, and a, p, E those of conserved
-  /// quantities.
+  /// Arguments of a call; inputs are the last ones, and a, p, E belong to conserved quantities.
   Arguments<double> at_;
   std::vector<InputLaw> laws_;
   std::vector<Callee> callees_;  ///< by kind

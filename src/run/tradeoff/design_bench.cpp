@@ -1,4 +1,4 @@
-// Designs that are derived alike share a run of the pipeline, and those that are also compiled
+// Designs with the same derivation share a run of the pipeline, and those that are also compiled
 // alike a library.
 #include <fmt/format.h>
 
@@ -36,7 +36,7 @@ std::string first_line(const Diagnostics& diagnostics) {
 /// Designs of one library.
 struct Workpiece {
   std::vector<TradeoffRow*> rows = {};
-  /// Of each, then of each in packs by one state per call; none where they could not be made.
+  /// For each, then for each in packs by one state per call; none where they could not be made.
   TimedFunctions functions = {};
 };
 

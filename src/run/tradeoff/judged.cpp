@@ -1,4 +1,4 @@
-// judged: ranks, the order of the rows, the front, and what is chosen from them.
+// judged: ranks, the order of the rows, the Pareto front, and the picked row.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace elgen {
 namespace {
 
-/// Of all that have not failed.
+/// Ranks all rows that have not failed.
 void number_ranks(std::vector<TradeoffRow>& rows) {
   std::vector<TradeoffRow*> by_cost;
   for (TradeoffRow& row : rows) {
@@ -37,7 +37,7 @@ TradeoffTable judged(TradeoffTable table) {
   double least = std::numeric_limits<double>::infinity();
   for (TradeoffRow& row : table.rows) {
     const double error = row.error.worst;
-    row.is_on_front =
+    row.is_on_pareto_front =
         row.failure.empty() && !row.is_below_reference && error <= largest_error && error < least;
     // A row that the reference does not tell from it beats dearer ones, too.
     if (row.failure.empty()) least = std::min(least, error);

@@ -30,7 +30,7 @@ std::size_t calls_of_turn(const Work& work) {
   return 1 + static_cast<std::size_t>(shortest_turn / once);
 }
 
-/// Of at least one number.
+/// There is at least one number.
 Spread spread_of(std::vector<double> numbers) {
   std::sort(numbers.begin(), numbers.end());
   return {numbers[numbers.size() / 2], numbers[numbers.size() / 4],

@@ -61,7 +61,7 @@ class PromiseRows {
   PromiseRows(const CheckedModel& exact, const std::vector<PromisedCode>& codes, std::uint64_t seed)
       : exact_(exact), codes_(codes), seed_(seed) {}
 
-  /// Of the only function of `program`.
+  /// Adds the only function of `program`.
   void add(const Program& program) {
     const Function& function = program.functions.front();
     const Result<TradeoffStates> states = tradeoff_states(exact_, program, {.seed = seed_});

@@ -16,8 +16,8 @@ namespace {
 constexpr std::array<std::size_t, 3> steps_of_a_run{100, 1000, 10'000};
 constexpr double turn = 6.283185307179586;
 
-/// Of one state so many that its start is nothing beside them; in packs so many states that they
-/// and their results fit the fastest cache where the model is small.
+/// One state takes so many steps that its start costs little beside them. Packs have so many states
+/// that these and their results fit the fastest cache where the model is small.
 constexpr std::size_t steps_of_one = 200;
 constexpr std::size_t states_in_packs = 256;
 constexpr std::size_t steps_in_packs = 8;

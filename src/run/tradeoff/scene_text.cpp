@@ -187,7 +187,7 @@ class DesignText {
         line("ranges", ranges())};
   }
 
-  /// Those of the scene, and those given beside them or in their place.
+  /// Ranges of the scene, with the given ones beside them or in their place.
   [[nodiscard]] std::string ranges() const {
     std::map<std::string, std::string> ends;
     const KeySyntax* const key = find_key(base_.scene, "numeric", "ranges");

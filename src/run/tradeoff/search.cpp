@@ -141,7 +141,7 @@ class ErrorSearch {
     return states;
   }
 
-  /// Every number goes where that alone makes it worse.
+  /// Moves every number in the direction that alone increases the error.
   [[nodiscard]] Arguments<double> together(const Climb& climb, const Arguments<double>* near,
                                            const double* errors) const {
     Arguments<double> state = climb.state;

@@ -1,5 +1,5 @@
-// A table in columns, for people, where rows of the front have a star, and for programs; both with
-// the row that is picked.
+// A table in columns for people, with a star at rows of the Pareto front, and one for programs;
+// both show the picked row.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -98,7 +98,7 @@ Json json_of(const TradeoffTable& table, const TradeoffRow& row) {
   if (!table.call_cost.empty()) json["call_cost"] = json_of(row.call_cost);
   json["error"] = {{"worst", number(row.error.worst)}, {"median", number(row.error.median)}};
   if (row.is_below_reference) json["error"]["below_reference"] = true;
-  json["front"] = row.is_on_front;
+  json["front"] = row.is_on_pareto_front;
   return json;
 }
 
@@ -120,7 +120,7 @@ std::string to_text(const TradeoffTable& table) {
   std::string text = fmt::format("{}, {}: {}\n\n", table.model, table.subject, table.error);
   text += line_of(titles, widths, ' ');
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    text += line_of(lines[i], widths, table.rows[i].is_on_front ? '*' : ' ');
+    text += line_of(lines[i], widths, table.rows[i].is_on_pareto_front ? '*' : ' ');
   }
   text += "\ndesigns of a rank cost the same: their quartiles overlap those of its cheapest\n";
   for (const std::string& sentence : table.sentences) text += sentence + '\n';
@@ -161,7 +161,7 @@ std::string to_csv(const TradeoffTable& table) {
     text += row.failure.empty()
                 ? fmt::format("{},{},{},{},{},{},{},{:d},{:d},\n", row.rank, median, low, high,
                               call > 0 ? fmt::format("{}", call) : "", row.error.worst,
-                              row.error.median, row.is_on_front, &row == picked(table))
+                              row.error.median, row.is_on_pareto_front, &row == picked(table))
                 : fmt::format(",,,,,,,0,0,{}\n", csv_cell(row.failure));
   }
   return text;

@@ -19,7 +19,7 @@ enum class Regime : std::uint8_t {
   unsettled,        ///< 1000 digits do not tell whether the exact value is the oracle's
 };
 
-/// An undefined value outweighs an overflow, and that a lost error.
+/// An undefined value outweighs an overflow, and an overflow outweighs a lost error.
 [[nodiscard]] Regime worse(Regime x, Regime y);
 
 struct ExactRun {

@@ -17,14 +17,14 @@ OutputRequest request_of(const Subject& subject, const Function& function, const
   return member != nullptr ? *member : request;
 }
 
-/// Of a field in the output table; 0 where the output has none of that name.
+/// The number of a field in the output table; 0 where the output has none of that name.
 std::size_t number_of_field(OutputKind kind, std::string_view name) {
   const std::span<const FieldRow> fields = output_row(kind).fields;
   const auto found = std::ranges::find(fields, name, &FieldRow::name);
   return found == fields.end() ? 0 : static_cast<std::size_t>(found - fields.begin());
 }
 
-/// That of one field of functions[index], whose entries start at `first`.
+/// The form of one field of functions[index], whose entries start at `first`.
 ClosedForm form_of(const Program& program, std::size_t index, const Field& field,
                    std::size_t first) {
   const Function& function = program.functions[index];

@@ -24,15 +24,15 @@ struct FieldPlace {
 
   [[nodiscard]] const Field& field() const { return function->fields[index]; }
   [[nodiscard]] const FieldRow& row() const { return field_row(request.kind, field().name); }
-  /// Whether all that is left of its terms is their rounding, so that it has no digits to lose.
+  /// Whether its terms cancel up to their rounding, so that it has no digits to lose.
   [[nodiscard]] bool is_remainder() const { return row().is_remainder; }
 };
 
-/// Of functions[index], one after another. `dynamics` holds other outputs under their names; every
-/// other function is one output.
+/// Fields of functions[index], one after another. `dynamics` holds other outputs under their names;
+/// every other function is one output.
 [[nodiscard]] std::vector<FieldPlace> field_places(const Subject& subject, std::size_t index);
 
-/// Of all functions.
+/// Fields of all functions.
 [[nodiscard]] std::vector<FieldPlace> field_places(const Subject& subject);
 
 }  // namespace elgen

@@ -42,13 +42,13 @@ class Losses {
   /// Whether angles are known well enough for K, which is of first order: to 1/1000 rad.
   [[nodiscard]] bool knows_angles() const;
 
-  /// Of entries that are off by `errors` (without N eta) from `exact`, in a run of the place's
-  /// function. 0 where K has no value.
+  /// The loss of entries that are off by `errors` (without N eta) from `exact`, in a run of the
+  /// place's function. 0 where K has no value.
   [[nodiscard]] Loss of_field(const FieldPlace& place, const ExactRun& run,
                               const std::vector<Real>& errors, const std::vector<Real>& exact);
 
  private:
-  /// What is judged together: one entry, or a solved column.
+  /// Entries that are judged together: one alone, or a solved column.
   struct Group {
     SolvedColumn column = {};
     double most = 0;        ///< what it may lose, as R is no less than |x*|

@@ -41,7 +41,7 @@ std::vector<SolvedColumn> solved_columns(const FieldPlace& place, OracleCache& o
   std::vector<Real> weights = roots_of_diagonal(oracle);
   if (is_multiplier && !weights.empty()) weights = lengths_of_rows(weights, oracle);
   if (weights.empty()) return {};
-  // Of a linearization the rates of positions come first, which nothing is solved for.
+  // A linearization begins with the rates of positions, which are not solved for.
   const std::size_t above = field.rows - weights.size();
   std::vector<SolvedColumn> columns(field.columns);
   for (std::size_t k = 0; k < field.columns; ++k) {

@@ -26,9 +26,9 @@ unsigned most_digits(const Program& program) {
   return are_exact ? digits_of_last_look : digits_of_constants;
 }
 
-/// Two looks that say the same are right where the first has so many digits. With fewer 1 - cos(x)
-/// may be 0 in both, and its quotients by x^2 are as wrong as they are steady. Second derivatives
-/// of such quotients depend on powers of x up to the eighth. Parameters are near their values.
+/// Two runs that agree are right where the first has so many digits. With fewer, 1 - cos(x) may be
+/// 0 in both, and quotients by x^2 agree but are wrong. Second derivatives of such quotients depend
+/// on powers of x up to the eighth. Parameters are near their values.
 double telling_digits(const State& state) {
   double farthest = 0;
   const auto look = [&farthest](Opcode kind, std::uint32_t, const cln::cl_R& x) {

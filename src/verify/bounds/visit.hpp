@@ -45,7 +45,7 @@ struct Finding {
 /// The states at which losses are measured.
 enum class Losing : std::uint8_t { nowhere, inside_ranges, everywhere };
 
-/// How a program is looked at.
+/// The options of a visit.
 struct VisitOptions {
   Comparison comparison = Comparison::entries;
   Losing losing = Losing::nowhere;          ///< where losses are looked at

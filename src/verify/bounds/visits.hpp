@@ -19,7 +19,7 @@ struct AccuracyOptions {
   std::size_t jobs = 1;  ///< processes
 };
 
-/// Of one state, in the order of field_places; none of a field that is not due there.
+/// Findings at one state, in the order of field_places; none for fields that are not due there.
 using Findings = std::vector<std::optional<Finding>>;
 
 /// Gets the number of a state and what it says.

@@ -16,7 +16,7 @@ inline constexpr std::size_t most_draws_for_kinks = 256;
 
 class Kinks {
  public:
-  /// Of all forces of the model, which outlives it.
+  /// Finds kinks of all forces of the model, which outlives it.
   explicit Kinks(const Model& model);
 
   /// Whether the state lies on a side that no state before it lay on. Cost: the arguments of the

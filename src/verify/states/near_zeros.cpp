@@ -25,8 +25,8 @@ constexpr std::size_t most_work = 1 << 20;
 constexpr int cells = 16;
 constexpr int grids =
     18;  ///< each eight times as fine as the last: 8^-18 is less than a double's u
-/// A share of the largest |sum| on the first grid. Doubles leave 1e-16 of a zero; a sum that comes
-/// no nearer to 0 than this loses few digits.
+/// A fraction of the largest |sum| on the first grid. Doubles leave 1e-16 of a zero; a sum that
+/// comes no nearer to 0 than this loses few digits.
 constexpr double vanishing = 1e-10;
 
 /// A sum of positions: rates are drawn at random, or 0.
@@ -95,7 +95,7 @@ class NearZeros {
     return value ? ScalarTraits<double>::from_real(cln::abs(*value)) : none;
   }
 
-  /// Moves one coordinate to where |sum| is smallest; whether that is a zero.
+  /// Moves one coordinate to the smallest |sum|; returns whether that is a zero.
   bool moves_to_zero(const SoughtSum& sum, std::uint32_t coordinate, Arguments<double>& at) {
     auto [low, high] = ranges_.q[coordinate];
     double place = at.q[coordinate];
@@ -118,7 +118,7 @@ class NearZeros {
     return largest > 0 && smallest <= vanishing * largest;
   }
 
-  /// Leads one more sum to 0, along coordinates that no sum before it depends on.
+  /// Makes one more sum 0, by moving coordinates that no earlier sum depends on.
   void take_if_zero(const SoughtSum& sum, Arguments<double>& common,
                     std::set<std::uint32_t>& held) {
     Arguments<double> at = common;
@@ -130,7 +130,7 @@ class NearZeros {
     }
   }
 
-  /// Each coordinate by a share of its own, so that no two stay equal.
+  /// Moves each coordinate by another fraction, so that no two stay equal.
   void add_near(const Arguments<double>& zero, const std::set<std::uint32_t>& coordinates) {
     double distance = 1;
     for (std::size_t i = 0; i < distances; ++i) {
@@ -148,7 +148,7 @@ class NearZeros {
     }
   }
 
-  /// By a share of |x|, or of half the range up to 1 where that is more.
+  /// Moves x by a fraction of |x|, or of half the range up to 1 where that is more.
   static double beside(double x, double distance, const Range& range) {
     const double change =
         distance * std::max(std::abs(x), std::min(1.0, range.high / 2 - range.low / 2));

@@ -293,7 +293,7 @@ bool Proofs::equal(const Expectation& expectation, std::size_t entry) {
   return own && proved_equal(*forms_, *own, *form);
 }
 
-/// Of the first field; none where one of them has no form, or rests on samples.
+/// Entries of the first field; none where one of them has no form, or rests on samples.
 std::optional<std::vector<Fraction>> Proofs::entries(OutputKind kind) const {
   const Function* const function = find_function(subject_.program, kind);
   if (function == nullptr) return std::nullopt;

@@ -12,7 +12,7 @@ namespace elgen {
 
 struct ExpectationReport {
   std::vector<CertificateRow> rows = {};
-  /// E510, one per entry that is wrong or has no value at any point, at the entry.
+  /// One E510 at each entry that is wrong or has no value at any point.
   Diagnostics diagnostics = {};
 };
 

@@ -1,4 +1,4 @@
-// Structure: what the functions of a program owe each other, checked in 64-digit arithmetic at
+// Structure: identities between the functions of a program, checked in 64-digit arithmetic at
 // nominal states.
 #pragma once
 

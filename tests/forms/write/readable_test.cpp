@@ -1,8 +1,8 @@
-// Expressions and how they are written for a reader; which of two ways may stand for the other.
+// Expressions and how they are written for a reader; which of two rewritings may replace the other.
 #include <catch2/catch.hpp>
 
 #include "choose/chosen.hpp"
-#include "forms/write/ways.hpp"
+#include "forms/write/rewritings.hpp"
 #include "program/expression_leaves.hpp"
 #include "support/systems.hpp"
 
@@ -25,8 +25,8 @@ const std::vector<std::string> names{"a", "b", "c", "d", "e"};
 const LeafNames leaves{{{}, {}, names, names, {}, names, {}, {}, "t"}, false};
 
 /// Graphs of their own: the two ways are not joined into one, as those of a model text would be.
-bool is_precise(const char* way, const char* reference, Leaves kind) {
-  return is_as_precise(testing::expressions_of({way}), testing::expressions_of({reference}),
+bool is_precise(const char* rewriting, const char* reference, Leaves kind) {
+  return is_as_precise(testing::expressions_of({rewriting}), testing::expressions_of({reference}),
                        mixed_points(leaves), kind);
 }
 

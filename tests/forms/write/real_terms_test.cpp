@@ -1,4 +1,4 @@
-// Canonical sums in several ways to write them, and the angle in a product of atoms.
+// Canonical sums in several rewritings, and the angle in a product of atoms.
 #include "forms/write/real_terms.hpp"
 
 #include <catch2/catch.hpp>
@@ -45,15 +45,15 @@ TEST_CASE("a high multiple of an angle is not expanded") {
   CHECK(shortest->size() == 2);
 }
 
-TEST_CASE("the shortest way is taken") {
+TEST_CASE("the shortest rewriting is taken") {
   const ClosedForms forms = forms_of("sin(a)^2");
   const Fraction& form = *forms.functions[0].fields[0].entries[0];
   const auto shortest = shortest_terms(forms.algebra, form.numerator, 100);
   REQUIRE(shortest);
   CHECK(shortest->size() == 1);
-  for (const Trigonometry way : trigonometries) {
+  for (const Trigonometry rewriting : trigonometries) {
     CHECK(written_length(forms.algebra, *shortest) <=
-          written_length(forms.algebra, terms_of(forms, way)));
+          written_length(forms.algebra, terms_of(forms, rewriting)));
   }
 }
 

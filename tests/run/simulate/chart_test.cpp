@@ -1,11 +1,11 @@
-// Elements of pictures, and axes.
+// Elements of plots, and axes.
 #include "run/chart/chart.hpp"
 
 #include <catch2/catch.hpp>
 
 using namespace elgen;
 
-TEST_CASE("a picture starts with its size, a white ground and its title") {
+TEST_CASE("a plot starts with its size, a white ground and its title") {
   const std::string svg = svg_start(300, 200, "a<b");
   CHECK(
       svg.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"300\" height=\"200\" "

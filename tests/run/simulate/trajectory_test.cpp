@@ -1,4 +1,4 @@
-// A trajectory in a few lines, as a table, as an object, and as a picture.
+// A trajectory in a few lines, as a table, as an object, and as a plot.
 #include <tinyxml2.h>
 
 #include <catch2/catch.hpp>
@@ -99,7 +99,7 @@ TEST_CASE("an object has the rows, what they are, and the drifts") {
   CHECK(object["conserved"][0]["drift"] == 1.5e-12);
 }
 
-TEST_CASE("a picture is XML with a panel for each name, and a curve for each column in it") {
+TEST_CASE("a plot is XML with a panel for each name, and a curve for each column in it") {
   const std::string svg = to_svg(seven_columns());
   tinyxml2::XMLDocument document;
   REQUIRE(document.Parse(svg.c_str()) == tinyxml2::XML_SUCCESS);
@@ -111,7 +111,7 @@ TEST_CASE("a picture is XML with a panel for each name, and a curve for each col
   CHECK_FALSE(mentions(svg, "nan"));
 }
 
-TEST_CASE("a picture says whose run it is, and by what") {
+TEST_CASE("a plot says whose run it is, and by what") {
   CHECK(mentions(to_svg(two_columns()), ">top by rk4: 0 steps to t = 1 s<"));
 }
 

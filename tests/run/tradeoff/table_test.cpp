@@ -54,7 +54,7 @@ std::string order_of(const std::vector<std::pair<double, double>>& costs_and_err
   std::string text;
   for (const TradeoffRow& row : judged(table).rows) {
     text += (text.empty() ? "" : " ") + row.values.front() + std::to_string(row.rank);
-    if (row.is_on_front) text += '*';
+    if (row.is_on_pareto_front) text += '*';
   }
   return text;
 }
@@ -72,7 +72,7 @@ TEST_CASE("the cheapest row is first, failed ones are last, and what nothing bea
   std::vector<bool> front;
   std::vector<std::size_t> ranks;
   for (const TradeoffRow& row : table.rows) {
-    front.push_back(row.is_on_front);
+    front.push_back(row.is_on_pareto_front);
     ranks.push_back(row.rank);
   }
   CHECK(front == std::vector<bool>{true, true, true, false, false});
@@ -104,9 +104,9 @@ TEST_CASE("what is below the reference is not ranked, and is chosen by what that
   table.rows[0].is_below_reference = true;
   table = judged(table);
   CHECK(name_of(table.rows[0]) == "double, 1");
-  CHECK_FALSE(table.rows[0].is_on_front);
+  CHECK_FALSE(table.rows[0].is_on_pareto_front);
   for (const TradeoffRow& row : table.rows) {
-    CHECK((!row.is_on_front || row.cost.median < 2 || row.error.worst < 1e-13));
+    CHECK((!row.is_on_pareto_front || row.cost.median < 2 || row.error.worst < 1e-13));
   }
   CHECK(mentions(to_text(table), "below the reference\n"));
   CHECK(name_of(*cheapest_within(table, 1e-12)) == "double, 1");
@@ -225,7 +225,7 @@ TEST_CASE("cells with quotes are quoted, failed rows have none of the numbers") 
         "half,one,,,,,,,,0,0,\"E709: \"\"c++\"\" exits 1\"\n");
 }
 
-TEST_CASE("a picture is XML with every design that has numbers, and the front is a staircase") {
+TEST_CASE("a plot is XML with every design that has numbers, and the Pareto front is a staircase") {
   const std::string svg = to_svg(judged(sample_table()));
   tinyxml2::XMLDocument document;
   REQUIRE(document.Parse(svg.c_str()) == tinyxml2::XML_SUCCESS);
@@ -237,7 +237,7 @@ TEST_CASE("a picture is XML with every design that has numbers, and the front is
   CHECK_FALSE(mentions(svg, "E709"));
 }
 
-TEST_CASE("a picture names its axes, the dimensions, and what marks and line mean") {
+TEST_CASE("a plot names its axes, the dimensions, and what marks and line mean") {
   TradeoffTable table = sample_table();
   const std::string svg = to_svg(judged(table));
   for (const char* const text :
@@ -265,7 +265,7 @@ TEST_CASE("shapes tell the values of the first dimension apart") {
   CHECK(count(svg, "d=\"M-4.5 ") == 4);
 }
 
-TEST_CASE("errors without a logarithm stay inside the picture") {
+TEST_CASE("errors without a logarithm stay inside the plot") {
   const std::string svg = to_svg(
       judged({.dimensions = {"a"}, .rows = {row_of({"1"}, 1, 0), row_of({"2"}, 0.5, INFINITY)}}));
   CHECK_FALSE(mentions(svg, "nan"));

@@ -1,4 +1,4 @@
-// Polish: a solution to 64 digits, by Newton's method.
+// Newton refinement: a solution to 64 digits.
 #pragma once
 
 #include <optional>
@@ -17,9 +17,9 @@ namespace elgen {
 
 /// The solution f = 0 near the arguments, where only the coordinates of these velocities move; as
 /// many entries as velocities, else none. None also where it is not reached in 200 steps.
-[[nodiscard]] std::optional<Arguments<Real>> polished(const Model& model, const Program& program,
-                                                      const Function& function,
-                                                      Arguments<Real> start,
-                                                      const std::vector<std::uint32_t>& along);
+[[nodiscard]] std::optional<Arguments<Real>> refined(const Model& model, const Program& program,
+                                                     const Function& function,
+                                                     Arguments<Real> start,
+                                                     const std::vector<std::uint32_t>& along);
 
 }  // namespace elgen

@@ -1,5 +1,5 @@
-// share: see network.hpp. Counts are kept too high rather than exact: a pair is recounted when its
-// turn comes.
+// Common subexpression elimination: see network.hpp. Counts of users may be too high: a pair is
+// recounted when its turn comes.
 #include <algorithm>
 #include <optional>
 #include <queue>
@@ -30,11 +30,11 @@ struct PairHash {
   }
 };
 
-struct SharedPair {
+struct CommonPair {
   std::size_t count;
   Pair pair;
   /// std::priority_queue takes the largest: most users, then the first pair.
-  friend bool operator<(const SharedPair& x, const SharedPair& y) {
+  friend bool operator<(const CommonPair& x, const CommonPair& y) {
     return x.count != y.count ? x.count < y.count : y.pair < x.pair;
   }
 };
@@ -48,22 +48,22 @@ Pair pair_of(OperationKind kind, Ref x, Ref y) {
 }
 
 /// Positions of the pair's operands in an operation, the earlier first.
-using OperandPlaces = std::pair<std::size_t, std::size_t>;
+using OperandPositions = std::pair<std::size_t, std::size_t>;
 
-std::optional<OperandPlaces> find(const Operation& operation, const Pair& pair) {
+std::optional<OperandPositions> find(const Operation& operation, const Pair& pair) {
   const std::vector<Ref>& operands = operation.operands;
   for (std::size_t i = 0; i < operands.size(); ++i) {
     if (operands[i].node != pair.a && operands[i].node != pair.b) continue;
     for (std::size_t j = i + 1; j < operands.size(); ++j) {
-      if (pair_of(operation.kind, operands[i], operands[j]) == pair) return OperandPlaces{i, j};
+      if (pair_of(operation.kind, operands[i], operands[j]) == pair) return OperandPositions{i, j};
     }
   }
   return std::nullopt;
 }
 
-class Sharing {
+class CommonPairElimination {
  public:
-  explicit Sharing(Network& network) : network_(network) {}
+  explicit CommonPairElimination(Network& network) : network_(network) {}
 
   void run() {
     for (NodeId id = 0; id < network_.operations.size(); ++id) register_pairs(id);
@@ -71,7 +71,7 @@ class Sharing {
       if (users.size() > 1) queue_.push({users.size(), pair});
     }
     while (!queue_.empty()) {
-      const SharedPair candidate = queue_.top();
+      const CommonPair candidate = queue_.top();
       queue_.pop();
       take_turn(candidate);
     }
@@ -94,7 +94,7 @@ class Sharing {
     if (users.empty() || users.back() != id) users.push_back(id);
   }
 
-  void take_turn(const SharedPair& candidate) {
+  void take_turn(const CommonPair& candidate) {
     std::vector<NodeId>& users = users_[candidate.pair];
     std::sort(users.begin(), users.end());
     users.erase(std::unique(users.begin(), users.end()), users.end());
@@ -108,8 +108,8 @@ class Sharing {
   }
 
   void extract(const Pair& pair, const std::vector<NodeId>& users) {
-    NodeId shared = existing_operation(users);
-    if (shared == network_.operations.size()) {
+    NodeId common = existing_operation(users);
+    if (common == network_.operations.size()) {
       Operation operation{.kind = pair.kind};
       const Operation& user = network_.operations[users[0]];
       const auto [first, second] = *find(user, pair);
@@ -118,7 +118,7 @@ class Sharing {
       network_.operations.push_back(std::move(operation));
     }
     for (const NodeId user : users) {
-      if (user != shared) replace(pair, user, shared);
+      if (user != common) replace(pair, user, common);
     }
   }
 
@@ -130,14 +130,14 @@ class Sharing {
     return static_cast<NodeId>(network_.operations.size());
   }
 
-  void replace(const Pair& pair, NodeId user, NodeId shared) {
+  void replace(const Pair& pair, NodeId user, NodeId common) {
     Operation& operation = network_.operations[user];
-    const Ref reference = network_.operations[shared].operands[0];
-    while (const std::optional<OperandPlaces> places = find(operation, pair)) {
-      const auto [first, second] = *places;
+    const Ref reference = network_.operations[common].operands[0];
+    while (const std::optional<OperandPositions> positions = find(operation, pair)) {
+      const auto [first, second] = *positions;
       std::vector<Ref>& operands = operation.operands;
       const Ref same = operands[first].node == reference.node ? operands[first] : operands[second];
-      operands[first] = {shared, same.negative != reference.negative};
+      operands[first] = {common, same.negative != reference.negative};
       operands.erase(operands.begin() + static_cast<std::ptrdiff_t>(second));
       announce(user, first);
     }
@@ -159,11 +159,11 @@ class Sharing {
 
   Network& network_;
   std::unordered_map<Pair, std::vector<NodeId>, PairHash> users_;
-  std::priority_queue<SharedPair> queue_;
+  std::priority_queue<CommonPair> queue_;
 };
 
 }  // namespace
 
-void share(Network& network) { Sharing(network).run(); }
+void eliminate_common_subexpressions(Network& network) { CommonPairElimination(network).run(); }
 
 }  // namespace elgen

@@ -61,15 +61,15 @@ ChartAxis axis_between(double low, double high, int more) {
 }
 
 /// Columns that share axes.
-struct PicturePanel {
+struct PlotPanel {
   std::string name;
   std::string unit;
   std::vector<std::size_t> columns;
 };
 
-class TrajectoryPicture {
+class TrajectoryPlot {
  public:
-  explicit TrajectoryPicture(const Trajectory& trajectory)
+  explicit TrajectoryPlot(const Trajectory& trajectory)
       : trajectory_(trajectory),
         time_(axis_between(trajectory.rows.front().front(), trajectory.rows.back().front(), 0)) {
     for (std::size_t i = 1; i < trajectory.columns.size(); ++i) add_column(i);
@@ -82,7 +82,7 @@ class TrajectoryPicture {
                   fmt::format("{} by {}: {} steps to t = {:.10g} s", trajectory_.model,
                               trajectory_.method, trajectory_.steps, time_.high));
     Chart chart{left, top, panel_width, panel_height, time_};
-    for (const PicturePanel& panel : panels_) {
+    for (const PlotPanel& panel : panels_) {
       if (&panel == &panels_.back()) chart.x.title = "t [s]";
       chart.y = axis_of(panel);
       svg += drawn(panel, chart);
@@ -109,7 +109,7 @@ class TrajectoryPicture {
   }
 
   /// With a margin; what does not move is a line in the middle.
-  [[nodiscard]] ChartAxis axis_of(const PicturePanel& panel) const {
+  [[nodiscard]] ChartAxis axis_of(const PlotPanel& panel) const {
     double low = INFINITY;
     double high = -INFINITY;
     for (const auto& row : trajectory_.rows) {
@@ -127,7 +127,7 @@ class TrajectoryPicture {
   }
 
   /// "theta [rad]"; "e: e_w solid, e_x dashed, …"
-  [[nodiscard]] std::string title(const PicturePanel& panel) const {
+  [[nodiscard]] std::string title(const PlotPanel& panel) const {
     std::string text = panel.name + (panel.unit.empty() ? "" : " [" + panel.unit + "]");
     if (panel.columns.size() == 1) return text;
     for (std::size_t k = 0; k < panel.columns.size(); ++k) {
@@ -139,7 +139,7 @@ class TrajectoryPicture {
 
   static const LineKind& kind_of(std::size_t k) { return line_kinds[k % line_kinds.size()]; }
 
-  [[nodiscard]] std::string drawn(const PicturePanel& panel, const Chart& chart) const {
+  [[nodiscard]] std::string drawn(const PlotPanel& panel, const Chart& chart) const {
     std::string svg = svg_title(left, chart.top - 7, title(panel)) + chart.grid();
     svg += fmt::format(
         "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#888\"/>\n",
@@ -169,11 +169,11 @@ class TrajectoryPicture {
 
   const Trajectory& trajectory_;
   ChartAxis time_;
-  std::vector<PicturePanel> panels_ = {};
+  std::vector<PlotPanel> panels_ = {};
 };
 
 }  // namespace
 
-std::string to_svg(const Trajectory& trajectory) { return TrajectoryPicture(trajectory).text(); }
+std::string to_svg(const Trajectory& trajectory) { return TrajectoryPlot(trajectory).text(); }
 
 }  // namespace elgen

@@ -1,5 +1,5 @@
-// harm: see harm.hpp.
-#include "choose/harm.hpp"
+// text_errors: see text_errors.hpp.
+#include "choose/text_errors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,10 +12,10 @@
 namespace elgen {
 namespace {
 
-/// Rounding of a few more operations is no harm.
-constexpr long most_harmless = 64;
+/// Rounding of a few more operations is accurate enough.
+constexpr long accurate_ratio = 64;
 /// Errors in double are right within a factor of two each.
-constexpr double certainly_harmless = 16;
+constexpr double certainly_accurate_ratio = 16;
 
 constexpr double unit_roundoff = 0x1p-53;
 /// Values in double may be so many of their errors apart.
@@ -23,24 +23,24 @@ constexpr double certainly_equal = 4;
 /// A value that is right to one part in 1000 tells its magnitude.
 constexpr double certain_digits = 0x1p-10;
 
-bool is_certainly_harmless(const Running<double>& own, const Running<double>& text) {
+bool is_certainly_accurate(const Running<double>& own, const Running<double>& text) {
   const double apart = std::abs(own.value - text.value);
   return !own.is_lost && !text.is_lost &&
-         own.error <= certainly_harmless * std::max(text.error, std::abs(text.value)) &&
+         own.error <= certainly_accurate_ratio * std::max(text.error, std::abs(text.value)) &&
          apart <= certainly_equal * unit_roundoff * (own.error + text.error);
 }
 
-/// A way that holds on one side of a branch only has another value on the other.
+/// A rewriting that holds on one side of a branch only has another value on the other.
 bool has_other_value(const Running<Real>& own, const Running<Real>& text) {
   static const Real negligible(power_of_ten(-45));
   const Real scale = own.error + text.error + abs(text.value);
   return abs(own.value - text.value).value() > (scale * negligible).value();
 }
 
-bool is_harmed(const Running<Real>& own, const Running<Real>& text) {
+bool is_inaccurate(const Running<Real>& own, const Running<Real>& text) {
   if (!text.error.is_defined()) return false;
   if (!own.error.is_defined() || has_other_value(own, text)) return true;
-  const Real allowed = max(text.error, abs(text.value)) * Real(cln::cl_I(most_harmless));
+  const Real allowed = max(text.error, abs(text.value)) * Real(cln::cl_I(accurate_ratio));
   return own.error.value() > allowed.value();
 }
 
@@ -73,12 +73,13 @@ bool loses_more(double loss, double other, double tolerated) {
 
 TextErrors::TextErrors(const Program& program, const Function& text, Points points, Scale scale,
                        const Points& extremes)
-    : program_(program), text_(text), harm_points_(points.size()), points_(std::move(points)) {
+    : program_(program), text_(text), compared_points_(points.size()), points_(std::move(points)) {
   points_.insert(points_.end(), extremes.begin(), extremes.end());
   for (std::size_t point = 0; point < points_.size(); ++point) {
     rough_.push_back(running_entries<double>(program, text, points_[point]));
     magnitudes_.push_back(magnitudes_at(point, scale));
-    least_.push_back(point < harm_points_ ? errors_at(program, text, point) : conditions_at(point));
+    least_.push_back(point < compared_points_ ? errors_at(program, text, point)
+                                              : conditions_at(point));
   }
 }
 
@@ -94,7 +95,7 @@ std::vector<double> TextErrors::conditions_at(std::size_t point) const {
   return conditions;
 }
 
-/// Digits of the text are counted exactly where double hardly has any.
+/// Counts digits of the text exactly where double hardly has any.
 std::vector<double> TextErrors::magnitudes_at(std::size_t point, Scale scale) const {
   std::vector<double> magnitudes;
   for (std::size_t i = 0; i < rough_[point].size(); ++i) {
@@ -129,8 +130,8 @@ std::vector<double> TextErrors::errors_at(const Program& program, const Function
   return errors;
 }
 
-ErrorsAtPoints TextErrors::errors_of(const Expressions& way) const {
-  const Linearised one(make_network(way));
+ErrorsAtPoints TextErrors::errors_of(const Expressions& rewriting) const {
+  const Linearised one(make_network(rewriting));
   ErrorsAtPoints errors;
   for (std::size_t point = 0; point < points_.size(); ++point) {
     errors.push_back(errors_at(one.program, one.function, point).front());
@@ -145,8 +146,8 @@ bool TextErrors::may_lose(const ErrorsAtPoints& errors, std::size_t entry) const
   return false;
 }
 
-void TextErrors::add_way(const ErrorsAtPoints& errors, std::size_t entry) {
-  for (std::size_t point = 0; point < harm_points_; ++point) {
+void TextErrors::add_rewriting(const ErrorsAtPoints& errors, std::size_t entry) {
+  for (std::size_t point = 0; point < compared_points_; ++point) {
     double& least = least_[point][entry];
     if (errors[point] < least) least = errors[point];
   }
@@ -171,30 +172,31 @@ double TextErrors::worst_loss(const Program& program, const Function& form) cons
   return loss;
 }
 
-bool TextErrors::is_harmed_by(const Expressions& way, std::size_t entry) const {
-  const Linearised one(make_network(way));
-  for (std::size_t point = 0; point < harm_points_; ++point) {
-    if (harmed(one.program, one.function, entry, point)) return true;
+bool TextErrors::is_less_accurate(const Expressions& rewriting, std::size_t entry) const {
+  const Linearised one(make_network(rewriting));
+  for (std::size_t point = 0; point < compared_points_; ++point) {
+    if (inaccurate_entry_at(one.program, one.function, entry, point)) return true;
   }
   return false;
 }
 
-std::optional<std::size_t> TextErrors::harmed_entry(const Program& program,
-                                                    const Function& form) const {
-  for (std::size_t point = 0; point < harm_points_; ++point) {
-    if (const auto entry = harmed(program, form, 0, point)) return entry;
+std::optional<std::size_t> TextErrors::inaccurate_entry(const Program& program,
+                                                        const Function& form) const {
+  for (std::size_t point = 0; point < compared_points_; ++point) {
+    if (const auto entry = inaccurate_entry_at(program, form, 0, point)) return entry;
   }
   return std::nullopt;
 }
 
-std::optional<std::size_t> TextErrors::harmed(const Program& program, const Function& form,
-                                              std::size_t first, std::size_t point) const {
+std::optional<std::size_t> TextErrors::inaccurate_entry_at(const Program& program,
+                                                           const Function& form, std::size_t first,
+                                                           std::size_t point) const {
   const auto rough = running_entries<double>(program, form, points_[point]);
   std::optional<std::vector<Running<Real>>> exact;
   for (std::size_t i = 0; i < rough.size(); ++i) {
-    if (is_certainly_harmless(rough[i], rough_[point][first + i])) continue;
+    if (is_certainly_accurate(rough[i], rough_[point][first + i])) continue;
     if (!exact) exact = running_entries<Real>(program, form, points_[point]);
-    if (is_harmed((*exact)[i], exact_text(point)[first + i])) return first + i;
+    if (is_inaccurate((*exact)[i], exact_text(point)[first + i])) return first + i;
   }
   return std::nullopt;
 }

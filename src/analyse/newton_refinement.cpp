@@ -1,5 +1,5 @@
 // Newton's method on quaternions moves them along their tangents and scales them to length 1.
-#include "analyse/polish.hpp"
+#include "analyse/newton_refinement.hpp"
 
 #include <algorithm>
 
@@ -64,9 +64,9 @@ std::vector<Real> position_slopes(const Model& model, const Program& program,
   return slopes;
 }
 
-std::optional<Arguments<Real>> polished(const Model& model, const Program& program,
-                                        const Function& function, Arguments<Real> start,
-                                        const std::vector<std::uint32_t>& along) {
+std::optional<Arguments<Real>> refined(const Model& model, const Program& program,
+                                       const Function& function, Arguments<Real> start,
+                                       const std::vector<std::uint32_t>& along) {
   static const Real smallest_step(power_of_ten(-58));
   if (entry_count(function) != along.size()) return std::nullopt;
   for (int i = 0; i < most_steps; ++i) {

@@ -1,6 +1,6 @@
-// Ways that lose digits which the text keeps, the points that show it, and models whose code kept
-// none.
-#include "choose/harm.hpp"
+// Rewritings that lose digits which the text keeps, the points that show it, and models whose code
+// kept none.
+#include "choose/text_errors.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -23,11 +23,11 @@ Arguments<double> at(double a, double b) {
   return point;
 }
 
-/// Whether a way harms the text at one point.
-bool is_harmful(const std::string& way, const std::string& text, double a, double b) {
+/// Whether a rewriting is less accurate than the text at one point.
+bool is_inaccurate(const std::string& rewriting, const std::string& text, double a, double b) {
   const Program program = program_of(testing::Texts{text});
   const TextErrors errors(program, program.functions[0], {at(a, b)}, Scale::entry);
-  return errors.is_harmed_by(expressions_of({way}), 0);
+  return errors.is_less_accurate(expressions_of({rewriting}), 0);
 }
 
 const std::string strut = R"toml(format = 1
@@ -96,27 +96,27 @@ Points points_of_gravity(const Chosen& model) {
 
 }  // namespace
 
-TEST_CASE("a way harms where it loses what the text keeps, in any direction of cancelling") {
+TEST_CASE("a rewriting is inaccurate where it loses what the text keeps, wherever it cancels") {
   const std::string text = "(a - b)*(a + b)";
-  const std::string way = "a^2 - b^2";
-  CHECK(is_harmful(way, text, 1, 1.0000001));
-  CHECK_FALSE(is_harmful(way, text, 1, 1.5));
-  CHECK_FALSE(is_harmful(text, way, 1, 1.0000001));
-  CHECK_FALSE(is_harmful("1 - cos(a)", "1 - cos(a)", 1e-8, 0));
-  CHECK(is_harmful("1 - cos(a)", "2*sin(1/2*a)^2", 1e-8, 0));
+  const std::string rewriting = "a^2 - b^2";
+  CHECK(is_inaccurate(rewriting, text, 1, 1.0000001));
+  CHECK_FALSE(is_inaccurate(rewriting, text, 1, 1.5));
+  CHECK_FALSE(is_inaccurate(text, rewriting, 1, 1.0000001));
+  CHECK_FALSE(is_inaccurate("1 - cos(a)", "1 - cos(a)", 1e-8, 0));
+  CHECK(is_inaccurate("1 - cos(a)", "2*sin(1/2*a)^2", 1e-8, 0));
 }
 
-TEST_CASE("a way without a value harms where the text has one, not where it has none") {
-  CHECK(is_harmful("b/(a - a*b)", "1/a", 0.5, 1));
-  CHECK_FALSE(is_harmful("1/(a - b)", "a/(a - b)", 1, 1));
+TEST_CASE("a rewriting without a value is inaccurate only where the text has one") {
+  CHECK(is_inaccurate("b/(a - a*b)", "1/a", 0.5, 1));
+  CHECK_FALSE(is_inaccurate("1/(a - b)", "a/(a - b)", 1, 1));
 }
 
-TEST_CASE("entries of a function are harmed one by one") {
+TEST_CASE("entries of a function are inaccurate one by one") {
   const Program text = program_of(testing::Texts{"a*b", "(a - b)*(a + b)"});
   const Program form = program_of(testing::Texts{"b*a", "a^2 - b^2"});
   const TextErrors errors(text, text.functions[0], {at(1, 3), at(1, 1.0000001)}, Scale::entry);
-  CHECK(errors.harmed_entry(form, form.functions[0]) == std::size_t{1});
-  CHECK(errors.harmed_entry(text, text.functions[0]) == std::nullopt);
+  CHECK(errors.inaccurate_entry(form, form.functions[0]) == std::size_t{1});
+  CHECK(errors.inaccurate_entry(text, text.functions[0]) == std::nullopt);
 }
 
 TEST_CASE("the force of a strut whose anchors are equally far from the hinge has all digits") {
@@ -132,15 +132,15 @@ TEST_CASE("wells as they were typed keep the digits at their minima") {
   }
 }
 
-TEST_CASE("the cheaper form is named with the entry that it harms, and speed takes it") {
+TEST_CASE("the cheaper form is named with its inaccurate entry, and speed takes it") {
   const auto gravity = [](const Chosen& model) {
     return model.choice.costs[index_of(model.recursive, "gravity")];
   };
   const Chosen speedy = chosen(strut, {}, Preference::speed);
-  CHECK_FALSE(gravity(speedy).harmed);
+  CHECK_FALSE(gravity(speedy).inaccurate);
   CHECK(error_of_force(speedy, 1e-8) > 1e6);
   const FormCosts balanced = gravity(chosen(strut));
-  INFO((balanced.harmed ? "harmed" : "not harmed"));
+  INFO((balanced.inaccurate ? "inaccurate" : "accurate"));
   CHECK(balanced.chosen == Form::recursive);
 }
 

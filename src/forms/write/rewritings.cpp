@@ -1,5 +1,5 @@
-// ways: see ways.hpp.
-#include "forms/write/ways.hpp"
+// rewritings: see rewritings.hpp.
+#include "forms/write/rewritings.hpp"
 
 #include <algorithm>
 
@@ -84,9 +84,8 @@ Collected collected(const Expressions& expressions, std::size_t terms, Grouping 
   return result;
 }
 
-/// Sums that are much longer than another way to write the same are not collected: ten times longer
-/// ones never come out shortest in models/, and without those up to twice as long five pages
-/// change.
+/// Sums that are much longer than another rewriting are not collected: ten times longer ones never
+/// come out shortest in models/, and without those up to twice as long five pages change.
 constexpr std::size_t terms_over_least = 2;
 
 struct Written {
@@ -105,7 +104,7 @@ std::optional<Written> written(const Algebra& algebra, const Fraction& form, Lay
   return result;
 }
 
-/// Longer sums are collected in one way only, for the time it takes: the shortest trigonometry, by
+/// Longer sums are collected in one grouping only, to save time: the shortest trigonometry, by
 /// rates. With 20 the entries of models/ are 1.6 % longer, and code is 0.6 % dearer; with 80 they
 /// are 0.3 % shorter, code is the same, and generation takes 8 % longer.
 constexpr std::size_t always_compared = 40;
@@ -130,20 +129,22 @@ std::vector<Grouping> groupings(const Algebra& algebra, const Fraction& form) {
   return result;
 }
 
-/// The ways to write the sines and cosines, without those that write the same or much more.
+/// Rewritings of the sines and cosines, without duplicates and much longer ones.
 std::vector<Written> candidates(const Algebra& algebra, const Fraction& form) {
   std::vector<Written> all;
   std::size_t least = SIZE_MAX;
-  std::vector<std::optional<Trigonometry>> ways{std::nullopt};
-  ways.insert(ways.end(), trigonometries.begin(), trigonometries.end());
-  for (const std::optional<Trigonometry>& trigonometry : ways) {
+  std::vector<std::optional<Trigonometry>> rewritings{std::nullopt};
+  rewritings.insert(rewritings.end(), trigonometries.begin(), trigonometries.end());
+  for (const std::optional<Trigonometry>& trigonometry : rewritings) {
     auto candidate = written(algebra, form, {trigonometry, Grouping::none});
     if (!candidate) continue;
     if (std::ranges::find(all, candidate->length, &Written::length) != all.end()) continue;
     least = std::min(least, candidate->length);
     all.push_back(std::move(*candidate));
   }
-  const auto is_long = [&](const Written& way) { return way.length > terms_over_least * least; };
+  const auto is_long = [&](const Written& rewriting) {
+    return rewriting.length > terms_over_least * least;
+  };
   std::erase_if(all, is_long);
   if (form.numerator.size() <= always_compared || all.empty()) return all;
   return {*std::ranges::min_element(all, {}, &Written::length)};
@@ -155,34 +156,38 @@ std::size_t written_length(const Expressions& expressions) {
   return Lengths(expressions).of(expressions.values[0].node);
 }
 
-std::vector<Collected> collected_ways(const Algebra& algebra, const Fraction& form) {
-  std::vector<Collected> ways;
+std::vector<Collected> collected_rewritings(const Algebra& algebra, const Fraction& form) {
+  std::vector<Collected> rewritings;
   std::size_t terms = 0;
-  for (const Written& way : candidates(algebra, form)) {
+  for (const Written& rewriting : candidates(algebra, form)) {
     ++terms;
     for (const Grouping grouping : groupings(algebra, form)) {
-      const auto grouped = written(algebra, form, {way.layout.trigonometry, grouping});
-      if (grouped) ways.push_back(collected(grouped->expressions, terms, grouping));
+      const auto grouped = written(algebra, form, {rewriting.layout.trigonometry, grouping});
+      if (grouped) rewritings.push_back(collected(grouped->expressions, terms, grouping));
     }
   }
-  return ways;
+  return rewritings;
 }
 
-std::vector<Expressions> plain_ways(const Algebra& algebra, const Fraction& form) {
-  std::vector<Expressions> ways;
-  for (Written& way : candidates(algebra, form)) ways.push_back(std::move(way.expressions));
-  return ways;
+std::vector<Expressions> plain_rewritings(const Algebra& algebra, const Fraction& form) {
+  std::vector<Expressions> rewritings;
+  for (Written& rewriting : candidates(algebra, form)) {
+    rewritings.push_back(std::move(rewriting.expressions));
+  }
+  return rewritings;
 }
 
-Collected derived_way(const Expressions& derived) { return collected(derived, 0, Grouping::none); }
+Collected derived_rewriting(const Expressions& derived) {
+  return collected(derived, 0, Grouping::none);
+}
 
-std::vector<Collected> precise_ways(const Algebra& algebra, const Fraction& form) {
-  std::vector<Collected> ways;
+std::vector<Collected> precise_rewritings(const Algebra& algebra, const Fraction& form) {
+  std::vector<Collected> rewritings;
   for (const Grouping grouping : groupings(algebra, form)) {
     const auto grouped = written(algebra, form, {Trigonometry::homogeneous, grouping});
-    if (grouped) ways.push_back(collected(grouped->expressions, SIZE_MAX, grouping));
+    if (grouped) rewritings.push_back(collected(grouped->expressions, SIZE_MAX, grouping));
   }
-  return ways;
+  return rewritings;
 }
 
 }  // namespace elgen

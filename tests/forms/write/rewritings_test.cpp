@@ -1,5 +1,5 @@
-// The ways to write a closed form, and those of them that keep their digits.
-#include "forms/write/ways.hpp"
+// Rewritings of a closed form, some of which keep their digits.
+#include "forms/write/rewritings.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -11,9 +11,11 @@ using namespace elgen;
 
 namespace {
 
-std::vector<std::string> texts(const std::vector<Collected>& ways) {
+std::vector<std::string> texts(const std::vector<Collected>& rewritings) {
   std::vector<std::string> all;
-  for (const Collected& way : ways) all.push_back(testing::texts_of(way.expressions).at(0));
+  for (const Collected& rewriting : rewritings) {
+    all.push_back(testing::texts_of(rewriting.expressions).at(0));
+  }
   return all;
 }
 
@@ -22,10 +24,10 @@ std::vector<std::string> texts(const std::vector<Collected>& ways) {
 TEST_CASE("people write no half angles, code does where they keep digits") {
   const ClosedForms forms = present(testing::program_of(testing::Texts{"a - a*cos(b)"}));
   const Fraction& entry = *forms.functions[0].fields[0].entries[0];
-  const auto read = texts(collected_ways(forms.algebra, entry));
+  const auto read = texts(collected_rewritings(forms.algebra, entry));
   CHECK(std::ranges::count(read, "a*(1 - cos(b))") > 0);
   CHECK(std::ranges::count(read, "2*a*sin(1/2*b)^2") == 0);
-  const auto precise = texts(precise_ways(forms.algebra, entry));
+  const auto precise = texts(precise_rewritings(forms.algebra, entry));
   REQUIRE_FALSE(precise.empty());
   CHECK(std::ranges::count(precise, "2*a*sin(1/2*b)^2") == static_cast<long>(precise.size()));
 }
@@ -33,7 +35,7 @@ TEST_CASE("people write no half angles, code does where they keep digits") {
 TEST_CASE("lengths count signs and calls") {
   const Expressions sum = testing::expressions_of({"a + b"});
   CHECK(written_length(sum) == 1);
-  CHECK(derived_way(sum).length == 1);
+  CHECK(derived_rewriting(sum).length == 1);
 }
 
 TEST_CASE("sums of sines and cosines in homogeneous terms") {

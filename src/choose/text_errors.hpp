@@ -1,14 +1,14 @@
-// harm: the errors of one function's entries, in every form of it, at its points.
+// text_errors: the errors of one function's entries, in all its forms, at its points.
 //
-//     E > 64 max(E of the text, |x|)      the form harms an entry x that the text keeps, as it does
+//     E > 64 max(E of the text, |x|)      the form loses an entry x that the text keeps, as it does
 //                                         where it has another value or none
-//     E / max(least known E, |x|)         the loss: digits that another known way keeps
+//     E / max(least known E, |x|)         the loss: digits that another rewriting keeps
 //
 // E is the running error in u (accuracy/running_errors.hpp). The text is the recursive form: the
-// energies as they were typed, differentiated. At the extremes of accuracy, where one way or
-// another is lucky, K stands in the place of the least E (accuracy/conditioning.hpp). Harm is
-// decided in double first, and where that is not sure in 64 digits, so that every machine decides
-// alike; losses are compared in double, where they have one.
+// energies as they were typed, differentiated. At the extremes of accuracy any rewriting may be
+// lucky, so K replaces the least E (accuracy/conditioning.hpp). Accuracy is decided in double, or
+// where that is not sure in 64 digits, so that all machines decide alike; losses are compared in
+// double.
 #pragma once
 
 #include <cstddef>
@@ -24,8 +24,8 @@
 
 namespace elgen {
 
-/// Whether one way loses so much more than another, and more than `tolerated`, that it does not
-/// matter which is cheaper.
+/// Whether one rewriting loses so many more digits than another, and more than `tolerated`, that
+/// costs do not count.
 [[nodiscard]] bool loses_more(double loss, double other, double tolerated = tolerated_loss);
 
 /// The magnitude |x| that errors are compared with in a loss.
@@ -34,31 +34,31 @@ enum class Scale : std::uint8_t {
   field,  ///< the largest entry of its field: one that vanishes among others may be noise
 };
 
-/// By point, E; not a number where the way has no value.
+/// By point, E; not a number where the rewriting has no value.
 using ErrorsAtPoints = std::vector<double>;
 
 class TextErrors {
  public:
-  /// Harm is looked for at `points`, loss at these and at `extremes`. `program` and `text` outlive
+  /// Compares accuracy at `points`, losses at these and at `extremes`. `program` and `text` outlive
   /// it. Cost: one operation of double per instruction and point.
   TextErrors(const Program& program, const Function& text, Points points, Scale scale,
              const Points& extremes = {});
 
-  /// Whether a way harms one entry of the text, by its number among all.
-  [[nodiscard]] bool is_harmed_by(const Expressions& way, std::size_t entry) const;
+  /// Whether a rewriting is less accurate than one entry of the text, by its number among all.
+  [[nodiscard]] bool is_less_accurate(const Expressions& rewriting, std::size_t entry) const;
 
-  /// The first entry of another form that is harmed; none where no entry is.
-  [[nodiscard]] std::optional<std::size_t> harmed_entry(const Program& program,
-                                                        const Function& form) const;
+  /// The first inaccurate entry of another form; none where all are accurate.
+  [[nodiscard]] std::optional<std::size_t> inaccurate_entry(const Program& program,
+                                                            const Function& form) const;
 
-  /// E of a way to write one entry.
-  [[nodiscard]] ErrorsAtPoints errors_of(const Expressions& way) const;
+  /// E of a rewriting of one entry.
+  [[nodiscard]] ErrorsAtPoints errors_of(const Expressions& rewriting) const;
 
-  /// Whether errors of a way may be a loss, if another way has less.
+  /// Whether the errors are so large that a better rewriting is worth looking for.
   [[nodiscard]] bool may_lose(const ErrorsAtPoints& errors, std::size_t entry) const;
 
-  /// From now on the errors of this way are known, too.
-  void add_way(const ErrorsAtPoints& errors, std::size_t entry);
+  /// Adds the errors of one rewriting to the known ones.
+  void add_rewriting(const ErrorsAtPoints& errors, std::size_t entry);
 
   /// The largest loss at any point; infinite where there is no value but the text has one.
   [[nodiscard]] double loss_of(const ErrorsAtPoints& errors, std::size_t entry) const;
@@ -67,8 +67,10 @@ class TextErrors {
   [[nodiscard]] double worst_loss(const Program& program, const Function& form) const;
 
  private:
-  [[nodiscard]] std::optional<std::size_t> harmed(const Program& program, const Function& form,
-                                                  std::size_t first, std::size_t point) const;
+  [[nodiscard]] std::optional<std::size_t> inaccurate_entry_at(const Program& program,
+                                                               const Function& form,
+                                                               std::size_t first,
+                                                               std::size_t point) const;
   [[nodiscard]] const std::vector<Running<Real>>& exact_text(std::size_t point) const;
   [[nodiscard]] std::vector<double> errors_at(const Program& program, const Function& form,
                                               std::size_t point) const;
@@ -77,12 +79,12 @@ class TextErrors {
 
   const Program& program_;
   const Function& text_;
-  std::size_t harm_points_;  ///< the first so many points
+  std::size_t compared_points_;  ///< the first so many points
   Points points_;
   std::vector<std::vector<Running<double>>> rough_ = {};  ///< of the text, by point and entry
   mutable std::map<std::size_t, std::vector<Running<Real>>> exact_ = {};  ///< once it is asked for
   std::vector<std::vector<double>> magnitudes_ = {};  ///< by point and entry; NaN: no value
-  std::vector<std::vector<double>> least_ = {};       ///< E of all known ways, or K, likewise
+  std::vector<std::vector<double>> least_ = {};       ///< E of all rewritings, or K, likewise
 };
 
 }  // namespace elgen

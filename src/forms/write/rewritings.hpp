@@ -1,5 +1,5 @@
-// ways: the ways to write a closed form, each collected: common factors are pulled out of its sums;
-// and readable, the shortest of them.
+// rewritings: the forms in which a closed form can be written, with common factors pulled out of
+// its sums; and readable, the shortest of them.
 //
 // Candidates: multiple angles, and sin^2 or cos^2 turned into the other, each with common factors
 // collected; and the entry as it was derived, where that is short and loses no digits: what cancels
@@ -23,10 +23,10 @@ namespace elgen {
 /// models/ are the same; with 100 entries of the arms are missing.
 inline constexpr std::size_t most_terms = 400;
 
-/// One way to write a value.
+/// One rewriting of a value.
 struct Collected {
   Expressions expressions = {};
-  std::size_t terms = 0;  ///< which: grouping the same terms in another way does not change errors
+  std::size_t terms = 0;  ///< which: another grouping of the same terms does not change errors
   std::size_t length = 0;
   std::size_t weighted_length = 0;  ///< length times the weight of its grouping
 };
@@ -36,23 +36,26 @@ struct Collected {
 
 /// The closed form in multiple angles, by sines and by cosines, in all groupings; none where it is
 /// beyond most_terms.
-[[nodiscard]] std::vector<Collected> collected_ways(const Algebra& algebra, const Fraction& form);
+[[nodiscard]] std::vector<Collected> collected_rewritings(const Algebra& algebra,
+                                                          const Fraction& form);
 
 /// The same as sums of products: nothing is collected, so that terms which cancel stand together.
-[[nodiscard]] std::vector<Expressions> plain_ways(const Algebra& algebra, const Fraction& form);
+[[nodiscard]] std::vector<Expressions> plain_rewritings(const Algebra& algebra,
+                                                        const Fraction& form);
 
 /// As it was derived.
-[[nodiscard]] Collected derived_way(const Expressions& derived);
+[[nodiscard]] Collected derived_rewriting(const Expressions& derived);
 
 /// In sums that do not cancel where one square of an angle is 1 (real_terms.hpp: homogeneous):
 /// longer, and for code only.
-[[nodiscard]] std::vector<Collected> precise_ways(const Algebra& algebra, const Fraction& form);
+[[nodiscard]] std::vector<Collected> precise_rewritings(const Algebra& algebra,
+                                                        const Fraction& form);
 
 /// Whether, by running errors to first order and wherever `reference` has a value x, the error of
-/// `way` is at most three times that of `reference`, or at most 8 |x|, which no judge refuses;
-/// false where it has none at any point. One and the same sum counts up to twice as much when it is
-/// put together in another way; what cancels is beyond any factor.
-[[nodiscard]] bool is_as_precise(const Expressions& way, const Expressions& reference,
+/// `rewriting` is at most three times that of `reference`, or at most 8 |x|, which no judge
+/// refuses; false where it has none at any point. One and the same sum counts up to twice as much
+/// when its terms are added in another order; what cancels is beyond any factor.
+[[nodiscard]] bool is_as_precise(const Expressions& rewriting, const Expressions& reference,
                                  const Points& points, Leaves leaves);
 
 /// One value, twice, each over a graph of its own.
@@ -61,8 +64,8 @@ struct ReadableForm {
   Expressions compact = {};              ///< the shortest that is as precise, however it looks
   std::size_t length = 0;                ///< of the readable one
   bool is_rewritten = false;             ///< code is always the compact one: the other loses digits
-  double loss = 0;                       ///< of the compact one (harm.hpp)
-  std::optional<Expressions> kept = {};  ///< a longer way that keeps the digits it loses
+  double loss = 0;                       ///< of the compact one (text_errors.hpp)
+  std::optional<Expressions> kept = {};  ///< a longer one that keeps the digits it loses
 };
 
 /// The shortest candidate; none where all are too long. `derived` may be null.

@@ -1,6 +1,6 @@
 // A table as SVG: worst errors over costs, both logarithmic. Shapes say the value of the first
-// dimension, numbers which design it is; the front is filled and joined by a staircase. Lines below
-// the list of designs say so to who has the picture alone.
+// dimension, numbers which design it is; the Pareto front is filled and joined by a staircase.
+// Lines below the list of designs say so on the plot itself.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,8 +33,8 @@ constexpr std::array outlines{"M-5 0A5 5 0 1 0 5 0A5 5 0 1 0 -5 0Z",
                               "M0 5.5L5.5 -4.5H-5.5Z",
                               "M-2 -6H2V6H-2Z"};
 
-/// Decimal logarithms: whole powers of ten around numbers, without ticks. Numbers that have no
-/// logarithm are at the ends, and do not move them.
+/// Decimal logarithms between whole powers of ten around the numbers, without ticks. Numbers
+/// without a logarithm are drawn at the ends, and do not move them.
 ChartAxis decades_around(const std::vector<double>& numbers) {
   double low = INFINITY;
   double high = -INFINITY;
@@ -70,9 +70,9 @@ ChartAxis axis_of_errors(const std::vector<double>& errors) {
   return axis;
 }
 
-class TradeoffPicture {
+class TradeoffPlot {
  public:
-  explicit TradeoffPicture(const TradeoffTable& table) : table_(table) {
+  explicit TradeoffPlot(const TradeoffTable& table) : table_(table) {
     for (const TradeoffRow& row : table.rows) {
       if (row.failure.empty()) rows_.push_back(&row);
     }
@@ -91,9 +91,9 @@ class TradeoffPicture {
         svg_start(legend_left + legend_width,
                   std::max(top + plot_height + bottom, legend_y(rows_.size() + 5)),
                   fmt::format("{}, {}: {}", table_.model, table_.subject, table_.error));
-    svg += chart_.grid() + svg_label(14, top - 14, "start", "worst error, relative") + front() +
-           legend();
-    // The front, which comes first where costs are equal, is drawn last, so that nothing covers it.
+    svg += chart_.grid() + svg_label(14, top - 14, "start", "worst error, relative") +
+           pareto_front() + legend();
+    // The Pareto front comes first where costs are equal; drawn last, it is never covered.
     for (std::size_t i = rows_.size(); i-- > 0;) {
       const TradeoffRow& row = *rows_[i];
       svg += symbol(row, x_of(row), y_of(row)) + number(i);
@@ -110,11 +110,12 @@ class TradeoffPicture {
     return chart_.y_of(std::log10(row.error.worst));
   }
 
-  /// Along the front costs go up and errors down; between two costs the cheaper design is the best.
-  [[nodiscard]] std::string front() const {
+  /// On the Pareto front costs go up and errors down; between two costs the cheaper design is the
+  /// best.
+  [[nodiscard]] std::string pareto_front() const {
     std::string path;
     for (const TradeoffRow* row : rows_) {
-      if (!row->is_on_front) continue;
+      if (!row->is_on_pareto_front) continue;
       path += fmt::format("{}{:.1f}{}{:.1f}", path.empty() ? "M" : "H", x_of(*row),
                           path.empty() ? " " : "V", y_of(*row));
     }
@@ -122,7 +123,9 @@ class TradeoffPicture {
   }
 
   [[nodiscard]] std::string symbol(const TradeoffRow& row, double x, double y) const {
-    const char* const fill = row.is_on_front ? "black" : row.is_below_reference ? "#bbb" : "white";
+    const char* const fill = row.is_on_pareto_front   ? "black"
+                             : row.is_below_reference ? "#bbb"
+                                                      : "white";
     return fmt::format(
         "<path d=\"{}\" transform=\"translate({:.1f} {:.1f})\" fill=\"{}\" stroke=\"black\"/>\n",
         outline_of(row), x, y, fill);
@@ -137,7 +140,7 @@ class TradeoffPicture {
   }
 
   /// Neighbours in cost are often close: their numbers are on different sides, and neither is on
-  /// the line of the front.
+  /// the line of the Pareto front.
   [[nodiscard]] std::string number(std::size_t i) const {
     const bool is_left = i % 2 == 0;
     return svg_label(x_of(*rows_[i]) + (is_left ? -radius : radius),
@@ -149,7 +152,7 @@ class TradeoffPicture {
     return top + line_height * (static_cast<double>(line) + 0.5);
   }
 
-  /// What the values of a design are, the designs, and what marks and line mean.
+  /// Explains the values of a design, the designs, the marks and the line.
   [[nodiscard]] std::string legend() const {
     std::string svg = svg_title(legend_left + 14, legend_y(0) + 4,
                                 fmt::format("{}", fmt::join(table_.dimensions, ", ")));
@@ -183,6 +186,6 @@ class TradeoffPicture {
 
 }  // namespace
 
-std::string to_svg(const TradeoffTable& table) { return TradeoffPicture(table).text(); }
+std::string to_svg(const TradeoffTable& table) { return TradeoffPlot(table).text(); }
 
 }  // namespace elgen
