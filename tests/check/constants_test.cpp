@@ -200,7 +200,8 @@ TEST_CASE("repetitions run the last index fastest, later bounds may use earlier 
   Scope scope(sizes);
   Report report;
   std::string order;
-  const bool complete = repeat({range("a", "1", "n-1"), range("b", "a", "2")}, scope, report, [&] {
+  const std::vector ranges{range("a", "1", "n-1"), range("b", "a", "2")};
+  const bool complete = repeat(ranges, scope, report, [&] {
     order += std::to_string(*scope.find("a")) + std::to_string(*scope.find("b")) + " ";
     return true;
   });
@@ -217,7 +218,8 @@ TEST_CASE("a repetition ends where its body asks") {
   Scope scope(sizes);
   Report report;
   int count = 0;
-  CHECK_FALSE(repeat({range("a", "0", "1000000000")}, scope, report, [&] { return ++count < 3; }));
+  const std::vector ranges{range("a", "0", "1000000000")};
+  CHECK_FALSE(repeat(ranges, scope, report, [&] { return ++count < 3; }));
   CHECK(count == 3);
 }
 
