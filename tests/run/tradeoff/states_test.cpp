@@ -31,7 +31,7 @@ TEST_CASE("states are inside the ranges, and exact values go beyond double") {
     differ = differ || q != states->states[0].q[0];
     const long double expected =
         4 + 19.62L * std::sqrt(2.0L) * std::sin(static_cast<long double>(q));
-    const auto& [high, low] = states->exact[i];
+    const auto& [high, low] = states->exact[i].front();
     CHECK(std::abs(static_cast<long double>(high) + static_cast<long double>(low) - expected) <
           1e-17L);
     CHECK(std::abs(low) <= 1e-15);
