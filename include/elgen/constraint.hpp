@@ -79,7 +79,7 @@ struct Variant {
   std::shared_ptr<const Model> whole = {};  ///< null: nothing has been taken out of the model
 };
 
-/// Where the entries of a list go as some leave it: later ones move up.
+/// The new positions of the entries of a list when some are removed.
 class PlacesLeft {
  public:
   /// None has left.
@@ -93,7 +93,7 @@ class PlacesLeft {
     }
   }
 
-  /// None of an entry that left.
+  /// None for an entry that was removed.
   [[nodiscard]] const std::optional<std::uint32_t>& operator[](std::size_t i) const {
     return places_[i];
   }
@@ -108,7 +108,7 @@ class PlacesLeft {
     list = std::move(left);
   }
 
-  /// A list as it was before, with 0 for what left it.
+  /// The list before removal, with 0 for each removed entry.
   template <class List>
   [[nodiscard]] List spread(const List& left) const {
     List list(places_.size());

@@ -186,8 +186,8 @@ struct PlannedRun {
 /// All methods and orders, each in a few lengths of steps, by one state and in packs.
 [[nodiscard]] std::vector<PlannedRun> planned_runs(double time);
 
-/// q and v at the end of a run from the model's start; in each step inputs keep what their laws are
-/// where it starts. `program` is that of the equations, which simulate() takes.
+/// q and v at the end of a run from the model's start; inputs are held over each step at their
+/// values at its start. `program` is that of the equations, which simulate() takes.
 [[nodiscard]] std::vector<double> end_of_run(const CheckedModel& checked, const Program& program,
                                              const StepLoops& loops, const PlannedRun& run,
                                              double time);

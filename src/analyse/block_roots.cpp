@@ -26,7 +26,7 @@ constexpr double turn_above = 0x1.921fb54442d19p2;  // more than 2 pi
 /// Undecided boxes this many of their lengths apart are one place.
 constexpr double neighbourhood = 10;
 
-/// At most so many starts, and places of boxes without a verdict.
+/// The most starts of a search, and the most undecided boxes that are named.
 constexpr std::size_t most_starts = 64;
 constexpr std::size_t most_places = 16;
 

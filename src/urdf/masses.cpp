@@ -12,7 +12,7 @@ namespace {
 
 enum class Behind : unsigned char { everything, what_is_held };
 
-/// Whether a link, or one behind it, has mass, or inertia; by link.
+/// By link, whether it or a link that it carries has mass or inertia.
 std::vector<bool> massive_links(const Robot& robot, const LinkTree& tree, Behind behind,
                                 bool (Link::*has)() const = &Link::has_mass) {
   std::vector<bool> massive;

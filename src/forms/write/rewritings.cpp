@@ -43,7 +43,7 @@ class Lengths {
     return std::min(total, 2 * longest_written);
   }
 
-  /// Terms of an angle that are multiples of something.
+  /// Counts the terms of an angle that are multiples of a leaf.
   [[nodiscard]] std::size_t multiples(NodeId argument) const {
     if (graph_.is_constant(argument)) return 0;
     const Node& node = graph_.node(argument);

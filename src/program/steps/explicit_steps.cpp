@@ -19,7 +19,7 @@ class Explicit {
             compose_.moved(step_.start.v, sixth, weighted(k, &Rates::v))};
   }
 
-  /// The kick at the end of a part and that at the begin of the next one are one.
+  /// The kick that ends a part and the one that begins the next are merged.
   NextState verlet() {
     CallPoint at = step_.start;
     cln::cl_RA before = 0;
