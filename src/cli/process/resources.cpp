@@ -1,6 +1,7 @@
 // setrlimit and signal handlers; handlers only write a prepared text and leave.
 #include "cli/process/resources.hpp"
 
+#include <cln/malloc.h>
 #include <fmt/format.h>
 #include <gmp.h>
 #include <sys/resource.h>
@@ -75,7 +76,8 @@ void set_alarm(std::uint64_t seconds) {
   std::abort();
 }
 
-/// GMP, which CLN calculates with, aborts where memory ends, unless its functions for memory throw.
+/// Where memory ends, CLN throws an exception of its own, which a page outlives, and GMP, which CLN
+/// calculates with, aborts, unless their functions for memory throw.
 void* some_memory(std::size_t size) {
   void* const memory = std::malloc(size);
   return memory == nullptr ? throw std::bad_alloc() : memory;
@@ -103,6 +105,7 @@ void set_resource_limits(const Limits& limits, const DiagnosticStyle& style) {
       format({out_of_time(fmt::format("{} s of processor time are over", limits.seconds))}, style);
   last_words().memory = format({out_of_memory(limits)}, style);
   std::set_terminate(end_without_memory);
+  cln::malloc_hook = some_memory;
   ::mp_set_memory_functions(some_memory, other_memory, no_memory);
   std::signal(SIGXCPU, end_on_time);
   std::signal(SIGALRM, end_waiting);
