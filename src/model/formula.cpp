@@ -30,7 +30,7 @@ bool is_no_call(const Formula& factor) { return factor.tail.empty(); }
 
 /// So that no factor is read as a part of their arguments.
 std::vector<Formula> functions_last(std::vector<Formula> factors) {
-  std::ranges::stable_partition(factors, is_no_call);
+  std::stable_partition(factors.begin(), factors.end(), is_no_call);
   return factors;
 }
 
