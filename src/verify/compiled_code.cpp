@@ -173,8 +173,8 @@ CertificateRow helper_row(const FunctionRow& helper, Scalar order) {
   row.samples = arguments;
   row.worst = fmt::format("{:.1f} u", worst);
   row.where = fmt::format("x = {:.17g}", at);
-  row.tolerance = fmt::format("{} u, half the epsilon: the error that digits are counted with",
-                              helper.roundings);
+  row.tolerance = fmt::format(
+      "{} u, half the epsilon: the error that the table of functions states", helper.roundings);
   row.verdict = worst <= helper.roundings ? Verdict::holds : Verdict::fails;
   return row;
 }

@@ -133,7 +133,7 @@ TEST_CASE("sines of packs may be off by what the scene says, in every build") {
         "sine and cosine (double, batch, -O3 -march=native, contraction on)");
 }
 
-TEST_CASE("functions that code brings are off by what digits are counted with") {
+TEST_CASE("functions that code brings are off by no more than their table states") {
   ModelBuilder builder;
   builder.coordinate("x").T("x_d^2/2").V("stumpff(x, 2)");
   const System system = system_of(builder.model,

@@ -21,7 +21,7 @@ class OracleCache {
 
   [[nodiscard]] const OracleValues& values(const OutputRequest& request);
 
-  /// The diagonal of M; empty where it has no value.
+  /// The diagonal of M; an entry without a value is 0.
   [[nodiscard]] const std::vector<cln::cl_R>& diagonal_of_mass();
 
   /// |E| and the magnitudes of V's terms, in whose rounding most of the oracle's zeros drown; 0
