@@ -50,4 +50,20 @@ struct Choice {
 [[nodiscard]] Result<Choice> choose(const Program& recursive, const ClosedForms& forms,
                                     const Domain& domain, const Scene& scene);
 
+/// V and its derivatives (PotentialEquations) in one form each, for all functions that have them:
+/// with the typed sums whole that keep digits at the zeros of sums, else that cost less. None where
+/// no derivative differs from the text and from the closed form, or the scene wants speed alone.
+/// Cost: that of choose() up to eighteen times where typed sums lose digits.
+[[nodiscard]] std::optional<Program> rewritten_potential(const Program& potential,
+                                                         const Domain& domain, const Scene& scene);
+
+/// The domain of functions that take V and its derivatives as open values behind `first` others.
+[[nodiscard]] Domain with_open_potential(Domain domain, const Program& potential);
+
+/// Puts V and its derivatives in the place of the open values behind those of `choice`: the functions
+/// of `open` that take any of these replace those of `choice`, which are read as they were. All stay
+/// where one would lose digits that it has now, as where V cancels the weight of bodies.
+void put_potential(const Program& potential, const Choice& open, const Domain& domain,
+                   Choice& choice);
+
 }  // namespace elgen

@@ -15,6 +15,7 @@
 #include <compare>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -64,12 +65,13 @@ enum class AtomKind : std::uint8_t {
   root,      ///< sqrt(argument), argument positive
   call,      ///< function(arguments)
   pi,
+  sum,  ///< a typed sum that stays whole: its argument is its canonical form
 };
 
 struct Atom {
   AtomKind kind = AtomKind::leaf;
   Opcode leaf = Opcode::constant;
-  std::uint32_t index = 0;  ///< of the leaf
+  std::uint32_t index = 0;  ///< of the leaf, or of the sum in Algebra::sums
   FunctionId function = FunctionId::sin;
   cln::cl_RA divisor = 1;
   std::vector<Fraction> arguments = {};
@@ -86,6 +88,9 @@ struct Algebra {
     Polynomial normal = {};
   };
   std::vector<Factor> factors = {};
+  /// Sums that stay whole, each as a function of one entry: as it is typed, since a canonical form
+  /// forgets a^2 sin^2 + b^2 cos^2. Null where there are none.
+  std::shared_ptr<const Program> sums = {};
 };
 
 struct ClosedField {
@@ -112,6 +117,19 @@ struct PresentBudget {
 
 /// The closed forms of a program's functions. Cost: at most `budget`, about 0.4 us a product.
 [[nodiscard]] ClosedForms present(const Program& program, const PresentBudget& budget = {});
+
+/// The sums of a program that may stay whole, each a function of one entry, none twice: the bases
+/// of powers and the arguments of roots, quotients and functions other than sines, cosines and
+/// tangents, and the factors of these, where they hold a coordinate or t.
+///
+///     before    F*sqrt((x - 1)^2 + (y - 3/10)^2)
+///     after     (x - 1)^2 + (y - 3/10)^2,   x - 1,   y - 3/10
+[[nodiscard]] Program typed_sums(const Program& program);
+
+/// Closed forms in which these sums stay whole: they are not multiplied out, wherever they stand. A
+/// sum of several that is shorter multiplied out is written so: (x + r) + (x - r) is 2 x.
+[[nodiscard]] ClosedForms present(const Program& program, Program whole_sums,
+                                  const PresentBudget& budget = {});
 
 /// Whether x = y is proved: x - y is the empty sum. False says nothing where roots or calls occur.
 [[nodiscard]] bool proved_equal(ClosedForms& forms, const Fraction& x, const Fraction& y);

@@ -36,6 +36,25 @@ struct EquationsOfMotion {
                                                const std::vector<OutputRequest>& outputs,
                                                const Limits& limits);
 
+/// V of [energy] at zero rates, and its derivatives by the coordinates, and t, that it depends on:
+/// V, dV/dx_i, d2V/dx_i dx_j (i <= j), each an output of its own.
+struct PotentialEquations {
+  std::vector<GiNaC::ex> variables = {};  ///< x
+  std::vector<OutputRequest> requests = {};
+  EquationsOfMotion equations = {};
+};
+
+/// Without second derivatives where these are not wanted. None where V depends on no coordinate, or
+/// on rates, or where a scene expands it.
+[[nodiscard]] std::optional<PotentialEquations> derive_potential(const Lagrangian& lagrangian,
+                                                                 bool has_second);
+
+/// The same Lagrangian with V of [energy] as one leaf, whose derivatives are leaves too: open
+/// values behind those of the model, in the order of PotentialEquations. Third derivatives are 0,
+/// so that no output may take them.
+[[nodiscard]] Lagrangian with_open_potential(Lagrangian lagrangian,
+                                             const std::vector<GiNaC::ex>& variables);
+
 [[nodiscard]] std::string dump(const EquationsOfMotion& equations);
 
 }  // namespace elgen

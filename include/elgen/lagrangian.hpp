@@ -13,6 +13,7 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "elgen/leaf_names.hpp"
@@ -59,6 +60,9 @@ struct Definition {
   Entity origin;
   std::vector<std::uint32_t> uses;  ///< indices of the definitions in `value`, ascending
   LeafSet depends = {};             ///< through `uses` too
+  /// dvalue/dleaf of every leaf that it depends on, where `value` is a leaf itself, whose
+  /// expression is not known here; else empty.
+  std::vector<std::pair<GiNaC::ex, GiNaC::ex>> slopes = {};
 };
 
 struct ExpressionHash {

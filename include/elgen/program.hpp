@@ -43,6 +43,10 @@ struct InstructionHash {
 /// Number of operands that are instructions (0, 1 or 2).
 [[nodiscard]] std::size_t operand_count(const Instruction& instruction);
 
+[[nodiscard]] inline bool is_sum(const Instruction& instruction) {
+  return instruction.opcode == Opcode::add || instruction.opcode == Opcode::subtract;
+}
+
 /// The same operation, where its operands have moved to `places`.
 [[nodiscard]] Instruction with_operands(Instruction instruction,
                                         const std::vector<std::uint32_t>& places);

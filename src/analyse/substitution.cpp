@@ -65,6 +65,8 @@ class Substituting {
         return circular_power(atom, power.exponent);
       case AtomKind::root:
         return powered(arithmetic_.square_root(of(atom.arguments[0])), power.exponent);
+      case AtomKind::sum:
+        return powered(of(atom.arguments[0]), power.exponent);
       case AtomKind::call: {
         const Value x = of(atom.arguments.front());
         const Value y = atom.arguments.size() > 1 ? of(atom.arguments.back()) : Value();

@@ -1,7 +1,7 @@
 // cancelling_places: where sums of a function vanish.
 //
 //     before    F*sqrt((x - a)^2 + y^2)
-//     after     x near a and -a, x near 0, y near 0; together: x near a and y near 0
+//     after     x near a and -a, x near 0, y near 0
 //
 // Places are found by folding the text over sums of numbers, multiples of one leaf and multiples of
 // its square; everything else is opaque.
@@ -15,8 +15,6 @@
 
 namespace elgen {
 namespace {
-
-constexpr std::size_t most_together = 4;  ///< sums whose coordinates are moved all at once
 
 constexpr double half_turn = 3.141592653589793;
 constexpr double places_of_sines[]{half_turn, half_turn / 2, -half_turn / 2, -half_turn};
@@ -40,14 +38,6 @@ struct SumPart {
   FunctionId function = FunctionId::sin;
   std::shared_ptr<const SumParts> inner = {};  ///< what it is a root, an inverse or a function of
 };
-
-/// Whether `place` moves nothing that `known` moves or rests on.
-bool fits_beside(const NearPlaces& known, const NearPlace& place) {
-  return std::ranges::none_of(known, [&place](const NearPlace& other) {
-    return other.coordinate == place.coordinate || other.other == place.coordinate ||
-           place.other == other.coordinate;
-  });
-}
 
 /// The rules of fold.hpp. Numbers stand for parameters at their values.
 struct SumPartRules {
@@ -107,14 +97,6 @@ struct SumPartRules {
   }
 };
 
-bool is_sum(const Instruction& i) {
-  return i.opcode == Opcode::add || i.opcode == Opcode::subtract;
-}
-
-bool is_sine_or_cosine(const Instruction& i) {
-  return i.opcode == Opcode::call && is_circular(i.function);
-}
-
 /// The numbers of a sum as one.
 SumPart number_in(const SumParts& sum) {
   SumPart total{SumPart::Kind::number, 0};
@@ -147,12 +129,8 @@ class PlaceSearch {
       : domain_(domain), count_(program.leaves.q.size()), found_(count_) {
     for (std::uint32_t i = 0; i < count_; ++i) add({i, 0});
     const auto parts = fold<SumParts>(SumPartRules{domain.states.front()}, program, text);
-    std::vector<NearPlaces> below;
-    for (const Instruction& i : text.instructions) {
-      latest_.clear();
-      if (is_sum(i)) add_cancelling(parts[below.size()]);
-      below.push_back(places_below(i, below));
-      add_together(text, i, below);
+    for (std::size_t at = 0; at < parts.size(); ++at) {
+      if (is_sum(text.instructions[at])) add_cancelling(parts[at]);
     }
     std::vector<bool> is_angle(count_);
     for (const Instruction& i : text.instructions) {
@@ -168,52 +146,16 @@ class PlaceSearch {
 
   [[nodiscard]] const std::vector<NearPlaces>& by_coordinate() const { return found_; }
 
-  /// Where sums under a product, a root, a quotient or a function vanish with all of their terms.
-  [[nodiscard]] const std::vector<NearPlaces>& together() const { return together_; }
-
  private:
   void add(const NearPlace& place) {
     NearPlaces& known = found_[place.coordinate];
     if (!is_alone(place.coordinate) || !std::isfinite(place.factor)) return;
-    latest_.push_back(place);
     if (std::ranges::find(known, place) == known.end()) known.push_back(place);
   }
 
   /// Whether it is no component of a quaternion.
   [[nodiscard]] bool is_alone(std::uint32_t coordinate) const {
     return !domain_.model.coordinates[coordinate].rotation;
-  }
-
-  /// Joins the latest places with those of the operands. Sines and cosines pass none on, for they
-  /// do not vanish with their angles.
-  [[nodiscard]] NearPlaces places_below(const Instruction& i,
-                                        const std::vector<NearPlaces>& below) const {
-    NearPlaces all = latest_;
-    if (i.opcode == Opcode::coordinate && is_alone(i.a)) all.push_back({i.a, 0});
-    const std::size_t operands = is_sine_or_cosine(i) ? 0 : operand_count(i);
-    if (operands > 0) all.insert(all.end(), below[i.a].begin(), below[i.a].end());
-    if (operands > 1) all.insert(all.end(), below[i.b].begin(), below[i.b].end());
-    NearPlaces fitting;
-    for (const NearPlace& place : all) {
-      if (fitting.size() < most_parts && fits_beside(fitting, place)) fitting.push_back(place);
-    }
-    return fitting;
-  }
-
-  /// Keeps the places of sums under a product, a root, a quotient or a function. Zeros of the
-  /// coordinates themselves are drawn anyway.
-  void add_together(const Function& text, const Instruction& i,
-                    const std::vector<NearPlaces>& below) {
-    if (is_sum(i) || is_sine_or_cosine(i) || i.opcode == Opcode::negate) return;
-    for (std::size_t k = 0; k < operand_count(i); ++k) {
-      const std::uint32_t operand = k == 0 ? i.a : i.b;
-      const NearPlaces& places = below[operand];
-      const bool is_elsewhere = std::ranges::any_of(
-          places, [](const NearPlace& place) { return place.factor != 0 || place.other; });
-      if (!is_sum(text.instructions[operand]) || !is_elsewhere) continue;
-      if (std::ranges::find(together_, places) != together_.end()) continue;
-      if (together_.size() < most_together) together_.push_back(places);
-    }
   }
 
   /// Where two angles are equal, sums of products of their sines and cosines cancel; then right
@@ -285,18 +227,15 @@ class PlaceSearch {
 
   const Domain& domain_;
   std::size_t count_;
-  std::vector<NearPlaces> found_;          ///< by coordinate
-  NearPlaces latest_ = {};                 ///< of one sum
-  std::vector<NearPlaces> together_ = {};  ///< by sum
+  std::vector<NearPlaces> found_;  ///< by coordinate
   int depth_ = 0;
 };
 
 }  // namespace
 
-CancellingPlaces cancelling_places(const Program& program, const Function& text,
-                                   const Domain& domain, std::size_t most) {
-  const PlaceSearch search(program, text, domain);
-  return {first_of(search.by_coordinate(), most), search.together()};
+NearPlaces cancelling_places(const Program& program, const Function& text, const Domain& domain,
+                             std::size_t most) {
+  return first_of(PlaceSearch(program, text, domain).by_coordinate(), most);
 }
 
 }  // namespace elgen

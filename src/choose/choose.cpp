@@ -34,10 +34,6 @@ constexpr std::size_t quarters_for_balance = 5;
 
 bool prefers_accuracy(const Scene& scene) { return scene.numerics.prefer == Preference::accuracy; }
 
-Scale scale_for(const Scene& scene) {
-  return prefers_accuracy(scene) ? Scale::entry : Scale::field;
-}
-
 /// Where float is the only scalar, losses that double stands take most of its digits.
 double tolerated_by(const Scene& scene) {
   const std::vector<ScalarKind>& scalars = scene.numerics.scalars;
@@ -95,11 +91,7 @@ class RecursiveForms {
  public:
   RecursiveForms(const Program& recursive, const Program& chosen, const Domain& domain,
                  const Scene& scene)
-      : recursive_(recursive),
-        chosen_(chosen),
-        domain_(domain),
-        scene_(scene),
-        extremes_(prefers_accuracy(scene) ? extreme_points(recursive) : Points{}) {}
+      : recursive_(recursive), chosen_(chosen), domain_(domain), scene_(scene) {}
 
   /// The total energy is never worse than the sum of the energies.
   const Function& of(std::size_t index) {
@@ -119,7 +111,7 @@ class RecursiveForms {
     const Function& text = of(index);
     Points points = comparison_points(recursive_, recursive_.functions[index], domain_);
     const auto made =
-        errors_.try_emplace(index, chosen_, text, std::move(points), scale_for(scene_), extremes_);
+        errors_.try_emplace(index, chosen_, text, std::move(points), Scale::field);
     return &made.first->second;
   }
 
@@ -128,7 +120,6 @@ class RecursiveForms {
   const Program& chosen_;  ///< with the functions that were chosen so far
   const Domain& domain_;
   const Scene& scene_;
-  Points extremes_;                                   ///< where accuracy counts
   std::map<std::size_t, Function> energy_sums_ = {};  ///< by function, of total_energy
   std::map<std::size_t, TextErrors> errors_ = {};     ///< likewise
 };

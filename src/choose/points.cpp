@@ -46,20 +46,22 @@ std::vector<bool> coordinates_in_arguments(const Function& function, const IsSou
 
 class Making {
  public:
-  Making(const Program& program, const Function& text, const Domain& domain,
-         CancellingPlaces places)
+  Making(const Program& program, const Function& text, const Domain& domain, NearPlaces places)
       : program_(program), text_(text), domain_(domain), places_(std::move(places)) {}
 
   Points make() {
     for (std::size_t i = 0; i < plain_points; ++i) points_.push_back(state());
     for (std::size_t i = 0; i < plain_points; ++i)
       points_.push_back(with_other_parameters(state()));
-    for (const NearPlace& place : places_.of_coordinates) {
+    for (const NearPlace& place : places_) {
       for (const double distance : distances) add_near(place, distance);
     }
-    add_near_all(places_.of_coordinates);
-    for (const NearPlaces& places : places_.of_sums) add_near_all(places);
-    for (std::size_t i = 0; i < plain_points && has_motion(); ++i) add(at_rest(state()));
+    add_near_all(places_);
+    if (has_motion()) {
+      for (std::size_t i = 0; i < plain_points; ++i) add(at_rest(state()));
+    } else {
+      for (const std::vector<double>& zero : sum_zeros(program_, text_, domain_)) add_beside(zero);
+    }
     add_far();
     return std::move(points_);
   }
@@ -173,6 +175,20 @@ class Making {
     if (!places.empty()) add(std::move(point));
   }
 
+  /// Near a zero and nearer, in a direction of its own each.
+  void add_beside(const std::vector<double>& zero) {
+    const auto moved = [&](Arguments<double> point, double distance) {
+      point.q = zero;
+      for (double& x : point.q) {
+        const double away = draw_.side() * draw_.share() * distance;
+        x = x == 0 ? away : x + x * away;
+      }
+      return point;
+    };
+    add(moved(state(), near));
+    add(moved(state(), nearest));
+  }
+
   /// A point outside the declared ranges is left out.
   void add(Arguments<double> point) {
     for (std::uint32_t i = 0; i < point.q.size(); ++i) {
@@ -184,7 +200,7 @@ class Making {
   const Program& program_;
   const Function& text_;
   const Domain& domain_;
-  CancellingPlaces places_;
+  NearPlaces places_;
   Sampler draw_{1};
   std::size_t next_ = 0;
   Points points_ = {};
@@ -195,15 +211,6 @@ class Making {
 Points comparison_points(const Program& program, const Function& text, const Domain& domain) {
   return Making(program, text, domain, cancelling_places(program, text, domain, most_places))
       .make();
-}
-
-Points extreme_points(const Program& program) {
-  std::vector<bool> is_angle(program.leaves.q.size());
-  for (const Function& function : program.functions) {
-    const auto stands = coordinates_in_arguments(function, is_circular, is_angle.size());
-    for (std::size_t i = 0; i < stands.size(); ++i) is_angle[i] = is_angle[i] || stands[i];
-  }
-  return extreme_points(program.leaves, is_angle);
 }
 
 }  // namespace elgen

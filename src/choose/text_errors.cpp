@@ -71,28 +71,13 @@ bool loses_more(double loss, double other, double tolerated) {
   return loss > std::max(tolerated, similar_losses * other);
 }
 
-TextErrors::TextErrors(const Program& program, const Function& text, Points points, Scale scale,
-                       const Points& extremes)
-    : program_(program), text_(text), compared_points_(points.size()), points_(std::move(points)) {
-  points_.insert(points_.end(), extremes.begin(), extremes.end());
+TextErrors::TextErrors(const Program& program, const Function& text, Points points, Scale scale)
+    : program_(program), text_(text), points_(std::move(points)) {
   for (std::size_t point = 0; point < points_.size(); ++point) {
     rough_.push_back(running_entries<double>(program, text, points_[point]));
     magnitudes_.push_back(magnitudes_at(point, scale));
-    least_.push_back(point < compared_points_ ? errors_at(program, text, point)
-                                              : conditions_at(point));
+    least_.push_back(errors_at(program, text, point));
   }
-}
-
-/// K of all entries.
-std::vector<double> TextErrors::conditions_at(std::size_t point) const {
-  const RunningErrorRules<Real> rules{running_leaves<Real>(points_[point], Leaves::exact)};
-  const auto all = fold<Running<Real>>(rules, program_, text_);
-  const Conditioning conditioning(program_, text_, values_of(all));
-  std::vector<double> conditions;
-  for (const std::uint32_t entry : entries_of(text_)) {
-    conditions.push_back(number_of(conditioning.of(entry)));
-  }
-  return conditions;
 }
 
 /// Counts digits of the text exactly where double hardly has any.
@@ -147,9 +132,18 @@ bool TextErrors::may_lose(const ErrorsAtPoints& errors, std::size_t entry) const
 }
 
 void TextErrors::add_rewriting(const ErrorsAtPoints& errors, std::size_t entry) {
-  for (std::size_t point = 0; point < compared_points_; ++point) {
+  for (std::size_t point = 0; point < points_.size(); ++point) {
     double& least = least_[point][entry];
     if (errors[point] < least) least = errors[point];
+  }
+}
+
+void TextErrors::add_form(const Program& program, const Function& form) {
+  for (std::size_t point = 0; point < points_.size(); ++point) {
+    const std::vector<double> errors = errors_at(program, form, point);
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+      least_[point][i] = std::min(least_[point][i], errors[i]);
+    }
   }
 }
 
@@ -174,7 +168,7 @@ double TextErrors::worst_loss(const Program& program, const Function& form) cons
 
 bool TextErrors::is_less_accurate(const Expressions& rewriting, std::size_t entry) const {
   const Linearised one(make_network(rewriting));
-  for (std::size_t point = 0; point < compared_points_; ++point) {
+  for (std::size_t point = 0; point < points_.size(); ++point) {
     if (inaccurate_entry_at(one.program, one.function, entry, point)) return true;
   }
   return false;
@@ -182,7 +176,7 @@ bool TextErrors::is_less_accurate(const Expressions& rewriting, std::size_t entr
 
 std::optional<std::size_t> TextErrors::inaccurate_entry(const Program& program,
                                                         const Function& form) const {
-  for (std::size_t point = 0; point < compared_points_; ++point) {
+  for (std::size_t point = 0; point < points_.size(); ++point) {
     if (const auto entry = inaccurate_entry_at(program, form, 0, point)) return entry;
   }
   return std::nullopt;

@@ -5,10 +5,8 @@
 //     E / max(least known E, |x|)         the loss: digits that another rewriting keeps
 //
 // E is the running error in u (accuracy/running_errors.hpp). The text is the recursive form: the
-// energies as they were typed, differentiated. At the extremes of accuracy any rewriting may be
-// lucky, so K replaces the least E (accuracy/conditioning.hpp). Accuracy is decided in double, or
-// where that is not sure in 64 digits, so that all machines decide alike; losses are compared in
-// double.
+// energies as they were typed, differentiated. Accuracy is decided in double, or where that is not
+// sure in 64 digits, so that all machines decide alike; losses are compared in double.
 #pragma once
 
 #include <cstddef>
@@ -39,10 +37,8 @@ using ErrorsAtPoints = std::vector<double>;
 
 class TextErrors {
  public:
-  /// Compares accuracy at `points`, losses at these and at `extremes`. `program` and `text` outlive
-  /// it. Cost: one operation of double per instruction and point.
-  TextErrors(const Program& program, const Function& text, Points points, Scale scale,
-             const Points& extremes = {});
+  /// `program` and `text` outlive it. Cost: one operation of double per instruction and point.
+  TextErrors(const Program& program, const Function& text, Points points, Scale scale);
 
   /// Whether a rewriting is less accurate than one entry of the text, by its number among all.
   [[nodiscard]] bool is_less_accurate(const Expressions& rewriting, std::size_t entry) const;
@@ -60,6 +56,9 @@ class TextErrors {
   /// Adds the errors of one rewriting to the known ones.
   void add_rewriting(const ErrorsAtPoints& errors, std::size_t entry);
 
+  /// Adds those of all entries of a form.
+  void add_form(const Program& program, const Function& form);
+
   /// The largest loss at any point; infinite where there is no value but the text has one.
   [[nodiscard]] double loss_of(const ErrorsAtPoints& errors, std::size_t entry) const;
 
@@ -74,17 +73,15 @@ class TextErrors {
   [[nodiscard]] const std::vector<Running<Real>>& exact_text(std::size_t point) const;
   [[nodiscard]] std::vector<double> errors_at(const Program& program, const Function& form,
                                               std::size_t point) const;
-  [[nodiscard]] std::vector<double> conditions_at(std::size_t point) const;
   [[nodiscard]] std::vector<double> magnitudes_at(std::size_t point, Scale scale) const;
 
   const Program& program_;
   const Function& text_;
-  std::size_t compared_points_;  ///< the first so many points
   Points points_;
   std::vector<std::vector<Running<double>>> rough_ = {};  ///< of the text, by point and entry
   mutable std::map<std::size_t, std::vector<Running<Real>>> exact_ = {};  ///< once it is asked for
   std::vector<std::vector<double>> magnitudes_ = {};  ///< by point and entry; NaN: no value
-  std::vector<std::vector<double>> least_ = {};       ///< E of all rewritings, or K, likewise
+  std::vector<std::vector<double>> least_ = {};       ///< E of all rewritings, likewise
 };
 
 }  // namespace elgen

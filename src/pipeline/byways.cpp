@@ -33,6 +33,51 @@ Result<Program> recursive_program(const Lagrangian& lagrangian,
   return cancel(std::move(*lowered));
 }
 
+/// The scene of a Lagrangian whose functions are chosen, and what they are chosen from.
+struct Choosing {
+  const Lagrangian& lagrangian;
+  const Model& model;
+  const Scene& scene;
+  const Limits& limits;
+};
+
+/// The same functions with V as a leaf, in their forms.
+Result<Choice> open_choice(const Choosing& choosing, const std::vector<GiNaC::ex>& variables,
+                           const Program& potential, const Domain& domain) {
+  const Result<Program> open = recursive_program(
+      with_open_potential(choosing.lagrangian, variables), choosing.scene.outputs, choosing.limits);
+  if (!open) return open.diagnostics;
+  return choose(*open, present(*open), with_open_potential(domain, potential), choosing.scene);
+}
+
+/// V in one form in all functions, where it has one of its own.
+Diagnostics add_potential(const Choosing& choosing, const Domain& domain, Choice& choice) {
+  const bool has_second = std::ranges::any_of(
+      choosing.scene.outputs,
+      [](const OutputRequest& request) { return output_row(request.kind).differentiates; });
+  const auto derived = derive_potential(choosing.lagrangian, has_second);
+  if (!derived) return {};
+  Result<Program> lowered = lower(derived->equations, derived->requests, choosing.limits);
+  if (!lowered) return lowered.diagnostics;
+  const auto potential = rewritten_potential(cancel(std::move(*lowered)), domain, choosing.scene);
+  if (!potential) return {};
+  Result<Choice> open = open_choice(choosing, derived->variables, *potential, domain);
+  if (!open) return open.diagnostics;
+  put_potential(*potential, *open, domain, choice);
+  return {};
+}
+
+/// The functions of a program in their forms.
+Result<Choice> forms_of(const Choosing& choosing, const Program& recursive,
+                        const ClosedForms& forms) {
+  const Domain domain = domain_of({choosing.model, choosing.scene, recursive.leaves});
+  Result<Choice> choice = choose(recursive, forms, domain, choosing.scene);
+  if (!choice) return choice;
+  Diagnostics errors = add_potential(choosing, domain, *choice);
+  if (!errors.empty()) return errors;
+  return choice;
+}
+
 /// The functions that the step calls, in the forms that the scene would choose.
 Result<Program> calls_of(const Lagrangian& lagrangian, const CheckedModel& checked,
                          const OutputRequest& step, const Limits& limits) {
@@ -40,8 +85,8 @@ Result<Program> calls_of(const Lagrangian& lagrangian, const CheckedModel& check
   scene.outputs = needed_for_step(checked.model, step);
   const Result<Program> recursive = recursive_program(lagrangian, scene.outputs, limits);
   if (!recursive) return recursive.diagnostics;
-  Result<Choice> choice = choose(*recursive, present(*recursive),
-                                 domain_of({checked.model, scene, recursive->leaves}), scene);
+  Result<Choice> choice =
+      forms_of({lagrangian, checked.model, scene, limits}, *recursive, present(*recursive));
   if (!choice) return choice.diagnostics;
   return std::move(choice->program);
 }
@@ -110,8 +155,8 @@ bool has_readable_terms(const Program& program, const ClosedForms& forms) {
 
 Result<Choice> chosen(const Lagrangian& lagrangian, const Program& recursive,
                       const ClosedForms& forms, const CheckedModel& checked, const Limits& limits) {
-  Result<Choice> choice = choose(
-      recursive, forms, domain_of({checked.model, checked.scene, recursive.leaves}), checked.scene);
+  Result<Choice> choice =
+      forms_of({lagrangian, checked.model, checked.scene, limits}, recursive, forms);
   if (!choice) return choice;
   for (const OutputRequest& output : checked.scene.outputs) {
     if (!output_row(output.kind).steps) continue;

@@ -8,6 +8,7 @@
 #include "elgen/equations_of_motion.hpp"
 #include "elgen/lower.hpp"
 #include "elgen/render.hpp"
+#include "pipeline/byways.hpp"
 #include "support/models.hpp"
 
 namespace elgen::test {
@@ -28,9 +29,7 @@ inline Chosen chosen(const std::string& text, const SceneOptions& options = {},
   result.recursive = cancel(*lower(*equations, result.checked.scene.outputs, {}));
   result.forms = present(result.recursive);
   result.choice =
-      *choose(result.recursive, result.forms,
-              domain_of({result.checked.model, result.checked.scene, result.recursive.leaves}),
-              result.checked.scene);
+      *chosen(*lagrangian, result.recursive, result.forms, result.checked, Limits{});
   return result;
 }
 

@@ -132,16 +132,14 @@ TEST_CASE("wells as they were typed keep the digits at their minima") {
   }
 }
 
-TEST_CASE("the cheaper form is named with its inaccurate entry, and speed takes it") {
+TEST_CASE("speed takes the cheaper form, whatever it loses") {
   const auto gravity = [](const Chosen& model) {
     return model.choice.costs[index_of(model.recursive, "gravity")];
   };
   const Chosen speedy = chosen(strut, {}, Preference::speed);
   CHECK_FALSE(gravity(speedy).inaccurate);
   CHECK(error_of_force(speedy, 1e-8) > 1e6);
-  const FormCosts balanced = gravity(chosen(strut));
-  INFO((balanced.inaccurate ? "inaccurate" : "accurate"));
-  CHECK(balanced.chosen == Form::recursive);
+  CHECK(error_of_force(chosen(strut), 1e-8) < 64);
 }
 
 TEST_CASE("points: inside the ranges, near places, and equal parameters of one unit stay equal") {

@@ -52,12 +52,30 @@ std::vector<Partial> wanted_partials(const Definitions& definitions, const ex& v
   return result;
 }
 
-}  // namespace
+/// Those of a definition, by its wanted symbols.
+template <class IsWanted>
+std::vector<Partial> wanted_partials(const Definitions& definitions, const Definition& definition,
+                                     const IsWanted& is_wanted) {
+  if (definition.slopes.empty()) return wanted_partials(definitions, definition.value, is_wanted);
+  std::vector<Partial> result;
+  for (const auto& [leaf, slope] : definition.slopes) {
+    if (is_wanted(leaf)) result.push_back({leaf, slope});
+  }
+  return result;
+}
 
-std::vector<Partial> partials(const Definitions& definitions, const ex& value, LeafSet mask) {
+/// Of an expression or a definition.
+template <class Value>
+std::vector<Partial> partials_of(const Definitions& definitions, const Value& value, LeafSet mask) {
   return wanted_partials(definitions, value, [&](const ex& symbol) {
     return definitions.places.at(symbol).depends.has_any(mask);
   });
+}
+
+}  // namespace
+
+std::vector<Partial> partials(const Definitions& definitions, const ex& value, LeafSet mask) {
+  return partials_of(definitions, value, mask);
 }
 
 void add_seeds(Seeds& seeds, const std::vector<ex>& leaves, const std::vector<ex>& values) {
@@ -87,7 +105,8 @@ Tangent::Tangent(Definitions& definitions, Seeds seeds, std::string suffix)
   mask_ = mask_of(definitions_, tangents_);
 }
 
-ex Tangent::from_known(const ex& value) const {
+template <class Value>
+ex Tangent::from_known(const Value& value) const {
   GiNaC::exvector terms;
   // By what moves alone: by all n symbols, each of the n columns of a matrix would cost all of
   // them.
@@ -103,7 +122,7 @@ void Tangent::differentiate(std::uint32_t definition) {
   const std::string& base = definitions_.list[definition].name;
   Label label{base.empty() || suffix_.empty() ? std::string() : base + suffix_,
               definitions_.list[definition].origin};
-  const ex rate = from_known(definitions_.list[definition].value);
+  const ex rate = from_known(definitions_.list[definition]);
   const ex defined = define(definitions_, rate, std::move(label));
   if (!defined.is_zero()) tangents_.emplace(symbol, defined);
 }
@@ -156,7 +175,7 @@ std::vector<ex> gradient(Definitions& definitions, const std::vector<Weighted>& 
     const ex adjoint = define(definitions, GiNaC::add(latest->second));
     adjoints.of_definitions.erase(latest);
     if (adjoint.is_zero()) continue;
-    const std::vector<Partial> factors = partials(definitions, definitions.list[index].value, mask);
+    const std::vector<Partial> factors = partials_of(definitions, definitions.list[index], mask);
     accumulate(definitions, factors, adjoint, adjoints);
   }
   std::vector<ex> result;

@@ -89,7 +89,9 @@ class Tangent {
   [[nodiscard]] GiNaC::ex operator()(const GiNaC::ex& value);
 
  private:
-  [[nodiscard]] GiNaC::ex from_known(const GiNaC::ex& value) const;
+  /// Of an expression or a definition.
+  template <class Value>
+  [[nodiscard]] GiNaC::ex from_known(const Value& value) const;
   void differentiate(std::uint32_t definition);
 
   Definitions& definitions_;

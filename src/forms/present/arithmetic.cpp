@@ -89,6 +89,10 @@ Value Arithmetic::leaf(Opcode leaf, std::uint32_t index) {
   return atom({.kind = AtomKind::leaf, .leaf = leaf, .index = index});
 }
 
+Value Arithmetic::whole_sum(std::uint32_t index, const Fraction& form) {
+  return atom({.kind = AtomKind::sum, .index = index, .arguments = {form}});
+}
+
 Value Arithmetic::limited(Fraction x) const {
   if (x.numerator.size() > terms_) return std::nullopt;
   return x;

@@ -40,6 +40,8 @@ class Arithmetic {
 
   [[nodiscard]] Value leaf(Opcode leaf, std::uint32_t index);
   [[nodiscard]] Value pi();
+  /// The atom of a sum that stays whole, by its number in Algebra::sums.
+  [[nodiscard]] Value whole_sum(std::uint32_t index, const Fraction& form);
   /// Sums, products, roots and multiples of pi are taken apart.
   [[nodiscard]] Value constant(const ConstantForm& form);
   [[nodiscard]] Value constant(const Constant& constant) { return this->constant(constant.form); }

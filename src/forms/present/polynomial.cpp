@@ -179,6 +179,17 @@ void divide_out(Fraction& x, const Algebra& algebra, std::size_t& work) {
   std::erase_if(x.denominator, [](const auto& factor) { return factor.second == 0; });
 }
 
+std::optional<cl_RA> ratio_of(const Polynomial& x, const Polynomial& y) {
+  if (x.size() != y.size()) return std::nullopt;
+  const Gaussian ratio = product(x.begin()->second, reciprocal(y.begin()->second));
+  if (!cln::zerop(ratio.imaginary)) return std::nullopt;
+  const auto is_multiple = [&ratio](const auto& own, const auto& other) {
+    return own.first == other.first && own.second == product(other.second, ratio);
+  };
+  if (!std::ranges::equal(x, y, is_multiple)) return std::nullopt;
+  return ratio.real;
+}
+
 std::optional<cl_RA> rational_value(const Polynomial& x) {
   if (x.empty()) return cl_RA(0);
   if (x.size() > 1 || !x.begin()->first.empty()) return std::nullopt;

@@ -39,6 +39,9 @@ void add_term(Sum& to, const typename Sum::key_type& monomial, const Gaussian& c
 /// Divides every denominator factor that the numerator has out of both; `work` as in quotient().
 void divide_out(Fraction& x, const Algebra& algebra, std::size_t& work);
 
+/// x/y, where it is a rational number; neither is the empty sum.
+[[nodiscard]] std::optional<cln::cl_RA> ratio_of(const Polynomial& x, const Polynomial& y);
+
 /// The rational number, where it is one.
 [[nodiscard]] std::optional<cln::cl_RA> rational_value(const Polynomial& x);
 

@@ -1,26 +1,16 @@
 // present: a Program, run on closed forms instead of numbers.
 //
 //     0 = sin theta   1 = multiply 0 0   2 = cos theta   3 = multiply 2 2   4 = add 1 3   ->   1
+#include "forms/present/present.hpp"
+
 #include <algorithm>
 #include <utility>
 
-#include "elgen/closed_forms.hpp"
 #include "elgen/fold.hpp"
-#include "forms/present/arithmetic.hpp"
 
 namespace elgen {
 
 namespace {
-
-ClosedFunction run(Arithmetic& arithmetic, const Program& program, const Function& function) {
-  const std::vector<Value> values = fold<Value>(arithmetic, program, function);
-  ClosedFunction closed;
-  for (const Field& field : function.fields) {
-    ClosedField& entries = closed.fields.emplace_back(ClosedField{field.name, {}});
-    for (const std::uint32_t entry : field.entries) entries.entries.push_back(values[entry]);
-  }
-  return closed;
-}
 
 /// Long programs are those whose closed forms outgrow them: beyond `short_program` instructions the
 /// budget falls with the square of the length, so that trying costs less than lowering did.
@@ -59,19 +49,28 @@ bool is_independent(const Algebra& algebra, AtomId id) {
          is_plain(algebra, atom.arguments[0].numerator.begin()->first);
 }
 
-ClosedForms present(const Program& program, const PresentBudget& budget) {
-  ClosedForms forms;
+void present_functions(const Program& program, const PresentBudget& budget, ClosedForms& forms,
+                       const ValuesOf& values_of) {
   std::size_t left = budget.products;
   for (const Function& function : program.functions) {
-    if (output_row(function.kind).repeats) {
-      forms.functions.emplace_back();
-      continue;
-    }
+    ClosedFunction& closed = forms.functions.emplace_back();
+    if (output_row(function.kind).repeats) continue;
     const std::size_t share = std::min(left, budget_of(function, budget));
     Arithmetic arithmetic(forms.algebra, share, budget.terms);
-    forms.functions.push_back(run(arithmetic, program, function));
+    const std::vector<Value> values = values_of(arithmetic, function);
+    for (const Field& field : function.fields) {
+      ClosedField& entries = closed.fields.emplace_back(ClosedField{field.name, {}});
+      for (const std::uint32_t entry : field.entries) entries.entries.push_back(values[entry]);
+    }
     left -= share - arithmetic.work();
   }
+}
+
+ClosedForms present(const Program& program, const PresentBudget& budget) {
+  ClosedForms forms;
+  present_functions(program, budget, forms, [&](Arithmetic& arithmetic, const Function& function) {
+    return fold<Value>(arithmetic, program, function);
+  });
   return forms;
 }
 

@@ -146,6 +146,8 @@ class Rates {
         const Value twice = arithmetic_.multiply(fraction_of(cl_RA(2)), itself);
         return arithmetic_.divide(of(atom.arguments[0]), twice);
       }
+      case AtomKind::sum:
+        return of(atom.arguments[0]);
       case AtomKind::call:
         return of_call(atom, itself);
     }

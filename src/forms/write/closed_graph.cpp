@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "forms/present/polynomial.hpp"
+#include "program/graph/rebuild.hpp"
 
 namespace elgen {
 namespace {
@@ -197,9 +198,15 @@ class ClosedGraph {
     const Atom& atom = algebra_.atoms[id];
     if (atom.kind == AtomKind::leaf) return graph_.leaf(atom.leaf, atom.index);
     if (atom.kind == AtomKind::pi) return graph_.pi();
+    if (atom.kind == AtomKind::sum) return as_typed(*algebra_.sums, atom.index);
     const std::vector<Ref>& arguments = arguments_of(id);
     if (atom.kind == AtomKind::root) return graph_.square_root(arguments[0]);
     return graph_.call(atom.function, arguments);
+  }
+
+  Ref as_typed(const Program& sums, std::uint32_t index) {
+    const Function& sum = sums.functions[index];
+    return copied(graph_, from_program(sums, sum, entries_of(sum)));
   }
 
   /// Made once: arguments nest, and each is made of several atoms.

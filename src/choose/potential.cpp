@@ -1,0 +1,237 @@
+// The potential energy in one form: which typed sums stay whole, and V put into the functions that
+// were chosen with it as a leaf.
+#include <algorithm>
+#include <utility>
+
+#include "choose/finish.hpp"
+#include "choose/text_errors.hpp"
+#include "elgen/choose.hpp"
+#include "elgen/evaluate.hpp"
+#include "program/network/instructions.hpp"
+
+namespace elgen {
+namespace {
+
+/// One sum after another is multiplied out, up to so many.
+constexpr std::size_t most_alone = 16;
+
+/// Of forms that keep the same digits another is taken where it saves a fifth of the operations.
+constexpr std::size_t fifths_of_cost = 4;
+
+/// By number in typed_sums(), whether it stays whole.
+using WholeSet = std::vector<bool>;
+
+struct WholeChoice {
+  WholeSet whole;
+  Choice choice = {};
+  std::size_t cost = 0;
+  double loss = 0;
+};
+
+/// Compares the sets of sums that stay whole by the losses of all functions, then by their costs.
+class WholeSearch {
+ public:
+  WholeSearch(const Program& potential, const Domain& domain, const Scene& scene)
+      : potential_(potential), domain_(domain), scene_(scene), sums_(typed_sums(potential)) {
+    for (const Function& text : potential.functions) {
+      errors_.emplace_back(potential, text, comparison_points(potential, text, domain),
+                           Scale::entry);
+    }
+  }
+
+  WholeChoice best() {
+    const std::size_t count = sums_.functions.size();
+    WholeChoice best = choice_with(WholeSet(count, false));
+    if (count == 0) return best;
+    take_better(best, choice_with(WholeSet(count, true)));
+    if (count == 1 || best.loss <= tolerated_loss) return best;
+    for (std::size_t i = 0; i < std::min(count, most_alone); ++i) {
+      WholeSet others = best.whole;
+      if (!others[i]) continue;
+      others[i] = false;
+      take_better(best, choice_with(std::move(others)));
+    }
+    return best;
+  }
+
+ private:
+  WholeChoice choice_with(WholeSet whole) {
+    Program sums{sums_.leaves, sums_.constants, {}};
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+      if (whole[i]) sums.functions.push_back(sums_.functions[i]);
+    }
+    WholeChoice made{std::move(whole)};
+    made.choice = *choose(potential_, present(potential_, std::move(sums)), domain_, scene_);
+    for (std::size_t i = 0; i < errors_.size(); ++i) {
+      const Function& form = made.choice.program.functions[i];
+      made.cost += cost(count_operations(form));
+      errors_[i].add_form(made.choice.program, form);
+    }
+    return made;
+  }
+
+  /// Losses are compared anew, since every form may have the least error.
+  [[nodiscard]] double loss_of(const WholeChoice& chosen) const {
+    double loss = 0;
+    for (std::size_t i = 0; i < errors_.size(); ++i) {
+      const Program& program = chosen.choice.program;
+      loss = std::max(loss, errors_[i].worst_loss(program, program.functions[i]));
+    }
+    return loss;
+  }
+
+  void take_better(WholeChoice& best, WholeChoice other) const {
+    best.loss = loss_of(best);
+    other.loss = loss_of(other);
+    const bool keeps_more = loses_more(best.loss, other.loss);
+    const bool keeps_as_much = !loses_more(other.loss, best.loss);
+    const bool is_cheaper = (fifths_of_cost + 1) * other.cost < fifths_of_cost * best.cost;
+    if (keeps_more || (keeps_as_much && is_cheaper)) best = std::move(other);
+  }
+
+  const Program& potential_;
+  const Domain& domain_;
+  const Scene& scene_;
+  Program sums_;
+  std::vector<TextErrors> errors_ = {};  ///< by function
+};
+
+/// Whether a derivative differs from its text and from its plain closed form.
+bool has_own_form(const WholeChoice& best) {
+  if (std::ranges::find(best.whole, true) != best.whole.end()) return true;
+  for (std::size_t i = 1; i < best.choice.costs.size(); ++i) {
+    const FormCosts& costs = best.choice.costs[i];
+    if (!best.choice.program.functions[i].rewritten.empty()) return true;
+    const bool is_text = costs.chosen == Form::recursive && costs.closed;
+    if (is_text && cost(*costs.closed) < cost(costs.recursive)) return true;
+  }
+  return false;
+}
+
+/// Puts the entries of V and its derivatives into one function.
+class Putting {
+ public:
+  Putting(const Program& potential, std::uint32_t first, Program& to)
+      : potential_(potential), first_(first), to_(to) {
+    for (std::uint32_t i = 0; i < potential.functions.size(); ++i) {
+      for (const std::uint32_t entry : entries_of(potential.functions[i])) {
+        entries_.emplace_back(i, entry);
+      }
+    }
+  }
+
+  [[nodiscard]] bool is_open(const Instruction& i) const {
+    return i.opcode == Opcode::open_value && i.a >= first_;
+  }
+
+  /// `from` takes constants of `program`.
+  [[nodiscard]] Function operator()(const Program& program, const Function& from) {
+    Function result = from;
+    result.instructions.clear();
+    result.names.clear();
+    Instructions instructions(result);
+    std::vector<std::uint32_t> places;
+    for (std::size_t at = 0; at < from.instructions.size(); ++at) {
+      const Instruction& i = from.instructions[at];
+      if (is_open(i)) {
+        const auto [function, entry] = entries_[i.a - first_];
+        const Function value = with_entries(potential_.functions[function], {entry});
+        places.push_back(added(potential_, value, instructions)[value.fields[0].entries[0]]);
+        continue;
+      }
+      places.push_back(instructions.add(with_operands(constant_in(program, i), places)));
+      std::string& name = result.names[places.back()];
+      if (name.empty()) name = from.names[at];
+    }
+    for (Field& field : result.fields) {
+      for (std::uint32_t& entry : field.entries) entry = places[entry];
+    }
+    return trigonometry_first(result);
+  }
+
+ private:
+  [[nodiscard]] Instruction constant_in(const Program& program, Instruction i) {
+    if (i.opcode == Opcode::constant) i.a = position_of(program.constants[i.a], to_.constants);
+    return i;
+  }
+
+  std::vector<std::uint32_t> added(const Program& program, Function function,
+                                   Instructions& instructions) {
+    for (Instruction& i : function.instructions) i = constant_in(program, i);
+    return instructions.add_all(function);
+  }
+
+  const Program& potential_;
+  std::uint32_t first_;
+  Program& to_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> entries_ = {};  ///< function, instruction
+};
+
+/// The numbers of the entries that rest on instructions that `is_sought`.
+template <class IsSought>
+std::vector<std::uint32_t> entries_with(const Function& function, const IsSought& is_sought) {
+  std::vector<bool> holds;
+  for (const Instruction& i : function.instructions) {
+    bool found = is_sought(i);
+    for (std::size_t k = 0; k < operand_count(i); ++k) found = found || holds[k == 0 ? i.a : i.b];
+    holds.push_back(found);
+  }
+  std::vector<std::uint32_t> entries;
+  const std::vector<std::uint32_t> all = entries_of(function);
+  for (std::uint32_t i = 0; i < all.size(); ++i) {
+    if (holds[all[i]]) entries.push_back(i);
+  }
+  return entries;
+}
+
+}  // namespace
+
+std::optional<Program> rewritten_potential(const Program& potential, const Domain& domain,
+                                           const Scene& scene) {
+  if (scene.numerics.prefer == Preference::speed) return std::nullopt;
+  Scene unnamed = scene;
+  unnamed.outputs.clear();
+  unnamed.numerics.prefer = Preference::accuracy;
+  WholeChoice best = WholeSearch(potential, domain, unnamed).best();
+  if (!has_own_form(best)) return std::nullopt;
+  return std::move(best.choice.program);
+}
+
+Domain with_open_potential(Domain domain, const Program& potential) {
+  for (LeafValues<double>& state : domain.states) {
+    std::vector<double> values;
+    for (const Function& function : potential.functions) {
+      for (const double value : evaluate(potential, function, state)) values.push_back(value);
+    }
+    state.f.insert(state.f.end(), values.begin(), values.end());
+  }
+  domain.ranges.f.resize(domain.states.front().f.size(), Range{});
+  return domain;
+}
+
+void put_potential(const Program& potential, const Choice& open, const Domain& domain,
+                   Choice& choice) {
+  Choice result = choice;
+  const auto first = static_cast<std::uint32_t>(choice.program.leaves.f.size());
+  Putting put(potential, first, result.program);
+  for (std::size_t i = 0; i < open.program.functions.size(); ++i) {
+    const Function& function = open.program.functions[i];
+    const std::vector<std::uint32_t> entries =
+        entries_with(function, [&put](const Instruction& each) { return put.is_open(each); });
+    if (entries.empty()) continue;
+    Function own = put(open.program, function);
+    const Function& old = choice.program.functions[i];
+    const TextErrors errors(choice.program, old, comparison_points(choice.program, old, domain),
+                            Scale::field);
+    if (errors.inaccurate_entry(result.program, own)) return;
+    own.rewritten = entries;
+    result.costs[i] = open.costs[i];
+    auto& counts =
+        own.form == Form::closed ? result.costs[i].closed.emplace() : result.costs[i].recursive;
+    counts = count_operations(own);
+    result.program.functions[i] = std::move(own);
+  }
+  choice = std::move(result);
+}
+
+}  // namespace elgen

@@ -1,0 +1,155 @@
+// sum_zeros: see points.hpp.
+//
+//     before    sqrt((x - l*cos(th))^2 + (l*sin(th))^2)      l = 0.4
+//     after     r = x - l*cos(th), l*sin(th);   x = 0.4, th = 0
+#include <cln/float.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "choose/points.hpp"
+#include "elgen/evaluate.hpp"
+#include "numbers/exact_number.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr std::size_t most_sums = 8;
+constexpr std::size_t most_rounds = 24;
+constexpr std::size_t longest_program = 400;
+
+/// Of the 64 digits 40 are left beside differences over steps of 1e-25; a zero is one to 1e-20, far
+/// below the distances of points.
+const Real& step() {
+  static const Real value(power_of_ten(-25));
+  return value;
+}
+const Real& negligible() {
+  static const Real value(power_of_ten(-20));
+  return value;
+}
+
+/// The bases of the squares of sums of squares, and all other sums of a function by themselves.
+class Residuals {
+ public:
+  explicit Residuals(const Function& function) : function_(function) {
+    std::vector<bool> is_part(function.instructions.size());
+    for (const Instruction& i : function.instructions) {
+      if (!is_sum(i)) continue;
+      is_part[i.a] = is_part[i.b] = true;
+    }
+    for (std::uint32_t at = 0; at < is_part.size(); ++at) {
+      if (!is_sum(function.instructions[at]) || is_part[at]) continue;
+      std::vector<std::uint32_t> bases;
+      if (!add_bases(at, bases)) bases = {at};
+      const bool is_known = std::ranges::find(all, bases) != all.end();
+      if (!is_known && all.size() < most_sums) all.push_back(std::move(bases));
+    }
+  }
+
+  std::vector<std::vector<std::uint32_t>> all = {};  ///< by sum
+
+ private:
+  /// False where a term holds no square.
+  bool add_bases(std::uint32_t at, std::vector<std::uint32_t>& bases) const {
+    const Instruction& i = function_.instructions[at];
+    if (i.opcode == Opcode::add) return add_bases(i.a, bases) && add_bases(i.b, bases);
+    if (i.opcode == Opcode::multiply && i.a == i.b) {
+      bases.push_back(i.a);
+      return true;
+    }
+    if (i.opcode == Opcode::multiply) return add_bases(i.a, bases) || add_bases(i.b, bases);
+    return i.opcode == Opcode::divide && add_bases(i.a, bases);
+  }
+
+  const Function& function_;
+};
+
+/// Where the entries of one function vanish together.
+class Projection {
+ public:
+  Projection(const Program& program, Function residuals, const Arguments<double>& start)
+      : program_(program),
+        residuals_(std::move(residuals)),
+        at_(map_leaves([](double x) { return Real(exact_value(x)); }, start)) {
+    const auto format = cln::float_format(64);
+    for (Real& x : at_.q) x = Real(cln::cl_float(x.value(), format));
+    for (const Instruction& i : residuals_.instructions) {
+      if (i.opcode == Opcode::coordinate) moving_.push_back(i.a);
+    }
+  }
+
+  /// None where it does not converge.
+  std::optional<std::vector<double>> zero() {
+    for (std::size_t round = 0; round < most_rounds && !moving_.empty(); ++round) {
+      const std::size_t count = entry_count(residuals_);
+      for (std::size_t entry = 0; entry < count; ++entry) {
+        if (!project(entry)) return std::nullopt;
+      }
+      if (is_there()) return rounded();
+    }
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] Real residual(std::size_t entry) const {
+    return evaluate(program_, residuals_, at_)[entry];
+  }
+
+  bool project(std::size_t entry) {
+    const Real r = residual(entry);
+    std::vector<Real> slopes;
+    Real square(0);
+    for (const std::uint32_t k : moving_) {
+      const Real old = at_.q[k];
+      at_.q[k] = old + step();
+      slopes.push_back((residual(entry) - r) / step());
+      at_.q[k] = old;
+      square = square + slopes.back() * slopes.back();
+    }
+    if (!square.is_defined() || cln::zerop(square.value())) return false;
+    for (std::size_t i = 0; i < moving_.size(); ++i) {
+      Real& x = at_.q[moving_[i]];
+      x = x - r * slopes[i] / square;
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool is_there() const {
+    return std::ranges::all_of(evaluate(program_, residuals_, at_), [](const Real& r) {
+      return r.is_defined() && abs(r).value() <= negligible().value();
+    });
+  }
+
+  /// A coordinate that vanishes is 0.
+  [[nodiscard]] std::vector<double> rounded() const {
+    std::vector<double> q;
+    for (const Real& x : at_.q) {
+      const bool is_zero = abs(x).value() <= negligible().value();
+      q.push_back(is_zero ? 0 : ScalarTraits<double>::from_real(x.value()));
+    }
+    return q;
+  }
+
+  const Program& program_;
+  Function residuals_;
+  Arguments<Real> at_;
+  std::vector<std::uint32_t> moving_ = {};
+};
+
+}  // namespace
+
+std::vector<std::vector<double>> sum_zeros(const Program& program, const Function& text,
+                                           const Domain& domain) {
+  std::vector<std::vector<double>> zeros;
+  if (text.instructions.size() > longest_program) return zeros;
+  for (const std::vector<std::uint32_t>& residuals : Residuals(text).all) {
+    Projection projection(program, with_entries(text, residuals), domain.states.front());
+    auto zero = projection.zero();
+    if (zero && std::ranges::find(zeros, *zero) == zeros.end()) zeros.push_back(std::move(*zero));
+  }
+  return zeros;
+}
+
+}  // namespace elgen

@@ -1,0 +1,124 @@
+// The potential energy of [energy] by itself, and as a leaf: whoever rewrites it has it in one form
+// in every function.
+//
+//     before    V = 1/2*k*(sqrt(l^2 + x^2) - l)^2     bias = c*v + k*(sqrt(l^2 + x^2) -
+//     l)*x/sqrt(…) after     V = f[0], dV/dx = f[1]                bias = c*v + f[1]
+#include <string>
+#include <utility>
+
+#include "derive/lagrangian/derivation.hpp"
+#include "elgen/equations_of_motion.hpp"
+
+namespace elgen {
+
+using GiNaC::ex;
+
+namespace {
+
+/// Rows of `users` apart, since the equations of an output are found by its kind and user.
+OutputRequest request_of(OutputKind kind, std::uint32_t user, std::string name, std::size_t rows) {
+  OutputRequest request;
+  request.kind = kind;
+  request.user = user;
+  request.name = std::move(name);
+  request.rows = static_cast<std::uint32_t>(rows);
+  return request;
+}
+
+void add_output(Derivation& derivation, const OutputRequest& request, Vector entries,
+                PotentialEquations& potential) {
+  for (ex& entry : entries) entry = define(derivation.definitions, entry);
+  potential.requests.push_back(request);
+  potential.equations.outputs.push_back({request, {{"", request.rows, 1, std::move(entries)}}});
+}
+
+/// d2V/dx_i dx_j, i <= j, row by row.
+Vector second_derivatives(Derivation& derivation, const Vector& variables, const Vector& slopes) {
+  std::vector<Tangent> along;
+  for (const ex& variable : variables) {
+    along.emplace_back(derivation.definitions, Seeds{{variable, 1}});
+  }
+  Vector result;
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    for (std::size_t j = i; j < variables.size(); ++j) result.push_back(along[j](slopes[i]));
+  }
+  return result;
+}
+
+/// A definition that is a leaf.
+ex open_definition(Definitions& definitions, const ex& leaf, LeafSet depends) {
+  const ex symbol = GiNaC::realsymbol();
+  const auto index = static_cast<std::uint32_t>(definitions.list.size());
+  definitions.places.emplace(symbol, SymbolPlace{true, index, depends});
+  definitions.list.push_back({symbol, leaf, {}, {}, {}, depends});
+  return symbol;
+}
+
+}  // namespace
+
+std::optional<PotentialEquations> derive_potential(const Lagrangian& lagrangian, bool has_second) {
+  if (lagrangian.potential.empty() || lagrangian.expansion) return std::nullopt;
+  Derivation derivation(lagrangian);
+  const Terms& terms = lagrangian.potential;
+  const ex V = define(derivation.definitions, GiNaC::add(terms));
+  const LeafSet depends = dependence(derivation.definitions, V);
+  if (depends.has_any(Opcode::velocity) || !depends.has_any(Opcode::coordinate)) {
+    return std::nullopt;
+  }
+  Vector leaves = derivation.symbols.q;
+  leaves.push_back(derivation.symbols.t);
+  const Vector all = gradient(derivation.definitions, weighted(terms, 1), leaves);
+  PotentialEquations potential;
+  Vector slopes;
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    if (all[i].is_zero()) continue;
+    potential.variables.push_back(leaves[i]);
+    slopes.push_back(define(derivation.definitions, all[i]));
+  }
+  const std::size_t count = slopes.size();
+  add_output(derivation, request_of(OutputKind::potential_energy, 0, "V", 1), {V}, potential);
+  add_output(derivation, request_of(OutputKind::gravity, 0, "V_x", count), slopes, potential);
+  if (has_second) {
+    add_output(derivation, request_of(OutputKind::gravity, 1, "V_xx", count * (count + 1) / 2),
+               second_derivatives(derivation, potential.variables, slopes), potential);
+  }
+  potential.equations.symbols = derivation.symbols;
+  potential.equations.leaves = lagrangian.leaves;
+  potential.equations.definitions = std::move(derivation.definitions);
+  return potential;
+}
+
+Lagrangian with_open_potential(Lagrangian lagrangian, const std::vector<ex>& variables) {
+  Definitions& definitions = lagrangian.definitions;
+  LeafSet depends;
+  for (const ex& variable : variables) depends |= definitions.places.at(variable).depends;
+  const auto add = [&](const std::string& name) {
+    const ex leaf = GiNaC::realsymbol(name);
+    add_leaf(definitions, leaf, Opcode::open_value);
+    lagrangian.symbols.f.push_back(leaf);
+    lagrangian.leaves.f.push_back(name);
+    return leaf;
+  };
+  const std::size_t count = variables.size();
+  const ex V = add("V");
+  Vector leaves;
+  for (std::size_t i = 0; i < count; ++i) leaves.push_back(add("V_x[" + std::to_string(i) + "]"));
+  std::vector<std::vector<std::pair<ex, ex>>> seconds(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = i; j < count; ++j) {
+      const ex second = add("V_xx[" + std::to_string(i) + "][" + std::to_string(j) + "]");
+      seconds[i].emplace_back(variables[j], second);
+      if (j != i) seconds[j].emplace_back(variables[i], second);
+    }
+  }
+  std::vector<std::pair<ex, ex>> slopes;
+  for (std::size_t i = 0; i < count; ++i) {
+    slopes.emplace_back(variables[i], open_definition(definitions, leaves[i], depends));
+    definitions.list.back().slopes = std::move(seconds[i]);
+  }
+  lagrangian.potential = {open_definition(definitions, V, depends)};
+  definitions.list.back().slopes = std::move(slopes);
+  return lagrangian;
+}
+
+}  // namespace elgen

@@ -1,0 +1,136 @@
+// The potential energy in one form: typed sums stay whole where that keeps digits, and every
+// function has V as it is chosen once.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "choose/chosen.hpp"
+#include "elgen/evaluate.hpp"
+#include "program/evaluate/subject.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+/// Unit masses on lines x, y and z, as many as the list has ranges.
+Chosen masses_with(const std::string& potential, const std::vector<std::string>& ranges,
+                   const std::string& parameters = {}) {
+  std::string text;
+  std::string T;
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    const std::string name(1, static_cast<char>('x' + i));
+    text += "[[coordinate]]\nname = \"" + name + "\"\nrange = " + ranges[i] + "\n";
+    T += (T.empty() ? "1/2*dot(" : " + 1/2*dot(") + name + ")^2";
+  }
+  return chosen(model_text("masses", text + parameters + "[energy]\nT = \"" + T + "\"\nV = \"" +
+                                         potential + "\"\n"));
+}
+
+std::vector<double> values_at_rest(const Chosen& c, OutputKind kind, const std::vector<double>& q) {
+  Arguments<double> point =
+      domain_of({c.checked.model, c.checked.scene, c.recursive.leaves}).states.front();
+  point.q = q;
+  for (auto* rates : {&point.v, &point.a, &point.u}) std::ranges::fill(*rates, 0.0);
+  const Program& program = c.choice.program;
+  return evaluate(program, *find_function(program, kind), point);
+}
+
+std::size_t cost_of(const Chosen& c, OutputKind kind) {
+  return cost(count_operations(*find_function(c.choice.program, kind)));
+}
+
+}  // namespace
+
+TEST_CASE("what holds a system at rest is the gravity, to the bit, where V was rewritten") {
+  const std::string parameters = "[parameters]\nk = { value = 3, assume = \"positive\" }\nl = 0.7\n";
+  struct Row {
+    std::string potential;
+    std::vector<std::string> ranges;
+    std::vector<double> q;
+  };
+  const std::vector<Row> rows{
+      {"1/2*k*(sqrt(l^2 + x^2) - l)^2", {"[-1, 1]"}, {1e-8}},
+      {"k*((x - 1)*(x + 1))^2", {"[-2, 2]"}, {1 + 9e-9}},
+      {"k*log(1 - exp(-x))", {"[1e-6, 20]"}, {18}},
+      {"1/2*k*((x - y)^2 + (y - z)^2)", {"[0.5, 3]", "[0.5, 3]", "[0.5, 3]"}, {2, 2 + 1e-8, 2}},
+      {"k*sqrt((x - 3/4)^2 + (y - l)^2)", {"[-3, 4]", "[-3, 4]"}, {0.75 + 1e-8, 0.7 + 1e-8}}};
+  for (const auto& [potential, ranges, q] : rows) {
+    INFO(potential);
+    const Chosen c = masses_with(potential, ranges, parameters);
+    const std::vector<double> gravity = values_at_rest(c, OutputKind::gravity, q);
+    CHECK(values_at_rest(c, OutputKind::inverse_dynamics, q) == gravity);
+    CHECK(values_at_rest(c, OutputKind::bias, q) == gravity);
+    std::vector<double> accelerations =
+        values_at_rest(c, OutputKind::forward_dynamics, q);  // the pivots follow
+    accelerations.resize(gravity.size());
+    for (double& a : accelerations) a = -a;
+    CHECK(accelerations == gravity);
+  }
+}
+
+TEST_CASE("a sum of squares stays whole at any anchor") {
+  // Multiplied out, one anchor loses all digits and another none, by how its numbers round.
+  const std::vector<std::vector<double>> anchors{{1, 2}, {1, 0.75}, {1.25, 0.6875}, {-0.5, 1}};
+  for (const std::vector<double>& anchor : anchors) {
+    const std::string x = std::to_string(anchor[0]);
+    const std::string y = std::to_string(anchor[1]);
+    INFO(x << ' ' << y);
+    const Chosen c = masses_with("40*sqrt((x - (" + x + "))^2 + (y - " + y + ")^2)",
+                                 {"[-3, 4]", "[-3, 4]"});
+    const double away = 0x1p-30;
+    const auto V = values_at_rest(c, OutputKind::potential_energy,
+                                  {anchor[0] + 3 * away, anchor[1] + 4 * away});
+    CHECK(V.front() == Approx(200 * away).epsilon(1e-14));
+  }
+}
+
+TEST_CASE("a sum is multiplied out where whole it loses digits") {
+  const Chosen c = masses_with("k*((l + x)^2 - l^2)", {"[-1, 1]"},
+                               "[parameters]\nk = 3\nl = { value = 0.7, assume = \"positive\" }\n");
+  const double x = 1e-9;
+  const double V = values_at_rest(c, OutputKind::potential_energy, {x}).front();
+  CHECK(V == Approx(3 * x * (1.4 + x)).epsilon(1e-14));
+}
+
+TEST_CASE("V that cancels the weight of bodies stays beside it") {
+  const std::string text = R"toml([[coordinate]]
+name = "z"
+range = [-1, 1]
+[gravity]
+vector = ["0", "0", "-9.81"]
+[parameters]
+m = { value = 3, assume = "positive" }
+k = { value = 40, assume = "positive" }
+l = { value = 0.7, assume = "positive" }
+[[point]]
+name = "P"
+at = ["0", "0", "z"]
+mass = "m"
+[energy]
+V = "k*(sqrt(l^2 + z^2) - l) - 9.81*m*z"
+)toml";
+  const Chosen c = chosen(model_text("preload", text));
+  const double z = 1e-9;
+  const double force = values_at_rest(c, OutputKind::gravity, {z}).front();
+  CHECK(force == Approx(40 * z / std::sqrt(0.49 + z * z)).epsilon(1e-13));
+  CHECK(values_at_rest(c, OutputKind::inverse_dynamics, {z}).front() == Approx(force));
+}
+
+TEST_CASE("sums of rates keep their operations") {
+  const std::string text = R"toml([[coordinate]]
+name = "x"
+unit = "rad"
+[[coordinate]]
+name = "y"
+unit = "rad"
+[energy]
+T = "1/2*((cos(x) + cos(y))^2 + (sin(x) + sin(y))^2)*dot(x)^2 + 1/2*dot(y)^2"
+V = "3*sqrt((x - 1)^2 + (y - 3/4)^2)"
+)toml";
+  const Chosen c = chosen(model_text("circles", text));
+  // 2 + 2 cos(x - y)
+  CHECK(cost_of(c, OutputKind::mass_matrix) <= 26 + 4);
+}
