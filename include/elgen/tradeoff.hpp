@@ -3,6 +3,13 @@
 // A design is a scene. plan() lists designs; the pipeline and the compiler run on each;
 // find_costs() and found_errors() look at what came out, and judged() makes the table. What the
 // scene of a design promises is checked by promised_errors().
+//
+// Costs and errors have noise. Two costs are alike where the dearer is at most alike_within times
+// the cheaper, or where their quartiles overlap. The error of a design is found in three samples of
+// states, by three seeds; the noise of an error is the interval from the least of the three to the
+// worst. The error of a run is known to the distance of two reference runs. An error is smaller
+// than another one where alike_within times its worst is below the least of the other. The Pareto
+// front is the rows whose error is smaller than that of every row of the front in front of them.
 #pragma once
 
 #include <functional>
@@ -102,6 +109,7 @@ struct TradeoffStates {
   std::vector<std::vector<ExactNumber>> exact = {};  ///< of each state the entries
   Arguments<double> low = {};                        ///< ends of the ranges they are drawn from
   Arguments<double> high = {};
+  std::uint64_t seed = 1;  ///< of the search from them
 };
 
 /// How many, and which.
@@ -132,17 +140,21 @@ struct FoundErrors {
   Arguments<double> where = {};  ///< the worst state
 };
 
-/// The states, and a pattern search inside the ranges from the ten worst of them, at about 20 000
-/// others: each number that the function reads goes up and down by a step, and all that help go
-/// together; the step doubles where this is worse, and is halved where nothing is. There errors are
-/// those from the program in long double; the ten states that it ends at are confirmed in 60
-/// digits. Relative to the largest |x*| of the field at the states, or where that is larger at the
-/// state itself. The same in every run, whatever the time takes.
+/// The states, and a pattern search inside the ranges from the worst of them, one for each hundred,
+/// at about 20 others for each state: each number that the function reads goes up and down by a
+/// step, and all that help go together; the step doubles where this is worse, and is halved where
+/// nothing is. There errors are those from the program in long double; the states that it ends at
+/// are confirmed in 60 digits. Relative to the largest |x*| of the field at the states, or where
+/// that is larger at the state itself. The same in every run, whatever the time takes.
 [[nodiscard]] FoundErrors found_errors(const CheckedModel& exact, const Program& program,
                                        const TradeoffStates& states, const DesignValues& design);
 
 /// The error of a design in a table is so many times the worst that was found.
 inline constexpr double search_margin = 1.5;
+
+/// Costs, and errors, within this factor are alike, however well they are measured: a table shows
+/// two digits of an error, and times of the same code differ by as much from run to run.
+inline constexpr double alike_within = 1.1;
 
 /// `[numeric] max_error` of the scene, held against `compiled` and options.as_users: a row for each
 /// output, header and scalar, which fails where the worst error found is larger. `exact` and
@@ -159,11 +171,16 @@ struct Spread {
   double high = 0;
 };
 
-/// In a table: of designs search_margin times the worst that was found, and the median one.
+/// In a table: the error of a design or of a run, and its noise.
 struct DesignErrors {
   double worst = 0;
   double median = 0;
+  double least = 0;  ///< the worst error may as well be this
 };
+
+/// search_margin times the worst of all samples and the worst of that sample where it is least, and
+/// the median of their medians. There is at least one.
+[[nodiscard]] DesignErrors errors_of(std::vector<FoundErrors> samples);
 
 /// Work of equal parts, and the cost of one of them in ns of the processor.
 struct TimedWork {
@@ -212,10 +229,12 @@ struct TradeoffRow {
   std::string failure = {};  ///< why there is neither cost nor error; "": there is
   /// The error is that of the reference, which the row's own is not told from.
   bool is_below_reference = false;
-  /// From 1 on. A rank is the cheapest row that no rank has yet, with those whose quartiles overlap
+  /// From 1 on. A rank is the cheapest row that no rank has yet, with those whose costs are like
   /// its own: their costs are taken to be equal. 0 where it failed.
   std::size_t rank = 0;
-  bool is_on_pareto_front = false;  ///< no row before it is as accurate, and its error is at most 1
+  /// Its worst error is at most 1, and its error is smaller, beyond noise, than that of every row
+  /// before it that is on the front or below the reference.
+  bool is_on_pareto_front = false;
 };
 
 struct TradeoffTable {

@@ -22,9 +22,10 @@ std::string default_output(const Scene& scene) {
   return usual != scene.outputs.end() ? usual->name : scene.outputs.front().name;
 }
 
-/// Each design goes through its 1000 states in a turn: they fit a cache, in which their arrays do
-/// not lie at the same places, as those of 1024 would.
-constexpr std::size_t state_count = TradeoffSampling().count;
+/// Each design goes through all states in a turn: these 1008 fit a cache, in which their arrays do
+/// not lie at the same places, as those of 1024 would, and fill packs of 16.
+constexpr std::size_t sample_count = 3;
+constexpr std::size_t states_of_sample = 336;
 
 std::string first_line(const Diagnostics& diagnostics) {
   const Diagnostic& error = *find_error(diagnostics);
@@ -63,8 +64,8 @@ class DesignRuns {
   }
 
   Result<TimedFunctions> compiled(const Workpiece& piece, const Products& products,
-                                  const TradeoffStates& states) {
-    TimingOptions timing{.states = states.states, .limits = process_.limits};
+                                  const std::vector<Arguments<double>>& states) {
+    TimingOptions timing{.states = states, .limits = process_.limits};
     Scene scene = products.checked->scene;
     scene.emission = {};
     scene.numerics.scalars.clear();
@@ -117,8 +118,9 @@ TradeoffTable table_of(const Scene& scene, const Machine& machine) {
           .call_cost = "ns per call",
           .error = "errors relative to the largest value of a field",
           .sentences = {fmt::format(
-              "the worst error is {} times the worst of {} states and a search from there",
-              search_margin, state_count)},
+              "the worst error is {} times the worst of {} samples of {} "
+              "states and a search from each; its noise: how far the three differ",
+              search_margin, sample_count, states_of_sample)},
           .machine = machine};
 }
 
@@ -153,9 +155,13 @@ class DesignBench {
     Result<TradeoffPlan> planned = plan(*exact.checked, *exact.program, choices_);
     if (!planned) return planned.diagnostics;
     process_.on_stage("states");
-    Result<TradeoffStates> states = tradeoff_states(*exact.checked, *exact.program, {});
-    if (!states) return states.diagnostics;
-    states_ = std::move(*states);
+    for (std::uint64_t seed = 1; seed <= sample_count; ++seed) {
+      Result<TradeoffStates> sample =
+          tradeoff_states(*exact.checked, *exact.program, {states_of_sample, seed});
+      if (!sample) return sample.diagnostics;
+      states_.insert(states_.end(), sample->states.begin(), sample->states.end());
+      samples_.push_back(std::move(*sample));
+    }
     table_.dimensions = planned->dimensions;
     for (const PlannedDesign& each : planned->designs) {
       table_.rows.push_back({.values = each.values, .design = each.design});
@@ -205,10 +211,13 @@ class DesignBench {
         process_.on_stage(fmt::format("search {}", name_of(*rows[k])));
         process_.renew_time_limit();
         const TimedFunction& function = *functions[k];
-        const FoundErrors found =
-            found_errors(*exact.checked, *exact.program, states_,
-                         [&function](const auto& states) { return function.at(states); });
-        rows[k]->error = {search_margin * found.worst, found.median};
+        std::vector<FoundErrors> found;
+        for (const TradeoffStates& sample : samples_) {
+          found.push_back(
+              found_errors(*exact.checked, *exact.program, sample,
+                           [&function](const auto& states) { return function.at(states); }));
+        }
+        rows[k]->error = errors_of(std::move(found));
       }
     }
   }
@@ -217,8 +226,8 @@ class DesignBench {
     process_.on_stage("time");
     process_.renew_time_limit();
     std::vector<TimedWork> works;
-    const auto add = [&works](TimedFunction& function, Spread& cost) {
-      works.push_back({[&function] { function.run(); }, state_count, &cost});
+    const auto add = [this, &works](TimedFunction& function, Spread& cost) {
+      works.push_back({[&function] { function.run(); }, states_.size(), &cost});
     };
     for (const auto& [rows, functions] : made_) {
       std::size_t calls = rows.size();
@@ -237,7 +246,8 @@ class DesignBench {
   const BenchProcess& process_;
   DesignRuns runs_;
   TradeoffTable table_;
-  TradeoffStates states_ = {};
+  std::vector<TradeoffStates> samples_ = {};
+  std::vector<Arguments<double>> states_ = {};  ///< of all samples
   std::vector<Workpiece> made_ = {};
   Diagnostics not_compiled_ = {};
 };

@@ -1,5 +1,5 @@
 // state_errors: how far a design is off, field by field, relative to the largest value of the
-// field.
+// field. errors_of: what several samples of states say of a design.
 #include "run/tradeoff/errors.hpp"
 
 #include <algorithm>
@@ -27,6 +27,15 @@ std::vector<double> state_errors(const std::vector<double>& results, const Trade
   for (std::size_t i = 0; i < count; ++i) {
     errors.push_back(scales.error(results.data() + i, count, states.exact[i]));
   }
+  return errors;
+}
+
+DesignErrors errors_of(std::vector<FoundErrors> samples) {
+  std::ranges::sort(samples, {}, &FoundErrors::median);
+  DesignErrors errors{.median = samples[samples.size() / 2].median};
+  std::ranges::sort(samples, {}, &FoundErrors::worst);
+  errors.worst = search_margin * samples.back().worst;
+  errors.least = search_margin * samples.front().worst;
   return errors;
 }
 

@@ -10,6 +10,11 @@
 namespace elgen {
 namespace {
 
+/// Beyond noise.
+bool is_dearer(const Spread& cost, const Spread& than) {
+  return cost.low > than.high && cost.median > alike_within * than.median;
+}
+
 /// Ranks all rows that have not failed.
 void number_ranks(std::vector<TradeoffRow>& rows) {
   std::vector<TradeoffRow*> by_cost;
@@ -19,7 +24,7 @@ void number_ranks(std::vector<TradeoffRow>& rows) {
   std::ranges::stable_sort(by_cost, {}, [](const TradeoffRow* row) { return row->cost.median; });
   const TradeoffRow* cheapest = nullptr;
   for (TradeoffRow* const row : by_cost) {
-    const bool is_next = cheapest == nullptr || row->cost.low > cheapest->cost.high;
+    const bool is_next = cheapest == nullptr || is_dearer(row->cost, cheapest->cost);
     row->rank = (cheapest == nullptr ? 0 : cheapest->rank) + (is_next ? 1 : 0);
     if (is_next) cheapest = row;
   }
@@ -36,11 +41,12 @@ TradeoffTable judged(TradeoffTable table) {
   constexpr double largest_error = 1;
   double least = std::numeric_limits<double>::infinity();
   for (TradeoffRow& row : table.rows) {
+    if (!row.failure.empty()) break;
     const double error = row.error.worst;
     row.is_on_pareto_front =
-        row.failure.empty() && !row.is_below_reference && error <= largest_error && error < least;
+        !row.is_below_reference && error <= largest_error && alike_within * error < least;
     // A row that the reference does not tell from it beats dearer ones, too.
-    if (row.failure.empty()) least = std::min(least, error);
+    if (row.is_on_pareto_front || row.is_below_reference) least = std::min(least, row.error.least);
   }
   return table;
 }

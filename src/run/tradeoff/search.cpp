@@ -19,8 +19,8 @@
 namespace elgen {
 namespace {
 
-constexpr std::size_t climbs_at_most = 10;
-constexpr std::size_t states_searched = 20'000;
+constexpr std::size_t states_of_a_climb = 100;  ///< of the sample; it starts at one of the worst
+constexpr std::size_t searched_per_state = 20;
 constexpr std::size_t fewest_sweeps = 8;
 constexpr std::size_t most_sweeps = 400;
 constexpr double longest_step = 0.5;  ///< of a range
@@ -71,13 +71,15 @@ class ErrorSearch {
         parameters_(arguments_at<long double>(nominal_state(exact.model, exact.scene)).parameters),
         scales_(states),
         moving_(moving_numbers(program.functions.front(), states)),
-        design_(design) {}
+        design_(design),
+        states_searched_(searched_per_state * states.states.size()),
+        draw_(states.seed) {}
 
   /// The states that the search ends at.
   std::vector<Arguments<double>> search(std::vector<Climb> climbs) {
     const std::size_t states_of_sweep = climbs.size() * (2 * moving_.size() + 1);
     const std::size_t sweeps =
-        std::clamp(states_searched / states_of_sweep, fewest_sweeps, most_sweeps);
+        std::clamp(states_searched_ / states_of_sweep, fewest_sweeps, most_sweeps);
     for (std::size_t i = 0; i < sweeps && !moving_.empty(); ++i) sweep(climbs);
     std::vector<Arguments<double>> ends;
     for (Climb& climb : climbs) ends.push_back(std::move(climb.state));
@@ -185,7 +187,8 @@ class ErrorSearch {
   FieldScales scales_;
   std::vector<MovingNumber> moving_;
   const DesignValues& design_;
-  Sampler draw_{1};
+  std::size_t states_searched_;
+  Sampler draw_;
 };
 
 }  // namespace
@@ -199,7 +202,7 @@ FoundErrors found_errors(const CheckedModel& exact, const Program& program,
   const std::size_t worst = order.front();
   FoundErrors found{errors[worst], errors[order[order.size() / 2]], states.states[worst]};
   std::vector<Climb> climbs;
-  for (std::size_t i = 0; i < std::min(climbs_at_most, order.size()); ++i) {
+  for (std::size_t i = 0; i * states_of_a_climb < order.size(); ++i) {
     climbs.push_back({states.states[order[i]], errors[order[i]], first_step});
   }
   ErrorSearch search(exact, program, states, design);

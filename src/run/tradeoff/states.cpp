@@ -54,6 +54,7 @@ Result<TradeoffStates> tradeoff_states(const CheckedModel& exact, const Program&
   }
   Sampler draw(sampling.seed);
   TradeoffStates result;
+  result.seed = sampling.seed;
   result.low = map_leaves([](const Range& range) { return range.low; }, within);
   result.high = map_leaves([](const Range& range) { return range.high; }, within);
   const std::size_t count = sampling.count;

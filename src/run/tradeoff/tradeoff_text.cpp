@@ -96,7 +96,9 @@ Json json_of(const TradeoffTable& table, const TradeoffRow& row) {
   json["rank"] = row.rank;
   json["cost"] = json_of(row.cost);
   if (!table.call_cost.empty()) json["call_cost"] = json_of(row.call_cost);
-  json["error"] = {{"worst", number(row.error.worst)}, {"median", number(row.error.median)}};
+  json["error"] = {{"worst", number(row.error.worst)},
+                   {"median", number(row.error.median)},
+                   {"least", number(row.error.least)}};
   if (row.is_below_reference) json["error"]["below_reference"] = true;
   json["front"] = row.is_on_pareto_front;
   return json;
@@ -122,7 +124,11 @@ std::string to_text(const TradeoffTable& table) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     text += line_of(lines[i], widths, table.rows[i].is_on_pareto_front ? '*' : ' ');
   }
-  text += "\ndesigns of a rank cost the same: their quartiles overlap those of its cheapest\n";
+  text += fmt::format(
+      "\ndesigns of a rank cost the same: {0} times its cheapest at most, or their quartiles "
+      "overlap\na star is more accurate than all stars above it, by {0} times and the noise of "
+      "both\n",
+      alike_within);
   for (const std::string& sentence : table.sentences) text += sentence + '\n';
   return text +
          fmt::format("measured on {}, {}\n", table.machine.processor, table.machine.compiler) +
@@ -153,16 +159,19 @@ std::string to_json(const TradeoffTable& table) {
 std::string to_csv(const TradeoffTable& table) {
   std::string text;
   for (const std::string& dimension : table.dimensions) text += csv_cell(dimension) + ",";
-  text += "rank,cost,cost_low,cost_high,call_cost,worst_error,median_error,front,pick,failure\n";
+  text +=
+      "rank,cost,cost_low,cost_high,call_cost,worst_error,median_error,least_error,front,pick,"
+      "failure\n";
   for (const TradeoffRow& row : table.rows) {
     const auto& [median, low, high] = row.cost;
     const double call = row.call_cost.median;
     for (const std::string& value : row.values) text += csv_cell(value) + ",";
     text += row.failure.empty()
-                ? fmt::format("{},{},{},{},{},{},{},{:d},{:d},\n", row.rank, median, low, high,
+                ? fmt::format("{},{},{},{},{},{},{},{},{:d},{:d},\n", row.rank, median, low, high,
                               call > 0 ? fmt::format("{}", call) : "", row.error.worst,
-                              row.error.median, row.is_on_pareto_front, &row == picked(table))
-                : fmt::format(",,,,,,,0,0,{}\n", csv_cell(row.failure));
+                              row.error.median, row.error.least, row.is_on_pareto_front,
+                              &row == picked(table))
+                : fmt::format(",,,,,,,,0,0,{}\n", csv_cell(row.failure));
   }
   return text;
 }

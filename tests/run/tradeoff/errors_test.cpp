@@ -57,6 +57,15 @@ TEST_CASE("what is no number, or should be 0, is infinitely wrong") {
 }
 
 TEST_CASE(
+    "of three samples the worst error counts, its noise reaches to the least, and a margin is over "
+    "both") {
+  const DesignErrors errors = errors_of({{3e-7, 2e-8, {}}, {2e-7, 1e-8, {}}, {4e-7, 3e-8, {}}});
+  CHECK(errors.worst == Approx(1.5 * 4e-7));
+  CHECK(errors.least == Approx(1.5 * 2e-7));
+  CHECK(errors.median == 2e-8);
+}
+
+TEST_CASE(
     "every method and order is planned with steps of three lengths, one by one and in packs") {
   const std::vector<PlannedRun> runs = planned_runs(10);
   CHECK(runs.size() == (1 + 3 + 3) * 3 * 2);

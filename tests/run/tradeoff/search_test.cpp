@@ -102,6 +102,22 @@ TEST_CASE("the search goes to the ends of ranges and not beyond, and parameters 
   CHECK(found.where.parameters == searched.states().states.front().parameters);
 }
 
+TEST_CASE("a search visits as many states as the sample that it starts from allows") {
+  const Products products = derived(pendulum_text(), "inverse_dynamics");
+  const auto visited = [&products](std::size_t count) {
+    const auto states = tradeoff_states(*products.checked, *products.program, {.count = count});
+    std::size_t all = 0;
+    const DesignValues design = [&all](const std::vector<Arguments<double>>& asked) {
+      all += asked.size();
+      return std::vector<double>(asked.size());
+    };
+    static_cast<void>(found_errors(*products.checked, *products.program, *states, design));
+    return static_cast<double>(all);
+  };
+  CHECK(visited(300) == Approx(21 * 300).epsilon(0.05));
+  CHECK(visited(1000) == Approx(21 * 1000).epsilon(0.05));
+}
+
 TEST_CASE("where numbers of float are taken, their rounding counts") {
   const Searched searched(pendulum_text(), "gravity");
   const auto right = [](double) { return 0.0; };

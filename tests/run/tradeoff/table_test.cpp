@@ -18,12 +18,13 @@ using namespace elgen::test;
 namespace {
 
 /// Quartiles 5 % to either side of the cost; five times as much by one state per call in packs.
-TradeoffRow row_of(std::vector<std::string> values, double cost, double error) {
+/// `noise`: the worst error over the least.
+TradeoffRow row_of(std::vector<std::string> values, double cost, double error, double noise = 1) {
   const double call = values.back() == "packs" ? 5 * cost : cost;
   return {.values = std::move(values),
           .cost = {cost, 0.95 * cost, 1.05 * cost},
           .call_cost = {call, 0.95 * call, 1.05 * call},
-          .error = {error, error / 4}};
+          .error = {error, error / 4, error / noise}};
 }
 
 TradeoffRow failed_row(std::vector<std::string> values, std::string why) {
@@ -44,19 +45,30 @@ TradeoffTable sample_table() {
           .machine = {.compiler = "g++ 12", .processor = "a processor"}};
 }
 
-/// Of rows "a", "b", … in their order: "b1* a1 c2", with the ranks and the front.
-std::string order_of(const std::vector<std::pair<double, double>>& costs_and_errors) {
-  TradeoffTable table{.dimensions = {"name"}};
-  for (const auto& [cost, error] : costs_and_errors) {
-    const auto name = static_cast<char>('a' + table.rows.size());
-    table.rows.push_back(row_of({std::string(1, name)}, cost, error));
-  }
+struct Figures {
+  double cost;
+  double error;
+  double noise = 1;
+};
+
+/// "b1* a1 c2": the first values of the rows, with the ranks and the front.
+std::string order_in(TradeoffTable table) {
   std::string text;
-  for (const TradeoffRow& row : judged(table).rows) {
+  for (const TradeoffRow& row : judged(std::move(table)).rows) {
     text += (text.empty() ? "" : " ") + row.values.front() + std::to_string(row.rank);
     if (row.is_on_pareto_front) text += '*';
   }
   return text;
+}
+
+/// Of rows "a", "b", … as they are given.
+std::string order_of(const std::vector<Figures>& rows) {
+  TradeoffTable table{.dimensions = {"name"}};
+  for (const auto& [cost, error, noise] : rows) {
+    const auto name = static_cast<char>('a' + table.rows.size());
+    table.rows.push_back(row_of({std::string(1, name)}, cost, error, noise));
+  }
+  return order_in(std::move(table));
 }
 
 }  // namespace
@@ -91,6 +103,34 @@ TEST_CASE("a rank does not go on from one overlap to the next") {
 
 TEST_CASE("of designs that are as good as each other the first one of the plan is on the front") {
   CHECK(order_of({{5.1, 1e-3}, {5, 1e-3}, {4.9, 1e-3}}) == "a1* b1 c1");
+}
+
+TEST_CASE("costs within 1.1 times are one rank, however narrow their quartiles are") {
+  const auto ranked = [](double dearer) {
+    TradeoffTable table{.rows = {row_of({"a"}, 10, 1e-7), row_of({"b"}, dearer, 1e-9)}};
+    for (TradeoffRow& row : table.rows) row.cost.low = row.cost.high = row.cost.median;
+    return order_in(std::move(table));
+  };
+  CHECK(ranked(10.9) == "b1* a1");
+  CHECK(ranked(11.1) == "a1* b2*");
+}
+
+TEST_CASE("of errors that are equal within their noise the cheaper has the star") {
+  CHECK(order_of({{1, 1e-7, 1.2}, {2, 0.9e-7, 1.3}}) == "a1* b2");
+  CHECK(order_of({{1, 1e-7, 1.2}, {2, 0.7e-7, 1.3}}) == "a1* b2*");
+  CHECK(order_of({{1, 1e-7, 4}, {2, 0.7e-7, 1.3}}) == "a1* b2");
+  // The noise of an error reaches from its least to its worst, which is the one that counts.
+  CHECK(order_of({{1, 1e-7, 1.2}, {2, 0.9e-7, 100}}) == "a1* b2");
+}
+
+TEST_CASE("errors within 1.1 times are equal without noise, too") {
+  CHECK(order_of({{1, 1e-7}, {2, 0.95e-7}}) == "a1* b2");
+  CHECK(order_of({{1, 1e-7}, {2, 0.85e-7}}) == "a1* b2*");
+}
+
+TEST_CASE("errors are compared with those of stars alone") {
+  CHECK(order_of({{1, 1e-7}, {2, 0.95e-7, 100}, {3, 0.87e-7}}) == "a1* b2 c3*");
+  CHECK(order_of({{1, 1.5, 100}, {2, 0.9}}) == "a1 b2*");
 }
 
 TEST_CASE("nothing that is off by more than all of it is on the front") {
@@ -147,7 +187,8 @@ TEST_CASE("rows are in columns, those of the front have a star, a failed one say
   3     float   one    39.5          37.52 to 41.48  39.5         1.0e-07      2.5e-08
         half    one    E709: "c++" exits 1
 
-designs of a rank cost the same: their quartiles overlap those of its cheapest
+designs of a rank cost the same: 1.1 times its cheapest at most, or their quartiles overlap
+a star is more accurate than all stars above it, by 1.1 times and the noise of both
 one
 two
 measured on a processor, g++ 12
@@ -169,7 +210,8 @@ TEST_CASE(
   rank  method  ns per run  quartiles  worst error  median error
 * 1     rk4     40          38 to 42   1.0e-05      2.5e-06
 
-designs of a rank cost the same: their quartiles overlap those of its cheapest
+designs of a rank cost the same: 1.1 times its cheapest at most, or their quartiles overlap
+a star is more accurate than all stars above it, by 1.1 times and the noise of both
 measured on a processor, g++ 12
 )";
   CHECK(to_text(table) == text);
@@ -191,6 +233,7 @@ TEST_CASE("the object has a design for every row") {
   CHECK(first["cost"]["median"] == 4);
   CHECK(first["call_cost"]["median"] == 20);
   CHECK(first["error"]["worst"] == 2e-7);
+  CHECK(first["error"]["least"] == 2e-7);
   CHECK(first["front"] == true);
   CHECK(json["designs"][4]["failure"] == "E709: \"c++\" exits 1");
   CHECK_FALSE(json["designs"][4].contains("cost"));
@@ -219,10 +262,10 @@ TEST_CASE("cells with quotes are quoted, failed rows have none of the numbers") 
   table.rows.erase(table.rows.begin() + 1, table.rows.end() - 1);
   table.max_error = 1e-6;
   CHECK(to_csv(table) ==
-        "scalar,batch,rank,cost,cost_low,cost_high,call_cost,worst_error,median_error,front,pick,"
-        "failure\n"
-        "float,packs,1,4,3.8,4.2,20,2e-07,5e-08,1,1,\n"
-        "half,one,,,,,,,,0,0,\"E709: \"\"c++\"\" exits 1\"\n");
+        "scalar,batch,rank,cost,cost_low,cost_high,call_cost,worst_error,median_error,least_error,"
+        "front,pick,failure\n"
+        "float,packs,1,4,3.8,4.2,20,2e-07,5e-08,2e-07,1,1,\n"
+        "half,one,,,,,,,,,0,0,\"E709: \"\"c++\"\" exits 1\"\n");
 }
 
 TEST_CASE("a plot is XML with every design that has numbers, and the Pareto front is a staircase") {
