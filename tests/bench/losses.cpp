@@ -1,5 +1,5 @@
-// A row of the table of losses: outputs that lose digits, and the worst of them, in two
-// certificates of `elgen verify --format json`: losses BEFORE.json AFTER.json.
+// Two cells of the table of losses: how many outputs lose digits, and the worst of them, in a
+// certificate of `elgen verify --format json`: losses CERTIFICATE.json.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -49,6 +49,6 @@ std::string cells(const Losses& losses) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 3) return EXIT_FAILURE;
-  std::cout << cells(losses_in(argv[1])) << ' ' << cells(losses_in(argv[2])) << '\n';
+  if (argc != 2) return EXIT_FAILURE;
+  std::cout << cells(losses_in(argv[1])) << '\n';
 }
