@@ -31,6 +31,25 @@ inline constexpr std::array scalar_table{ScalarRow{ScalarKind::single_precision,
   return scalar_table[static_cast<std::size_t>(kind)].digits;
 }
 
+/// What functions compute in between arguments and results in double.
+enum class InnerScalar : std::uint8_t { same, long_double, double_double };
+
+struct InnerRow {
+  InnerScalar kind;
+  std::string_view name;  ///< in scenes
+  std::string_view type;  ///< in templates/cpp/wide.hpp.mustache
+  double roundoff;        ///< u: relative, of one operation
+};
+
+inline constexpr std::array inner_table{
+    InnerRow{InnerScalar::same, "double", "double", 0x1p-53},
+    InnerRow{InnerScalar::long_double, "long double", "long double", 0x1p-64},
+    InnerRow{InnerScalar::double_double, "double-double", "detail::DoubleDouble", 0x1p-102}};
+
+[[nodiscard]] constexpr const InnerRow& inner_row(InnerScalar kind) {
+  return inner_table[static_cast<std::size_t>(kind)];
+}
+
 /// Decimal digits that a loss of so many u takes, at most all of the scalar.
 [[nodiscard]] inline double digits_lost(double loss, ScalarKind kind) {
   return loss > 1 ? std::min<double>(std::log10(loss), decimal_digits(kind)) : 0;

@@ -96,6 +96,7 @@ struct NamedRange {
 struct Numerics {
   Preference prefer = Preference::balanced;
   std::vector<ScalarKind> scalars = {ScalarKind::double_precision};
+  InnerScalar inner = InnerScalar::same;  ///< another one asks for a header that computes in it
   std::optional<cln::cl_RA> trigonometry_error = {};  ///< of sines and cosines in batches, at most
   /// The largest error of any output, as `tradeoff` measures it; `verify` checks it.
   std::optional<double> max_error = {};

@@ -194,6 +194,8 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"scene.approximate.about", "*", expression, optional, true, "a coordinate or input there"},
 
     {"scene.numeric", "scalar", choice_list, optional, true, "scalar types the code is for"},
+    {"scene.numeric", "inner", choice, optional, true,
+     "what functions of doubles compute in, in a header of their own"},
     {"scene.numeric", "form", choice, optional, true, "of every output: closed or recursive"},
     {"scene.numeric", "prefer", choice, optional, true,
      "of formulas: those that keep their digits, or the fastest"},
@@ -230,6 +232,9 @@ constexpr auto choice_rows = std::to_array<ChoiceRow>({
     {"scene.numeric", "scalar", "float"},
     {"scene.numeric", "scalar", "double"},
     {"scene.numeric", "scalar", "long double"},
+    {"scene.numeric", "inner", "double"},
+    {"scene.numeric", "inner", "long double"},
+    {"scene.numeric", "inner", "double-double"},
     {"scene.numeric", "form", "closed"},
     {"scene.numeric", "form", "recursive"},
     {"scene.numeric", "prefer", "balanced"},

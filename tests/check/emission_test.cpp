@@ -102,6 +102,28 @@ TEST_CASE("polynomials are for batches, and these for C++ in float and double") 
              Catch::Contains("E625") && Catch::Contains("`float` or `double`"));
 }
 
+TEST_CASE("functions of doubles compute in double, or in a wider scalar") {
+  CHECK(block_scene("").numerics.inner == InnerScalar::same);
+  for (const InnerRow& row : inner_table) {
+    const std::string inner = "[numeric]\ninner = \"" + std::string(row.name) + "\"\n";
+    CHECK(block_scene(inner).numerics.inner == row.kind);
+    const bool is_same = row.kind == InnerScalar::same;
+    CHECK(block_scene_messages(inner + batch).empty() == is_same);
+  }
+}
+
+TEST_CASE("a wider scalar is for one state in double and in C++") {
+  const std::string inner = "[numeric]\ninner = \"double-double\"\n";
+  for (const char* const header : {"batch", "eigen"}) {
+    CHECK_THAT(block_scene_messages(inner + "[emit]\n" + header + " = true\n"),
+               Catch::Contains("E628") && Catch::Contains("computes in its own scalars"));
+  }
+  CHECK_THAT(block_scene_messages(inner + "scalar = [\"float\"]\n"), Catch::Contains("E628"));
+  CHECK_THAT(block_scene_messages(inner + "scalar = [\"long double\"]\n"), Catch::Contains("E628"));
+  CHECK_THAT(block_scene_messages(inner + "[emit]\nlanguage = \"c99\"\n"),
+             Catch::Contains("E611") && Catch::Contains("`inner` needs C++"));
+}
+
 TEST_CASE("a step has the number of its method") {
   const Scene scene =
       checked(block(""), outputs("step = { method = \"verlet\" }\nmass_matrix = true")).scene;

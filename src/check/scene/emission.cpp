@@ -150,4 +150,28 @@ void read_batch(Context& context, const FileSyntax* syntax, Scene& scene) {
   BatchReader(context, syntax, scene).read();
 }
 
+void read_inner(Context& context, const FileSyntax* syntax, Scene& scene) {
+  const KeySyntax* const inner = find_key(syntax, "numeric", "inner");
+  if (inner == nullptr) return;
+  const auto* const row = std::ranges::find(inner_table, inner->value.text, &InnerRow::name);
+  if (row == inner_table.end() || row->kind == InnerScalar::same) return;
+  scene.numerics.inner = row->kind;
+  const LanguageRow& language = language_row(scene.emission.language);
+  if (!language.has_more_headers) {
+    return context.report.add(
+        Code::E611, inner->key_span,
+        "`inner` needs C++, and `language` is " + in_backticks(language.name));
+  }
+  const auto refuse = [&](const Span& span, const std::string& others) {
+    context.report.add(Code::E628, span, others + ", and `inner` is " + in_backticks(row->name));
+  };
+  if (scene.numerics.scalars != std::vector{ScalarKind::double_precision}) {
+    refuse(find_key(syntax, "numeric", "scalar")->value.span, "`scalar` is not `double` alone");
+  }
+  for (const char* const header : {"eigen", "batch"}) {
+    const KeySyntax* const key = find_key(syntax, "emit", header);
+    if (is_set(key)) refuse(key->key_span, in_backticks(header) + " computes in its own scalars");
+  }
+}
+
 }  // namespace elgen
