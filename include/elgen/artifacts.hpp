@@ -32,16 +32,17 @@ struct PerArtifact {
 
 struct ArtifactRow {
   std::string_view ending;  ///< of the path
-  bool (*is_wanted)(const Emission& emission);
+  bool (*is_wanted)(const Scene& scene);
 };
 
 inline constexpr PerArtifact<ArtifactRow> artifact_table{
-    .cpp = {".hpp", [](const Emission& e) { return e.language == LanguageId::cpp; }},
-    .eigen = {"_eigen.hpp", [](const Emission& e) { return e.eigen; }},
-    .batch = {"_batch.hpp", [](const Emission& e) { return e.batch; }},
-    .c99 = {".h", [](const Emission& e) { return e.language == LanguageId::c99; }},
-    .sidecar = {".equations.json", [](const Emission& e) { return e.equations; }},
-    .page = {".md", [](const Emission& e) { return e.page; }}};
+    .cpp = {".hpp", [](const Scene& s) { return s.emission.language == LanguageId::cpp; }},
+    .eigen = {"_eigen.hpp", [](const Scene& s) { return s.emission.eigen; }},
+    .batch = {"_batch.hpp", [](const Scene& s) { return s.emission.batch; }},
+    .wide = {"_wide.hpp", [](const Scene& s) { return s.numerics.inner != InnerScalar::same; }},
+    .c99 = {".h", [](const Scene& s) { return s.emission.language == LanguageId::c99; }},
+    .sidecar = {".equations.json", [](const Scene& s) { return s.emission.equations; }},
+    .page = {".md", [](const Scene& s) { return s.emission.page; }}};
 
 struct Artifact {
   ArtifactId id = ArtifactId::cpp;

@@ -61,14 +61,16 @@ struct DeclaredNumber {
 /// The function by which a header in packs gives the sine and the cosine of the angle t.
 inline constexpr std::string_view sine_and_cosine = "sine and cosine";
 
-/// One emitted header; on vectors of Eigen and on arrays of states there are others beside it.
+/// One emitted header; on vectors of Eigen, on arrays of states and in a wider scalar there are
+/// others beside it.
 struct CompiledHeader {
-  std::string types = {};  ///< "Eigen", "batch"; empty for those of the language itself
+  std::string types = {};  ///< "Eigen", "batch", "wide"; empty for those of the language itself
   bool in_packs = false;   ///< sines and cosines are polynomials; called for one state of several
   std::unique_ptr<CompiledModel> functions = {};
   Build build = Build::as_written;
   std::string lacking = {};                   ///< why there are no functions; else empty
   std::vector<DeclaredNumber> declared = {};  ///< by all headers; with the first one
+  bool is_wide = false;  ///< computes in Numerics::inner: its bits are not those of the program
 };
 using CompiledHeaders = std::vector<CompiledHeader>;
 

@@ -274,6 +274,15 @@ void compare_target(Changes& changes, const Scene& before, const Scene& after) {
   }
   compare_header(changes, "_eigen", old.eigen, now.eigen);
   compare_header(changes, "_batch", old.batch, now.batch);
+  const InnerScalar old_inner = before.numerics.inner;
+  const InnerScalar inner = after.numerics.inner;
+  const bool was_wide = old_inner != InnerScalar::same;
+  const bool is_wide = inner != InnerScalar::same;
+  compare_header(changes, "_wide", was_wide, is_wide);
+  if (was_wide && is_wide && old_inner != inner) {
+    changes.add(Impact::values, "NAME_wide.hpp computes in {} where it did in {}",
+                inner_row(inner).name, inner_row(old_inner).name);
+  }
   if (before.numerics.trigonometry_error != after.numerics.trigonometry_error) {
     changes.add(Impact::values, "the error that batches allow sines and cosines differs");
   }

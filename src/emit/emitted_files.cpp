@@ -19,6 +19,7 @@ struct Writer {
 constexpr PerArtifact<Writer> writers{.cpp = {&cpp_header, &cpp_check_names},
                                       .eigen = {&eigen_header, &eigen_check_names},
                                       .batch = {&batch_header, &batch_check_names},
+                                      .wide = {&wide_header, &wide_check_names},
                                       .c99 = {&c99_header, &c99_check_names},
                                       .sidecar = {&sidecar, nullptr},
                                       .page = {&markdown, nullptr}};

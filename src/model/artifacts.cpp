@@ -12,7 +12,7 @@ std::string path_of(const Scene& scene, ArtifactId id) {
 std::vector<Artifact> artifacts_of(const Scene& scene) {
   std::vector<Artifact> artifacts;
 #define ELGEN_ARTIFACT(kind)                                                   \
-  if (artifact_table.kind.is_wanted(scene.emission)) {                         \
+  if (artifact_table.kind.is_wanted(scene)) {                                  \
     artifacts.push_back({ArtifactId::kind, path_of(scene, ArtifactId::kind)}); \
   }
 #include "elgen/artifacts.def"

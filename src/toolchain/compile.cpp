@@ -95,6 +95,7 @@ Result<CompiledHeader> header_of(const Driver& driver, Build build,
                                  const std::shared_ptr<const Library>& library,
                                  const DriverInput& input) {
   CompiledHeader header{driver.types, driver.in_packs, nullptr, build};
+  header.is_wide = driver.is_wide;
   if (library == nullptr) {
     header.lacking = "the compiler does not take -O3 -march=native";
     return header;

@@ -1,4 +1,5 @@
-// The drivers of C++: of the header on arrays, and of the one on types of Eigen.
+// The drivers of C++: of the header on arrays, of the one on types of Eigen, and of the one in a
+// wider scalar.
 #include <fmt/format.h>
 
 #include "elgen/artifacts.hpp"
@@ -66,14 +67,22 @@ extern "C" void {symbol}({leaves}{scalar}* result) {{
 }}
 )";
 
-/// The names and types in which the two headers differ.
+/// The names and types in which the headers differ.
 struct Types {
   std::string_view name;  ///< of the driver
   std::string header;
   std::string functions;                           ///< their namespace
   std::string_view vector;                         ///< an argument from flat numbers
   std::string (*array)(const Function& function);  ///< a result too large to be returned
+  bool is_wide = false;
 };
+
+/// The driver, for what it wraps.
+Driver driver_without_text(const Types& types) {
+  Driver driver;
+  driver.is_wide = types.is_wide;
+  return driver;
+}
 
 std::string array_result(const Function& function) {
   return fmt::format("std::array<Scalar, {}>", entry_count(function));
@@ -116,6 +125,7 @@ std::string calls_of(const DriverInput& input, const Types& types) {
                   fmt::arg("functions", types.functions), fmt::arg("vector", types.vector),
                   fmt::arg("shared", cpp_helpers(input)));
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
+    if (!is_wrapped(driver_without_text(types), program.functions[i])) continue;
     text += fmt::format(call_template, fmt::arg("index", i),
                         fmt::arg("leaves", declared_leaves("Scalar", "[[maybe_unused]] ")),
                         fmt::arg("body", call(input, types, program.functions[i])));
@@ -128,8 +138,10 @@ std::string driver_of(const DriverInput& input, const Types& types) {
   const Program& program = input.program;
   std::vector<std::string_view> names;
   for (const LeafRow& leaf : leaf_table()) names.push_back(leaf.member);
+  const Driver driver = driver_without_text(types);
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
-    for (const ScalarKind kind : driver_scalars(input)) {
+    if (!is_wrapped(driver, program.functions[i])) continue;
+    for (const ScalarKind kind : scalars_of(driver, input)) {
       const std::string scalar(name_of(kind));
       text += fmt::format(cpp_wrapper, fmt::arg("symbol", driver_symbol(types.name, scalar, i)),
                           fmt::arg("scalar", scalar), fmt::arg("index", i),
@@ -156,6 +168,11 @@ std::string cpp_driver(const DriverInput& input) {
 std::string eigen_driver(const DriverInput& input) {
   return driver_of(input, {"eigen", path_of(input.scene, ArtifactId::eigen),
                            name_space(input.scene) + "::eigen", eigen_vector, eigen_result});
+}
+
+std::string wide_driver(const DriverInput& input) {
+  return driver_of(input, {"wide", path_of(input.scene, ArtifactId::wide),
+                           name_space(input.scene) + "::wide", array_vector, array_result, true});
 }
 
 }  // namespace elgen

@@ -53,6 +53,7 @@ struct DriverRow {
   DriverText text;
   DriverText as_users;
   bool in_packs = false;
+  bool is_wide = false;
 };
 
 constexpr DriverRow no_code{"", "", "", nullptr, nullptr};
@@ -60,6 +61,7 @@ constexpr PerArtifact<DriverRow> driver_table{
     .cpp = {"", "cpp", "", &cpp_driver, &cpp_driver},
     .eigen = {"Eigen", "eigen", "Eigen/Core", &eigen_driver, nullptr},
     .batch = {"batch", "batch", "", &batch_driver, &sine_driver, true},
+    .wide = {"wide", "wide", "", &wide_driver, &wide_driver, false, true},
     .c99 = {"", "c99", "", &c99_driver, &c99_driver},
     .sidecar = no_code,
     .page = no_code};
@@ -111,8 +113,8 @@ std::vector<Driver> drivers(const DriverInput& input, Build build) {
     const DriverRow& row = driver_table[artifact.id];
     const DriverText text = build == Build::as_users ? row.as_users : row.text;
     if (text == nullptr) continue;
-    result.push_back(
-        {row.types, row.name, text(input), row.needs, row.in_packs, text != &sine_driver});
+    result.push_back({row.types, row.name, text(input), row.needs, row.in_packs, row.is_wide,
+                      text != &sine_driver});
   }
   return result;
 }
@@ -148,11 +150,12 @@ std::vector<ScalarKind> driver_scalars(const DriverInput& input) {
 }
 
 std::vector<ScalarKind> scalars_of(const Driver& driver, const DriverInput& input) {
-  return driver.in_packs ? input.scene.numerics.scalars : driver_scalars(input);
+  return driver.in_packs || driver.is_wide ? input.scene.numerics.scalars : driver_scalars(input);
 }
 
 bool is_wrapped(const Driver& driver, const Function& function) {
-  return driver.has_functions && (!driver.in_packs || is_returned(function));
+  const bool is_limited = driver.in_packs || driver.is_wide;
+  return driver.has_functions && (!is_limited || is_returned(function));
 }
 
 std::string driver_symbol(std::string_view driver, std::string_view scalar, std::size_t function) {

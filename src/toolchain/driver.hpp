@@ -31,11 +31,12 @@ struct Source {
 /// wraps each function for each scalar. `parameters` are those of Program::leaves; results follow
 /// each other in the order of Function::fields, matrices row by row.
 struct Driver {
-  std::string types = {};  ///< "Eigen", "batch"; empty for those of the language itself
+  std::string types = {};  ///< "Eigen", "batch", "wide"; empty for those of the language itself
   std::string name = {};   ///< "eigen": a part of its symbols
   std::string text = {};
   std::string needs = {};     ///< of the Source, which leaves the text out where it is not there
   bool in_packs = false;      ///< sines and cosines are those of PackTrigonometry
+  bool is_wide = false;       ///< computes in Numerics::inner
   bool has_functions = true;  ///< else it has nothing but these
 };
 
@@ -58,10 +59,10 @@ struct DriverUnit {
 /// fit that, else the scene's own.
 [[nodiscard]] std::vector<ScalarKind> driver_scalars(const DriverInput& input);
 
-/// Scalars of this driver: a header on arrays of states has the scene's.
+/// Scalars of this driver: a header on arrays of states, or in a wider scalar, has the scene's.
 [[nodiscard]] std::vector<ScalarKind> scalars_of(const Driver& driver, const DriverInput& input);
 
-/// Whether the driver has the function: a batch has none with more than 4096 entries.
+/// Whether the driver has the function: in packs or a wider scalar none has more than 4096 entries.
 [[nodiscard]] bool is_wrapped(const Driver& driver, const Function& function);
 
 /// The name that the driver of this name has for Program::functions[function], or where that is
@@ -98,11 +99,12 @@ inline constexpr const char* declarations_symbol = "elgen_declared_numbers";
 /// `append` and `parameters_from`, which the drivers in C++17 have in common.
 [[nodiscard]] std::string cpp_helpers(const DriverInput& input);
 
-/// The drivers of C++17, on arrays of states and in Eigen's types too, and of C99; of packs also
-/// that of their sines and cosines alone.
+/// The drivers of C++17, in Eigen's types, on arrays of states and in a wider scalar too, and of
+/// C99; of packs also that of their sines and cosines alone.
 [[nodiscard]] std::string cpp_driver(const DriverInput& input);
 [[nodiscard]] std::string eigen_driver(const DriverInput& input);
 [[nodiscard]] std::string batch_driver(const DriverInput& input);
+[[nodiscard]] std::string wide_driver(const DriverInput& input);
 [[nodiscard]] std::string sine_driver(const DriverInput& input);
 [[nodiscard]] std::string c99_driver(const DriverInput& input);
 

@@ -226,7 +226,7 @@ template <class Scalar>
 std::vector<CertificateRow> check_compiled(const Subject& subject, const CompiledHeader& compiled,
                                            const std::vector<SampledState<Scalar>>& states) {
   std::vector<CertificateRow> rows;
-  if (compiled.build == Build::as_users) return rows;
+  if (compiled.build == Build::as_users || compiled.is_wide) return rows;
   for (const Function& function : subject.program.functions) {
     if (compiled.in_packs && !is_returned(function)) continue;
     rows.push_back(compiled_row(subject, compiled, function, states));

@@ -158,7 +158,8 @@ std::vector<CertificateRow> sampled_zeros(const Program& program) {
 /// The language's own header as users compile it; null where there is none.
 const CompiledModel* users_code(const CompiledHeaders& compiled) {
   for (const CompiledHeader& header : compiled) {
-    if (header.build == Build::as_users && !header.in_packs) return header.functions.get();
+    const bool is_own = !header.in_packs && !header.is_wide;
+    if (header.build == Build::as_users && is_own) return header.functions.get();
   }
   return nullptr;
 }

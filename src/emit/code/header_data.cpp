@@ -72,10 +72,6 @@ void set_counts(TemplateData& data, const EmissionInput& input) {
   const std::size_t constraints = input.model.constraints.size();
   data.set("constraints", section_if(constraints > 0));
   data.set("constraint_count", std::to_string(constraints));
-  data.set("pivots", std::string(pivot_count(input.model)));
-  data.set("pivot_count", std::to_string(input.model.velocities.size() + constraints));
-  data.set("what_is_regular",
-           std::string(constraints > 0 ? "and A M^-1 A^T are regular" : "is regular"));
   const std::size_t open_values = input.model.open_values.size();
   data.set("open_values", section_if(open_values > 0));
   data.set("open_value_count", std::to_string(open_values));
@@ -105,6 +101,15 @@ TemplateData stamp_data(const EmissionInput& input) {
                      {"storage", std::string(name_of(input.scene.emission.storage))}};
 }
 
+void set_regular(TemplateData& data, const EmissionInput& input) {
+  const std::size_t constraints = input.model.constraints.size();
+  data.set("pivots", std::string(pivot_count(input.model)));
+  data.set("pivot_count", std::to_string(input.model.velocities.size() + constraints));
+  data.set("what_is_regular",
+           std::string(constraints > 0 ? "and A M^-1 A^T are regular" : "is regular"));
+  data.set("regular", section_if(gives_pivots(input.program)));
+}
+
 TemplateData header_data(const EmissionInput& input, const Dialect& dialect) {
   TemplateData data = stamp_data(input);
   set_counts(data, input);
@@ -115,7 +120,7 @@ TemplateData header_data(const EmissionInput& input, const Dialect& dialect) {
   data.set("kinks", section_if(has_kinks));
   data.set("stumpff", section_if(has(FunctionId::stumpff)));
   data.set("functions", functions(input, dialect));
-  data.set("regular", section_if(gives_pivots(input.program)));
+  set_regular(data, input);
   return data;
 }
 

@@ -14,7 +14,10 @@ namespace elgen {
 /// Who made the file from what, its namespace and storage.
 [[nodiscard]] TemplateData stamp_data(const EmissionInput& input);
 
-/// Sections `kinks` and `regular` are there where sign, min or max, and pivots are.
+/// Section `regular`, which is there where pivots are.
+void set_regular(TemplateData& data, const EmissionInput& input);
+
+/// Section `kinks` is there where sign, min or max are.
 [[nodiscard]] TemplateData header_data(const EmissionInput& input, const Dialect& dialect);
 
 /// The filled template with its body hash; blank lines are never doubled.

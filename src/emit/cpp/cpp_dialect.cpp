@@ -241,6 +241,15 @@ class EigenDialect final : public CppDialect {
   }
 };
 
+/// Functions of numbers of one type, called Scalar.
+class WideDialect final : public CppDialect {
+ public:
+  using CppDialect::CppDialect;
+
+ private:
+  std::string_view function_macro() const override { return "inline "; }
+};
+
 }  // namespace
 
 std::unique_ptr<Dialect> cpp_dialect(const Model& model, const Program& program) {
@@ -249,6 +258,10 @@ std::unique_ptr<Dialect> cpp_dialect(const Model& model, const Program& program)
 
 std::unique_ptr<Dialect> eigen_dialect(const Model& model, const Program& program) {
   return std::make_unique<EigenDialect>(model, program);
+}
+
+std::unique_ptr<Dialect> wide_dialect(const Model& model, const Program& program) {
+  return std::make_unique<WideDialect>(model, program);
 }
 
 }  // namespace elgen

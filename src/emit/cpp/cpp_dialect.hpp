@@ -1,5 +1,5 @@
-// cpp_dialect: functions as C++17 writes them, templated on the scalar; or on vectors and matrices
-// of Eigen.
+// cpp_dialect: functions as C++17 writes them, templated on the scalar; on vectors and matrices of
+// Eigen; or of one type, which the header calls Scalar.
 //
 //     using std::sin;                                  Vector<Scalar, 2> result;
 //     const Scalar sin_theta = sin(q[1]);              result(0) = p.m * sin(q[1]);
@@ -14,5 +14,6 @@ namespace elgen {
 
 [[nodiscard]] std::unique_ptr<Dialect> cpp_dialect(const Model& model, const Program& program);
 [[nodiscard]] std::unique_ptr<Dialect> eigen_dialect(const Model& model, const Program& program);
+[[nodiscard]] std::unique_ptr<Dialect> wide_dialect(const Model& model, const Program& program);
 
 }  // namespace elgen

@@ -45,6 +45,7 @@ struct EmissionInput {
 [[nodiscard]] std::string cpp_header(const EmissionInput& input);
 [[nodiscard]] std::string eigen_header(const EmissionInput& input);
 [[nodiscard]] std::string batch_header(const EmissionInput& input);
+[[nodiscard]] std::string wide_header(const EmissionInput& input);
 [[nodiscard]] std::string c99_header(const EmissionInput& input);
 
 /// The equations as JSON, for programs that read them: one key order, LF, exact numbers as strings.
@@ -61,6 +62,8 @@ struct EmissionInput {
                                             const Program& program);
 [[nodiscard]] Diagnostics batch_check_names(const Model& model, const Scene& scene,
                                             const Program& program);
+[[nodiscard]] Diagnostics wide_check_names(const Model& model, const Scene& scene,
+                                           const Program& program);
 [[nodiscard]] Diagnostics c99_check_names(const Model& model, const Scene& scene,
                                           const Program& program);
 

@@ -1,0 +1,117 @@
+// wide_header: the functions of the other header in a wider scalar, as the template
+// cpp/wide.hpp.mustache lays it out. Each widens its arguments, calls the other header, rounds.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "emit/code/function_docs.hpp"
+#include "emit/code/header_data.hpp"
+#include "emit/cpp/cpp_dialect.hpp"
+#include "emit/interface/code_interface.hpp"
+#include "emit/text/emission_checks.hpp"
+#include "emit/text/emission_input.hpp"
+#include "emit/text/layout.hpp"
+
+namespace elgen {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+constexpr std::array<std::string_view, 2> names_of_wide{"wide", "Inner"};
+
+/// "{widened(p.M), widened(p.m)}": all members in their order, so that no default is computed.
+std::string widened_parameters(const EmissionInput& input) {
+  Texts members;
+  for (const ParameterArray& array : emitted_parameters(input.model, input.program)) {
+    members.push_back(fmt::format("widened(p.{})", array.name));
+  }
+  const std::string line = fmt::format("return {{{}}};", fmt::join(members, ", "));
+  const std::string margin(10, ' ');
+  if (line.size() + 2 <= line_width) return line;
+  return fmt::format("return {{{}}};", fmt::join(members, ",\n" + margin));
+}
+
+std::string call_with_widened(const EmissionInput& input, const Function& function,
+                              const std::string& start, const std::string& end) {
+  Texts arguments;
+  for (const Opcode argument : arguments_of(input.model, function)) {
+    arguments.push_back(fmt::format("detail::widened({})", leaf_row(argument).symbol));
+  }
+  const std::string callee =
+      fmt::format("{}{}::{}<Inner>", start, name_space(input.scene), function.name);
+  return signature(callee, arguments, end);
+}
+
+std::string body_of_wide(const EmissionInput& input, const Function& function) {
+  if (!gives_struct(function)) {
+    return call_with_widened(input, function, "  return detail::rounded(", ");\n");
+  }
+  Texts fields;
+  for (const Field& field : function.fields) {
+    fields.push_back(fmt::format("detail::rounded(values.{})", field.name));
+  }
+  return call_with_widened(input, function, "  const auto values = ", ";\n") +
+         fmt::format("  return {{{}}};\n", fmt::join(fields, ",\n          "));
+}
+
+TemplateData functions_of_wide(const EmissionInput& input) {
+  const auto dialect = wide_dialect(input.model, input.program);
+  TemplateData list(TemplateData::type::list);
+  for (std::size_t i = 0; i < input.program.functions.size(); ++i) {
+    const Function& function = input.program.functions[i];
+    if (!is_returned(function)) continue;
+    UsedNames all;
+    for (const Opcode argument : arguments_of(input.model, function)) {
+      all.variables.insert(leaf_row(argument).symbol);
+    }
+    const FunctionText text{input.model, input.program,       function, input.equations[i],
+                            {},          input.scene.emission};
+    list << TemplateRow{{"summary", function_heading(text)},
+                        {"signature", dialect->signature(function, all)},
+                        {"body", body_of_wide(input, function)}};
+  }
+  return list;
+}
+
+Texts notes_of_wide(const EmissionInput& input) {
+  Texts lines;
+  for (const Function& function : input.program.functions) {
+    if (is_returned(function)) continue;
+    const std::string line = fmt::format(" {} is left out: it has more than {} entries.",
+                                         function.name, largest_returned);
+    const Texts some = wrap_words(line, {line_width - 2, " "});
+    lines.insert(lines.end(), some.begin(), some.end());
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::string wide_header(const EmissionInput& input) {
+  const InnerRow& inner = inner_row(input.scene.numerics.inner);
+  TemplateData data = stamp_data(input);
+  data.set("header", input.scene.base_name + ".hpp");
+  data.set("inner", std::string(inner.name));
+  data.set("type", std::string(inner.type));
+  data.set("notes", lines_data(notes_of_wide(input)));
+  data.set("double_double", section_if(inner.kind == InnerScalar::double_double));
+  data.set("sine_cosine", section_if(has_sine_with_cosine(input.program)));
+  data.set("widened_parameters", widened_parameters(input));
+  data.set("functions", functions_of_wide(input));
+  set_regular(data, input);
+  return header_text("cpp/wide.hpp.mustache", data);
+}
+
+Diagnostics wide_check_names(const Model& /*model*/, const Scene& scene, const Program& program) {
+  Diagnostics diagnostics;
+  for (const Function& function : program.functions) {
+    const bool is_taken =
+        std::ranges::count(names_of_wide, function.name) > 0 ||
+        (gives_struct(function) && camel_case(function.name) == names_of_wide.back());
+    if (is_taken) diagnostics.push_back(taken_name(scene, function));
+  }
+  return diagnostics;
+}
+
+}  // namespace elgen

@@ -1,0 +1,249 @@
+// Functions in a wider scalar, compiled: double-double against 64 digits by both compilers, however
+// they optimise and join products and sums; and flags that take it apart.
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "elgen/evaluate.hpp"
+#include "emit/text/emission_input.hpp"
+#include "fixture.hpp"
+#include "numbers/exact_number.hpp"
+#include "support/shell.hpp"
+
+using namespace elgen;
+using elgen::test::mentions;
+
+namespace {
+
+const std::string programs = std::string(ELGEN_SOURCE_DIR) + "/tests/emit/compiled/";
+
+/// A folder with the headers of tests/emit/compiled/functions.scene.toml.
+struct Wide : test::Workspace {
+  Wide() { prepare("elgen generate -q -o . " + programs + "functions.scene.toml"); }
+
+  [[nodiscard]] test::Outcome compiled(const std::string& compiler,
+                                       const std::string& flags) const {
+    return run(compiler +
+               " -std=c++17 -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow "
+               "-Wfloat-equal -Wdouble-promotion -Werror " +
+               flags + " -I. -I" + ELGEN_SOURCE_DIR + "/include " + programs +
+               "wide.cpp -o program");
+  }
+};
+
+struct Parts {
+  double high = 0;
+  double low = 0;
+};
+
+Real exact(const Parts& x) { return Real(exact_value(x.high)) + Real(exact_value(x.low)); }
+
+/// One call: the function as wide.cpp counts it, and its arguments.
+struct Call {
+  std::size_t function = 0;
+  Parts x = {};
+  Parts y = {};
+};
+
+class Arguments {
+ public:
+  /// All magnitudes up to 1e5, near multiples of right angles and near 1 too.
+  Parts next() {
+    const double kind = uniform();
+    double high = std::exp2(57 * uniform() - 40);
+    if (kind < 0.2) high = std::round(1000 * uniform()) * 1.5707963267948966;
+    if (kind > 0.8) high = 1 + std::exp2(-50 * uniform()) * (uniform() - 0.5);
+    if (kind > 0.9 && kind < 0.92) high = 1e-150;
+    return with_rest(uniform() < 0.5 ? -high : high);
+  }
+
+  Parts with_rest(double high) {
+    return {high, uniform() < 0.3 ? 0 : std::abs(high) * 0x1p-54 * (uniform() - 0.5)};
+  }
+
+  Parts inside(FunctionDomain domain, Parts x) {
+    using enum FunctionDomain;
+    if (domain == up_to_one && std::abs(x.high) >= 1) x = with_rest(1 / (x.high * 1.125));
+    if (domain == above_zero && x.high < 0) x = {-x.high, -x.low};
+    if (domain == above_minus_one && x.high <= -1) x = with_rest(-1 / (x.high * -1.125));
+    return x;
+  }
+
+ private:
+  double uniform() { return static_cast<double>(draw_() >> 11) * 0x1p-53; }
+
+  std::mt19937_64 draw_{7};
+};
+
+constexpr std::size_t operations = 5;
+
+std::vector<Call> calls() {
+  Arguments arguments;
+  std::vector<Call> result;
+  for (std::size_t f = 0; f < function_table().size() + operations; ++f) {
+    const bool is_operation = f >= function_table().size();
+    const bool is_root = f + 1 == function_table().size() + operations;
+    const FunctionDomain domain = is_root        ? FunctionDomain::above_zero
+                                  : is_operation ? FunctionDomain::all
+                                                 : function_table()[f].domain;
+    for (std::size_t i = 0; i < 200; ++i) {
+      Call call{f, arguments.inside(domain, arguments.next()), arguments.next()};
+      const bool is_series = !is_operation && function_table()[f].id == FunctionId::stumpff;
+      if (is_series) call.y = {static_cast<double>(1 + i % 8), 0};
+      result.push_back(call);
+    }
+  }
+  return result;
+}
+
+Real value_of(std::size_t function, const Real& x, const Real& y) {
+  const std::size_t functions = function_table().size();
+  if (function < functions) return interpreter::call(function_table()[function].id, x, y);
+  if (function == functions) return x + y;
+  if (function == functions + 1) return x - y;
+  if (function == functions + 2) return x * y;
+  return function == functions + 3 ? x / y : sqrt(x);
+}
+
+/// max(|f|, |x f'|), by a difference.
+Real size_of(const Call& call, const Real& value) {
+  static const Real part(cln::expt(cln::cl_RA(10), -20));
+  const Real x = exact(call.x);
+  const Real slope =
+      abs((value_of(call.function, x * (Real(1) - part), exact(call.y)) - value) / part);
+  return slope > abs(value) ? slope : abs(value);
+}
+
+/// Values as wide.cpp prints them.
+std::vector<Parts> values_in(const std::string& output) {
+  std::vector<Parts> values;
+  std::istringstream lines(output);
+  std::string high;
+  std::string low;
+  while (lines >> high >> low) {
+    values.push_back({std::strtod(high.c_str(), nullptr), std::strtod(low.c_str(), nullptr)});
+  }
+  return values;
+}
+
+std::string name_of_call(std::size_t function) {
+  const std::size_t functions = function_table().size();
+  if (function < functions) return std::string(function_table()[function].name);
+  return std::array<const char*, operations>{"+", "-", "*", "/", "sqrt"}[function - functions];
+}
+
+/// The calls whose value is further off than 1e-29 of max(|f|, |x f'|), and the smallest denormal.
+std::string wrong(const std::vector<Call>& all, const std::vector<Parts>& values) {
+  static const Real tolerance(cln::expt(cln::cl_RA(10), -29));
+  static const Real denormal(exact_value(0x1p-1070));
+  std::string text;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Real truth = value_of(all[i].function, exact(all[i].x), exact(all[i].y));
+    const bool is_finite = std::isfinite(values[i].high);
+    const bool is_far = !truth.is_defined() || abs(truth) > Real(exact_value(0x1p1000));
+    if (is_far ? true
+               : is_finite && abs(exact(values[i]) - truth) <=
+                                  tolerance * size_of(all[i], truth) + denormal) {
+      continue;
+    }
+    text += name_of_call(all[i].function) + " of " + std::to_string(all[i].x.high) + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("double-double has 29 digits however it is compiled") {
+  const std::string compiler = GENERATE("g++", "clang++");
+  const std::string flags = GENERATE("-O0", "-O2", "-O3 -march=native");
+  const std::string joining = GENERATE("", " -ffp-contract=fast", " -ffp-contract=off");
+  const Wide wide;
+  const test::Outcome built = wide.compiled(compiler, flags + joining);
+  INFO(compiler << " " << flags << joining << "\n" << built.errors);
+  REQUIRE(built.status == 0);
+  const std::vector<Call> all = calls();
+  std::ostringstream lines;
+  lines << std::hexfloat;
+  for (const Call& call : all) {
+    lines << call.function << " " << call.x.high << " " << call.x.low << " " << call.y.high << " "
+          << call.y.low << "\n";
+  }
+  wide.write("arguments", lines.str());
+  const test::Outcome run = wide.run("./program < arguments");
+  CHECK(run.status == 0);  // pairs and products of the caller
+  const std::vector<Parts> values = values_in(run.output);
+  REQUIRE(values.size() == all.size());
+  CHECK(wrong(all, values).empty());
+}
+
+TEST_CASE("fast-math and its parts are refused by double-double without a way out") {
+  const Wide wide;
+  const std::string flags =
+      GENERATE("-ffast-math", "-Ofast", "-funsafe-math-optimizations",
+               "-fassociative-math -fno-signed-zeros -fno-trapping-math", "-freciprocal-math");
+  const auto is_refused = [&](const std::string& compiler) {
+    const test::Outcome built =
+        wide.compiled(compiler, flags + " -DELGEN_ALLOW_FAST_MATH -fsyntax-only");
+    INFO(compiler << " " << flags << "\n" << built.errors);
+    CHECK((built.status != 0) ==
+          mentions(built.errors, "fast-math takes apart how sums are split"));
+    return built.status != 0;
+  };
+  CHECK(is_refused("g++"));
+  // clang has no macro for parts of fast-math; there sums are split as they are without.
+  CHECK(is_refused("clang++") == (flags == "-ffast-math" || flags == "-Ofast"));
+}
+
+TEST_CASE("parts of fast-math that clang does not tell of change no digit of double-double") {
+  const Wide wide;
+  const std::string flags = "-O3 -march=native -funsafe-math-optimizations -ffp-contract=fast";
+  REQUIRE(wide.compiled("clang++", flags).status == 0);
+  wide.write("arguments", "20 0x1p+0 0x1p-60 -0x1p+0 0x1p-100\n");
+  const std::vector<Parts> values = values_in(wide.run("./program < arguments").output);
+  REQUIRE(values.size() == 1);
+  CHECK(values.front().high == 0x1p-60 + 0x1p-100);
+}
+
+TEST_CASE("excess precision is refused by double-double") {
+  const Wide wide;
+  const auto is_refused = [&](const std::string& method) {
+    const test::Outcome built = wide.compiled(
+        GENERATE("g++", "clang++"), "-U__FLT_EVAL_METHOD__ -D__FLT_EVAL_METHOD__=" + method +
+                                        " -Wno-builtin-macro-redefined -fsyntax-only");
+    CHECK((built.status != 0) == mentions(built.errors, "excess precision undoes how sums"));
+    return built.status != 0;
+  };
+  for (const char* const method : {"-1", "1", "2"}) CHECK(is_refused(method));
+  for (const char* const method : {"0", "16"}) CHECK_FALSE(is_refused(method));
+}
+
+TEST_CASE("arguments are widened, results rounded, in the scalar that the scene names") {
+  testing::Subject subject = testing::cart_pole();
+  const auto text = [&subject](InnerScalar inner) {
+    subject.scene.numerics.inner = inner;
+    return wide_header(
+        emission_input(subject.model, subject.scene, subject.program, {subject.program}));
+  };
+  const std::string in_long_double = text(InnerScalar::long_double);
+  CHECK(mentions(in_long_double, "using Inner = long double;\n"));
+  CHECK_FALSE(mentions(in_long_double, "DoubleDouble"));
+  const std::string wide = text(InnerScalar::double_double);
+  CHECK(mentions(wide, "using Inner = detail::DoubleDouble;\n"));
+  CHECK(mentions(wide, "  const auto values = cart_pole::forward_dynamics<Inner>("));
+  CHECK(mentions(wide,
+                 "  return {detail::rounded(values.acceleration),\n"
+                 "          detail::rounded(values.relative_pivots)};\n"));
+}
+
+TEST_CASE("names of the header in a wider scalar are E701") {
+  testing::Subject subject = testing::cart_pole();
+  CHECK(wide_check_names(subject.model, subject.scene, subject.program).empty());
+  subject.program.functions[0].name = "wide";
+  subject.program.functions[4].name = "inner";
+  CHECK(wide_check_names(subject.model, subject.scene, subject.program).size() == 2);
+}
