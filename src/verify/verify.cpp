@@ -155,11 +155,13 @@ std::vector<CertificateRow> sampled_zeros(const Program& program) {
   return rows;
 }
 
-/// The language's own header as users compile it; null where there is none.
-const CompiledModel* users_code(const CompiledHeaders& compiled) {
+/// The header of one state as users compile it, the language's own or that in a wider scalar; null
+/// where there is none, or not for this scalar.
+const CompiledModel* users_code(const CompiledHeaders& compiled, bool is_wide, ScalarKind scalar) {
   for (const CompiledHeader& header : compiled) {
-    const bool is_own = !header.in_packs && !header.is_wide;
-    if (header.build == Build::as_users && is_own) return header.functions.get();
+    const bool is_sought = !header.in_packs && header.is_wide == is_wide;
+    if (header.build != Build::as_users || !is_sought || header.functions == nullptr) continue;
+    return header.functions->has(scalar) ? header.functions.get() : nullptr;
   }
   return nullptr;
 }
@@ -206,12 +208,11 @@ Verification verify(const Model& model, const Scene& scene, const Program& progr
   auto floats = states_for<float>(subject, options);
   const std::string one_sided_kinks = add_sides(subject, options, doubles);
   (void)add_sides(subject, options, floats);
-  const CompiledModel* const as_users = users_code(compiled);
   const auto accuracy = [&](ScalarKind scalar) {
-    const bool has = as_users != nullptr && as_users->has(scalar);
     VisitOptions visit{comparison_for(model, options)};
     visit.losing = options.extremes ? Losing::everywhere : Losing::inside_ranges;
-    visit.as_users = has ? as_users : nullptr;
+    visit.as_users = users_code(compiled, false, scalar);
+    visit.wide = users_code(compiled, true, scalar);
     return AccuracyOptions{visit, options.on_step, options.jobs};
   };
 

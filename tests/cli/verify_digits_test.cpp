@@ -29,6 +29,29 @@ TEST_CASE("right code that cancels where digits end is no failure") {
   }
 }
 
+TEST_CASE("functions of doubles in a wider scalar have all digits") {
+  const Workspace workspace;
+  workspace.write("rod.toml",
+                  "format = 1\n[model]\nname = \"rod\"\n[[coordinate]]\nname = \"x\"\n"
+                  "range = [-30, 30]\n[parameters]\nk = { value = 3.0, assume = \"positive\" }\n"
+                  "r = { value = 0.5, assume = \"positive\" }\n[energy]\nT = \"1/2*dot(x)^2\"\n"
+                  "V = \"k*log((x + sqrt(x^2 + r^2))/r)\"\n");
+  workspace.write("cubic.toml",
+                  "format = 1\n[model]\nname = \"cubic\"\n[[coordinate]]\nname = \"x\"\n"
+                  "range = [0.01, 3]\n[energy]\nT = \"1/2*dot(x)^2\"\n"
+                  "V = \"(tan(x/2) - sin(x)/2)/x + sinc(x) - cosc(x)\"\n");
+  const std::string inner = GENERATE("long double", "double-double");
+  for (const std::string name : {"rod", "cubic"}) {
+    workspace.write(name + ".scene.toml", "format = 1\nmodel = \"" + name +
+                                              ".toml\"\nname = \"wide\"\n[numeric]\ninner = \"" +
+                                              inner + "\"\n");
+    const Outcome outcome = workspace.run("elgen verify --samples 16 " + name + ".scene.toml");
+    INFO(outcome.output + outcome.errors);
+    CHECK(outcome.status == 0);
+    CHECK(mentions(outcome.output, "  holds    in " + inner));
+  }
+}
+
 TEST_CASE("where no more digits are to be had, the oracle cannot say, and states are counted") {
   const Workspace workspace;
   // 1 - cos(x) takes 300 digits, pi has 200.

@@ -4,6 +4,10 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "verify/changed_code.hpp"
 #include "verify/systems.hpp"
@@ -68,6 +72,52 @@ CertificateRow row_with(const std::function<double(double)>& change, const Sampl
   const auto states = sample_states<Scalar>(system.subject(), sampling);
   for (CertificateRow& row : check_accuracy(system.subject(), states, options)) {
     if (row.check == "as users compile") return std::move(row);
+  }
+  FAIL("no such row");
+  return {};
+}
+
+/// Code that computes in long double, with what `change` makes of the first entry of its bias.
+class InLongDouble final : public CompiledModel {
+ public:
+  InLongDouble(const Program& program, std::function<double(double)> change)
+      : program_(program), change_(std::move(change)) {}
+
+  [[nodiscard]] DriverFunction<double> find(std::string_view) const override { return nullptr; }
+  [[nodiscard]] std::vector<double> call(std::string_view name,
+                                         const Arguments<double>& arguments) const override {
+    std::vector<double> values;
+    for (const Function& function : program_.functions) {
+      if (function.name != name) continue;
+      const auto wide = map_leaves([](double x) { return static_cast<long double>(x); }, arguments);
+      for (const long double x : evaluate(program_, function, wide)) {
+        values.push_back(static_cast<double>(x));
+      }
+    }
+    if (name == "bias") values.at(0) = change_(values.at(0));
+    return values;
+  }
+  [[nodiscard]] std::vector<float> call(std::string_view, const Arguments<float>&) const override {
+    return {};
+  }
+  [[nodiscard]] bool has(ScalarKind scalar) const override {
+    return scalar == ScalarKind::double_precision;
+  }
+
+ private:
+  const Program& program_;
+  std::function<double(double)> change_;
+};
+
+CertificateRow wide_row(const std::function<double(double)>& change, bool extremes) {
+  System system = cart_pole_system();
+  system.scene.numerics.inner = InnerScalar::long_double;
+  const InLongDouble code(system.program, change);
+  AccuracyOptions options;
+  options.visit.wide = &code;
+  const auto states = sample_states<double>(system.subject(), {8, 1, extremes});
+  for (CertificateRow& row : check_accuracy(system.subject(), states, options)) {
+    if (row.check == "in long double") return std::move(row);
   }
   FAIL("no such row");
   return {};
@@ -192,6 +242,20 @@ TEST_CASE("code that gives no entries fails") {
   const CertificateRow row = check_accuracy(system.subject(), states, options).back();
   CHECK(row.verdict == Verdict::fails);
   CHECK(row.worst.find("entry 1 is nan instead of ") != std::string::npos);
+}
+
+TEST_CASE("code in a wider scalar is off by one rounding of exact values") {
+  const auto same = [](double x) { return x; };
+  const CertificateRow row = wide_row(same, true);
+  INFO(row.worst << " at " << row.where);
+  CHECK(row.verdict == Verdict::holds);
+  CHECK(row.subject == "all outputs (double)");
+  CHECK(row.worst.find("21 outputs within ") == 0);
+  const auto next = [](double x) { return std::nextafter(std::nextafter(x, 1e9), 1e9); };
+  const CertificateRow wrong = wide_row(next, false);
+  CHECK(wrong.verdict == Verdict::fails);
+  CHECK(wrong.worst.find("bias (double): entry 1 is ") == 0);
+  CHECK(wrong.worst.find(" of what is allowed apart") != std::string::npos);
 }
 
 TEST_CASE("the square of what cancels to 0 may round to the square of its error") {

@@ -1,6 +1,7 @@
 // promised_errors: rows of the certificate of a scene that says how far its outputs may be off.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,15 +18,17 @@ struct PromisedCode {
   const CompiledModel* functions;
 };
 
-/// The same bits in other types and builds say nothing new; contracted ones differ.
+/// The same bits in other types and builds say nothing new; contracted ones differ. Where the scene
+/// has a wider scalar, the promise is that of its header.
 std::vector<PromisedCode> codes_of(const CompiledHeaders& compiled) {
+  const bool has_wide = std::ranges::any_of(compiled, &CompiledHeader::is_wide);
   std::vector<PromisedCode> codes;
   for (const CompiledHeader& header : compiled) {
-    if (!header.functions) continue;
-    const bool is_own = header.types.empty() || header.in_packs;
+    if (!header.functions || header.is_wide != has_wide) continue;
+    const bool is_own = header.types.empty() || header.in_packs || header.is_wide;
     const bool is_written = header.build == Build::as_written;
     if (is_own && is_written) codes.push_back({header.types, header.functions.get()});
-    const bool is_users = header.build == Build::as_users && header.types.empty();
+    const bool is_users = header.build == Build::as_users && !header.in_packs;
     if (is_users) codes.push_back({"as users compile", header.functions.get()});
   }
   return codes;

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "elgen/outputs.hpp"
 #include "elgen/scalars.hpp"
@@ -86,51 +87,80 @@ CertificateRow row_of(const FieldRecord& record, std::string_view scalar,
   return row;
 }
 
+/// A check of compiled code, and its words.
+struct CodeCheck {
+  std::string check = {};
+  std::string formula = {};
+  std::string unit = {};
+  double most = 0;
+  std::string tolerance = {};
+};
+
 /// As users compile: the code with optimisation, the machine's own instructions and contraction,
-/// which rounds otherwise than what is written. Of all fields, the largest distance from the
-/// program, and whose it is.
-class AsUsersRecord {
+/// which rounds otherwise than what is written.
+CodeCheck users_check() {
+  return {
+      "as users compile", "|x_users - x| / (u E); x_users of -O3 -march=native, contraction on",
+      "u E", most_of_users,
+      fmt::format("{} u E + N eta, E the running error: each of both rounds once where E counts "
+                  "a rounding",
+                  most_of_users)};
+}
+
+CodeCheck wide_check(InnerScalar inner) {
+  const InnerRow& row = inner_row(inner);
+  return {fmt::format("in {}", row.name),
+          "|x_wide - x*| / (u |x*| + 16 u' E); x_wide of -O3 -march=native, contraction on",
+          "of what is allowed", most_of_wide,
+          fmt::format("{}, and N eta: x* rounded to double, before that roundings of u' = {:.2g} "
+                      "where E, the running error, counts one",
+                      most_of_wide, row.roundoff)};
+}
+
+/// Of all fields, the largest distance from what a check of code compares with, and whose it is.
+class CodeRecord {
  public:
+  explicit CodeRecord(CodeCheck check) : check_(std::move(check)) {}
+
   /// `field`: "forward_dynamics.acceleration (double)"; `at` is the number of the state.
-  void add(const std::string& field, const Finding& finding, const State& state, std::size_t at) {
-    if (!finding.users_error) return;
+  void add(const std::string& field, const CodeFinding& finding, const State& state,
+           std::size_t at) {
+    if (!finding.error) return;
     states_.insert(at);
     fields_.insert(field);
-    if (!errors_.add(*finding.users_error, state)) return;
+    if (!errors_.add(*finding.error, state)) return;
     worst_ = field;
-    mistake_ = finding.users_mistake;
+    mistake_ = finding.mistake;
   }
 
   /// One row for all fields of a scalar.
   [[nodiscard]] CertificateRow row(const Subject& subject, std::string_view scalar) const;
 
  private:
-  Tally errors_ = {};  ///< in u E
+  CodeCheck check_;
+  Tally errors_ = {};  ///< in its unit
   std::set<std::string> fields_ = {};
   std::set<std::size_t> states_ = {};
   std::string worst_ = {};  ///< the field of the largest
   std::string mistake_ = {};
 };
 
-CertificateRow AsUsersRecord::row(const Subject& subject, std::string_view scalar) const {
+CertificateRow CodeRecord::row(const Subject& subject, std::string_view scalar) const {
   CertificateRow row;
-  row.check = "as users compile";
-  row.output = row.check;
+  row.check = row.output = check_.check;
   row.subject = fmt::format("all outputs ({})", scalar);
-  row.formula = "|x_users - x| / (u E); x_users of -O3 -march=native, contraction on";
-  errors_.tell(row, subject, most_of_users);
+  row.formula = check_.formula;
+  errors_.tell(row, subject, check_.most);
   row.samples = states_.size();
-  row.tolerance = fmt::format(
-      "{} u E + N eta, E the running error: each of both rounds once where E counts a rounding",
-      most_of_users);
+  row.tolerance = check_.tolerance;
   if (row.samples == 0) {
     row.worst = "no state to compare at";
     return row;
   }
+  const std::string figure = fmt::format("{:.2g} {}", errors_.worst(), check_.unit);
   row.worst = row.verdict != Verdict::holds
-                  ? fmt::format("{}: {}", worst_, mistake_)
-                  : fmt::format("{} outputs within {:.2g} u E; most in {}", fields_.size(),
-                                errors_.worst(), worst_);
+                  ? fmt::format("{}: {}, {} apart", worst_, mistake_, figure)
+                  : fmt::format("{} outputs within {}; most in {}", fields_.size(), figure, worst_);
   return row;
 }
 
@@ -209,7 +239,8 @@ std::vector<CertificateRow> rows_at(const Subject& subject,
   constexpr std::string_view scalar = name_of(scalar_kind<Scalar>);
   std::vector<FieldRecord> records;
   for (FieldPlace& place : field_places(subject)) records.push_back({std::move(place)});
-  AsUsersRecord as_users;
+  CodeRecord as_users(users_check());
+  CodeRecord wide(wide_check(subject.scene.numerics.inner));
   std::map<const Function*, LostDigits> losses;
   visit_all(subject, states, options, [&](std::size_t i, const Findings& findings) {
     const State state = exact_state(subject, states[i].values);
@@ -218,7 +249,8 @@ std::vector<CertificateRow> rows_at(const Subject& subject,
       FieldRecord& record = records[k];
       add(record, *findings[k], subject, state);
       losses[record.place.function].add(record.place, *findings[k], subject, state, i);
-      as_users.add(subject_of(record.place, scalar), *findings[k], state, i);
+      as_users.add(subject_of(record.place, scalar), findings[k]->users, state, i);
+      wide.add(subject_of(record.place, scalar), findings[k]->wide, state, i);
     }
   });
   std::vector<CertificateRow> rows;
@@ -226,6 +258,7 @@ std::vector<CertificateRow> rows_at(const Subject& subject,
     rows.push_back(row_of(record, scalar, options));
   }
   if (options.visit.as_users != nullptr) rows.push_back(as_users.row(subject, scalar));
+  if (options.visit.wide != nullptr) rows.push_back(wide.row(subject, scalar));
   for (const Function& function : subject.program.functions) {
     const LostDigits& lost = losses[&function];
     if (lost.is_empty()) continue;

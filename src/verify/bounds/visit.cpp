@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "elgen/outputs.hpp"
+#include "elgen/scalars.hpp"
 #include "numbers/more_digits.hpp"
 #include "verify/bounds/projection.hpp"
 
@@ -90,6 +92,9 @@ void Visit<Scalar>::run(const FieldPlace& place) {
   function_ = place.function;
   exact_ = &exact_run_of(*function_);
   values_ = evaluate(subject_.program, *function_, sample_.values);
+  if (options_.wide != nullptr) {
+    wide_values_ = options_.wide->call(function_->name, sample_.values);
+  }
   if (options_.as_users == nullptr) return;
   users_values_ = options_.as_users->call(function_->name, sample_.values);
   users_values_.resize(values_.size(), std::numeric_limits<Scalar>::quiet_NaN());
@@ -171,22 +176,44 @@ void Visit<Scalar>::measure(const FieldPlace& place, Finding& finding) const {
 }
 
 template <class Scalar>
-void Visit<Scalar>::measure_users(const FieldPlace& place, Finding& finding) const {
+template <class Judge>
+CodeFinding Visit<Scalar>::judged(const FieldPlace& place, const std::vector<Scalar>& values,
+                                  double most, const Judge& judge) const {
   const std::size_t operations = place.function->instructions.size();
-  double largest = 0;
+  CodeFinding finding{0.0, {}};
   for (std::size_t i = 0; i < place.field().entries.size(); ++i) {
-    const Scalar x = values_[place.first + i];
-    const Scalar users = users_values_[place.first + i];
-    const Real own(exact_value(static_cast<double>(x)));
-    const Real error = excess_error(users, own, operations, rounding<Scalar>());
-    const double figure = in_roundoffs(error, exact(place, i).error, rounding<Scalar>());
-    if (figure <= largest) continue;
-    largest = figure;
-    if (figure <= most_of_users) continue;
-    finding.users_mistake = fmt::format("entry {} is {:.17g} instead of {:.17g}, {:.2g} u E apart",
-                                        i + 1, users, x, figure);
+    const Scalar x = values[place.first + i];
+    const auto [reference, size] = judge(i);
+    const Real error = excess_error(x, reference, operations, rounding<Scalar>());
+    const double figure = in_roundoffs(error, size, rounding<Scalar>());
+    if (figure <= *finding.error) continue;
+    finding.error = figure;
+    if (figure <= most) continue;
+    finding.mistake = fmt::format("entry {} is {:.17g} instead of {:.17g}", i + 1, x,
+                                  ScalarTraits<Scalar>::from_real(reference.value()));
   }
-  finding.users_error = largest;
+  return finding;
+}
+
+template <class Scalar>
+CodeFinding Visit<Scalar>::judged_users(const FieldPlace& place) const {
+  if (options_.as_users == nullptr) return {};
+  return judged(place, users_values_, most_of_users, [&](std::size_t i) {
+    const Real own(exact_value(static_cast<double>(values_[place.first + i])));
+    return std::pair(own, exact(place, i).error);
+  });
+}
+
+template <class Scalar>
+CodeFinding Visit<Scalar>::judged_wide(const FieldPlace& place) const {
+  if (wide_values_.empty()) return {};
+  const double ratio = inner_row(subject_.scene.numerics.inner).roundoff /
+                       ScalarTraits<double>::from_real(rounding<Scalar>().roundoff.value());
+  const Real share(exact_value(most_of_users * ratio));
+  return judged(place, wide_values_, most_of_wide, [&](std::size_t i) {
+    const Running<Real>& truth = exact(place, i);
+    return std::pair(truth.value, abs(truth.value) + share * truth.error);
+  });
 }
 
 /// Exact values have 60 digits of E: values and errors that are no larger than what is left out of
@@ -259,7 +286,9 @@ auto Visit<Scalar>::found(const FieldPlace& place, Sampler& draw) -> Look {
   if (has_values(exact_->regime) && may_lose(place)) finding.loss = measured_loss(place);
   if (finding.regime != Regime::regular) return look;
   measure(place, finding);
-  if (finding.mistake.empty() && options_.as_users != nullptr) measure_users(place, finding);
+  if (!finding.mistake.empty()) return look;
+  finding.users = judged_users(place);
+  finding.wide = judged_wide(place);
   return look;
 }
 

@@ -25,10 +25,24 @@ namespace elgen {
 /// N operations, eta the smallest denormal. Functions of a library are off by up to 4 u.
 inline constexpr double most_of_users = 16;
 
+/// Code in a wider scalar, of which u' is half the epsilon, rounds once to the scalar; before that
+/// its roundings are those of E:
+///
+///     |x_wide - x*| <= u |x*| + 16 u' E + N eta
+///
+/// The figure is the quotient of both sides, without N eta.
+inline constexpr double most_of_wide = 1;
+
 /// How exact values are compared with the oracle's.
 enum class Comparison : std::uint8_t {
   entries,      ///< each of them
   projections,  ///< one random contraction of a field, at the cost of a few evaluations of energies
+};
+
+/// How far compiled code is off, in the units of its check.
+struct CodeFinding {
+  std::optional<double> error = {};  ///< the largest of the entries, where there is such code
+  std::string mistake = {};          ///< an entry that is further off than the check allows
 };
 
 /// The result of one state for one field.
@@ -38,8 +52,8 @@ struct Finding {
   std::string mistake = {};         ///< an exact value that is not the oracle's, or no number
   std::vector<double> errors = {};  ///< of entries that are not 0, in ulp; of remainders in u E
   std::optional<Loss> loss = {};    ///< none where it is not asked for, or cannot be told
-  std::optional<double> users_error = {};  ///< |x_users - x| in u E, where there is such code
-  std::string users_mistake = {};          ///< an entry that is further off than 16
+  CodeFinding users = {};           ///< |x_users - x| in u E
+  CodeFinding wide = {};            ///< |x_wide - x*| / (u |x*| + 16 u' E)
 };
 
 /// The states at which losses are measured.
@@ -51,6 +65,7 @@ struct VisitOptions {
   Losing losing = Losing::nowhere;          ///< where losses are looked at
   double least_loss = 0;                    ///< no smaller one is told, for R takes time
   const CompiledModel* as_users = nullptr;  ///< compared with the program; has the scalar
+  const CompiledModel* wide = nullptr;      ///< compared with exact values; has the scalar
 };
 
 /// Scalar: double or float.
@@ -84,7 +99,12 @@ class Visit {
   [[nodiscard]] Mismatch differing_from(const FieldPlace& place, const Function& other,
                                         std::size_t first, std::string_view name);
   void measure(const FieldPlace& place, Finding& finding) const;
-  void measure_users(const FieldPlace& place, Finding& finding) const;
+  /// `judge`: what entry i has to be, and the size that its error is measured in, times u.
+  template <class Judge>
+  [[nodiscard]] CodeFinding judged(const FieldPlace& place, const std::vector<Scalar>& values,
+                                   double most, const Judge& judge) const;
+  [[nodiscard]] CodeFinding judged_users(const FieldPlace& place) const;
+  [[nodiscard]] CodeFinding judged_wide(const FieldPlace& place) const;
   /// None where an entry has no exact value.
   [[nodiscard]] std::optional<Loss> measured_loss(const FieldPlace& place);
   [[nodiscard]] bool may_lose(const FieldPlace& place) const;
@@ -104,6 +124,7 @@ class Visit {
   const ExactRun* exact_ = nullptr;
   std::vector<Scalar> values_ = {};
   std::vector<Scalar> users_values_ = {};  ///< of the code as users compile it
+  std::vector<Scalar> wide_values_ = {};   ///< of code in a wider scalar; empty where it lacks it
 };
 
 /// The work of a state: instructions, and the oracle's exact solution of constrained equations.

@@ -22,9 +22,10 @@ namespace {
 /// Calls `pass` with every member, one after another.
 template <class AnyFinding, class Pass>
 void each_member(AnyFinding& finding, const Pass& pass) {
-  auto& [regime, is_compared, mistake, errors, loss, users_error, users_mistake] = finding;
+  auto& [regime, is_compared, mistake, errors, loss, users, wide] = finding;
   const auto all = [&pass](auto&... members) { (pass(members), ...); };
-  all(regime, is_compared, mistake, errors, loss, users_error, users_mistake);
+  all(regime, is_compared, mistake, errors, loss, users.error, users.mistake, wide.error,
+      wide.mistake);
 }
 
 /// Findings of one state after another, as the bytes in memory. Processes that are forked write,
