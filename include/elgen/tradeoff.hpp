@@ -39,11 +39,12 @@ struct DesignBase {
 struct Design {
   ScalarKind scalar = ScalarKind::double_precision;  ///< or float
   bool in_packs = false;
-  std::string trigonometry = {};        ///< max_error of polynomials; "": as accurate as the scalar
-  bool is_fixed = false;                ///< every parameter is a number
-  std::string order = {};               ///< of an expansion, or "exact": nothing is approximated
-  std::optional<ChosenStep> step = {};  ///< in the place of the output
-  std::string doc = {};                 ///< of the scene
+  std::string trigonometry = {};  ///< max_error of polynomials; "": as accurate as the scalar
+  bool is_fixed = false;          ///< every parameter is a number
+  InnerScalar inner = InnerScalar::same;  ///< of one state in double
+  std::string order = {};                 ///< of an expansion, or "exact": nothing is approximated
+  std::optional<ChosenStep> step = {};    ///< in the place of the output
+  std::string doc = {};                   ///< of the scene
   friend bool operator==(const Design&, const Design&) = default;
 };
 
@@ -93,7 +94,7 @@ struct TradeoffPlan {
 [[nodiscard]] std::string scene_text(const DesignBase& base, const Design& design,
                                      const std::string& model_path);
 
-/// The common part of designs that are derived alike: all but scalar, packs and their sines.
+/// The common part of designs that are derived alike: all but scalars, packs and their sines.
 [[nodiscard]] Design derivation_of(const Design& design);
 
 /// A number to 32 digits: high + low.

@@ -174,8 +174,10 @@ void add_subject(CLI::App& command, TradeoffOptions& options) {
       ->type_name("OUTPUT")
       ->excludes(time);
   command
-      .add_option("--dimensions", options.choices.more,
-                  "tried beside the usual ones: order, of an expansion about the start")
+      .add_option(
+          "--dimensions", options.choices.more,
+          "tried beside the usual ones: inner, a wider scalar between doubles; order, of an "
+          "expansion about the start")
       ->type_name("LIST")
       ->delimiter(',')
       ->allow_extra_args(false)

@@ -9,6 +9,8 @@
 //         scatter(values, i, count, result);
 //       }
 //     }
+//
+// A header in a wider scalar has emitted::wide::inverse_dynamics.
 #include <fmt/format.h>
 
 #include "elgen/artifacts.hpp"
@@ -57,7 +59,7 @@ constexpr std::string_view one_by_one = R"(template <class Scalar>
 void one_by_one(std::size_t count, {leaves}Scalar* result) {{
   const auto& p = model_parameters<Scalar>();
   for (std::size_t i = 0; i < count; ++i) {{
-    const auto values = emitted::{function}<Scalar>({arguments});
+    const auto values = emitted::{function}({arguments});
 {stores}  }}
 }}
 
@@ -149,7 +151,9 @@ std::string declared(std::string_view scalar, std::string_view attribute = "") {
 }
 
 std::string prologue_of(const Scene& scene) {
-  const ArtifactId header = scene.emission.batch ? ArtifactId::batch : ArtifactId::cpp;
+  const bool is_wide = scene.numerics.inner != InnerScalar::same;
+  const ArtifactId own = is_wide ? ArtifactId::wide : ArtifactId::cpp;
+  const ArtifactId header = scene.emission.batch ? ArtifactId::batch : own;
   return fmt::format(timing_prologue, fmt::arg("header", path_of(scene, header)),
                      fmt::arg("name_space", name_space(scene)));
 }
@@ -177,8 +181,11 @@ std::string state_by_state(const DriverInput& input, const Function& function) {
   for (const Opcode argument : arguments_of(input.model, function)) {
     arguments.push_back(gathered(argument));
   }
+  const bool is_wide = input.scene.numerics.inner != InnerScalar::same;
+  const std::string callee =
+      is_wide ? "wide::" + function.name : fmt::format("{}<Scalar>", function.name);
   return fmt::format(one_by_one, fmt::arg("leaves", declared("Scalar", "[[maybe_unused]] ")),
-                     fmt::arg("function", function.name),
+                     fmt::arg("function", callee),
                      fmt::arg("arguments", fmt::join(arguments, ",\n        ")),
                      fmt::arg("stores", stores(function)));
 }

@@ -52,6 +52,25 @@ class Base : public Workspace {
 
 }  // namespace
 
+TEST_CASE("a wider scalar between doubles has all digits, whatever M is") {
+  const Workspace workspace;
+  workspace.write("far.scene.toml",
+                  "format = 1\nmodel = \"" + models +
+                      "/two_link_arm.toml\"\nname = \"far\"\n[outputs]\nforward_dynamics = true\n"
+                      "[parameters]\nfixed = { c2 = 3.5e5 }\n");
+  const nlohmann::json table = table_in(workspace.run(
+      "elgen tradeoff --as json --scalar double --batch one --parameters arguments "
+      "--dimensions inner --max-error 1e-15 --write-scene wide.scene.toml far.scene.toml"));
+  REQUIRE(table["designs"].size() == 3);
+  for (const auto& design : table["designs"]) {
+    const bool is_right = design["error"]["worst"] < 1e-15;
+    const std::string inner = design["design"]["inner"];
+    if (inner != "long double") CHECK(is_right == (inner == "double-double"));
+  }
+  CHECK(mentions(workspace.read("wide.scene.toml"), "inner = \"double-double\"\n"));
+  CHECK(workspace.run("elgen verify --samples 8 wide.scene.toml").status == 0);
+}
+
 TEST_CASE("a model gives ten designs, and the scene of the one chosen is as good under verify") {
   const Workspace workspace;
   const Outcome outcome = workspace.run(

@@ -79,6 +79,7 @@ class DesignRuns {
       if (row->design.in_packs) timing.variants.push_back({row->design.scalar, true, true});
     }
     if (scene.numerics.scalars.empty()) scene.numerics.scalars = {timing.variants.front().scalar};
+    scene.numerics.inner = piece.rows.front()->design.inner;
     const Model& model = products.checked->model;
     const Result<EmittedFiles> files = emit(model, scene, *products.program, {});
     if (!files) return files.diagnostics;
@@ -179,7 +180,8 @@ class DesignBench {
     std::map<std::string, Workpiece> pieces;
     for (TradeoffRow& row : table_.rows) {
       const Design& design = row.design;
-      const std::string key = runs_.text_of(derivation_of(design)) + design.trigonometry;
+      std::string key = runs_.text_of(derivation_of(design)) + design.trigonometry;
+      if (design.inner != InnerScalar::same) key += inner_row(design.inner).name;
       pieces[key].rows.push_back(&row);
     }
     return pieces;

@@ -36,6 +36,8 @@ constexpr std::array dimension_rows{
                  "try sines of this accuracy alone"},
     DimensionRow{"parameters", "parameters", "fixed", false,
                  "try parameters as arguments, or fixed, alone"},
+    DimensionRow{"inner", "numeric", "inner", true,
+                 "try this scalar between arguments and results in double alone"},
     DimensionRow{"order", "approximate", "order", true, "try this order of an expansion alone"}};
 
 /// A value of a dimension, and whether a scene that has the key leaves it open.
@@ -52,6 +54,12 @@ bool has_scalar(const CheckedModel& base, ScalarKind scalar) {
 
 bool has_order(const CheckedModel& base, std::uint32_t order) {
   return base.model.approximation && base.model.approximation->order == order;
+}
+
+template <InnerScalar inner>
+constexpr ValueRow inner_value_row() {
+  return {"inner", inner_row(inner).name, [](Design& d) { d.inner = inner; },
+          [](const CheckedModel& base) { return base.scene.numerics.inner == inner; }};
 }
 
 constexpr std::array value_rows{
@@ -78,6 +86,9 @@ constexpr std::array value_rows{
              }},
     ValueRow{"parameters", "fixed", [](Design& d) { d.is_fixed = true; },
              [](const CheckedModel&) { return true; }},
+    inner_value_row<InnerScalar::same>(),
+    inner_value_row<InnerScalar::long_double>(),
+    inner_value_row<InnerScalar::double_double>(),
     ValueRow{"order", "exact", [](Design& d) { d.order = "exact"; },
              [](const CheckedModel& base) { return !base.model.approximation; }},
     ValueRow{"order", "3", [](Design& d) { d.order = "3"; },
@@ -113,6 +124,9 @@ class ExistingDesigns {
     const bool is_float = design.scalar == ScalarKind::single_precision;
     if (is_float && !fits_float_) return "a number of the output is lost in float";
     if (design.is_fixed && !has_parameters_) return "no parameter is left to be fixed";
+    if (design.inner != InnerScalar::same && (is_float || design.in_packs)) {
+      return "a wider scalar is between doubles of one state";
+    }
     if (design.trigonometry.empty()) return "";
     if (!has_sines_) return "the output has no sine and no cosine";
     // A float cannot be as good as 1e-7; and outside of packs there are no polynomials.

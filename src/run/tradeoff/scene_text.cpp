@@ -103,6 +103,7 @@ class DesignText {
     };
     add(std::string(name_of(design_.scalar)));
     add(design_.in_packs ? "packs" : "");
+    add(inner().empty() ? "" : "in_" + word_of(inner()));
     add(word_of(design_.trigonometry));
     add(design_.is_fixed ? "fixed" : "");
     if (!design_.order.empty()) add("order_" + design_.order);
@@ -111,6 +112,12 @@ class DesignText {
       add(std::to_string(design_.step->composed_order));
     }
     return text;
+  }
+
+  /// "" where it computes in its own scalar.
+  [[nodiscard]] std::string inner() const {
+    if (design_.inner == InnerScalar::same) return {};
+    return std::string(inner_row(design_.inner).name);
   }
 
   [[nodiscard]] std::string_view step_name() const {
@@ -179,6 +186,7 @@ class DesignText {
     const std::string& error = design_.trigonometry;
     return {
         line("scalar", fmt::format("[\"{}\"]", name_of(design_.scalar))),
+        line("inner", inner().empty() ? "" : toml_string(inner())),
         line("form", own("numeric", "form")),
         line("prefer", own("numeric", "prefer")),
         line("trigonometry", error.empty() ? "" : fmt::format("{{ max_error = \"{}\" }}", error)),

@@ -65,6 +65,19 @@ TEST_CASE("a dimension that is asked for multiplies the designs") {
   CHECK(has(plan, {"float", "one", "full", "fixed", "3"}));
 }
 
+TEST_CASE("wider scalars are tried of one state in double where they are asked for") {
+  const TradeoffPlan plan = planned(pendulum_text(), "gravity", {.more = {"inner"}});
+  CHECK(plan.dimensions == Texts{"scalar", "batch", "trigonometry", "parameters", "inner"});
+  CHECK(plan.designs.size() == 10 + 4);
+  CHECK(has(plan, {"double", "one", "full", "arguments", "double-double"}));
+  CHECK(has(plan, {"double", "one", "full", "fixed", "long double"}));
+  CHECK_FALSE(has(plan, {"float", "one", "full", "fixed", "double-double"}));
+  CHECK_FALSE(has(plan, {"double", "packs", "full", "fixed", "long double"}));
+  CHECK(refusal(mass, {.pinned = {{"batch", "packs"}, {"inner", "long double"}}}) ==
+        "no design is left by `--batch packs`, `--inner long double`; a wider scalar is between "
+        "doubles of one state");
+}
+
 TEST_CASE("of a pinned dimension one value is tried, in a column that stays") {
   const TradeoffPlan plan =
       planned(pendulum_text(), "gravity", {.pinned = {{"batch", "one"}, {"order", "3"}}});

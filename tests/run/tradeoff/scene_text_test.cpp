@@ -76,6 +76,13 @@ TEST_CASE("what a scene says of anything else stays, in the place of its own cho
   (void)run(text);
 }
 
+TEST_CASE("a design in a wider scalar is a scene with inner") {
+  const std::string text = text_of({.inner = InnerScalar::double_double}, {});
+  CHECK(mentions(text, "_in_doubledouble\"\n"));
+  CHECK(mentions(text, "scalar = [\"double\"]\ninner = \"double-double\"\n"));
+  CHECK(run(text).checked->scene.numerics.inner == InnerScalar::double_double);
+}
+
 TEST_CASE("all parameters are fixed beside those that the scene has fixed at other values") {
   const std::string text = text_of({.is_fixed = true}, "[parameters]\nfixed = { g = \"1/3\" }\n");
   CHECK(mentions(text, "fixed = { m = 2, l = \"sqrt(2)\", g = \"1/3\", k = 1 }"));
