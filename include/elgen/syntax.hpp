@@ -144,6 +144,8 @@ struct EntryRow {
 [[nodiscard]] std::span<const EntryRow> entry_table();
 /// The words that a key of KeyType::choice or choice_list may hold; none of others.
 [[nodiscard]] std::vector<std::string_view> choice_words(const KeyRow& row);
+/// What stands in the place of a word that was one once; empty for any other.
+[[nodiscard]] std::string_view hint_of_former_choice(const KeyRow& row, std::string_view word);
 
 /// Reads a model or a scene file. Errors: E1xx (TOML, keys, types), E3xx (expressions), E9xx
 /// (limits).

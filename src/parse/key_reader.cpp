@@ -159,7 +159,8 @@ void report_choice(const ValueSyntax& value, const std::string& observed, const 
                    FileReading& reading) {
   reading.report(
       Code::E104, value.span,
-      fmt::format("{} where `{}` is expected", observed, fmt::join(choice_words(row), "` or `")));
+      fmt::format("{} where `{}` is expected", observed, fmt::join(choice_words(row), "` or `")),
+      std::string(hint_of_former_choice(row, value.text)));
 }
 
 /// One of the words of the choice table: E104.

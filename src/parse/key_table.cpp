@@ -238,7 +238,6 @@ constexpr auto choice_rows = std::to_array<ChoiceRow>({
     {"scene.numeric", "form", "closed"},
     {"scene.numeric", "form", "recursive"},
     {"scene.numeric", "prefer", "balanced"},
-    {"scene.numeric", "prefer", "accuracy"},
     {"scene.numeric", "prefer", "speed"},
     {"scene.outputs.*", "form", "closed"},
     {"scene.outputs.*", "form", "recursive"},
@@ -251,6 +250,16 @@ constexpr auto choice_rows = std::to_array<ChoiceRow>({
 #include "elgen/languages.def"
 #undef ELGEN_LANGUAGE
 });
+
+/// Words that were choices once: what stands in their place.
+struct FormerChoice {
+  ChoiceRow choice;
+  std::string_view hint;
+};
+
+constexpr std::array former_choices{
+    FormerChoice{{"scene.numeric", "prefer", "accuracy"},
+                 "`inner = \"double-double\"` adds functions that compute in more digits"}};
 
 constexpr bool single = false;
 constexpr bool repeated = true;
@@ -297,6 +306,13 @@ std::vector<std::string_view> choice_words(const KeyRow& row) {
     if (each.entry == row.entry && each.key == row.key) words.push_back(each.word);
   }
   return words;
+}
+
+std::string_view hint_of_former_choice(const KeyRow& row, std::string_view word) {
+  for (const auto& [choice, hint] : former_choices) {
+    if (choice.entry == row.entry && choice.key == row.key && choice.word == word) return hint;
+  }
+  return {};
 }
 
 }  // namespace elgen

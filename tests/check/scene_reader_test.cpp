@@ -106,7 +106,6 @@ TEST_CASE("balance is preferred unless a scene says otherwise") {
   };
   CHECK(preference("") == Preference::balanced);
   CHECK(preference("[numeric]\nprefer = \"balanced\"\n") == Preference::balanced);
-  CHECK(preference("[numeric]\nprefer = \"accuracy\"\n") == Preference::accuracy);
   CHECK(preference("[numeric]\nprefer = \"speed\"\n") == Preference::speed);
 }
 

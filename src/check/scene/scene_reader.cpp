@@ -315,10 +315,8 @@ class SceneReader {
       }
     }
     if (const KeySyntax* prefer = find_key(syntax_, "numeric", "prefer")) {
-      const std::string& word = prefer->value.text;
-      scene_.numerics.prefer = word == "speed"      ? Preference::speed
-                               : word == "accuracy" ? Preference::accuracy
-                                                    : Preference::balanced;
+      const bool is_speed = prefer->value.text == "speed";
+      scene_.numerics.prefer = is_speed ? Preference::speed : Preference::balanced;
     }
     const KeySyntax* scalars = find_key(syntax_, "numeric", "scalar");
     if (scalars == nullptr) {
