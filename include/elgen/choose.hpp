@@ -12,6 +12,7 @@
 // which all is evaluated (choose/finish.hpp).
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,10 +46,17 @@ struct Choice {
   std::vector<FormCosts> costs = {};  ///< parallel to program.functions
 };
 
+/// The criterion between a form that costs more and one that loses digits.
+enum class Priority : std::uint8_t {
+  balance,  ///< a loss of a quarter of the digits is worth a quarter of the cost
+  digits,   ///< a loss of any is worth four times the cost
+};
+
 /// `recursive` is the program the closed forms were made of. E608: a closed form is asked for that
 /// was given up.
 [[nodiscard]] Result<Choice> choose(const Program& recursive, const ClosedForms& forms,
-                                    const Domain& domain, const Scene& scene);
+                                    const Domain& domain, const Scene& scene,
+                                    Priority priority = Priority::balance);
 
 /// V and its derivatives (PotentialEquations) in one form each, for all functions that have them:
 /// with the typed sums whole that keep digits at the zeros of sums, else that cost less. None where
@@ -60,9 +68,10 @@ struct Choice {
 /// The domain of functions that take V and its derivatives as open values behind `first` others.
 [[nodiscard]] Domain with_open_potential(Domain domain, const Program& potential);
 
-/// Puts V and its derivatives in the place of the open values behind those of `choice`: the functions
-/// of `open` that take any of these replace those of `choice`, which are read as they were. All stay
-/// where one would lose digits that it has now, as where V cancels the weight of bodies.
+/// Puts V and its derivatives in the place of the open values behind those of `choice`: the
+/// functions of `open` that take any of these replace those of `choice`, which are read as they
+/// were. All stay where one would lose digits that it has now, as where V cancels the weight of
+/// bodies.
 void put_potential(const Program& potential, const Choice& open, const Domain& domain,
                    Choice& choice);
 

@@ -81,7 +81,6 @@ struct OutputRequest {
 /// The criterion that decides between rewritings.
 enum class Preference : std::uint8_t {
   balanced,  ///< the cheapest, unless another that costs little more keeps many more digits
-  accuracy,  ///< of those that keep as many digits at extremes the cheapest
   speed,     ///< the cheapest
 };
 

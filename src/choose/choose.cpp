@@ -20,37 +20,37 @@ constexpr std::size_t hopeless_ratio = 6;
 /// are lowered whatever it is.
 constexpr std::size_t always_tried = 400;
 
-/// Digits of solutions are worth any cost; those of other outputs, whose recursive form may leave
-/// the noise of rounding in entries that vanish on paper, so many times its own: the mass matrix of
-/// ur5 would cost 4.6 times as much, the derivatives of two_body_plane cost 1.4 times.
-constexpr std::size_t most_for_digits = 4;
-
-/// Where accuracy is not all that counts, a form is dearer by at most a quarter of the other, and
-/// taken where that loses more than a quarter of the digits of double.
+/// A form is dearer by at most a quarter of the other, and taken where that loses more than a
+/// quarter of the digits of double.
 constexpr double most_lost = 8192;
 
-/// 1.25 times.
+/// 1.25 times, and 4 times: V is little beside the functions that it enters.
 constexpr std::size_t quarters_for_balance = 5;
+constexpr std::size_t quarters_for_digits = 16;
 
-bool prefers_accuracy(const Scene& scene) { return scene.numerics.prefer == Preference::accuracy; }
+bool has_float_alone(const Scene& scene) {
+  const std::vector<ScalarKind>& scalars = scene.numerics.scalars;
+  return scalars.size() == 1 && scalars.front() == ScalarKind::single_precision;
+}
+
+/// The loss that a form may have, and what another may cost in its place.
+struct Aim {
+  double tolerated = most_lost;
+  std::size_t most_quarters = quarters_for_balance;
+};
 
 /// Where float is the only scalar, losses that double stands take most of its digits.
-double tolerated_by(const Scene& scene) {
-  const std::vector<ScalarKind>& scalars = scene.numerics.scalars;
-  const bool is_float = scalars.size() == 1 && scalars.front() == ScalarKind::single_precision;
-  return prefers_accuracy(scene) || is_float ? tolerated_loss : most_lost;
+Aim aim_of(const Scene& scene, Priority priority) {
+  if (priority == Priority::digits) return {tolerated_loss, quarters_for_digits};
+  return {has_float_alone(scene) ? tolerated_loss : most_lost};
 }
 
-/// In what solves, small differences of angles divide what they are made of.
+/// In what solves, small differences of angles divide what they are made of: float has no digits
+/// for that.
 Splits splits_for(const Scene& scene, const Function& function) {
-  const bool is_whole = prefers_accuracy(scene) && output_row(function.kind).solves;
+  const bool matters = has_float_alone(scene) && scene.numerics.prefer != Preference::speed;
+  const bool is_whole = matters && output_row(function.kind).solves;
   return is_whole ? Splits::sums : Splits::sums_and_differences;
-}
-
-/// Whether a form of this cost is taken in the place of another that loses digits.
-bool is_worth_its_cost(const Scene& scene, OutputKind kind, std::size_t cost, std::size_t other) {
-  if (!prefers_accuracy(scene)) return is_affordable(cost, other, quarters_for_balance);
-  return output_row(kind).solves || cost <= most_for_digits * other;
 }
 
 bool is_worth_lowering(const ReadableEntries& entries, const Function& recursive) {
@@ -75,15 +75,15 @@ struct Candidate {
 };
 
 /// Whether a rewriting of the closed form is free, or worth its cost.
-bool is_taken(const Scene& scene, const Function& recursive, const Candidate& closed,
+bool is_taken(const Aim& aim, const Function& recursive, const Candidate& closed,
               const Candidate& rewriting) {
   const std::size_t cost = cost_of(rewriting.function);
   const double loss = *rewriting.costs.closed_loss;
   const double known = *closed.costs.closed_loss;
   const std::size_t cheapest = std::min(cost_of(closed.function), cost_of(recursive));
   const bool is_free = cost <= cost_of(closed.function) && loss <= known;
-  const bool is_better = closed.costs.inaccurate || loses_more(known, loss, tolerated_by(scene));
-  return is_free || (is_better && is_worth_its_cost(scene, recursive.kind, cost, cheapest));
+  const bool is_better = closed.costs.inaccurate || loses_more(known, loss, aim.tolerated);
+  return is_free || (is_better && is_affordable(cost, cheapest, aim.most_quarters));
 }
 
 /// The functions as they are typed, and the errors of those that digits matter of.
@@ -110,9 +110,7 @@ class RecursiveForms {
     if (known != errors_.end()) return &known->second;
     const Function& text = of(index);
     Points points = comparison_points(recursive_, recursive_.functions[index], domain_);
-    const auto made =
-        errors_.try_emplace(index, chosen_, text, std::move(points), Scale::field);
-    return &made.first->second;
+    return &errors_.try_emplace(index, chosen_, text, std::move(points)).first->second;
   }
 
  private:
@@ -147,10 +145,11 @@ void fill_readable(Program& program, std::size_t index, const Function& function
 class Choosing {
  public:
   Choosing(const Program& recursive, const ClosedForms& forms, const Domain& domain,
-           const Scene& scene)
+           const Scene& scene, Priority priority)
       : recursive_(recursive),
         forms_(forms),
         scene_(scene),
+        aim_(aim_of(scene, priority)),
         points_(mixed_points(recursive.leaves)),
         recursive_forms_(recursive, result_.program, domain, scene) {
     result_.program = recursive;
@@ -237,8 +236,7 @@ class Choosing {
   Function lowered(std::size_t index, const Function& recursive, const ReadableEntries& entries,
                    FormCosts& costs) {
     const LoweringAim aim{splits_for(scene_, recursive), recursive_forms_.errors_of(index),
-                          tolerated_by(scene_),
-                          prefers_accuracy(scene_) ? 4 * most_for_digits : quarters_for_balance};
+                          aim_.tolerated, aim_.most_quarters};
     Lowered closed = lowered_together(entries, recursive, result_.program, aim);
     costs.inaccurate = closed.inaccurate;
     choose_by_cost(closed.function, recursive, costs);
@@ -252,14 +250,14 @@ class Choosing {
     const Function& recursive = recursive_forms_.of(index);
     const TextErrors& text = *recursive_forms_.errors_of(index);
     costs.closed_loss = text.worst_loss(result_.program, closed);
-    for (const double limit : {tolerated_by(scene_), tolerated_loss}) {
+    for (const double limit : {aim_.tolerated, tolerated_loss}) {
       std::optional<ReadableEntries> others = with_kept(entries, limit);
       if (!others) continue;
       FormCosts rewriting_costs = costs;
       Function rewriting = lowered(index, recursive, *others, rewriting_costs);
       if (rewriting_costs.inaccurate) continue;
       rewriting_costs.closed_loss = text.worst_loss(result_.program, rewriting);
-      if (!is_taken(scene_, recursive, {closed, costs}, {rewriting, rewriting_costs})) continue;
+      if (!is_taken(aim_, recursive, {closed, costs}, {rewriting, rewriting_costs})) continue;
       entries = std::move(*others);
       closed = std::move(rewriting);
       costs = rewriting_costs;
@@ -270,21 +268,22 @@ class Choosing {
   void choose_by_losses(std::size_t index, const Function& closed, const Function& recursive,
                         FormCosts& costs) {
     const bool is_closed = costs.chosen == Form::closed;
-    if (costs.inaccurate || (is_closed && *costs.closed_loss <= tolerated_by(scene_))) return;
+    if (costs.inaccurate || (is_closed && *costs.closed_loss <= aim_.tolerated)) return;
     costs.recursive_loss =
         recursive_forms_.errors_of(index)->worst_loss(result_.program, recursive);
     const double own = is_closed ? *costs.closed_loss : *costs.recursive_loss;
     const double other = is_closed ? *costs.recursive_loss : *costs.closed_loss;
     const Function& dearer = is_closed ? recursive : closed;
     const Function& cheaper = is_closed ? closed : recursive;
-    if (!loses_more(own, other, tolerated_by(scene_))) return;
-    if (!is_worth_its_cost(scene_, recursive.kind, cost_of(dearer), cost_of(cheaper))) return;
+    if (!loses_more(own, other, aim_.tolerated)) return;
+    if (!is_affordable(cost_of(dearer), cost_of(cheaper), aim_.most_quarters)) return;
     costs.chosen = is_closed ? Form::recursive : Form::closed;
   }
 
   const Program& recursive_;
   const ClosedForms& forms_;
   const Scene& scene_;
+  Aim aim_;
   Points points_;
   Choice result_ = {};
   RecursiveForms recursive_forms_;
@@ -295,8 +294,8 @@ class Choosing {
 }  // namespace
 
 Result<Choice> choose(const Program& recursive, const ClosedForms& forms, const Domain& domain,
-                      const Scene& scene) {
-  Result<Choice> choice = Choosing(recursive, forms, domain, scene)();
+                      const Scene& scene, Priority priority) {
+  Result<Choice> choice = Choosing(recursive, forms, domain, scene, priority)();
   if (!choice) return choice;
   for (Function& function : choice->program.functions) function = trigonometry_first(function);
   return choice;

@@ -38,8 +38,8 @@ struct NearPlace {
 using NearPlaces = std::vector<NearPlace>;
 
 /// 0, where two terms of a sum cancel, and right angles, at the values that the parameters have in
-/// the first state of `domain`, taken from the coordinates in turn. `most`: places of one coordinate.
-/// Cost: one walk over `text`.
+/// the first state of `domain`, taken from the coordinates in turn. `most`: places of one
+/// coordinate. Cost: one walk over `text`.
 [[nodiscard]] NearPlaces cancelling_places(const Program& program, const Function& text,
                                            const Domain& domain, std::size_t most);
 

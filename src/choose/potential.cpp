@@ -61,7 +61,8 @@ class WholeSearch {
       if (whole[i]) sums.functions.push_back(sums_.functions[i]);
     }
     WholeChoice made{std::move(whole)};
-    made.choice = *choose(potential_, present(potential_, std::move(sums)), domain_, scene_);
+    made.choice = *choose(potential_, present(potential_, std::move(sums)), domain_, scene_,
+                          Priority::digits);
     for (std::size_t i = 0; i < errors_.size(); ++i) {
       const Function& form = made.choice.program.functions[i];
       made.cost += cost(count_operations(form));
@@ -191,7 +192,6 @@ std::optional<Program> rewritten_potential(const Program& potential, const Domai
   if (scene.numerics.prefer == Preference::speed) return std::nullopt;
   Scene unnamed = scene;
   unnamed.outputs.clear();
-  unnamed.numerics.prefer = Preference::accuracy;
   WholeChoice best = WholeSearch(potential, domain, unnamed).best();
   if (!has_own_form(best)) return std::nullopt;
   return std::move(best.choice.program);
@@ -221,8 +221,7 @@ void put_potential(const Program& potential, const Choice& open, const Domain& d
     if (entries.empty()) continue;
     Function own = put(open.program, function);
     const Function& old = choice.program.functions[i];
-    const TextErrors errors(choice.program, old, comparison_points(choice.program, old, domain),
-                            Scale::field);
+    const TextErrors errors(choice.program, old, comparison_points(choice.program, old, domain));
     if (errors.inaccurate_entry(result.program, own)) return;
     own.rewritten = entries;
     result.costs[i] = open.costs[i];

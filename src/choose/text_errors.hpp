@@ -38,7 +38,8 @@ using ErrorsAtPoints = std::vector<double>;
 class TextErrors {
  public:
   /// `program` and `text` outlive it. Cost: one operation of double per instruction and point.
-  TextErrors(const Program& program, const Function& text, Points points, Scale scale);
+  TextErrors(const Program& program, const Function& text, Points points,
+             Scale scale = Scale::field);
 
   /// Whether a rewriting is less accurate than one entry of the text, by its number among all.
   [[nodiscard]] bool is_less_accurate(const Expressions& rewriting, std::size_t entry) const;

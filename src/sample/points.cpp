@@ -12,13 +12,9 @@ constexpr double right_angle = 1.5707963267948966;
 /// points miss it in one of 130 cases.
 constexpr std::size_t mixed_count = 16;
 
-/// The binary logarithms of magnitudes, and of what one parameter after another is multiplied by.
+/// The binary logarithms of magnitudes.
 constexpr int wide = 26;
 constexpr int ordinary = 3;
-constexpr int parameter_ratios[]{40, -40, 15};
-
-/// If there are more parameters, some are left out.
-constexpr std::size_t most_parameters = 10;
 
 }  // namespace
 
@@ -66,27 +62,6 @@ Points mixed_points(const LeafNames& leaves) {
     const bool is_ordinary = i % 4 == 0;
     points.push_back(is_ordinary ? draw.scaled_point(leaves, -ordinary, 0)
                                  : draw.scaled_point(leaves, -wide, wide));
-  }
-  return points;
-}
-
-Points extreme_points(const LeafNames& leaves, const std::vector<bool>& is_angle) {
-  Sampler draw(2);
-  Points points = mixed_points(leaves);
-  const std::size_t count = leaves.parameters.size();
-  const std::size_t step = (count + most_parameters - 1) / most_parameters;
-  const auto add = [&](std::size_t parameter, int ratio, AnglePlace place) {
-    LeafValues<double>& point = points.emplace_back(draw.scaled_point(leaves, -ordinary, ordinary));
-    double& size = point.parameters[parameter];
-    size = std::ldexp(size, ratio);
-    const bool is_tiny = place == AnglePlace::tiny;
-    for (double& q : point.q) q = is_tiny ? draw.scaled(-wide, -ordinary) : q;
-    draw.move_angles(place, is_angle, point.q);
-  };
-  for (std::size_t parameter = 0; parameter < count; parameter += step) {
-    for (const int ratio : parameter_ratios) {
-      for (const AnglePlace place : angle_places) add(parameter, ratio, place);
-    }
   }
   return points;
 }

@@ -70,8 +70,4 @@ using Points = std::vector<LeafValues<double>>;
 /// are checked.
 [[nodiscard]] Points mixed_points(const LeafNames& leaves);
 
-/// These, and ordinary magnitudes with angles at every place and one parameter after another far
-/// larger or smaller than the others.
-[[nodiscard]] Points extreme_points(const LeafNames& leaves, const std::vector<bool>& is_angle);
-
 }  // namespace elgen

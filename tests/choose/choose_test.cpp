@@ -36,10 +36,10 @@ Chosen with_form(const std::string& text, Form form) {
 }
 
 /// The errors of the recursive form, and the loss of what was chosen beside that.
-TextErrors errors_of(const Chosen& c, std::size_t function, Scale scale) {
+TextErrors errors_of(const Chosen& c, std::size_t function) {
   const Function& text = c.recursive.functions[function];
   const Domain domain = domain_of({c.checked.model, c.checked.scene, c.recursive.leaves});
-  return {c.recursive, text, comparison_points(c.recursive, text, domain), scale};
+  return {c.recursive, text, comparison_points(c.recursive, text, domain)};
 }
 
 }  // namespace
@@ -66,13 +66,12 @@ TEST_CASE("for speed the cheaper form is chosen, the closed one on a tie") {
 }
 
 TEST_CASE("no form is chosen that is inaccurate, or loses more digits than the recursive one") {
-  const auto prefer = GENERATE(Preference::accuracy, Preference::balanced);
   for (const auto& [name, text] : systems()) {
     INFO(name);
-    const Chosen c = chosen(text, {}, prefer);
+    const Chosen c = chosen(text);
     for (std::size_t i = 0; i < c.choice.program.functions.size(); ++i) {
       const Function& own = c.choice.program.functions[i];
-      const TextErrors errors = errors_of(c, i, Scale::entry);
+      const TextErrors errors = errors_of(c, i);
       INFO(own.name);
       CHECK_FALSE(errors.inaccurate_entry(c.choice.program, own));
       CHECK(errors.worst_loss(c.choice.program, own) <= tolerated_loss);
@@ -91,7 +90,7 @@ TEST_CASE("balanced, a form is dearer where the cheaper is inaccurate, or by a q
       INFO(own.name);
       const std::size_t price = cost(count_operations(own));
       const std::size_t least = cost(count_operations(cheapest));
-      if (errors_of(c, i, Scale::field).inaccurate_entry(fast.choice.program, cheapest)) continue;
+      if (errors_of(c, i).inaccurate_entry(fast.choice.program, cheapest)) continue;
       CHECK(4 * price <= 5 * least + 16);  // or one division more
     }
   }

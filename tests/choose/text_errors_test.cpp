@@ -26,7 +26,7 @@ Arguments<double> at(double a, double b) {
 /// Whether a rewriting is less accurate than the text at one point.
 bool is_inaccurate(const std::string& rewriting, const std::string& text, double a, double b) {
   const Program program = program_of(testing::Texts{text});
-  const TextErrors errors(program, program.functions[0], {at(a, b)}, Scale::entry);
+  const TextErrors errors(program, program.functions[0], {at(a, b)});
   return errors.is_less_accurate(expressions_of({rewriting}), 0);
 }
 
@@ -114,7 +114,7 @@ TEST_CASE("a rewriting without a value is inaccurate only where the text has one
 TEST_CASE("entries of a function are inaccurate one by one") {
   const Program text = program_of(testing::Texts{"a*b", "(a - b)*(a + b)"});
   const Program form = program_of(testing::Texts{"b*a", "a^2 - b^2"});
-  const TextErrors errors(text, text.functions[0], {at(1, 3), at(1, 1.0000001)}, Scale::entry);
+  const TextErrors errors(text, text.functions[0], {at(1, 3), at(1, 1.0000001)});
   CHECK(errors.inaccurate_entry(form, form.functions[0]) == std::size_t{1});
   CHECK(errors.inaccurate_entry(text, text.functions[0]) == std::nullopt);
 }

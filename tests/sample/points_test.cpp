@@ -87,16 +87,3 @@ TEST_CASE("angles are moved near right ones, straight ones, one another and 0") 
     CHECK(std::abs(q[0]) < 1e-8);
   }
 }
-
-TEST_CASE("extremes are mixed points, and every parameter far from others at every place") {
-  const Points points = extreme_points(two_of_each(), {true, false});
-  CHECK(points.size() == 16 + 2 * 3 * 4);
-  const auto is_huge = [](const LeafValues<double>& point) {
-    return point.parameters[0] >= std::ldexp(1.0, 37) && std::abs(std::cos(point.q[0])) < 1e-8;
-  };
-  CHECK(std::ranges::any_of(points, is_huge));
-  LeafNames many = two_of_each();
-  many.assumptions.clear();
-  many.parameters.resize(30, "p");
-  CHECK(extreme_points(many, {true, false}).size() == 16 + 10 * 3 * 4);
-}
