@@ -143,6 +143,26 @@ q2 = { value = "t^2", reaction = true }
   CHECK(workspace.run("elgen verify --samples 16 held.scene.toml").status == 0);
 }
 
+TEST_CASE("a locked elbow costs what it costs by hand", "[lock]") {
+  const auto counts = [](const std::string& lock, OutputKind kind) {
+    PipelineOptions options;
+    options.goals = {Goal::choose};
+    options.scene.fixed = {make_source("--fix", "all")};
+    const Products products =
+        derived(inputs_of(model_file("two_link_arm"),
+                          "[outputs]\ngravity = true\ninverse_dynamics = true\n[lock]\n" + lock),
+                options);
+    return count_operations(function_of(products, kind));
+  };
+  // M a + A cos(q1) - B sin(q1)
+  const std::string elbow = "q2 = { value = \"0.7\" }\n";
+  CHECK(counts(elbow, OutputKind::inverse_dynamics) ==
+        OperationCounts{.add = 2, .mul = 3, .sincos = 1});
+  CHECK(counts(elbow, OutputKind::gravity) == OperationCounts{.add = 1, .mul = 2, .sincos = 1});
+  CHECK(counts("q2 = { value = \"sqrt(2)\" }\n", OutputKind::inverse_dynamics) ==
+        OperationCounts{.add = 2, .mul = 3, .sincos = 1});
+}
+
 TEST_CASE("what is locked costs nothing", "[lock]") {
   const Products arm = locked_products("");
   const Products one = locked_products(locks_text());

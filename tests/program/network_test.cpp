@@ -56,6 +56,43 @@ TEST_CASE("a constant has one form, whatever its parts were shared with") {
   CHECK(texts[3] == "44 + 2*pi - cos(4 + pi) + d");
 }
 
+TEST_CASE("joined numbers: those that multiply a sum go into it, and meet there") {
+  struct JoinedRow {
+    const char* what;
+    const char* text;
+    OperationCounts apart;
+    OperationCounts joined;
+  };
+  const JoinedRow row = GENERATE(values<JoinedRow>({
+      {"a number that meets another", "3*a - 2*(sin(1)*b - cos(1)*a)", {2, 4}, {1, 2}},
+      {"a number of a product", "2/3*(sin(1)*b - cos(1)*a)*c", {1, 4}, {1, 3}},
+      {"numbers of sums in sums", "5*(sqrt(2)*(sqrt(2)*a + pi*b) + pi*c) + a", {3, 5}, {2, 3}},
+      {"one term may be without", "7/10*(a + sqrt(2)*b) + pi*b", {2, 3}, {1, 2}},
+      {"a number in a sum", "3/7*(sqrt(2) + pi*a) + b", {2, 2}, {2, 1}},
+      {"a difference that may cancel stays", "pi*(a - b)", {1, 1}, {1, 1}},
+      {"so do exact multiples", "pi*(2*a - 3/4*b)", {1, 3}, {1, 3}},
+  }));
+  INFO(row.what);
+  const Expressions expressions = expressions_of({row.text});
+  const Network apart = make_network(expressions);
+  const Network joined = make_network(expressions, Numbers::joined);
+  CHECK(counts_of(apart) == row.apart);
+  CHECK(counts_of(joined) == row.joined);
+  const Program before = program_of(apart);
+  const Program after = program_of(joined);
+  CHECK(check_invariants(after) == "");
+  Arguments<double> arguments;
+  arguments.q = {2, 3, 5, 7, 11};
+  CHECK(evaluate(after, after.functions[0], arguments)[0] ==
+        Approx(evaluate(before, before.functions[0], arguments)[0]).epsilon(1e-14));
+}
+
+TEST_CASE("joined numbers: a sum that something else needs stays, and its number with it") {
+  const Expressions shared =
+      expressions_of({"3*a - 2*(sin(1)*b - cos(1)*a)", "c*(sin(1)*b - cos(1)*a)"});
+  CHECK(counts_of(make_network(shared, Numbers::joined)) == counts_of(make_network(shared)));
+}
+
 TEST_CASE("operations follow their operands in canonical order") {
   const Network network = network_of({"e + d*c + a"});
   std::vector<std::uint32_t> leaves;
@@ -191,4 +228,7 @@ TEST_CASE("the cheapest form collects factors, and takes angles apart whose part
   CHECK(cheapest_cost({"a*b*c + a*b*d"}) == 3);  // a*b*(c + d)
   CHECK(cheapest_cost({"cos(a + b)"}) == 1 + 26);
   CHECK(cheapest_cost({"cos(a + b)", "cos(a)", "cos(b)"}) == 3 + 2 * 26);
+  // A number among the parts; 5*cos(a) + 2*cos(a + 7/10) = (5 + 2*cos(7/10))*cos(a) - ...*sin(a).
+  CHECK(cheapest_cost({"cos(a + 7/10)", "cos(a)"}) == 3 + 26);
+  CHECK(cheapest_cost({"5*cos(a) + 2*cos(a + 7/10)"}) == 3 + 26);
 }

@@ -128,7 +128,10 @@ TEST_CASE("angle_sums: an angle is taken apart into others that occur") {
        {"differences and multiples are sums too, but for exact multiples of a leaf",
         {"sin(a - b)", "cos(2*a)", "sin(a)", "sin(b)", "cos(3*a)"},
         {"sin(a)*cos(b) - sin(b)*cos(a)", "cos(2*a)", "sin(a)", "sin(b)",
-         "-(sin(a)*sin(2*a) - cos(a)*cos(2*a))"}}},
+         "-(sin(a)*sin(2*a) - cos(a)*cos(2*a))"}},
+       {"a number is a part whose sine is a number",
+        {"sin(a + 1)", "sin(a)", "cos(1/6*pi + 1/10)"},
+        {"sin(1)*cos(a) + cos(1)*sin(a)", "sin(a)", "cos(1/10 + 1/6*pi)"}}},
       [](const Expressions& before) { return expand_angle_sums(before).value(); });
 }
 

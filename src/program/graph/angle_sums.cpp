@@ -61,6 +61,15 @@ struct Split {
   int sign = 1;
 };
 
+AngleTerms angle_of(const Graph& graph, NodeId argument) {
+  AngleTerms angle{argument};
+  add_terms(graph, argument, 1, angle.terms);
+  for (const auto& [node, coefficient] : angle.terms) {
+    angle.size = angle.size + cln::abs(coefficient);
+  }
+  return angle;
+}
+
 std::vector<AngleTerms> angles_of(const Expressions& expressions) {
   const Graph& graph = expressions.graph;
   std::vector<AngleTerms> angles;
@@ -68,12 +77,7 @@ std::vector<AngleTerms> angles_of(const Expressions& expressions) {
     if (!is_sine_or_cosine(graph.node(id))) continue;
     const NodeId argument = graph.node(id).operands[0].node;
     if (std::ranges::find(angles, argument, &AngleTerms::argument) != angles.end()) continue;
-    AngleTerms angle{argument};
-    add_terms(graph, argument, 1, angle.terms);
-    for (const auto& [node, coefficient] : angle.terms) {
-      angle.size = angle.size + cln::abs(coefficient);
-    }
-    angles.push_back(std::move(angle));
+    angles.push_back(angle_of(graph, argument));
   }
   return angles;
 }
@@ -112,10 +116,15 @@ std::map<NodeId, Split> splits_of(const Expressions& expressions, Splits which) 
   if (angles.size() > most_angles) return splits;
   for (const AngleTerms& angle : angles) {
     // A difference of squares loses the digits where it is small.
-    if (is_exact_multiple(expressions.graph, angle.argument)) continue;
+    const Graph& graph = expressions.graph;
+    if (is_exact_multiple(graph, angle.argument) || graph.is_constant(angle.argument)) continue;
     std::vector<AngleTerms> simpler;
     std::copy_if(angles.begin(), angles.end(), std::back_inserter(simpler),
                  [&](const AngleTerms& other) { return other.size < angle.size; });
+    // The sines and cosines of numbers are numbers.
+    for (const Operand& term : graph.node(angle.argument).operands) {
+      if (graph.is_constant(term.node)) simpler.push_back(angle_of(graph, term.node));
+    }
     if (const auto split = split_of(angle, simpler, which)) splits[angle.argument] = *split;
   }
   return splits;

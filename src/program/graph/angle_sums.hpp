@@ -1,11 +1,11 @@
 // angle_sums: sine and cosine of an angle that is the sum or difference of two others that occur.
 //
-//     before:  cos(q1), sin(q2), cos(q1 + q2)
-//     after:   cos(q1), sin(q2), cos(q1)*cos(q2) - sin(q1)*sin(q2)
+//     before:  cos(q1), sin(q2), cos(q1 + q2), cos(q1 + 1)
+//     after:   cos(q1), sin(q2), cos(q1)*cos(q2) - sin(q1)*sin(q2), cos(q1)*cos(1) - sin(q1)*sin(1)
 //
-// Three operations for a call, where the sines and cosines of the parts are there anyway; the cost
-// decides whether that pays. An angle is only ever taken apart into simpler ones, and 2*q1 is not:
-// cos(q1)^2 - sin(q1)^2 loses digits that the call has.
+// Three operations for a call, where the sines and cosines of the parts are there anyway, or are
+// numbers; the cost decides whether that pays. An angle is only ever taken apart into simpler ones,
+// and 2*q1 is not: cos(q1)^2 - sin(q1)^2 loses digits that the call has.
 #pragma once
 
 #include <optional>

@@ -13,8 +13,8 @@ namespace {
 /// Larger graphs are not tried with all products written out, which takes them longest.
 constexpr std::size_t maximal_nodes_written_out = 20'000;
 
-CostedNetwork candidate(const Expressions& expressions, const Function& unfilled) {
-  CostedNetwork result{make_network(expressions)};
+CostedNetwork candidate(Network network, const Function& unfilled) {
+  CostedNetwork result{std::move(network)};
   eliminate_common_subexpressions(result.network);
   turn_signs(result.network);
   Program scratch;
@@ -31,7 +31,15 @@ Expressions factored(const Expressions& flat) { return factor(flatten(factor(fla
 std::vector<CostedNetwork> networks_by_cost(const Expressions& expressions,
                                             const Function& unfilled, Splits splits) {
   std::vector<CostedNetwork> networks;
-  const auto add = [&](const Expressions& form) { networks.push_back(candidate(form, unfilled)); };
+  // Rational numbers have met in the graph.
+  const auto add = [&](const Expressions& form) {
+    Network network = make_network(form);
+    const bool is_done = std::ranges::all_of(
+        network.constants, [](const Constant& constant) { return is_rational(constant); });
+    networks.push_back(candidate(std::move(network), unfilled));
+    if (is_done) return;
+    networks.push_back(candidate(make_network(form, Numbers::joined), unfilled));
+  };
   const auto add_forms = [&](const Expressions& all) {
     const Expressions flat = flatten(all);
     add(factored(flat));

@@ -2,14 +2,21 @@
 // canonical order.
 #include "program/network/network.hpp"
 
+#include <cln/integer.h>
+
+#include <algorithm>
 #include <map>
 #include <optional>
+#include <utility>
 
 namespace elgen {
 namespace {
 
 /// Powers above this are squared repeatedly; up to it their factors may meet others.
 constexpr std::int32_t written_out_power = 4;
+
+/// Numbers of more parts are not joined: people would not either, and forms are trees.
+constexpr std::uint32_t largest_joined = 64;
 
 /// The operands of a sum or product: what depends on leaves, and the constants as one number.
 struct Operands {
@@ -61,9 +68,77 @@ class Operations {
     return it->second;
   }
 
+  /// Whether this is a sum of which all numbers but one are rounded anyway: x - y keeps digits that
+  /// 0.7 x - 0.7 y loses.
+  bool takes_numbers(NodeId sum) const {
+    const auto is_exact = [this](Ref term) {
+      const ConstantForm number = scaled(term).first;
+      return number.kind == ConstantKind::rational &&
+             cln::power2p(cln::denominator(number.number)) > 0;
+    };
+    const Operation& operation = network.operations[sum];
+    return operation.kind == OperationKind::sum &&
+           std::ranges::count_if(operation.operands, is_exact) <= 1;
+  }
+
+  /// Multiplies terms by a number and adds those that differ in theirs alone; false where it could
+  /// not, and changed nothing.
+  bool join(std::vector<Ref>& terms, std::optional<NodeId> scale = {}) {
+    struct Group {
+      std::vector<Ref> rest;
+      ConstantForm number;
+      Ref last;
+    };
+    std::vector<Group> groups;
+    for (const Ref term : terms) {
+      auto [number, rest] = scaled(term);
+      auto group = std::ranges::find(groups, rest, &Group::rest);
+      if (group == groups.end()) {
+        group =
+            groups.insert(group, {std::move(rest), {.kind = ConstantKind::sum, .parts = {}}, term});
+      }
+      group->number.parts.push_back({std::move(number), term.negative ? -1 : 1});
+    }
+    std::vector<Ref> joined;
+    for (auto& [rest, sum, last] : groups) {
+      ConstantForm form{.kind = ConstantKind::product, .parts = {{sum}}};
+      if (scale) form.parts.push_back({form_of(*scale)});
+      const bool is_new = scale || sum.parts.size() > 1;
+      const std::optional<Ref> number =
+          is_new && is_joined_size(form) ? folded(form) : std::nullopt;
+      if (is_new && !number) return false;
+      if (is_new && (number->node != product({}) || rest.empty())) {
+        rest.insert(rest.begin(), {number->node});
+      }
+      joined.push_back(is_new ? Ref{product(std::move(rest)), number->negative} : last);
+    }
+    terms = std::move(joined);
+    return true;
+  }
+
   Network network = {};
 
  private:
+  const ConstantForm& form_of(NodeId constant) const {
+    return network.constants[network.operations[constant].index].form;
+  }
+
+  static bool is_joined_size(const ConstantForm& form) {
+    Graph scratch;
+    return scratch.node(scratch.constant(form).node).constant_size <= largest_joined;
+  }
+
+  /// The number of a term, and what it multiplies.
+  std::pair<ConstantForm, std::vector<Ref>> scaled(Ref term) const {
+    const Operation& operation = network.operations[term.node];
+    std::vector<Ref> rest{{term.node}};
+    if (operation.kind == OperationKind::product) rest = operation.operands;
+    const NodeId first = rest.front().node;
+    if (network.operations[first].kind != OperationKind::constant) return {rational_form(1), rest};
+    rest.erase(rest.begin());
+    return {form_of(first), rest};
+  }
+
   NodeId number(const Constant& constant) {
     const std::uint32_t index = position_of(constant, network.constants);
     if (index == numbers_.size()) {
@@ -78,8 +153,9 @@ class Operations {
 
 class Conversion {
  public:
-  explicit Conversion(const Expressions& expressions)
+  Conversion(const Expressions& expressions, Numbers numbers)
       : graph_(expressions.graph), converted_(graph_.size()), divisions_(graph_.size(), 0) {
+    if (numbers == Numbers::joined) uses_ = use_counts(graph_, expressions.values);
     for (const NodeId id : reachable(graph_, expressions.values)) {
       if (graph_.node(id).kind != NodeKind::product) continue;
       for (const Operand& factor : graph_.node(id).operands) {
@@ -165,8 +241,15 @@ class Conversion {
       operation.operands.push_back({*operands_of(id).constant, operands_of(id).is_negative});
     }
     for (const Operand& operand : is_sum ? operands_of(id).rest : node.operands) {
-      operation.operands.push_back(with_sign(*converted_[operand.node], operand.weight < 0));
+      const Ref value = with_sign(*converted_[operand.node], operand.weight < 0);
+      std::vector<Ref> terms{{value.node}};
+      // Numbers have made sums of products.
+      const Operation& made = made_.network.operations[value.node];
+      const bool is_spliced = is_sum && is_own(operand.node) && made.kind == OperationKind::sum;
+      if (is_spliced) terms = made.operands;
+      for (const Ref term : terms) operation.operands.push_back(with_sign(term, value.negative));
     }
+    if (is_sum && !uses_.empty()) made_.join(operation.operands);
     return {made_.add(std::move(operation))};
   }
 
@@ -176,10 +259,13 @@ class Conversion {
     std::vector<Ref> numerator;
     std::vector<Ref> denominator;
     bool negative = operands.is_negative;
-    if (operands.constant) numerator.push_back({*operands.constant});
+    bool has_number = operands.constant.has_value();
     for (const Operand& factor : operands.rest) {
       const Ref base = *converted_[factor.node];
       negative = negative != (base.negative && factor.weight % 2 != 0);
+      if (has_number && factor.weight == 1 && is_own(factor.node)) {
+        has_number = !put_inside(base.node, *operands.constant);
+      }
       if (factor.weight > 0) {
         made_.append_power(base.node, factor.weight, numerator);
       } else if (divisions_[factor.node] > 1) {
@@ -188,6 +274,7 @@ class Conversion {
         made_.append_power(base.node, -factor.weight, denominator);
       }
     }
+    if (has_number) numerator.insert(numerator.begin(), {*operands.constant});
     NodeId result = made_.product(std::move(numerator));
     if (!denominator.empty()) {
       result = made_.quotient(result, made_.product(std::move(denominator)));
@@ -197,8 +284,20 @@ class Conversion {
     return {result, negative};
   }
 
+  /// Whether numbers are joined and one operation alone needs the node.
+  bool is_own(NodeId id) const { return !uses_.empty() && uses_[id] == 1; }
+
+  bool put_inside(NodeId sum, NodeId number) {
+    if (!made_.takes_numbers(sum)) return false;
+    std::vector<Ref> terms = made_.network.operations[sum].operands;
+    if (!made_.join(terms, number)) return false;
+    made_.network.operations[sum] = {.kind = OperationKind::sum, .operands = std::move(terms)};
+    return true;
+  }
+
   const Graph& graph_;
   std::vector<std::optional<Ref>> converted_;
+  std::vector<std::uint32_t> uses_;       ///< where numbers are joined
   std::vector<std::uint32_t> divisions_;  ///< products that divide by the node
   std::map<NodeId, Operands> operands_;   ///< of sums and products
   Operations made_;
@@ -206,8 +305,8 @@ class Conversion {
 
 }  // namespace
 
-Network make_network(const Expressions& expressions) {
-  return Conversion(expressions).converted(expressions.values);
+Network make_network(const Expressions& expressions, Numbers numbers) {
+  return Conversion(expressions, numbers).converted(expressions.values);
 }
 
 }  // namespace elgen

@@ -39,7 +39,14 @@ struct Network {
   std::vector<Ref> values = {};
 };
 
-[[nodiscard]] Network make_network(const Expressions& expressions);
+/// Whether numbers stay where the graph has them, or go into the sums that they multiply.
+///
+///     before:  3*cos(q) - 2*(sin(1)*sin(q) - cos(1)*cos(q))
+///     after:   (3 + 2*cos(1))*cos(q) - 2*sin(1)*sin(q)          two numbers, two products
+enum class Numbers : std::uint8_t { as_they_stand, joined };
+
+[[nodiscard]] Network make_network(const Expressions& expressions,
+                                   Numbers numbers = Numbers::as_they_stand);
 
 /// Sub-sums and sub-products that several operations have in common are computed once.
 ///
