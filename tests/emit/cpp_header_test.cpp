@@ -39,6 +39,24 @@ TEST_CASE("helpers stand only where they are used") {
   CHECK_FALSE(mentions(with_kinks, "number_"));
 }
 
+TEST_CASE("sine and cosine have one call for the scalars that the scene names") {
+  Subject subject = cart_pole();
+  subject.program = elgen::testing::read_program(
+      "coordinates x theta\nfunction gravity\n  0 = coordinate theta\n  1 = sin 0\n  2 = cos 0\n"
+      "  result 2 1 = 1 2\n");
+  const std::string named = cpp_text(subject);
+  CHECK(mentions(named, "struct SineCosine<double> {\n  [[nodiscard]] ELGEN_FUNCTION static"));
+  CHECK(mentions(named, "::sincos(angle, &sine, &cosine);"));
+  CHECK_FALSE(mentions(named, "SineCosine<float>"));
+  CHECK_FALSE(mentions(named, "SineCosine<long double>"));
+  subject.scene.numerics.scalars = {ScalarKind::single_precision, ScalarKind::long_double};
+  const std::string others = cpp_text(subject);
+  CHECK(mentions(others, "::sincosf(angle, &sine, &cosine);"));
+  // No device has long double.
+  CHECK(mentions(others, "struct SineCosine<long double> {\n  [[nodiscard]] static"));
+  CHECK_FALSE(mentions(others, "SineCosine<double>"));
+}
+
 TEST_CASE("a constant is one function however often it occurs") {
   Subject subject = cart_pole();
   elgen::testing::load_constant(subject, rational_constant(cln::cl_RA(1) / 3));

@@ -104,6 +104,17 @@ TemplateData numbers(const Program& program) {
   return list;
 }
 
+/// The calls of glibc that have both, of the scalars that the scene names. No GPU has long double.
+TemplateData sine_cosine_calls(const Numerics& numerics) {
+  return rows_data(numerics.scalars, [](ScalarKind scalar) {
+    const bool is_long = scalar == ScalarKind::long_double;
+    const std::string ending = is_long ? "l" : (scalar == ScalarKind::single_precision ? "f" : "");
+    return TemplateRow{{"scalar", std::string(name_of(scalar))},
+                       {"call", "sincos" + ending},
+                       {"device", std::string(is_long ? "" : "ELGEN_FUNCTION ")}};
+  });
+}
+
 }  // namespace
 
 std::string cpp_header(const EmissionInput& input) {
@@ -112,7 +123,9 @@ std::string cpp_header(const EmissionInput& input) {
   data.set("declared", rows_data(declared_arrays(input.model), declared));
   data.set("filled", section_if(has_filled_array(input.model, parameters)));
   data.set("numbers", numbers(input.program));
-  data.set("sine_cosine", section_if(has_sine_with_cosine(input.program)));
+  data.set("sine_cosine",
+           section_if(has_sine_with_cosine(input.program),
+                      TemplateRow{{"scalars", sine_cosine_calls(input.scene.numerics)}}));
   data.set("parameters",
            lines_data(documented_members(declared_parameters(input.model, parameters))));
   return header_text("cpp/header.hpp.mustache", data);
