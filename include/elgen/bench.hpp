@@ -35,8 +35,8 @@ struct OutputBase {
                                              const std::vector<SourcePointer>& ranges,
                                              const Limits& limits);
 
-/// Leaves the output alone of what was derived; a lock may have asked for its reaction too.
-void keep_only(const std::string& output, Products& products);
+/// Leaves these outputs of what was derived; a lock may have asked for its reaction too.
+void keep_only(const std::vector<std::string>& outputs, Products& products);
 
 struct DesignRequest {
   Inputs inputs = {};
@@ -55,10 +55,17 @@ struct MeasuredTable {
 [[nodiscard]] Result<MeasuredTable> measured_designs(const DesignRequest& request,
                                                      const BenchProcess& process);
 
-/// Runs of `time` s. Warnings of the model are among the diagnostics; methods that are not for the
-/// system are named in a sentence. E621, E623, E624 of the reference, and what its stages say of a
-/// model. Cost: a derivation and a compilation for each method and order.
-[[nodiscard]] Result<MeasuredTable> measured_runs(const Inputs& inputs, double time,
+struct RunRequest {
+  Inputs inputs = {};
+  double time = 0;                   ///< s
+  std::vector<double> lengths = {};  ///< of steps; empty: a few
+};
+
+/// Runs from the start, put back onto constraints behind every step. Warnings of the model are
+/// among the diagnostics; methods that are not for the system are named in a sentence. E621, E623,
+/// E624 of the reference, and what its stages say of a model. Cost: a derivation and a compilation
+/// for each method and order.
+[[nodiscard]] Result<MeasuredTable> measured_runs(const RunRequest& request,
                                                   const BenchProcess& process);
 
 }  // namespace elgen

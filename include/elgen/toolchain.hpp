@@ -155,8 +155,9 @@ struct StepLoops {
   std::size_t entries = 0;  ///< of the result of the step
 };
 
-/// Loops over the first function of a program, a `step` in double with a batch. Parameters have
-/// their values in the model and are arguments. Errors and cost as of compile_timed.
+/// Loops over the `step` of a program, in double with a batch, and `projected` behind each step
+/// where it is there. Parameters have their values in the model and are arguments. Errors and cost
+/// as of compile_timed.
 [[nodiscard]] Result<StepLoops> compile_steps(const EmittedFiles& files, const Model& model,
                                               const Scene& scene, const Program& program,
                                               const Limits& limits);

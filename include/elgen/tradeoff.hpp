@@ -201,8 +201,10 @@ struct PlannedRun {
   std::size_t steps = 0;
 };
 
-/// All methods and orders, each in a few lengths of steps, by one state and in packs.
-[[nodiscard]] std::vector<PlannedRun> planned_runs(double time);
+/// All methods and orders, each in these lengths of steps, whole parts of `time`, or in a few where
+/// there are none; by one state and in packs.
+[[nodiscard]] std::vector<PlannedRun> planned_runs(double time,
+                                                   const std::vector<double>& lengths = {});
 
 /// q and v at the end of a run from the model's start; inputs are held over each step at their
 /// values at its start. `program` is that of the equations, which simulate() takes.

@@ -31,8 +31,9 @@ struct TradeoffOutput {
 
 struct TradeoffOptions {
   std::string input = {};
-  std::string of = {};              ///< which output
-  std::optional<double> time = {};  ///< of runs, in the place of an output
+  std::string of = {};               ///< which output
+  std::optional<double> time = {};   ///< of runs, in the place of an output
+  std::vector<double> lengths = {};  ///< of their steps
   DesignChoices choices = {};
   std::vector<SourcePointer> ranges = {};
   TradeoffOutput output = {};
@@ -115,7 +116,7 @@ Result<MeasuredTable> measured(const GlobalOptions& global, const TradeoffOption
   const BenchProcess process{global.limits,
                              [&progress](const std::string& name) { progress.stage(name); },
                              [&global] { renew_time_limit(global.limits); }};
-  if (options.time) return measured_runs(inputs, *options.time, process);
+  if (options.time) return measured_runs({inputs, *options.time, options.lengths}, process);
   return measured_designs({inputs, options.of, options.choices, options.ranges}, process);
 }
 
@@ -170,6 +171,11 @@ void add_subject(CLI::App& command, TradeoffOptions& options) {
   CLI::Option* const time =
       add_number(command, "--trajectory", options.time,
                  "runs of so many s by all steps that can be emitted, instead of an output");
+  command.add_option("--steps", options.lengths, "lengths of their steps in s: 1e-2,1e-3")
+      ->type_name("LIST")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->needs(time);
   command.add_option("--of", options.of, "which output (inverse_dynamics)")
       ->type_name("OUTPUT")
       ->excludes(time);

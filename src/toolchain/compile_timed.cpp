@@ -1,5 +1,6 @@
 // compile_timed: the timing driver, compiled and loaded, with the states that it goes through.
 // compile_steps: the loops of a step, compiled and loaded.
+#include <algorithm>
 #include <utility>
 
 #include "base/no_interrupts.hpp"
@@ -115,10 +116,11 @@ Result<StepLoops> compile_steps(const EmittedFiles& files, const Model& model, c
   const Result<std::shared_ptr<const Library>> library =
       built_to_time(files, step_driver({model, scene, program}), limits);
   if (!library) return library.diagnostics;
+  const auto step = std::ranges::find(program.functions, OutputKind::step, &Function::kind);
   const StepLoops loops{.code = *library,
                         .one = (*library)->find<StepLoop>(step_loop_of_one),
                         .in_packs = (*library)->find<StepLoop>(step_loop_in_packs),
-                        .entries = entry_count(program.functions.front())};
+                        .entries = entry_count(*step)};
   if (loops.one == nullptr || loops.in_packs == nullptr) return missing_function();
   return loops;
 }

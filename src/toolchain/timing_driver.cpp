@@ -13,8 +13,12 @@
 // A header in a wider scalar has emitted::wide::inverse_dynamics.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "elgen/artifacts.hpp"
 #include "emit/interface/code_interface.hpp"
+#include "program/evaluate/subject.hpp"
 #include "toolchain/driver.hpp"
 
 namespace elgen {
@@ -23,6 +27,7 @@ namespace {
 constexpr std::string_view timing_prologue = R"(#include "{header}"
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace {{
@@ -105,7 +110,8 @@ extern "C" void {one}(std::size_t, std::size_t steps, double start, double h,
   [[maybe_unused]] const auto u = gathered<emitted::Inputs<double>>(inputs, 0, 1);
   for (std::size_t i = 0; i < steps; ++i) {{
     [[maybe_unused]] const double t = start + static_cast<double>(i) * h;
-    const auto next = emitted::{function}<double>({arguments});
+    const auto moved = emitted::{function}<double>({arguments});
+    const auto& next = {next};
     q = next.coordinates;
     v = next.rates;
   }}
@@ -129,9 +135,7 @@ extern "C" void {in_packs}(std::size_t count, std::size_t steps, double start, d
 {clock}    const double* const q = from;
     const double* const v = from + positions * count;
     emitted::batch::{function}<double>({batch_arguments}, to);
-    double* const before = from;
-    from = to;
-    to = before;
+{projection}    std::swap(from, to);
   }}
   for (std::size_t k = 0; from != state && k < numbers * count; ++k) state[k] = from[k];
 }}
@@ -139,7 +143,13 @@ extern "C" void {in_packs}(std::size_t count, std::size_t steps, double start, d
 
 /// The clock of models that depend on time.
 constexpr std::string_view step_clock =
-    "    for (double& time : times) time = start + static_cast<double>(i) * length;\n";
+    "    for (double& time : times) time = start + static_cast<double>({}) * length;\n";
+
+/// Behind a step, whose result is in `to`, as the next one's will be.
+constexpr std::string_view projection_in_packs =
+    R"({clock}    emitted::batch::{function}<double>({arguments}, from);
+    std::swap(from, to);
+)";
 
 /// "const double* parameters, const double* q, …, const double* t, "
 std::string declared(std::string_view scalar, std::string_view attribute = "") {
@@ -213,6 +223,20 @@ std::string pack_by_state(const DriverInput& input, const Function& function) {
                      fmt::arg("arguments", fmt::join(arguments, ",\n        ")));
 }
 
+/// `first`, and the names of q, v and t with those of all others, after it.
+std::string loop_arguments(const Model& model, const Function& function, const std::string& first,
+                           const std::array<std::string_view, 3>& state) {
+  std::string text = first;
+  for (const Opcode argument : arguments_of(model, function)) {
+    if (argument == Opcode::parameter) continue;
+    text += fmt::format(", {}", argument == Opcode::coordinate ? state[0]
+                                : argument == Opcode::velocity ? state[1]
+                                : argument == Opcode::time     ? state[2]
+                                                               : leaf_row(argument).member);
+  }
+  return text;
+}
+
 /// The template that goes through the states.
 const char* call_of(const TimedVariant& variant) {
   if (!variant.in_packs) return "one_by_one";
@@ -242,21 +266,31 @@ Source timing_driver(const DriverInput& input, const std::vector<TimedVariant>& 
 }
 
 Source step_driver(const DriverInput& input) {
-  const Function& step = input.program.functions.front();
-  std::vector<std::string_view> arguments;
-  std::vector<std::string_view> batch_arguments{"model_parameters<double>()", "count"};
-  bool has_time = false;
-  for (const Opcode argument : arguments_of(input.model, step)) {
-    const bool is_parameter = argument == Opcode::parameter;
-    arguments.push_back(is_parameter ? "p" : leaf_row(argument).member);
-    if (!is_parameter) batch_arguments.push_back(leaf_row(argument).member);
-    has_time = has_time || argument == Opcode::time;
+  const auto& [model, scene, program] = input;
+  const Function& step = *std::ranges::find(program.functions, OutputKind::step, &Function::kind);
+  const Function* const projected = find_function(program, OutputKind::projected);
+  const std::string in_packs = "model_parameters<double>(), count";
+  const auto clock = [&, has_time = model.uses_time](const char* steps) {
+    return has_time ? fmt::format(step_clock, steps) : "";
+  };
+  std::string next = "moved";
+  std::string projection;
+  if (projected != nullptr) {
+    next = fmt::format(
+        "emitted::{}<double>({})", projected->name,
+        loop_arguments(model, *projected, "p", {"moved.coordinates", "moved.rates", "t + h"}));
+    projection =
+        fmt::format(projection_in_packs, fmt::arg("clock", clock("i + 1")),
+                    fmt::arg("function", projected->name),
+                    fmt::arg("arguments", loop_arguments(model, *projected, in_packs,
+                                                         {"to", "to + positions * count", "t"})));
   }
   const std::string loops = fmt::format(
       step_loops, fmt::arg("one", step_loop_of_one), fmt::arg("in_packs", step_loop_in_packs),
-      fmt::arg("function", step.name), fmt::arg("arguments", fmt::join(arguments, ", ")),
-      fmt::arg("batch_arguments", fmt::join(batch_arguments, ", ")),
-      fmt::arg("clock", has_time ? step_clock : ""));
+      fmt::arg("function", step.name),
+      fmt::arg("arguments", loop_arguments(model, step, "p", {"q", "v", "t"})),
+      fmt::arg("batch_arguments", loop_arguments(model, step, in_packs, {"q", "v", "t"})),
+      fmt::arg("clock", clock("i")), fmt::arg("next", next), fmt::arg("projection", projection));
   return {"step_driver.cpp", prologue_of(input.scene) + loops};
 }
 

@@ -236,6 +236,31 @@ TEST_CASE("runs have a row for each step that is emitted, and shorter steps smal
   CHECK(workspace.run("elgen generate x.scene.toml").status == 0);
 }
 
+TEST_CASE("runs by steps that are asked for, projected where there are constraints") {
+  const Workspace workspace;
+  const auto measured = [&workspace](const std::string& options) {
+    const Outcome outcome = workspace.run("elgen tradeoff --as json " + options);
+    INFO(outcome.errors);
+    REQUIRE(outcome.status == 0);
+    return nlohmann::json::parse(outcome.output);
+  };
+  const auto bar = measured("--trajectory 1 --steps 1e-2,2e-3 --max-error 1e-6 --write-scene " +
+                            std::string("bar.scene.toml ") + models + "/four_bar.toml");
+  CHECK(bar["designs"].size() == 4);
+  for (const auto& design : bar["designs"]) {
+    CHECK((design["design"]["step"] == "0.01 s" || design["design"]["step"] == "0.002 s"));
+    // Without `projected` steps of 0.01 s are off by 7e-7, for the state leaves the constraints.
+    CHECK(design["error"]["worst"].get<double>() < 2e-7);
+  }
+  CHECK(mentions(bar["sentences"].dump(), "`projected` is called behind every step"));
+  CHECK(mentions(workspace.read("bar.scene.toml"), "projected = true"));
+  CHECK(workspace.run("elgen generate -q bar.scene.toml").status == 0);
+  const auto free = measured("--trajectory 1 --steps 0.5 " + models + "/simple_pendulum.toml");
+  CHECK_FALSE(mentions(free["sentences"].dump(), "projected"));
+  CHECK(workspace.run("elgen tradeoff --steps 0.1 " + models + "/simple_pendulum.toml").status ==
+        2);
+}
+
 TEST_CASE("what is about an output is not about runs") {
   const Workspace workspace;
   for (const char* option :

@@ -346,6 +346,10 @@ Next<Scalar> advance(const Parameters<Scalar>& p, const Vector<Scalar>& q, const
                      const Inputs<Scalar>&, Scalar h) {
   return {{q[0] + h * v[0]}, {v[0] + h * p.m}};
 }
+template <class Scalar>
+Next<Scalar> halved(const Parameters<Scalar>&, const Vector<Scalar>& q, const Vector<Scalar>& v) {
+  return {{q[0] / 2}, v};
+}
 }  // namespace sample
 )");
   files.files["sample/sample_batch.hpp"] = R"(#pragma once
@@ -358,6 +362,13 @@ void advance(const Parameters<T>& p, std::size_t count, const T* q, const T* v, 
     const auto next = sample::advance<T>(p, {q[i]}, {v[i]}, {}, h[i]);
     result[i] = next.coordinates[0];
     result[count + i] = next.rates[0];
+  }
+}
+template <class T>
+void halved(const Parameters<T>&, std::size_t count, const T* q, const T* v, T* result) {
+  for (std::size_t i = 0; i < count; ++i) {
+    result[i] = q[i] / 2;
+    result[count + i] = v[i];
   }
 }
 }  // namespace sample::batch
@@ -380,4 +391,18 @@ void advance(const Parameters<T>& p, std::size_t count, const T* q, const T* v, 
   std::vector<double> two{1, 3, 10, 20};
   loops->in_packs(2, 3, 0, 0.5, nullptr, two.data(), spare.data());
   CHECK(two == std::vector<double>{17.5, 34.5, 13, 23});
+  // What puts a state back is called behind every step.
+  program.functions.insert(
+      program.functions.begin(),
+      {.kind = OutputKind::projected, .name = "halved", .fields = program.functions[0].fields});
+  const Result<StepLoops> projected =
+      compile_steps(files, sample::model(), scene, program, {.seconds = 600});
+  INFO(elgen::format(projected.diagnostics));
+  REQUIRE(projected);
+  one = {1, 10};
+  projected->one(1, 3, 0, 0.5, nullptr, one.data(), spare.data());
+  CHECK(one == std::vector<double>{5.125, 13});
+  two = {1, 3, 10, 20};
+  projected->in_packs(2, 3, 0, 0.5, nullptr, two.data(), spare.data());
+  CHECK(two == std::vector<double>{5.125, 9.75, 13, 23});
 }

@@ -94,7 +94,7 @@ class DesignRuns {
     options.goals = {goal};
     const SourcePointer scene = make_kept_source("design.scene.toml", text_of(design));
     Products products = run_pipeline({request_.inputs.model, scene}, options);
-    if (products.checked) keep_only(base_.checked.scene.outputs.front().name, products);
+    if (products.checked) keep_only({base_.checked.scene.outputs.front().name}, products);
     return products;
   }
 
@@ -256,8 +256,10 @@ class DesignBench {
 
 }  // namespace
 
-void keep_only(const std::string& output, Products& products) {
-  const auto is_other = [&output](const auto& named) { return named.name != output; };
+void keep_only(const std::vector<std::string>& outputs, Products& products) {
+  const auto is_other = [&outputs](const auto& named) {
+    return std::ranges::count(outputs, named.name) == 0;
+  };
   std::erase_if(products.checked->scene.outputs, is_other);
   if (!products.program) return;
   Program& program = *products.program;
@@ -282,7 +284,7 @@ Result<OutputBase> output_base(const Inputs& inputs, const std::string& output,
   options.scene.ranges = ranges;
   Products one = run_pipeline(inputs, options);
   if (!one.checked) return one.diagnostics;
-  keep_only(name, one);
+  keep_only({name}, one);
   if (one.checked->scene.outputs.empty()) {
     return Diagnostic{Code::E601, {}, in_backticks(name) + " is not one output"};
   }

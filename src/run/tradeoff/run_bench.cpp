@@ -47,10 +47,21 @@ std::vector<std::string> sentences(const std::map<ChosenStep, StepCode>& codes, 
   return all;
 }
 
+/// E621.
+Diagnostics no_such_run(std::string message) { return {{Code::E621, {}, std::move(message)}}; }
+
+/// Steps that are a whole part of a run, and not too many.
+bool is_part(double length, double time) {
+  constexpr double most_steps = 1e8;  // minutes of the shortest ones
+  const double count = time / length;
+  return count >= 1 && count <= most_steps &&
+         std::abs(count - std::round(count)) <= 1e-9 * count;  // but for how both are typed
+}
+
 class RunBench {
  public:
-  RunBench(const Inputs& inputs, double time, const BenchProcess& process)
-      : inputs_(inputs), time_(time), process_(process) {}
+  RunBench(const RunRequest& request, const BenchProcess& process)
+      : request_(request), time_(request.time), process_(process) {}
 
   Result<MeasuredTable> measure() {
     const Result<Machine> machine = this_machine(process_.limits);
@@ -67,7 +78,7 @@ class RunBench {
               .error = "errors at the end relative to the largest value on the way",
               .dimensions = {"method", "order", "step", "batch"},
               .machine = *machine};
-    const std::vector<PlannedRun> plan = planned_runs(time_);
+    const std::vector<PlannedRun> plan = planned_runs(time_, request_.lengths);
     for (const PlannedRun& planned : plan) make(*planned.design.step);
     process_.on_stage("run");
     process_.renew_time_limit();
@@ -76,6 +87,9 @@ class RunBench {
     process_.renew_time_limit();
     time_all();
     table_.sentences = sentences(codes_, bar_);
+    if (!exact_.checked->model.constraints.empty()) {
+      table_.sentences.emplace_back("`projected` is called behind every step, and counts");
+    }
     table_.sentences.insert(table_.sentences.end(), refusals_.begin(), refusals_.end());
     return {{std::move(table_)}, exact_.diagnostics};
   }
@@ -87,7 +101,7 @@ class RunBench {
     options.limits = process_.limits;
     options.goals = {Goal::choose};
     options.on_stage = process_.on_stage;
-    return derived_for_run(inputs_, options, step);
+    return derived_for_run(request_.inputs, options, step);
   }
 
   /// The run that errors are measured from.
@@ -115,8 +129,11 @@ class RunBench {
       const bool is_for_others = error.code == Code::E622 || error.code == Code::E539;
       return is_for_others ? refused(error.message) : StepCode{.failure = error.message};
     }
-    keep_only(std::string(output_row(OutputKind::step).name), products);
-    const Function& function = products.program->functions.front();
+    keep_only({std::string(output_row(OutputKind::step).name),
+               std::string(output_row(OutputKind::projected).name)},
+              products);
+    const Function& function =
+        *std::ranges::find(products.program->functions, OutputKind::step, &Function::kind);
     const std::size_t length = function.instructions.size();
     if (length > longest_compiled || !is_returned(function)) {
       return refused(fmt::format("{} is {} instructions long, and is not compiled",
@@ -184,7 +201,7 @@ class RunBench {
     }
   }
 
-  const Inputs& inputs_;
+  const RunRequest& request_;
   double time_;
   const BenchProcess& process_;
   Products exact_ = {};  ///< the equations, and where they start
@@ -198,13 +215,16 @@ class RunBench {
 
 }  // namespace
 
-Result<MeasuredTable> measured_runs(const Inputs& inputs, double time,
-                                    const BenchProcess& process) {
+Result<MeasuredTable> measured_runs(const RunRequest& request, const BenchProcess& process) {
+  const double time = request.time;
   if (!(time > 0 && std::isfinite(time))) {
-    return Diagnostic{
-        Code::E621, {}, fmt::format("`--trajectory {}` is not a positive number", time)};
+    return no_such_run(fmt::format("`--trajectory {}` is not a positive number", time));
   }
-  return RunBench(inputs, time, process).measure();
+  for (const double length : request.lengths) {
+    if (is_part(length, time)) continue;
+    return no_such_run(fmt::format("`--steps {}` is no whole part of {} s", length, time));
+  }
+  return RunBench(request, process).measure();
 }
 
 }  // namespace elgen

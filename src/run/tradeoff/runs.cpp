@@ -13,7 +13,7 @@
 namespace elgen {
 namespace {
 
-constexpr std::array<std::size_t, 3> steps_of_a_run{100, 1000, 10'000};
+constexpr std::array<double, 3> steps_of_a_run{100, 1000, 10'000};
 constexpr double turn = 6.283185307179586;
 
 /// One state takes so many steps that its start costs little beside them. Packs have so many states
@@ -50,13 +50,16 @@ PlannedRun planned(const StepMethodRow& method, std::uint32_t order, double h) {
 
 }  // namespace
 
-std::vector<PlannedRun> planned_runs(double time) {
+std::vector<PlannedRun> planned_runs(double time, const std::vector<double>& lengths) {
+  std::vector<double> counts;
+  for (const double length : lengths) counts.push_back(std::round(time / length));
+  if (lengths.empty()) counts.assign(steps_of_a_run.begin(), steps_of_a_run.end());
   std::vector<PlannedRun> runs;
   for (const StepMethodRow& method : step_methods) {
     for (const std::uint32_t order : step_orders(method.order)) {
-      for (const std::size_t steps : steps_of_a_run) {
-        PlannedRun run = planned(method, order, time / static_cast<double>(steps));
-        run.steps = steps;
+      for (const double steps : counts) {
+        PlannedRun run = planned(method, order, time / steps);
+        run.steps = static_cast<std::size_t>(steps);
         runs.push_back(run);
         run.values.back() = "packs";
         run.design.in_packs = true;

@@ -61,7 +61,7 @@ class DesignText {
   [[nodiscard]] std::string text(const std::string& model_path) const {
     return fmt::format("format = 1\nmodel = {}\nname = \"{}\"\n", toml_string(model_path), name()) +
            line("doc", design_.doc.empty() ? "" : toml_string(design_.doc)) +
-           section("outputs", {line(output(), output_value())}) +
+           section("outputs", {line(output(), output_value()), line("projected", projected())}) +
            section("parameters", {line("fixed", fixed())}) + section("sizes", own("sizes")) +
            section("lock", own("lock")) + section("routh", own("routh")) +
            section("functions", own("functions")) + section("approximate", approximation()) +
@@ -127,6 +127,11 @@ class DesignText {
   [[nodiscard]] std::string output() const {
     return design_.step ? std::string(output_row(OutputKind::step).name)
                         : base_.checked.scene.outputs.front().name;
+  }
+
+  /// Beside a step, for use behind it.
+  [[nodiscard]] std::string projected() const {
+    return design_.step && !base_.checked.model.constraints.empty() ? "true" : "";
   }
 
   [[nodiscard]] std::string output_value() const {

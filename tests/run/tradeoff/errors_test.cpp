@@ -83,6 +83,15 @@ TEST_CASE(
   CHECK(verlet.design.step == ChosenStep{StepMethod::verlet, 8});
 }
 
+TEST_CASE("runs are planned with steps of the lengths that are asked for") {
+  const std::vector<PlannedRun> runs = planned_runs(0.3, {0.1, 1e-3});
+  CHECK(runs.size() == (1 + 3 + 3) * 2 * 2);
+  CHECK(runs[0].values == std::vector<std::string>{"rk4", "4", "0.1 s", "one"});
+  CHECK(runs[0].steps == 3);
+  CHECK(runs[2].values == std::vector<std::string>{"rk4", "4", "0.001 s", "one"});
+  CHECK(runs[2].steps == 300);
+}
+
 TEST_CASE("errors at the end are relative to the largest magnitude of each number on the way") {
   const DesignErrors errors = errors_of({1.4, 5.1}, ending(1, 5), one_angle(false));
   CHECK(errors.worst == Approx(0.1));
