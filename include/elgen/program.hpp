@@ -32,6 +32,7 @@ struct Instruction {
   FunctionId function = FunctionId::sin;
   std::uint32_t a = 0;
   std::uint32_t b = 0;
+  bool is_inner = false;  ///< an acceleration's: Numerics::inner is for it, not for the others
   friend bool operator==(const Instruction&, const Instruction&) = default;
 };
 

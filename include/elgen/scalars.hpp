@@ -31,8 +31,9 @@ inline constexpr std::array scalar_table{ScalarRow{ScalarKind::single_precision,
   return scalar_table[static_cast<std::size_t>(kind)].digits;
 }
 
-/// What functions compute in between arguments and results in double.
-enum class InnerScalar : std::uint8_t { same, long_double, double_double };
+/// What functions compute in between arguments and results in double; a `step` in float the
+/// accelerations that it asks for.
+enum class InnerScalar : std::uint8_t { same, long_double, double_double, single_precision };
 
 struct InnerRow {
   InnerScalar kind;
@@ -44,7 +45,8 @@ struct InnerRow {
 inline constexpr std::array inner_table{
     InnerRow{InnerScalar::same, "double", "double", 0x1p-53},
     InnerRow{InnerScalar::long_double, "long double", "long double", 0x1p-64},
-    InnerRow{InnerScalar::double_double, "double-double", "detail::DoubleDouble", 0x1p-102}};
+    InnerRow{InnerScalar::double_double, "double-double", "detail::DoubleDouble", 0x1p-102},
+    InnerRow{InnerScalar::single_precision, "float", "float", 0x1p-24}};
 
 [[nodiscard]] constexpr const InnerRow& inner_row(InnerScalar kind) {
   return inner_table[static_cast<std::size_t>(kind)];

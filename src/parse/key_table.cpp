@@ -235,6 +235,7 @@ constexpr auto choice_rows = std::to_array<ChoiceRow>({
     {"scene.numeric", "inner", "double"},
     {"scene.numeric", "inner", "long double"},
     {"scene.numeric", "inner", "double-double"},
+    {"scene.numeric", "inner", "float"},
     {"scene.numeric", "form", "closed"},
     {"scene.numeric", "form", "recursive"},
     {"scene.numeric", "prefer", "balanced"},

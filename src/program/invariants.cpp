@@ -71,12 +71,12 @@ std::string broken_function(const Program& program, const Function& function) {
     return fmt::format("{} names for {} instructions", function.names.size(),
                        function.instructions.size());
   }
-  std::set<std::tuple<Opcode, FunctionId, std::uint32_t, std::uint32_t>> seen;
+  std::set<std::tuple<Opcode, FunctionId, std::uint32_t, std::uint32_t, bool>> seen;
   for (std::size_t at = 0; at < function.instructions.size(); ++at) {
     const std::string broken = broken_instruction(program, function, at);
     if (!broken.empty()) return fmt::format("instruction {}: {}", at, broken);
     const Instruction& i = function.instructions[at];
-    if (!seen.emplace(i.opcode, i.function, i.a, i.b).second) {
+    if (!seen.emplace(i.opcode, i.function, i.a, i.b, i.is_inner).second) {
       return fmt::format("instruction {}: computed before", at);
     }
   }

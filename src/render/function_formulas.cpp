@@ -24,8 +24,8 @@ Formula Vocabulary::call(FunctionId function, const std::vector<Formula>& argume
 /// The rules of fold.hpp, on operands by their numbers.
 class FunctionFormulas::Rules {
  public:
-  explicit Rules(const FunctionFormulas& all)
-      : all_(all), vocabulary_(all.vocabulary_), spelling_(vocabulary_.spelling()) {}
+  Rules(const FunctionFormulas& all, std::uint32_t at)
+      : all_(all), at_(at), vocabulary_(all.vocabulary_of(at)), spelling_(vocabulary_.spelling()) {}
 
   [[nodiscard]] std::uint32_t operator[](std::uint32_t operand) const { return operand; }
 
@@ -38,34 +38,34 @@ class FunctionFormulas::Rules {
     return {vocabulary_.leaf(kind, number), is_long ? Binding::product : Binding::atom};
   }
   [[nodiscard]] Formula add(std::uint32_t x, std::uint32_t y) const {
-    return sum(spelling_, {{all_.entry(x)}, {all_.entry(y)}});
+    return sum(spelling_, {{entry(x)}, {entry(y)}});
   }
   [[nodiscard]] Formula subtract(std::uint32_t x, std::uint32_t y) const {
-    return sum(spelling_, {{all_.entry(x)}, {all_.entry(y), true}});
+    return sum(spelling_, {{entry(x)}, {entry(y), true}});
   }
   /// Stacked, a fraction of integers stands in front: 3/4 g/l.
   [[nodiscard]] Formula divide(std::uint32_t x, std::uint32_t y) const {
     std::vector<std::uint32_t> above;
     if (spelling_.is_two_dimensional) collect_factors(x, above);
     if (above.size() < 2 || !is_fraction(above.front())) {
-      return quotient(spelling_, all_.entry(x), all_.entry(y));
+      return quotient(spelling_, entry(x), entry(y));
     }
     const std::uint32_t number = above.front();
     above.erase(above.begin());
-    const Formula rest = quotient(spelling_, product_of_powers(above), all_.entry(y));
-    return product(spelling_, {all_.entry(number), rest});
+    const Formula rest = quotient(spelling_, product_of_powers(above), entry(y));
+    return product(spelling_, {entry(number), rest});
   }
   [[nodiscard]] Formula square_root(std::uint32_t x) const {
-    return vocabulary_.square_root(all_.entry(x));
+    return vocabulary_.square_root(entry(x));
   }
   /// The k of stumpff(x, k) is a whole number in all languages.
   [[nodiscard]] Formula call(FunctionId function, std::uint32_t x, std::uint32_t y) const {
-    std::vector<Formula> arguments = {all_.entry(x)};
+    std::vector<Formula> arguments = {entry(x)};
     if (function == FunctionId::stumpff) {
       const Constant& order = all_.program_.constants[all_.function_.instructions[y].a];
       arguments.push_back(number(spelling_, cln::rational(order.value)));
     } else if (function_row(function).arity > 1) {
-      arguments.push_back(all_.entry(y));
+      arguments.push_back(entry(y));
     }
     return vocabulary_.call(function, arguments);
   }
@@ -74,13 +74,13 @@ class FunctionFormulas::Rules {
   [[nodiscard]] Formula negate(std::uint32_t x) const {
     const Instruction& i = all_.function_.instructions[x];
     const bool is_constant = i.opcode == Opcode::constant && spelling_.has_powers();
-    if (!is_constant) return negated(spelling_, all_.entry(x));
+    if (!is_constant) return negated(spelling_, entry(x));
     const Constant& constant = all_.program_.constants[i.a];
     return vocabulary_.constant({-constant.value, elgen::negated(constant.form)});
   }
 
   [[nodiscard]] Formula multiply(std::uint32_t x, std::uint32_t y) const {
-    if (!spelling_.has_powers()) return product(spelling_, {all_.entry(x), all_.entry(y)});
+    if (!spelling_.has_powers()) return product(spelling_, {entry(x), entry(y)});
     std::vector<std::uint32_t> factors;
     collect_factors(x, factors);
     collect_factors(y, factors);
@@ -88,6 +88,8 @@ class FunctionFormulas::Rules {
   }
 
  private:
+  [[nodiscard]] Formula entry(std::uint32_t at) const { return all_.operand(at_, at); }
+
   [[nodiscard]] bool is_fraction(std::uint32_t at) const {
     const Instruction& i = all_.function_.instructions[at];
     if (i.opcode != Opcode::constant) return false;
@@ -110,7 +112,7 @@ class FunctionFormulas::Rules {
     std::vector<Formula> different;
     for (auto factor = all.begin(); factor != all.end(); ++factor) {
       if (std::find(all.begin(), factor, *factor) != factor) continue;
-      Formula base = all_.entry(*factor);
+      Formula base = entry(*factor);
       if (base.binding == Binding::negation) base = at_least(spelling_, base, Binding::product);
       const long exponent = std::count(all.begin(), all.end(), *factor);
       different.push_back(exponent == 1 ? base
@@ -120,6 +122,7 @@ class FunctionFormulas::Rules {
   }
 
   const FunctionFormulas& all_;
+  std::uint32_t at_;
   const Vocabulary& vocabulary_;
   const Spelling& spelling_;
 };
@@ -128,8 +131,22 @@ Formula FunctionFormulas::entry(std::uint32_t at) const {
   return names_[at].empty() ? definition(at) : Formula{names_[at]};
 }
 
+Formula FunctionFormulas::operand(std::uint32_t user, std::uint32_t at) const {
+  const Vocabulary& words = vocabulary_of(user);
+  const Instruction& i = function_.instructions[at];
+  if (i.opcode == Opcode::constant && names_[at].empty()) {
+    return words.constant(program_.constants[i.a]);
+  }
+  return &words == &vocabulary_of(at) ? entry(at) : words.converted(entry(at));
+}
+
+const Vocabulary& FunctionFormulas::vocabulary_of(std::uint32_t at) const {
+  const bool is_inner = function_.instructions[at].is_inner && vocabulary_.inner() != nullptr;
+  return is_inner ? *vocabulary_.inner() : vocabulary_;
+}
+
 Formula FunctionFormulas::definition(std::uint32_t at) const {
-  const Rules rules(*this);
+  const Rules rules(*this, at);
   return folded(rules, program_, function_.instructions[at], rules);
 }
 

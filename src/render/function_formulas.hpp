@@ -33,6 +33,11 @@ class Vocabulary {
   [[nodiscard]] virtual Formula call(FunctionId function,
                                      const std::vector<Formula>& arguments) const;
 
+  /// The words for inner instructions; null where they are written as all others.
+  [[nodiscard]] virtual const Vocabulary* inner() const { return nullptr; }
+  /// A value of the other instructions as a number of these.
+  [[nodiscard]] virtual Formula converted(const Formula& value) const { return value; }
+
  private:
   const Spelling& spelling_;
 };
@@ -48,9 +53,13 @@ class FunctionFormulas {
   [[nodiscard]] Formula definition(std::uint32_t at) const;
   /// Its name, where it has one.
   [[nodiscard]] Formula entry(std::uint32_t at) const;
+  /// The same as an operand of an instruction.
+  [[nodiscard]] Formula operand(std::uint32_t user, std::uint32_t at) const;
 
  private:
   class Rules;
+
+  [[nodiscard]] const Vocabulary& vocabulary_of(std::uint32_t at) const;
 
   const Program& program_;
   const Function& function_;

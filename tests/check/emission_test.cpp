@@ -105,7 +105,9 @@ TEST_CASE("polynomials are for batches, and these for C++ in float and double") 
 TEST_CASE("functions of doubles compute in double, or in a wider scalar") {
   CHECK(block_scene("").numerics.inner == InnerScalar::same);
   for (const InnerRow& row : inner_table) {
-    const std::string inner = "[numeric]\ninner = \"" + std::string(row.name) + "\"\n";
+    const bool is_for_steps = row.kind == InnerScalar::single_precision;
+    const std::string inner = (is_for_steps ? "[outputs]\nstep = { method = \"rk4\" }\n" : "") +
+                              ("[numeric]\ninner = \"" + std::string(row.name) + "\"\n");
     CHECK(block_scene(inner).numerics.inner == row.kind);
     const bool is_same = row.kind == InnerScalar::same;
     CHECK(block_scene_messages(inner + batch).empty() == is_same);
@@ -122,6 +124,20 @@ TEST_CASE("a wider scalar is for one state in double and in C++") {
   CHECK_THAT(block_scene_messages(inner + "scalar = [\"long double\"]\n"), Catch::Contains("E628"));
   CHECK_THAT(block_scene_messages(inner + "[emit]\nlanguage = \"c99\"\n"),
              Catch::Contains("E611") && Catch::Contains("`inner` needs C++"));
+}
+
+TEST_CASE("float is for the accelerations of steps alone") {
+  const std::string inner = "[numeric]\ninner = \"float\"\n";
+  const auto messages = [&inner](const std::string& outputs) {
+    return block_scene_messages("[outputs]\n" + outputs + inner);
+  };
+  CHECK(messages("step = { method = \"rk4\" }\n").empty());
+  CHECK(messages("step = { method = \"verlet\" }\n").empty());
+  CHECK_THAT(messages("step = { method = \"rk4\" }\nbias = true\n"),
+             Catch::Contains("E628") && Catch::Contains("`bias` is no `step`"));
+  CHECK_THAT(messages("step = { method = \"midpoint\" }\n"),
+             Catch::Contains("E628") && Catch::Contains("`midpoint` asks for none"));
+  CHECK_THAT(block_scene_messages(inner), Catch::Contains("E628"));
 }
 
 TEST_CASE("a step has the number of its method") {

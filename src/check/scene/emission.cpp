@@ -150,11 +150,25 @@ void read_batch(Context& context, const FileSyntax* syntax, Scene& scene) {
   BatchReader(context, syntax, scene).read();
 }
 
-void read_inner(Context& context, const FileSyntax* syntax, Scene& scene) {
+namespace {
+
+/// Why accelerations in float are none of an output; "" where they are.
+std::string lacks_accelerations(const OutputRequest& output) {
+  if (output.kind != OutputKind::step) return in_backticks(output.name) + " is no `step`";
+  const StepMethodRow& method = step_methods[output.user];
+  return method.id == StepMethod::midpoint ? in_backticks(method.name) + " asks for none" : "";
+}
+
+}  // namespace
+
+void read_inner(Context& context, const FileSyntax* syntax, const SceneOptions& options,
+                Scene& scene) {
   const KeySyntax* const inner = find_key(syntax, "numeric", "inner");
   if (inner == nullptr) return;
   const auto* const row = std::ranges::find(inner_table, inner->value.text, &InnerRow::name);
   if (row == inner_table.end() || row->kind == InnerScalar::same) return;
+  const bool is_for_step = row->kind == InnerScalar::single_precision;
+  if (is_for_step && !options.outputs.empty()) return;
   scene.numerics.inner = row->kind;
   const LanguageRow& language = language_row(scene.emission.language);
   if (!language.has_more_headers) {
@@ -167,6 +181,12 @@ void read_inner(Context& context, const FileSyntax* syntax, Scene& scene) {
   };
   if (scene.numerics.scalars != std::vector{ScalarKind::double_precision}) {
     refuse(find_key(syntax, "numeric", "scalar")->value.span, "`scalar` is not `double` alone");
+  }
+  const auto other = std::ranges::find_if(scene.outputs, [](const OutputRequest& output) {
+    return !lacks_accelerations(output).empty();
+  });
+  if (is_for_step && other != scene.outputs.end()) {
+    refuse(other->span, lacks_accelerations(*other));
   }
   for (const char* const header : {"eigen", "batch"}) {
     const KeySyntax* const key = find_key(syntax, "emit", header);

@@ -26,9 +26,10 @@ namespace elgen {
 /// where the scalars or the accuracy are those of no batch.
 void read_batch(Context& context, const FileSyntax* syntax, Scene& scene);
 
-/// Sets Numerics::inner. E611 where the language is not C++, E628 where functions are not those of
-/// one state in double.
-void read_inner(Context& context, const FileSyntax* syntax, Scene& scene);
+/// Sets Numerics::inner; float is for the outputs of the scene, not for those of the options. E611
+/// where the language is not C++, E628 where functions are not those of one state in double.
+void read_inner(Context& context, const FileSyntax* syntax, const SceneOptions& options,
+                Scene& scene);
 
 /// Sets Numerics::max_error and its ranges, those of the options last. E640, E630, E606.
 void read_promise(Context& context, const FileSyntax* syntax, const SceneOptions& options,

@@ -122,7 +122,7 @@ class SceneReader {
     read_numerics();
     scene_.emission = read_emission(context_, syntax_, scene_);
     read_batch(context_, syntax_, scene_);
-    read_inner(context_, syntax_, scene_);
+    read_inner(context_, syntax_, options_, scene_);
     read_promise(context_, syntax_, options_, scene_.numerics);
     scene_.has_options =
         !options_.outputs.empty() || !options_.fixed.empty() || !options_.sizes.empty();

@@ -77,14 +77,14 @@ bool is_spelled_out(const ConstantForm& form) {
 
 }  // namespace
 
-std::string cpp_magnitude(const cln::cl_R& value) {
+std::string cpp_magnitude(const cln::cl_R& value, std::string_view scalar) {
   const cln::cl_R magnitude = cln::abs(value);
   if (const std::optional<std::string> exact = exact_in_float(magnitude)) {
-    return fmt::format("constant<Scalar>({})", *exact);
+    return fmt::format("constant<{}>({})", scalar, *exact);
   }
   const ScaledRatio fraction = exact_fraction(magnitude);
   const std::string exponent = fraction.exponent == 0 ? "" : fmt::format(", {}", fraction.exponent);
-  return fmt::format("constant<Scalar>({}, {}, {}, {}, {}{})",
+  return fmt::format("constant<{}>({}, {}, {}, {}, {}{})", scalar,
                      literal(magnitude, ScalarKind::single_precision, "F"),
                      literal(magnitude, ScalarKind::double_precision, ""),
                      literal(magnitude, ScalarKind::long_double, "L"), chunks(fraction.numerator),

@@ -8,13 +8,14 @@
 #include <cln/real.h>
 
 #include <string>
+#include <string_view>
 
 #include "elgen/program.hpp"
 
 namespace elgen {
 
-/// The expression for |value|; signs are operators of the equations.
-[[nodiscard]] std::string cpp_magnitude(const cln::cl_R& value);
+/// The expression for |value|, of a type; signs are operators of the equations.
+[[nodiscard]] std::string cpp_magnitude(const cln::cl_R& value, std::string_view scalar = "Scalar");
 
 /// The expression for the value, with its sign.
 [[nodiscard]] std::string cpp_constant(const cln::cl_R& value);

@@ -60,7 +60,8 @@ class DefinitionWriter {
   FunctionDefinition definition() {
     const std::vector<Statement> all = statements(
         ordered_, names_, dialect_.sine_cosine().empty() ? Pairing::separate : Pairing::joint);
-    if (all.size() <= longest_body) return {short_text(all)};
+    // The values that parts share have one type.
+    if (all.size() <= longest_body || dialect_.inner() != nullptr) return {short_text(all)};
     const Sections cut = sections(all, section_length);
     FunctionDefinition result;
     result.workspace = take_shared(cut.crosses);
@@ -111,13 +112,15 @@ class DefinitionWriter {
   [[nodiscard]] std::string named_value(const Statement& statement, bool is_declared) const {
     const std::uint32_t at = statement.instruction;
     const std::string& name = names_[at];
+    const bool is_inner = ordered_.instructions[at].is_inner && dialect_.inner() != nullptr;
+    const Dialect& dialect = is_inner ? *dialect_.inner() : dialect_;
     if (!statement.cosine) {
-      return assignment(is_declared ? dialect_.declaration(name) : name,
+      return assignment(is_declared ? dialect.declaration(name) : name,
                         formulas_.definition(at).text());
     }
-    const Formula angle = formulas_.entry(ordered_.instructions[at].a);
-    return assignment(dialect_.pair(name, names_[*statement.cosine], is_declared),
-                      called(dialect_.sine_cosine(), {angle}).text());
+    const Formula angle = formulas_.operand(at, ordered_.instructions[at].a);
+    return assignment(dialect.pair(name, names_[*statement.cosine], is_declared),
+                      called(dialect.sine_cosine(), {angle}).text());
   }
 
   /// The names of what crosses into other parts; it is spelt as shared from here on.

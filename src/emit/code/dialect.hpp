@@ -31,6 +31,8 @@ class Dialect : public Vocabulary {
   [[nodiscard]] Formula call(FunctionId function,
                              const std::vector<Formula>& arguments) const override;
 
+  [[nodiscard]] const Dialect* inner() const override { return nullptr; }
+
   /// A temporary's name, with an underscore behind where it would hide something.
   [[nodiscard]] std::string temporary(const std::string& name) const;
 

@@ -67,14 +67,18 @@ class CppDialect : public Dialect {
   Formula constant(const Constant& constant) const override {
     const bool is_negative = cln::minusp(constant.value);
     const std::string magnitude = is_short_constant(constant.value)
-                                      ? cpp_magnitude(constant.value)
-                                      : constant_name(constant) + "<Scalar>()";
+                                      ? cpp_magnitude(constant.value, scalar())
+                                      : fmt::format("{}<{}>()", constant_name(constant), scalar());
     return {(is_negative ? "-" : "") + magnitude, is_negative ? Binding::negation : Binding::atom};
   }
 
-  std::string declaration(const std::string& name) const override { return "const Scalar " + name; }
+  std::string declaration(const std::string& name) const override {
+    return fmt::format("const {} {}", scalar(), name);
+  }
 
-  std::string sine_cosine() const override { return "detail::SineCosine<Scalar>::of"; }
+  std::string sine_cosine() const override {
+    return fmt::format("{}detail::SineCosine<{}>::of", scope(), scalar());
+  }
 
   std::string pair(const std::string& sine, const std::string& cosine,
                    bool is_declared) const override {
@@ -165,6 +169,12 @@ class CppDialect : public Dialect {
     return type_of_field(function.kind, function.fields.front());
   }
 
+  /// The type of values.
+  virtual std::string_view scalar() const { return "Scalar"; }
+
+  /// In front of `detail::` of the header.
+  virtual std::string_view scope() const { return ""; }
+
   /// In front of the type that a function returns; with a blank behind it.
   virtual std::string_view function_macro() const { return "ELGEN_FUNCTION "; }
 
@@ -186,7 +196,7 @@ class CppDialect : public Dialect {
   std::string library_function(std::string_view name) const override { return std::string(name); }
 
   std::string own_function(std::string_view name) const override {
-    return fmt::format("detail::{}<Scalar>", name);
+    return fmt::format("{}detail::{}<{}>", scope(), name, scalar());
   }
 
   static std::string part_name(const Function& function, std::size_t part) {
@@ -242,12 +252,43 @@ class EigenDialect final : public CppDialect {
 };
 
 /// Functions of numbers of one type, called Scalar.
-class WideDialect final : public CppDialect {
+class WideDialect : public CppDialect {
  public:
   using CppDialect::CppDialect;
 
  private:
   std::string_view function_macro() const override { return "inline "; }
+};
+
+/// Values of a type beside a `detail` of its own.
+class TypedDialect : public WideDialect {
+ public:
+  TypedDialect(const Model& model, const Program& program, std::string_view scalar,
+               const std::string& name_space)
+      : WideDialect(model, program), scalar_(scalar), scope_("::" + name_space + "::") {}
+
+  Formula converted(const Formula& value) const override {
+    return {fmt::format("static_cast<{}>({})", scalar_, value.text())};
+  }
+
+ private:
+  std::string_view scalar() const override { return scalar_; }
+  std::string_view scope() const override { return scope_; }
+
+  std::string_view scalar_;
+  std::string scope_;
+};
+
+class MixedDialect final : public TypedDialect {
+ public:
+  MixedDialect(const Model& model, const Program& program, const std::string& name_space)
+      : TypedDialect(model, program, "Scalar", name_space),
+        inner_(model, program, "Inner", name_space) {}
+
+  const Dialect* inner() const override { return &inner_; }
+
+ private:
+  TypedDialect inner_;
 };
 
 }  // namespace
@@ -262,6 +303,11 @@ std::unique_ptr<Dialect> eigen_dialect(const Model& model, const Program& progra
 
 std::unique_ptr<Dialect> wide_dialect(const Model& model, const Program& program) {
   return std::make_unique<WideDialect>(model, program);
+}
+
+std::unique_ptr<Dialect> mixed_dialect(const Model& model, const Program& program,
+                                       const std::string& name_space) {
+  return std::make_unique<MixedDialect>(model, program, name_space);
 }
 
 }  // namespace elgen

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "emit/code/dialect.hpp"
 
@@ -15,5 +16,8 @@ namespace elgen {
 [[nodiscard]] std::unique_ptr<Dialect> cpp_dialect(const Model& model, const Program& program);
 [[nodiscard]] std::unique_ptr<Dialect> eigen_dialect(const Model& model, const Program& program);
 [[nodiscard]] std::unique_ptr<Dialect> wide_dialect(const Model& model, const Program& program);
+/// Inner instructions in `Inner`, beside the functions in a namespace.
+[[nodiscard]] std::unique_ptr<Dialect> mixed_dialect(const Model& model, const Program& program,
+                                                     const std::string& name_space);
 
 }  // namespace elgen

@@ -104,9 +104,14 @@ TemplateData numbers(const Program& program) {
   return list;
 }
 
-/// The calls of glibc that have both, of the scalars that the scene names. No GPU has long double.
+/// The calls of glibc that have both, of the scalars that the scene names, float among them where
+/// accelerations are in it. No GPU has long double.
 TemplateData sine_cosine_calls(const Numerics& numerics) {
-  return rows_data(numerics.scalars, [](ScalarKind scalar) {
+  std::vector<ScalarKind> named = numerics.scalars;
+  if (numerics.inner == InnerScalar::single_precision) {
+    named.push_back(ScalarKind::single_precision);
+  }
+  return rows_data(named, [](ScalarKind scalar) {
     const bool is_long = scalar == ScalarKind::long_double;
     const std::string ending = is_long ? "l" : (scalar == ScalarKind::single_precision ? "f" : "");
     return TemplateRow{{"scalar", std::string(name_of(scalar))},

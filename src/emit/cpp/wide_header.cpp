@@ -1,10 +1,12 @@
 // wide_header: the functions of the other header in a wider scalar, as the template
-// cpp/wide.hpp.mustache lays it out. Each widens its arguments, calls the other header, rounds.
+// cpp/wide.hpp.mustache lays it out. Each widens its arguments, calls the other header, rounds; but
+// a step of accelerations in float is written out.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 
+#include "emit/code/definition.hpp"
 #include "emit/code/function_docs.hpp"
 #include "emit/code/header_data.hpp"
 #include "emit/cpp/cpp_dialect.hpp"
@@ -55,6 +57,14 @@ std::string body_of_wide(const EmissionInput& input, const Function& function) {
          fmt::format("  return {{{}}};\n", fmt::join(fields, ",\n          "));
 }
 
+/// A step whose accelerations alone are in `Inner`.
+TemplateRow mixed_step(const EmissionInput& input, const Function& function) {
+  const auto dialect = mixed_dialect(input.model, input.program, name_space(input.scene));
+  const DefinitionText step =
+      definition(*dialect, input.program, function, input.scene.emission.storage).whole;
+  return {{"signature", step.signature}, {"body", step.body}};
+}
+
 TemplateData functions_of_wide(const EmissionInput& input) {
   const auto dialect = wide_dialect(input.model, input.program);
   TemplateData list(TemplateData::type::list);
@@ -67,9 +77,12 @@ TemplateData functions_of_wide(const EmissionInput& input) {
     }
     const FunctionText text{input.model, input.program,       function, input.equations[i],
                             {},          input.scene.emission};
-    list << TemplateRow{{"summary", function_heading(text)},
-                        {"signature", dialect->signature(function, all)},
-                        {"body", body_of_wide(input, function)}};
+    const bool is_mixed = input.scene.numerics.inner == InnerScalar::single_precision;
+    TemplateRow row = is_mixed ? mixed_step(input, function)
+                               : TemplateRow{{"signature", dialect->signature(function, all)},
+                                             {"body", body_of_wide(input, function)}};
+    row["summary"] = function_heading(text);
+    list << row;
   }
   return list;
 }
@@ -92,7 +105,8 @@ std::string wide_header(const EmissionInput& input) {
   const InnerRow& inner = inner_row(input.scene.numerics.inner);
   TemplateData data = stamp_data(input);
   data.set("header", input.scene.base_name + ".hpp");
-  data.set("inner", std::string(inner.name));
+  const bool is_mixed = inner.kind == InnerScalar::single_precision;
+  data.set("inner", is_mixed ? "double, their accelerations in float" : std::string(inner.name));
   data.set("type", std::string(inner.type));
   data.set("notes", lines_data(notes_of_wide(input)));
   data.set("double_double", section_if(inner.kind == InnerScalar::double_double));

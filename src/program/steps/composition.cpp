@@ -43,7 +43,8 @@ std::optional<std::uint32_t> Composition::trivial(const Instruction& i) {
       return is_zero(i.b) ? std::optional(i.a) : std::nullopt;
     case Opcode::subtract:
       if (is_zero(i.b)) return i.a;
-      return is_zero(i.a) ? std::optional(add(Opcode::negate, i.b)) : std::nullopt;
+      if (!is_zero(i.a)) return std::nullopt;
+      return add(Instruction{.opcode = Opcode::negate, .a = i.b, .is_inner = i.is_inner});
     case Opcode::multiply:
       if (is_zero(i.a) || is_one(i.b)) return i.a;
       return is_zero(i.b) || is_one(i.a) ? std::optional(i.b) : std::nullopt;
@@ -93,7 +94,7 @@ std::uint32_t Composition::leaf_at(const Instruction& leaf, const CallPoint& at)
 }
 
 Places Composition::call(const Program& from, const Function& callee, const Field& field,
-                         const CallPoint& at) {
+                         const CallPoint& at, bool is_inner) {
   const std::vector<bool> needed = needed_for(callee, field.entries);
   // A hash says of what a value is computed, which is another one here.
   const std::vector<std::string> names = told_names(from, callee);
@@ -109,6 +110,7 @@ Places Composition::call(const Program& from, const Function& callee, const Fiel
     if (instruction.opcode == Opcode::constant) {
       instruction.a = position_of(from.constants[instruction.a], program_.constants);
     }
+    instruction.is_inner = is_inner && operand_count(instruction) > 0;
     places[i] = add(with_operands(instruction, places));
     const bool is_computed = operand_count(function_.instructions[places[i]]) > 0;
     std::string& name = function_.names[places[i]];

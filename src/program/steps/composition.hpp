@@ -43,9 +43,10 @@ class Composition {
   /// x + c y
   [[nodiscard]] Places moved(const Places& x, std::uint32_t c, const Places& y);
 
-  /// The entries of a field of `callee`, a function of `from`, at a point.
+  /// The entries of a field of `callee`, a function of `from`, at a point. `is_inner`: of its
+  /// operations.
   [[nodiscard]] Places call(const Program& from, const Function& callee, const Field& field,
-                            const CallPoint& at);
+                            const CallPoint& at, bool is_inner = false);
 
   /// Calls values "theta_2" that are computed and have no name yet.
   void name(const Places& values, Opcode kind, std::uint32_t number);

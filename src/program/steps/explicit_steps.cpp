@@ -46,7 +46,8 @@ class Explicit {
 
   Places called(OutputKind kind, const CallPoint& at) {
     const Function& function = *find_function(step_.calls, kind);
-    return compose_.call(step_.calls, function, function.fields.front(), at);
+    const bool is_inner = step_.has_inner && kind == OutputKind::forward_dynamics;
+    return compose_.call(step_.calls, function, function.fields.front(), at, is_inner);
   }
 
   Places acceleration(const CallPoint& at) {

@@ -99,11 +99,12 @@ bool has_linear_terms(const CheckedModel& checked, const Program& program) {
 
 }  // namespace
 
-StepContext::StepContext(const Model& the_model, const OutputRequest& request,
+StepContext::StepContext(const CheckedModel& checked, const OutputRequest& request,
                          const Program& the_calls, Composition& composition)
-    : model(the_model),
+    : model(checked.model),
       calls(the_calls),
       compose(composition),
+      has_inner(checked.scene.numerics.inner == InnerScalar::single_precision),
       iterations(request.iterations),
       parts(step_parts(request.composed_order)),
       h(compose.leaf(Opcode::step)),
@@ -171,7 +172,7 @@ Diagnostics add_step(const CheckedModel& checked, const OutputRequest& step, con
                     .composed_order = step.composed_order,
                     .name = step.name};
   Composition compose(program, function);
-  NextState moved = methods[step.user](StepContext(checked.model, step, calls, compose));
+  NextState moved = methods[step.user](StepContext(checked, step, calls, compose));
   add_field(function, "coordinates", std::move(moved.q));
   add_field(function, "rates", std::move(moved.v));
   add_field(function, "residual", std::move(moved.residual));

@@ -11,7 +11,7 @@ namespace elgen {
 /// Where a step is composed, and from what.
 struct StepContext {
   /// `the_calls` has what needed_for_step says of `request`. All arguments outlive it.
-  StepContext(const Model& the_model, const OutputRequest& request, const Program& the_calls,
+  StepContext(const CheckedModel& checked, const OutputRequest& request, const Program& the_calls,
               Composition& composition);
 
   /// t + c; of no meaning where the model does not know t.
@@ -26,6 +26,7 @@ struct StepContext {
   const Model& model;
   const Program& calls;
   Composition& compose;
+  bool has_inner;                 ///< accelerations in float
   std::uint32_t iterations;       ///< of an implicit method
   std::vector<cln::cl_RA> parts;  ///< of h, over which a symmetric method goes in turn
   std::uint32_t h;

@@ -92,7 +92,8 @@ void Visit<Scalar>::run(const FieldPlace& place) {
   function_ = place.function;
   exact_ = &exact_run_of(*function_);
   values_ = evaluate(subject_.program, *function_, sample_.values);
-  if (options_.wide != nullptr) {
+  wide_values_.clear();
+  if (options_.wide != nullptr && suits_inner()) {
     wide_values_ = options_.wide->call(function_->name, sample_.values);
   }
   if (options_.as_users == nullptr) return;
@@ -212,8 +213,20 @@ CodeFinding Visit<Scalar>::judged_wide(const FieldPlace& place) const {
   const Real share(exact_value(most_of_users * ratio));
   return judged(place, wide_values_, most_of_wide, [&](std::size_t i) {
     const Running<Real>& truth = exact(place, i);
-    return std::pair(truth.value, abs(truth.value) + share * truth.error);
+    const Real& error = in_float_.empty() ? truth.error : in_float_[place.first + i].error;
+    return std::pair(truth.value, abs(truth.value) + share * error);
   });
+}
+
+/// Float rounds arguments, and has a smaller range.
+template <class Scalar>
+bool Visit<Scalar>::suits_inner() {
+  in_float_.clear();
+  if (subject_.scene.numerics.inner != InnerScalar::single_precision) return true;
+  const ExactRun run = exact_run(subject_.program, *function_, state(), rounding<float>());
+  in_float_ = run.entries;
+  return run.regime == Regime::regular &&
+         std::ranges::none_of(run.entries, &Running<Real>::underflows);
 }
 
 /// Exact values have 60 digits of E: values and errors that are no larger than what is left out of

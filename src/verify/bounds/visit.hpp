@@ -105,6 +105,8 @@ class Visit {
                                    double most, const Judge& judge) const;
   [[nodiscard]] CodeFinding judged_users(const FieldPlace& place) const;
   [[nodiscard]] CodeFinding judged_wide(const FieldPlace& place) const;
+  /// Whether the inner scalar has all numbers on the way; sets the errors that it makes of them.
+  bool suits_inner();
   /// None where an entry has no exact value.
   [[nodiscard]] std::optional<Loss> measured_loss(const FieldPlace& place);
   [[nodiscard]] bool may_lose(const FieldPlace& place) const;
@@ -125,6 +127,7 @@ class Visit {
   std::vector<Scalar> values_ = {};
   std::vector<Scalar> users_values_ = {};  ///< of the code as users compile it
   std::vector<Scalar> wide_values_ = {};   ///< of code in a wider scalar; empty where it lacks it
+  std::vector<Running<Real>> in_float_ = {};  ///< the entries, where the inner scalar is float
 };
 
 /// The work of a state: instructions, and the oracle's exact solution of constrained equations.
