@@ -7,16 +7,16 @@
 
 #include "elgen/program.hpp"
 #include "elgen/render.hpp"
+#include "program/graph/graph_reader.hpp"
 #include "program/network/linearise.hpp"
 #include "program/network/network.hpp"
-#include "support/graph_reader.hpp"
 
 namespace elgen::testing {
 
 using Texts = std::vector<std::string>;
 
 inline Ref value_of(Graph& graph, const std::string& text) {
-  const auto value = test::read_value(graph, text, {"a", "b", "c", "d", "e"});
+  const auto value = read_value(graph, text, {"a", "b", "c", "d", "e"});
   if (!value) FAIL("cannot read " << text);
   return *value;
 }

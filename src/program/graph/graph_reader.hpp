@@ -1,0 +1,22 @@
+// Expressions of the model language as text -> values of a Graph.
+//
+//     exp(1)+cos(1)-1   ->   the sum of three terms
+//     (a*b)^2*c         ->   a product of two factors, one of them the square of a product
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "elgen/limits.hpp"
+#include "program/graph/graph.hpp"
+
+namespace elgen {
+
+/// The sums and products of the text as it has them: a bracket is a node of its own. Names are
+/// those of coordinates. None where it is no expression of numbers, pi, functions and these.
+[[nodiscard]] std::optional<Ref> read_value(Graph& graph, const std::string& text,
+                                            const std::vector<std::string>& coordinates,
+                                            const Limits& limits = {});
+
+}  // namespace elgen
