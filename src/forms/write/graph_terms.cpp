@@ -7,6 +7,13 @@ namespace elgen {
 
 using cln::cl_RA;
 
+bool is_same(const ScaledTerm& x, const ScaledTerm& y) {
+  return x.coefficient == y.coefficient && x.factors.size() == y.factors.size() &&
+         std::ranges::all_of(x.factors, [&y](const Operand& factor) {
+           return std::ranges::find(y.factors, factor) != y.factors.end();
+         });
+}
+
 Ref GraphTerms::times(Ref x, Ref y) {
   ScaledTerm term = scaled(x);
   const ScaledTerm other = scaled(y);
@@ -22,20 +29,57 @@ Ref GraphTerms::sum(const std::vector<Ref>& values) {
   return graph_.sum(terms);
 }
 
-std::vector<Ref> GraphTerms::parts_of(Ref value) {
-  const bool is_sum = graph_.node(value.node).kind == NodeKind::sum;
-  ScaledTerm term = is_sum ? ScaledTerm{1, {{value.node, 1}}} : scaled(value);
-  if (is_sum && value.negative) term.coefficient = -1;
-  const auto bracket = std::ranges::find_if(term.factors, [&](const Operand& factor) {
-    return factor.weight == 1 && graph_.node(factor.node).kind == NodeKind::sum;
+/// A sum is one factor.
+ScaledTerm GraphTerms::as_factors(Ref value) const {
+  if (graph_.node(value.node).kind != NodeKind::sum) return scaled(value);
+  return {value.negative ? -1 : 1, {{value.node, 1}}};
+}
+
+std::vector<Operand>::iterator GraphTerms::first_bracket(ScaledTerm& term,
+                                                         std::int32_t highest_power) const {
+  return std::ranges::find_if(term.factors, [&](const Operand& factor) {
+    return 0 < factor.weight && factor.weight <= highest_power &&
+           graph_.node(factor.node).kind == NodeKind::sum;
   });
+}
+
+std::vector<Ref> GraphTerms::parts_of(Ref value) {
+  ScaledTerm term = as_factors(value);
+  const auto bracket = first_bracket(term, 1);
   if (bracket == term.factors.end()) return {value};
   const std::vector<Ref> terms = terms_of(bracket->node);
   term.factors.erase(bracket);
-  const Ref common = product(term.coefficient, term.factors);
+  const Ref common = product(term);
   std::vector<Ref> parts;
   for (const Ref part : terms) parts.push_back(times(common, part));
   return parts;
+}
+
+void GraphTerms::append_written_out(Ref value, std::size_t most, std::vector<Ref>& terms) {
+  if (terms.size() > most) return;
+  ScaledTerm term = as_factors(value);
+  const auto bracket = first_bracket(term, 2);
+  if (bracket == term.factors.end()) return terms.push_back(value);
+  const std::vector<Ref> parts = terms_of(bracket->node);
+  if (--bracket->weight == 0) term.factors.erase(bracket);
+  const Ref common = product(term);
+  for (const Ref part : parts) append_written_out(times(common, part), most, terms);
+}
+
+std::optional<std::vector<Ref>> GraphTerms::written_out(const std::vector<Ref>& values,
+                                                        std::size_t most) {
+  std::vector<Ref> terms;
+  for (const Ref value : values) append_written_out(value, most, terms);
+  if (terms.size() > most) return std::nullopt;
+  return parts_of(graph_.sum(terms));
+}
+
+Ref GraphTerms::short_sum(const std::vector<Ref>& values) {
+  const Ref plain = sum(values);
+  const std::vector<Ref> parts = parts_of(plain);
+  if (std::ranges::none_of(parts, [&](Ref part) { return has_bracket(part); })) return plain;
+  const auto terms = written_out({plain});
+  return terms && terms->size() <= parts.size() ? graph_.sum(*terms) : plain;
 }
 
 std::vector<Ref> GraphTerms::terms_of(NodeId sum) const {
@@ -53,6 +97,11 @@ std::size_t GraphTerms::term_count(Ref value) const {
   const Node& node = graph_.node(value.node);
   if (graph_.is_rational(value.node) && graph_.is_zero(value.node)) return 0;
   return node.kind == NodeKind::sum ? node.operands.size() : 1;
+}
+
+bool GraphTerms::has_bracket(Ref value) const {
+  ScaledTerm term = as_factors(value);
+  return first_bracket(term, 2) != term.factors.end();
 }
 
 bool GraphTerms::has_one(Ref value) const {
@@ -105,6 +154,18 @@ std::vector<Operand> GraphTerms::take_shared(ScaledTerm& x, ScaledTerm& y) {
   return shared;
 }
 
+std::optional<Ref> GraphTerms::exact_root(ScaledTerm term, std::int32_t degree) {
+  const bool is_negative = cln::minusp(term.coefficient);
+  if (is_negative && degree % 2 == 0) return std::nullopt;
+  cl_RA root = 0;
+  if (!cln::rootp(cln::abs(term.coefficient), cln::cl_I(degree), &root)) return std::nullopt;
+  for (Operand& factor : term.factors) {
+    if (factor.weight % degree != 0) return std::nullopt;
+    factor.weight /= degree;
+  }
+  return with_sign(product(root, term.factors), is_negative);
+}
+
 Ref GraphTerms::product(const cl_RA& coefficient, const std::vector<Operand>& factors) {
   std::vector<Power> powers{{graph_.rational(coefficient), 1}};
   for (const Operand& factor : factors) powers.push_back({{factor.node, false}, factor.weight});
@@ -126,7 +187,7 @@ bool GraphTerms::is_anchored(Ref value) const {
 bool GraphTerms::has_branches(Ref value) const {
   return std::ranges::any_of(reachable(graph_, {value}), [&](NodeId id) {
     const Node& node = graph_.node(id);
-    if (node.kind == NodeKind::square_root) return true;
+    if (node.kind == NodeKind::square_root) return !graph_.is_constant(id);
     return node.kind == NodeKind::call &&
            function_row(node.function).smoothness == Smoothness::branches;
   });

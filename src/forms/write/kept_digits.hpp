@@ -17,24 +17,21 @@ namespace elgen {
 /// has no other form.
 enum class Squares : std::uint8_t { whole, apart };
 
-/// In every sum the pairs of terms, and in every logarithm the argument, that may cancel; none
-/// where there is none. For a common factor C, angles or arguments a and b:
+/// In every sum the terms, and in every logarithm and arc cosine the argument, that may cancel, by
+/// the rows of digit_rows.def, and, for a common factor C:
 ///
 ///     C sqrt(a) - b               (C^2 a - b^2)/(C sqrt(a) + b)   where that is shorter
-///     1/a - 1/b                   (b - a)/(a b)
-///     a^2 - b^2                   (a - b) (a + b)
-///     exp(a) - 1, exp(a) - exp(b) expm1(a), 2 exp((a + b)/2) sinh((a - b)/2)
-///     log(1 + a), log(a) - log(b) log1p(a), log1p((a - b)/b), which is log(a/b), too
-///     1 - cos(a), cosh(a) - 1     2 sin(a/2)^2, 2 sinh(a/2)^2
-///     1 - tanh(a)                 2/(1 + exp(2 a))
-///     sin(a) - sin(b), cos(a) - cos(b), sinh, cosh, tan     products
-///     atan(a) - atan(b)           atan2(a - b, 1 + a b)
-///     pi/2 - atan(a)              atan2(1, a)
-///     1 - cos(a) cos(b)           sin((a + b)/2)^2 + sin((a - b)/2)^2
-///     a - sin(a)                  a^3 stumpff(a, 3)
-///     a^2 + b^2 - 2 a b cos(c)    (a - b)^2 + 4 a b sin(c/2)^2, with + the cosine of c/2
+///     1/a - 1/b, 1 - a/b          (b - a)/(a b), (b - a)/b
+///     log(1 + a), log(a/b)        log1p(a), log1p((a - b)/b)
+///     C a^2 + C b^2 - 2 C a b cos(c)     C ((a - b)^2 + 4 a b sin(c/2)^2), with + the cosine of
+///     c/2
+///
+/// None where there is none.
 [[nodiscard]] std::optional<Expressions> with_kept_digits(const Expressions& expressions,
                                                           Squares squares);
+
+/// One sum, so rewritten in the graph that it stands in.
+[[nodiscard]] std::optional<Ref> kept_sum(Graph& graph, Squares squares, Ref value);
 
 /// With fewer calls, where the calls that keep digits stand beside others of the same argument;
 /// none where there are none:

@@ -1,0 +1,71 @@
+// digit_patterns: see digit_patterns.hpp.
+#include "forms/write/digit_patterns.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "program/graph/graph_reader.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr std::array table_of_rows{
+#define ELGEN_DIGIT_ROW(from, to, condition) DigitRow{from, to, RowCondition::condition},
+#include "forms/write/digit_rows.def"
+#undef ELGEN_DIGIT_ROW
+};
+
+DigitPattern read_row(Graph& graph, const DigitRow& row) {
+  const std::vector<std::string> letters{"a", "b", "c"};
+  const Ref from = read_value(graph, std::string(row.from), letters).value();
+  const Ref to = read_value(graph, std::string(row.to), letters).value();
+  const GraphTerms reader(graph);
+  DigitPattern pattern{.to = to, .condition = row.condition};
+  const bool is_sum = graph.node(from.node).kind == NodeKind::sum;
+  for (const Ref term : is_sum ? reader.terms_of(from.node) : std::vector<Ref>{from}) {
+    pattern.terms.push_back(reader.scaled(with_sign(term, is_sum && from.negative)));
+  }
+  // None where a letter stands beside them.
+  const auto calls = [&graph](const ScaledTerm& term) {
+    const auto count = std::ranges::count_if(term.factors, [&graph](const Operand& factor) {
+      return graph.node(factor.node).kind == NodeKind::call;
+    });
+    return static_cast<std::size_t>(count) == term.factors.size() ? count : 0;
+  };
+  std::iter_swap(pattern.terms.begin(), std::ranges::max_element(pattern.terms, {}, calls));
+  pattern.functions = functions_of(graph, pattern.terms.front());
+  return pattern;
+}
+
+}  // namespace
+
+std::span<const DigitRow> digit_rows() { return table_of_rows; }
+
+const DigitPatterns& digit_patterns() {
+  static const DigitPatterns all = [] {
+    DigitPatterns table;
+    for (const DigitRow& row : table_of_rows) table.rows.push_back(read_row(table.graph, row));
+    return table;
+  }();
+  return all;
+}
+
+std::optional<std::size_t> letter_of(NodeId pattern) {
+  const Graph& graph = digit_patterns().graph;
+  const Node& node = graph.node(pattern);
+  const Node& inner = node.operands.empty() ? node : graph.node(node.operands[0].node);
+  return inner.kind == NodeKind::leaf ? std::optional<std::size_t>(inner.index) : std::nullopt;
+}
+
+std::uint64_t functions_of(const Graph& graph, const ScaledTerm& term) {
+  std::uint64_t functions = 0;
+  for (const Operand& factor : term.factors) {
+    const Node& node = graph.node(factor.node);
+    if (node.kind == NodeKind::call)
+      functions |= std::uint64_t{1} << static_cast<int>(node.function);
+  }
+  return functions;
+}
+
+}  // namespace elgen

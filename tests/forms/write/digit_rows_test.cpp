@@ -1,0 +1,112 @@
+// The table of differences that cancel: every row is an identity, and fires on its own text.
+#include "forms/write/digit_rows.hpp"
+
+#include <catch2/catch.hpp>
+#include <regex>
+
+#include "elgen/evaluate.hpp"
+#include "numbers/more_digits.hpp"
+#include "numbers/random.hpp"
+#include "program/expression_leaves.hpp"
+
+using namespace elgen;
+
+namespace {
+
+Real value_of(const Expressions& expressions, const Arguments<Real>& point) {
+  const Program program = testing::program_of(make_network(expressions));
+  return evaluate(program, program.functions[0], point).at(0);
+}
+
+/// Of random letters inside (-most, most).
+Arguments<Real> letters(Random& random, const Real& most) {
+  Arguments<Real> point;
+  for (int k = 0; k < 5; ++k) point.q.push_back(Real(random.rational()) * most);
+  return point;
+}
+
+/// Wherever the first has a value, at letters of both signs, small and smaller; says how often it
+/// had.
+int equal_values(const Expressions& from, const Expressions& to) {
+  int compared = 0;
+  Random random(7);
+  for (const long scale : {1L, 1000L, 1000000L}) {
+    for (int i = 0; i < 32; ++i) {
+      const Arguments<Real> point = letters(random, Real(cln::cl_RA(1) / scale));
+      const Real x = value_of(from, point);
+      if (!x.is_defined()) continue;
+      const Real y = value_of(to, point);
+      REQUIRE(y.is_defined());
+      CHECK(is_near(x, y, 90));
+      ++compared;
+    }
+  }
+  return compared;
+}
+
+/// With letters that the condition takes: sums with a number in them.
+std::string text_for(const DigitRow& row) {
+  const std::string text(row.from);
+  if (row.condition == RowCondition::anchored) {
+    return std::regex_replace(text, std::regex("\\b([abc])\\b"), "(2 + $1)");
+  }
+  if (row.condition == RowCondition::computed) {
+    return std::regex_replace(text, std::regex("\\b([abc])\\b"), "($1*d)");
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("both sides of every row are equal in 100 digits") {
+  for (const DigitRow& row : digit_rows()) {
+    INFO(row.from);
+    const auto from = testing::expressions_of({std::string(row.from)});
+    const auto to = testing::expressions_of({std::string(row.to)});
+    const int compared = with_digits(50, [&] { return equal_values(from, to); });
+    CHECK(compared >= 8);
+  }
+}
+
+TEST_CASE("every row fires on its own text, and where a factor is common to its terms") {
+  for (const DigitRow& row : digit_rows()) {
+    for (const bool is_scaled : {false, true}) {
+      INFO(row.from << (is_scaled ? ", times d e^2" : ""));
+      Expressions from = testing::expressions_of({text_for(row)});
+      if (is_scaled) {
+        const Ref factor = testing::value_of(from.graph, "d*e^2");
+        from.values[0] =
+            GraphTerms(from.graph).sum({from.graph.product({{factor}, {from.values[0]}})});
+      }
+      const auto after = with_kept_digits(from, Squares::apart);
+      REQUIRE(after);
+      CHECK(testing::texts_of(*after) != testing::texts_of(from));
+      const int compared = with_digits(50, [&] { return equal_values(from, *after); });
+      CHECK(compared >= 8);
+    }
+  }
+}
+
+TEST_CASE("rows keep their digits near 0 in double") {
+  struct NearZero {
+    const char* text;
+    const char* reference;
+  };
+  const auto row = GENERATE(
+      NearZero{"2*d - d*cos(a) - d*cos(b)", "2*d*(sin(a/2)^2 + sin(b/2)^2)"},
+      NearZero{"a - sin(a)", "a^3*stumpff(a, 3)"},
+      NearZero{"sqrt((2 + a)^2 + b^2) - 2", "(a*(4 + a) + b^2)/(sqrt((2 + a)^2 + b^2) + 2)"},
+      NearZero{"log((1 + a)/(1 - a))", "log1p(a) - log1p(-a)"});
+  INFO(row.text);
+  const auto from = testing::expressions_of({row.text});
+  const auto after = with_kept_digits(from, Squares::whole);
+  REQUIRE(after);
+  const auto reference = testing::expressions_of({row.reference});
+  const auto in_double = [](const Expressions& expressions) {
+    Arguments<double> point;
+    point.q = {1e-7, 3e-7, 2e-8, 0.5, 2};
+    const Program program = testing::program_of(make_network(expressions));
+    return evaluate(program, program.functions[0], point).at(0);
+  };
+  CHECK(in_double(*after) == Approx(in_double(reference)).epsilon(1e-14));
+}
