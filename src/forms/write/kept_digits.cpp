@@ -9,6 +9,7 @@
 
 #include "forms/write/digit_rows.hpp"
 #include "forms/write/graph_terms.hpp"
+#include "forms/write/square_free.hpp"
 
 namespace elgen {
 namespace {
@@ -152,15 +153,13 @@ class KeptSum : GraphTerms {
   std::optional<Ref> kept(Ref value) {
     if (graph_.node(value.node).kind != NodeKind::sum) return std::nullopt;
     const std::vector<Ref> terms = terms_of(value.node);
-    std::optional<Ref> better = kept_terms(terms);
-    if (!better) better = Conjugates(graph_)(terms);
     const auto is_bracket = [&](Ref term) { return has_bracket(term); };
-    if (!better && std::ranges::any_of(terms, is_bracket)) {
-      const auto all = written_out(terms);
-      if (all) better = kept_terms(*all);
-      const bool is_short = all && all->size() <= terms.size();
-      if (is_short && !better) better = graph_.sum(*all);
-    }
+    const bool is_hidden = std::ranges::any_of(terms, is_bracket);
+    std::optional<Ref> better;
+    if (!is_hidden) better = square_free(graph_, squares_, terms);
+    if (!better) better = kept_terms(terms);
+    if (!better) better = Conjugates(graph_)(terms);
+    if (!better && is_hidden) better = written_out_terms(terms);
     return better ? std::optional(with_sign(*better, value.negative)) : std::nullopt;
   }
 
@@ -193,6 +192,16 @@ class KeptSum : GraphTerms {
     if (top.weight != 1 || bottom.weight != -1 || !is_positive) return std::nullopt;
     const Ref log_a = logarithm(a).value_or(call(FunctionId::log, a));
     return graph_.sum({log_a, -logarithm(b).value_or(call(FunctionId::log, b))});
+  }
+
+  /// Where brackets hide what cancels: (l + x)^2 - l^2 = 2 l x + x^2.
+  std::optional<Ref> written_out_terms(const std::vector<Ref>& terms) {
+    const auto all = written_out(terms);
+    if (!all) return std::nullopt;
+    std::optional<Ref> better = square_free(graph_, squares_, *all);
+    if (!better) better = kept_terms(*all);
+    if (!better && all->size() <= terms.size()) better = graph_.sum(*all);
+    return better;
   }
 
   std::optional<Ref> kept_terms(std::vector<Ref> terms) {
@@ -250,7 +259,8 @@ class KeptSum : GraphTerms {
     if (is_first_whole && is_second_whole) return std::nullopt;
     const bool has_one = x.factors.empty() || y.factors.empty();
     const bool are_inverses = first.top.factors.empty() && second.top.factors.empty();
-    const bool is_known = cln::minusp(y.coefficient) && (has_one || are_inverses);
+    const bool is_known =
+        has_one ? cln::minusp(y.coefficient) : are_inverses && y.coefficient == -1;
     const bool may_meet =
         !is_first_whole && !is_second_whole &&
         (has_bracket(product(first.bottom)) || has_bracket(product(second.bottom)));

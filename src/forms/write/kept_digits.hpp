@@ -23,6 +23,7 @@ enum class Squares : std::uint8_t { whole, apart };
 ///     C sqrt(a) - b               (C^2 a - b^2)/(C sqrt(a) + b)   where that is shorter
 ///     1/a - 1/b, 1 - a/b          (b - a)/(a b), (b - a)/b
 ///     log(1 + a), log(a/b)        log1p(a), log1p((a - b)/b)
+///     (l + x)^2 - l^2             2 l x + x^2, and sums that have a repeated factor (square_free.hpp)
 ///     C a^2 + C b^2 - 2 C a b cos(c)     C ((a - b)^2 + 4 a b sin(c/2)^2), with + the cosine of
 ///     c/2
 ///

@@ -128,12 +128,41 @@ TEST_CASE("every rewriting has the value of what it replaces") {
   }
 }
 
+TEST_CASE("a sum with a repeated factor is written as a product") {
+  struct FactorRow {
+    const char* before;
+    const char* after;
+  };
+  const auto row = GENERATE(FactorRow{"a^2 + b^2 - 2*a*b", "(a - b)^2"},
+                            FactorRow{"a^4 - 2*a^2*b^2 + b^4", "(a^2 - b^2)^2"},
+                            FactorRow{"d*a^2 - 2*d*a*b + d*b^2", "d*(a - b)^2"},
+                            FactorRow{"1/a^2 - 2/(a*b) + 1/b^2", "(a - b)^2/(a^2*b^2)"},
+                            FactorRow{"a^12 - 2*a^6*b^6 + b^12", "(a^6 - b^6)^2"},
+                            FactorRow{"1 - 2*exp(a) + exp(a)^2", "expm1(a)^2"});
+  INFO(row.before);
+  CHECK(kept(row.before) == row.after);
+}
+
+TEST_CASE("a product with a repeated factor has the value of the sum") {
+  for (const char* text : {"a^3 - 3*a + 2", "a^2 + 2/a - 3", "d*a^3 - 3*d*a*b^2 + 2*d*b^3",
+                           "a^5 - 2*a^4 + a^3", "c^2/(2*d*a^2) - e/a + d*e^2/(2*c^2)",
+                           "cos(c) + a^2 - 2*a + 1", "4*a^3*b - 12*a^2*b + 9*a*b"}) {
+    INFO(text);
+    const Expressions before = testing::expressions_of({text});
+    const auto after = with_kept_digits(before, Squares::apart);
+    REQUIRE(after);
+    Arguments<Real> point;
+    for (const int k : {3, 5, 7, 11, 13}) point.q.push_back(Real(cln::cl_RA(k) / 17));
+    CHECK(is_near(value_of(before, point), value_of(*after, point)));
+  }
+}
+
 TEST_CASE("sums that have nothing in common stay") {
   for (const char* text :
        {"sqrt(a^2 + b^2) - c", "sqrt(a^2 + b^2) + sqrt(a^2 + b^2)", "a + b", "log(2 + a)",
         "exp(a) - 2", "sqrt(a^2) + a", "sqrt(a^2 + b^2) - a", "sqrt(1 + a^2)*sqrt(1 + b^2) - 1",
         "sin(tan(a)) + tan(a)", "tan(a) + sin(tan(a))", "sqrt(2*a^2 + 2*a*abs(a)) + 2*a",
-        "a^2 + b^2 - 2*a*b", "a^2 + b^2 - a*b*cos(c)"}) {
+        "a^2 + b^2 - a*b", "a^2 + b^2 - a*b*cos(c)", "a^2 + 2*a + 2", "sqrt(4 + b^2) + 2"}) {
     INFO(text);
     CHECK(kept(text) == "none");
   }

@@ -1,0 +1,261 @@
+// square_free: see square_free.hpp. Polynomials over the nodes of the graph; Yun's algorithm
+// (D. Y. Y. Yun, On square-free decomposition algorithms, SYMSAC 1976, pages 26 to 35).
+#include "forms/write/square_free.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "forms/present/polynomial.hpp"
+#include "forms/write/graph_terms.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr std::size_t most_terms_of_polynomial = 30;
+
+/// Terms of any polynomial on the way, and terms multiplied with terms; sums that have a repeated
+/// factor by design need a tenth of it.
+constexpr std::size_t most_terms_on_the_way = 200;
+constexpr std::size_t most_products = 50'000;
+
+/// Thrown where that is not enough.
+struct TooMuchWork {};
+
+std::int32_t exponent_of(const Monomial& monomial, AtomId atom) {
+  const auto own = std::ranges::find(monomial, atom, &AtomPower::atom);
+  return own == monomial.end() ? 0 : own->exponent;
+}
+
+std::int32_t degree_of(const Polynomial& x, AtomId atom) {
+  std::int32_t degree = 0;
+  for (const auto& [monomial, coefficient] : x) {
+    degree = std::max(degree, exponent_of(monomial, atom));
+  }
+  return degree;
+}
+
+Monomial single(AtomId atom, std::int32_t exponent) { return power({{atom, 1}}, exponent); }
+
+/// The product that divides all terms and leaves no divisors.
+Monomial common_powers(const Polynomial& x) {
+  Monomial common;
+  for (const AtomId atom : atoms_of(x)) {
+    std::int32_t lowest = exponent_of(x.begin()->first, atom);
+    for (const auto& [monomial, coefficient] : x) {
+      lowest = std::min(lowest, exponent_of(monomial, atom));
+    }
+    if (lowest != 0) common.push_back({atom, lowest});
+  }
+  return common;
+}
+
+Polynomial derivative(const Polynomial& x, AtomId atom) {
+  Polynomial result;
+  for (const auto& [monomial, coefficient] : x) {
+    const std::int32_t exponent = exponent_of(monomial, atom);
+    if (exponent == 0) continue;
+    add_term(result, product(monomial, single(atom, -1)), product(coefficient, {exponent, 0}));
+  }
+  return result;
+}
+
+/// With numbers in place of all other atoms.
+Polynomial specialised(const Polynomial& x, AtomId atom) {
+  const std::vector<AtomId> atoms = atoms_of(x);
+  Polynomial result;
+  for (const auto& [monomial, coefficient] : x) {
+    cln::cl_RA value = coefficient.real;
+    for (std::size_t i = 0; i < atoms.size(); ++i) {
+      if (atoms[i] == atom) continue;
+      const cln::cl_RA number = 7 + 4 * static_cast<long>(i);
+      value = value * cln::expt(number, cln::cl_I(exponent_of(monomial, atoms[i])));
+    }
+    add_term(result, single(atom, exponent_of(monomial, atom)), {value, 0});
+  }
+  return result;
+}
+
+/// Greatest common divisors of polynomials without negative powers, by remainders.
+class Divisors {
+ public:
+  Polynomial greatest(Polynomial x, Polynomial y) {
+    if (x.empty() || y.empty()) return x.empty() ? y : x;
+    const std::vector<AtomId> atoms = atoms_of(x);
+    if (atoms.empty() || atoms_of(y).empty()) return constant(1);
+    const AtomId atom = atoms.front();
+    if (degree_of(y, atom) == 0) return greatest(content(x, atom), std::move(y));
+    const Polynomial shared = greatest(content(x, atom), content(y, atom));
+    x = primitive(x, atom);
+    y = primitive(y, atom);
+    while (!y.empty()) {
+      if (degree_of(x, atom) < degree_of(y, atom)) std::swap(x, y);
+      if (degree_of(y, atom) == 0) return shared;
+      Polynomial rest = remainder(x, y, atom);
+      x = std::move(y);
+      y = rest.empty() ? rest : primitive(rest, atom);
+    }
+    return product(shared, x);
+  }
+
+  /// What all coefficients of powers of the atom share.
+  Polynomial content(const Polynomial& x, AtomId atom) {
+    std::map<std::int32_t, Polynomial> coefficients;
+    for (const auto& [monomial, coefficient] : x) {
+      const std::int32_t exponent = exponent_of(monomial, atom);
+      coefficients[exponent].emplace(product(monomial, single(atom, -exponent)), coefficient);
+    }
+    Polynomial shared;
+    for (const auto& [exponent, coefficient] : coefficients) {
+      shared = greatest(std::move(shared), coefficient);
+    }
+    return shared;
+  }
+
+  /// y divides x.
+  Polynomial exact(const Polynomial& x, const Polynomial& y) {
+    if (y.size() == 1) return scaled(x, reciprocal(y.begin()->second), power(y.begin()->first, -1));
+    std::optional<Polynomial> result = quotient(x, y, products_);
+    if (!result) throw TooMuchWork();
+    return std::move(*result);
+  }
+
+ private:
+  /// Without its content, the leading coefficient 1.
+  Polynomial primitive(const Polynomial& x, AtomId atom) {
+    const Polynomial result = exact(x, content(x, atom));
+    return scaled(result, reciprocal(result.rbegin()->second));
+  }
+
+  /// Of x times a power of the leading coefficient of y.
+  Polynomial remainder(Polynomial x, const Polynomial& y, AtomId atom) {
+    const Polynomial lead = highest_coefficient(y, atom);
+    while (!x.empty() && degree_of(x, atom) >= degree_of(y, atom)) {
+      const Polynomial own = highest_coefficient(x, atom);
+      const std::size_t cost = x.size() * lead.size() + y.size() * own.size();
+      if (cost > products_ || x.size() > most_terms_on_the_way) throw TooMuchWork();
+      products_ -= cost;
+      const Monomial shift = single(atom, degree_of(x, atom) - degree_of(y, atom));
+      x = sum(product(x, lead), scaled(product(y, own), {-1, 0}, shift));
+    }
+    return x;
+  }
+
+  std::size_t products_ = most_products;
+};
+
+struct RepeatedFactor {
+  Polynomial base = {};
+  std::int32_t exponent = 1;
+};
+
+/// x as a product, its content among the factors; none where no factor is repeated.
+std::optional<std::vector<RepeatedFactor>> repeated_factors(const Polynomial& x, AtomId atom) {
+  Divisors divisors;
+  const Polynomial simple = specialised(x, atom);
+  if (simple.empty()) return std::nullopt;
+  const Polynomial shared = divisors.greatest(simple, derivative(simple, atom));
+  if (degree_of(shared, atom) == 0) return std::nullopt;
+  Polynomial made = divisors.content(x, atom);
+  std::vector<RepeatedFactor> factors;
+  factors.push_back({made});
+  const Polynomial whole = divisors.exact(x, made);
+  Polynomial rest = divisors.greatest(whole, derivative(whole, atom));
+  if (degree_of(rest, atom) == 0) return std::nullopt;
+  Polynomial left = divisors.exact(whole, rest);
+  for (std::int32_t exponent = 1; degree_of(left, atom) > 0; ++exponent) {
+    Polynomial next = divisors.greatest(left, rest);
+    Polynomial base = divisors.exact(left, next);
+    rest = divisors.exact(rest, next);
+    left = std::move(next);
+    for (std::int32_t i = 0; i < exponent; ++i) made = product(made, base);
+    factors.push_back({std::move(base), exponent});
+  }
+  const Gaussian scale = product(x.rbegin()->second, reciprocal(made.rbegin()->second));
+  if (scaled(made, scale) != x) return std::nullopt;
+  factors.push_back({scaled(constant(1), scale)});
+  return factors;
+}
+
+class SquareFree : GraphTerms {
+ public:
+  SquareFree(Graph& graph, Squares squares) : GraphTerms(graph), squares_(squares) {}
+
+  std::optional<Ref> operator()(const std::vector<Ref>& terms) {
+    Polynomial all;
+    for (const Ref term : terms) {
+      const ScaledTerm parts = scaled(term);
+      Monomial monomial;
+      for (const Operand& factor : parts.factors) monomial.push_back({factor.node, factor.weight});
+      std::ranges::sort(monomial);
+      add_term(all, monomial, {parts.coefficient, 0});
+    }
+    for (const AtomId atom : atoms_of(all)) {
+      if (!is_variable(atom)) continue;
+      if (const auto factored = product_of(all, atom)) return factored;
+      if (const auto factored = group_of(all, atom)) return factored;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  /// A coordinate, or an exponential of one.
+  [[nodiscard]] bool is_variable(AtomId atom) const {
+    const Node& node = graph_.node(atom);
+    const bool is_coordinate = node.kind == NodeKind::leaf && node.leaf == Opcode::coordinate;
+    return is_coordinate || is_call(node, FunctionId::exp);
+  }
+
+  std::optional<Ref> product_of(const Polynomial& whole, AtomId atom) {
+    const Monomial common = common_powers(whole);
+    const Polynomial x = elgen::scaled(whole, {1, 0}, power(common, -1));
+    if (x.size() < 3 || degree_of(x, atom) < 2) return std::nullopt;
+    const auto factors = repeated_factors(x, atom);
+    if (!factors) return std::nullopt;
+    std::vector<Power> powers{{value_of({{common, {1, 0}}})}};
+    for (const auto& [base, exponent] : *factors) {
+      const Ref value = value_of(base);
+      powers.push_back({kept_sum(graph_, squares_, value).value_or(value), exponent});
+    }
+    return graph_.product(powers);
+  }
+
+  /// The terms that hold no other variable, beside the others.
+  std::optional<Ref> group_of(const Polynomial& all, AtomId atom) {
+    Polynomial group;
+    Polynomial others;
+    for (const auto& [monomial, coefficient] : all) {
+      const bool is_alone = std::ranges::all_of(monomial, [&](const AtomPower& power) {
+        return power.atom == atom || is_anchored({power.atom, false});
+      });
+      (is_alone ? group : others).emplace(monomial, coefficient);
+    }
+    if (others.empty() || group.size() < 3) return std::nullopt;
+    const auto factored = product_of(group, atom);
+    return factored ? std::optional(graph_.sum({*factored, value_of(others)})) : std::nullopt;
+  }
+
+  Ref value_of(const Polynomial& x) {
+    std::vector<Ref> terms;
+    for (const auto& [monomial, coefficient] : x) {
+      std::vector<Operand> factors;
+      for (const AtomPower& power : monomial) factors.push_back({power.atom, power.exponent});
+      terms.push_back(product(coefficient.real, factors));
+    }
+    return graph_.sum(terms);
+  }
+
+  Squares squares_;
+};
+
+}  // namespace
+
+std::optional<Ref> square_free(Graph& graph, Squares squares, const std::vector<Ref>& terms) {
+  if (terms.size() < 3 || terms.size() > most_terms_of_polynomial) return std::nullopt;
+  try {
+    return SquareFree(graph, squares)(terms);
+  } catch (const TooMuchWork&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace elgen
