@@ -182,13 +182,18 @@ class SquareFree : GraphTerms {
 
   std::optional<Ref> operator()(const std::vector<Ref>& terms) {
     Polynomial all;
+    bool has_powers = false;
     for (const Ref term : terms) {
       const ScaledTerm parts = scaled(term);
       Monomial monomial;
-      for (const Operand& factor : parts.factors) monomial.push_back({factor.node, factor.weight});
+      for (const Operand& factor : parts.factors) {
+        monomial.push_back({factor.node, factor.weight});
+        has_powers = has_powers || (factor.weight != 1 && is_variable(factor.node));
+      }
       std::ranges::sort(monomial);
       add_term(all, monomial, {parts.coefficient, 0});
     }
+    if (!has_powers) return std::nullopt;
     for (const AtomId atom : atoms_of(all)) {
       if (!is_variable(atom)) continue;
       if (const auto factored = product_of(all, atom)) return factored;
