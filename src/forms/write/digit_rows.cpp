@@ -23,10 +23,76 @@ struct Match {
   std::vector<std::size_t> places = {};
 };
 
-/// One row and one graph.
-class RowMatching : protected GraphTerms {
+/// Writes rows whose letters are known.
+class RowWriting : protected GraphTerms {
  public:
-  RowMatching(Graph& graph, Squares squares) : GraphTerms(graph), squares_(squares) {}
+  RowWriting(Graph& graph, Squares squares) : GraphTerms(graph), squares_(squares) {}
+
+  /// The row writes this in place of the terms.
+  Ref written(const DigitPattern& row, const Match& match) {
+    return times(product(match.beside), instantiated(row.to, match.letters, true));
+  }
+
+  /// The value of a pattern term times what stands beside it.
+  ScaledTerm known_term(const ScaledTerm& pattern, const Match& match) {
+    std::vector<Power> powers{{product(match.beside)}, {graph_.rational(pattern.coefficient)}};
+    for (const Operand& factor : pattern.factors) {
+      append_powers(factor, match.letters, false, powers);
+    }
+    return scaled(graph_.product(powers));
+  }
+
+ protected:
+  Squares squares_;
+
+ private:
+  /// With the letters in their places. Where digits are kept, so are those of the sums in it,
+  /// divisors apart.
+  Ref instantiated(Ref pattern, const Letters& letters, bool is_kept) {
+    const Node& node = digit_patterns().graph.node(pattern.node);
+    if (node.kind == NodeKind::leaf) return with_sign(*letters[node.index], pattern.negative);
+    if (node.kind == NodeKind::product || node.kind == NodeKind::rational) {
+      std::vector<Power> powers;
+      append_powers({pattern.node, 1}, letters, is_kept, powers);
+      return with_sign(graph_.product(powers), pattern.negative);
+    }
+    std::vector<Ref> operands;
+    for (const Operand& operand : node.operands) {
+      operands.push_back(instantiated({operand.node, operand.weight < 0}, letters, is_kept));
+    }
+    Ref value = graph_.pi();
+    if (node.kind == NodeKind::call) value = graph_.call(node.function, operands);
+    if (node.kind == NodeKind::square_root) value = graph_.square_root(operands.front());
+    if (node.kind == NodeKind::sum) {
+      value = short_sum(operands);
+      if (is_kept) value = kept_sum(graph_, squares_, value).value_or(value);
+    }
+    return with_sign(value, pattern.negative);
+  }
+
+  void append_powers(const Operand& pattern, const Letters& letters, bool is_kept,
+                     std::vector<Power>& powers) {
+    const Graph& read = digit_patterns().graph;
+    const Node& node = read.node(pattern.node);
+    if (node.kind == NodeKind::rational) {
+      return powers.push_back({graph_.rational(read.rational_of(pattern.node)), pattern.weight});
+    }
+    if (node.kind != NodeKind::product) {
+      const bool is_kept_too = is_kept && pattern.weight > 0;
+      const Ref base = instantiated({pattern.node, false}, letters, is_kept_too);
+      return powers.push_back({base, pattern.weight});
+    }
+    for (const Operand& factor : node.operands) {
+      append_powers({factor.node, factor.weight * pattern.weight}, letters, is_kept, powers);
+    }
+  }
+};
+
+/// Finds the letters of rows in the terms of a graph.
+class RowMatching : protected RowWriting {
+ public:
+  using RowWriting::RowWriting;
+  using RowWriting::written;
 
   /// All ways in which a value is the pattern times something. An odd function may be told with
   /// either sign.
@@ -84,20 +150,6 @@ class RowMatching : protected GraphTerms {
     return false;
   }
 
-  /// What the row writes in place of the terms.
-  Ref written(const DigitPattern& row, const Match& match) {
-    return times(product(match.beside), instantiated(row.to, match.letters, true));
-  }
-
-  /// The value of a pattern term times what stands beside it.
-  ScaledTerm known_term(const ScaledTerm& pattern, const Match& match) {
-    std::vector<Power> powers{{product(match.beside)}, {graph_.rational(pattern.coefficient)}};
-    for (const Operand& factor : pattern.factors) {
-      append_powers(factor, match.letters, false, powers);
-    }
-    return scaled(graph_.product(powers));
-  }
-
  private:
   /// As (2 + x)^2 is, written out.
   bool is_anchored_long(Ref value) {
@@ -131,49 +183,6 @@ class RowMatching : protected GraphTerms {
     const bool is_even = function_row(wanted.function).parity == Parity::even;
     return is_even ? letter->node == argument.node : *letter == argument;
   }
-
-  /// With the letters in their places. Where digits are kept, so are those of the sums in it,
-  /// divisors apart.
-  Ref instantiated(Ref pattern, const Letters& letters, bool is_kept) {
-    const Node& node = digit_patterns().graph.node(pattern.node);
-    if (node.kind == NodeKind::leaf) return with_sign(*letters[node.index], pattern.negative);
-    if (node.kind == NodeKind::product || node.kind == NodeKind::rational) {
-      std::vector<Power> powers;
-      append_powers({pattern.node, 1}, letters, is_kept, powers);
-      return with_sign(graph_.product(powers), pattern.negative);
-    }
-    std::vector<Ref> operands;
-    for (const Operand& operand : node.operands) {
-      operands.push_back(instantiated({operand.node, operand.weight < 0}, letters, is_kept));
-    }
-    Ref value = graph_.pi();
-    if (node.kind == NodeKind::call) value = graph_.call(node.function, operands);
-    if (node.kind == NodeKind::square_root) value = graph_.square_root(operands.front());
-    if (node.kind == NodeKind::sum) {
-      value = short_sum(operands);
-      if (is_kept) value = kept_sum(graph_, squares_, value).value_or(value);
-    }
-    return with_sign(value, pattern.negative);
-  }
-
-  void append_powers(const Operand& pattern, const Letters& letters, bool is_kept,
-                     std::vector<Power>& powers) {
-    const Graph& read = digit_patterns().graph;
-    const Node& node = read.node(pattern.node);
-    if (node.kind == NodeKind::rational) {
-      return powers.push_back({graph_.rational(read.rational_of(pattern.node)), pattern.weight});
-    }
-    if (node.kind != NodeKind::product) {
-      const bool is_kept_too = is_kept && pattern.weight > 0;
-      const Ref base = instantiated({pattern.node, false}, letters, is_kept_too);
-      return powers.push_back({base, pattern.weight});
-    }
-    for (const Operand& factor : node.operands) {
-      append_powers({factor.node, factor.weight * pattern.weight}, letters, is_kept, powers);
-    }
-  }
-
-  Squares squares_;
 };
 
 /// A term that is one call, up to its constant.
@@ -201,7 +210,7 @@ class RowsOfSum : RowMatching {
   }
 
  private:
-  /// Of so many terms.
+  /// By rows of so many terms.
   bool replace_by_rows(std::size_t size) {
     return std::ranges::any_of(digit_patterns().rows, [&](const DigitPattern& row) {
       const bool is_tried = row.terms.size() == size && row.functions != 0 && !row.is_unit();

@@ -97,7 +97,7 @@ class Divisors {
     return product(shared, x);
   }
 
-  /// What all coefficients of powers of the atom share.
+  /// The divisor that all coefficients of powers of the atom share.
   Polynomial content(const Polynomial& x, AtomId atom) {
     std::map<std::int32_t, Polynomial> coefficients;
     for (const auto& [monomial, coefficient] : x) {
@@ -126,7 +126,7 @@ class Divisors {
     return scaled(result, reciprocal(result.rbegin()->second));
   }
 
-  /// Of x times a power of the leading coefficient of y.
+  /// The remainder of x times a power of the leading coefficient of y.
   Polynomial remainder(Polynomial x, const Polynomial& y, AtomId atom) {
     const Polynomial lead = highest_coefficient(y, atom);
     while (!x.empty() && degree_of(x, atom) >= degree_of(y, atom)) {

@@ -18,7 +18,7 @@ Real value_of(const Expressions& expressions, const Arguments<Real>& point) {
   return evaluate(program, program.functions[0], point).at(0);
 }
 
-/// Of random letters inside (-most, most).
+/// Random letters inside (-most, most).
 Arguments<Real> letters(Random& random, const Real& most) {
   Arguments<Real> point;
   for (int k = 0; k < 5; ++k) point.q.push_back(Real(random.rational()) * most);
