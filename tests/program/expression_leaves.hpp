@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "elgen/evaluate.hpp"
 #include "elgen/program.hpp"
 #include "elgen/render.hpp"
 #include "program/graph/graph_reader.hpp"
@@ -53,6 +54,12 @@ inline Program program_of(const Network& network) {
   linearise(network, program, function);
   program.functions = {function};
   return program;
+}
+
+/// The first value at a point.
+inline Real value_of(const Expressions& expressions, const Arguments<Real>& point) {
+  const Program program = program_of(make_network(expressions));
+  return evaluate(program, program.functions[0], point).at(0);
 }
 
 inline Program program_of(const Texts& texts) {

@@ -205,9 +205,11 @@ class KeptSum : GraphTerms {
   }
 
   std::optional<Ref> kept_terms(std::vector<Ref> terms) {
+    const auto is_zero = [this](Ref term) { return graph_.is_zero(term.node); };
     bool is_changed = false;
     while (terms.size() > 1 && terms.size() <= most_terms_in_pairs && replace_some(terms)) {
       is_changed = true;
+      std::erase_if(terms, is_zero);  // sin(a)^2 - (1 - cos(a)^2), of which one was rewritten
     }
     return is_changed ? std::optional(graph_.sum(terms)) : std::nullopt;
   }

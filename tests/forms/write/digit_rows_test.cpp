@@ -13,11 +13,6 @@ using namespace elgen;
 
 namespace {
 
-Real value_of(const Expressions& expressions, const Arguments<Real>& point) {
-  const Program program = testing::program_of(make_network(expressions));
-  return evaluate(program, program.functions[0], point).at(0);
-}
-
 /// Random letters inside (-most, most).
 Arguments<Real> letters(Random& random, const Real& most) {
   Arguments<Real> point;
@@ -33,9 +28,9 @@ int equal_values(const Expressions& from, const Expressions& to) {
   for (const long scale : {1L, 1000L, 1000000L}) {
     for (int i = 0; i < 32; ++i) {
       const Arguments<Real> point = letters(random, Real(cln::cl_RA(1) / scale));
-      const Real x = value_of(from, point);
+      const Real x = testing::value_of(from, point);
       if (!x.is_defined()) continue;
-      const Real y = value_of(to, point);
+      const Real y = testing::value_of(to, point);
       REQUIRE(y.is_defined());
       CHECK(is_near(x, y, 90));
       ++compared;
