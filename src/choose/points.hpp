@@ -44,7 +44,7 @@ using NearPlaces = std::vector<NearPlace>;
                                            const Domain& domain, std::size_t most);
 
 /// The coordinates where typed sums vanish, each at one place inside the ranges, or nearly equal
-/// ones; a sum of squares vanishes with all of its squares. Found by projecting the first state of
+/// ones; a sum of squares vanishes with all of its squares. Found by projecting the first states of
 /// `domain` on r = 0 for one square after another, r the base: q - r grad r/|grad r|^2 (Kaczmarz),
 /// in 64 digits, so that every machine finds the same. Cost: at most eight sums and 24 rounds; none
 /// of long programs.

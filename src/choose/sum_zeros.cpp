@@ -17,6 +17,8 @@ namespace {
 
 constexpr std::size_t most_sums = 8;
 constexpr std::size_t most_rounds = 24;
+constexpr std::size_t starts = 3;
+constexpr int highest_order = 4;  ///< of a zero: of (x - a)^4
 constexpr std::size_t longest_program = 400;
 
 /// Of the 64 digits 40 are left beside differences over steps of 1e-25; a zero is one to 1e-20, far
@@ -30,7 +32,8 @@ const Real& negligible() {
   return value;
 }
 
-/// The bases of the squares of sums of squares, and all other sums of a function by themselves.
+/// The bases of the squares of sums of squares, and all other sums of a function by themselves;
+/// logarithms, which vanish where what they are taken of is 1.
 class Residuals {
  public:
   explicit Residuals(const Function& function) : function_(function) {
@@ -40,7 +43,9 @@ class Residuals {
       is_part[i.a] = is_part[i.b] = true;
     }
     for (std::uint32_t at = 0; at < is_part.size(); ++at) {
-      if (!is_sum(function.instructions[at]) || is_part[at]) continue;
+      const Instruction& i = function.instructions[at];
+      const bool is_logarithm = i.opcode == Opcode::call && i.function == FunctionId::log;
+      if (!is_logarithm && (!is_sum(i) || is_part[at])) continue;
       std::vector<std::uint32_t> bases;
       if (!add_bases(at, bases)) bases = {at};
       const bool is_known = std::ranges::find(all, bases) != all.end();
@@ -82,12 +87,16 @@ class Projection {
 
   /// None where it does not converge.
   std::optional<std::vector<double>> zero() {
+    const std::size_t count = entry_count(residuals_);
     for (std::size_t round = 0; round < most_rounds && !moving_.empty(); ++round) {
-      const std::size_t count = entry_count(residuals_);
+      Real length(0);
       for (std::size_t entry = 0; entry < count; ++entry) {
-        if (!project(entry)) return std::nullopt;
+        const Real step = project(entry);
+        if (!step.is_defined()) return std::nullopt;
+        length = max(length, step);
       }
-      if (is_there()) return rounded();
+      if (length.value() <= negligible().value()) return rounded();
+      if (count == 1) find_multiplicity(length);
     }
     return std::nullopt;
   }
@@ -97,8 +106,10 @@ class Projection {
     return evaluate(program_, residuals_, at_)[entry];
   }
 
-  bool project(std::size_t entry) {
+  /// The length of the step, undefined where there is no slope.
+  Real project(std::size_t entry) {
     const Real r = residual(entry);
+    if (r.is_defined() && cln::zerop(r.value())) return r;
     std::vector<Real> slopes;
     Real square(0);
     for (const std::uint32_t k : moving_) {
@@ -108,18 +119,24 @@ class Projection {
       at_.q[k] = old;
       square = square + slopes.back() * slopes.back();
     }
-    if (!square.is_defined() || cln::zerop(square.value())) return false;
+    const Real scale = r * multiplicity_ / square;
     for (std::size_t i = 0; i < moving_.size(); ++i) {
       Real& x = at_.q[moving_[i]];
-      x = x - r * slopes[i] / square;
+      x = x - scale * slopes[i];
     }
-    return true;
+    return abs(scale) * sqrt(square);
   }
 
-  [[nodiscard]] bool is_there() const {
-    return std::ranges::all_of(evaluate(program_, residuals_, at_), [](const Real& r) {
-      return r.is_defined() && abs(r).value() <= negligible().value();
-    });
+  /// At a zero of order m steps shrink by 1 - 1/m, and steps m times as long converge as at a
+  /// simple one (Schröder 1870).
+  void find_multiplicity(const Real& length) {
+    const Real ratio = length / last_;
+    last_ = length;
+    for (int order = 2; order <= highest_order && ratio.is_defined(); ++order) {
+      const Real shrinking(cln::cl_RA(order - 1) / order);
+      const bool is_near = abs(ratio - shrinking).value() < cln::cl_RA(1) / 50;
+      if (is_near) multiplicity_ = Real(cln::cl_I(order));
+    }
   }
 
   /// A coordinate that vanishes is 0.
@@ -136,6 +153,8 @@ class Projection {
   Function residuals_;
   Arguments<Real> at_;
   std::vector<std::uint32_t> moving_ = {};
+  Real multiplicity_ = Real(1);
+  Real last_ = Real(0);  ///< step
 };
 
 }  // namespace
@@ -145,9 +164,11 @@ std::vector<std::vector<double>> sum_zeros(const Program& program, const Functio
   std::vector<std::vector<double>> zeros;
   if (text.instructions.size() > longest_program) return zeros;
   for (const std::vector<std::uint32_t>& residuals : Residuals(text).all) {
-    Projection projection(program, with_entries(text, residuals), domain.states.front());
-    auto zero = projection.zero();
-    if (zero && std::ranges::find(zeros, *zero) == zeros.end()) zeros.push_back(std::move(*zero));
+    const Function vanishing = with_entries(text, residuals);
+    for (std::size_t start = 0; start < std::min(starts, domain.states.size()); ++start) {
+      auto zero = Projection(program, vanishing, domain.states[start]).zero();
+      if (zero && std::ranges::find(zeros, *zero) == zeros.end()) zeros.push_back(std::move(*zero));
+    }
   }
   return zeros;
 }

@@ -20,18 +20,18 @@ using elgen::test::mentions;
 
 namespace {
 
-const std::string programs = std::string(ELGEN_SOURCE_DIR) + "/tests/emit/compiled/";
+const std::string wide_programs = std::string(ELGEN_SOURCE_DIR) + "/tests/emit/compiled/";
 
 /// A folder with the headers of tests/emit/compiled/functions.scene.toml.
 struct Wide : test::Workspace {
-  Wide() { prepare("elgen generate -q -o . " + programs + "functions.scene.toml"); }
+  Wide() { prepare("elgen generate -q -o . " + wide_programs + "functions.scene.toml"); }
 
   [[nodiscard]] test::Outcome compiled(const std::string& compiler,
                                        const std::string& flags) const {
     return run(compiler +
                " -std=c++17 -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow "
                "-Wfloat-equal -Wdouble-promotion -Werror " +
-               flags + " -I. -I" + ELGEN_SOURCE_DIR + "/include " + programs +
+               flags + " -I. -I" + ELGEN_SOURCE_DIR + "/include " + wide_programs +
                "wide.cpp -o program");
   }
 };

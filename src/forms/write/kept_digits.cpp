@@ -19,10 +19,12 @@ using cln::cl_RA;
 /// Longer sums are left as they are.
 constexpr std::size_t most_terms_in_pairs = 24;
 
-/// C a^2 + C b^2 - 2 C a b cos(c) = C ((a - b)^2 + 4 a b sin(c/2)^2)
+/// C a^2 + C b^2 - 2 C a b cos(c) = C ((a - b)^2 + 4 a b sin(c/2)^2), and where squares are taken
+/// apart C ((a - b)^2 cos(c/2)^2 + (a + b)^2 sin(c/2)^2), which has all digits whatever the signs
+/// of a and b are.
 class Triangles : GraphTerms {
  public:
-  using GraphTerms::GraphTerms;
+  Triangles(Graph& graph, Squares squares) : GraphTerms(graph), squares_(squares) {}
 
   /// Puts three such terms together as one; false where there are none.
   bool replace_one(std::vector<Ref>& terms) {
@@ -67,18 +69,30 @@ class Triangles : GraphTerms {
     const Ref twice = times(scale, doubled(both));
     const Ref own = product(mixed);
     if (own.node != twice.node) return std::nullopt;
-    const FunctionId sinusoid = own.negative != twice.negative ? FunctionId::sin : FunctionId::cos;
-    const Ref turn = times(times(graph_.rational(4), both), square(call(sinusoid, half(angle))));
-    return times(scale, graph_.sum({square(graph_.sum({*a, -*b})), turn}));
+    const bool is_difference = own.negative != twice.negative;
+    const Ref sine = square(call(FunctionId::sin, half(angle)));
+    const Ref cosine = square(call(FunctionId::cos, half(angle)));
+    const Ref less = square(graph_.sum({*a, -*b}));
+    if (squares_ == Squares::apart) {
+      const Ref more = square(graph_.sum({*a, *b}));
+      const Ref near = is_difference ? less : more;
+      const Ref far = is_difference ? more : less;
+      return times(scale, graph_.sum({times(near, cosine), times(far, sine)}));
+    }
+    const Ref turn = times(times(graph_.rational(4), both), is_difference ? sine : cosine);
+    return times(scale, graph_.sum({less, turn}));
   }
+
+  Squares squares_;
 };
 
 /// root + rest = (root^2 - rest^2)/(root - rest)
 class Conjugates : GraphTerms {
  public:
-  using GraphTerms::GraphTerms;
+  Conjugates(Graph& graph, Squares squares) : GraphTerms(graph), squares_(squares) {}
 
-  /// Of terms of which one has a root, where root^2 - rest^2 is shorter than root^2.
+  /// Of terms of which one has a root, where root^2 - rest^2 is shorter than root^2, or has squares
+  /// to take apart.
   std::optional<Ref> operator()(const std::vector<Ref>& terms) {
     const auto is_root = [&](Ref term) { return has_root(term); };
     if (std::ranges::count_if(terms, is_root) != 1) return std::nullopt;
@@ -107,9 +121,14 @@ class Conjugates : GraphTerms {
       const auto long_raised = written_out({raised});
       const auto long_numerator = written_out({raised, -square(rest)});
       if (!long_raised || !long_numerator) return std::nullopt;
-      if (long_numerator->size() >= long_raised->size()) return std::nullopt;
       raised = graph_.sum(*long_raised);
       numerator = graph_.sum(*long_numerator);
+      if (long_numerator->size() >= long_raised->size()) {
+        const auto better =
+            squares_ == Squares::apart ? kept_sum(graph_, squares_, numerator) : std::nullopt;
+        if (!better) return std::nullopt;
+        numerator = *better;
+      }
     }
     if (term_count(numerator) == 0 || has_branches(numerator)) return std::nullopt;
     if (!is_anchored(raised)) return std::nullopt;
@@ -137,6 +156,8 @@ class Conjugates : GraphTerms {
     }
     return graph_.sum(terms);
   }
+
+  Squares squares_;
 };
 
 /// A term as a quotient.
@@ -158,7 +179,7 @@ class KeptSum : GraphTerms {
     std::optional<Ref> better;
     if (!is_hidden) better = square_free(graph_, squares_, terms);
     if (!better) better = kept_terms(terms);
-    if (!better) better = Conjugates(graph_)(terms);
+    if (!better) better = Conjugates(graph_, squares_)(terms);
     if (!better && is_hidden) better = written_out_terms(terms);
     return better ? std::optional(with_sign(*better, value.negative)) : std::nullopt;
   }
@@ -215,7 +236,7 @@ class KeptSum : GraphTerms {
   }
 
   bool replace_some(std::vector<Ref>& terms) {
-    if (Triangles(graph_).replace_one(terms)) return true;
+    if (Triangles(graph_, squares_).replace_one(terms)) return true;
     if (replace_by_row(graph_, squares_, terms)) return true;
     std::vector<ScaledTerm> parts;
     for (const Ref term : terms) parts.push_back(scaled(term));
@@ -223,7 +244,7 @@ class KeptSum : GraphTerms {
       for (std::size_t k = i + 1; k < terms.size(); ++k) {
         if (is_plain(parts[i]) && is_plain(parts[k])) continue;
         std::optional<Ref> better = pair(parts[i], parts[k]);
-        if (!better) better = Conjugates(graph_)({terms[i], terms[k]});
+        if (!better) better = Conjugates(graph_, squares_)({terms[i], terms[k]});
         if (!better) continue;
         terms[i] = *better;
         terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(k));
@@ -243,12 +264,49 @@ class KeptSum : GraphTerms {
   }
 
   std::optional<Ref> pair(ScaledTerm x, ScaledTerm y) {
-    const Ref common = product(x.coefficient, take_shared(x, y));
+    std::vector<Operand> shared = take_shared(x, y);
+    take_divisors(x, y, shared);
+    take_divisors(y, x, shared);
+    const Ref common = product(x.coefficient, shared);
     y.coefficient = y.coefficient / x.coefficient;
     x.coefficient = 1;
-    std::optional<Ref> better = pair_by_row(graph_, squares_, x, y);
+    std::optional<Ref> better;
+    if (squares_ == Squares::apart) better = crank(x, y);
+    if (!better && squares_ == Squares::apart) better = crank(y, x);
+    if (!better) better = pair_by_row(graph_, squares_, x, y);
     if (!better) better = quotients(x, y);
     return better ? std::optional(times(common, *better)) : std::nullopt;
+  }
+
+  /// a^2 - b^2 sin(c)^2 = (a - b) (a + b) + b^2 cos(c)^2, of a crank b and a rod a, and with sine
+  /// and cosine exchanged.
+  std::optional<Ref> crank(const ScaledTerm& x, ScaledTerm y) {
+    const auto sinusoid = std::ranges::find_if(y.factors, [&](const Operand& factor) {
+      return factor.weight == 2 && is_sine_or_cosine(graph_.node(factor.node));
+    });
+    if (sinusoid == y.factors.end()) return std::nullopt;
+    const Node call = graph_.node(sinusoid->node);
+    y.factors.erase(sinusoid);
+    y.coefficient = -y.coefficient;
+    const std::optional<Ref> a = exact_root(x, 2);
+    const std::optional<Ref> b = exact_root(y, 2);
+    if (!a || !b) return std::nullopt;
+    const bool is_sine = call.function == FunctionId::sin;
+    const Ref other = graph_.call(is_sine ? FunctionId::cos : FunctionId::sin, {argument_of(call)});
+    const Ref less = times(graph_.sum({*a, -*b}), graph_.sum({*a, *b}));
+    return graph_.sum({less, times(square(*b), square(other))});
+  }
+
+  /// The divisors of a term that the other multiplies by: a - b/a^2 = (a^3 - b)/a^2.
+  static void take_divisors(ScaledTerm& x, ScaledTerm& y, std::vector<Operand>& shared) {
+    for (Operand& divisor : x.factors) {
+      const auto factor = std::ranges::find(y.factors, divisor.node, &Operand::node);
+      if (divisor.weight > 0 || factor == y.factors.end()) continue;
+      shared.push_back(divisor);
+      factor->weight -= divisor.weight;
+      divisor.weight = 0;
+    }
+    std::erase_if(x.factors, [](const Operand& factor) { return factor.weight == 0; });
   }
 
   /// a/b - c/d = (a d - b c)/(b d) where that is shorter, and 1/b - 1/d and 1 - a/b; the numerator

@@ -87,11 +87,12 @@ TEST_CASE("M is constant, forces and L are free of rates, but for T") {
 
 TEST_CASE("time moves where the model knows it") {
   for (const bool moves : {false, true}) {
-    const Model model = point(moves ? "x*sin(t)" : "x^2");
+    const CheckedModel checked{point(moves ? "x*sin(t)" : "x^2"), {}};
     Program program;
     Function function;
     Composition compose(program, function);
-    const StepContext step(model, {.iterations = 3}, program, compose);
+    const OutputRequest request{.iterations = 3};
+    const StepContext step(checked, request, program, compose);
     CHECK(step.iterations == 3);
     const std::size_t size = function.instructions.size();
     const std::uint32_t later = step.time_after(step.half);
