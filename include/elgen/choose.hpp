@@ -58,12 +58,19 @@ enum class Priority : std::uint8_t {
                                     const Domain& domain, const Scene& scene,
                                     Priority priority = Priority::balance);
 
-/// V and its derivatives (PotentialEquations) in one form each, for all functions that have them:
-/// with the typed sums whole that keep digits at the zeros of sums, else that cost less. None where
-/// no derivative differs from the text and from the closed form, or the scene wants speed alone.
+/// V and its derivatives (PotentialEquations) in one form each.
+struct RewrittenPotential {
+  Program program = {};
+  bool has_slopes = true;  ///< a derivative differs from its text and its closed form, not V alone
+};
+
+/// For all functions that have V: with the typed sums whole that keep digits at the zeros of sums,
+/// else that cost less. None where neither V nor a derivative differs from the text and from the
+/// closed form, or the scene wants speed alone.
 /// Cost: that of choose() up to eighteen times where typed sums lose digits.
-[[nodiscard]] std::optional<Program> rewritten_potential(const Program& potential,
-                                                         const Domain& domain, const Scene& scene);
+[[nodiscard]] std::optional<RewrittenPotential> rewritten_potential(const Program& potential,
+                                                                    const Domain& domain,
+                                                                    const Scene& scene);
 
 /// The domain of functions that take V and its derivatives as open values behind `first` others.
 [[nodiscard]] Domain with_open_potential(Domain domain, const Program& potential);
@@ -72,7 +79,7 @@ enum class Priority : std::uint8_t {
 /// functions of `open` that take any of these replace those of `choice`, which are read as they
 /// were. All stay where one would lose digits that it has now, as where V cancels the weight of
 /// bodies.
-void put_potential(const Program& potential, const Choice& open, const Domain& domain,
+void put_potential(const RewrittenPotential& potential, const Choice& open, const Domain& domain,
                    Choice& choice);
 
 }  // namespace elgen

@@ -109,7 +109,8 @@ class RecursiveForms {
     const auto known = errors_.find(index);
     if (known != errors_.end()) return &known->second;
     const Function& text = of(index);
-    Points points = comparison_points(recursive_, recursive_.functions[index], domain_);
+    if (!zeros_) zeros_ = sum_zeros(recursive_, domain_);
+    Points points = comparison_points(recursive_, recursive_.functions[index], domain_, *zeros_);
     return &errors_.try_emplace(index, chosen_, text, std::move(points)).first->second;
   }
 
@@ -120,6 +121,7 @@ class RecursiveForms {
   const Scene& scene_;
   std::map<std::size_t, Function> energy_sums_ = {};  ///< by function, of total_energy
   std::map<std::size_t, TextErrors> errors_ = {};     ///< likewise
+  std::optional<SumZeros> zeros_ = {};                ///< once they are asked for
 };
 
 /// The function as it is emitted in either form, after the passes of finish.hpp. `normalized` is

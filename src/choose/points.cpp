@@ -44,12 +44,17 @@ std::vector<bool> coordinates_in_arguments(const Function& function, const IsSou
   return stands_there;
 }
 
+bool is_motion(Opcode kind) {
+  return kind == Opcode::velocity || kind == Opcode::momentum || kind == Opcode::acceleration ||
+         kind == Opcode::input;
+}
+
 class Making {
  public:
   Making(const Program& program, const Function& text, const Domain& domain, NearPlaces places)
       : program_(program), text_(text), domain_(domain), places_(std::move(places)) {}
 
-  Points make() {
+  Points make(const SumZeros& zeros) {
     for (std::size_t i = 0; i < plain_points; ++i) points_.push_back(state());
     for (std::size_t i = 0; i < plain_points; ++i)
       points_.push_back(with_other_parameters(state()));
@@ -57,10 +62,10 @@ class Making {
       for (const double distance : distances) add_near(place, distance);
     }
     add_near_all(places_);
-    if (has_motion()) {
+    if (has_motion(text_)) {
       for (std::size_t i = 0; i < plain_points; ++i) add(at_rest(state()));
     } else {
-      for (const std::vector<double>& zero : sum_zeros(program_, text_, domain_)) add_beside(zero);
+      for (const std::vector<double>& zero : zeros) add_beside(zero);
     }
     add_far();
     return std::move(points_);
@@ -69,15 +74,6 @@ class Making {
  private:
   /// The next one, over and over.
   const Arguments<double>& state() { return domain_.states[next_++ % domain_.states.size()]; }
-
-  static bool is_motion(Opcode kind) {
-    return kind == Opcode::velocity || kind == Opcode::momentum || kind == Opcode::acceleration ||
-           kind == Opcode::input;
-  }
-
-  [[nodiscard]] bool has_motion() const {
-    return std::ranges::any_of(text_.instructions, is_motion, &Instruction::opcode);
-  }
 
   /// Rates, accelerations and inputs become 0. Elsewhere they are large and hide the digits that a
   /// holding force loses.
@@ -208,9 +204,14 @@ class Making {
 
 }  // namespace
 
-Points comparison_points(const Program& program, const Function& text, const Domain& domain) {
+bool has_motion(const Function& function) {
+  return std::ranges::any_of(function.instructions, is_motion, &Instruction::opcode);
+}
+
+Points comparison_points(const Program& program, const Function& text, const Domain& domain,
+                         const SumZeros& zeros) {
   return Making(program, text, domain, cancelling_places(program, text, domain, most_places))
-      .make();
+      .make(zeros);
 }
 
 }  // namespace elgen

@@ -22,10 +22,17 @@
 
 namespace elgen {
 
-/// `text`: the recursive form of the function. No function of libm is called, so that every machine
-/// gets the same points. Cost: one walk over the instructions.
+/// Coordinates where typed sums vanish.
+using SumZeros = std::vector<std::vector<double>>;
+
+/// Whether it takes rates, momenta, accelerations or inputs.
+[[nodiscard]] bool has_motion(const Function& function);
+
+/// `text`: the recursive form of the function; `zeros` are approached where it takes no rates. No
+/// function of libm is called, so that every machine gets the same points. Cost: one walk over the
+/// instructions.
 [[nodiscard]] Points comparison_points(const Program& program, const Function& text,
-                                       const Domain& domain);
+                                       const Domain& domain, const SumZeros& zeros = {});
 
 /// A coordinate is near `factor` times another one, or near the number `factor`.
 struct NearPlace {
@@ -43,13 +50,11 @@ using NearPlaces = std::vector<NearPlace>;
 [[nodiscard]] NearPlaces cancelling_places(const Program& program, const Function& text,
                                            const Domain& domain, std::size_t most);
 
-/// The coordinates where typed sums vanish, each at one place inside the ranges, or nearly equal
-/// ones; a sum of squares vanishes with all of its squares. Found by projecting the first states of
-/// `domain` on r = 0 for one square after another, r the base: q - r grad r/|grad r|^2 (Kaczmarz),
-/// in 64 digits, so that every machine finds the same. Cost: at most eight sums and 24 rounds; none
-/// of long programs.
-[[nodiscard]] std::vector<std::vector<double>> sum_zeros(const Program& program,
-                                                         const Function& text,
-                                                         const Domain& domain);
+/// The zeros of the typed sums of all functions without rates, and of logarithms; a sum of squares
+/// vanishes with all of its squares. Found by projecting some states on r = 0 for one square after
+/// another, r the base: q - r grad r/|grad r|^2 (Kaczmarz), in 64 digits, so that every machine
+/// finds the same. Cost: at most eight sums of a function and 30 rounds from seven states; none of
+/// long programs.
+[[nodiscard]] SumZeros sum_zeros(const Program& program, const Domain& domain);
 
 }  // namespace elgen

@@ -15,6 +15,10 @@ namespace {
 /// One sum after another is multiplied out, up to so many.
 constexpr std::size_t most_alone = 16;
 
+/// Instructions of V and its derivatives. Longer ones, of chains of springs, have no closed forms
+/// that are chosen, and would take as long as all else.
+constexpr std::size_t longest_potential = 1'500;
+
 /// Of forms that keep the same digits another is taken where it saves a fifth of the operations.
 constexpr std::size_t fifths_of_cost = 4;
 
@@ -33,8 +37,9 @@ class WholeSearch {
  public:
   WholeSearch(const Program& potential, const Domain& domain, const Scene& scene)
       : potential_(potential), domain_(domain), scene_(scene), sums_(typed_sums(potential)) {
+    const SumZeros zeros = sum_zeros(potential, domain);
     for (const Function& text : potential.functions) {
-      errors_.emplace_back(potential, text, comparison_points(potential, text, domain),
+      errors_.emplace_back(potential, text, comparison_points(potential, text, domain, zeros),
                            Scale::entry);
     }
   }
@@ -97,16 +102,13 @@ class WholeSearch {
   std::vector<TextErrors> errors_ = {};  ///< by function
 };
 
-/// Whether a derivative differs from its text and from its plain closed form.
-bool has_own_form(const WholeChoice& best) {
+/// Whether V, or a derivative, differs from its text and from its plain closed form.
+bool has_own_form(const WholeChoice& best, std::size_t function) {
   if (std::ranges::find(best.whole, true) != best.whole.end()) return true;
-  for (std::size_t i = 1; i < best.choice.costs.size(); ++i) {
-    const FormCosts& costs = best.choice.costs[i];
-    if (!best.choice.program.functions[i].rewritten.empty()) return true;
-    const bool is_text = costs.chosen == Form::recursive && costs.closed;
-    if (is_text && cost(*costs.closed) < cost(costs.recursive)) return true;
-  }
-  return false;
+  if (!best.choice.program.functions[function].rewritten.empty()) return true;
+  const FormCosts& costs = best.choice.costs[function];
+  const bool is_text = costs.chosen == Form::recursive && costs.closed;
+  return is_text && cost(*costs.closed) < cost(costs.recursive);
 }
 
 /// Puts the entries of V and its derivatives into one function.
@@ -187,14 +189,20 @@ std::vector<std::uint32_t> entries_with(const Function& function, const IsSought
 
 }  // namespace
 
-std::optional<Program> rewritten_potential(const Program& potential, const Domain& domain,
-                                           const Scene& scene) {
-  if (scene.numerics.prefer == Preference::speed) return std::nullopt;
+std::optional<RewrittenPotential> rewritten_potential(const Program& potential,
+                                                      const Domain& domain, const Scene& scene) {
+  std::size_t length = 0;
+  for (const Function& function : potential.functions) length += function.instructions.size();
+  if (scene.numerics.prefer == Preference::speed || length > longest_potential) return std::nullopt;
   Scene unnamed = scene;
   unnamed.outputs.clear();
   WholeChoice best = WholeSearch(potential, domain, unnamed).best();
-  if (!has_own_form(best)) return std::nullopt;
-  return std::move(best.choice.program);
+  const std::size_t count = potential.functions.size();
+  std::vector<bool> is_own(count);
+  for (std::size_t i = 0; i < count; ++i) is_own[i] = has_own_form(best, i);
+  if (std::ranges::find(is_own, true) == is_own.end()) return std::nullopt;
+  const bool has_slopes = std::find(is_own.begin() + 1, is_own.end(), true) != is_own.end();
+  return RewrittenPotential{std::move(best.choice.program), has_slopes};
 }
 
 Domain with_open_potential(Domain domain, const Program& potential) {
@@ -209,16 +217,20 @@ Domain with_open_potential(Domain domain, const Program& potential) {
   return domain;
 }
 
-void put_potential(const Program& potential, const Choice& open, const Domain& domain,
+void put_potential(const RewrittenPotential& potential, const Choice& open, const Domain& domain,
                    Choice& choice) {
   Choice result = choice;
   const auto first = static_cast<std::uint32_t>(choice.program.leaves.f.size());
-  Putting put(potential, first, result.program);
+  Putting put(potential.program, first, result.program);
   for (std::size_t i = 0; i < open.program.functions.size(); ++i) {
     const Function& function = open.program.functions[i];
     const std::vector<std::uint32_t> entries =
         entries_with(function, [&put](const Instruction& each) { return put.is_open(each); });
-    if (entries.empty()) continue;
+    const auto is_slope = [first](const Instruction& each) {
+      return each.opcode == Opcode::open_value && each.a > first;
+    };
+    const bool stays = !potential.has_slopes && !entries_with(function, is_slope).empty();
+    if (entries.empty() || stays) continue;
     Function own = put(open.program, function);
     const Function& old = choice.program.functions[i];
     const TextErrors errors(choice.program, old, comparison_points(choice.program, old, domain));

@@ -15,20 +15,22 @@
 namespace elgen {
 namespace {
 
-constexpr std::size_t most_sums = 8;
-constexpr std::size_t most_rounds = 24;
-constexpr std::size_t starts = 3;
-constexpr int highest_order = 4;  ///< of a zero: of (x - a)^4
+constexpr std::size_t most_sums = 8;  ///< of one function
+constexpr std::size_t most_zeros = 24;
+constexpr std::size_t most_rounds = 30;
+constexpr std::size_t most_states = 3;
+constexpr std::size_t most_axes = 4;  ///< where all other coordinates are 0
+constexpr int highest_order = 4;      ///< of a zero: of (x - a)^4
 constexpr std::size_t longest_program = 400;
 
-/// Of the 64 digits 40 are left beside differences over steps of 1e-25; a zero is one to 1e-20, far
+/// Of the 64 digits 40 are left beside differences over steps of 1e-25; a zero is one to 1e-16, far
 /// below the distances of points.
 const Real& step() {
   static const Real value(power_of_ten(-25));
   return value;
 }
 const Real& negligible() {
-  static const Real value(power_of_ten(-20));
+  static const Real value(power_of_ten(-16));
   return value;
 }
 
@@ -71,18 +73,24 @@ class Residuals {
   const Function& function_;
 };
 
+std::vector<std::uint32_t> coordinates_of(const Function& function) {
+  std::vector<std::uint32_t> coordinates;
+  for (const Instruction& i : function.instructions) {
+    if (i.opcode == Opcode::coordinate) coordinates.push_back(i.a);
+  }
+  return coordinates;
+}
+
 /// Where the entries of one function vanish together.
-class Projection {
+class ZeroProjection {
  public:
-  Projection(const Program& program, Function residuals, const Arguments<double>& start)
+  ZeroProjection(const Program& program, Function residuals, const Arguments<double>& start)
       : program_(program),
         residuals_(std::move(residuals)),
+        moving_(coordinates_of(residuals_)),
         at_(map_leaves([](double x) { return Real(exact_value(x)); }, start)) {
     const auto format = cln::float_format(64);
     for (Real& x : at_.q) x = Real(cln::cl_float(x.value(), format));
-    for (const Instruction& i : residuals_.instructions) {
-      if (i.opcode == Opcode::coordinate) moving_.push_back(i.a);
-    }
   }
 
   /// None where it does not converge.
@@ -151,23 +159,73 @@ class Projection {
 
   const Program& program_;
   Function residuals_;
+  std::vector<std::uint32_t> moving_;
   Arguments<Real> at_;
-  std::vector<std::uint32_t> moving_ = {};
   Real multiplicity_ = Real(1);
   Real last_ = Real(0);  ///< step
 };
 
+/// States inside the ranges, and one on the axis of every coordinate: what vanishes on a circle is
+/// looked at where the circle meets the axes, too.
+std::vector<Arguments<double>> starts_of(const Domain& domain) {
+  std::vector<Arguments<double>> all(
+      domain.states.begin(), domain.states.begin() + static_cast<std::ptrdiff_t>(std::min(
+                                                         most_states, domain.states.size())));
+  const Arguments<double>& first = domain.states.front();
+  for (std::size_t i = 0; i < first.q.size() && first.q.size() > 1 && i < most_axes; ++i) {
+    Arguments<double>& start = all.emplace_back(first);
+    std::ranges::fill(start.q, 0.0);
+    start.q[i] = first.q[i];
+  }
+  return all;
+}
+
 }  // namespace
 
-std::vector<std::vector<double>> sum_zeros(const Program& program, const Function& text,
-                                           const Domain& domain) {
-  std::vector<std::vector<double>> zeros;
-  if (text.instructions.size() > longest_program) return zeros;
-  for (const std::vector<std::uint32_t>& residuals : Residuals(text).all) {
-    const Function vanishing = with_entries(text, residuals);
-    for (std::size_t start = 0; start < std::min(starts, domain.states.size()); ++start) {
-      auto zero = Projection(program, vanishing, domain.states[start]).zero();
-      if (zero && std::ranges::find(zeros, *zero) == zeros.end()) zeros.push_back(std::move(*zero));
+/// Where the sum of one coordinate is smallest among equal steps over its range, so that Newton's
+/// method does not run off to where a potential dies out.
+std::vector<Arguments<double>> scanned_starts(const Program& program, const Function& vanishing,
+                                              const Domain& domain, std::uint32_t coordinate) {
+  constexpr int steps = 16;
+  const Range& range = domain.ranges.q[coordinate];
+  std::vector<Arguments<double>> all;
+  std::vector<Real> sizes;
+  for (int i = 0; i <= steps; ++i) {
+    Arguments<double>& at = all.emplace_back(domain.states.front());
+    at.q[coordinate] = range.low + (range.high - range.low) * i / steps;
+    Real size(0);
+    const auto exact = map_leaves([](double x) { return Real(exact_value(x)); }, at);
+    for (const Real& r : evaluate(program, vanishing, exact)) size = size + abs(r);
+    sizes.push_back(size);
+  }
+  const auto exceeds = [&](std::size_t i, std::size_t other) {
+    if (!sizes[i].is_defined()) return true;
+    return sizes[other].is_defined() && sizes[i].value() > sizes[other].value();
+  };
+  std::vector<Arguments<double>> starts;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool is_least =
+        !exceeds(i, i == 0 ? i : i - 1) && !exceeds(i, i + 1 == all.size() ? i : i + 1);
+    if (is_least) starts.push_back(all[i]);
+  }
+  return starts;
+}
+
+SumZeros sum_zeros(const Program& program, const Domain& domain) {
+  SumZeros zeros;
+  const std::vector<Arguments<double>> all = starts_of(domain);
+  for (const Function& text : program.functions) {
+    if (has_motion(text) || text.instructions.size() > longest_program) continue;
+    for (const std::vector<std::uint32_t>& residuals : Residuals(text).all) {
+      const Function vanishing = with_entries(text, residuals);
+      const std::vector<std::uint32_t> moving = coordinates_of(vanishing);
+      const auto starts =
+          moving.size() == 1 ? scanned_starts(program, vanishing, domain, moving.front()) : all;
+      for (const Arguments<double>& start : starts) {
+        auto zero = ZeroProjection(program, vanishing, start).zero();
+        if (!zero || zeros.size() == most_zeros) continue;
+        if (std::ranges::find(zeros, *zero) == zeros.end()) zeros.push_back(std::move(*zero));
+      }
     }
   }
   return zeros;

@@ -34,7 +34,7 @@ Result<Program> recursive_program(const Lagrangian& lagrangian,
 }
 
 /// The scene of a Lagrangian whose functions are chosen, and what they are chosen from.
-struct Choosing {
+struct ChoiceInput {
   const Lagrangian& lagrangian;
   const Model& model;
   const Scene& scene;
@@ -42,38 +42,38 @@ struct Choosing {
 };
 
 /// The same functions with V as a leaf, in their forms.
-Result<Choice> open_choice(const Choosing& choosing, const std::vector<GiNaC::ex>& variables,
+Result<Choice> open_choice(const ChoiceInput& input, const std::vector<GiNaC::ex>& variables,
                            const Program& potential, const Domain& domain) {
-  const Result<Program> open = recursive_program(
-      with_open_potential(choosing.lagrangian, variables), choosing.scene.outputs, choosing.limits);
+  const Result<Program> open = recursive_program(with_open_potential(input.lagrangian, variables),
+                                                 input.scene.outputs, input.limits);
   if (!open) return open.diagnostics;
-  return choose(*open, present(*open), with_open_potential(domain, potential), choosing.scene);
+  return choose(*open, present(*open), with_open_potential(domain, potential), input.scene);
 }
 
 /// V in one form in all functions, where it has one of its own.
-Diagnostics add_potential(const Choosing& choosing, const Domain& domain, Choice& choice) {
+Diagnostics add_potential(const ChoiceInput& input, const Domain& domain, Choice& choice) {
   const bool has_second = std::ranges::any_of(
-      choosing.scene.outputs,
+      input.scene.outputs,
       [](const OutputRequest& request) { return output_row(request.kind).differentiates; });
-  const auto derived = derive_potential(choosing.lagrangian, has_second);
+  const auto derived = derive_potential(input.lagrangian, has_second);
   if (!derived) return {};
-  Result<Program> lowered = lower(derived->equations, derived->requests, choosing.limits);
+  Result<Program> lowered = lower(derived->equations, derived->requests, input.limits);
   if (!lowered) return lowered.diagnostics;
-  const auto potential = rewritten_potential(cancel(std::move(*lowered)), domain, choosing.scene);
+  const auto potential = rewritten_potential(cancel(std::move(*lowered)), domain, input.scene);
   if (!potential) return {};
-  Result<Choice> open = open_choice(choosing, derived->variables, *potential, domain);
+  Result<Choice> open = open_choice(input, derived->variables, potential->program, domain);
   if (!open) return open.diagnostics;
   put_potential(*potential, *open, domain, choice);
   return {};
 }
 
 /// The functions of a program in their forms.
-Result<Choice> forms_of(const Choosing& choosing, const Program& recursive,
+Result<Choice> forms_of(const ChoiceInput& input, const Program& recursive,
                         const ClosedForms& forms) {
-  const Domain domain = domain_of({choosing.model, choosing.scene, recursive.leaves});
-  Result<Choice> choice = choose(recursive, forms, domain, choosing.scene);
+  const Domain domain = domain_of({input.model, input.scene, recursive.leaves});
+  Result<Choice> choice = choose(recursive, forms, domain, input.scene);
   if (!choice) return choice;
-  Diagnostics errors = add_potential(choosing, domain, *choice);
+  Diagnostics errors = add_potential(input, domain, *choice);
   if (!errors.empty()) return errors;
   return choice;
 }

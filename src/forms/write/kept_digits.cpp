@@ -3,13 +3,14 @@
 #include "forms/write/kept_digits.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <utility>
 #include <vector>
 
 #include "forms/write/digit_rows.hpp"
 #include "forms/write/graph_terms.hpp"
+#include "forms/write/kept_pairs.hpp"
 #include "forms/write/square_free.hpp"
+#include "forms/write/triangles.hpp"
 
 namespace elgen {
 namespace {
@@ -18,73 +19,6 @@ using cln::cl_RA;
 
 /// Longer sums are left as they are.
 constexpr std::size_t most_terms_in_pairs = 24;
-
-/// C a^2 + C b^2 - 2 C a b cos(c) = C ((a - b)^2 + 4 a b sin(c/2)^2), and where squares are taken
-/// apart C ((a - b)^2 cos(c/2)^2 + (a + b)^2 sin(c/2)^2), which has all digits whatever the signs
-/// of a and b are.
-class Triangles : GraphTerms {
- public:
-  Triangles(Graph& graph, Squares squares) : GraphTerms(graph), squares_(squares) {}
-
-  /// Puts three such terms together as one; false where there are none.
-  bool replace_one(std::vector<Ref>& terms) {
-    std::vector<ScaledTerm> parts;
-    for (const Ref term : terms) parts.push_back(scaled(term));
-    for (std::size_t k = 0; k < terms.size(); ++k) {
-      ScaledTerm mixed = parts[k];
-      const auto cosine = std::ranges::find_if(mixed.factors, [&](const Operand& factor) {
-        return factor.weight == 1 && is_call(graph_.node(factor.node), FunctionId::cos);
-      });
-      if (cosine == mixed.factors.end()) continue;
-      const Ref angle = argument_of(graph_.node(cosine->node));
-      mixed.factors.erase(cosine);
-      for (std::size_t i = 0; i < terms.size(); ++i) {
-        for (std::size_t j = i + 1; j < terms.size(); ++j) {
-          if (i == k || j == k) continue;
-          const std::optional<Ref> triangle = of_triangle(parts[i], parts[j], mixed, angle);
-          if (!triangle) continue;
-          terms[k] = *triangle;
-          terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(j));
-          terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(i));
-          return true;
-        }
-      }
-    }
-    return false;
-  }
-
- private:
-  /// `mixed` is -+2 C a b: with + it is the cosine of c/2.
-  std::optional<Ref> of_triangle(ScaledTerm first, ScaledTerm second, const ScaledTerm& mixed,
-                                 Ref angle) {
-    const cl_RA common = first.coefficient;
-    const cl_RA ratio = second.coefficient / common;
-    if (ratio * common * common * 4 != mixed.coefficient * mixed.coefficient) return std::nullopt;
-    const std::vector<Operand> shared = take_shared(first, second);
-    const std::optional<Ref> a = exact_root({1, first.factors}, 2);
-    const std::optional<Ref> b = exact_root({ratio, second.factors}, 2);
-    if (!a || !b) return std::nullopt;
-    const Ref scale = product(common, shared);
-    const Ref both = times(*a, *b);
-    const Ref twice = times(scale, doubled(both));
-    const Ref own = product(mixed);
-    if (own.node != twice.node) return std::nullopt;
-    const bool is_difference = own.negative != twice.negative;
-    const Ref sine = square(call(FunctionId::sin, half(angle)));
-    const Ref cosine = square(call(FunctionId::cos, half(angle)));
-    const Ref less = square(graph_.sum({*a, -*b}));
-    if (squares_ == Squares::apart) {
-      const Ref more = square(graph_.sum({*a, *b}));
-      const Ref near = is_difference ? less : more;
-      const Ref far = is_difference ? more : less;
-      return times(scale, graph_.sum({times(near, cosine), times(far, sine)}));
-    }
-    const Ref turn = times(times(graph_.rational(4), both), is_difference ? sine : cosine);
-    return times(scale, graph_.sum({less, turn}));
-  }
-
-  Squares squares_;
-};
 
 /// root + rest = (root^2 - rest^2)/(root - rest)
 class Conjugates : GraphTerms {
@@ -160,12 +94,6 @@ class Conjugates : GraphTerms {
   Squares squares_;
 };
 
-/// A term as a quotient.
-struct Ratio {
-  ScaledTerm top = {};
-  ScaledTerm bottom = {};
-};
-
 /// One sum or call, in the graph that it stands in.
 class KeptSum : GraphTerms {
  public:
@@ -180,6 +108,7 @@ class KeptSum : GraphTerms {
     if (!is_hidden) better = square_free(graph_, squares_, terms);
     if (!better) better = kept_terms(terms);
     if (!better) better = Conjugates(graph_, squares_)(terms);
+    if (!better && is_hidden) better = triangle_in(terms);
     if (!better && is_hidden) better = written_out_terms(terms);
     return better ? std::optional(with_sign(*better, value.negative)) : std::nullopt;
   }
@@ -215,6 +144,26 @@ class KeptSum : GraphTerms {
     return graph_.sum({log_a, -logarithm(b).value_or(call(FunctionId::log, b))});
   }
 
+  /// a (a - 2 b cos(c)) + b^2, where b may be a sum.
+  std::optional<Ref> triangle_in(const std::vector<Ref>& terms) {
+    std::vector<Ref> all;
+    for (const Ref term : terms) {
+      ScaledTerm factors = scaled(term);
+      const auto bracket = std::ranges::find_if(factors.factors, [&](const Operand& factor) {
+        return factor.weight == 1 && graph_.node(factor.node).kind == NodeKind::sum;
+      });
+      if (bracket == factors.factors.end()) {
+        all.push_back(term);
+        continue;
+      }
+      const std::vector<Ref> parts = terms_of(bracket->node);
+      factors.factors.erase(bracket);
+      for (const Ref part : parts) all.push_back(times(product(factors), part));
+    }
+    const bool is_found = replace_triangle(graph_, squares_, all);
+    return is_found ? std::optional(graph_.sum(all)) : std::nullopt;
+  }
+
   /// Where brackets hide what cancels: (l + x)^2 - l^2 = 2 l x + x^2.
   std::optional<Ref> written_out_terms(const std::vector<Ref>& terms) {
     const auto all = written_out(terms);
@@ -236,14 +185,14 @@ class KeptSum : GraphTerms {
   }
 
   bool replace_some(std::vector<Ref>& terms) {
-    if (Triangles(graph_, squares_).replace_one(terms)) return true;
+    if (replace_triangle(graph_, squares_, terms)) return true;
     if (replace_by_row(graph_, squares_, terms)) return true;
     std::vector<ScaledTerm> parts;
     for (const Ref term : terms) parts.push_back(scaled(term));
     for (std::size_t i = 0; i < terms.size(); ++i) {
       for (std::size_t k = i + 1; k < terms.size(); ++k) {
         if (is_plain(parts[i]) && is_plain(parts[k])) continue;
-        std::optional<Ref> better = pair(parts[i], parts[k]);
+        std::optional<Ref> better = kept_pair(graph_, squares_, parts[i], parts[k]);
         if (!better) better = Conjugates(graph_, squares_)({terms[i], terms[k]});
         if (!better) continue;
         terms[i] = *better;
@@ -261,88 +210,6 @@ class KeptSum : GraphTerms {
       const bool is_root = graph_.node(factor.node).kind == NodeKind::square_root;
       return factor.weight > 0 && !is_power && !is_root;
     });
-  }
-
-  std::optional<Ref> pair(ScaledTerm x, ScaledTerm y) {
-    std::vector<Operand> shared = take_shared(x, y);
-    take_divisors(x, y, shared);
-    take_divisors(y, x, shared);
-    const Ref common = product(x.coefficient, shared);
-    y.coefficient = y.coefficient / x.coefficient;
-    x.coefficient = 1;
-    std::optional<Ref> better;
-    if (squares_ == Squares::apart) better = crank(x, y);
-    if (!better && squares_ == Squares::apart) better = crank(y, x);
-    if (!better) better = pair_by_row(graph_, squares_, x, y);
-    if (!better) better = quotients(x, y);
-    return better ? std::optional(times(common, *better)) : std::nullopt;
-  }
-
-  /// a^2 - b^2 sin(c)^2 = (a - b) (a + b) + b^2 cos(c)^2, of a crank b and a rod a, and with sine
-  /// and cosine exchanged.
-  std::optional<Ref> crank(const ScaledTerm& x, ScaledTerm y) {
-    const auto sinusoid = std::ranges::find_if(y.factors, [&](const Operand& factor) {
-      return factor.weight == 2 && is_sine_or_cosine(graph_.node(factor.node));
-    });
-    if (sinusoid == y.factors.end()) return std::nullopt;
-    const Node call = graph_.node(sinusoid->node);
-    y.factors.erase(sinusoid);
-    y.coefficient = -y.coefficient;
-    const std::optional<Ref> a = exact_root(x, 2);
-    const std::optional<Ref> b = exact_root(y, 2);
-    if (!a || !b) return std::nullopt;
-    const bool is_sine = call.function == FunctionId::sin;
-    const Ref other = graph_.call(is_sine ? FunctionId::cos : FunctionId::sin, {argument_of(call)});
-    const Ref less = times(graph_.sum({*a, -*b}), graph_.sum({*a, *b}));
-    return graph_.sum({less, times(square(*b), square(other))});
-  }
-
-  /// The divisors of a term that the other multiplies by: a - b/a^2 = (a^3 - b)/a^2.
-  static void take_divisors(ScaledTerm& x, ScaledTerm& y, std::vector<Operand>& shared) {
-    for (Operand& divisor : x.factors) {
-      const auto factor = std::ranges::find(y.factors, divisor.node, &Operand::node);
-      if (divisor.weight > 0 || factor == y.factors.end()) continue;
-      shared.push_back(divisor);
-      factor->weight -= divisor.weight;
-      divisor.weight = 0;
-    }
-    std::erase_if(x.factors, [](const Operand& factor) { return factor.weight == 0; });
-  }
-
-  /// a/b - c/d = (a d - b c)/(b d) where that is shorter, and 1/b - 1/d and 1 - a/b; the numerator
-  /// is kept in its turn.
-  std::optional<Ref> quotients(const ScaledTerm& x, const ScaledTerm& y) {
-    const Ratio first = ratio_of(x);
-    const Ratio second = ratio_of(y);
-    const bool is_first_whole = first.bottom.factors.empty();
-    const bool is_second_whole = second.bottom.factors.empty();
-    if (is_first_whole && is_second_whole) return std::nullopt;
-    const bool has_one = x.factors.empty() || y.factors.empty();
-    const bool are_inverses = first.top.factors.empty() && second.top.factors.empty();
-    const bool is_known =
-        has_one ? cln::minusp(y.coefficient) : are_inverses && y.coefficient == -1;
-    const bool may_meet =
-        !is_first_whole && !is_second_whole &&
-        (has_bracket(product(first.bottom)) || has_bracket(product(second.bottom)));
-    if (!is_known && !may_meet) return std::nullopt;
-    const Ref left = short_sum({times(product(first.top), product(second.bottom))});
-    const Ref right = short_sum({times(product(second.top), product(first.bottom))});
-    const Ref top = short_sum({left, right});
-    if (!is_known && term_count(top) >= term_count(left) + term_count(right)) return std::nullopt;
-    ScaledTerm divisors = first.bottom;
-    divisors.factors.insert(divisors.factors.end(), second.bottom.factors.begin(),
-                            second.bottom.factors.end());
-    for (Operand& divisor : divisors.factors) divisor.weight = -divisor.weight;
-    return times(kept(top).value_or(top), product(divisors));
-  }
-
-  static Ratio ratio_of(const ScaledTerm& term) {
-    Ratio ratio{{term.coefficient, {}}, {}};
-    for (const auto& [id, weight] : term.factors) {
-      ScaledTerm& side = weight > 0 ? ratio.top : ratio.bottom;
-      side.factors.push_back({id, std::abs(weight)});
-    }
-    return ratio;
   }
 
   Squares squares_;
