@@ -60,6 +60,15 @@ std::string field_value(const WrittenField& value, std::size_t indent) {
                      fmt::join(lines, ",\n" + margin + "    "));
 }
 
+std::string part_name(const Function& function, std::size_t part) {
+  return fmt::format("{}_part_{}", function.name, part + 1);
+}
+
+/// An argument that the body does not use has no name.
+std::string name_if(const UsedNames& used, std::string_view blank_and_name) {
+  return std::string(used.variables.count(blank_and_name.substr(1)) > 0 ? blank_and_name : "");
+}
+
 class CppDialect : public Dialect {
  public:
   CppDialect(const Model& model, const Program& program) : Dialect(model, program, ".") {}
@@ -197,15 +206,6 @@ class CppDialect : public Dialect {
 
   std::string own_function(std::string_view name) const override {
     return fmt::format("{}detail::{}<{}>", scope(), name, scalar());
-  }
-
-  static std::string part_name(const Function& function, std::size_t part) {
-    return fmt::format("{}_part_{}", function.name, part + 1);
-  }
-
-  /// An argument that the body does not use has no name.
-  static std::string name_if(const UsedNames& used, std::string_view blank_and_name) {
-    return std::string(used.variables.count(blank_and_name.substr(1)) > 0 ? blank_and_name : "");
   }
 
   Texts declared_arguments(const Function& function, const UsedNames& used) const {
