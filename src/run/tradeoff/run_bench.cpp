@@ -58,6 +58,13 @@ bool is_part(double length, double time) {
          std::abs(count - std::round(count)) <= 1e-9 * count;  // but for how both are typed
 }
 
+Result<StepLoops> compiled(const Products& products, const Limits& limits) {
+  const auto& [model, scene] = *products.checked;
+  const Result<EmittedFiles> files = emit(model, scene, *products.program, {});
+  if (!files) return files.diagnostics;
+  return compile_steps(*files, model, scene, *products.program, limits);
+}
+
 class RunBench {
  public:
   RunBench(const RunRequest& request, const BenchProcess& process)
@@ -140,7 +147,7 @@ class RunBench {
                                  name_of_step(step), length));
     }
     process_.on_stage(fmt::format("compile {}", name_of_step(step)));
-    Result<StepLoops> loops = compiled(products);
+    Result<StepLoops> loops = compiled(products, process_.limits);
     if (!loops) return {.failure = find_error(loops.diagnostics)->message};
     return {.loops = std::move(*loops)};
   }
@@ -148,13 +155,6 @@ class RunBench {
   StepCode refused(const std::string& sentence) {
     if (std::ranges::find(refusals_, sentence) == refusals_.end()) refusals_.push_back(sentence);
     return {.has_rows = false};
-  }
-
-  [[nodiscard]] Result<StepLoops> compiled(const Products& products) const {
-    const auto& [model, scene] = *products.checked;
-    const Result<EmittedFiles> files = emit(model, scene, *products.program, {});
-    if (!files) return files.diagnostics;
-    return compile_steps(*files, model, scene, *products.program, process_.limits);
   }
 
   void add(const PlannedRun& planned) {
