@@ -151,17 +151,25 @@ class Operations {
   std::map<NodeId, NodeId> reciprocals_ = {};
 };
 
+/// For each node, how many products divide by it.
+std::vector<std::uint32_t> division_counts(const Graph& graph, const std::vector<Ref>& values) {
+  std::vector<std::uint32_t> counts(graph.size(), 0);
+  for (const NodeId id : reachable(graph, values)) {
+    if (graph.node(id).kind != NodeKind::product) continue;
+    for (const Operand& factor : graph.node(id).operands) {
+      if (factor.weight < 0) ++counts[factor.node];
+    }
+  }
+  return counts;
+}
+
 class Conversion {
  public:
   Conversion(const Expressions& expressions, Numbers numbers)
-      : graph_(expressions.graph), converted_(graph_.size()), divisions_(graph_.size(), 0) {
+      : graph_(expressions.graph),
+        converted_(graph_.size()),
+        divisions_(division_counts(graph_, expressions.values)) {
     if (numbers == Numbers::joined) uses_ = use_counts(graph_, expressions.values);
-    for (const NodeId id : reachable(graph_, expressions.values)) {
-      if (graph_.node(id).kind != NodeKind::product) continue;
-      for (const Operand& factor : graph_.node(id).operands) {
-        if (factor.weight < 0) ++divisions_[factor.node];
-      }
-    }
   }
 
   Network converted(const std::vector<Ref>& values) && {

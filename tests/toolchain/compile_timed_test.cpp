@@ -1,0 +1,167 @@
+// Timed functions go through arrays of states, and the loops of a step from state to state.
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "elgen/toolchain.hpp"
+#include "toolchain/sample_model.hpp"
+
+using namespace elgen;
+
+namespace {
+
+std::vector<elgen::Arguments<double>> timed_states() {
+  const elgen::Arguments<double> first{.parameters = {1, 1, 1}, .q = {7}, .v = {11}, .a = {13}};
+  const elgen::Arguments<double> second{.parameters = {1, 1, 1}, .q = {0}, .v = {1}, .a = {0.5}};
+  return {first, second};
+}
+
+Result<TimedFunctions> compiled(const std::string& text, const std::vector<ScalarKind>& scalars) {
+  TimingOptions options{.limits = {.seconds = 600}};
+  for (const ScalarKind scalar : scalars) options.variants.push_back({scalar, false});
+  options.states = timed_states();
+  return compile_timed(sample::files(text), sample::model(), sample::scene(), sample::program(),
+                       options);
+}
+
+/// Parameters are the header's own: 2, 3 and 5.
+std::string header_with_values() {
+  std::string text = sample::header();
+  const auto replace = [&text](const std::string& written, const std::string& other) {
+    text.replace(text.find(written), written.size(), other);
+  };
+  replace("Scalar m; std::array<Scalar, 2> l;", "Scalar m = 2; std::array<Scalar, 2> l = {3, 5};");
+  replace("template <class Scalar> using Inputs",
+          "template <class Scalar> using Coordinates = Vector<Scalar>;\n"
+          "template <class Scalar> using Velocities = Vector<Scalar>;\n"
+          "template <class Scalar> using Accelerations = Vector<Scalar>;\n"
+          "template <class Scalar> using Inputs");
+  return text;
+}
+
+/// In packs at once, and by a call for each state.
+Result<TimedFunctions> compiled_batch() {
+  TimingOptions options{.limits = {.seconds = 600}};
+  options.variants = {{ScalarKind::double_precision, true, false},
+                      {ScalarKind::double_precision, true, true}};
+  options.states = timed_states();
+  EmittedFiles files = sample::files(header_with_values());
+  files.files["sample/sample_batch.hpp"] = R"(#pragma once
+#include "sample.hpp"
+namespace sample::batch {
+template <class T>
+void inverse_dynamics(const Parameters<T>& p, std::size_t count, const T* q, const T* v,
+                      const T* a, T* result) {
+  for (std::size_t i = 0; i < count; ++i) {
+    result[i] = sample::inverse_dynamics<T>(p, {q[i]}, {v[i]}, {a[i]})[0];
+  }
+}
+}  // namespace sample::batch
+)";
+  Scene scene = sample::scene();
+  scene.emission.batch = true;
+  return compile_timed(files, sample::model(), scene, sample::program(), options);
+}
+
+}  // namespace
+
+TEST_CASE("all states are computed in every scalar, with the parameters of the header") {
+  const auto functions =
+      compiled(header_with_values(), {ScalarKind::double_precision, ScalarKind::single_precision});
+  INFO(format(functions.diagnostics));
+  REQUIRE(functions);
+  REQUIRE(functions->size() == 2);
+  for (const auto& function : *functions) {
+    function->run();
+    CHECK(function->at(timed_states()) == std::vector<double>{102, 6});
+    const std::vector<elgen::Arguments<double>> last{timed_states().back()};
+    CHECK(function->at(last) == std::vector<double>{6});
+  }
+}
+
+TEST_CASE("a call for each state gives what packs of all states give") {
+  const auto functions = compiled_batch();
+  INFO(format(functions.diagnostics));
+  REQUIRE(functions);
+  REQUIRE(functions->size() == 2);
+  for (const auto& function : *functions) {
+    function->run();
+    CHECK(function->at(timed_states()) == std::vector<double>{102, 6});
+  }
+}
+
+TEST_CASE("what the compiler refuses is an error with its words") {
+  const auto functions = compiled("#error no\n", {ScalarKind::double_precision});
+  REQUIRE_FALSE(functions);
+  CHECK(functions.diagnostics.front().code == Code::E705);
+}
+
+TEST_CASE("a step goes on from where it ended, one state or several side by side") {
+  EmittedFiles files = sample::files(header_with_values() + R"(
+namespace sample {
+template <class Scalar> struct Next { Vector<Scalar> coordinates, rates; };
+template <class Scalar>
+Next<Scalar> advance(const Parameters<Scalar>& p, const Vector<Scalar>& q, const Vector<Scalar>& v,
+                     const Inputs<Scalar>&, Scalar h) {
+  return {{q[0] + h * v[0]}, {v[0] + h * p.m}};
+}
+template <class Scalar>
+Next<Scalar> halved(const Parameters<Scalar>&, const Vector<Scalar>& q, const Vector<Scalar>& v) {
+  return {{q[0] / 2}, v};
+}
+}  // namespace sample
+)");
+  files.files["sample/sample_batch.hpp"] = R"(#pragma once
+#include "sample.hpp"
+namespace sample::batch {
+template <class T>
+void advance(const Parameters<T>& p, std::size_t count, const T* q, const T* v, const T*,
+             const T* h, T* result) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto next = sample::advance<T>(p, {q[i]}, {v[i]}, {}, h[i]);
+    result[i] = next.coordinates[0];
+    result[count + i] = next.rates[0];
+  }
+}
+template <class T>
+void halved(const Parameters<T>&, std::size_t count, const T* q, const T* v, T* result) {
+  for (std::size_t i = 0; i < count; ++i) {
+    result[i] = q[i] / 2;
+    result[count + i] = v[i];
+  }
+}
+}  // namespace sample::batch
+)";
+  Scene scene = sample::scene();
+  scene.emission.batch = true;
+  Program program{sample::program().leaves};
+  program.functions.push_back({.kind = OutputKind::step,
+                               .name = "advance",
+                               .fields = {{"coordinates", 1, 1, {0}}, {"rates", 1, 1, {0}}}});
+  const Result<StepLoops> loops =
+      compile_steps(files, sample::model(), scene, program, {.seconds = 600});
+  INFO(elgen::format(loops.diagnostics));
+  REQUIRE(loops);
+  CHECK(loops->entries == 2);
+  std::vector<double> one{1, 10};
+  std::vector<double> spare(4);
+  loops->one(1, 3, 0, 0.5, nullptr, one.data(), spare.data());
+  CHECK(one == std::vector<double>{17.5, 13});
+  std::vector<double> two{1, 3, 10, 20};
+  loops->in_packs(2, 3, 0, 0.5, nullptr, two.data(), spare.data());
+  CHECK(two == std::vector<double>{17.5, 34.5, 13, 23});
+  // What puts a state back is called behind every step.
+  program.functions.insert(
+      program.functions.begin(),
+      {.kind = OutputKind::projected, .name = "halved", .fields = program.functions[0].fields});
+  const Result<StepLoops> projected =
+      compile_steps(files, sample::model(), scene, program, {.seconds = 600});
+  INFO(elgen::format(projected.diagnostics));
+  REQUIRE(projected);
+  one = {1, 10};
+  projected->one(1, 3, 0, 0.5, nullptr, one.data(), spare.data());
+  CHECK(one == std::vector<double>{5.125, 13});
+  two = {1, 3, 10, 20};
+  projected->in_packs(2, 3, 0, 0.5, nullptr, two.data(), spare.data());
+  CHECK(two == std::vector<double>{5.125, 9.75, 13, 23});
+}
