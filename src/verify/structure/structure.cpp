@@ -8,8 +8,11 @@
 #include <cmath>
 #include <limits>
 
+#include "accuracy/running_errors.hpp"
+#include "elgen/fold.hpp"
 #include "elgen/outputs.hpp"
 #include "model/requests.hpp"
+#include "numbers/exact_number.hpp"
 #include "verify/states/tally.hpp"
 #include "verify/structure/identities.hpp"
 
@@ -46,11 +49,35 @@ Tally tally_of(std::vector<ExactValues>& points, const Figure& figure) {
   return tally;
 }
 
+/// Whether 64 digits are enough for what is known to cancel: the running error of every entry stays
+/// below the tolerance.
+bool keeps_digits(const ExactValues& at, const Function& function) {
+  static const Real roundoff(power_of_ten(-64));
+  static const Real tolerance(power_of_ten(-40));
+  const RunningErrorRules<Real> rules{map_leaves(
+      [](const Real& x) {
+        return Running<Real>{x, Real(0)};
+      },
+      at.arguments())};
+  const Program& program = at.subject().program;
+  const auto entries = entries_of(function, fold<Running<Real>>(rules, program, function));
+  Real largest = at.floor();
+  for (const Running<Real>& entry : entries) largest = max(largest, abs(entry.value));
+  const Real allowed = tolerance * largest;
+  return std::ranges::all_of(entries, [&](const Running<Real>& entry) {
+    const Real error = entry.error * roundoff;
+    return !error.is_defined() || !allowed.is_defined() || error.value() <= allowed.value();
+  });
+}
+
 template <class Compute>
 CertificateRow identity_row(CertificateRow row, std::vector<ExactValues>& points,
-                            const Compute& compute) {
-  const Tally tally =
-      tally_of(points, [&](ExactValues& at) { return compute(at).figure(at.floor()); });
+                            const std::vector<const Function*>& functions, const Compute& compute) {
+  const Tally tally = tally_of(points, [&](ExactValues& at) -> std::optional<double> {
+    const auto keeps = [&at](const Function* function) { return keeps_digits(at, *function); };
+    if (!std::ranges::all_of(functions, keeps)) return std::nullopt;
+    return compute(at).figure(at.floor());
+  });
   row.worst = fmt::format("{:.1e} relative", tally.worst());
   row.tolerance = identity_reason;
   tally.tell(row, points.front().subject(), identity_tolerance);
@@ -71,8 +98,12 @@ void add_identities(std::vector<CertificateRow>& rows, std::vector<ExactValues>&
     const bool is_another =
         !subject.model.constraints.empty() && !identity.constrained_formula.empty();
     const auto formula = is_another ? identity.constrained_formula : identity.formula;
-    rows.push_back(
-        identity_row(row_of(function, identity.check, formula), points, identity.balance));
+    std::vector<const Function*> functions;
+    for (const OutputKind kind : identity.functions) {
+      functions.push_back(find_function(program, kind));
+    }
+    rows.push_back(identity_row(row_of(function, identity.check, formula), points, functions,
+                                identity.balance));
   }
 }
 
@@ -109,7 +140,7 @@ void add_outputs(std::vector<CertificateRow>& rows, std::vector<ExactValues>& po
       }
       const auto formula = is_of_frame ? identity.formula_of_frame : identity.formula;
       rows.push_back(identity_row(row_of(*function, identity.check, formula),
-                                  turns ? points_on_sphere : points,
+                                  turns ? points_on_sphere : points, {function},
                                   [&](ExactValues& at) { return identity.balance(at, user); }));
     }
   }
