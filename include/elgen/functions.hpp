@@ -65,6 +65,11 @@ struct FunctionRow {
   return id == FunctionId::sin || id == FunctionId::cos;
 }
 
+/// The function that one is like far out: stumpff(x, k) of k < 0 is like cosh(x).
+[[nodiscard]] constexpr FunctionId far_out(FunctionId id, bool has_negative_order) {
+  return id == FunctionId::stumpff && has_negative_order ? FunctionId::cosh : id;
+}
+
 /// The name of stumpff(x, k) where k has one of its own.
 [[nodiscard]] constexpr std::string_view name_of_order(std::string_view k) {
   return k == "1" ? "sinc" : k == "2" ? "cosc" : "";

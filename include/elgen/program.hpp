@@ -138,6 +138,9 @@ inline constexpr std::array operation_columns{OperationColumn{"add", &OperationC
 
 [[nodiscard]] OperationCounts count_operations(const Function& function);
 
+/// The k of a call stumpff(x, k), which stands there: a constant or the opposite of one.
+[[nodiscard]] int order_at(const Program& program, const Function& function, std::uint32_t at);
+
 /// In multiplications: mul, add 1; division 4; square root 8; the sine and cosine of an angle 26;
 /// any other function 16. From tests/bench/operation_costs (g++ 12, glibc 2.36, one run): in a row
 /// 4.3, 7.9, 24.7 (one of the two 16.2) and 12.1 for exp; side by side 1.9, 5.9, 27.4 (20.1), 12.0.

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <type_traits>
 
@@ -101,14 +102,15 @@ requires std::is_floating_point_v<Scalar>
 
 /// c_k(x), k > 0, by the operations of the emitted code: the series where its terms fall from the
 /// first one on, as a polynomial that suffices at the end of that range; else c_1 = sin(x)/x,
-/// c_2 = 2 (sin(x/2)/x)^2 and c_(n+2) = (1/n! - c_n)/x^2.
+/// c_2 = 2 (sin(x/2)/x)^2 and c_(n+2) = (1/n! - c_n)/x^2. With k < 0, that of i x: sinh, and -x^2.
 template <class Scalar>
 requires std::is_floating_point_v<Scalar>
 [[nodiscard]] Scalar stumpff(Scalar x, Scalar order) {
-  const int k = static_cast<int>(order);
+  const int k = std::abs(static_cast<int>(order));
   const int largest = std::max(1, k * (k - 1));
-  const Scalar square = x * x;
-  if (square < static_cast<Scalar>(largest)) {
+  const Scalar turned = order < 0 ? -x : x;
+  const Scalar square = x * turned;
+  if (x * x < static_cast<Scalar>(largest)) {
     double size = 1;
     for (int i = 0; i < std::numeric_limits<Scalar>::max_digits10; ++i) size *= 10;
     int n = k;
@@ -119,11 +121,12 @@ requires std::is_floating_point_v<Scalar>
     return sum;
   }
   const bool is_odd = k % 2 != 0;
-  const Scalar ratio = std::sin(is_odd ? x : x / 2) / x;
+  const Scalar argument = is_odd ? x : x / 2;
+  const Scalar ratio = (order < 0 ? std::sinh(argument) : std::sin(argument)) / x;
   Scalar value = is_odd ? ratio : 2 * ratio * ratio;
   auto factorial = static_cast<Scalar>(is_odd ? 1 : 2);
   for (int n = is_odd ? 1 : 2; n < k; n += 2) {
-    value = (1 / factorial - value) / square;
+    value = (1 / factorial - value) / x / turned;
     factorial = factorial * static_cast<Scalar>((n + 1) * (n + 2));
   }
   return value;

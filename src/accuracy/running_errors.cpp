@@ -190,7 +190,8 @@ auto RunningErrorRules<Number>::call(FunctionId function, const Value& x, const 
     result.is_lost = result.is_lost || (jumps && !is_known(x, abs(x.value), rounding));
     return result;
   }
-  if (const auto limit = limit_value(row, x.value, rounding)) {
+  const FunctionRow& far = function_row(far_out(function, second.value < Number{}));
+  if (const auto limit = limit_value(far, x.value, rounding)) {
     return made<Number>(*limit, abs(*limit), x, second, rounding);
   }
   const Dual<Number> f = with_slope(function, x.value, y.value, true);

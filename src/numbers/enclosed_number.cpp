@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "numbers/exact_number.hpp"
 
@@ -44,13 +45,14 @@ cl_F exponential_less_one(const cl_F& x) {
 }
 
 /// c_k(x), k > 0: the series where its terms fall from the first one on; else c_1 = sin(x)/x,
-/// c_2 = 2 (sin(x/2)/x)^2 and c_(n+2) = (1/n! - c_n)/x^2.
-cl_F stumpff_function(const cl_F& x, int k) {
+/// c_2 = 2 (sin(x/2)/x)^2 and c_(n+2) = (1/n! - c_n)/x^2. With an order below 0, that of i x.
+cl_F stumpff_function(const cl_F& x, int order) {
+  const int k = std::abs(order);
   const auto reciprocal_factorial = [&x](int n) {
     return cln::recip(cln::cl_float(cln::factorial(static_cast<unsigned>(n)), x));
   };
-  const cl_F square = x * x;
-  if (square < cln::cl_float(std::max(1, k * (k - 1)), x)) {
+  const cl_F square = order < 0 ? -x * x : x * x;
+  if (cln::abs(square) < cln::cl_float(std::max(1, k * (k - 1)), x)) {
     cl_F term = reciprocal_factorial(k);
     cl_F sum = term;
     for (int n = k + 1;; n += 2) {
@@ -61,7 +63,8 @@ cl_F stumpff_function(const cl_F& x, int k) {
     }
   }
   const bool is_odd = k % 2 != 0;
-  const cl_F ratio = cln::sin(is_odd ? x : x / 2) / x;
+  const cl_F argument = is_odd ? x : x / 2;
+  const cl_F ratio = (order < 0 ? cln::sinh(argument) : cln::sin(argument)) / x;
   cl_F value = is_odd ? ratio : cln::scale_float(ratio * ratio, 1);
   for (int n = is_odd ? 1 : 2; n < k; n += 2) value = (reciprocal_factorial(n) - value) / square;
   return value;
@@ -226,6 +229,17 @@ Enclosed EnclosedArithmetic::exponential(FunctionId function, const EnclosedNumb
   return sloped(function, argument, 2 * cln::exp(cln::cl_float(end, bound_format())));
 }
 
+/// |c_k'| <= 1/(k + 1)! for k > 0, and sinh |x| for k < 0.
+Enclosed EnclosedArithmetic::stumpff(const EnclosedNumber& x, const EnclosedNumber& k) const {
+  const EnclosedNumber argument = floating(x);
+  const bool grows = cln::minusp(k.value);
+  if (grows && largest(argument) > largest_exponent) return NoValue::too_large;
+  const cl_R end = grows ? largest(argument) : cl_R(0);
+  const cl_R slope = cln::exp(cln::cl_float(end, bound_format()));
+  return rounded(function_value(FunctionId::stumpff, as_float(x.value), as_float(k.value)),
+                 argument.error * slope);
+}
+
 Enclosed EnclosedArithmetic::call(FunctionId function, const EnclosedNumber& x,
                                   const EnclosedNumber& y) const {
   const bool is_binary = function_row(function).arity == 2;
@@ -258,9 +272,8 @@ Enclosed EnclosedArithmetic::call(FunctionId function, const EnclosedNumber& x,
     case FunctionId::hypot:
       return rounded(function_value(function, as_float(x.value), as_float(y.value)),
                      floating(x).error + floating(y).error);
-    case FunctionId::stumpff:  // |c_k'| <= 1/(k + 1)!
-      return rounded(function_value(function, as_float(x.value), as_float(y.value)),
-                     floating(x).error);
+    case FunctionId::stumpff:
+      return stumpff(x, y);
     case FunctionId::abs:
       return EnclosedNumber{cln::abs(x.value), x.error};
     case FunctionId::sign: {
@@ -314,7 +327,8 @@ std::optional<cl_RA> known_value(FunctionId function, const cl_RA& x, const cl_R
   if (row.arity == 1) return at(row.exact_at, row.exact_value);
   if (function == FunctionId::atan2 && cln::plusp(y)) return at(0, 0);
   if (function == FunctionId::stumpff) {
-    return at(0, cln::recip(cl_RA(cln::factorial(static_cast<unsigned>(whole_number(y))))));
+    const auto k = static_cast<unsigned>(std::abs(whole_number(y)));
+    return at(0, cln::recip(cl_RA(cln::factorial(k))));
   }
   cl_RA root;
   const bool is_root = function == FunctionId::hypot && cln::sqrtp(x * x + y * y, &root);

@@ -73,6 +73,7 @@ class EnclosedArithmetic {
   [[nodiscard]] Enclosed arc_tangent_2(const EnclosedNumber& y, const EnclosedNumber& x) const;
   [[nodiscard]] Enclosed logarithm(FunctionId function, const EnclosedNumber& x) const;
   [[nodiscard]] Enclosed exponential(FunctionId function, const EnclosedNumber& x) const;
+  [[nodiscard]] Enclosed stumpff(const EnclosedNumber& x, const EnclosedNumber& k) const;
 
   cln::float_format_t format_;
   cln::cl_R roundoff_;

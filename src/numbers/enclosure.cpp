@@ -276,18 +276,23 @@ Enclosure hypot(const Enclosure& x, const Enclosure& y) {
                 upper_value(std::hypot(width.high, height.high)), both(x, y));
 }
 
-/// y is one whole number. c_k falls with |x| for k > 2, c_1 up to 4.49; c_2 is half the square of
-/// c_1 at x/2.
+/// y is one whole number. c_k rises with |x| for k < 0 and falls for k > 2, c_1 up to 4.49; c_2 is
+/// half the square of c_1 at x/2.
 Enclosure stumpff(const Enclosure& x, const Enclosure& y) {
   constexpr double least_sinc = -0.2172337;
+  constexpr double far = 1e150;            // beyond, the square overflows
+  constexpr double more_errors = 0x1p-49;  // up to 17 u at k = -36
   if (has_none(x) || has_none(y)) return no_value;
   const Enclosure size = abs(x);
+  if (y.low < 0) {
+    const auto f = [&](double value) { return interpreter::stumpff(std::min(value, far), y.low); };
+    return rising(f, size, 0) * Enclosure{1 - more_errors, 1 + more_errors};
+  }
   if (y.low == 2) {
     const Enclosure ratio = stumpff(x / enclosure_of(2), enclosure_of(1));
     return ratio * ratio / enclosure_of(2);
   }
   if (y.low > 2 || size.high < 4) {
-    constexpr double far = 1e150;  // beyond, the square overflows
     const double greatest = interpreter::stumpff(std::min(size.low, far), y.low);
     const double least = size.high < far ? interpreter::stumpff(size.high, y.low) : 0;
     return {lower_value(least), upper_value(greatest), x.defined};

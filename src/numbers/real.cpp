@@ -68,10 +68,11 @@ bool in_domain(FunctionId function, const cln::cl_F& x) {
 
 Real called(FunctionId function, const Real& x, const Real& y) {
   if (!both(x, y)) return Real::undefined();
+  const FunctionId far = far_out(function, cln::minusp(number(y)));
   const bool is_origin = cln::zerop(number(x)) && cln::zerop(number(y));
   if (function == FunctionId::atan2 && is_origin) return Real();  // as the C library has it
-  return guarded(in_domain(function, number(x)), [&] {
-    return function_value(function, is_periodic(function) ? lengthened(x) : number(x), number(y));
+  return guarded(in_domain(far, number(x)), [&] {
+    return function_value(function, is_periodic(far) ? lengthened(x) : number(x), number(y));
   });
 }
 

@@ -107,27 +107,33 @@ cl_R exponential_less_one(const cl_R& x) {
   }
 }
 
+/// c_0 = cos(x) or c_1 = sin(x)/x, or those of i x.
+cl_R first_of_series(const cl_F& x, bool is_odd, bool is_hyperbolic) {
+  if (is_hyperbolic) return is_odd ? cln::sinh(x) / x : cln::cosh(x);
+  return is_odd ? cln::sin(x) / x : cln::cos(x);
+}
+
 /// c_k(x), the sum of (-1)^i x^(2 i)/(2 i + k)!, in all the digits that its largest term takes
-/// away; far out by c_(n+2) = (1/n! - c_n)/x^2 from c_0 = cos(x) and c_1 = sin(x)/x, which takes
-/// none.
+/// away; far out by c_(n+2) = (1/n! - c_n)/x^2, which takes none. With an order below 0, that of
+/// i x.
 cl_R stumpff_sum(const cl_R& x, const cl_R& order) {
-  const unsigned k = cln::cl_I_to_uint(cln::round1(order));
+  const bool is_hyperbolic = cln::minusp(order);
+  const unsigned k = cln::cl_I_to_uint(cln::round1(cln::abs(order)));
   const auto reciprocal_factorial = [](unsigned n) { return cl_RA(1) / cln::factorial(n); };
   if (x == 0) return reciprocal_factorial(k);
   const unsigned widest = 3 * k + 100;
   if (cln::abs(x) > widest) {
-    const cl_F angle = widened(x);
-    cl_R value = k % 2 == 0 ? cl_R(cln::cos(angle)) : cl_R(cln::sin(angle) / angle);
-    for (unsigned n = k % 2; n < k; n += 2) {
-      value = (reciprocal_factorial(n) - value) / (angle * angle);
-    }
+    const cl_F argument = cln::the<cl_F>(is_hyperbolic ? checked_exponent(x) : widened(x));
+    const cl_R square = is_hyperbolic ? -argument * argument : argument * argument;
+    cl_R value = first_of_series(argument, k % 2 != 0, is_hyperbolic);
+    for (unsigned n = k % 2; n < k; n += 2) value = (reciprocal_factorial(n) - value) / square;
     return value;
   }
   const cl_R argument = cln::cl_float(x, cln::float_format(all_digits() + widest));
   cl_R term = cln::cl_float(reciprocal_factorial(k), cln::float_format(all_digits() + widest));
   cl_R sum = term;
   for (unsigned n = k + 1;; n += 2) {
-    term = -term * argument * argument / (n * (n + 1));
+    term = term * (is_hyperbolic ? argument : -argument) * argument / (n * (n + 1));
     const cl_R next = sum + term;
     if (next == sum) return sum;
     sum = next;

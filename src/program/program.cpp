@@ -4,6 +4,7 @@
 // The table of costs is one function; which opcode counts as what is one switch.
 #include "elgen/program.hpp"
 
+#include <cln/integer.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -76,6 +77,12 @@ std::size_t first_entry_of(const Function& function, std::string_view field) {
 bool loads_zero(const Program& program, const Instruction& instruction) {
   return instruction.opcode == Opcode::constant &&
          cln::zerop(program.constants[instruction.a].value);
+}
+
+int order_at(const Program& program, const Function& function, std::uint32_t at) {
+  const Instruction& i = function.instructions[at];
+  if (i.opcode == Opcode::negate) return -order_at(program, function, i.a);
+  return cln::cl_I_to_int(cln::round1(program.constants[i.a].value));
 }
 
 std::vector<std::size_t> written_out_sizes(const Function& function, std::size_t most) {

@@ -62,8 +62,7 @@ class FunctionFormulas::Rules {
   [[nodiscard]] Formula call(FunctionId function, std::uint32_t x, std::uint32_t y) const {
     std::vector<Formula> arguments = {entry(x)};
     if (function == FunctionId::stumpff) {
-      const Constant& order = all_.program_.constants[all_.function_.instructions[y].a];
-      arguments.push_back(number(spelling_, cln::rational(order.value)));
+      arguments.push_back(number(spelling_, order_at(all_.program_, all_.function_, y)));
     } else if (function_row(function).arity > 1) {
       arguments.push_back(entry(y));
     }

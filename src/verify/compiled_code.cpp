@@ -148,15 +148,18 @@ CertificateRow sine_row(const Subject& subject, const CompiledHeader& compiled) 
   return row;
 }
 
-/// f(x, order) from 2^-26, where series begin, to 2^10, beyond what stretches and turns are.
+/// f(x, order) from 2^-26, where series begin, to 2^10, beyond what stretches and turns are; where
+/// it grows as cosh(x) does, to 2^6, which float has.
 template <class Scalar>
 CertificateRow helper_row(const FunctionRow& helper, Scalar order) {
   constexpr std::size_t arguments = 256;
+  const int last = order < 0 ? 6 : 10;
   const Real exact_order{exact_value(static_cast<double>(order))};
   double worst = 0;
   Scalar at = 0;
   for (std::size_t i = 0; i < arguments; ++i) {
-    const auto x = static_cast<Scalar>(std::exp2(36.0 * static_cast<double>(i) / arguments - 26));
+    const double share = static_cast<double>(i) / arguments;
+    const auto x = static_cast<Scalar>(std::exp2((last + 26) * share - 26));
     const Real exact{exact_value(static_cast<double>(x))};
     const Real truth = interpreter::call(helper.id, exact, exact_order);
     const Scalar value = interpreter::call(helper.id, x, order);
@@ -169,7 +172,7 @@ CertificateRow helper_row(const FunctionRow& helper, Scalar order) {
   CertificateRow row;
   row.check = row.output = "functions of the code";
   row.subject = fmt::format("{}(x, {}) ({})", helper.name, order, name_of(scalar_kind<Scalar>));
-  row.formula = "|f - f*| / |f*| in 64 digits, 2^-26 <= x < 2^10";
+  row.formula = fmt::format("|f - f*| / |f*| in 64 digits, 2^-26 <= x < 2^{}", last);
   row.samples = arguments;
   row.worst = fmt::format("{:.1f} u", worst);
   row.where = fmt::format("x = {:.17g}", at);
@@ -199,8 +202,7 @@ std::vector<CertificateRow> check_helpers(const Subject& subject) {
     for (const Instruction& i : function.instructions) {
       if (i.opcode != Opcode::call || is_kinked(i.function)) continue;
       if (function_row(i.function).own_name.empty()) continue;
-      const Constant& order = subject.program.constants[function.instructions[i.b].a];
-      calls.emplace(i.function, ScalarTraits<double>::from_real(order.value));
+      calls.emplace(i.function, order_at(subject.program, function, i.b));
     }
   }
   std::vector<CertificateRow> rows;

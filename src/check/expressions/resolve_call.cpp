@@ -5,6 +5,7 @@
 //     sum(i, a, b, e) -> e[a] + … + e[b], 0 where b < a
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <map>
 #include <utility>
 
@@ -99,17 +100,17 @@ std::optional<ExpressionId> Resolver::resolve_function(const ExpressionSyntax& c
                .span = call.span});
 }
 
-/// stumpff(x, k) with k >= 1; that of 0 is cos(x).
+/// stumpff(x, k) with k other than 0; that of 0 is cos(x).
 std::optional<ExpressionId> Resolver::resolve_stumpff(const ExpressionSyntax& call) {
   constexpr std::int64_t largest_order = 40;
   if (!has_arity(call, 2)) return std::nullopt;
   const ExpressionSyntax& order = call.operands[1];
   const auto k = integer_value(order, scope_, context_.report);
   if (!k) return std::nullopt;
-  if (*k < 0 || *k > largest_order) {
-    context_.report.add(
-        Code::E318, order.span,
-        in_backticks(order.span) + " is not from 0 to " + std::to_string(largest_order));
+  if (std::abs(*k) > largest_order) {
+    const std::string most = std::to_string(largest_order);
+    context_.report.add(Code::E318, order.span,
+                        in_backticks(order.span) + " is not from -" + most + " to " + most);
     return std::nullopt;
   }
   const std::optional<ExpressionId> x = resolve(call.operands[0]);

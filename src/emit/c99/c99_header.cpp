@@ -88,6 +88,7 @@ std::string c99_header(const EmissionInput& input) {
   data.set("scalar", std::string(name_of(c99_scalar(input.scene))));
   const bool is_float = c99_scalar(input.scene) == ScalarKind::single_precision;
   data.set("sine", is_float ? "sinf" : "sin");
+  data.set("hyperbolic_sine", is_float ? "sinhf" : "sinh");
   data.set("digits", is_float ? "1e9" : "1e17");
   data.set("guard", capitals(input.scene.base_name));
   data.set("capitals", capitals(name_space(input.scene)));

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "emit/code/definition.hpp"
 #include "emit/code/function_docs.hpp"
 #include "emit/interface/code_interface.hpp"
@@ -90,6 +92,16 @@ std::string without_repeated_blank_lines(const std::string& text) {
   return result;
 }
 
+/// Whether a stumpff(x, k) has k < 0.
+bool has_negative_order(const Program& program) {
+  return std::ranges::any_of(program.functions, [&program](const Function& function) {
+    return std::ranges::any_of(function.instructions, [&](const Instruction& i) {
+      const bool is_series = i.opcode == Opcode::call && i.function == FunctionId::stumpff;
+      return is_series && order_at(program, function, i.b) < 0;
+    });
+  });
+}
+
 }  // namespace
 
 TemplateData stamp_data(const EmissionInput& input) {
@@ -119,6 +131,7 @@ TemplateData header_data(const EmissionInput& input, const Dialect& dialect) {
   const bool has_kinks = has(FunctionId::sign) || has(FunctionId::min) || has(FunctionId::max);
   data.set("kinks", section_if(has_kinks));
   data.set("stumpff", section_if(has(FunctionId::stumpff)));
+  data.set("hyperbolic", section_if(has_negative_order(input.program)));
   data.set("functions", functions(input, dialect));
   set_regular(data, input);
   return data;

@@ -139,7 +139,8 @@ Ref Graph::call(FunctionId function, std::vector<Ref> arguments) {
   bool negative = false;
   if (const Parity parity = function_row(function).parity; parity != Parity::none) {
     negative = parity == Parity::odd && arguments[0].negative;
-    for (Ref& argument : arguments) argument.negative = false;
+    const std::size_t symmetric = function == FunctionId::stumpff ? 1 : arguments.size();
+    for (std::size_t i = 0; i < symmetric; ++i) arguments[i].negative = false;
   }
   if (commutes(function) && less(arguments[1].node, arguments[0].node)) {
     std::swap(arguments[0], arguments[1]);
