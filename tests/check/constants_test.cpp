@@ -60,7 +60,7 @@ TEST_CASE("rational constants stay exact") {
       {"sin(0)", "0"},      {"cos(0)", "1"},           {"atan2(0, 2)", "0"},
       {"tanh(0)", "0"},     {"asin(0)", "0"},          {"log1p(0)", "0"},
       {"expm1(0)", "0"},    {"hypot(3, -4)", "5"},     {"sinc(0)", "1"},
-      {"cosc(0)", "1/2"},   {"stumpff(0, 4)", "1/24"},
+      {"cosc(0)", "1/2"},   {"stumpff(0, 4)", "1/24"}, {"stumpff(0, -4)", "1/24"},
   };
   check_rows(rows, [&](const std::string& text) { return parameter_value(text); });
 }
@@ -86,6 +86,7 @@ TEST_CASE("functions of constants are good to 100 digits") {
       {"sinc(1)", "8.41470984807896506652502321630e-1"},
       {"cosc(1)", "4.59697694131860282599063392557e-1"},
       {"stumpff(1, 3)", "1.58529015192103493347497678370e-1"},
+      {"stumpff(1, -3)", "1.75201193643801456882381850596e-1"},
       {"exp(1e-20)-1", "1.00000000000000000000500000000e-20"},
   };
   check_rows(rows, [&](const std::string& text) { return parameter_value(text); });

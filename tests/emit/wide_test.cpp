@@ -94,7 +94,8 @@ std::vector<Call> calls() {
     for (std::size_t i = 0; i < 200; ++i) {
       Call call{f, arguments.inside(domain, arguments.next()), arguments.next()};
       const bool is_series = !is_operation && function_table()[f].id == FunctionId::stumpff;
-      if (is_series) call.y = {static_cast<double>(1 + i % 8), 0};
+      const auto order = static_cast<double>(1 + i / 2 % 8);
+      if (is_series) call.y = {i % 2 == 0 ? order : -order, 0};
       result.push_back(call);
     }
   }

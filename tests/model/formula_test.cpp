@@ -55,6 +55,7 @@ TEST_CASE("log1p, expm1, hypot and Stumpff's functions are read as fields write 
         "\\sqrt{a^{2} + (b + c)^{2}}");
   CHECK(call(n, FunctionId::stumpff, {a, {"1"}}).text() == "\\mathrm{sinc}(a)");
   CHECK(call(n, FunctionId::stumpff, {a, {"3"}}).text() == "\\mathrm{stumpff}(a, 3)");
+  CHECK(call(n, FunctionId::stumpff, {a, {"-1"}}).text() == "\\mathrm{stumpff}(a, -1)");
   CHECK(power(n, call(n, FunctionId::stumpff, {a, two}), two).text() == "\\mathrm{cosc}^{2}(a)");
   CHECK(call(n, FunctionId::sign, {a}).text() == "\\mathrm{sgn}(a)");
   CHECK(call(model_spelling, FunctionId::hypot, {a, b}).text() == "hypot(a, b)");

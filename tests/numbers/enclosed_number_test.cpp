@@ -95,6 +95,7 @@ TEST_CASE("what is rational stays exact") {
   CHECK(call(few, FunctionId::max, -2, 3).number->value == 3);
   CHECK(call(few, FunctionId::hypot, -3, 4).number->value == 5);
   CHECK(call(few, FunctionId::stumpff, 0, 4).number->value == cl_RA(1) / 24);
+  CHECK(call(few, FunctionId::stumpff, 0, -4).number->value == cl_RA(1) / 24);
 }
 
 TEST_CASE("outside of a domain there is a reason") {
@@ -109,6 +110,8 @@ TEST_CASE("outside of a domain there is a reason") {
   CHECK(call(few, FunctionId::log1p, -2).why == NoValue::complex);
   CHECK(call(few, FunctionId::expm1, -100'000).number->value == -1);
   CHECK(call(few, FunctionId::expm1, 100'000).why == NoValue::too_large);
+  CHECK(call(few, FunctionId::stumpff, -100'000, -3).why == NoValue::too_large);
+  CHECK(call(few, FunctionId::stumpff, -100'000, 3).number);
   CHECK(call(few, FunctionId::asin, 1 + power_of_ten(-30)).why == NoValue::complex);
   CHECK(call(few, FunctionId::asin, 1 - power_of_ten(-30)).number);
   CHECK(call(few, FunctionId::atan2, 0, 0).why == NoValue::undefined);

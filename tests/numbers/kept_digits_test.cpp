@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 
 #include "numbers/dual.hpp"
@@ -29,15 +30,17 @@ Real exactly(Scalar x) {
 }
 Real exactly(const Real& x) { return x; }
 
-/// The derivative of c_k of some order at x, term by term of the series.
-Real derivative_of_series(unsigned order, unsigned k, const cl_RA& x) {
+/// The derivative of c_k of some order at x, term by term of the series; with k < 0, of c_-k at i
+/// x.
+Real derivative_of_series(unsigned order, int k, const cl_RA& x) {
   constexpr unsigned last_power = 240;
+  const auto first = static_cast<unsigned>(std::abs(k));
   cl_RA sum = 0;
   for (unsigned power = order + order % 2; power <= last_power; power += 2) {
     const cl_RA factor = cl_RA(cln::factorial(power)) / cln::factorial(power - order);
     const cl_RA term =
-        factor * cln::expt(x, static_cast<int>(power - order)) / cln::factorial(power + k);
-    sum = power % 4 == 0 ? sum + term : sum - term;
+        factor * cln::expt(x, static_cast<int>(power - order)) / cln::factorial(power + first);
+    sum = k < 0 || power % 4 == 0 ? sum + term : sum - term;
   }
   return Real(sum);
 }
@@ -68,7 +71,7 @@ struct Variable<Dual<Base>> {
 template <class Scalar, unsigned order>
 void check_derivative(double tolerance) {
   using Number = typename Nested<Scalar, order>::type;
-  for (const unsigned k : {1U, 2U, 5U}) {
+  for (const int k : {1, 2, 5, -1, -2, -5}) {
     for (const char* text : {"0", "1/134217728", "1/2", "1", "3", "30"}) {
       const cl_RA x(text);
       const Number f = interpreter::call(FunctionId::stumpff, Variable<Number>::at(x),
@@ -103,12 +106,30 @@ TEST_CASE("c_k of built-in floats is right to 8 roundings for every k") {
       INFO("c_" << k << "(" << x << ")");
       const Real exact = stumpff(exactly(x), Real(k));
       CHECK(relative(exactly(interpreter::stumpff(x, static_cast<double>(k))), exact) < 0x1p-50);
+      const Real grown = stumpff(exactly(x), Real(-k));
+      CHECK(relative(exactly(interpreter::stumpff(x, static_cast<double>(-k))), grown) < 0x1p-49);
     }
   }
   for (const float x : {1e-4F, 0.3F, 1.6F, 5.9F}) {
     const Real exact = stumpff(exactly(x), Real(7));
     CHECK(relative(exactly(interpreter::stumpff(x, 7.0F)), exact) < 0x1p-21);
+    const Real grown = stumpff(exactly(x), Real(-7));
+    CHECK(relative(exactly(interpreter::stumpff(x, -7.0F)), grown) < 0x1p-21);
   }
+}
+
+TEST_CASE("c_k at i x is sinh, cosh and what is left of them, and leaves all ranges as cosh does") {
+  for (const char* text : {"1/1024", "-7/3", "25", "600"}) {
+    INFO(text);
+    const Real x{cl_RA(text)};
+    CHECK(relative(stumpff(x, Real(-1)), sinh(x) / x) < 1e-60);
+    const Real lost = cosh(x) - Real(1);  // 6 digits at 1/1024
+    CHECK(relative(stumpff(x, Real(-2)), lost / (x * x)) < 1e-55);
+    CHECK(relative(stumpff(x, Real(-3)), (sinh(x) - x) / (x * x * x)) < 1e-55);
+  }
+  CHECK_FALSE(stumpff(Real(1 << 30), Real(-3)).is_defined());
+  CHECK(stumpff(Real(1 << 30), Real(3)).is_defined());
+  for (const double x : {-800.0, 1e155, 1e300}) CHECK(std::isinf(interpreter::stumpff(x, -4.0)));
 }
 
 TEST_CASE("log1p and expm1 keep all digits of small numbers") {
@@ -148,5 +169,8 @@ TEST_CASE("enclosures are narrow near 0, and far out as well") {
   CHECK(width(stumpff({-1e-3, 1e-3}, enclosure_of(2))) < 1e-7);
   CHECK(width(stumpff({1e3, 1e200}, enclosure_of(5))) < 1e-6);
   CHECK(stumpff({-1e9, 1e9}, enclosure_of(1)).low > -0.22);
+  CHECK(width(stumpff({-1e-3, 1e-3}, enclosure_of(-1))) < 2e-7);
+  CHECK(stumpff({-2, 1}, enclosure_of(-4)).low == Approx(1 / 24.0));
+  CHECK(std::isinf(stumpff({1, 1e200}, enclosure_of(-4)).high));
   CHECK(hypot(Enclosure{-1, 2}, Enclosure{3, 4}).low == Approx(3));
 }

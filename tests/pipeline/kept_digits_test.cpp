@@ -22,9 +22,9 @@ range = [0.2, 8]
 k = 2
 [energy]
 T = "1/2*dot(x)^2 + 1/2*dot(y)^2"
-V = "k*(log1p(x^2) + expm1(-y) + hypot(x, 2 + y) + sinc(x) + cosc(x - y) + stumpff(y, 3))"
+V = "k*(log1p(x^2) + expm1(-y) + hypot(x, 2 + y) + sinc(x) + cosc(x - y) + stumpff(y, 3) + stumpff(x, -3))"
 [[expect]]
-gravity = ["k*(2*x/(1 + x^2) + x/sqrt(x^2 + (2 + y)^2) + x*(stumpff(x, 3) - cosc(x)) + (x - y)*(2*stumpff(x - y, 4) - stumpff(x - y, 3)))",
+gravity = ["k*(2*x/(1 + x^2) + x/sqrt(x^2 + (2 + y)^2) + x*(stumpff(x, 3) - cosc(x)) + x*(stumpff(x, -4) - 3*stumpff(x, -5)) + (x - y)*(2*stumpff(x - y, 4) - stumpff(x - y, 3)))",
            "k*(-exp(-y) + (2 + y)/sqrt(x^2 + (2 + y)^2) + (y - x)*(2*stumpff(y - x, 4) - stumpff(y - x, 3)) + y*(3*stumpff(y, 5) - stumpff(y, 4)))"]
 )toml";
 
@@ -48,6 +48,8 @@ TEST_CASE("functions that keep digits are derived, emitted and verified") {
   folder.prepare("elgen generate -q -o out kept.toml");
   const std::string header = folder.read("out/kept/kept.hpp");
   CHECK(mentions(header, "detail::stumpff<Scalar>(q[0], 3)"));
+  CHECK(mentions(header, "detail::stumpff<Scalar>(q[0], -4)"));
+  CHECK(mentions(header, "  using std::sinh;\n"));
   CHECK_FALSE(mentions(header, "Functions with kinks"));
 }
 
@@ -57,6 +59,7 @@ TEST_CASE("C99 has functions of its own for what its library lacks") {
   folder.write("kept_c.scene.toml", kept_c_scene);
   folder.prepare("elgen generate -q -o out kept_c.scene.toml");
   CHECK(mentions(folder.read("out/kept_c/kept_c.h"), "static inline float kept_c_stumpff("));
+  CHECK(mentions(folder.read("out/kept_c/kept_c.h"), "  if (k < 0) ratio = sinhf("));
   folder.write("side.c", "#include \"out/kept_c/kept_c.h\"\nint side;\n");
   folder.prepare("cc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -c side.c -o side.o");
 }

@@ -30,6 +30,14 @@ const Node& node_of(Graph& graph, const char* text) {
 
 }  // namespace
 
+TEST_CASE("stumpff is even in its first argument alone") {
+  Graph graph;
+  CHECK(value_of(graph, "stumpff(-a, -4)") == value_of(graph, "stumpff(a, -4)"));
+  CHECK_FALSE(value_of(graph, "stumpff(a, -4)") == value_of(graph, "stumpff(a, 4)"));
+  CHECK(testing::texts_of(testing::expressions_of({"stumpff(-a, -4)"})) ==
+        testing::Texts{"stumpff(a, -4)"});
+}
+
 TEST_CASE("equal nodes are one node") {
   Graph graph;
   const Ref x = graph.leaf(Opcode::coordinate, 0);

@@ -135,19 +135,21 @@ TEST_CASE("sines of packs may be off by what the scene says, in every build") {
 
 TEST_CASE("functions that code brings are off by no more than their table states") {
   ModelBuilder builder;
-  builder.coordinate("x").T("x_d^2/2").V("stumpff(x, 2)");
+  builder.coordinate("x").T("x_d^2/2").V("stumpff(x, 2) + stumpff(x, -2)");
   const System system = system_of(builder.model,
                                   "coordinates x\nfunction potential_energy\n"
                                   "  0 = coordinate x\n  1 = constant 2\n  2 = stumpff 0 1\n"
-                                  "  result 1 1 = 2\n");
+                                  "  3 = negate 1\n  4 = stumpff 0 3\n  5 = add 2 4\n"
+                                  "  result 1 1 = 5\n");
   const auto rows = check_helpers(system.subject());
-  REQUIRE(rows.size() == 2);
+  REQUIRE(rows.size() == 4);
   for (const CertificateRow& row : rows) {
     INFO(row.worst << " at " << row.where);
     CHECK(row.verdict == Verdict::holds);
     CHECK(row.samples == 256);
   }
-  CHECK(rows[0].subject == "stumpff(x, 2) (double)");
+  CHECK(rows[0].subject == "stumpff(x, -2) (double)");
+  CHECK(rows[2].subject == "stumpff(x, 2) (double)");
   CHECK(check_helpers(cart_pole_system().subject()).empty());
 }
 

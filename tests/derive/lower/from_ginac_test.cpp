@@ -67,6 +67,12 @@ TEST_CASE("GiNaC's functions, kinked ones included, have our names") {
   CHECK(graph.is_zero(value.node));
   value = imported(equations, ex(elgen_stumpff(x, 3)).subs(x == 0), graph);
   CHECK(graph.rational_of(value.node) == cln::cl_RA(1) / 6);
+  value = imported(equations, ex(elgen_stumpff(x, -3)).diff(GiNaC::ex_to<GiNaC::symbol>(x)), graph);
+  const Ref by_hand =
+      imported(equations, x * (ex(elgen_stumpff(x, -4)) - 3 * ex(elgen_stumpff(x, -5))), graph);
+  CHECK(value == by_hand);
+  CHECK_FALSE(imported(equations, ex(elgen_stumpff(-x, -4)), graph) ==
+              imported(equations, ex(elgen_stumpff(x, 4)), graph));
 }
 
 TEST_CASE("a rounded number is refused: it would lose what it stands for") {

@@ -5,6 +5,7 @@
 #include <regex>
 
 #include "elgen/evaluate.hpp"
+#include "numbers/exact_number.hpp"
 #include "numbers/more_digits.hpp"
 #include "numbers/random.hpp"
 #include "program/expression_leaves.hpp"
@@ -37,6 +38,14 @@ int equal_values(const Expressions& from, const Expressions& to) {
     }
   }
   return compared;
+}
+
+/// Where a letter is each of five numbers.
+double in_double(const Expressions& expressions, const std::vector<double>& letters) {
+  Arguments<double> point;
+  point.q = letters;
+  const Program program = testing::program_of(make_network(expressions));
+  return evaluate(program, program.functions[0], point).at(0);
 }
 
 /// With letters that the condition takes: sums with a number in them.
@@ -90,6 +99,9 @@ TEST_CASE("rows keep their digits near 0 in double") {
   const auto row = GENERATE(
       NearZero{"2*d - d*cos(a) - d*cos(b)", "2*d*(sin(a/2)^2 + sin(b/2)^2)"},
       NearZero{"a - sin(a)", "a^3*stumpff(a, 3)"},
+      NearZero{"cosh(a) - 1 - a^2/2", "a^4*stumpff(a, -4)"},
+      NearZero{"a - tanh(a)", "a^3*(stumpff(a, -2) - stumpff(a, -3))/cosh(a)"},
+      NearZero{"exp(a) - 1 - a", "a^2*(stumpff(a, -2) + a*stumpff(a, -3))"},
       NearZero{"sqrt((2 + a)^2 + b^2) - 2", "(a*(4 + a) + b^2)/(sqrt((2 + a)^2 + b^2) + 2)"},
       NearZero{"log((1 + a)/(1 - a))", "log1p(a) - log1p(-a)"});
   INFO(row.text);
@@ -97,11 +109,22 @@ TEST_CASE("rows keep their digits near 0 in double") {
   const auto after = with_kept_digits(from, Squares::whole);
   REQUIRE(after);
   const auto reference = testing::expressions_of({row.reference});
-  const auto in_double = [](const Expressions& expressions) {
-    Arguments<double> point;
-    point.q = {1e-7, 3e-7, 2e-8, 0.5, 2};
-    const Program program = testing::program_of(make_network(expressions));
-    return evaluate(program, program.functions[0], point).at(0);
-  };
-  CHECK(in_double(*after) == Approx(in_double(reference)).epsilon(1e-14));
+  const std::vector<double> point{1e-7, 3e-7, 2e-8, 0.5, 2};
+  CHECK(in_double(*after, point) == Approx(in_double(reference, point)).epsilon(1e-14));
+}
+
+TEST_CASE("exponentials less their first terms keep their digits far from 0 on both sides") {
+  const char* const text = GENERATE("exp(a) - 1 - a", "expm1(a) - a", "sinh(a) - a", "a - tanh(a)",
+                                    "cosh(a) - 1 - a^2/2", "a*cosh(a) - sinh(a)");
+  INFO(text);
+  const auto from = testing::expressions_of({text});
+  const auto after = with_kept_digits(from, Squares::whole);
+  REQUIRE(after);
+  for (const double a : {-45.0, -8.0, -1.5, -1e-6, 1e-6, 1.5, 8.0, 45.0}) {
+    INFO(a);
+    Arguments<Real> point;
+    point.q.assign(5, Real(exact_value(a)));
+    const Real value(exact_value(in_double(*after, std::vector<double>(5, a))));
+    CHECK(abs(value / testing::value_of(from, point) - Real(1)) < Real(exact_value(0x1p-49)));
+  }
 }
