@@ -49,7 +49,7 @@ struct Choice {
 /// The criterion between a form that costs more and one that loses digits.
 enum class Priority : std::uint8_t {
   balance,  ///< a loss of a quarter of the digits is worth a quarter of the cost
-  digits,   ///< a loss of any is worth four times the cost
+  digits,   ///< a loss of any is worth four times the cost, at zeros of typed sums too
 };
 
 /// `recursive` is the program the closed forms were made of. E608: a closed form is asked for that

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "choose/energy_sum.hpp"
 #include "choose/entries.hpp"
@@ -89,9 +90,14 @@ bool is_taken(const Aim& aim, const Function& recursive, const Candidate& closed
 /// The functions as they are typed, and the errors of those that digits matter of.
 class RecursiveForms {
  public:
+  /// `zeros` are approached, too.
   RecursiveForms(const Program& recursive, const Program& chosen, const Domain& domain,
-                 const Scene& scene)
-      : recursive_(recursive), chosen_(chosen), domain_(domain), scene_(scene) {}
+                 const Scene& scene, SumZeros zeros)
+      : recursive_(recursive),
+        chosen_(chosen),
+        domain_(domain),
+        scene_(scene),
+        zeros_(std::move(zeros)) {}
 
   /// The total energy is never worse than the sum of the energies.
   const Function& of(std::size_t index) {
@@ -109,8 +115,7 @@ class RecursiveForms {
     const auto known = errors_.find(index);
     if (known != errors_.end()) return &known->second;
     const Function& text = of(index);
-    if (!zeros_) zeros_ = sum_zeros(recursive_, domain_);
-    Points points = comparison_points(recursive_, recursive_.functions[index], domain_, *zeros_);
+    Points points = comparison_points(recursive_, recursive_.functions[index], domain_, zeros_);
     return &errors_.try_emplace(index, chosen_, text, std::move(points)).first->second;
   }
 
@@ -121,7 +126,7 @@ class RecursiveForms {
   const Scene& scene_;
   std::map<std::size_t, Function> energy_sums_ = {};  ///< by function, of total_energy
   std::map<std::size_t, TextErrors> errors_ = {};     ///< likewise
-  std::optional<SumZeros> zeros_ = {};                ///< once they are asked for
+  SumZeros zeros_;
 };
 
 /// The function as it is emitted in either form, after the passes of finish.hpp. `normalized` is
@@ -153,7 +158,8 @@ class Choosing {
         scene_(scene),
         aim_(aim_of(scene, priority)),
         points_(mixed_points(recursive.leaves)),
-        recursive_forms_(recursive, result_.program, domain, scene) {
+        recursive_forms_(recursive, result_.program, domain, scene,
+                         priority == Priority::digits ? sum_zeros(recursive, domain) : SumZeros{}) {
     result_.program = recursive;
     result_.program.readable.resize(recursive.functions.size());
   }

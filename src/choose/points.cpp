@@ -171,18 +171,20 @@ class Making {
     if (!places.empty()) add(std::move(point));
   }
 
-  /// Near a zero and nearer, in a direction of its own each.
+  /// Near a zero and nearer, on both sides of it in a direction of its own.
   void add_beside(const std::vector<double>& zero) {
-    const auto moved = [&](Arguments<double> point, double distance) {
-      point.q = zero;
-      for (double& x : point.q) {
+    for (const double distance : {near, nearest}) {
+      Arguments<double> point = state();
+      Arguments<double> other = point;
+      for (std::size_t i = 0; i < zero.size(); ++i) {
         const double away = draw_.side() * draw_.share() * distance;
-        x = x == 0 ? away : x + x * away;
+        const double size = zero[i] == 0 ? 1 : zero[i];
+        point.q[i] = zero[i] + size * away;
+        other.q[i] = zero[i] - size * away;
       }
-      return point;
-    };
-    add(moved(state(), near));
-    add(moved(state(), nearest));
+      add(std::move(point));
+      add(std::move(other));
+    }
   }
 
   /// A point outside the declared ranges is left out.

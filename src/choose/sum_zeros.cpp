@@ -16,11 +16,11 @@ namespace elgen {
 namespace {
 
 constexpr std::size_t most_sums = 8;  ///< of one function
-constexpr std::size_t most_zeros = 24;
+constexpr std::size_t most_zeros = 16;
 constexpr std::size_t most_rounds = 30;
-constexpr std::size_t most_states = 3;
-constexpr std::size_t most_axes = 4;  ///< where all other coordinates are 0
-constexpr int highest_order = 4;      ///< of a zero: of (x - a)^4
+constexpr std::size_t most_states = 2;
+constexpr std::size_t most_axes = 4;
+constexpr int highest_order = 4;  ///< of a zero: of (x - a)^4
 constexpr std::size_t longest_program = 400;
 
 /// Of the 64 digits 40 are left beside differences over steps of 1e-25; a zero is one to 1e-16, far
@@ -165,38 +165,46 @@ class ZeroProjection {
   Real last_ = Real(0);  ///< step
 };
 
-/// States inside the ranges, and one on the axis of every coordinate: what vanishes on a circle is
-/// looked at where the circle meets the axes, too.
+/// States inside the ranges; one with every coordinate turned, since a + b cos(x) vanishes for
+/// either sign of a; and one on the axis of every coordinate: what vanishes on a circle is looked
+/// at where the circle meets the axes, too.
 std::vector<Arguments<double>> starts_of(const Domain& domain) {
   std::vector<Arguments<double>> all(
       domain.states.begin(), domain.states.begin() + static_cast<std::ptrdiff_t>(std::min(
                                                          most_states, domain.states.size())));
   const Arguments<double>& first = domain.states.front();
   for (std::size_t i = 0; i < first.q.size() && first.q.size() > 1 && i < most_axes; ++i) {
-    Arguments<double>& start = all.emplace_back(first);
-    std::ranges::fill(start.q, 0.0);
-    start.q[i] = first.q[i];
+    Arguments<double> turned = first;
+    turned.q[i] = -first.q[i];
+    all.push_back(std::move(turned));
+    Arguments<double> axis = first;
+    std::ranges::fill(axis.q, 0.0);
+    axis.q[i] = first.q[i];
+    all.push_back(std::move(axis));
   }
   return all;
 }
 
 }  // namespace
 
-/// Where the sum of one coordinate is smallest among equal steps over its range, so that Newton's
-/// method does not run off to where a potential dies out.
+/// Where the sum of one coordinate is smallest among equal steps over its range, or changes its
+/// sign, so that Newton's method does not run off to where a potential dies out.
 std::vector<Arguments<double>> scanned_starts(const Program& program, const Function& vanishing,
                                               const Domain& domain, std::uint32_t coordinate) {
   constexpr int steps = 16;
   const Range& range = domain.ranges.q[coordinate];
   std::vector<Arguments<double>> all;
   std::vector<Real> sizes;
+  std::vector<bool> is_below;
   for (int i = 0; i <= steps; ++i) {
     Arguments<double>& at = all.emplace_back(domain.states.front());
     at.q[coordinate] = range.low + (range.high - range.low) * i / steps;
     Real size(0);
     const auto exact = map_leaves([](double x) { return Real(exact_value(x)); }, at);
-    for (const Real& r : evaluate(program, vanishing, exact)) size = size + abs(r);
+    const std::vector<Real> residuals = evaluate(program, vanishing, exact);
+    for (const Real& r : residuals) size = size + abs(r);
     sizes.push_back(size);
+    is_below.push_back(size.is_defined() && cln::minusp(residuals.front().value()));
   }
   const auto exceeds = [&](std::size_t i, std::size_t other) {
     if (!sizes[i].is_defined()) return true;
@@ -206,6 +214,8 @@ std::vector<Arguments<double>> scanned_starts(const Program& program, const Func
   for (std::size_t i = 0; i < all.size(); ++i) {
     const bool is_least =
         !exceeds(i, i == 0 ? i : i - 1) && !exceeds(i, i + 1 == all.size() ? i : i + 1);
+    const bool is_turn = i > 0 && is_below[i] != is_below[i - 1];
+    if (is_turn) starts.push_back(all[exceeds(i, i - 1) ? i - 1 : i]);
     if (is_least) starts.push_back(all[i]);
   }
   return starts;

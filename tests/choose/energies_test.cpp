@@ -29,7 +29,7 @@ namespace {
 constexpr double little_worse = 64;
 /// In u: a reference that loses digits is none.
 constexpr double most_of_stable = 32;
-constexpr std::size_t least_near_stable = 50;
+constexpr std::size_t least_near_stable = 88;
 
 /// x to a multiple of 1/2, by multiplications.
 double power_in_double(double x, const cln::cl_RA& exponent) {

@@ -26,7 +26,7 @@ struct Match {
 /// Writes rows whose letters are known.
 class RowWriting : protected GraphTerms {
  public:
-  RowWriting(Graph& graph, Squares squares) : GraphTerms(graph), squares_(squares) {}
+  RowWriting(Graph& graph, Keeping keeping) : GraphTerms(graph), keeping_(keeping) {}
 
   /// The row writes this in place of the terms.
   Ref written(const DigitPattern& row, const Match& match) {
@@ -43,7 +43,7 @@ class RowWriting : protected GraphTerms {
   }
 
  protected:
-  Squares squares_;
+  Keeping keeping_;
 
  private:
   /// With the letters in their places. Where digits are kept, so are those of the sums in it,
@@ -65,7 +65,7 @@ class RowWriting : protected GraphTerms {
     if (node.kind == NodeKind::square_root) value = graph_.square_root(operands.front());
     if (node.kind == NodeKind::sum) {
       value = short_sum(operands);
-      if (is_kept) value = kept_sum(graph_, squares_, value).value_or(value);
+      if (is_kept) value = kept_sum(graph_, keeping_, value).value_or(value);
     }
     return with_sign(value, pattern.negative);
   }
@@ -140,7 +140,7 @@ class RowMatching : protected RowWriting {
       case RowCondition::shorter:
         return term_count(*letters[1]) <= term_count(*letters[0]);
       case RowCondition::apart:
-        return squares_ == Squares::apart;
+        return keeping_.squares == Squares::apart;
       case RowCondition::anchored:
         return !has_branches(*letters[0]) && !has_branches(*letters[1]) &&
                (is_anchored_long(*letters[0]) || is_anchored_long(*letters[1]));
@@ -195,8 +195,8 @@ struct OneCall {
 /// The terms of one sum.
 class RowsOfSum : RowMatching {
  public:
-  RowsOfSum(Graph& graph, Squares squares, std::vector<Ref>& terms)
-      : RowMatching(graph, squares), terms_(terms) {
+  RowsOfSum(Graph& graph, Keeping keeping, std::vector<Ref>& terms)
+      : RowMatching(graph, keeping), terms_(terms) {
     for (const Ref term : terms) {
       parts_.push_back(scaled(term));
       functions_.push_back(functions_of(graph_, parts_.back()));
@@ -324,13 +324,13 @@ class RowsOfSum : RowMatching {
 
 }  // namespace
 
-bool replace_by_row(Graph& graph, Squares squares, std::vector<Ref>& terms) {
-  return RowsOfSum(graph, squares, terms).replace_one();
+bool replace_by_row(Graph& graph, Keeping keeping, std::vector<Ref>& terms) {
+  return RowsOfSum(graph, keeping, terms).replace_one();
 }
 
-std::optional<Ref> pair_by_row(Graph& graph, Squares squares, const ScaledTerm& x,
+std::optional<Ref> pair_by_row(Graph& graph, Keeping keeping, const ScaledTerm& x,
                                const ScaledTerm& y) {
-  RowMatching matching(graph, squares);
+  RowMatching matching(graph, keeping);
   for (const DigitPattern& row : digit_patterns().rows) {
     if (row.functions != 0) continue;
     for (const bool is_turned : {false, true}) {
@@ -351,8 +351,8 @@ std::optional<Ref> pair_by_row(Graph& graph, Squares squares, const ScaledTerm& 
   return std::nullopt;
 }
 
-std::optional<Ref> call_by_row(Graph& graph, Squares squares, NodeId call) {
-  RowMatching matching(graph, squares);
+std::optional<Ref> call_by_row(Graph& graph, Keeping keeping, NodeId call) {
+  RowMatching matching(graph, keeping);
   const ScaledTerm value{1, {{call, 1}}};
   for (const DigitPattern& row : digit_patterns().rows) {
     if (row.terms.size() > 1) continue;

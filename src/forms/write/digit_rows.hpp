@@ -28,13 +28,13 @@ struct DigitRow {
 
 /// Puts the terms together that a row with calls stands for, or those that share one constant;
 /// false where there are none.
-[[nodiscard]] bool replace_by_row(Graph& graph, Squares squares, std::vector<Ref>& terms);
+[[nodiscard]] bool replace_by_row(Graph& graph, Keeping keeping, std::vector<Ref>& terms);
 
 /// x + y by a row without calls.
-[[nodiscard]] std::optional<Ref> pair_by_row(Graph& graph, Squares squares, const ScaledTerm& x,
+[[nodiscard]] std::optional<Ref> pair_by_row(Graph& graph, Keeping keeping, const ScaledTerm& x,
                                              const ScaledTerm& y);
 
 /// A call by a row of its own.
-[[nodiscard]] std::optional<Ref> call_by_row(Graph& graph, Squares squares, NodeId call);
+[[nodiscard]] std::optional<Ref> call_by_row(Graph& graph, Keeping keeping, NodeId call);
 
 }  // namespace elgen

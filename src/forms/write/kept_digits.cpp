@@ -19,11 +19,14 @@ using cln::cl_RA;
 
 /// Longer sums are left as they are.
 constexpr std::size_t most_terms_in_pairs = 24;
+/// Sums in what was written are rewritten so often: (r^6 - s^6)/r^6 takes four times. Without an
+/// end sums of quotients may grow for ever.
+constexpr int deepest = 6;
 
 /// root + rest = (root^2 - rest^2)/(root - rest)
 class Conjugates : GraphTerms {
  public:
-  Conjugates(Graph& graph, Squares squares) : GraphTerms(graph), squares_(squares) {}
+  Conjugates(Graph& graph, Keeping keeping) : GraphTerms(graph), keeping_(keeping) {}
 
   /// Of terms of which one has a root, where root^2 - rest^2 is shorter than root^2, or has squares
   /// to take apart.
@@ -58,14 +61,15 @@ class Conjugates : GraphTerms {
       raised = graph_.sum(*long_raised);
       numerator = graph_.sum(*long_numerator);
       if (long_numerator->size() >= long_raised->size()) {
-        const auto better =
-            squares_ == Squares::apart ? kept_sum(graph_, squares_, numerator) : std::nullopt;
+        const auto better = keeping_.squares == Squares::apart
+                                ? kept_sum(graph_, keeping_, numerator)
+                                : std::nullopt;
         if (!better) return std::nullopt;
         numerator = *better;
       }
     }
     if (term_count(numerator) == 0 || has_branches(numerator)) return std::nullopt;
-    if (!is_anchored(raised)) return std::nullopt;
+    if (!is_anchored(raised) && !is_anchored(rest)) return std::nullopt;
     return quotient(numerator, sum({root, -rest}));
   }
 
@@ -91,13 +95,13 @@ class Conjugates : GraphTerms {
     return graph_.sum(terms);
   }
 
-  Squares squares_;
+  Keeping keeping_;
 };
 
 /// One sum or call, in the graph that it stands in.
 class KeptSum : GraphTerms {
  public:
-  KeptSum(Graph& graph, Squares squares) : GraphTerms(graph), squares_(squares) {}
+  KeptSum(Graph& graph, Keeping keeping) : GraphTerms(graph), keeping_(keeping) {}
 
   std::optional<Ref> kept(Ref value) {
     if (graph_.node(value.node).kind != NodeKind::sum) return std::nullopt;
@@ -105,9 +109,9 @@ class KeptSum : GraphTerms {
     const auto is_bracket = [&](Ref term) { return has_bracket(term); };
     const bool is_hidden = std::ranges::any_of(terms, is_bracket);
     std::optional<Ref> better;
-    if (!is_hidden) better = square_free(graph_, squares_, terms);
+    if (!is_hidden) better = square_free(graph_, keeping_, terms);
     if (!better) better = kept_terms(terms);
-    if (!better) better = Conjugates(graph_, squares_)(terms);
+    if (!better) better = Conjugates(graph_, keeping_)(terms);
     if (!better && is_hidden) better = triangle_in(terms);
     if (!better && is_hidden) better = written_out_terms(terms);
     return better ? std::optional(with_sign(*better, value.negative)) : std::nullopt;
@@ -160,7 +164,7 @@ class KeptSum : GraphTerms {
       factors.factors.erase(bracket);
       for (const Ref part : parts) all.push_back(times(product(factors), part));
     }
-    const bool is_found = replace_triangle(graph_, squares_, all);
+    const bool is_found = replace_triangle(graph_, keeping_, all);
     return is_found ? std::optional(graph_.sum(all)) : std::nullopt;
   }
 
@@ -168,7 +172,7 @@ class KeptSum : GraphTerms {
   std::optional<Ref> written_out_terms(const std::vector<Ref>& terms) {
     const auto all = written_out(terms);
     if (!all) return std::nullopt;
-    std::optional<Ref> better = square_free(graph_, squares_, *all);
+    std::optional<Ref> better = square_free(graph_, keeping_, *all);
     if (!better) better = kept_terms(*all);
     if (!better && all->size() <= terms.size()) better = graph_.sum(*all);
     return better;
@@ -185,15 +189,15 @@ class KeptSum : GraphTerms {
   }
 
   bool replace_some(std::vector<Ref>& terms) {
-    if (replace_triangle(graph_, squares_, terms)) return true;
-    if (replace_by_row(graph_, squares_, terms)) return true;
+    if (replace_triangle(graph_, keeping_, terms)) return true;
+    if (replace_by_row(graph_, keeping_, terms)) return true;
     std::vector<ScaledTerm> parts;
     for (const Ref term : terms) parts.push_back(scaled(term));
     for (std::size_t i = 0; i < terms.size(); ++i) {
       for (std::size_t k = i + 1; k < terms.size(); ++k) {
         if (is_plain(parts[i]) && is_plain(parts[k])) continue;
-        std::optional<Ref> better = kept_pair(graph_, squares_, parts[i], parts[k]);
-        if (!better) better = Conjugates(graph_, squares_)({terms[i], terms[k]});
+        std::optional<Ref> better = kept_pair(graph_, keeping_, parts[i], parts[k]);
+        if (!better) better = Conjugates(graph_, keeping_)({terms[i], terms[k]});
         if (!better) continue;
         terms[i] = *better;
         terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(k));
@@ -206,25 +210,25 @@ class KeptSum : GraphTerms {
   /// Without roots, divisors and powers that are taken apart.
   [[nodiscard]] bool is_plain(const ScaledTerm& term) const {
     return std::ranges::all_of(term.factors, [&](const Operand& factor) {
-      const bool is_power = squares_ == Squares::apart && factor.weight > 1;
+      const bool is_power = keeping_.squares == Squares::apart && factor.weight > 1;
       const bool is_root = graph_.node(factor.node).kind == NodeKind::square_root;
       return factor.weight > 0 && !is_power && !is_root;
     });
   }
 
-  Squares squares_;
+  Keeping keeping_;
 };
 
-Ref kept(Graph& graph, const RebuildStep& step, Squares squares, bool& has_any) {
+Ref kept(Graph& graph, const RebuildStep& step, Keeping keeping, bool& has_any) {
   const Ref same = copy(graph, step);
   const Node& node = graph.node(same.node);
   std::optional<Ref> better;
   if (is_call(node, FunctionId::log)) {
-    better = KeptSum(graph, squares).logarithm(argument_of(node));
+    better = KeptSum(graph, keeping).logarithm(argument_of(node));
   } else if (node.kind == NodeKind::call) {
-    better = call_by_row(graph, squares, same.node);
+    better = call_by_row(graph, keeping, same.node);
   } else {
-    better = kept_sum(graph, squares, {same.node, false});
+    better = kept_sum(graph, keeping, {same.node, false});
   }
   if (!better) return same;
   has_any = true;
@@ -233,14 +237,15 @@ Ref kept(Graph& graph, const RebuildStep& step, Squares squares, bool& has_any) 
 
 }  // namespace
 
-std::optional<Ref> kept_sum(Graph& graph, Squares squares, Ref value) {
-  return KeptSum(graph, squares).kept(value);
+std::optional<Ref> kept_sum(Graph& graph, Keeping keeping, Ref value) {
+  if (keeping.depth == deepest) return std::nullopt;
+  return KeptSum(graph, {keeping.squares, keeping.depth + 1}).kept(value);
 }
 
 std::optional<Expressions> with_kept_digits(const Expressions& expressions, Squares squares) {
   bool has_any = false;
   const auto rule = [&](Graph& graph, const RebuildStep& step) {
-    return kept(graph, step, squares, has_any);
+    return kept(graph, step, Keeping{squares}, has_any);
   };
   Expressions result = rebuild(expressions, rule);
   if (!has_any) return std::nullopt;

@@ -17,22 +17,28 @@ namespace elgen {
 /// has no other form.
 enum class Squares : std::uint8_t { whole, apart };
 
+/// How a sum is rewritten, and how deep it stands in what was written for others.
+struct Keeping {
+  Squares squares = Squares::whole;
+  int depth = 0;
+};
+
 /// In every sum the terms, and in every logarithm and arc cosine the argument, that may cancel, by
 /// the rows of digit_rows.def, and, for a common factor C:
 ///
 ///     C sqrt(a) - b               (C^2 a - b^2)/(C sqrt(a) + b)   where that is shorter
 ///     1/a - 1/b, 1 - a/b          (b - a)/(a b), (b - a)/b
 ///     log(1 + a), log(a/b)        log1p(a), log1p((a - b)/b)
-///     (l + x)^2 - l^2             2 l x + x^2, and sums that have a repeated factor (square_free.hpp)
-///     C a^2 + C b^2 - 2 C a b cos(c)     C ((a - b)^2 + 4 a b sin(c/2)^2), with + the cosine of
-///     c/2
+///     (l + x)^2 - l^2             2 l x + x^2, and sums that have a repeated factor
+///     (square_free.hpp) C a^2 + C b^2 - 2 C a b cos(c)     C ((a - b)^2 + 4 a b sin(c/2)^2), with
+///     + the cosine of c/2
 ///
 /// None where there is none.
 [[nodiscard]] std::optional<Expressions> with_kept_digits(const Expressions& expressions,
                                                           Squares squares);
 
 /// One sum, so rewritten in the graph that it stands in.
-[[nodiscard]] std::optional<Ref> kept_sum(Graph& graph, Squares squares, Ref value);
+[[nodiscard]] std::optional<Ref> kept_sum(Graph& graph, Keeping keeping, Ref value);
 
 /// With fewer calls, where the calls that keep digits stand beside others of the same argument;
 /// none where there are none:

@@ -20,7 +20,7 @@ struct Ratio {
 /// Of one pair, in the graph that it stands in.
 class KeptPair : GraphTerms {
  public:
-  KeptPair(Graph& graph, Squares squares) : GraphTerms(graph), squares_(squares) {}
+  KeptPair(Graph& graph, Keeping keeping) : GraphTerms(graph), keeping_(keeping) {}
 
   std::optional<Ref> operator()(ScaledTerm x, ScaledTerm y) {
     std::vector<Operand> shared = take_shared(x, y);
@@ -30,9 +30,9 @@ class KeptPair : GraphTerms {
     y.coefficient = y.coefficient / x.coefficient;
     x.coefficient = 1;
     std::optional<Ref> better;
-    if (squares_ == Squares::apart) better = crank(x, y);
-    if (!better && squares_ == Squares::apart) better = crank(y, x);
-    if (!better) better = pair_by_row(graph_, squares_, x, y);
+    if (keeping_.squares == Squares::apart) better = crank(x, y);
+    if (!better && keeping_.squares == Squares::apart) better = crank(y, x);
+    if (!better) better = pair_by_row(graph_, keeping_, x, y);
     if (!better) better = quotients(x, y);
     return better ? std::optional(times(common, *better)) : std::nullopt;
   }
@@ -103,7 +103,7 @@ class KeptPair : GraphTerms {
     divisors.factors.insert(divisors.factors.end(), second.bottom.factors.begin(),
                             second.bottom.factors.end());
     for (Operand& divisor : divisors.factors) divisor.weight = -divisor.weight;
-    return times(kept_sum(graph_, squares_, top).value_or(top), product(divisors));
+    return times(kept_sum(graph_, keeping_, top).value_or(top), product(divisors));
   }
 
   static Ratio ratio_of(const ScaledTerm& term) {
@@ -115,14 +115,14 @@ class KeptPair : GraphTerms {
     return ratio;
   }
 
-  Squares squares_;
+  Keeping keeping_;
 };
 
 }  // namespace
 
-std::optional<Ref> kept_pair(Graph& graph, Squares squares, const ScaledTerm& x,
+std::optional<Ref> kept_pair(Graph& graph, Keeping keeping, const ScaledTerm& x,
                              const ScaledTerm& y) {
-  return KeptPair(graph, squares)(x, y);
+  return KeptPair(graph, keeping)(x, y);
 }
 
 }  // namespace elgen

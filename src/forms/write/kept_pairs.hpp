@@ -13,7 +13,7 @@
 namespace elgen {
 
 /// None where nothing of the kind is found.
-[[nodiscard]] std::optional<Ref> kept_pair(Graph& graph, Squares squares, const ScaledTerm& x,
+[[nodiscard]] std::optional<Ref> kept_pair(Graph& graph, Keeping keeping, const ScaledTerm& x,
                                            const ScaledTerm& y);
 
 }  // namespace elgen

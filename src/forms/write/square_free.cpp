@@ -178,7 +178,7 @@ std::optional<std::vector<RepeatedFactor>> repeated_factors(const Polynomial& x,
 
 class SquareFree : GraphTerms {
  public:
-  SquareFree(Graph& graph, Squares squares) : GraphTerms(graph), squares_(squares) {}
+  SquareFree(Graph& graph, Keeping keeping) : GraphTerms(graph), keeping_(keeping) {}
 
   std::optional<Ref> operator()(const std::vector<Ref>& terms) {
     Polynomial all;
@@ -219,7 +219,7 @@ class SquareFree : GraphTerms {
     std::vector<Power> powers{{value_of({{common, {1, 0}}})}};
     for (const auto& [base, exponent] : *factors) {
       const Ref value = value_of(base);
-      powers.push_back({kept_sum(graph_, squares_, value).value_or(value), exponent});
+      powers.push_back({kept_sum(graph_, keeping_, value).value_or(value), exponent});
     }
     return graph_.product(powers);
   }
@@ -249,15 +249,15 @@ class SquareFree : GraphTerms {
     return graph_.sum(terms);
   }
 
-  Squares squares_;
+  Keeping keeping_;
 };
 
 }  // namespace
 
-std::optional<Ref> square_free(Graph& graph, Squares squares, const std::vector<Ref>& terms) {
+std::optional<Ref> square_free(Graph& graph, Keeping keeping, const std::vector<Ref>& terms) {
   if (terms.size() < 3 || terms.size() > most_terms_of_polynomial) return std::nullopt;
   try {
-    return SquareFree(graph, squares)(terms);
+    return SquareFree(graph, keeping)(terms);
   } catch (const TooMuchWork&) {
     return std::nullopt;
   }

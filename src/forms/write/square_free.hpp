@@ -13,7 +13,7 @@ namespace elgen {
 
 /// The sum of 3 to 30 terms where it has a repeated factor: as a whole, or those of its terms that
 /// hold one coordinate alone. Bases are kept in their turn.
-[[nodiscard]] std::optional<Ref> square_free(Graph& graph, Squares squares,
+[[nodiscard]] std::optional<Ref> square_free(Graph& graph, Keeping keeping,
                                              const std::vector<Ref>& terms);
 
 }  // namespace elgen

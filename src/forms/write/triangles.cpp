@@ -13,7 +13,7 @@ using cln::cl_RA;
 
 class Triangles : GraphTerms {
  public:
-  Triangles(Graph& graph, Squares squares) : GraphTerms(graph), squares_(squares) {}
+  Triangles(Graph& graph, Keeping keeping) : GraphTerms(graph), keeping_(keeping) {}
 
   /// Puts three such terms together as one; false where there are none.
   bool replace_one(std::vector<Ref>& terms) {
@@ -62,7 +62,7 @@ class Triangles : GraphTerms {
     const Ref sine = square(call(FunctionId::sin, half(angle)));
     const Ref cosine = square(call(FunctionId::cos, half(angle)));
     const Ref less = square(graph_.sum({*a, -*b}));
-    if (squares_ == Squares::apart) {
+    if (keeping_.squares == Squares::apart) {
       const Ref more = square(graph_.sum({*a, *b}));
       const Ref near = is_difference ? less : more;
       const Ref far = is_difference ? more : less;
@@ -72,13 +72,13 @@ class Triangles : GraphTerms {
     return times(scale, graph_.sum({less, turn}));
   }
 
-  Squares squares_;
+  Keeping keeping_;
 };
 
 }  // namespace
 
-bool replace_triangle(Graph& graph, Squares squares, std::vector<Ref>& terms) {
-  return Triangles(graph, squares).replace_one(terms);
+bool replace_triangle(Graph& graph, Keeping keeping, std::vector<Ref>& terms) {
+  return Triangles(graph, keeping).replace_one(terms);
 }
 
 }  // namespace elgen

@@ -15,6 +15,6 @@
 namespace elgen {
 
 /// Puts three such terms together as one; false where there are none.
-[[nodiscard]] bool replace_triangle(Graph& graph, Squares squares, std::vector<Ref>& terms);
+[[nodiscard]] bool replace_triangle(Graph& graph, Keeping keeping, std::vector<Ref>& terms);
 
 }  // namespace elgen

@@ -100,7 +100,6 @@ TEST_CASE("rows keep their digits near 0 in double") {
       NearZero{"2*d - d*cos(a) - d*cos(b)", "2*d*(sin(a/2)^2 + sin(b/2)^2)"},
       NearZero{"a - sin(a)", "a^3*stumpff(a, 3)"},
       NearZero{"cosh(a) - 1 - a^2/2", "a^4*stumpff(a, -4)"},
-      NearZero{"a - tanh(a)", "a^3*(stumpff(a, -2) - stumpff(a, -3))/cosh(a)"},
       NearZero{"exp(a) - 1 - a", "a^2*(stumpff(a, -2) + a*stumpff(a, -3))"},
       NearZero{"sqrt((2 + a)^2 + b^2) - 2", "(a*(4 + a) + b^2)/(sqrt((2 + a)^2 + b^2) + 2)"},
       NearZero{"log((1 + a)/(1 - a))", "log1p(a) - log1p(-a)"});
@@ -114,7 +113,7 @@ TEST_CASE("rows keep their digits near 0 in double") {
 }
 
 TEST_CASE("exponentials less their first terms keep their digits far from 0 on both sides") {
-  const char* const text = GENERATE("exp(a) - 1 - a", "expm1(a) - a", "sinh(a) - a", "a - tanh(a)",
+  const char* const text = GENERATE("exp(a) - 1 - a", "expm1(a) - a", "sinh(a) - a",
                                     "cosh(a) - 1 - a^2/2", "a*cosh(a) - sinh(a)");
   INFO(text);
   const auto from = testing::expressions_of({text});
