@@ -31,7 +31,7 @@ inline constexpr std::array scalar_table{ScalarRow{ScalarKind::single_precision,
   return scalar_table[static_cast<std::size_t>(kind)].digits;
 }
 
-/// What functions compute in between arguments and results in double; a `step` in float the
+/// Functions compute in it between arguments and results in double; a `step` in float the
 /// accelerations that it asks for.
 enum class InnerScalar : std::uint8_t { same, long_double, double_double, single_precision };
 

@@ -44,6 +44,20 @@ std::vector<bool> coordinates_in_arguments(const Function& function, const IsSou
   return stands_there;
 }
 
+/// For each coordinate, whether it has no range and stands in an exponential or a logarithm.
+std::vector<bool> unbounded_arguments(const Function& text, const Model& model) {
+  const auto is_exponential = [](FunctionId function) {
+    return function == FunctionId::exp || function == FunctionId::log;
+  };
+  const std::size_t count = model.coordinates.size();
+  std::vector<bool> result = coordinates_in_arguments(text, is_exponential, count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const bool has_range = declared_range(model, Opcode::coordinate, i).has_value();
+    if (has_range || model.coordinates[i].rotation) result[i] = false;
+  }
+  return result;
+}
+
 bool is_motion(Opcode kind) {
   return kind == Opcode::velocity || kind == Opcode::momentum || kind == Opcode::acceleration ||
          kind == Opcode::input;
@@ -129,24 +143,9 @@ class Making {
                                  [](double entry) { return std::isfinite(entry); });
   }
 
-  /// For each coordinate, whether it has no range and stands in an exponential or a logarithm.
-  [[nodiscard]] std::vector<bool> unbounded_arguments() const {
-    const auto is_exponential = [](FunctionId function) {
-      return function == FunctionId::exp || function == FunctionId::log;
-    };
-    const Model& model = domain_.model;
-    const std::size_t count = model.coordinates.size();
-    std::vector<bool> result = coordinates_in_arguments(text_, is_exponential, count);
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const bool has_range = declared_range(model, Opcode::coordinate, i).has_value();
-      if (has_range || model.coordinates[i].rotation) result[i] = false;
-    }
-    return result;
-  }
-
   /// 1 + expm1(u) has no digit of exp(u) where that is small, nor log1p((a - b)/b) of log(a/b).
   void add_far() {
-    const std::vector<bool> is_far = unbounded_arguments();
+    const std::vector<bool> is_far = unbounded_arguments(text_, domain_.model);
     if (std::find(is_far.begin(), is_far.end(), true) == is_far.end()) return;
     for (const double distance : far_away) {
       Arguments<double> point = state();

@@ -19,7 +19,7 @@ constexpr std::size_t most_alone = 16;
 /// that are chosen, and would take as long as all else.
 constexpr std::size_t longest_potential = 1'500;
 
-/// Of forms that keep the same digits another is taken where it saves a fifth of the operations.
+/// A form that keeps as many digits is taken where it saves a fifth of the operations.
 constexpr std::size_t fifths_of_cost = 4;
 
 /// By number in typed_sums(), whether it stays whole.
@@ -142,17 +142,33 @@ class Putting {
         places.push_back(added(potential_, value, instructions)[value.fields[0].entries[0]]);
         continue;
       }
-      places.push_back(instructions.add(with_operands(constant_in(program, i), places)));
+      const Instruction next = with_operands(constant_in(program, i), places);
+      places.push_back(instructions.add(without_negation(result, next)));
       std::string& name = result.names[places.back()];
       if (name.empty()) name = from.names[at];
     }
     for (Field& field : result.fields) {
       for (std::uint32_t& entry : field.entries) entry = places[entry];
     }
-    return trigonometry_first(result);
+    return trigonometry_first(pruned(result));
   }
 
  private:
+  /// x + (-y) is x - y.
+  static Instruction without_negation(const Function& function, Instruction i) {
+    if (!is_sum(i)) return i;
+    const Instruction& second = function.instructions[i.b];
+    const Instruction& first = function.instructions[i.a];
+    const bool is_add = i.opcode == Opcode::add;
+    if (second.opcode == Opcode::negate) {
+      i.opcode = is_add ? Opcode::subtract : Opcode::add;
+      i.b = second.a;
+    } else if (is_add && first.opcode == Opcode::negate) {
+      i = {.opcode = Opcode::subtract, .a = i.b, .b = first.a};
+    }
+    return i;
+  }
+
   [[nodiscard]] Instruction constant_in(const Program& program, Instruction i) {
     if (i.opcode == Opcode::constant) i.a = position_of(program.constants[i.a], to_.constants);
     return i;
@@ -233,13 +249,15 @@ void put_potential(const RewrittenPotential& potential, const Choice& open, cons
     if (entries.empty() || stays) continue;
     Function own = put(open.program, function);
     const Function& old = choice.program.functions[i];
-    const TextErrors errors(choice.program, old, comparison_points(choice.program, old, domain));
+    TextErrors errors(choice.program, old, comparison_points(choice.program, old, domain));
     if (errors.inaccurate_entry(result.program, own)) return;
+    errors.add_form(result.program, own);
     own.rewritten = entries;
-    result.costs[i] = open.costs[i];
-    auto& counts =
-        own.form == Form::closed ? result.costs[i].closed.emplace() : result.costs[i].recursive;
-    counts = count_operations(own);
+    FormCosts& costs = result.costs[i];
+    const bool is_closed = own.form == Form::closed;
+    costs.chosen = own.form;
+    (is_closed ? costs.closed.emplace() : costs.recursive) = count_operations(own);
+    (is_closed ? costs.closed_loss : costs.recursive_loss) = errors.worst_loss(result.program, own);
     result.program.functions[i] = std::move(own);
   }
   choice = std::move(result);

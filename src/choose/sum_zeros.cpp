@@ -23,8 +23,8 @@ constexpr std::size_t most_axes = 4;
 constexpr int highest_order = 4;  ///< of a zero: of (x - a)^4
 constexpr std::size_t longest_program = 400;
 
-/// Of the 64 digits 40 are left beside differences over steps of 1e-25; a zero is one to 1e-16, far
-/// below the distances of points.
+/// Differences over steps of 1e-25 have 40 of the 64 digits; a zero is one to 1e-16, far below the
+/// distances of points.
 const Real& step() {
   static const Real value(power_of_ten(-25));
   return value;

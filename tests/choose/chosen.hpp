@@ -28,8 +28,7 @@ inline Chosen chosen(const std::string& text, const SceneOptions& options = {},
   const auto equations = derive(*lagrangian, result.checked.scene.outputs, {});
   result.recursive = cancel(*lower(*equations, result.checked.scene.outputs, {}));
   result.forms = present(result.recursive);
-  result.choice =
-      *chosen(*lagrangian, result.recursive, result.forms, result.checked, Limits{});
+  result.choice = *chosen(*lagrangian, result.recursive, result.forms, result.checked, Limits{});
   return result;
 }
 

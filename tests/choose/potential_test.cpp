@@ -25,8 +25,8 @@ Chosen masses_with(const std::string& potential, const std::vector<std::string>&
     text += "[[coordinate]]\nname = \"" + name + "\"\nrange = " + ranges[i] + "\n";
     T += (T.empty() ? "1/2*dot(" : " + 1/2*dot(") + name + ")^2";
   }
-  return chosen(model_text("masses", text + parameters + "[energy]\nT = \"" + T + "\"\nV = \"" +
-                                         potential + "\"\n"));
+  return chosen(model_text(
+      "masses", text + parameters + "[energy]\nT = \"" + T + "\"\nV = \"" + potential + "\"\n"));
 }
 
 std::vector<double> values_at_rest(const Chosen& c, OutputKind kind, const std::vector<double>& q) {
@@ -45,7 +45,8 @@ std::size_t cost_of(const Chosen& c, OutputKind kind) {
 }  // namespace
 
 TEST_CASE("what holds a system at rest is the gravity, to the bit, where V was rewritten") {
-  const std::string parameters = "[parameters]\nk = { value = 3, assume = \"positive\" }\nl = 0.7\n";
+  const std::string parameters =
+      "[parameters]\nk = { value = 3, assume = \"positive\" }\nl = 0.7\n";
   struct Row {
     std::string potential;
     std::vector<std::string> ranges;
@@ -78,8 +79,8 @@ TEST_CASE("a sum of squares stays whole at any anchor") {
     const std::string x = std::to_string(anchor[0]);
     const std::string y = std::to_string(anchor[1]);
     INFO(x << ' ' << y);
-    const Chosen c = masses_with("40*sqrt((x - (" + x + "))^2 + (y - " + y + ")^2)",
-                                 {"[-3, 4]", "[-3, 4]"});
+    const Chosen c =
+        masses_with("40*sqrt((x - (" + x + "))^2 + (y - " + y + ")^2)", {"[-3, 4]", "[-3, 4]"});
     const double away = 0x1p-30;
     const auto V = values_at_rest(c, OutputKind::potential_energy,
                                   {anchor[0] + 3 * away, anchor[1] + 4 * away});

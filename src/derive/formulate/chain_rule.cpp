@@ -52,7 +52,7 @@ std::vector<Partial> wanted_partials(const Definitions& definitions, const ex& v
   return result;
 }
 
-/// Those of a definition, by its wanted symbols.
+/// The partials of a definition, by its wanted symbols.
 template <class IsWanted>
 std::vector<Partial> wanted_partials(const Definitions& definitions, const Definition& definition,
                                      const IsWanted& is_wanted) {
@@ -64,7 +64,7 @@ std::vector<Partial> wanted_partials(const Definitions& definitions, const Defin
   return result;
 }
 
-/// Of an expression or a definition.
+/// `value`: an expression or a definition.
 template <class Value>
 std::vector<Partial> partials_of(const Definitions& definitions, const Value& value, LeafSet mask) {
   return wanted_partials(definitions, value, [&](const ex& symbol) {

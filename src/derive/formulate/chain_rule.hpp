@@ -89,7 +89,7 @@ class Tangent {
   [[nodiscard]] GiNaC::ex operator()(const GiNaC::ex& value);
 
  private:
-  /// Of an expression or a definition.
+  /// `value`: an expression or a definition.
   template <class Value>
   [[nodiscard]] GiNaC::ex from_known(const Value& value) const;
   void differentiate(std::uint32_t definition);

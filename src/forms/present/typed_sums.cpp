@@ -117,7 +117,7 @@ class WholeArithmetic {
   const std::vector<Value>& sums_;  ///< multiplied out
 };
 
-/// Those of typed_sums() multiplied out.
+/// The sums of typed_sums() multiplied out.
 std::vector<Value> plain_forms(Arithmetic& arithmetic, const Program& sums) {
   std::vector<Value> forms;
   for (const Function& sum : sums.functions) {

@@ -28,8 +28,8 @@ class Conjugates : GraphTerms {
  public:
   Conjugates(Graph& graph, Keeping keeping) : GraphTerms(graph), keeping_(keeping) {}
 
-  /// Of terms of which one has a root, where root^2 - rest^2 is shorter than root^2, or has squares
-  /// to take apart.
+  /// Takes terms of which one has a root, where root^2 - rest^2 is shorter than root^2, or has
+  /// squares to take apart.
   std::optional<Ref> operator()(const std::vector<Ref>& terms) {
     const auto is_root = [&](Ref term) { return has_root(term); };
     if (std::ranges::count_if(terms, is_root) != 1) return std::nullopt;

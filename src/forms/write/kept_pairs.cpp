@@ -17,7 +17,7 @@ struct Ratio {
   ScaledTerm bottom = {};
 };
 
-/// Of one pair, in the graph that it stands in.
+/// One pair, in the graph that it stands in.
 class KeptPair : GraphTerms {
  public:
   KeptPair(Graph& graph, Keeping keeping) : GraphTerms(graph), keeping_(keeping) {}

@@ -54,6 +54,22 @@ std::string word_of(std::string text) {
   return text;
 }
 
+/// Where a run starts, as a point to expand about; rotations stay as they are.
+std::string start_of(const Model& model) {
+  std::vector<std::string> values;
+  for (const Coordinate& coordinate : model.coordinates) {
+    if (coordinate.rotation) continue;
+    values.push_back(
+        assigned(coordinate.name, expression_text(exact_text(coordinate.start_value))));
+  }
+  return toml_inline_table(values);
+}
+
+/// Nothing where there is no value.
+std::string line(const std::string& key, const std::string& value) {
+  return value.empty() ? "" : assigned(key, value) + "\n";
+}
+
 class DesignText {
  public:
   DesignText(const DesignBase& base, const Design& design) : base_(base), design_(design) {}
@@ -71,11 +87,6 @@ class DesignText {
 
  private:
   using Lines = std::vector<std::string>;
-
-  /// Nothing where there is no value.
-  static std::string line(const std::string& key, const std::string& value) {
-    return value.empty() ? "" : assigned(key, value) + "\n";
-  }
 
   static std::string section(const char* title, const Lines& lines) {
     const std::string text = fmt::format("{}", fmt::join(lines, ""));
@@ -172,19 +183,8 @@ class DesignText {
     const bool is_expanded = !design_.order.empty();
     const std::string about = own("approximate", "about");
     return {line("order", is_expanded ? design_.order : own("approximate", "order")),
-            line("about", is_expanded && about.empty() ? start() : about),
+            line("about", is_expanded && about.empty() ? start_of(base_.checked.model) : about),
             line("small", own("approximate", "small"))};
-  }
-
-  /// Where a run starts, as a point to expand about; rotations stay as they are.
-  [[nodiscard]] std::string start() const {
-    Lines values;
-    for (const Coordinate& coordinate : base_.checked.model.coordinates) {
-      if (coordinate.rotation) continue;
-      values.push_back(
-          assigned(coordinate.name, expression_text(exact_text(coordinate.start_value))));
-    }
-    return toml_inline_table(values);
   }
 
   [[nodiscard]] Lines numeric() const {

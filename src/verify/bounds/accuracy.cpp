@@ -117,7 +117,7 @@ CodeCheck wide_check(InnerScalar inner) {
                       most_of_wide, row.roundoff)};
 }
 
-/// Of all fields, the largest distance from what a check of code compares with, and whose it is.
+/// The largest distance of all fields from what a check of code compares with, and whose it is.
 class CodeRecord {
  public:
   explicit CodeRecord(CodeCheck check) : check_(std::move(check)) {}

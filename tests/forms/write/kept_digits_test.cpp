@@ -77,7 +77,7 @@ TEST_CASE("every rewriting has the value of what it replaces") {
                            "tan(a + b) - tan(a)",
                            "a - sin(a)",
                            "exp(-a) - 1 + a",
-                           
+
                            "a^2 + b^2 - 2*a*b*cos(c)",
                            "a^2 + 4*b^2 + 4*a*b*cos(c)",
                            "1 - cos(a)*cos(b)",
