@@ -14,7 +14,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "choose/chosen.hpp"
+#include "choose/energy_errors.hpp"
 #include "elgen/evaluate.hpp"
 #include "elgen/oracle.hpp"
 #include "numbers/exact_number.hpp"
@@ -142,14 +142,6 @@ std::vector<ExpressionId> stable_forms(const Model& model) {
   return forms;
 }
 
-/// All numbers are those of double, so that equal parameters are equal and none is rounded again.
-State state_in_double(const CheckedModel& checked, const std::vector<double>& q) {
-  State state = nominal_state(checked.model, checked.scene);
-  for (cln::cl_R& p : state.parameters) p = exact_value(ScalarTraits<double>::from_real(p));
-  for (std::size_t i = 0; i < q.size(); ++i) state.q[i] = exact_value(q[i]);
-  return state;
-}
-
 /// Of gravity and V. Stable forms have to be these functions, to 25 digits.
 std::vector<EntryErrors> errors_at(const Chosen& chosen, const std::vector<double>& q) {
   const Model& model = chosen.checked.model;
@@ -183,9 +175,7 @@ struct EnergyErrors {
 };
 
 EnergyErrors errors_of(const TypedEnergy& energy) {
-  SceneOptions options;
-  options.outputs = {make_source("command line", "gravity,potential_energy")};
-  const Chosen c = chosen(model_of(energy), options);
+  const Chosen c = chosen_energy(energy);
   EnergyErrors result;
   for (const std::string& line : energy.near) {
     const StatesNear states(c.checked.model, line);

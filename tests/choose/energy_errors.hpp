@@ -1,0 +1,84 @@
+// The two programs of an energy, and the states in which their errors are measured: numbers of
+// double, which the oracle takes exactly.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "choose/chosen.hpp"
+#include "choose/energies.hpp"
+#include "choose/points.hpp"
+#include "elgen/domain.hpp"
+#include "elgen/oracle.hpp"
+#include "numbers/exact_number.hpp"
+#include "sample/states.hpp"
+
+namespace elgen::test {
+
+/// Gravity and V, and no stable form.
+inline Chosen chosen_energy(const TypedEnergy& energy) {
+  SceneOptions options;
+  options.outputs = {make_source("command line", "gravity,potential_energy")};
+  return chosen(model_of(energy), options);
+}
+
+/// All numbers are those of double, so that equal parameters are equal and none is rounded again.
+inline State state_in_double(const CheckedModel& checked, const std::vector<double>& q) {
+  State state = nominal_state(checked.model, checked.scene);
+  for (cln::cl_R& p : state.parameters) p = exact_value(ScalarTraits<double>::from_real(p));
+  for (std::size_t i = 0; i < q.size(); ++i) state.q[i] = exact_value(q[i]);
+  return state;
+}
+
+/// Coordinates inside the ranges, each state once: zeros of typed sums and the origin, states
+/// beside these and near the places of the file, at all distances down to 1e-150, and any others.
+class StatesInside {
+ public:
+  StatesInside(const TypedEnergy& energy, const Chosen& c)
+      : domain_(domain_of({c.checked.model, c.checked.scene, c.recursive.leaves})) {
+    SumZeros zeros = sum_zeros(c.recursive, domain_);
+    zeros.emplace_back(c.checked.model.coordinates.size());
+    for (const std::vector<double>& zero : zeros) add(zero);
+    for (const double distance : {1e-1, 1e-4, 1e-8, 1e-12, 1e-150}) {
+      for (const std::string& line : energy.near) {
+        for (const auto& q : StatesNear(c.checked.model, line).at(distance)) add(q);
+      }
+      for (const std::vector<double>& zero : zeros) {
+        for (const double step : {distance, -distance}) add_beside(zero, step);
+      }
+    }
+    for (const Arguments<double>& state : domain_.states) add(state.q);
+    Sampler draw(2);
+    const StateSpace space{c.checked.model, c.checked.scene, c.recursive.leaves};
+    while (all.size() < least_count) add(drawn_within(space, domain_.ranges, draw).q);
+  }
+
+  std::vector<std::vector<double>> all = {};
+
+ private:
+  static constexpr std::size_t least_count = 125;
+
+  void add(const std::vector<double>& q) {
+    for (std::size_t i = 0; i < q.size(); ++i) {
+      const Range& range = domain_.ranges.q[i];
+      if (q[i] < range.low || q[i] > range.high) return;
+    }
+    if (std::ranges::find(all, q) == all.end()) all.push_back(q);
+  }
+
+  /// Each coordinate alone, and all of them.
+  void add_beside(const std::vector<double>& zero, double step) {
+    std::vector<double> moved = zero;
+    for (std::size_t i = 0; i < zero.size(); ++i) {
+      std::vector<double> alone = zero;
+      alone[i] = moved[i] = beside(zero[i], step);
+      add(alone);
+    }
+    add(moved);
+  }
+
+  Domain domain_;
+};
+
+}  // namespace elgen::test

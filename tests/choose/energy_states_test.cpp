@@ -1,0 +1,94 @@
+// Emitted values beside the running errors of the users' texts, in states of all energies
+// (energies.txt): at rest in the origin, at zeros of typed sums and beside them down to 1e-150,
+// and anywhere inside the ranges.
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "accuracy/conditioning.hpp"
+#include "accuracy/running_errors.hpp"
+#include "choose/energy_errors.hpp"
+#include "program/evaluate/subject.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+/// |x - x*|/u of an emitted entry, as a multiple of E + R: E is the running error of the text, R is
+/// |x*| + K (accuracy/conditioning.hpp).
+constexpr double most_errors = 16;
+constexpr std::size_t least_states = 10'000;
+
+/// The entry of all states whose error is the largest multiple.
+struct WorstEntry {
+  double multiple = 0;
+  std::string words = {};
+};
+
+/// None where the text has no bound. Every operation may be off by a denormal beside that.
+std::optional<double> multiple_of(double x, const cln::cl_R& exact, const Real& bound,
+                                  std::size_t operations) {
+  const Rounding<Real>& of_double = rounding<double, Real>();
+  if (!bound.is_defined()) return std::nullopt;
+  if (!std::isfinite(x)) return std::numeric_limits<double>::infinity();
+  const Real denormals =
+      Real(cln::cl_I(static_cast<unsigned long>(operations))) * of_double.underflow;
+  const Real error = abs(Real(exact_value(x) - exact)) / of_double.roundoff;
+  if (error <= denormals) return 0;
+  const Real multiple = (error - denormals) / bound;
+  if (!multiple.is_defined()) return std::numeric_limits<double>::infinity();
+  return ScalarTraits<double>::from_real(multiple.value());
+}
+
+/// Whether the text of a function has a value there, in double and exactly, and a bound.
+bool judge(const Chosen& c, std::size_t index, const State& state, WorstEntry& worst) {
+  const Function& text = c.recursive.functions.at(index);
+  const Subject subject{c.checked.model, c.checked.scene, c.choice.program};
+  const OracleValues exact = oracle_values(subject.model, subject.scene.outputs.at(index), state);
+  if (!exact) return false;
+  const auto point = arguments_at<double>(state);
+  const RunningErrorRules<Real> rules{running_leaves<Real>(point, Leaves::exact)};
+  const auto running = fold<Running<Real>>(rules, c.recursive, text);
+  const Conditioning conditioning(c.recursive, text, values_of(running));
+  const std::vector<double> typed = evaluate(c.recursive, text, point);
+  const auto emitted = evaluate(subject.program, subject.program.functions.at(index), point);
+  const std::vector<std::uint32_t> entries = entries_of(text);
+  REQUIRE(exact->size() == entries.size());
+  REQUIRE(emitted.size() == entries.size());
+  bool is_judged = false;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const cln::cl_R& x = (*exact)[i];
+    const Real bound = running[entries[i]].error + abs(Real(x)) + conditioning.of(entries[i]);
+    const auto multiple = multiple_of(emitted[i], x, bound, text.instructions.size());
+    if (!std::isfinite(typed[i]) || !multiple) continue;
+    is_judged = true;
+    if (*multiple <= worst.multiple) continue;
+    worst = {*multiple, fmt::format("{}[{}] is {}, its text {}, {} exactly, E + R {}; {}",
+                                    text.name, i + 1, emitted[i], typed[i], short_text(x),
+                                    short_text(bound.value()), describe_exactly(subject, state))};
+  }
+  return is_judged;
+}
+
+}  // namespace
+
+TEST_CASE("no error of an emitted energy or force is above 16 times that of its text and u R") {
+  std::size_t states = 0;
+  for (const TypedEnergy& energy : typed_energies()) {
+    const Chosen c = chosen_energy(energy);
+    WorstEntry worst;
+    for (const std::vector<double>& q : StatesInside(energy, c).all) {
+      const State state = state_in_double(c.checked, q);
+      const bool has_force = judge(c, 0, state, worst);
+      const bool has_energy = judge(c, 1, state, worst);
+      states += has_force || has_energy ? 1 : 0;
+    }
+    INFO(energy.name << ": " << worst.words);
+    CHECK(worst.multiple <= most_errors);
+  }
+  CHECK(states >= least_states);
+}
