@@ -38,8 +38,13 @@ std::vector<Expressions> all_rewritings(const Algebra& algebra, const Fraction& 
     rewritings.push_back(derived_rewriting(derived->written_out).expressions);
     rewritings.push_back(derived->as_it_stands);
   }
+  // Sums are written out where brackets hide what cancels, so that one grouping is enough.
   std::vector<Expressions> sources = plain_rewritings(algebra, form);
-  sources.insert(sources.end(), rewritings.begin(), rewritings.end());
+  if (!rewritings.empty()) sources.push_back(rewritings.front());
+  if (derived != nullptr) {
+    sources.push_back(derived_rewriting(derived->written_out).expressions);
+    sources.push_back(derived->as_it_stands);
+  }
   for (const Expressions& source : sources) {
     auto kept = with_kept_digits(source, Squares::whole);
     auto apart = with_kept_digits(kept ? *kept : source, Squares::apart);

@@ -44,7 +44,16 @@ class WholeSearch {
     }
   }
 
-  WholeChoice best() {
+  /// The forms of another program with these sums whole.
+  [[nodiscard]] Choice forms_of(const Program& program, const WholeSet& whole) const {
+    Program sums{sums_.leaves, sums_.constants, {}};
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+      if (whole[i]) sums.functions.push_back(sums_.functions[i]);
+    }
+    return *choose(program, present(program, std::move(sums)), domain_, scene_, Priority::digits);
+  }
+
+  [[nodiscard]] WholeChoice best() {
     const std::size_t count = sums_.functions.size();
     WholeChoice best = choice_with(WholeSet(count, false));
     if (count == 0) return best;
@@ -61,13 +70,8 @@ class WholeSearch {
 
  private:
   WholeChoice choice_with(WholeSet whole) {
-    Program sums{sums_.leaves, sums_.constants, {}};
-    for (std::size_t i = 0; i < whole.size(); ++i) {
-      if (whole[i]) sums.functions.push_back(sums_.functions[i]);
-    }
     WholeChoice made{std::move(whole)};
-    made.choice = *choose(potential_, present(potential_, std::move(sums)), domain_, scene_,
-                          Priority::digits);
+    made.choice = forms_of(potential_, made.whole);
     for (std::size_t i = 0; i < errors_.size(); ++i) {
       const Function& form = made.choice.program.functions[i];
       made.cost += cost(count_operations(form));
@@ -212,13 +216,14 @@ std::optional<RewrittenPotential> rewritten_potential(const Program& potential,
   if (scene.numerics.prefer == Preference::speed || length > longest_potential) return std::nullopt;
   Scene unnamed = scene;
   unnamed.outputs.clear();
-  WholeChoice best = WholeSearch(potential, domain, unnamed).best();
-  const std::size_t count = potential.functions.size();
-  std::vector<bool> is_own(count);
-  for (std::size_t i = 0; i < count; ++i) is_own[i] = has_own_form(best, i);
-  if (std::ranges::find(is_own, true) == is_own.end()) return std::nullopt;
-  const bool has_slopes = std::find(is_own.begin() + 1, is_own.end(), true) != is_own.end();
-  return RewrittenPotential{std::move(best.choice.program), has_slopes};
+  // The sums of V and dV/dx are those of the second derivatives.
+  Program without_second = potential;
+  without_second.functions.resize(2);
+  WholeSearch search(without_second, domain, unnamed);
+  const WholeChoice best = search.best();
+  const bool has_slopes = has_own_form(best, 1);
+  if (!has_own_form(best, 0) && !has_slopes) return std::nullopt;
+  return RewrittenPotential{search.forms_of(potential, best.whole).program, has_slopes};
 }
 
 Domain with_open_potential(Domain domain, const Program& potential) {
@@ -238,8 +243,7 @@ void put_potential(const RewrittenPotential& potential, const Choice& open, cons
   Choice result = choice;
   const auto first = static_cast<std::uint32_t>(choice.program.leaves.f.size());
   Putting put(potential.program, first, result.program);
-  for (std::size_t i = 0; i < open.program.functions.size(); ++i) {
-    const Function& function = open.program.functions[i];
+  for (const Function& function : open.program.functions) {
     const std::vector<std::uint32_t> entries =
         entries_with(function, [&put](const Instruction& each) { return put.is_open(each); });
     const auto is_slope = [first](const Instruction& each) {
@@ -248,7 +252,9 @@ void put_potential(const RewrittenPotential& potential, const Choice& open, cons
     const bool stays = !potential.has_slopes && !entries_with(function, is_slope).empty();
     if (entries.empty() || stays) continue;
     Function own = put(open.program, function);
-    const Function& old = choice.program.functions[i];
+    const auto named = std::ranges::find(choice.program.functions, function.name, &Function::name);
+    const auto i = static_cast<std::size_t>(named - choice.program.functions.begin());
+    const Function& old = *named;
     TextErrors errors(choice.program, old, comparison_points(choice.program, old, domain));
     if (errors.inaccurate_entry(result.program, own)) return;
     errors.add_form(result.program, own);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <functional>
 #include <new>
 #include <utility>
 
@@ -41,13 +42,21 @@ struct ChoiceInput {
   const Limits& limits;
 };
 
-/// The same functions with V as a leaf, in their forms.
+/// The outputs that V alone enters: energies.
+bool is_energy(const OutputRequest& output) {
+  return output.kind == OutputKind::kinetic_energy || output.kind == OutputKind::potential_energy ||
+         output.kind == OutputKind::total_energy || output.kind == OutputKind::energy_function;
+}
+
+/// The functions with V as a leaf, in their forms: all of them, or the energies.
 Result<Choice> open_choice(const ChoiceInput& input, const std::vector<GiNaC::ex>& variables,
-                           const Program& potential, const Domain& domain) {
+                           const RewrittenPotential& potential, const Domain& domain) {
+  Scene scene = input.scene;
+  if (!potential.has_slopes) std::erase_if(scene.outputs, std::not_fn(is_energy));
   const Result<Program> open = recursive_program(with_open_potential(input.lagrangian, variables),
-                                                 input.scene.outputs, input.limits);
+                                                 scene.outputs, input.limits);
   if (!open) return open.diagnostics;
-  return choose(*open, present(*open), with_open_potential(domain, potential), input.scene);
+  return choose(*open, present(*open), with_open_potential(domain, potential.program), scene);
 }
 
 /// V in one form in all functions, where it has one of its own.
@@ -61,7 +70,7 @@ Diagnostics add_potential(const ChoiceInput& input, const Domain& domain, Choice
   if (!lowered) return lowered.diagnostics;
   const auto potential = rewritten_potential(cancel(std::move(*lowered)), domain, input.scene);
   if (!potential) return {};
-  Result<Choice> open = open_choice(input, derived->variables, potential->program, domain);
+  Result<Choice> open = open_choice(input, derived->variables, *potential, domain);
   if (!open) return open.diagnostics;
   put_potential(*potential, *open, domain, choice);
   return {};

@@ -196,7 +196,7 @@ class KeptSum : GraphTerms {
     for (std::size_t i = 0; i < terms.size(); ++i) {
       for (std::size_t k = i + 1; k < terms.size(); ++k) {
         if (is_plain(parts[i]) && is_plain(parts[k])) continue;
-        std::optional<Ref> better = kept_pair(graph_, keeping_, parts[i], parts[k]);
+        std::optional<Ref> better = kept_pair(graph_, keeping_, parts, i, k);
         if (!better) better = Conjugates(graph_, keeping_)({terms[i], terms[k]});
         if (!better) continue;
         terms[i] = *better;

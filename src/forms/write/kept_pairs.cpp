@@ -20,7 +20,8 @@ struct Ratio {
 /// One pair, in the graph that it stands in.
 class KeptPair : GraphTerms {
  public:
-  KeptPair(Graph& graph, Keeping keeping) : GraphTerms(graph), keeping_(keeping) {}
+  KeptPair(Graph& graph, Keeping keeping, bool is_alone)
+      : GraphTerms(graph), keeping_(keeping), is_alone_(is_alone) {}
 
   std::optional<Ref> operator()(ScaledTerm x, ScaledTerm y) {
     std::vector<Operand> shared = take_shared(x, y);
@@ -30,8 +31,9 @@ class KeptPair : GraphTerms {
     y.coefficient = y.coefficient / x.coefficient;
     x.coefficient = 1;
     std::optional<Ref> better;
-    if (keeping_.squares == Squares::apart) better = crank(x, y);
-    if (!better && keeping_.squares == Squares::apart) better = crank(y, x);
+    const bool may_be_crank = is_alone_ && keeping_.squares == Squares::apart;
+    if (may_be_crank) better = crank(x, y);
+    if (!better && may_be_crank) better = crank(y, x);
     if (!better) better = pair_by_row(graph_, keeping_, x, y);
     if (!better) better = quotients(x, y);
     return better ? std::optional(times(common, *better)) : std::nullopt;
@@ -116,13 +118,14 @@ class KeptPair : GraphTerms {
   }
 
   Keeping keeping_;
+  bool is_alone_;
 };
 
 }  // namespace
 
-std::optional<Ref> kept_pair(Graph& graph, Keeping keeping, const ScaledTerm& x,
-                             const ScaledTerm& y) {
-  return KeptPair(graph, keeping)(x, y);
+std::optional<Ref> kept_pair(Graph& graph, Keeping keeping, const std::vector<ScaledTerm>& terms,
+                             std::size_t first, std::size_t second) {
+  return KeptPair(graph, keeping, terms.size() == 2)(terms[first], terms[second]);
 }
 
 }  // namespace elgen

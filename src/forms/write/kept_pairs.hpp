@@ -5,15 +5,19 @@
 //     a)/(a b)
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "forms/write/graph_terms.hpp"
 #include "forms/write/kept_digits.hpp"
 
 namespace elgen {
 
-/// None where nothing of the kind is found.
-[[nodiscard]] std::optional<Ref> kept_pair(Graph& graph, Keeping keeping, const ScaledTerm& x,
-                                           const ScaledTerm& y);
+/// Two of the terms of a sum as one; none where nothing of the kind is found. Cranks are sums of
+/// two terms alone.
+[[nodiscard]] std::optional<Ref> kept_pair(Graph& graph, Keeping keeping,
+                                           const std::vector<ScaledTerm>& terms, std::size_t first,
+                                           std::size_t second);
 
 }  // namespace elgen
