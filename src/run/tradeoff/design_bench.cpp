@@ -212,16 +212,19 @@ class DesignBench {
       for (std::size_t k = 0; k < rows.size(); ++k) {
         process_.on_stage(fmt::format("search {}", name_of(*rows[k])));
         process_.renew_time_limit();
-        const TimedFunction& function = *functions[k];
-        std::vector<FoundErrors> found;
-        for (const TradeoffStates& sample : samples_) {
-          found.push_back(
-              found_errors(*exact.checked, *exact.program, sample,
-                           [&function](const auto& states) { return function.at(states); }));
-        }
-        rows[k]->error = errors_of(std::move(found));
+        rows[k]->error = errors_in_samples(exact, *functions[k]);
       }
     }
+  }
+
+  [[nodiscard]] DesignErrors errors_in_samples(const Products& exact,
+                                               const TimedFunction& function) const {
+    const auto values_at = [&function](const auto& states) { return function.at(states); };
+    std::vector<FoundErrors> found;
+    for (const TradeoffStates& sample : samples_) {
+      found.push_back(found_errors(*exact.checked, *exact.program, sample, values_at));
+    }
+    return errors_of(std::move(found));
   }
 
   void time_all() {
