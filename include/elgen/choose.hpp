@@ -12,7 +12,6 @@
 // which all is evaluated (choose/finish.hpp).
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,17 +45,15 @@ struct Choice {
   std::vector<FormCosts> costs = {};  ///< parallel to program.functions
 };
 
-/// The criterion between a form that costs more and one that loses digits.
-enum class Priority : std::uint8_t {
-  balance,  ///< a loss of a quarter of the digits is worth a quarter of the cost
-  digits,   ///< a loss of any is worth four times the cost, at zeros of typed sums too
-};
+/// Coordinates of states, one list each, where typed sums vanish.
+using SumZeros = std::vector<std::vector<double>>;
 
-/// `recursive` is the program the closed forms were made of. E608: a closed form is asked for that
-/// was given up.
+/// `recursive` is the program the closed forms were made of. A loss of a quarter of the digits is
+/// worth a quarter of the cost; with `zeros`, near which forms are judged too, a loss of any digits
+/// is worth four times the cost. E608: a closed form is asked for that was given up.
 [[nodiscard]] Result<Choice> choose(const Program& recursive, const ClosedForms& forms,
                                     const Domain& domain, const Scene& scene,
-                                    Priority priority = Priority::balance);
+                                    const SumZeros* zeros = nullptr);
 
 /// V and its derivatives (PotentialEquations) in one form each.
 struct RewrittenPotential {
@@ -72,7 +69,8 @@ struct RewrittenPotential {
                                                                     const Domain& domain,
                                                                     const Scene& scene);
 
-/// The domain of functions that take V and its derivatives as open values behind `first` others.
+/// The domain of functions that take V and its derivatives as open values behind those of the
+/// model.
 [[nodiscard]] Domain with_open_potential(Domain domain, const Program& potential);
 
 /// Puts V and its derivatives in the place of the open values behind those of `choice`: the

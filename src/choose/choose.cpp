@@ -41,8 +41,8 @@ struct Aim {
 };
 
 /// Where float is the only scalar, losses that double stands take most of its digits.
-Aim aim_of(const Scene& scene, Priority priority) {
-  if (priority == Priority::digits) return {tolerated_loss, quarters_for_digits};
+Aim aim_of(const Scene& scene, bool has_zeros) {
+  if (has_zeros) return {tolerated_loss, quarters_for_digits};
   return {has_float_alone(scene) ? tolerated_loss : most_lost};
 }
 
@@ -152,14 +152,14 @@ void fill_readable(Program& program, std::size_t index, const Function& function
 class Choosing {
  public:
   Choosing(const Program& recursive, const ClosedForms& forms, const Domain& domain,
-           const Scene& scene, Priority priority)
+           const Scene& scene, const SumZeros* zeros)
       : recursive_(recursive),
         forms_(forms),
         scene_(scene),
-        aim_(aim_of(scene, priority)),
+        aim_(aim_of(scene, zeros != nullptr)),
         points_(mixed_points(recursive.leaves)),
         recursive_forms_(recursive, result_.program, domain, scene,
-                         priority == Priority::digits ? sum_zeros(recursive, domain) : SumZeros{}) {
+                         zeros != nullptr ? *zeros : SumZeros{}) {
     result_.program = recursive;
     result_.program.readable.resize(recursive.functions.size());
   }
@@ -302,8 +302,8 @@ class Choosing {
 }  // namespace
 
 Result<Choice> choose(const Program& recursive, const ClosedForms& forms, const Domain& domain,
-                      const Scene& scene, Priority priority) {
-  Result<Choice> choice = Choosing(recursive, forms, domain, scene, priority)();
+                      const Scene& scene, const SumZeros* zeros) {
+  Result<Choice> choice = Choosing(recursive, forms, domain, scene, zeros)();
   if (!choice) return choice;
   for (Function& function : choice->program.functions) function = trigonometry_first(function);
   return choice;

@@ -16,14 +16,12 @@
 #include <optional>
 #include <vector>
 
+#include "elgen/choose.hpp"
 #include "elgen/domain.hpp"
 #include "elgen/program.hpp"
 #include "sample/points.hpp"
 
 namespace elgen {
-
-/// Coordinates where typed sums vanish.
-using SumZeros = std::vector<std::vector<double>>;
 
 /// Whether it takes rates, momenta, accelerations or inputs.
 [[nodiscard]] bool has_motion(const Function& function);

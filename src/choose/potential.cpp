@@ -36,21 +36,25 @@ struct WholeChoice {
 class WholeSearch {
  public:
   WholeSearch(const Program& potential, const Domain& domain, const Scene& scene)
-      : potential_(potential), domain_(domain), scene_(scene), sums_(typed_sums(potential)) {
-    const SumZeros zeros = sum_zeros(potential, domain);
+      : potential_(potential),
+        domain_(domain),
+        scene_(scene),
+        sums_(typed_sums(potential)),
+        zeros_(sum_zeros(potential, domain)) {
     for (const Function& text : potential.functions) {
-      errors_.emplace_back(potential, text, comparison_points(potential, text, domain, zeros),
+      errors_.emplace_back(potential, text, comparison_points(potential, text, domain, zeros_),
                            Scale::entry);
     }
   }
 
   /// The forms of another program with these sums whole.
-  [[nodiscard]] Choice forms_of(const Program& program, const WholeSet& whole) const {
+  [[nodiscard]] Choice forms_of(const Program& program, const SumZeros& zeros,
+                                const WholeSet& whole) const {
     Program sums{sums_.leaves, sums_.constants, {}};
     for (std::size_t i = 0; i < whole.size(); ++i) {
       if (whole[i]) sums.functions.push_back(sums_.functions[i]);
     }
-    return *choose(program, present(program, std::move(sums)), domain_, scene_, Priority::digits);
+    return *choose(program, present(program, std::move(sums)), domain_, scene_, &zeros);
   }
 
   [[nodiscard]] WholeChoice best() {
@@ -71,7 +75,7 @@ class WholeSearch {
  private:
   WholeChoice choice_with(WholeSet whole) {
     WholeChoice made{std::move(whole)};
-    made.choice = forms_of(potential_, made.whole);
+    made.choice = forms_of(potential_, zeros_, made.whole);
     for (std::size_t i = 0; i < errors_.size(); ++i) {
       const Function& form = made.choice.program.functions[i];
       made.cost += cost(count_operations(form));
@@ -103,6 +107,7 @@ class WholeSearch {
   const Domain& domain_;
   const Scene& scene_;
   Program sums_;
+  SumZeros zeros_;
   std::vector<TextErrors> errors_ = {};  ///< by function
 };
 
@@ -113,6 +118,10 @@ bool has_own_form(const WholeChoice& best, std::size_t function) {
   const FormCosts& costs = best.choice.costs[function];
   const bool is_text = costs.chosen == Form::recursive && costs.closed;
   return is_text && cost(*costs.closed) < cost(costs.recursive);
+}
+
+bool is_open_from(std::uint32_t first, const Instruction& i) {
+  return i.opcode == Opcode::open_value && i.a >= first;
 }
 
 /// Puts the entries of V and its derivatives into one function.
@@ -127,10 +136,6 @@ class Putting {
     }
   }
 
-  [[nodiscard]] bool is_open(const Instruction& i) const {
-    return i.opcode == Opcode::open_value && i.a >= first_;
-  }
-
   /// `from` takes constants of `program`.
   [[nodiscard]] Function operator()(const Program& program, const Function& from) {
     Function result = from;
@@ -140,7 +145,7 @@ class Putting {
     std::vector<std::uint32_t> places;
     for (std::size_t at = 0; at < from.instructions.size(); ++at) {
       const Instruction& i = from.instructions[at];
-      if (is_open(i)) {
+      if (is_open_from(first_, i)) {
         const auto [function, entry] = entries_[i.a - first_];
         const Function value = with_entries(potential_.functions[function], {entry});
         places.push_back(added(potential_, value, instructions)[value.fields[0].entries[0]]);
@@ -190,12 +195,11 @@ class Putting {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> entries_ = {};  ///< function, instruction
 };
 
-/// The numbers of the entries that rest on instructions that `is_sought`.
-template <class IsSought>
-std::vector<std::uint32_t> entries_with(const Function& function, const IsSought& is_sought) {
+/// The numbers of the entries that rest on open values from `first` on.
+std::vector<std::uint32_t> entries_on(const Function& function, std::uint32_t first) {
   std::vector<bool> holds;
   for (const Instruction& i : function.instructions) {
-    bool found = is_sought(i);
+    bool found = is_open_from(first, i);
     for (std::size_t k = 0; k < operand_count(i); ++k) found = found || holds[k == 0 ? i.a : i.b];
     holds.push_back(found);
   }
@@ -220,10 +224,13 @@ std::optional<RewrittenPotential> rewritten_potential(const Program& potential,
   Program without_second = potential;
   without_second.functions.resize(2);
   WholeSearch search(without_second, domain, unnamed);
-  const WholeChoice best = search.best();
+  WholeChoice best = search.best();
   const bool has_slopes = has_own_form(best, 1);
   if (!has_own_form(best, 0) && !has_slopes) return std::nullopt;
-  return RewrittenPotential{search.forms_of(potential, best.whole).program, has_slopes};
+  const bool has_second = potential.functions.size() > 2;
+  if (!has_second) return RewrittenPotential{std::move(best.choice.program), has_slopes};
+  const SumZeros zeros = sum_zeros(potential, domain);
+  return RewrittenPotential{search.forms_of(potential, zeros, best.whole).program, has_slopes};
 }
 
 Domain with_open_potential(Domain domain, const Program& potential) {
@@ -244,12 +251,8 @@ void put_potential(const RewrittenPotential& potential, const Choice& open, cons
   const auto first = static_cast<std::uint32_t>(choice.program.leaves.f.size());
   Putting put(potential.program, first, result.program);
   for (const Function& function : open.program.functions) {
-    const std::vector<std::uint32_t> entries =
-        entries_with(function, [&put](const Instruction& each) { return put.is_open(each); });
-    const auto is_slope = [first](const Instruction& each) {
-      return each.opcode == Opcode::open_value && each.a > first;
-    };
-    const bool stays = !potential.has_slopes && !entries_with(function, is_slope).empty();
+    const std::vector<std::uint32_t> entries = entries_on(function, first);
+    const bool stays = !potential.has_slopes && !entries_on(function, first + 1).empty();
     if (entries.empty() || stays) continue;
     Function own = put(open.program, function);
     const auto named = std::ranges::find(choice.program.functions, function.name, &Function::name);

@@ -15,7 +15,7 @@ using GiNaC::ex;
 
 namespace {
 
-/// Rows of `users` apart, since the equations of an output are found by its kind and user.
+/// `user` tells two outputs of one kind apart: equations are found by kind and user.
 OutputRequest request_of(OutputKind kind, std::uint32_t user, std::string name, std::size_t rows) {
   OutputRequest request;
   request.kind = kind;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "emit/code/definition.hpp"
 #include "emit/code/function_docs.hpp"
@@ -135,6 +136,20 @@ TemplateData header_data(const EmissionInput& input, const Dialect& dialect) {
   data.set("functions", functions(input, dialect));
   set_regular(data, input);
   return data;
+}
+
+std::string left_out_note(const Function& function) {
+  return fmt::format(" {} is left out: it has more than {} entries.", function.name,
+                     largest_returned);
+}
+
+std::vector<std::string> wrapped_notes(const std::vector<std::string>& notes) {
+  std::vector<std::string> lines;
+  for (const std::string& note : notes) {
+    for (std::string& line : wrap_words(note, {line_width - 2, " "}))
+      lines.push_back(std::move(line));
+  }
+  return lines;
 }
 
 std::string header_text(std::string_view path, const TemplateData& data) {

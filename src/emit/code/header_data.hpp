@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "emit/code/dialect.hpp"
 #include "emit/text/emission_input.hpp"
@@ -19,6 +20,12 @@ void set_regular(TemplateData& data, const EmissionInput& input);
 
 /// Section `kinks` is there where sign, min or max are.
 [[nodiscard]] TemplateData header_data(const EmissionInput& input, const Dialect& dialect);
+
+/// " step is left out: it has more than 4096 entries."
+[[nodiscard]] std::string left_out_note(const Function& function);
+
+/// Notes as the lines of a comment.
+[[nodiscard]] std::vector<std::string> wrapped_notes(const std::vector<std::string>& notes);
 
 /// The filled template with its body hash; blank lines are never doubled.
 [[nodiscard]] std::string header_text(std::string_view path, const TemplateData& data);

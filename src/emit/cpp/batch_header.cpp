@@ -62,18 +62,13 @@ Texts notes(const EmissionInput& input) {
   }
   for (const Function& function : input.program.functions) {
     if (!is_returned(function)) {
-      lines.push_back(fmt::format(" {} is left out: it has more than {} entries.", function.name,
-                                  largest_returned));
+      lines.push_back(left_out_note(function));
     } else if (needs_order(function)) {
       lines.push_back(
           fmt::format(" {} compares numbers and takes one state after another.", function.name));
     }
   }
-  Texts wrapped;
-  for (const std::string& line : lines) {
-    for (const std::string& part : wrap_words(line, {line_width - 2, " "})) wrapped.push_back(part);
-  }
-  return wrapped;
+  return wrapped_notes(lines);
 }
 
 Texts parameters(const EmissionInput& input) {

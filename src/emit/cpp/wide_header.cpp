@@ -88,15 +88,11 @@ TemplateData functions_of_wide(const EmissionInput& input) {
 }
 
 Texts notes_of_wide(const EmissionInput& input) {
-  Texts lines;
+  Texts notes;
   for (const Function& function : input.program.functions) {
-    if (is_returned(function)) continue;
-    const std::string line = fmt::format(" {} is left out: it has more than {} entries.",
-                                         function.name, largest_returned);
-    const Texts some = wrap_words(line, {line_width - 2, " "});
-    lines.insert(lines.end(), some.begin(), some.end());
+    if (!is_returned(function)) notes.push_back(left_out_note(function));
   }
-  return lines;
+  return wrapped_notes(notes);
 }
 
 }  // namespace

@@ -1,12 +1,17 @@
 // present: a Program, run on closed forms instead of numbers.
 //
 //     0 = sin theta   1 = multiply 0 0   2 = cos theta   3 = multiply 2 2   4 = add 1 3   ->   1
-#include "forms/present/present.hpp"
-
+//
+// With whole sums every value is kept twice: multiplied out, by which a sum is found again, and
+// with whole sums.
 #include <algorithm>
+#include <memory>
 #include <utility>
 
+#include "elgen/closed_forms.hpp"
 #include "elgen/fold.hpp"
+#include "forms/present/arithmetic.hpp"
+#include "forms/present/polynomial.hpp"
 
 namespace elgen {
 
@@ -40,15 +45,9 @@ ZeroProof proof_of(const Algebra& algebra, const std::optional<Fraction>& form) 
   return is_decided ? ZeroProof::not_zero : ZeroProof::open;
 }
 
-}  // namespace
-
-bool is_independent(const Algebra& algebra, AtomId id) {
-  const Atom& atom = algebra.atoms[id];
-  if (atom.kind == AtomKind::leaf || atom.kind == AtomKind::pi) return true;
-  return atom.kind == AtomKind::circular && atom.divisor == angle_parts &&
-         is_plain(algebra, atom.arguments[0].numerator.begin()->first);
-}
-
+/// Appends the closed forms of every function's entries, within one budget; a function that repeats
+/// others has none. values_of(arithmetic, function): those of all its instructions.
+template <class ValuesOf>
 void present_functions(const Program& program, const PresentBudget& budget, ClosedForms& forms,
                        const ValuesOf& values_of) {
   std::size_t left = budget.products;
@@ -66,10 +65,101 @@ void present_functions(const Program& program, const PresentBudget& budget, Clos
   }
 }
 
+/// x, and x with whole sums.
+struct Both {
+  Value plain = {};
+  Value whole = {};
+};
+
+/// The rules of fold.hpp.
+class WholeArithmetic {
+ public:
+  WholeArithmetic(Arithmetic& arithmetic, const std::vector<Value>& sums)
+      : arithmetic_(arithmetic), sums_(sums) {}
+
+  [[nodiscard]] Both constant(const Constant& value) { return alike(arithmetic_.constant(value)); }
+  [[nodiscard]] Both leaf(Opcode kind, std::uint32_t number) {
+    return alike(arithmetic_.leaf(kind, number));
+  }
+  [[nodiscard]] Both negate(const Both& x) {
+    return {arithmetic_.negate(x.plain), arithmetic_.negate(x.whole)};
+  }
+  [[nodiscard]] Both add(const Both& x, const Both& y) {
+    return shorter({arithmetic_.add(x.plain, y.plain), arithmetic_.add(x.whole, y.whole)});
+  }
+  [[nodiscard]] Both subtract(const Both& x, const Both& y) { return add(x, negate(y)); }
+  [[nodiscard]] Both multiply(const Both& x, const Both& y) {
+    return {arithmetic_.multiply(x.plain, y.plain), arithmetic_.multiply(x.whole, y.whole)};
+  }
+  [[nodiscard]] Both divide(const Both& x, const Both& y) {
+    return {arithmetic_.divide(x.plain, y.plain), arithmetic_.divide(x.whole, y.whole)};
+  }
+  [[nodiscard]] Both square_root(const Both& x) {
+    return {arithmetic_.square_root(x.plain), arithmetic_.square_root(x.whole)};
+  }
+  [[nodiscard]] Both call(FunctionId function, const Both& x, const Both& y) {
+    return {arithmetic_.call(function, x.plain, y.plain),
+            arithmetic_.call(function, x.whole, y.whole)};
+  }
+
+ private:
+  static Both alike(const Value& x) { return {x, x}; }
+
+  /// One whole sum, its negative, or the shorter one of both values.
+  Both shorter(Both x) {
+    if (!x.plain || x.plain->numerator.empty()) return alike(x.plain);
+    for (std::uint32_t i = 0; i < sums_.size(); ++i) {
+      if (!sums_[i] || sums_[i]->denominator != x.plain->denominator) continue;
+      const auto ratio = ratio_of(x.plain->numerator, sums_[i]->numerator);
+      if (!ratio) continue;
+      x.whole = arithmetic_.multiply(fraction_of(*ratio), arithmetic_.whole_sum(i, *sums_[i]));
+      return x;
+    }
+    if (!x.whole || x.plain->numerator.size() < x.whole->numerator.size()) x.whole = x.plain;
+    return x;
+  }
+
+  Arithmetic& arithmetic_;
+  const std::vector<Value>& sums_;  ///< multiplied out
+};
+
+/// The sums of typed_sums() multiplied out.
+std::vector<Value> plain_forms(Arithmetic& arithmetic, const Program& sums) {
+  std::vector<Value> forms;
+  for (const Function& sum : sums.functions) {
+    forms.push_back(entries_of(sum, fold<Value>(arithmetic, sums, sum)).front());
+  }
+  return forms;
+}
+
+}  // namespace
+
+bool is_independent(const Algebra& algebra, AtomId id) {
+  const Atom& atom = algebra.atoms[id];
+  if (atom.kind == AtomKind::leaf || atom.kind == AtomKind::pi) return true;
+  return atom.kind == AtomKind::circular && atom.divisor == angle_parts &&
+         is_plain(algebra, atom.arguments[0].numerator.begin()->first);
+}
+
 ClosedForms present(const Program& program, const PresentBudget& budget) {
   ClosedForms forms;
   present_functions(program, budget, forms, [&](Arithmetic& arithmetic, const Function& function) {
     return fold<Value>(arithmetic, program, function);
+  });
+  return forms;
+}
+
+ClosedForms present(const Program& program, Program whole_sums, const PresentBudget& budget) {
+  ClosedForms forms;
+  Arithmetic plain(forms.algebra, budget.products_per_function, budget.terms);
+  const std::vector<Value> sums = plain_forms(plain, whole_sums);
+  forms.algebra.sums = std::make_shared<const Program>(std::move(whole_sums));
+  present_functions(program, budget, forms, [&](Arithmetic& arithmetic, const Function& function) {
+    std::vector<Value> values;
+    for (const Both& both : fold<Both>(WholeArithmetic(arithmetic, sums), program, function)) {
+      values.push_back(both.whole);
+    }
+    return values;
   });
   return forms;
 }

@@ -7,10 +7,7 @@
 #include <vector>
 
 #include "forms/write/digit_rows.hpp"
-#include "forms/write/graph_terms.hpp"
-#include "forms/write/kept_pairs.hpp"
-#include "forms/write/square_free.hpp"
-#include "forms/write/triangles.hpp"
+#include "forms/write/kept_terms.hpp"
 
 namespace elgen {
 namespace {

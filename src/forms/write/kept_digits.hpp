@@ -24,14 +24,11 @@ struct Keeping {
 };
 
 /// In every sum the terms, and in every logarithm and arc cosine the argument, that may cancel, by
-/// the rows of digit_rows.def, and, for a common factor C:
+/// the rows of digit_rows.def, by kept_terms.hpp, and, for a common factor C:
 ///
 ///     C sqrt(a) - b               (C^2 a - b^2)/(C sqrt(a) + b)   where that is shorter
-///     1/a - 1/b, 1 - a/b          (b - a)/(a b), (b - a)/b
 ///     log(1 + a), log(a/b)        log1p(a), log1p((a - b)/b)
-///     (l + x)^2 - l^2             2 l x + x^2, and sums that have a repeated factor
-///     (square_free.hpp) C a^2 + C b^2 - 2 C a b cos(c)     C ((a - b)^2 + 4 a b sin(c/2)^2), with
-///     + the cosine of c/2
+///     (l + x)^2 - l^2             2 l x + x^2
 ///
 /// None where there is none.
 [[nodiscard]] std::optional<Expressions> with_kept_digits(const Expressions& expressions,

@@ -1,12 +1,11 @@
-// kept_pairs: see kept_pairs.hpp. Rows of digit_rows.def are looked for between cranks and
+// kept_pairs: see kept_terms.hpp. Rows of digit_rows.def are looked for between cranks and
 // quotients.
-#include "forms/write/kept_pairs.hpp"
-
 #include <algorithm>
 #include <cstdlib>
-#include <vector>
+#include <optional>
 
 #include "forms/write/digit_rows.hpp"
+#include "forms/write/kept_terms.hpp"
 
 namespace elgen {
 namespace {
@@ -57,16 +56,6 @@ class KeptPair : GraphTerms {
     const Ref other = graph_.call(is_sine ? FunctionId::cos : FunctionId::sin, {argument_of(call)});
     const Ref less = times(graph_.sum({*a, -*b}), graph_.sum({*a, *b}));
     return graph_.sum({less, times(square(*b), square(other))});
-  }
-
-  std::optional<Ref> reach(const ScaledTerm& x, const ScaledTerm& y, const Node& cosine) {
-    const bool is_number = x.factors.empty() && y.factors.empty();  // rows have 1 - cos(c)
-    if (cosine.function != FunctionId::cos || is_number) return std::nullopt;
-    const Ref a = product(x);
-    const Ref b = product(y);
-    const Ref angle = half(argument_of(cosine));
-    return graph_.sum({times(graph_.sum({a, -b}), square(call(FunctionId::cos, angle))),
-                       times(graph_.sum({a, b}), square(call(FunctionId::sin, angle)))});
   }
 
   /// The divisors of a term that the other multiplies by: a - b/a^2 = (a^3 - b)/a^2.

@@ -1,12 +1,10 @@
-// square_free: see square_free.hpp. Polynomials over the nodes of the graph; Yun's algorithm
+// square_free: see kept_terms.hpp. Polynomials over the nodes of the graph; Yun's algorithm
 // (D. Y. Y. Yun, On square-free decomposition algorithms, SYMSAC 1976, pages 26 to 35).
-#include "forms/write/square_free.hpp"
-
 #include <algorithm>
 #include <utility>
 
 #include "forms/present/polynomial.hpp"
-#include "forms/write/graph_terms.hpp"
+#include "forms/write/kept_terms.hpp"
 
 namespace elgen {
 namespace {

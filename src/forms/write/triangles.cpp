@@ -1,10 +1,8 @@
-// triangles: see triangles.hpp.
-#include "forms/write/triangles.hpp"
-
+// triangles: see kept_terms.hpp.
 #include <algorithm>
 #include <optional>
 
-#include "forms/write/graph_terms.hpp"
+#include "forms/write/kept_terms.hpp"
 
 namespace elgen {
 namespace {
