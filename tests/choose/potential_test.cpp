@@ -72,6 +72,26 @@ TEST_CASE("what holds a system at rest is the gravity, to the bit, where V was r
   }
 }
 
+TEST_CASE("every function has the values of its text where V was rewritten") {
+  const Chosen c = masses_with("k*sqrt((x - 3/4)^2 + (y - l)^2)", {"[-3, 4]", "[-3, 4]"},
+                               "[parameters]\nk = 3\nl = 0.7\n");
+  const Domain domain = domain_of({c.checked.model, c.checked.scene, c.recursive.leaves});
+  const Choice without = *choose(c.recursive, c.forms, domain, c.checked.scene);
+  std::size_t derivatives = 0;
+  for (std::size_t i = 0; i < c.recursive.functions.size(); ++i) {
+    const Function& function = c.choice.program.functions[i];
+    INFO(function.name);
+    const bool is_replaced = function.instructions != without.program.functions[i].instructions;
+    if (output_row(function.kind).differentiates && is_replaced) ++derivatives;
+    const auto text = evaluate(c.recursive, c.recursive.functions[i], domain.states.front());
+    const auto values = evaluate(c.choice.program, function, domain.states.front());
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      CHECK(values[k] == Approx(text[k]).epsilon(1e-12).margin(1e-12));
+    }
+  }
+  CHECK(derivatives == 2);  // those of inverse dynamics come out alike
+}
+
 TEST_CASE("a sum of squares stays whole at any anchor") {
   // Multiplied out, one anchor loses all digits and another none, by how its numbers round.
   const std::vector<std::vector<double>> anchors{{1, 2}, {1, 0.75}, {1.25, 0.6875}, {-0.5, 1}};
