@@ -21,7 +21,7 @@ constexpr double plot_width = 520;
 constexpr double plot_height = 420;
 constexpr double bottom = 50;
 constexpr double legend_left = left + plot_width + 30;
-constexpr double legend_width = 380;
+constexpr double legend_width = 430;  // of all dimensions together
 constexpr double line_height = 18;
 constexpr double radius = 5;
 
