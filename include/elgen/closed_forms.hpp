@@ -12,7 +12,6 @@
 
 #include <cln/rational.h>
 
-#include <compare>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -21,36 +20,11 @@
 #include <unordered_map>
 #include <vector>
 
+#include "elgen/polynomial.hpp"
 #include "elgen/program.hpp"
 #include "elgen/scene.hpp"
 
 namespace elgen {
-
-using AtomId = std::uint32_t;
-
-struct AtomPower {
-  AtomId atom = 0;
-  std::int32_t exponent = 1;
-  friend auto operator<=>(const AtomPower&, const AtomPower&) = default;
-};
-
-/// Ascending atoms, no exponent 0; exponents may be negative.
-using Monomial = std::vector<AtomPower>;
-
-/// Lexicographic in the exponents; the same for x m and y m as for x and y.
-struct MonomialLess {
-  [[nodiscard]] bool operator()(const Monomial& x, const Monomial& y) const;
-};
-
-/// x + i y.
-struct Gaussian {
-  cln::cl_RA real = 0;
-  cln::cl_RA imaginary = 0;
-  friend bool operator==(const Gaussian&, const Gaussian&) = default;
-};
-
-/// No coefficient is 0; the empty sum is 0.
-using Polynomial = std::map<Monomial, Gaussian, MonomialLess>;
 
 /// numerator / product of factors[i]^exponent, exponents positive; no factor divides the numerator.
 struct Fraction {

@@ -183,7 +183,7 @@ Value Arithmetic::reduced_roots(Fraction x) {
   Fraction reduced;
   for (const auto& term : x.numerator) {
     if (!is_reducible(term)) {
-      reduced.numerator.insert(term);
+      reduced.numerator.try_emplace(term.first, term.second);
       continue;
     }
     Monomial rest;

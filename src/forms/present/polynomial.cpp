@@ -2,26 +2,15 @@
 #include "forms/present/polynomial.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace elgen {
-
-bool MonomialLess::operator()(const Monomial& x, const Monomial& y) const {
-  auto i = x.begin();
-  auto j = y.begin();
-  for (; i != x.end() && j != y.end(); ++i, ++j) {
-    if (i->atom != j->atom) return i->atom < j->atom ? i->exponent < 0 : j->exponent > 0;
-    if (i->exponent != j->exponent) return i->exponent < j->exponent;
-  }
-  if (i != x.end()) return i->exponent < 0;
-  return j != y.end() && j->exponent > 0;
-}
 
 using cln::cl_RA;
 
 Monomial product(const Monomial& x, const Monomial& y) {
   Monomial result;
-  result.reserve(x.size() + y.size());
   auto i = x.begin();
   auto j = y.begin();
   while (i != x.end() && j != y.end()) {
@@ -36,8 +25,8 @@ Monomial product(const Monomial& x, const Monomial& y) {
       ++j;
     }
   }
-  result.insert(result.end(), i, x.end());
-  result.insert(result.end(), j, y.end());
+  while (i != x.end()) result.push_back(*i++);
+  while (j != y.end()) result.push_back(*j++);
   return result;
 }
 
@@ -66,117 +55,61 @@ Polynomial constant(const cl_RA& value) {
   return {{Monomial{}, Gaussian{value, 0}}};
 }
 
-Polynomial sum(Polynomial x, const Polynomial& y) {
-  for (const auto& [monomial, coefficient] : y) add_term(x, monomial, coefficient);
-  return x;
-}
-
-Polynomial scaled(const Polynomial& x, const Gaussian& coefficient, const Monomial& monomial) {
-  Polynomial result;
-  for (const auto& [own, value] : x) {
-    result.emplace_hint(result.end(), product(own, monomial), product(value, coefficient));
-  }
-  return result;
-}
-
-Polynomial product(const Polynomial& x, const Polynomial& y) {
-  Polynomial result;
-  for (const auto& [left, a] : x) {
-    for (const auto& [right, b] : y) add_term(result, product(left, right), product(a, b));
-  }
-  return result;
-}
-
 namespace {
 
-/// Least and greatest exponent of each atom in a polynomial.
-using Box = std::map<AtomId, std::pair<std::int32_t, std::int32_t>>;
-
-Box box_of(const Polynomial& x) {
-  Box box;
-  std::map<AtomId, std::size_t> occurrences;
-  for (const auto& [monomial, coefficient] : x) {
-    for (const AtomPower& factor : monomial) {
-      const auto [at, is_new] = box.try_emplace(factor.atom, factor.exponent, factor.exponent);
-      at->second.first = std::min(at->second.first, factor.exponent);
-      at->second.second = std::max(at->second.second, factor.exponent);
-      ++occurrences[factor.atom];
+/// Both sums, terms of one monomial added.
+template <class Iterator>
+Polynomial merged(Iterator i, Iterator i_end, Iterator j, Iterator j_end) {
+  Polynomial::Terms terms;
+  terms.reserve(static_cast<std::size_t>((i_end - i) + (j_end - j)));
+  while (i != i_end && j != j_end) {
+    const Polynomial::value_type& x = *i;
+    const Polynomial::value_type& y = *j;
+    const std::strong_ordering order = order_of(x.first, y.first);
+    if (order != 0) {
+      terms.push_back(order < 0 ? *i++ : *j++);
+      continue;
     }
+    Gaussian both{x.second.real + y.second.real, x.second.imaginary + y.second.imaginary};
+    if (!is_zero(both)) terms.emplace_back(x.first, std::move(both));
+    ++i;
+    ++j;
   }
-  // Where an atom is absent its exponent is 0.
-  for (auto& [atom, range] : box) {
-    if (occurrences[atom] == x.size()) continue;
-    range.first = std::min(range.first, 0);
-    range.second = std::max(range.second, 0);
-  }
-  return box;
+  terms.insert(terms.end(), i, i_end);
+  terms.insert(terms.end(), j, j_end);
+  return Polynomial(std::move(terms));
 }
 
-/// The exponents that x / y can have; none where there are no such.
-std::optional<Box> quotient_box(const Polynomial& x, const Polynomial& y) {
-  Box box = box_of(x);
-  for (const auto& [atom, range] : box_of(y)) {
-    auto& own = box[atom];
-    own = {own.first - range.first, own.second - range.second};
-  }
-  for (const auto& [atom, range] : box) {
-    if (range.first > range.second) return std::nullopt;
-  }
-  return box;
-}
-
-bool is_inside(const Monomial& monomial, const Box& box) {
-  std::size_t seen = 0;
-  for (const AtomPower& factor : monomial) {
-    const auto at = box.find(factor.atom);
-    if (at == box.end()) return false;
-    if (factor.exponent < at->second.first || factor.exponent > at->second.second) return false;
-    ++seen;
-  }
-  if (seen == box.size()) return true;
-  return std::all_of(box.begin(), box.end(), [&](const auto& side) {
-    const bool present = std::any_of(monomial.begin(), monomial.end(), [&](const AtomPower& power) {
-      return power.atom == side.first;
-    });
-    return present || (side.second.first <= 0 && side.second.second >= 0);
-  });
+/// The terms from `first` to `last` times y; the products of two halves are merged.
+Polynomial product_of(Polynomial::const_iterator first, Polynomial::const_iterator last,
+                      const Polynomial& y) {
+  if (first == last) return {};
+  if (last - first == 1) return scaled(y, first->second, first->first);
+  const auto middle = first + (last - first) / 2;
+  Polynomial x = product_of(first, middle, y);
+  Polynomial z = product_of(middle, last, y);
+  return merged(std::make_move_iterator(x.begin()), std::make_move_iterator(x.end()),
+                std::make_move_iterator(z.begin()), std::make_move_iterator(z.end()));
 }
 
 }  // namespace
 
-std::optional<Polynomial> quotient(const Polynomial& x, const Polynomial& y, std::size_t& work) {
-  const std::optional<Box> box = quotient_box(x, y);
-  if (!box) return std::nullopt;
-  const Monomial inverse_lead = power(y.rbegin()->first, -1);
-  const Gaussian inverse_coefficient = reciprocal(y.rbegin()->second);
-  const Monomial last = product(x.begin()->first, power(y.begin()->first, -1));
-  if (!is_inside(last, *box)) return std::nullopt;
-  Polynomial rest = x;
-  Polynomial result;
-  while (!rest.empty()) {
-    const Monomial monomial = product(rest.rbegin()->first, inverse_lead);
-    if (!is_inside(monomial, *box) || work < y.size()) return std::nullopt;
-    work -= y.size();
-    const Gaussian coefficient = product(rest.rbegin()->second, inverse_coefficient);
-    for (const auto& [own, value] : y) {
-      const Gaussian term = product(value, coefficient);
-      add_term(rest, product(own, monomial), {-term.real, -term.imaginary});
-    }
-    add_term(result, monomial, coefficient);
-  }
-  return result;
+Polynomial sum(const Polynomial& x, const Polynomial& y) {
+  return merged(x.begin(), x.end(), y.begin(), y.end());
 }
 
-void divide_out(Fraction& x, const Algebra& algebra, std::size_t& work) {
-  for (auto& [factor, exponent] : x.denominator) {
-    while (exponent > 0 && x.numerator.size() > 1) {
-      auto divided = quotient(x.numerator, algebra.factors[factor].shown, work);
-      if (!divided) break;
-      x.numerator = std::move(*divided);
-      --exponent;
-    }
+Polynomial product(const Polynomial& x, const Polynomial& y) {
+  return x.size() < y.size() ? product_of(x.begin(), x.end(), y)
+                             : product_of(y.begin(), y.end(), x);
+}
+
+Polynomial scaled(const Polynomial& x, const Gaussian& coefficient, const Monomial& monomial) {
+  Polynomial::Terms terms;
+  terms.reserve(x.size());
+  for (const auto& [own, value] : x) {
+    terms.emplace_back(product(own, monomial), product(value, coefficient));
   }
-  std::erase_if(x.denominator, [](const auto& factor) { return factor.second == 0; });
+  return Polynomial(std::move(terms));
 }
 
 std::optional<cl_RA> ratio_of(const Polynomial& x, const Polynomial& y) {
@@ -225,7 +158,7 @@ std::map<Monomial, Polynomial, MonomialLess> parts_by(const Algebra& algebra, co
     for (const AtomPower& power : monomial) {
       (is_of_key(algebra.atoms[power.atom]) ? key : rest).push_back(power);
     }
-    parts[key].emplace(rest, coefficient);
+    parts[key].try_emplace(rest, coefficient);
   }
   return parts;
 }
@@ -246,7 +179,7 @@ Polynomial without_squares(const Polynomial& sum, AtomId atom, AtomId other, int
         term = product(term, square);
       }
     }
-    result = elgen::sum(std::move(result), term);
+    for (const auto& [own, value] : term) add_term(result, own, value);
   }
   return result;
 }
@@ -295,7 +228,7 @@ std::optional<Polynomial> square_root(const Polynomial& x) {
     if (root.size() > x.size()) return std::nullopt;
     const Gaussian& next = rest.rbegin()->second;
     const Monomial monomial = product(rest.rbegin()->first, power(*lead, -1));
-    if (root.count(monomial) > 0) return std::nullopt;
+    if (root.find(monomial) != root.end()) return std::nullopt;
     add_term(root, monomial, {next.real / 2, next.imaginary / 2});
     rest = sum(x, scaled(product(root, root), {-1, 0}));
   }
@@ -307,8 +240,8 @@ Polynomial highest_coefficient(const Polynomial& x, AtomId atom) {
   for (const auto& [monomial, coefficient] : x) {
     const auto own = std::ranges::find(monomial, atom, &AtomPower::atom);
     const std::int32_t exponent = own == monomial.end() ? 0 : own->exponent;
-    by_powers[exponent].emplace(product(monomial, power(Monomial{{atom, 1}}, -exponent)),
-                                coefficient);
+    by_powers[exponent].try_emplace(product(monomial, power(Monomial{{atom, 1}}, -exponent)),
+                                    coefficient);
   }
   return by_powers.rbegin()->second;
 }

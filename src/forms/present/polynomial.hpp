@@ -24,15 +24,16 @@ void add_term(Sum& to, const typename Sum::key_type& monomial, const Gaussian& c
 }
 
 [[nodiscard]] Polynomial constant(const cln::cl_RA& value);
-[[nodiscard]] Polynomial sum(Polynomial x, const Polynomial& y);
+/// Cost: as many terms as both have.
+[[nodiscard]] Polynomial sum(const Polynomial& x, const Polynomial& y);
 /// x * coefficient * monomial
 [[nodiscard]] Polynomial scaled(const Polynomial& x, const Gaussian& coefficient,
                                 const Monomial& monomial = {});
 /// Cost: as many term products as the sizes multiplied.
 [[nodiscard]] Polynomial product(const Polynomial& x, const Polynomial& y);
 
-/// x / y where y divides x, by long division from the leading term; y has at least two terms.
-/// `work` is lowered by the term products; none also where it is used up.
+/// x / y where y divides x, by long division from the leading term; y has at least two terms, x
+/// one. `work` is lowered by the term products; none also where it is used up.
 [[nodiscard]] std::optional<Polynomial> quotient(const Polynomial& x, const Polynomial& y,
                                                  std::size_t& work);
 

@@ -246,7 +246,7 @@ Value without_inputs(const Algebra& algebra, const Fraction& x) {
   }
   Fraction result{{}, x.denominator};
   for (const auto& term : x.numerator) {
-    if (!has_input(term)) result.numerator.insert(term);
+    if (!has_input(term)) result.numerator.try_emplace(term.first, term.second);
   }
   return result;
 }

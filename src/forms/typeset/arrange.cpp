@@ -114,7 +114,7 @@ BookSum Arranger::by_motion(const Fraction& form) {
   Fraction moving{{}, form.denominator};
   Fraction resting{{}, form.denominator};
   for (const auto& [monomial, coefficient] : form.numerator) {
-    (moves(algebra_, monomial) ? moving : resting).numerator.emplace(monomial, coefficient);
+    (moves(algebra_, monomial) ? moving : resting).numerator.try_emplace(monomial, coefficient);
   }
   if (moving.numerator.empty() || resting.numerator.empty()) return in_front(form);
   BookSum typed = in_front_of_typed(form);

@@ -46,7 +46,7 @@ BookProduct Arranger::product(const RealTerm& term) const {
 /// The powers that all terms have.
 BookProduct Arranger::shared_powers(const MixedSum& sum) const {
   Polynomial powers;
-  for (const RealTerm& term : sum) powers.emplace(term.powers, Gaussian{1, 0});
+  for (const RealTerm& term : sum) powers.try_emplace(term.powers, Gaussian{1, 0});
   BookProduct shared;
   take_monomial(powers, shared);
   return shared;

@@ -136,7 +136,7 @@ BookSum Equations::divided_terms(const EquationRow& row, const Fraction& inertia
     (moves(algebra_, form) ? moving : resting).push_back(opposite(form));
   }
   Fraction whole = total(moving);
-  std::erase_if(whole.numerator, [&](const auto& term) {
+  erase_if(whole.numerator, [&](const auto& term) {
     return acceleration_in(algebra_, term.first) != term.first.end();
   });
   std::vector<Fraction> parts = settled(resting);

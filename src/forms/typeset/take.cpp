@@ -93,7 +93,7 @@ void Arranger::take_monomial(Polynomial& sum, BookProduct& front) const {
         power.exponent = exponent;
       }
     }
-    std::erase_if(common, [](const AtomPower& power) { return power.exponent == 0; });
+    erase_if(common, [](const AtomPower& power) { return power.exponent == 0; });
   }
   if (common.empty()) return;
   sum = scaled(sum, {1, 0}, power(common, -1));

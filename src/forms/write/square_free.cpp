@@ -100,7 +100,7 @@ class Divisors {
     std::map<std::int32_t, Polynomial> coefficients;
     for (const auto& [monomial, coefficient] : x) {
       const std::int32_t exponent = exponent_of(monomial, atom);
-      coefficients[exponent].emplace(product(monomial, single(atom, -exponent)), coefficient);
+      coefficients[exponent].try_emplace(product(monomial, single(atom, -exponent)), coefficient);
     }
     Polynomial shared;
     for (const auto& [exponent, coefficient] : coefficients) {
@@ -230,7 +230,7 @@ class SquareFree : GraphTerms {
       const bool is_alone = std::ranges::all_of(monomial, [&](const AtomPower& power) {
         return power.atom == atom || is_anchored({power.atom, false});
       });
-      (is_alone ? group : others).emplace(monomial, coefficient);
+      (is_alone ? group : others).try_emplace(monomial, coefficient);
     }
     if (others.empty() || group.size() < 3) return std::nullopt;
     const auto factored = product_of(group, atom);

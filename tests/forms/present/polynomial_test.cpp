@@ -1,5 +1,6 @@
 #include "forms/present/polynomial.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 using namespace elgen;
@@ -76,4 +77,55 @@ TEST_CASE("rational numbers are told from everything else") {
   CHECK(rational_value(constant(7)) == cln::cl_RA(7));
   CHECK(rational_value({}) == cln::cl_RA(0));
   CHECK_FALSE(rational_value(x));
+}
+
+TEST_CASE("monomials of many factors are equal, copied and ordered like those of few") {
+  Monomial long_one;
+  for (AtomId atom = 0; atom < 20; ++atom) long_one.push_back({atom, 2});
+  const Monomial copy = long_one;
+  CHECK(copy.size() == 20);
+  CHECK(copy == long_one);
+  const Monomial root = *square_root(copy);
+  CHECK(product(root, root) == long_one);
+  CHECK(product(long_one, power(copy, -1)).empty());
+  CHECK(MonomialLess()(root, long_one));
+  CHECK_FALSE(MonomialLess()(long_one, root));
+  Monomial few = long_one;
+  erase_if(few, [](const AtomPower& factor) { return factor.atom > 2; });
+  CHECK(few == Monomial{{0, 2}, {1, 2}, {2, 2}});
+}
+
+TEST_CASE("terms ascend in whatever order they are added") {
+  Polynomial all;
+  for (int i = 0; i < 60; ++i) add_term(all, {{0, (i * 37) % 61 - 30}, {1, 1}}, {1 + i, 0});
+  CHECK(all.size() == 60);
+  const auto descends = [](const auto& a, const auto& b) {
+    return !MonomialLess()(a.first, b.first);
+  };
+  CHECK(std::adjacent_find(all.begin(), all.end(), descends) == all.end());
+  for (const auto& [monomial, coefficient] : all) CHECK(all.find(monomial)->second == coefficient);
+  CHECK(all.find({{2, 1}}) == all.end());
+}
+
+TEST_CASE("products and quotients are those of one term at a time") {
+  const Polynomial a = sum(sum(product(x, x), term({{1, -1}, {2, 1}}, -3)), term({{3, 2}}, 2));
+  Polynomial b = constant(5);
+  for (std::int32_t i = 1; i < 12; ++i) {
+    b = sum(b, term({{AtomId(i) % 4, i % 2 == 0 ? 2 : -1}, {4, i}}, 2 * i - 7));
+  }
+  Polynomial expected;
+  for (const auto& [left, p] : a) {
+    for (const auto& [right, q] : b) add_term(expected, product(left, right), product(p, q));
+  }
+  CHECK(product(a, b) == expected);
+  CHECK(product(b, a) == expected);
+  for (const Polynomial& divisor : {a, b}) {
+    std::size_t work = 10'000;
+    const auto result = quotient(expected, divisor, work);
+    REQUIRE(result);
+    CHECK(*result == (divisor == a ? b : a));
+    CHECK(work == 10'000 - a.size() * b.size());
+  }
+  std::size_t work = 10'000;
+  CHECK_FALSE(quotient(sum(expected, one), a, work));
 }

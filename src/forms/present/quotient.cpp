@@ -1,0 +1,164 @@
+// Exact division of sparse sums by a heap of products (M. Monagan, R. Pearce: Sparse polynomial
+// division using a heap, 2011), which ends as soon as no quotient can be left.
+#include <algorithm>
+#include <utility>
+
+#include "forms/present/polynomial.hpp"
+
+namespace elgen {
+namespace {
+
+/// Least and greatest exponent of an atom in a polynomial; where it is absent its exponent is 0.
+struct Side {
+  AtomId atom = 0;
+  std::int32_t least = 0;
+  std::int32_t greatest = 0;
+  std::size_t terms = 0;  ///< that hold the atom
+};
+
+/// Ascending atoms.
+using Box = std::vector<Side>;
+
+/// The side of an atom, by default one of exponent 0.
+Side& side_of(Box& box, AtomId atom) {
+  const auto at = std::ranges::lower_bound(box, atom, {}, &Side::atom);
+  return at != box.end() && at->atom == atom ? *at : *box.insert(at, Side{.atom = atom});
+}
+
+Box box_of(const Polynomial& x) {
+  Box box;
+  for (const auto& [monomial, coefficient] : x) {
+    for (const AtomPower& factor : monomial) {
+      Side& side = side_of(box, factor.atom);
+      const bool is_first = side.terms++ == 0;
+      side.least = is_first ? factor.exponent : std::min(side.least, factor.exponent);
+      side.greatest = is_first ? factor.exponent : std::max(side.greatest, factor.exponent);
+    }
+  }
+  for (Side& side : box) {
+    if (side.terms == x.size()) continue;
+    side.least = std::min(side.least, 0);
+    side.greatest = std::max(side.greatest, 0);
+  }
+  return box;
+}
+
+/// The exponents that x / y can have; none where there are no such.
+std::optional<Box> quotient_box(const Polynomial& x, const Polynomial& y) {
+  Box box = box_of(x);
+  for (const Side& divisor : box_of(y)) {
+    Side& own = side_of(box, divisor.atom);
+    own.least -= divisor.least;
+    own.greatest -= divisor.greatest;
+  }
+  const bool is_empty =
+      std::ranges::any_of(box, [](const Side& side) { return side.least > side.greatest; });
+  if (is_empty) return std::nullopt;
+  return box;
+}
+
+bool is_inside(const Monomial& monomial, const Box& box) {
+  auto factor = monomial.begin();
+  for (const Side& side : box) {
+    const bool is_present = factor != monomial.end() && factor->atom == side.atom;
+    const std::int32_t exponent = is_present ? (factor++)->exponent : 0;
+    if (exponent < side.least || exponent > side.greatest) return false;
+  }
+  return factor == monomial.end();
+}
+
+/// The products of each term of x with each term of another sum, descending: a heap holds the next
+/// one of every term of x. The other sum may grow on the way, by terms below all before.
+class Products {
+ public:
+  Products(Polynomial::const_iterator first, Polynomial::const_iterator last)
+      : heads_(static_cast<std::size_t>(last - first)) {
+    for (Head& head : heads_) head.term = &*first++;
+  }
+
+  [[nodiscard]] bool empty() const { return heap_.empty(); }
+  [[nodiscard]] const Monomial& greatest() const { return heap_.front()->monomial; }
+
+  /// Takes the greatest out: its coefficient.
+  Gaussian take() {
+    std::ranges::pop_heap(heap_, MonomialLess(), &Head::monomial);
+    Head& head = *heap_.back();
+    heap_.pop_back();
+    const Gaussian value = product(head.term->second, other_[head.next].second);
+    if (++head.next < other_.size()) push(head);
+    return value;
+  }
+
+  void add(Polynomial::value_type term) {
+    other_.push_back(std::move(term));
+    for (Head& head : heads_) {
+      if (head.next + 1 == other_.size()) push(head);
+    }
+  }
+
+  /// The other sum.
+  Polynomial::Terms other() && { return std::move(other_); }
+
+ private:
+  struct Head {
+    const Polynomial::value_type* term = nullptr;  ///< of x
+    std::size_t next = 0;                          ///< the term of the other sum
+    Monomial monomial = {};                        ///< of their product
+  };
+
+  void push(Head& head) {
+    head.monomial = product(head.term->first, other_[head.next].first);
+    heap_.push_back(&head);
+    std::ranges::push_heap(heap_, MonomialLess(), &Head::monomial);
+  }
+
+  std::vector<Head> heads_;
+  std::vector<Head*> heap_ = {};
+  Polynomial::Terms other_ = {};  ///< descending
+};
+
+}  // namespace
+
+std::optional<Polynomial> quotient(const Polynomial& x, const Polynomial& y, std::size_t& work) {
+  const std::optional<Box> box = quotient_box(x, y);
+  if (!box) return std::nullopt;
+  const Monomial inverse_lead = power(y.rbegin()->first, -1);
+  const Gaussian inverse_coefficient = reciprocal(y.rbegin()->second);
+  const Monomial last = product(x.begin()->first, power(y.begin()->first, -1));
+  if (!is_inside(last, *box)) return std::nullopt;
+  // The terms that the lower ones of y take from x; the rest of x is never written down.
+  Products taken(y.begin(), y.end() - 1);
+  auto own = x.rbegin();
+  while (own != x.rend() || !taken.empty()) {
+    const bool is_own =
+        taken.empty() || (own != x.rend() && order_of(own->first, taken.greatest()) >= 0);
+    Polynomial::value_type lead{is_own ? own->first : taken.greatest(), Gaussian{}};
+    if (is_own) lead.second = (own++)->second;
+    while (!taken.empty() && taken.greatest() == lead.first) {
+      const Gaussian value = taken.take();
+      lead.second = {lead.second.real - value.real, lead.second.imaginary - value.imaginary};
+    }
+    if (is_zero(lead.second)) continue;
+    Monomial monomial = product(lead.first, inverse_lead);
+    if (!is_inside(monomial, *box) || work < y.size()) return std::nullopt;
+    work -= y.size();
+    taken.add({std::move(monomial), product(lead.second, inverse_coefficient)});
+  }
+  Polynomial::Terms terms = std::move(taken).other();
+  std::ranges::reverse(terms);
+  return Polynomial(std::move(terms));
+}
+
+void divide_out(Fraction& x, const Algebra& algebra, std::size_t& work) {
+  for (auto& [factor, exponent] : x.denominator) {
+    while (exponent > 0 && x.numerator.size() > 1) {
+      auto divided = quotient(x.numerator, algebra.factors[factor].shown, work);
+      if (!divided) break;
+      x.numerator = std::move(*divided);
+      --exponent;
+    }
+  }
+  std::erase_if(x.denominator, [](const auto& factor) { return factor.second == 0; });
+}
+
+}  // namespace elgen
