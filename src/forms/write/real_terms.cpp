@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 
 #include "forms/present/polynomial.hpp"
@@ -26,9 +27,6 @@ struct CircularLess {
     return std::lexicographical_compare(x.begin(), x.end(), y.begin(), y.end(), precedes);
   }
 };
-
-/// A sum of products of sines and cosines.
-using CircularSum = std::map<std::vector<CircularPower>, Gaussian, CircularLess>;
 
 /// One step of sin^2 = 1 - cos^2, or cos^2 = 1 - sin^2.
 TwoPowers reduced(const TwoPowers& sum, bool by_sines) {
@@ -65,6 +63,50 @@ constexpr std::size_t work_per_term = 64;
 /// cos(24 x) is a sum of 13 powers: longer by far than the call, and the work grows with the cube.
 constexpr std::int32_t most_powers = 24;
 
+/// Products of sines and cosines by numbers, so that those of several exponentials, which are
+/// almost all the same, are made once: each is a shorter one times a power. 0 is the empty product.
+class CircularProducts {
+ public:
+  std::size_t number_of(const CircularPower& power) {
+    const auto [at, is_new] = numbers_.try_emplace(power, powers_.size());
+    if (is_new) powers_.push_back(power);
+    return at->second;
+  }
+
+  /// The number of a product times a power, by its number.
+  std::size_t times(std::size_t product, std::size_t power) {
+    std::vector<std::size_t>& longer = products_[product].longer;
+    if (longer.size() <= power) longer.resize(power + 1, 0);
+    if (longer[power] != 0) return longer[power];
+    const std::size_t made = longer[power] = products_.size();
+    products_.push_back({product, power, {}});
+    return made;
+  }
+
+  [[nodiscard]] std::vector<CircularPower> factors(std::size_t product) const {
+    std::vector<CircularPower> result;
+    for (; product != 0; product = products_[product].shorter) {
+      result.push_back(powers_[products_[product].power]);
+    }
+    std::ranges::reverse(result);
+    return result;
+  }
+
+ private:
+  struct Product {
+    std::size_t shorter = 0;
+    std::size_t power = 0;
+    std::vector<std::size_t> longer = {};  ///< by each power; 0: not met
+  };
+  struct Precedes {
+    bool operator()(const CircularPower& x, const CircularPower& y) const { return precedes(x, y); }
+  };
+
+  std::map<CircularPower, std::size_t, Precedes> numbers_ = {};
+  std::vector<CircularPower> powers_ = {};
+  std::vector<Product> products_ = std::vector<Product>(1);
+};
+
 class RealTerms {
  public:
   RealTerms(const Algebra& algebra, const Polynomial& sum, Trigonometry trigonometry)
@@ -89,45 +131,57 @@ class RealTerms {
   void add(const Monomial& monomial, const Gaussian& coefficient) {
     const auto [powers, angle] = split(algebra_, monomial);
     if (!angle.empty() && angle.front().exponent < 0) return;  // its conjugate says the same
-    CircularSum& sum = sums_[powers];
-    if (angle.empty()) return add_term(sum, {}, {coefficient.real, 0});
-    if (trigonometry_ == Trigonometry::multiple_angles) {
-      add_real(sum, {{angle, 1, 0}}, coefficient.real * 2);
-      return add_real(sum, {{angle, 0, 1}}, coefficient.imaginary * -2);
-    }
-    const CircularSum products = expanded(angle);
+    RealSum& sum = sums_[powers];
+    if (angle.empty()) return add_real(sum, 0, coefficient.real);
+    const NumberedSum& products = numbered(angle);
     work_ += products.size();
-    for (const auto& [circular, value] : products) {
-      add_real(sum, circular, product(value, coefficient).real * 2);
+    for (const auto& [number, value] : products) {
+      add_real(sum, number,
+               (value.real * coefficient.real - value.imaginary * coefficient.imaginary) * 2);
     }
   }
 
   /// Products that were added so far.
   [[nodiscard]] std::size_t work() const { return work_; }
 
-  [[nodiscard]] std::size_t size() const {
-    std::size_t count = 0;
-    for (const auto& [powers, sum] : sums_) count += sum.size();
-    return count;
-  }
+  [[nodiscard]] std::size_t size() const { return size_; }
 
   [[nodiscard]] std::vector<RealTerm> take() const {
     std::vector<RealTerm> terms;
     for (const auto& [powers, sum] : sums_) {
-      for (const auto& [circular, value] : sum) terms.push_back({value.real, powers, circular});
+      std::map<std::vector<CircularPower>, cl_RA, CircularLess> ordered;
+      for (const auto& [number, value] : sum) {
+        if (!cln::zerop(value)) ordered.emplace(circular_.factors(number), value);
+      }
+      for (const auto& [circular, value] : ordered) terms.push_back({value, powers, circular});
     }
     return terms;
   }
 
  private:
+  /// Products of sines and cosines by their numbers.
+  using NumberedSum = std::vector<std::pair<std::size_t, Gaussian>>;
+  /// A coefficient may be 0, since most of them come and go.
+  using RealSum = std::unordered_map<std::size_t, cl_RA>;
+
   [[nodiscard]] bool by_units() const {
     return trigonometry_ == Trigonometry::units_by_cosines ||
            trigonometry_ == Trigonometry::units_by_sines;
   }
 
-  static void add_real(CircularSum& sum, const std::vector<CircularPower>& powers,
-                       const cl_RA& value) {
-    if (!cln::zerop(value)) add_term(sum, powers, {value, 0});
+  void add_real(RealSum& sum, std::size_t number, const cl_RA& value) {
+    if (cln::zerop(value)) return;
+    cl_RA& own = sum.try_emplace(number, 0).first->second;
+    if (cln::zerop(own)) ++size_;
+    own = own + value;
+    if (cln::zerop(own)) --size_;
+  }
+
+  /// The exponential of an angle, multiplied out once.
+  const NumberedSum& numbered(const Monomial& angle) {
+    const auto [known, is_new] = expansions_.try_emplace(angle);
+    if (is_new) known->second = expanded(angle);
+    return known->second;
   }
 
   /// The angle of which all multiples of a direction, or of a unit, are multiples: at most the
@@ -144,36 +198,32 @@ class RealTerms {
     base = std::gcd(base, multiple);
   }
 
-  [[nodiscard]] CircularSum expanded(const Monomial& angle) const {
+  NumberedSum expanded(const Monomial& angle) {
+    const NumberedSum one{{0, Gaussian{1, 0}}};
+    if (trigonometry_ == Trigonometry::multiple_angles) return times_exponential(one, angle, 1);
     if (!by_units()) {
       const Monomial along = direction(angle);
       const std::int32_t base = base_of_direction_.at(along);
-      return factor(power(along, base), common_divisor(angle) / base);
+      return times_exponential(one, power(along, base), common_divisor(angle) / base);
     }
-    CircularSum result{{{}, Gaussian{1, 0}}};
+    NumberedSum result = one;
     for (const AtomPower& part : angle) {
       const std::int32_t base = base_of_unit_.at(part.atom);
-      CircularSum next;
-      for (const auto& [more, b] : factor({{part.atom, base}}, part.exponent / base)) {
-        for (const auto& [own, a] : result) {
-          std::vector<CircularPower> powers = own;
-          powers.insert(powers.end(), more.begin(), more.end());
-          add_term(next, powers, product(a, b));
-        }
-      }
-      result = std::move(next);
+      result = times_exponential(result, {{part.atom, base}}, part.exponent / base);
     }
     return result;
   }
 
-  [[nodiscard]] CircularSum factor(const Monomial& angle, std::int32_t multiple) const {
-    CircularSum result;
-    for (const auto& [powers, value] : power_of_exponential(multiple, by_sines_)) {
+  /// x e^(i multiple angle), of an angle that x does not have.
+  NumberedSum times_exponential(const NumberedSum& x, const Monomial& angle,
+                                std::int32_t multiple) {
+    NumberedSum result;
+    for (const auto& [powers, b] : power_of_exponential(multiple, by_sines_)) {
       const bool is_one = powers.first == 0 && powers.second == 0;
-      add_term(result,
-               is_one ? std::vector<CircularPower>()
-                      : std::vector<CircularPower>{{angle, powers.first, powers.second}},
-               value);
+      const std::size_t power = circular_.number_of({angle, powers.first, powers.second});
+      for (const auto& [own, a] : x) {
+        result.emplace_back(is_one ? own : circular_.times(own, power), product(a, b));
+      }
     }
     return result;
   }
@@ -182,9 +232,12 @@ class RealTerms {
   Trigonometry trigonometry_;
   bool by_sines_ = false;
   std::size_t work_ = 0;
+  std::size_t size_ = 0;
   std::map<AtomId, std::int32_t> base_of_unit_;
   std::map<Monomial, std::int32_t, MonomialLess> base_of_direction_;
-  std::map<Monomial, CircularSum, MonomialLess> sums_;
+  std::map<Monomial, NumberedSum, MonomialLess> expansions_;
+  CircularProducts circular_;
+  std::map<Monomial, RealSum, MonomialLess> sums_;
 };
 
 }  // namespace

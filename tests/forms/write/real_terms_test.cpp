@@ -35,6 +35,24 @@ TEST_CASE("one function in multiple angles, by sines and by cosines") {
   CHECK(by_cosines[0].coefficient + by_cosines[1].coefficient == 0);
 }
 
+TEST_CASE("exponentials of several angles share their products of sines and cosines") {
+  const ClosedForms sum =
+      forms_of("cos(a + b + c) + cos(a + b - c) + cos(a - b + c) + cos(a - b - c)");
+  const auto one = terms_of(sum, Trigonometry::units_by_cosines);
+  REQUIRE(one.size() == 1);
+  CHECK(one[0].coefficient == 4);
+  REQUIRE(one[0].circular.size() == 3);
+  for (const CircularPower& power : one[0].circular) CHECK(power.cosine == 1);
+  const ClosedForms single = forms_of("sin(a + b + c)*(d + e)");
+  const auto terms = terms_of(single, Trigonometry::units_by_sines);
+  REQUIRE(terms.size() == 8);
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK(terms[i].circular == terms[i + 4].circular);
+    CHECK(terms[i].coefficient == terms[i + 4].coefficient);
+    CHECK(terms[i].powers != terms[i + 4].powers);
+  }
+}
+
 TEST_CASE("a high multiple of an angle is not expanded") {
   const ClosedForms forms = forms_of("cos(2000*a) + cos(a)");
   const Polynomial& sum = forms.functions[0].fields[0].entries[0]->numerator;
