@@ -1,7 +1,11 @@
 // conditioning: every instruction's slopes by its operands once, then one sweep for each value.
 #include "accuracy/conditioning.hpp"
 
+#include <cmath>
+#include <limits>
 #include <utility>
+
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {
@@ -16,6 +20,33 @@ struct OneMoves {
   }
 };
 
+/// To an ulp, which is in the bound; infinite, or 0, beyond the range of doubles.
+double rounded(const Real& x) {
+  return x.is_defined() ? cln::double_approx(x.value()) : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// How far roundings took K: its figures are judged by factors, and differences of slopes that
+/// lose more than seven of sixteen digits are left to Real.
+constexpr double tolerated_error = 1e-9;
+
+/// More than a product of doubles, or a factor, loses where it underflows.
+constexpr double lost_to_underflow = 1e-300;
+
+/// A derivative, and how far the roundings of doubles may have taken it.
+struct Adjoint {
+  double value = 0;
+  double error = 0;
+
+  /// Adds x times a factor that is rounded itself.
+  void add(const Adjoint& x, double factor) {
+    constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+    const double term = x.value * factor;
+    value += term;
+    error += x.error * std::abs(factor) + rounding * (std::abs(term) + std::abs(value)) +
+             lost_to_underflow * (1 + std::abs(x.value));
+  }
+};
+
 }  // namespace
 
 Conditioning::Conditioning(const Program& program, const Function& function,
@@ -27,10 +58,12 @@ Conditioning::Conditioning(const Program& program, const Function& function,
   slopes_.reserve(values_.size());
   for (const Instruction& i : function.instructions) {
     const std::size_t operands = operand_count(i);
-    Slopes& slopes = slopes_.emplace_back();
+    Slopes<Real>& slopes = slopes_.emplace_back();
     if (operands > 0) slopes.by_a = slope(i, i.a);
     if (operands > 1 && i.b != i.a) slopes.by_b = slope(i, i.b);
+    rounded_slopes_.push_back({rounded(slopes.by_a), rounded(slopes.by_b)});
   }
+  for (const Real& value : values_) rounded_values_.push_back(rounded(value));
 }
 
 Real Conditioning::slope(const Instruction& i, std::uint32_t operand) const {
@@ -44,7 +77,26 @@ bool Conditioning::counts(const Instruction& i) const {
   return is_leaf(i.opcode);
 }
 
+std::optional<double> Conditioning::in_doubles(std::uint32_t instruction) const {
+  std::vector<Adjoint> adjoints(instruction + 1);
+  adjoints[instruction].value = 1;
+  Adjoint sum;
+  for (std::size_t at = instruction + 1; at-- > 0;) {
+    const Instruction& i = function_.instructions[at];
+    const Adjoint& adjoint = adjoints[at];
+    if (adjoint.value == 0 && adjoint.error == 0) continue;
+    if (counts(i)) sum.add({std::abs(adjoint.value), adjoint.error}, std::abs(rounded_values_[at]));
+    const std::size_t operands = operand_count(i);
+    if (operands > 0) adjoints[i.a].add(adjoint, rounded_slopes_[at].by_a);
+    if (operands > 1) adjoints[i.b].add(adjoint, rounded_slopes_[at].by_b);
+  }
+  // Neither is a number where a factor is none.
+  if (std::isfinite(sum.value) && sum.error <= tolerated_error * sum.value) return sum.value;
+  return std::nullopt;
+}
+
 Real Conditioning::of(std::uint32_t instruction) const {
+  if (const auto k = in_doubles(instruction)) return Real(exact_value(*k));
   std::vector<Real> adjoints(instruction + 1, Real());
   adjoints[instruction] = Real(1);
   Real sum;

@@ -8,6 +8,7 @@
 // them all.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "elgen/evaluate.hpp"
@@ -31,8 +32,9 @@ class Conditioning {
   Conditioning(const Program& program, const Function& function, std::vector<Real> values,
                std::vector<bool> parameters = {});
 
-  /// K of an instruction; undefined where a derivative is. Cost: two operations of Real for each
-  /// instruction before it.
+  /// K of an instruction; undefined where a derivative is. Doubles give it to nine digits, with a
+  /// bound of their error, and Real where that is too large. Cost: ten operations of double, or
+  /// else two of Real, for each instruction before it.
   [[nodiscard]] Real of(std::uint32_t instruction) const;
 
  private:
@@ -40,16 +42,21 @@ class Conditioning {
   [[nodiscard]] bool counts(const Instruction& i) const;
 
   /// Slopes of an instruction by its operands; by both together where they are one.
+  template <class Number>
   struct Slopes {
-    Real by_a = {};
-    Real by_b = {};
+    Number by_a = {};
+    Number by_b = {};
   };
+
+  [[nodiscard]] std::optional<double> in_doubles(std::uint32_t instruction) const;
 
   const Program& program_;
   const Function& function_;
   std::vector<Real> values_;
   std::vector<bool> parameters_;
-  std::vector<Slopes> slopes_ = {};
+  std::vector<Slopes<Real>> slopes_ = {};
+  std::vector<double> rounded_values_ = {};
+  std::vector<Slopes<double>> rounded_slopes_ = {};
 };
 
 }  // namespace elgen

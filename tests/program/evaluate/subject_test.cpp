@@ -130,6 +130,19 @@ TEST_CASE("literals do not count, constants that a fixed parameter has left do")
   CHECK(conditioning(text, at(1, 1, 1), {true, true, false}) == Approx(1.2));
 }
 
+TEST_CASE("K is what its digits say where doubles lose them, underflow or overflow") {
+  // (1e20 x + x) - 1e20 x: the slopes by 1e20 x cancel.
+  const std::string cancelling = head +
+                                 "  3 = constant 100000000000000000000\n  4 = multiply 3 1\n"
+                                 "  5 = add 4 1\n  6 = subtract 5 4\n  result 1 1 = 6\n";
+  CHECK(conditioning(cancelling, at(1, 0.5, 0)) == Approx(0.5));
+  const std::string vanishing = head +
+                                "  3 = multiply 1 2\n  4 = multiply 3 3\n"
+                                "  5 = multiply 4 0\n  result 1 1 = 5\n";
+  CHECK(conditioning(vanishing, at(1e300, 1e-100, 1e-100)) == Approx(5e-100));
+  CHECK(conditioning(vanishing, at(1e-300, 1e100, 1e100)) == Approx(5e100));
+}
+
 TEST_CASE("K is undefined where a slope is") {
   const std::string text = head + "  3 = square_root 1\n  result 1 1 = 3\n";
   CHECK(std::isinf(conditioning(text, at(1, 0, 0))));
