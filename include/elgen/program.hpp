@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -149,6 +150,12 @@ inline constexpr std::array operation_columns{OperationColumn{"add", &OperationC
 /// Whether each instruction is one of `wanted` or goes into one.
 [[nodiscard]] std::vector<bool> needed_for(const Function& function,
                                            const std::vector<std::uint32_t>& wanted);
+
+/// The same instructions by their numbers, ascending; of many, `most` and one more of the highest
+/// numbers. Cost: that of the instructions that are found.
+[[nodiscard]] std::vector<std::uint32_t> cone_of(
+    const Function& function, std::vector<std::uint32_t> wanted,
+    std::size_t most = std::numeric_limits<std::size_t>::max());
 
 /// The instructions `order`, by their old numbers, and nothing else. Operands stand before what
 /// they go into, and every entry is there.

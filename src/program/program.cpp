@@ -151,6 +151,26 @@ std::vector<bool> needed_for(const Function& function, const std::vector<std::ui
   return needed;
 }
 
+std::vector<std::uint32_t> cone_of(const Function& function, std::vector<std::uint32_t> wanted,
+                                   std::size_t most) {
+  std::vector<std::uint32_t> cone;
+  std::ranges::make_heap(wanted);
+  while (!wanted.empty() && cone.size() <= most) {
+    std::ranges::pop_heap(wanted);
+    const std::uint32_t at = wanted.back();
+    wanted.pop_back();
+    if (!cone.empty() && cone.back() == at) continue;
+    cone.push_back(at);
+    const Instruction& i = function.instructions[at];
+    for (std::size_t k = 0; k < operand_count(i); ++k) {
+      wanted.push_back(k == 0 ? i.a : i.b);
+      std::ranges::push_heap(wanted);
+    }
+  }
+  std::ranges::reverse(cone);
+  return cone;
+}
+
 Function reordered(const Function& function, const std::vector<std::uint32_t>& order) {
   Function result = function;
   result.instructions.clear();

@@ -169,6 +169,9 @@ TEST_CASE("what an entry needs") {
       "  result 1 1 = 3\n");
   CHECK(needed_for(program.functions[0], {2}) == std::vector<bool>{true, false, true, false});
   CHECK(needed_for(program.functions[0], {3}) == std::vector<bool>{true, true, true, true});
+  CHECK(cone_of(program.functions[0], {2}) == std::vector<std::uint32_t>{0, 2});
+  CHECK(cone_of(program.functions[0], {2, 3, 2}) == std::vector<std::uint32_t>{0, 1, 2, 3});
+  CHECK(cone_of(program.functions[0], {3}, 2).size() == 3);
 }
 
 TEST_CASE("instructions that nothing needs are gone, the others renumbered") {

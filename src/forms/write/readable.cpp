@@ -54,7 +54,7 @@ Real admitted_error(const Running<Real>& x) {
 
 /// Written out over the leaves, an entry as derived may have this many operations. Longer ones are
 /// never the shortest rewriting: 1000 gives the same pages for models/; 20 makes some longer.
-constexpr int longest_derived = 60;
+constexpr std::size_t longest_derived = 60;
 
 /// The shortest of those that are as precise as `judge`, by whose B the code is judged.
 std::size_t shortest_precise(const std::vector<Collected>& rewritings, std::size_t judge,
@@ -114,8 +114,7 @@ std::optional<ReadableForm> shortest(const Algebra& algebra, const Fraction& for
 
 std::optional<DerivedEntry> as_derived(const Program& program, const Function& function,
                                        std::uint32_t entry) {
-  const std::vector<bool> needed = needed_for(function, {entry});
-  if (std::ranges::count(needed, true) > longest_derived) return std::nullopt;
+  if (cone_of(function, {entry}, longest_derived).size() > longest_derived) return std::nullopt;
   DerivedEntry derived{from_program(program, function, {entry}), {}};
   derived.written_out = flatten(derived.as_it_stands, Flattened::all_products);
   if (written_length(derived.written_out) > longest_derived) return std::nullopt;

@@ -2,6 +2,8 @@
 // from_program: one instruction after another.
 #include "program/graph/rebuild.hpp"
 
+#include <algorithm>
+
 #include "elgen/fold.hpp"
 
 namespace elgen {
@@ -73,20 +75,35 @@ Expressions rebuild(const Expressions& expressions, const RebuildRule& rule) {
   return result;
 }
 
+namespace {
+
+/// The values of a cone by the numbers of their instructions.
+struct ConeRefs {
+  const std::vector<std::uint32_t>& cone;
+  std::vector<Ref> made;
+
+  [[nodiscard]] Ref operator[](std::uint32_t at) const {
+    const auto place = std::ranges::lower_bound(cone, at);
+    return made[static_cast<std::size_t>(place - cone.begin())];
+  }
+};
+
+}  // namespace
+
 Expressions from_program(const Program& program, const Function& function,
                          const std::vector<std::uint32_t>& wanted,
                          const std::vector<bool>& is_zero) {
-  const std::vector<bool> needed = needed_for(function, wanted);
   Expressions result;
   Graph& graph = result.graph;
-  std::vector<Ref> refs(needed.size());
-  for (std::size_t at = 0; at < needed.size(); ++at) {
-    if (!needed[at]) continue;
-    graph.set_birth(static_cast<std::uint32_t>(at));
+  const std::vector<std::uint32_t> cone = cone_of(function, wanted);
+  ConeRefs refs{cone, {}};
+  for (const std::uint32_t at : cone) {
+    graph.set_birth(at);
     const bool vanishes = !is_zero.empty() && is_zero[at];
-    refs[at] = vanishes ? graph.rational(0)
-                        : folded(GraphRules{graph}, program, function.instructions[at], refs);
-    graph.name(refs[at], function.names[at]);
+    refs.made.push_back(vanishes
+                            ? graph.rational(0)
+                            : folded(GraphRules{graph}, program, function.instructions[at], refs));
+    graph.name(refs.made.back(), function.names[at]);
   }
   for (const std::uint32_t at : wanted) result.values.push_back(refs[at]);
   return result;
