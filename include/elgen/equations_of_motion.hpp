@@ -29,6 +29,9 @@ struct EquationsOfMotion {
   LeafNames leaves = {};
   Definitions definitions = {};
   std::vector<OutputEquations> outputs = {};  ///< in the order of the scene; without `dynamics`
+  /// Forward dynamics by articulated bodies, where that may be shorter, over definitions of its
+  /// own; where it is shorter whatever M is, it is not among `outputs`.
+  std::vector<EquationsOfMotion> other_routes = {};
 };
 
 /// Derives every requested output (mechanics: see the headers of src/derive/).

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -92,6 +93,48 @@ void define_entries(Derivation& derivation, std::vector<FieldEquations>& fields)
   }
 }
 
+/// Sums, products and powers of an expression.
+std::size_t operations_of(const ex& value) {
+  std::size_t total = GiNaC::is_a<GiNaC::power>(value) ? 1 : 0;
+  if (GiNaC::is_a<GiNaC::add>(value) || GiNaC::is_a<GiNaC::mul>(value)) total = value.nops() - 1;
+  for (std::size_t i = 0; i < value.nops(); ++i) total += operations_of(value.op(i));
+  return total;
+}
+
+/// Forward dynamics without M, where nothing speaks against it; a singular M is for the other route
+/// to tell. `is_shorter`: than the factorisation of M alone.
+struct ArticulatedRoute {
+  EquationsOfMotion equations = {};
+  bool is_shorter = false;
+};
+std::optional<ArticulatedRoute> articulated_route(const Lagrangian& lagrangian,
+                                                  const OutputRequest& request,
+                                                  const Limits& limits) {
+  const bool may_be_shorter = lagrangian.symbols.v.size() >= least_of_articulated;
+  if (request.kind != OutputKind::forward_dynamics || !may_be_shorter) return std::nullopt;
+  Derivation derivation(lagrangian);
+  ArticulatedRoute route;
+  try {
+    const auto dynamics = articulated_dynamics(derivation);
+    if (!dynamics) return std::nullopt;
+    OutputEquations output{request, fields(derivation, request, parts(dynamics->solution))};
+    define_entries(derivation, output.fields);
+    route.equations.outputs.push_back(std::move(output));
+    std::size_t operations = 0;
+    for (const Definition& definition : derivation.definitions.list) {
+      operations += operations_of(definition.value);
+    }
+    route.is_shorter = operations < dynamics->operations_of_factorisation;
+  } catch (const ZeroPivot&) {
+    return std::nullopt;
+  }
+  if (derivation.definitions.list.size() > limits.derived_nodes) return std::nullopt;
+  route.equations.symbols = derivation.symbols;
+  route.equations.leaves = lagrangian.leaves;
+  route.equations.definitions = std::move(derivation.definitions);
+  return route;
+}
+
 Diagnostic singular(const OutputRequest& request, const ZeroPivot& pivot, const LeafNames& names) {
   switch (pivot.rows) {
     case RowsOf::constraints:
@@ -115,6 +158,9 @@ Result<EquationsOfMotion> derive(const Lagrangian& lagrangian,
   for (const OutputRequest& request : outputs) {
     if (!has_equations(output_row(request.kind))) continue;
     try {
+      auto other = articulated_route(lagrangian, request, limits);
+      if (other) equations.other_routes.push_back(std::move(other->equations));
+      if (other && other->is_shorter) continue;
       OutputEquations output{request, derived(derivation, request)};
       define_entries(derivation, output.fields);
       equations.outputs.push_back(std::move(output));
@@ -152,6 +198,7 @@ std::string dump(const EquationsOfMotion& equations) {
       text += '\n';
     }
   }
+  for (const EquationsOfMotion& other : equations.other_routes) text += dump(other);
   return text;
 }
 

@@ -60,6 +60,7 @@ VariablesLeft variables_left(const Model& whole) {
 }
 
 bool eliminates_last_first(const Model& model) {
+  if (!model.frames.empty() && model.velocities.size() >= least_of_articulated) return true;
   std::vector<bool> carries(model.frames.size(), false);
   for (const Frame& frame : model.frames) {
     if (!frame.parent) continue;

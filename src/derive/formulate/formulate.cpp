@@ -168,7 +168,6 @@ class Formulation {
   explicit Formulation(const Model& model) : model_(model), translation_(model, lagrangian_) {
     lagrangian_.leaves = leaf_names(model);
     lagrangian_.quadratic = model.quadratic;
-    lagrangian_.eliminates_last_first = eliminates_last_first(model);
     add_symbols(model, lagrangian_);
   }
 
@@ -310,6 +309,11 @@ class Formulation {
 
 }  // namespace
 
-Result<Lagrangian> formulate(const Model& model) { return Formulation(whole_of(model)).build(); }
+Result<Lagrangian> formulate(const Model& model) {
+  Result<Lagrangian> lagrangian = Formulation(whole_of(model)).build();
+  // Held velocities are not eliminated.
+  if (lagrangian) lagrangian->eliminates_last_first = eliminates_last_first(model);
+  return lagrangian;
+}
 
 }  // namespace elgen

@@ -7,6 +7,8 @@
 #include <cln/real.h>
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "elgen/equations_of_motion.hpp"
 
 namespace elgen {
@@ -211,6 +213,21 @@ Result<ImportedOutput> from_ginac(const EquationsOfMotion& equations, const Outp
   if (importer.problem) return *importer.problem;
   imported.graph = std::move(importer.graph);
   return imported;
+}
+
+std::vector<const EquationsOfMotion*> routes_to(const EquationsOfMotion& equations,
+                                                const OutputRequest& request) {
+  const auto has_output = [&](const EquationsOfMotion& route) {
+    return std::ranges::any_of(route.outputs, [&](const OutputEquations& output) {
+      return output.request.kind == request.kind;
+    });
+  };
+  std::vector<const EquationsOfMotion*> routes;
+  for (const EquationsOfMotion& other : equations.other_routes) {
+    if (has_output(other)) routes.push_back(&other);
+  }
+  if (routes.empty() || has_output(equations)) routes.insert(routes.begin(), &equations);
+  return routes;
 }
 
 Diagnostic too_many_nodes(const OutputRequest& request, std::uint64_t limit) {

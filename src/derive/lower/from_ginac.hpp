@@ -1,6 +1,8 @@
 // from_ginac: EquationsOfMotion -> Graph. The only importer; nothing of GiNaC's order survives it.
 #pragma once
 
+#include <vector>
+
 #include "elgen/leaf_names.hpp"
 #include "elgen/scene.hpp"
 #include "program/graph/graph.hpp"
@@ -23,6 +25,10 @@ struct ImportedOutput {
 [[nodiscard]] Result<ImportedOutput> from_ginac(const EquationsOfMotion& equations,
                                                 const OutputRequest& request,
                                                 std::uint64_t maximum_nodes);
+
+/// The equations by each route that leads to an output, the usual one first.
+[[nodiscard]] std::vector<const EquationsOfMotion*> routes_to(const EquationsOfMotion& equations,
+                                                              const OutputRequest& request);
 
 /// E908 of what is derived: one message for the definitions of derive and the nodes of lower.
 [[nodiscard]] Diagnostic too_many_nodes(const OutputRequest& request, std::uint64_t limit);

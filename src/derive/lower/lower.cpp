@@ -6,6 +6,9 @@
 #include <fmt/core.h>
 
 #include <cassert>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "derive/lower/from_ginac.hpp"
 #include "elgen/outputs.hpp"
@@ -36,26 +39,49 @@ Diagnostic zero_denominator(const Program& program, const OutputRequest& request
   return singular_mass_matrix(request);
 }
 
+/// A function whose instructions are still a network.
+struct Unfilled {
+  Function function = {};
+  CostedNetwork network = {};
+};
+
+Result<Unfilled> by_route(const EquationsOfMotion& equations, const OutputRequest& request,
+                          const Limits& limits) {
+  Result<ImportedOutput> imported = from_ginac(equations, request, limits.derived_nodes);
+  if (!imported) return imported.diagnostics;
+  Unfilled result;
+  result.function.kind = request.kind;
+  result.function.user = request.user;
+  result.function.name = request.name;
+  result.function.fields = std::move(imported->fields);
+  const Expressions expressions{std::move(imported->graph), std::move(imported->values)};
+  result.network = std::move(networks_by_cost(expressions, result.function).front());
+  return result;
+}
+
+/// By the route that costs least, the first on a tie. Errors are those of the last one, where none
+/// leads to the output.
 Diagnostics lower_output(const EquationsOfMotion& equations, const OutputRequest& request,
                          const Limits& limits, Program& program) {
-  Result<ImportedOutput> imported = from_ginac(equations, request, limits.derived_nodes);
-  if (!imported) {
-    const bool divides = imported.diagnostics.front().code == Code::E312;
-    return divides ? Diagnostics{zero_denominator(program, request)} : imported.diagnostics;
-  }
-  Function function;
-  function.kind = request.kind;
-  function.user = request.user;
-  function.name = request.name;
-  function.fields = std::move(imported->fields);
-  const Expressions expressions{std::move(imported->graph), std::move(imported->values)};
+  std::optional<Unfilled> cheapest;
+  Diagnostics errors;
   try {
-    linearise(cheapest_network(expressions, function), program, function);
+    for (const EquationsOfMotion* const route : routes_to(equations, request)) {
+      Result<Unfilled> found = by_route(*route, request, limits);
+      if (!found) {
+        errors = std::move(found.diagnostics);
+        if (errors.front().code == Code::E312) return {zero_denominator(program, request)};
+      } else if (!cheapest || found->network.cost < cheapest->network.cost) {
+        cheapest = std::move(*found);
+      }
+    }
+    if (!cheapest) return errors;
+    linearise(cheapest->network.network, program, cheapest->function);
   } catch (const cln::division_by_0_exception&) {
     // Only other rewritings show that a denominator is 0: sin(2*x) - 2*sin(x)*cos(x).
     return {zero_denominator(program, request)};
   }
-  program.functions.push_back(std::move(function));
+  program.functions.push_back(std::move(cheapest->function));
   return {};
 }
 

@@ -1,10 +1,11 @@
 // Forward dynamics: the mass matrix, the constraints, the bias with the inputs acting, and the
-// solution.
+// solution; or articulated bodies.
 // Derivatives: columns of the frames, forward passes over the rest.
 #include <utility>
 
 #include "derive/lagrangian/symmetric_solve.hpp"
 #include "derive/outputs/outputs.hpp"
+#include "derive/tree/articulated.hpp"
 #include "derive/tree/tree_matrices.hpp"
 
 namespace elgen {
@@ -13,22 +14,26 @@ using GiNaC::ex;
 
 namespace {
 
+/// Accelerations are named "acceleration_theta": the velocities bear the identifiers of their
+/// coordinates.
+void name_accelerations(Derivation& derivation, const Vector& accelerations) {
+  for (std::size_t i = 0; i < accelerations.size(); ++i) {
+    name(derivation.definitions, accelerations[i],
+         "acceleration_" + derivation.velocity_identifier(i));
+  }
+}
+
 /// By factorisations of M and of S = A M^-1 A^T.
 class Dynamics {
  public:
   explicit Dynamics(Derivation& derivation)
       : derivation_(derivation), solve_(solve_of(derivation)) {}
 
-  /// Accelerations are named "acceleration_theta": the velocities bear the identifiers of their
-  /// coordinates.
   [[nodiscard]] ConstrainedSolve::Solution motion() {
     const Vector bias_of_constraints = stabilised(derivation_, constraint_bias(derivation_));
     ConstrainedSolve::Solution result = solve_.solve(
         negative(bias(derivation_, InputForces::acting)), negative(bias_of_constraints));
-    for (std::size_t i = 0; i < result.x.size(); ++i) {
-      name(derivation_.definitions, result.x[i],
-           "acceleration_" + derivation_.velocity_identifier(i));
-    }
+    name_accelerations(derivation_, result.x);
     for (std::size_t i = 0; i < result.y.size(); ++i) {
       name(derivation_.definitions, result.y[i],
            "multiplier_" + identifier_of(derivation_.lagrangian.leaves.multipliers[i]));
@@ -67,6 +72,24 @@ class Dynamics {
   Derivation& derivation_;
   ConstrainedSolve solve_;
 };
+
+/// The diagonal that [energy] T and armatures add to M; none where they add more.
+std::optional<Vector> added_to_diagonal(Derivation& derivation) {
+  const Vector momentum = derivation.by_velocity(weighted(derivation.graded().kinetic2, 1));
+  Vector result;
+  for (std::size_t j = 0; j < momentum.size(); ++j) {
+    Tangent velocity = derivation.unit_velocity(j);
+    for (std::size_t i = 0; i < momentum.size(); ++i) {
+      const ex slope = velocity(momentum[i]);
+      if (i == j) {
+        result.push_back(define(derivation.definitions, slope));
+      } else if (!slope.is_zero()) {
+        return std::nullopt;
+      }
+    }
+  }
+  return result;
+}
 
 /// d values/d(direction) for every direction, as columns.
 template <class Direction>
@@ -132,6 +155,27 @@ ForwardDynamics forward_dynamics(Derivation& derivation) {
   Dynamics dynamics(derivation);
   const ConstrainedSolve::Solution motion = dynamics.motion();
   return {motion.x, dynamics.solve().relative_pivots(), motion.y, dynamics.solve().diagonal()};
+}
+
+std::optional<ArticulatedDynamics> articulated_dynamics(Derivation& derivation) {
+  const Lagrangian& lagrangian = derivation.lagrangian;
+  const bool is_tree = lagrangian.masses.empty() && lagrangian.lagrangian.empty() &&
+                       lagrangian.constraints.empty() && !lagrangian.tree.bodies.empty();
+  if (!is_tree || !lagrangian.quadratic || !lagrangian.eliminates_last_first) return std::nullopt;
+  const std::optional<Vector> armatures = added_to_diagonal(derivation);
+  if (!armatures) return std::nullopt;
+  Tree& tree = tree_of(derivation);
+  const auto joints = tree_joints(tree);
+  if (!joints) return std::nullopt;
+  const Vector forces = negative(bias(derivation, InputForces::acting, Bodies::without_frames));
+  const ArticulatedMotion motion = articulated_motion(tree, *joints, forces, *armatures);
+  name_accelerations(derivation, motion.acceleration);
+  Vector relative_pivots;
+  for (std::size_t i = 0; i < motion.pivots.size(); ++i) {
+    relative_pivots.push_back(motion.pivots[i] / motion.diagonal[i]);
+  }
+  return ArticulatedDynamics{{motion.acceleration, relative_pivots, {}, motion.diagonal},
+                             operations_of_factorisation(tree, *joints)};
 }
 
 InverseDerivatives inverse_dynamics_derivatives(Derivation& derivation) {

@@ -126,8 +126,8 @@ Vector residual(Derivation& derivation, InputForces inputs, Bodies bodies) {
   return left_side(derivation, derivation.motion, inputs, bodies);
 }
 
-Vector bias(Derivation& derivation, InputForces inputs) {
-  return left_side(derivation, derivation.coasting, inputs, Bodies::all);
+Vector bias(Derivation& derivation, InputForces inputs, Bodies bodies) {
+  return left_side(derivation, derivation.coasting, inputs, bodies);
 }
 
 Vector velocity_force(Derivation& derivation, Bodies bodies) {

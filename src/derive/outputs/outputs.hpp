@@ -1,6 +1,8 @@
 // The outputs: the function that bears the name of an output derives it, at the caller's state.
 #pragma once
 
+#include <optional>
+
 #include "derive/lagrangian/derivation.hpp"
 
 namespace elgen {
@@ -18,7 +20,8 @@ enum class Bodies : unsigned char { all, without_frames };
 [[nodiscard]] Vector residual(Derivation& derivation, InputForces inputs, Bodies bodies);
 
 /// C v + drift + g + dD/dv - Q; with the inputs acting, - Q - B u.
-[[nodiscard]] Vector bias(Derivation& derivation, InputForces inputs = InputForces::absent);
+[[nodiscard]] Vector bias(Derivation& derivation, InputForces inputs = InputForces::absent,
+                          Bodies bodies = Bodies::all);
 
 /// C v: the part quadratic in v. L quadratic in v.
 [[nodiscard]] Vector velocity_force(Derivation& derivation, Bodies bodies = Bodies::all);
@@ -165,6 +168,16 @@ struct ForwardDynamics {
   Vector diagonal;  ///< of M and S: pivots mean nothing where it is 0
 };
 [[nodiscard]] ForwardDynamics forward_dynamics(Derivation& derivation);
+
+/// The same without M (tree/articulated.hpp), and the operations that factorising M would take.
+/// None where L is given whole, where there are constraints, masses beside frames, or more than a
+/// diagonal in what [energy] T adds to M, where a velocity moves no step or several, or where M is
+/// eliminated from the first velocity to the last: then the pivots would be others.
+struct ArticulatedDynamics {
+  ForwardDynamics solution;
+  std::size_t operations_of_factorisation = 0;
+};
+[[nodiscard]] std::optional<ArticulatedDynamics> articulated_dynamics(Derivation& derivation);
 
 /// n_v x n_v each, row-major.
 struct InverseDerivatives {

@@ -115,27 +115,6 @@ ExMatrix3 product(VectorAlgebra& algebra, const ExMatrix3& a, const ExMatrix3& b
   return result;
 }
 
-/// R A R^T. Quarter turns permute, which the general product sees by its zeros and ones.
-ExMatrix3 turned(Tree& tree, std::size_t step, const ExMatrix3& a) {
-  const StepRotation& r = tree.rotation(step);
-  const bool is_quarter =
-      GiNaC::is_a<GiNaC::numeric>(r.cosine) && GiNaC::is_a<GiNaC::numeric>(r.sine);
-  if (r.kind == StepRotation::Kind::about_axis && !is_quarter) {
-    return turned_about_axis(tree.algebra, r, a);
-  }
-  ExMatrix3 rotation = r.entries;
-  if (r.kind == StepRotation::Kind::about_axis) {
-    for (std::size_t column = 0; column < 3; ++column) {
-      ExVector3 unit{0, 0, 0};
-      unit[column] = 1;
-      const ExVector3 turned_unit = tree.to_parent(step, unit);
-      for (std::size_t row = 0; row < 3; ++row) rotation[3 * row + column] = turned_unit[row];
-    }
-  }
-  const ExMatrix3 half = product(tree.algebra, rotation, a);
-  return product(tree.algebra, half, transposed(rotation));
-}
-
 /// -[w]x Sigma, Sigma = 1/2 tr(I) 1 - I.
 ExMatrix3 spin_part(VectorAlgebra& algebra, const std::vector<ex>& inertia, const ExVector3& w) {
   const ex half_trace = algebra.define((inertia[0] + inertia[1] + inertia[2]) / 2);
@@ -213,6 +192,27 @@ Symmetric3 to_parent(Tree& tree, std::size_t step, const Symmetric3& s) {
   return turned_by_matrix(tree.algebra, r.entries, s);
 }
 
+/// Quarter turns permute, which the general product sees by its zeros and ones.
+ExMatrix3 to_parent(Tree& tree, std::size_t step, const ExMatrix3& a) {
+  const StepRotation& r = tree.rotation(step);
+  const bool is_quarter =
+      GiNaC::is_a<GiNaC::numeric>(r.cosine) && GiNaC::is_a<GiNaC::numeric>(r.sine);
+  if (r.kind == StepRotation::Kind::about_axis && !is_quarter) {
+    return turned_about_axis(tree.algebra, r, a);
+  }
+  ExMatrix3 rotation = r.entries;
+  if (r.kind == StepRotation::Kind::about_axis) {
+    for (std::size_t column = 0; column < 3; ++column) {
+      ExVector3 unit{0, 0, 0};
+      unit[column] = 1;
+      const ExVector3 turned_unit = tree.to_parent(step, unit);
+      for (std::size_t row = 0; row < 3; ++row) rotation[3 * row + column] = turned_unit[row];
+    }
+  }
+  const ExMatrix3 half = product(tree.algebra, rotation, a);
+  return product(tree.algebra, half, transposed(rotation));
+}
+
 CompositeInertia to_parent(Tree& tree, std::size_t step, const CompositeInertia& c) {
   if (tree.step(step).kind == FrameStepKind::translation) {
     return shifted(tree.algebra, c, tree.step(step).vector);
@@ -254,7 +254,7 @@ CompositeRate to_parent(Tree& tree, std::size_t step, const CompositeRate& rate)
     result.a = less_outer(tree.algebra, rate.a, rate.momentum, tree.step(step).vector);
     return result;
   }
-  result.a = turned(tree, step, rate.a);
+  result.a = to_parent(tree, step, rate.a);
   result.momentum = tree.to_parent(step, rate.momentum);
   return result;
 }

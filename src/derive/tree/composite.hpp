@@ -34,6 +34,7 @@ void accumulate(VectorAlgebra& algebra, const CompositeInertia& from, CompositeI
 
 /// R S R^T of a step.
 [[nodiscard]] Symmetric3 to_parent(Tree& tree, std::size_t step, const Symmetric3& s);
+[[nodiscard]] ExMatrix3 to_parent(Tree& tree, std::size_t step, const ExMatrix3& a);
 
 /// In the axes before the step, about the origin there.
 [[nodiscard]] CompositeInertia to_parent(Tree& tree, std::size_t step, const CompositeInertia& c);

@@ -1,0 +1,334 @@
+// Inward over the tree for articulated inertias and what their joints leave of them, outward for
+// accelerations. Bodies that no joint moves stay composite inertias, which have half the numbers.
+#include "derive/tree/articulated.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "derive/lagrangian/symmetric_solve.hpp"
+#include "derive/tree/tree_matrices.hpp"
+
+namespace elgen {
+
+using GiNaC::ex;
+
+namespace {
+
+/// (moment; force) = [A H; H^T M] (angular; linear).
+struct ArticulatedInertia {
+  Symmetric3 spin{0, 0, 0, 0, 0, 0};
+  ExMatrix3 coupling = {0, 0, 0, 0, 0, 0, 0, 0, 0};
+  Symmetric3 mass{0, 0, 0, 0, 0, 0};
+
+  /// Of the 6 x 6 matrix, i <= j.
+  [[nodiscard]] ex& at(std::size_t i, std::size_t j) {
+    if (j < 3) return spin[symmetric_index(i, j)];
+    return i < 3 ? coupling[3 * i + j - 3] : mass[symmetric_index(i - 3, j - 3)];
+  }
+};
+
+void accumulate(VectorAlgebra& algebra, const ArticulatedInertia& from, ArticulatedInertia& to) {
+  for (std::size_t i = 0; i < 6; ++i) {
+    to.spin[i] = algebra.define(to.spin[i] + from.spin[i]);
+    to.mass[i] = algebra.define(to.mass[i] + from.mass[i]);
+  }
+  for (std::size_t i = 0; i < 9; ++i) {
+    to.coupling[i] = algebra.define(to.coupling[i] + from.coupling[i]);
+  }
+}
+
+/// A rigid body: A = I, H = [h]x, M = m 1.
+void accumulate(VectorAlgebra& algebra, const CompositeInertia& from, ArticulatedInertia& to) {
+  for (std::size_t i = 0; i < 6; ++i) {
+    to.spin[i] = algebra.define(to.spin[i] + from.inertia[i]);
+  }
+  for (const auto& [i, j, k] : cyclic_axes) {
+    to.mass[i] = algebra.define(to.mass[i] + from.mass);
+    to.coupling[3 * i + j] = algebra.define(to.coupling[3 * i + j] - from.moment[k]);
+    to.coupling[3 * j + i] = algebra.define(to.coupling[3 * j + i] + from.moment[k]);
+  }
+}
+
+/// About the origin before a shift p.
+ArticulatedInertia shifted(VectorAlgebra& algebra, const ArticulatedInertia& c,
+                           const ExVector3& p) {
+  ArticulatedInertia result = c;
+  ExMatrix3& moved = result.coupling;
+  for (std::size_t column = 0; column < 3; ++column) {
+    ExVector3 of_mass;
+    for (std::size_t row = 0; row < 3; ++row) of_mass[row] = c.mass[symmetric_index(row, column)];
+    const ExVector3 lever = algebra.cross(p, of_mass);
+    for (std::size_t row = 0; row < 3; ++row) {
+      moved[3 * row + column] = algebra.define(moved[3 * row + column] + lever[row]);
+    }
+  }
+  const ExMatrix3& own = c.coupling;
+  for (const auto& [i, j, k] : cyclic_axes) {
+    const ex beside_j = algebra.define(own[3 * i + j] + moved[3 * i + j]);
+    const ex beside_k = algebra.define(own[3 * i + k] + moved[3 * i + k]);
+    result.spin[i] = algebra.define(c.spin[i] + p[j] * beside_k - p[k] * beside_j);
+    const ex of_moved = p[j] * moved[3 * j + k] - p[k] * moved[3 * j + j];
+    const ex of_own = p[k] * own[3 * i + i] - p[i] * own[3 * i + k];
+    ex& across = result.spin[symmetric_index(i, j)];
+    across = algebra.define(across + of_moved + of_own);
+  }
+  return result;
+}
+
+ArticulatedInertia to_parent(Tree& tree, std::size_t step, const ArticulatedInertia& c) {
+  if (tree.step(step).kind == FrameStepKind::translation) {
+    return shifted(tree.algebra, c, tree.step(step).vector);
+  }
+  ArticulatedInertia result;
+  result.spin = to_parent(tree, step, c.spin);
+  result.coupling = to_parent(tree, step, c.coupling);
+  result.mass = to_parent(tree, step, c.mass);
+  return result;
+}
+
+/// I S
+SpatialForce product(VectorAlgebra& algebra, const ArticulatedInertia& c, const Twist& s) {
+  SpatialForce result;
+  const ExVector3 moment_of_spin = product(algebra, c.spin, s.spin);
+  const ExVector3 moment_of_shift = algebra.product(c.coupling, s.velocity);
+  result.moment = algebra.add(moment_of_spin, moment_of_shift);
+  const ExVector3 force_of_spin = algebra.product(transposed(c.coupling), s.spin);
+  const ExVector3 force_of_shift = product(algebra, c.mass, s.velocity);
+  result.force = algebra.add(force_of_spin, force_of_shift);
+  return result;
+}
+
+/// S.p
+ex contracted(VectorAlgebra& algebra, const Twist& s, const SpatialForce& p) {
+  const ex turning = algebra.dot(s.spin, p.moment);
+  return algebra.define(turning + algebra.dot(s.velocity, p.force));
+}
+
+/// Angular components, then linear ones.
+using Spatial = std::array<ex, 6>;
+
+Spatial components(const ExVector3& angular, const ExVector3& linear) {
+  return {angular[0], angular[1], angular[2], linear[0], linear[1], linear[2]};
+}
+
+SpatialForce force_of(const Spatial& p) { return {{p[3], p[4], p[5]}, {p[0], p[1], p[2]}}; }
+
+/// The only component that is not 0.
+std::optional<std::size_t> single_component(const Spatial& s) {
+  std::optional<std::size_t> single;
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    if (s[i].is_zero()) continue;
+    if (single) return std::nullopt;
+    single = i;
+  }
+  return single;
+}
+
+/// By step, the velocities that move it, ascending.
+std::vector<std::vector<std::uint32_t>> velocities_on_steps(const Tree& tree,
+                                                            const std::vector<TreeJoint>& joints) {
+  std::vector<std::vector<std::uint32_t>> result(tree.size());
+  for (std::uint32_t i = 0; i < joints.size(); ++i) result[joints[i].step].push_back(i);
+  return result;
+}
+
+bool carriers_come_first(const Tree& tree, const std::vector<TreeJoint>& joints) {
+  const auto moved_by = velocities_on_steps(tree, joints);
+  std::vector<std::uint32_t> next(tree.size(), 0);  // beyond those that move the step
+  for (std::size_t k = 0; k < tree.size(); ++k) {
+    const auto& parent = tree.step(k).parent;
+    if (parent) next[k] = next[*parent];
+    if (moved_by[k].empty()) continue;
+    if (moved_by[k].front() < next[k]) return false;
+    next[k] = moved_by[k].back() + 1;
+  }
+  return true;
+}
+
+class ArticulatedRecursion {
+ public:
+  ArticulatedRecursion(Tree& tree, const std::vector<TreeJoint>& joints, const Vector& forces,
+                       const Vector& armatures)
+      : tree_(tree),
+        algebra_(tree.algebra),
+        joints_(joints),
+        forces_(forces),
+        armatures_(armatures),
+        moved_by_(velocities_on_steps(tree, joints)),
+        inertias_(tree.size()),
+        eliminated_(joints.size()) {}
+
+  ArticulatedMotion run() {
+    ArticulatedMotion motion;
+    motion.diagonal = diagonal_of_mass();
+    start();
+    for (std::size_t k = tree_.size(); k-- > 0;) {
+      if (!moved_by_[k].empty()) {
+        accumulate(algebra_, std::exchange(rigid_[k], {}), inertias_[k]);
+      }
+      for (auto i = moved_by_[k].rbegin(); i != moved_by_[k].rend(); ++i) {
+        eliminate(*i, motion.diagonal[*i]);
+      }
+      pass_on(k);
+    }
+    motion.acceleration = outward();
+    for (const Eliminated& joint : eliminated_) motion.pivots.push_back(joint.pivot);
+    return motion;
+  }
+
+ private:
+  struct Eliminated {
+    ex pivot = 0;             ///< D
+    ex alone = 0;             ///< e/D
+    SpatialForce share = {};  ///< L
+  };
+
+  Vector diagonal_of_mass() {
+    const std::vector<CompositeInertia> carried = composite_inertias(tree_);
+    Vector result;
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      const Twist& s = joints_[i].unit;
+      const SpatialForce column = momentum(algebra_, carried[joints_[i].step], s.spin, s.velocity);
+      result.push_back(algebra_.define(contracted(algebra_, s, column) + armatures_[i]));
+    }
+    return result;
+  }
+
+  /// The bodies, and the forces on them at a0.
+  void start() {
+    Tangent& coasting = tree_.derivation().coasting;
+    const std::vector<StepMotion> motions = tree_motions(tree_, {coasting, coasting, true});
+    on_bodies_ = inertial_forces_on_steps(tree_, motions);
+    rigid_ = on_steps<CompositeInertia>(
+        tree_, [&](const RigidBody& body) { return about_origin(algebra_, body); });
+  }
+
+  /// Along a single axis without J the joint lets the body go: there nothing is left of I, and the
+  /// force passed on is that on the joint. With J, I - L U^T = I J/D without a difference.
+  void eliminate(std::uint32_t velocity, const ex& diagonal) {
+    const TreeJoint& joint = joints_[velocity];
+    const ex& armature = armatures_[velocity];
+    ArticulatedInertia& inertia = inertias_[joint.step];
+    const SpatialForce moving = product(algebra_, inertia, joint.unit);
+    const ex pivot = algebra_.define(contracted(algebra_, joint.unit, moving) + armature);
+    if (pivot.is_zero()) throw ZeroPivot(RowsOf::velocities, velocity, diagonal.is_zero());
+    const ex reciprocal = algebra_.define(1 / pivot);
+    const Spatial unit = components(joint.unit.spin, joint.unit.velocity);
+    const Spatial u = components(moving.moment, moving.force);
+    const auto axis = single_component(unit);
+    const bool lets_go = axis && armature.is_zero();
+    Spatial share;
+    for (std::size_t i = 0; i < 6; ++i) share[i] = algebra_.define(u[i] * reciprocal);
+    if (lets_go) share[*axis] = algebra_.define(1 / unit[*axis]);
+    const ex held = algebra_.define(armature * reciprocal);
+    for (std::size_t i = 0; i < 6; ++i) {
+      for (std::size_t j = i; j < 6; ++j) {
+        ex& entry = inertia.at(i, j);
+        const bool is_along = axis == i || axis == j;
+        entry = algebra_.define(is_along ? held * entry : entry - share[i] * u[j]);
+      }
+    }
+    SpatialForce& force = on_bodies_[joint.step];
+    const ex lack = algebra_.define(forces_[velocity] - contracted(algebra_, joint.unit, force));
+    Spatial passed = components(force.moment, force.force);
+    for (std::size_t i = 0; i < 6; ++i) passed[i] = algebra_.define(passed[i] + share[i] * lack);
+    if (lets_go) passed[*axis] = algebra_.define(forces_[velocity] / unit[*axis]);
+    force = force_of(passed);
+    eliminated_[velocity] = {pivot, algebra_.define(lack * reciprocal), force_of(share)};
+  }
+
+  void pass_on(std::size_t k) {
+    const auto& parent = tree_.step(k).parent;
+    if (!parent) return;
+    accumulate(algebra_, tree_.before(k, on_bodies_[k]), on_bodies_[*parent]);
+    accumulate(algebra_, to_parent(tree_, k, rigid_[k]), rigid_[*parent]);
+    accumulate(algebra_, to_parent(tree_, k, inertias_[k]), inertias_[*parent]);
+  }
+
+  /// Of what a step carries, from what it is carried by.
+  Twist after(std::size_t k, const Twist& from) {
+    if (tree_.step(k).kind == FrameStepKind::translation) {
+      const ExVector3 lever = algebra_.cross(from.spin, tree_.step(k).vector);
+      return {from.spin, algebra_.add(from.velocity, lever)};
+    }
+    return {tree_.to_child(k, from.spin), tree_.to_child(k, from.velocity)};
+  }
+
+  Vector outward() {
+    Vector accelerations(joints_.size());
+    std::vector<Twist> motions;  // d
+    for (std::size_t k = 0; k < tree_.size(); ++k) {
+      const auto& parent = tree_.step(k).parent;
+      Twist motion = parent ? after(k, motions[*parent]) : Twist{};
+      for (const std::uint32_t i : moved_by_[k]) {
+        const Twist& unit = joints_[i].unit;
+        const ex of_carrier = contracted(algebra_, motion, eliminated_[i].share);
+        const ex& a = accelerations[i] = algebra_.define(eliminated_[i].alone - of_carrier);
+        motion.spin = algebra_.add(motion.spin, algebra_.scaled(a, unit.spin));
+        motion.velocity = algebra_.add(motion.velocity, algebra_.scaled(a, unit.velocity));
+      }
+      motions.push_back(motion);
+    }
+    return accelerations;
+  }
+
+  Tree& tree_;
+  VectorAlgebra& algebra_;
+  const std::vector<TreeJoint>& joints_;
+  const Vector& forces_;
+  const Vector& armatures_;
+  std::vector<std::vector<std::uint32_t>> moved_by_;
+  std::vector<SpatialForce> on_bodies_;       ///< p
+  std::vector<CompositeInertia> rigid_;       ///< with what no joint moves
+  std::vector<ArticulatedInertia> inertias_;  ///< of the rest
+  std::vector<Eliminated> eliminated_;        ///< by velocity
+};
+
+}  // namespace
+
+std::optional<std::vector<TreeJoint>> tree_joints(Tree& tree) {
+  const TreeVariables variables = tree_variables(tree);
+  if (!variables.is_complete) return std::nullopt;
+  std::vector<std::optional<TreeJoint>> known(tree.derivation().size());
+  VectorAlgebra& algebra = tree.algebra;
+  for (const TreeVariable& variable : variables.list) {
+    for (const Coefficient& slope : jacobian_row(tree, variable)) {
+      std::optional<TreeJoint>& joint = known[slope.velocity];
+      if (!joint) joint = TreeJoint{variable.step};
+      if (joint->step != variable.step) return std::nullopt;
+      const ExVector3 spin = algebra.scaled(slope.value, variable.spin);
+      const ExVector3 velocity = algebra.scaled(slope.value, variable.velocity);
+      joint->unit.spin = algebra.add(joint->unit.spin, spin);
+      joint->unit.velocity = algebra.add(joint->unit.velocity, velocity);
+    }
+  }
+  std::vector<TreeJoint> joints;
+  for (const std::optional<TreeJoint>& joint : known) {
+    if (!joint) return std::nullopt;
+    joints.push_back(*joint);
+  }
+  if (!carriers_come_first(tree, joints)) return std::nullopt;
+  return joints;
+}
+
+ArticulatedMotion articulated_motion(Tree& tree, const std::vector<TreeJoint>& joints,
+                                     const Vector& forces, const Vector& armatures) {
+  return ArticulatedRecursion(tree, joints, forces, armatures).run();
+}
+
+std::size_t operations_of_factorisation(const Tree& tree, const std::vector<TreeJoint>& joints) {
+  const auto moved_by = velocities_on_steps(tree, joints);
+  std::vector<std::size_t> moving(tree.size(), 0);  // velocities that move the step
+  std::size_t total = 0;
+  for (std::size_t k = 0; k < tree.size(); ++k) {
+    const auto& parent = tree.step(k).parent;
+    if (parent) moving[k] = moving[*parent];
+    for (std::size_t i = 0; i < moved_by[k].size(); ++i) {
+      total += moving[k] * (moving[k] + 2);
+      ++moving[k];
+    }
+  }
+  return total;
+}
+
+}  // namespace elgen

@@ -1,0 +1,237 @@
+// Articulated bodies against elimination of M, where they apply, and where they do not.
+#include "derive/tree/articulated.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "derive/outputs/outputs.hpp"
+#include "framed.hpp"
+#include "support/links.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+/// A boom on a turning table, a slide along a slanted line that depends on its place, a reel with
+/// an armature on an axis between the coordinate axes, a spring, and damping; one limb beside it.
+const std::string& crane_text() {
+  static const std::string text = frame_model("crane", "q r s p", R"toml(
+[[input]]
+name = "u"
+[[frame]]
+name = "table"
+parent = "world"
+rotate = [["z", "Omega*t"]]
+[[frame]]
+name = "boom"
+parent = "table"
+translate = ["l/2", "l/7", "t*l/9"]
+rotate = [["x", "pi/2"], ["z", "2*q"]]
+[[frame]]
+name = "carriage"
+parent = "boom"
+translate = ["r", "r^2/3", "l"]
+[[frame]]
+name = "reel"
+parent = "carriage"
+translate = ["l/5", "0", "l/3"]
+rotate = [["x", "pi/3"], [["1", "2", "2"], "s"]]
+[[frame]]
+name = "lamp"
+parent = "boom"
+translate = ["l/5", "l/6", "0"]
+rotate = [["y", "p + t/3"]]
+[[body]]
+name = "boom_body"
+frame = "boom"
+mass = "m1"
+com = ["l/6", "l/5", "l/4"]
+inertia = ["A", "B", "C", "D", "E", "F"]
+[[body]]
+name = "carriage_body"
+frame = "carriage"
+mass = "m2"
+com = ["l/9", "l/8", "-l/4"]
+[[body]]
+name = "reel_body"
+frame = "reel"
+mass = "m2"
+com = ["l/9", "l/8", "-l/4"]
+inertia = ["C", "B", "A", "F", "D", "E"]
+[[body]]
+name = "lamp_body"
+frame = "lamp"
+mass = "m1/3"
+com = ["l/4", "0", "-l/9"]
+inertia = ["A", "A", "B", "0", "E", "0"]
+inertia_about = "origin"
+[[force]]
+frame = "reel"
+from = "boom"
+value = ["u", "l", "-u"]
+[energy]
+T = "(A + B*q^2)*dot(q)^2/2 + C*dot(s)^2 + D*dot(p)"
+V = "C*(q - s)^2/2 + D*r^2*p"
+D = "C*(dot(q) - dot(p))^2/2"
+)toml");
+  return text;
+}
+
+/// A flying body with an arm of a turn and a slide, and one of a turn.
+const std::string& flyer_text() {
+  static const std::string text = model_text("flyer", R"toml(
+[[coordinate]]
+name = "x"
+[[coordinate]]
+name = "y"
+[[coordinate]]
+name = "z"
+[[coordinate]]
+name = "e"
+kind = "rotation"
+[[coordinate]]
+name = "q"
+[[coordinate]]
+name = "s"
+[[coordinate]]
+name = "p"
+)toml" + frame_parameters() + R"toml(
+[[frame]]
+name = "hull"
+parent = "world"
+translate = ["x", "y", "z + x/5"]
+rotation = "e"
+[[frame]]
+name = "arm"
+parent = "hull"
+translate = ["l", "l/2", "0"]
+rotate = [["y", "q"]]
+[[frame]]
+name = "hand"
+parent = "arm"
+translate = ["0", "l/2 + s", "s/3"]
+[[frame]]
+name = "rotor"
+parent = "hull"
+translate = ["-l", "l/5", "0"]
+rotate = [["z", "p"]]
+[[body]]
+name = "hull_body"
+frame = "hull"
+mass = "m1"
+com = ["l/9", "l/8", "l/7"]
+inertia = ["A", "B", "C", "D", "E", "F"]
+[[body]]
+name = "arm_body"
+frame = "arm"
+mass = "m2"
+com = ["l/6", "l/5", "l/4"]
+inertia = ["B", "B", "C"]
+[[body]]
+name = "hand_body"
+frame = "hand"
+mass = "m2/2"
+com = ["l/6", "0", "l/4"]
+inertia = ["C", "B", "B"]
+[[body]]
+name = "rotor_body"
+frame = "rotor"
+mass = "m2/5"
+com = ["l/8", "0", "0"]
+inertia = ["A", "A", "B"]
+[[input]]
+name = "u"
+on = "p"
+)toml");
+  return text;
+}
+
+Lagrangian limbs_first(const std::string& text) {
+  Lagrangian lagrangian = Framed(text).lagrangian;
+  lagrangian.eliminates_last_first = true;
+  return lagrangian;
+}
+
+/// A state with quaternions of length 1.
+State unit_state(const CheckedModel& checked, int sample) {
+  State state = some_state(checked, sample);
+  for (const Rotation& rotation : checked.model.rotations) {
+    for (std::uint32_t i = 0; i < quaternion_size; ++i) {
+      state.q[rotation.first_coordinate + i] = cln::cl_RA(i == 0 ? 1 : 1 << ((i + 1) / 2)) / 5;
+    }
+  }
+  return state;
+}
+
+bool applies(const std::string& text) {
+  Derivation derivation(limbs_first(text));
+  return articulated_dynamics(derivation).has_value();
+}
+
+std::size_t definitions_of_chain(int links) {
+  Derivation derivation(limbs_first(links_text(links)));
+  REQUIRE(articulated_dynamics(derivation));
+  return derivation.definitions.list.size();
+}
+
+}  // namespace
+
+TEST_CASE("articulated bodies solve as elimination does, with its pivots", "[frames]") {
+  for (const std::string& text : {two_turns_text(), three_turns_text(), tumbler_text(),
+                                  crane_text(), flyer_text(), links_text(5)}) {
+    const Framed system(text);
+    INFO(system.checked.model.name);
+    Derivation derivation(limbs_first(text));
+    const ForwardDynamics expected = forward_dynamics(derivation);
+    const auto found = articulated_dynamics(derivation);
+    REQUIRE(found);
+    for (const int sample : {1, 2}) {
+      const NumbersAt at(derivation.symbols, derivation.definitions,
+                         unit_state(system.checked, sample));
+      CHECK(nearly_equal(at(found->solution.acceleration), at(expected.acceleration)));
+      CHECK(nearly_equal(at(found->solution.relative_pivots), at(expected.relative_pivots)));
+      CHECK(nearly_equal(at(found->solution.diagonal), at(expected.diagonal)));
+    }
+    CHECK(found->solution.multipliers.empty());
+  }
+}
+
+TEST_CASE("the pivot of the last joint is 1, as an expression", "[frames]") {
+  for (const std::string& text : {two_turns_text(), links_text(3), crane_text()}) {
+    Derivation derivation(limbs_first(text));
+    CHECK(articulated_dynamics(derivation)->solution.relative_pivots.back().is_equal(1));
+  }
+}
+
+TEST_CASE("articulated bodies do not apply to every Lagrangian", "[frames]") {
+  CHECK_FALSE(applies(quaternion_text()));  // a quaternion over coordinates
+  CHECK_FALSE(applies(turntable_text()));   // q1 turns two frames
+  CHECK_FALSE(applies(two_arms_text()));    // T couples rates, and a mass is beside the frames
+  CHECK_FALSE(applies(sliders_text()));     // a mass beside the frames
+  // The pivots of the other order.
+  Derivation derivation(Framed(three_turns_text()).lagrangian);
+  CHECK_FALSE(articulated_dynamics(derivation));
+}
+
+TEST_CASE("a velocity comes after those that carry its step", "[frames]") {
+  Derivation derivation(Framed(links_text(2)).lagrangian);
+  const auto joints = tree_joints(tree_of(derivation));
+  REQUIRE(joints);
+  CHECK(joints->at(0).step < joints->at(1).step);
+  Derivation other(Framed(links_text(2, true)).lagrangian);
+  CHECK_FALSE(tree_joints(tree_of(other)));
+}
+
+TEST_CASE("definitions of articulated bodies grow as the chain does", "[frames]") {
+  const std::size_t few = definitions_of_chain(10);
+  const std::size_t more = definitions_of_chain(20);
+  const std::size_t many = definitions_of_chain(40);
+  // 5 % for the first links, which move less.
+  CHECK(20 * (many - more) <= 42 * (more - few));
+}
+
+TEST_CASE("the factorisation of a chain takes d (d + 2) operations for d carriers", "[frames]") {
+  Derivation derivation(limbs_first(links_text(4)));
+  Tree& tree = tree_of(derivation);
+  CHECK(operations_of_factorisation(tree, *tree_joints(tree)) == 3 + 8 + 15);
+}

@@ -1,0 +1,83 @@
+// Forward dynamics is lowered by the route that costs least.
+#include <catch2/catch.hpp>
+
+#include "derive/framed.hpp"
+#include "elgen/lower.hpp"
+#include "support/links.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+struct Routes {
+  explicit Routes(const std::string& text)
+      : system(text),
+        request(system.request("forward_dynamics")),
+        equations(*derive(system.lagrangian, {request}, {})) {}
+
+  [[nodiscard]] Function lowered() const { return lowered(equations); }
+
+  /// By elimination of M alone.
+  [[nodiscard]] Function eliminated() const {
+    EquationsOfMotion usual = equations;
+    usual.other_routes.clear();
+    return lowered(usual);
+  }
+
+  [[nodiscard]] Function lowered(const EquationsOfMotion& from) const {
+    const Result<Program> program = lower(from, {request}, {});
+    if (!program) throw std::runtime_error(format(program.diagnostics));
+    return program->functions.front();
+  }
+
+  Framed system;
+  OutputRequest request;
+  EquationsOfMotion equations;
+};
+
+std::size_t cost_of(const Function& function) { return cost(count_operations(function)); }
+
+}  // namespace
+
+TEST_CASE("few velocities have one route, and are eliminated from the first", "[frames]") {
+  CHECK_FALSE(Framed(links_text(9)).lagrangian.eliminates_last_first);
+  CHECK(Framed(links_text(10)).lagrangian.eliminates_last_first);
+  CHECK(Routes(links_text(9)).equations.other_routes.empty());
+  CHECK(Routes(two_turns_text()).equations.other_routes.empty());
+}
+
+TEST_CASE("a chain of twenty turns is solved by articulated bodies, which is shorter", "[frames]") {
+  const Routes routes(links_text(20));
+  REQUIRE(routes.equations.outputs.size() == 1);
+  REQUIRE(routes.equations.other_routes.size() == 1);
+  const std::size_t chosen = cost_of(routes.lowered());
+  CHECK(10 * chosen < 9 * cost_of(routes.eliminated()));
+}
+
+TEST_CASE("where M is shorter it is eliminated", "[frames]") {
+  // Ten wheels on one carriage do not know of each other.
+  std::string text;
+  std::string names = "x";
+  for (int i = 1; i <= 10; ++i) {
+    const std::string number = std::to_string(i);
+    names += " q" + number;
+    text += "[[frame]]\nname = \"w" + number + "\"\nparent = \"carriage\"\ntranslate = [\"l*" +
+            number + "\", \"0\", \"l/9\"]\nrotate = [[\"y\", \"q" + number +
+            "\"]]\n[[body]]\nname = \"b" + number + "\"\nframe = \"w" + number +
+            "\"\nmass = \"m1\"\ncom = [\"l/5\", \"0\", \"0\"]\ninertia = [\"A\", \"B\", \"C\"]\n";
+  }
+  const std::string carriage =
+      "[[frame]]\nname = \"carriage\"\nparent = \"world\"\ntranslate = [\"x\", \"0\", \"0\"]\n"
+      "[[body]]\nname = \"hull\"\nframe = \"carriage\"\nmass = \"m2\"\n";
+  const Routes routes(frame_model("wagon", names, carriage + text));
+  REQUIRE(routes.equations.other_routes.size() == 1);
+  CHECK(cost_of(routes.lowered()) <= cost_of(routes.eliminated()));
+}
+
+TEST_CASE("M of a long chain is not derived for forward dynamics", "[frames]") {
+  const Routes routes(links_text(60));
+  CHECK(routes.equations.outputs.empty());
+  REQUIRE(routes.equations.other_routes.size() == 1);
+  CHECK(routes.lowered().fields.size() == 2 + 1);
+}
