@@ -97,6 +97,7 @@ struct Numerics {
   std::vector<ScalarKind> scalars = {ScalarKind::double_precision};
   InnerScalar inner = InnerScalar::same;  ///< another one asks for a header that computes in it
   std::optional<cln::cl_RA> trigonometry_error = {};  ///< of sines and cosines in batches, at most
+  bool has_library_sines = false;  ///< functions of numbers call the library, not polynomials
   /// The largest error of any output, as `tradeoff` measures it; `verify` checks it.
   std::optional<double> max_error = {};
   std::vector<NamedRange> ranges = {};  ///< where, beside the ranges of the model

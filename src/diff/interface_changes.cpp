@@ -286,6 +286,11 @@ void compare_target(Changes& changes, const Scene& before, const Scene& after) {
   if (before.numerics.trigonometry_error != after.numerics.trigonometry_error) {
     changes.add(Impact::values, "the error that batches allow sines and cosines differs");
   }
+  if (before.numerics.has_library_sines != after.numerics.has_library_sines) {
+    changes.add(Impact::values, "sines and cosines of numbers are {} where they were {}",
+                after.numerics.has_library_sines ? "the library's" : "in line",
+                before.numerics.has_library_sines ? "the library's" : "in line");
+  }
   if (before.numerics.max_error != after.numerics.max_error) {
     changes.add(Impact::values, "the error that the scene promises of its outputs differs");
   }

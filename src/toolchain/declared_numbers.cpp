@@ -14,8 +14,8 @@
 
 #include "elgen/artifacts.hpp"
 #include "emit/interface/code_interface.hpp"
-#include "emit/interface/pack_trigonometry.hpp"
 #include "numbers/exact_number.hpp"
+#include "program/evaluate/sines.hpp"
 #include "toolchain/driver.hpp"
 
 namespace elgen {
@@ -140,23 +140,13 @@ class DeclarationText {
   /// How packs reduce angles, and their polynomials: a last digit shows in few results.
   void add_trigonometry(ScalarKind scalar) {
     const std::string table = fmt::format("Trigonometry<{}>::", name_of(scalar));
-    const std::string space = fmt::format("::{}::batch::detail::", name_space(input_.scene));
-    const auto add_number = [&](const std::string& name, double value) {
-      add(table + name, space + table + name, nearest(exact_value(value), scalar));
-    };
-    const AngleReduction& reduction = angle_reduction(scalar);
-    add_number("domain", reduction.domain);
-    add_number("high", reduction.high);
-    add_number("low", reduction.low);
-    add_number("inverse", reduction.inverse);
-    add_number("shift", reduction.shift);
-    const cln::cl_RA error = trigonometry_error(input_.scene.numerics, scalar);
-    for (const auto& [name, all] :
-         {std::pair("sine", sine_polynomials()), std::pair("cosine", cosine_polynomials())}) {
-      const std::vector<double> coefficients = cheapest(all, error, scalar).coefficients;
-      for (std::size_t i = 0; i < coefficients.size(); ++i) {
-        add_number(fmt::format("{}[{}]", name, i), coefficients[i]);
-      }
+    const Numerics& numerics = input_.scene.numerics;
+    const bool is_own = has_tables_of_packs(input_.scene, input_.program);
+    const std::string space =
+        fmt::format("::{}::{}detail::", name_space(input_.scene), is_own ? "batch::" : "");
+    for (const SineNumber& number : sine_numbers(numerics, SinesOf::packs, scalar)) {
+      add(table + number.name, space + table + number.name,
+          nearest(exact_value(number.value), scalar));
     }
   }
 

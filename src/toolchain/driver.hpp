@@ -35,7 +35,7 @@ struct Driver {
   std::string name = {};   ///< "eigen": a part of its symbols
   std::string text = {};
   std::string needs = {};     ///< of the Source, which leaves the text out where it is not there
-  bool in_packs = false;      ///< sines and cosines are those of PackTrigonometry
+  bool in_packs = false;      ///< sines and cosines are polynomials, see Sines
   bool is_wide = false;       ///< computes in Numerics::inner
   bool has_functions = true;  ///< else it has nothing but these
 };

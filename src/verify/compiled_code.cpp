@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "emit/interface/code_interface.hpp"
-#include "emit/interface/pack_trigonometry.hpp"
+#include "program/evaluate/sines.hpp"
 #include "verify/bounds/exact_run.hpp"
 
 namespace elgen {
@@ -33,18 +33,6 @@ std::size_t differing(const std::vector<Scalar>& x, const std::vector<Scalar>& y
   return count;
 }
 
-/// Packs of numbers: sines and cosines are polynomials.
-template <class Scalar>
-struct PackRules : interpreter::NumberRules<Scalar> {
-  const PackTrigonometry<Scalar>& trigonometry;
-
-  [[nodiscard]] Scalar call(FunctionId function, const Scalar& x, const Scalar& y) const {
-    if (function == FunctionId::sin) return trigonometry.of(x).sine;
-    if (function == FunctionId::cos) return trigonometry.of(x).cosine;
-    return interpreter::call(function, x, y);
-  }
-};
-
 /// "float, batch, -O3 -march=native": the kind of code.
 std::string kind_of_code(const CompiledHeader& compiled, std::string_view first) {
   std::string text(first);
@@ -62,17 +50,14 @@ template <class Scalar>
 CertificateRow compiled_row(const Subject& subject, const CompiledHeader& compiled,
                             const Function& function,
                             const std::vector<SampledState<Scalar>>& states) {
-  const PackTrigonometry<Scalar> trigonometry(subject.scene.numerics);
   // A batch takes one state after another where numbers are compared.
   const bool in_packs = compiled.in_packs && !needs_order(function);
+  const Sines<Scalar> sines(subject.scene, in_packs ? SinesOf::packs : SinesOf::numbers);
   std::size_t wrong = 0;
   std::size_t entries = 0;
   std::string where;
   for (const SampledState<Scalar>& sample : states) {
-    const PackRules<Scalar> rules{{sample.values}, trigonometry};
-    const auto expected = in_packs
-                              ? entries_of(function, fold<Scalar>(rules, subject.program, function))
-                              : evaluate(subject.program, function, sample.values);
+    const auto expected = evaluate_code(subject.program, function, sample.values, sines);
     const std::size_t count =
         differing(compiled.functions->call(function.name, sample.values), expected);
     if (wrong == 0 && count > 0) where = describe(subject, exact_state(subject, sample.values));

@@ -96,10 +96,23 @@ TEST_CASE("accuracies that no scalar has are E625") {
 
 TEST_CASE("polynomials are for batches, and these for C++ in float and double") {
   CHECK_THAT(block_scene_messages("[numeric]\ntrigonometry = { max_error = 1e-7 }\n"),
-             Catch::Contains("E625") && Catch::Contains("in batches alone"));
+             Catch::Contains("E625") && Catch::Contains("are those of batches"));
   CHECK_THAT(block_scene_messages(batch + "language = \"c99\"\n"), Catch::Contains("E611"));
   CHECK_THAT(block_scene_messages(batch + "[numeric]\nscalar = [\"double\", \"long double\"]\n"),
              Catch::Contains("E625") && Catch::Contains("`float` or `double`"));
+}
+
+TEST_CASE("sines of numbers are in line, or the library's, with batches or without") {
+  CHECK_FALSE(block_scene("").numerics.has_library_sines);
+  const std::string in_line = "[numeric]\ntrigonometry = { scalar = \"in-line\" }\n";
+  CHECK_FALSE(block_scene(in_line).numerics.has_library_sines);
+  const std::string library = "[numeric]\ntrigonometry = { scalar = \"library\" }\n";
+  CHECK(block_scene(library).numerics.has_library_sines);
+  CHECK(block_scene("[emit]\nlanguage = \"c99\"\n" + library).numerics.has_library_sines);
+  const Scene both =
+      block_scene(batch + "[numeric]\ntrigonometry = { max_error = 1e-7, scalar = \"library\" }\n");
+  CHECK(both.numerics.has_library_sines);
+  CHECK(both.numerics.trigonometry_error == cln::cl_RA(1) / 10'000'000);
 }
 
 TEST_CASE("functions of doubles compute in double, or in a wider scalar") {

@@ -141,6 +141,14 @@ TEST_CASE("another error of sines and cosines is a change of values") {
         "values: the error that batches allow sines and cosines differs\n");
 }
 
+TEST_CASE("sines of the library in the place of those in line are a change of values") {
+  const auto scene = [](const std::string& sines) {
+    return "[numeric]\ntrigonometry = { scalar = \"" + sines + "\" }\n";
+  };
+  CHECK(seen_by_callers(spring(), spring(), scene("in-line"), scene("library")) ==
+        "values: sines and cosines of numbers are the library's where they were in line\n");
+}
+
 TEST_CASE("another error that a scene promises is a change of values") {
   const std::string promise = "[numeric]\nmax_error = ";
   CHECK(seen_by_callers(spring(), spring(), promise + "1e-7\n", promise + "1e-5\n") ==

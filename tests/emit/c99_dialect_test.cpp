@@ -25,7 +25,7 @@ TEST_CASE("an array goes to result, unused arguments are named") {
         "static inline void cart_pole_gravity(const cart_pole_parameters *p, const double q[2],\n"
         "                                     double result[2])");
   CHECK(gravity.body ==
-        "  const double sin_theta = sin(q[1]);\n"
+        "  const double sin_theta = cart_pole_sine_of(q[1]);\n"
         "  result[0] = 0.0;\n"
         "  result[1] = -p->g * p->l * p->m * sin_theta;\n");
   CHECK(text_of(in_c(), 3).body ==
@@ -41,12 +41,24 @@ TEST_CASE("a number is returned, a struct filled") {
 
 TEST_CASE("float has its own functions and literals") {
   const Subject subject = in_c(ScalarKind::single_precision);
-  CHECK(text_of(subject, 1).body.find("const float sin_theta = sinf(q[1]);") != std::string::npos);
+  CHECK(text_of(subject, 1).body.find("const float sin_theta = cart_pole_sine_of(q[1]);") !=
+        std::string::npos);
   const auto dialect = c99_dialect(subject.model, subject.scene, subject.program);
   CHECK(dialect->constant(rational_constant(cln::cl_RA(-1) / 3)).text() == "-0.33333334f");
+  CHECK(dialect->pair("s", "c", {"x"}, true) ==
+        "  float s, c;\n  cart_pole_sine_cosine(x, &s, &c);\n");
+  CHECK(dialect->pair("w->s", "w->c", {"x"}, false) ==
+        "  cart_pole_sine_cosine(x, &w->s, &w->c);\n");
   CHECK(dialect->square_root({"x"}).text() == "sqrtf(x)");
   CHECK(dialect->call(FunctionId::abs, {{"x"}}).text() == "fabsf(x)");
   CHECK(dialect->call(FunctionId::min, {{"x"}, {"y"}}).text() == "cart_pole_smaller(x, y)");
+}
+
+TEST_CASE("sines of the library are called one by one") {
+  Subject subject = in_c();
+  subject.scene.numerics.has_library_sines = true;
+  CHECK(text_of(subject, 1).body.find("const double sin_theta = sin(q[1]);") != std::string::npos);
+  CHECK_FALSE(c99_dialect(subject.model, subject.scene, subject.program)->has_pairs());
 }
 
 TEST_CASE("temporaries hide nothing, and those that parts share are members") {

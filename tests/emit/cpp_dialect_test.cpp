@@ -34,8 +34,7 @@ DefinitionText on_eigen(std::size_t function) {
 
 TEST_CASE("functions called, named values, result") {
   CHECK(body_of(1) ==
-        "  using std::sin;\n"
-        "  const Scalar sin_theta = sin(q[1]);\n"
+        "  const Scalar sin_theta = detail::Sine<Scalar>::of(q[1]);\n"
         "  return {{constant<Scalar>(0.0), -p.g * p.l * p.m * sin_theta}};\n");
 }
 
@@ -119,6 +118,7 @@ TEST_CASE("calls") {
   const Subject subject = cart_pole();
   const auto dialect = cpp_dialect(subject.model, subject.program);
   CHECK(dialect->call(FunctionId::atan2, {{"y"}, {"x"}}).text() == "atan2(y, x)");
+  CHECK(dialect->call(FunctionId::cos, {{"x"}}).text() == "detail::Cosine<Scalar>::of(x)");
   CHECK(dialect->call(FunctionId::sign, {{"x"}}).text() == "detail::sign_of<Scalar>(x)");
   CHECK(dialect->call(FunctionId::min, {{"x"}, {"y"}}).text() == "detail::smaller<Scalar>(x, y)");
   CHECK(dialect->call(FunctionId::max, {{"x"}, {"y"}}).text() == "detail::larger<Scalar>(x, y)");
@@ -133,8 +133,7 @@ TEST_CASE("Eigen: arguments are read in place, entries written into the result")
         "[[nodiscard]] Vector<Scalar, 2> gravity(const Parameters<Scalar>& p,\n"
         "                                        const Argument<Scalar, 2>& q) noexcept");
   CHECK(text.body ==
-        "  using std::sin;\n"
-        "  const Scalar sin_theta = sin(q[1]);\n"
+        "  const Scalar sin_theta = detail::Sine<Scalar>::of(q[1]);\n"
         "  Vector<Scalar, 2> result;\n"
         "  result(0) = constant<Scalar>(0.0);\n"
         "  result(1) = -p.g * p.l * p.m * sin_theta;\n"

@@ -39,22 +39,35 @@ TEST_CASE("helpers stand only where they are used") {
   CHECK_FALSE(mentions(with_kinks, "number_"));
 }
 
-TEST_CASE("sine and cosine have one call for the scalars that the scene names") {
+TEST_CASE("sine and cosine are in line for float and double, where the scene names them") {
   Subject subject = cart_pole();
   subject.program = elgen::testing::read_program(
       "coordinates x theta\nfunction gravity\n  0 = coordinate theta\n  1 = sin 0\n  2 = cos 0\n"
       "  result 2 1 = 1 2\n");
   const std::string named = cpp_text(subject);
-  CHECK(mentions(named, "struct SineCosine<double> {\n  [[nodiscard]] ELGEN_FUNCTION static"));
+  CHECK(mentions(named, "struct SineCosine<double> : SineCosineInLine<double> {};"));
+  CHECK(
+      mentions(named, "struct LibrarySineCosine<double> {\n  [[nodiscard]] ELGEN_FUNCTION static"));
   CHECK(mentions(named, "::sincos(angle, &sine, &cosine);"));
+  CHECK(mentions(named, "  static constexpr double part_3 = "));
   CHECK_FALSE(mentions(named, "SineCosine<float>"));
   CHECK_FALSE(mentions(named, "SineCosine<long double>"));
   subject.scene.numerics.scalars = {ScalarKind::single_precision, ScalarKind::long_double};
   const std::string others = cpp_text(subject);
   CHECK(mentions(others, "::sincosf(angle, &sine, &cosine);"));
   // No device has long double.
-  CHECK(mentions(others, "struct SineCosine<long double> {\n  [[nodiscard]] static"));
+  CHECK(mentions(others, "struct LibrarySineCosine<long double> {\n  [[nodiscard]] static"));
+  CHECK(mentions(others, "struct SineCosine<float> : SineCosineInLine<float> {};"));
+  CHECK_FALSE(mentions(others, "SineCosineInLine<long double>"));
   CHECK_FALSE(mentions(others, "SineCosine<double>"));
+  subject.scene.numerics.scalars = {ScalarKind::long_double};
+  CHECK_FALSE(mentions(cpp_text(subject), "Trigonometry"));
+  subject.scene.numerics.scalars = {ScalarKind::double_precision};
+  subject.scene.numerics.has_library_sines = true;
+  CHECK_FALSE(mentions(cpp_text(subject), "Trigonometry"));
+  subject.scene.emission.batch = true;  // packs have no library
+  CHECK(mentions(cpp_text(subject), "Trigonometry<double>"));
+  CHECK_FALSE(mentions(cpp_text(subject), "SineCosineInLine"));
 }
 
 TEST_CASE("a constant is one function however often it occurs") {

@@ -133,7 +133,7 @@ TEST_CASE("verify catches what is wrong in packs as wide as the registers of thi
   // Code for any machine of this kind has registers of 16 bytes.
   const EmittedFiles files = files_with(
       products, "_batch.hpp",
-      {"a sign", R"(8 \* sizeof\(T\) - 2)", "8 * sizeof(T) - (N * sizeof(T) > 16 ? 1U : 2U)"});
+      {"a sign", R"(\(quadrant & 2\) << 62)", "(quadrant & 2) << (sizeof(Native) > 16 ? 61 : 62)"});
   CHECK(passes(products, files));
   CHECK_FALSE(passes(products, files, builds));
 #endif

@@ -1,4 +1,5 @@
-// Compiled code that is not compiled: the interpreter, with one function's first entry changed.
+// Compiled code that is not compiled: the interpreter, as code has its sines,
+// with one function's first entry changed.
 #pragma once
 
 #include <functional>
@@ -6,6 +7,7 @@
 #include <vector>
 
 #include "elgen/toolchain.hpp"
+#include "program/evaluate/sines.hpp"
 
 namespace elgen::test {
 
@@ -30,7 +32,8 @@ class Changed final : public CompiledModel {
   std::vector<Scalar> changed(std::string_view name, const Arguments<Scalar>& arguments) const {
     for (const Function& function : program_.functions) {
       if (function.name != name) continue;
-      std::vector<Scalar> values = evaluate(program_, function, arguments);
+      const Sines<Scalar> sines(Scene{}, SinesOf::numbers);
+      std::vector<Scalar> values = evaluate_code(program_, function, arguments, sines);
       if (name == function_) values[0] = static_cast<Scalar>(change_(values[0]));
       return values;
     }

@@ -25,9 +25,9 @@ std::vector<CertificateRow> rows_of(const System& system, const Changed& compile
 }
 
 /// Sines and cosines of the library, the cosine times a number; in double alone.
-class Sines final : public CompiledModel {
+class LibrarySines final : public CompiledModel {
  public:
-  explicit Sines(double factor) : factor_(factor) {}
+  explicit LibrarySines(double factor) : factor_(factor) {}
 
   [[nodiscard]] DriverFunction<double> find(std::string_view) const override { return nullptr; }
   [[nodiscard]] std::vector<double> call(std::string_view function,
@@ -50,7 +50,7 @@ CertificateRow sine_row_of(double factor, Build build = Build::as_written) {
   System system = cart_pole_system();
   system.scene.numerics.trigonometry_error = cln::cl_RA(1) / 1'000'000;
   const auto rows =
-      check_sines(system.subject(), {"batch", true, std::make_unique<Sines>(factor), build});
+      check_sines(system.subject(), {"batch", true, std::make_unique<LibrarySines>(factor), build});
   REQUIRE(rows.size() == 1);
   return rows.front();
 }

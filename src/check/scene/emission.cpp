@@ -64,7 +64,7 @@ class BatchReader {
     scene_.emission.batch = is_set(batch);
     if (scene_.emission.batch) check_scalars(*batch);
     const KeySyntax* trigonometry = find_key(syntax_, "numeric", "trigonometry");
-    if (trigonometry != nullptr) read_accuracy(*trigonometry);
+    if (trigonometry != nullptr) read_sines(*trigonometry);
   }
 
  private:
@@ -83,15 +83,18 @@ class BatchReader {
     }
   }
 
-  void read_accuracy(const KeySyntax& trigonometry) {
-    if (!scene_.emission.batch) {
-      return refuse(trigonometry.key_span,
-                    "polynomials for sine and cosine are used in batches alone",
-                    "`[emit] batch = true` adds functions on arrays of states");
-    }
+  void read_sines(const KeySyntax& trigonometry) {
+    const KeySyntax* scalar = trigonometry.value.find("scalar");
+    scene_.numerics.has_library_sines = scalar != nullptr && scalar->value.text == "library";
     const KeySyntax* key = trigonometry.value.find("max_error");
     if (key == nullptr) return;
-    const auto wanted = ValueReader(context_).constant(key->value);
+    if (scene_.emission.batch) return read_accuracy(*key);
+    refuse(trigonometry.key_span, "sines and cosines of a given accuracy are those of batches",
+           "`[emit] batch = true` adds functions on arrays of states");
+  }
+
+  void read_accuracy(const KeySyntax& key) {
+    const auto wanted = ValueReader(context_).constant(key.value);
     if (!wanted) return;
     const bool has_float = has_scalar(scene_, ScalarKind::single_precision);
     const ScalarKind coarsest =
@@ -99,7 +102,7 @@ class BatchReader {
     const bool is_within = is_rational(*wanted) && *wanted < 1 &&
                            *wanted >= trigonometry_error(scene_.numerics, coarsest);
     if (!is_within) {
-      return refuse(key->value.span,
+      return refuse(key.value.span,
                     has_float ? "`max_error` in float is at least 2^-23 = 1.2e-7, and below 1"
                               : "`max_error` is at least 2^-52 = 2.3e-16, and below 1");
     }

@@ -1,5 +1,6 @@
 // c99_dialect: the float functions of <math.h> end with f, those of double do not; sign, min and
-// max are helpers of the header that compute what the C++ code computes (fmin would drop a NaN).
+// max are helpers of the header that compute what the C++ code computes (fmin would drop a NaN),
+// and sine and cosine where they are in line.
 #include "emit/c99/c99_dialect.hpp"
 
 #include <fmt/format.h>
@@ -7,6 +8,7 @@
 #include "emit/interface/code_interface.hpp"
 #include "emit/text/layout.hpp"
 #include "numbers/scalar_literal.hpp"
+#include "program/evaluate/sines.hpp"
 
 namespace elgen {
 namespace {
@@ -16,18 +18,47 @@ using Texts = std::vector<std::string>;
 /// "[7]"; C has no arrays of zero elements.
 std::string extent(std::size_t size) { return size == 0 ? "[]" : fmt::format("[{}]", size); }
 
+/// Without the prefix.
+std::string name_of_part(const Function& function, std::size_t part) {
+  return fmt::format("{}_part_{}", function.name, part + 1);
+}
+
+/// "sine_of": the name of the header's own sine, which is in line.
+std::string_view own_sine(std::string_view name) {
+  return name == "sin" ? "sine_of" : name == "cos" ? "cosine_of" : "";
+}
+
+/// "  double sin_x, cos_x;\n  p_sine_cosine(x, &sin_x, &cos_x);\n"; `scalar`: "" where they are
+/// declared already.
+std::string pair_text(const std::string& scalar, const std::string& call, const std::string& sine,
+                      const std::string& cosine) {
+  const std::string text = fmt::format("{}, &{}, &{})", call, sine, cosine);
+  const Texts lines = wrap_expression(text, {line_width - 3, "      "});
+  const std::string declared = fmt::format("  {} {}, {};\n", scalar, sine, cosine);
+  return fmt::format("{}  {};\n", scalar.empty() ? "" : declared, fmt::join(lines, "\n"));
+}
+
 class C99Dialect final : public Dialect {
  public:
   C99Dialect(const Model& model, const Scene& scene, const Program& program)
       : Dialect(model, program, "->"),
         scalar_kind_(c99_scalar(scene)),
         scalar_(name_of(scalar_kind_)),
-        prefix_(name_space(scene) + "_") {}
+        prefix_(name_space(scene) + "_"),
+        has_pairs_(has_sines_in_line(scene, scalar_kind_)) {}
 
   Formula constant(const Constant& constant) const override {
     const bool is_negative = cln::minusp(constant.value);
     return {c99_literal(constant.value, scalar_kind_),
             is_negative ? Binding::negation : Binding::atom};
+  }
+
+  bool has_pairs() const override { return has_pairs_; }
+
+  std::string pair(const std::string& sine, const std::string& cosine, const Formula& angle,
+                   bool is_declared) const override {
+    const std::string call = fmt::format("{}sine_cosine({}", prefix_, angle.text());
+    return pair_text(is_declared ? scalar_ : "", call, sine, cosine);
   }
 
   std::string declaration(const std::string& name) const override {
@@ -77,7 +108,8 @@ class C99Dialect final : public Dialect {
     Texts arguments = declared_arguments(function);
     arguments.push_back(workspace_name(function) + " *w");
     arguments.push_back(result_argument(function));
-    return elgen::signature("static inline void " + part_name(function, part), arguments, "");
+    return elgen::signature("static inline void " + prefix_ + name_of_part(function, part),
+                            arguments, "");
   }
 
   std::string calling_body(const Function& function, std::size_t parts) const override {
@@ -85,7 +117,7 @@ class C99Dialect final : public Dialect {
     std::string body = is_returned ? fmt::format("  {} result[1];\n", scalar_) : "";
     body += fmt::format("  {} w;\n", workspace_name(function));
     for (std::size_t part = 0; part < parts; ++part) {
-      body += fmt::format("  {}({}, &w, result);\n", part_name(function, part),
+      body += fmt::format("  {}{}({}, &w, result);\n", prefix_, name_of_part(function, part),
                           fmt::join(argument_names_of(function), ", "));
     }
     return is_returned ? body + "  return result[0];\n" : body;
@@ -114,6 +146,8 @@ class C99Dialect final : public Dialect {
   }
 
   std::string library_function(std::string_view name) const override {
+    const std::string_view own = has_pairs_ ? own_sine(name) : "";
+    if (!own.empty()) return own_function(own);
     const bool is_float = scalar_kind_ == ScalarKind::single_precision;
     return fmt::format("{}{}", name == "abs" ? "fabs" : name, is_float ? "f" : "");
   }
@@ -148,13 +182,10 @@ class C99Dialect final : public Dialect {
     return fmt::format("{} result{}", scalar_, extent(entry_count(function)));
   }
 
-  std::string part_name(const Function& function, std::size_t part) const {
-    return fmt::format("{}{}_part_{}", prefix_, function.name, part + 1);
-  }
-
   ScalarKind scalar_kind_;
   std::string scalar_;  ///< "double"
   std::string prefix_;  ///< "cart_pole_"
+  bool has_pairs_;      ///< of sines in line
 };
 
 }  // namespace

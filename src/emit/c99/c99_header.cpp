@@ -9,10 +9,12 @@
 #include "emit/c99/c99_dialect.hpp"
 #include "emit/code/function_docs.hpp"
 #include "emit/code/header_data.hpp"
+#include "emit/code/sine_data.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "emit/text/emission_checks.hpp"
 #include "emit/text/emission_input.hpp"
 #include "emit/text/layout.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {
@@ -66,8 +68,9 @@ Texts default_parameters(const EmissionInput& input) {
   return continued(std::move(lines));
 }
 
-constexpr std::array<std::string_view, 6> header_names{"parameters", "is_regular", "sign_of",
-                                                       "smaller",    "larger",     "stumpff"};
+constexpr std::array<std::string_view, 10> header_names{
+    "parameters", "is_regular", "sign_of",   "smaller",     "larger",
+    "stumpff",    "sine_of",    "cosine_of", "sine_cosine", "sine_cosine_beyond"};
 
 /// Whether `name` is that of the struct, the workspace or a part of the function.
 bool is_helper(const std::string& name, const Function& function) {
@@ -81,14 +84,25 @@ bool is_taken(const std::string& name, const Program& program) {
          std::any_of(program.functions.begin(), program.functions.end(), takes);
 }
 
+/// Section `sine_cosine`, which is there where sines are in line.
+TemplateData c99_sines(const EmissionInput& input) {
+  const ScalarKind scalar = c99_scalar(input.scene);
+  const bool are_there = calls_sines(input.program) && has_sines_in_line(input.scene, scalar);
+  const auto literal = [scalar](double value) { return c99_literal(exact_value(value), scalar); };
+  const auto numbers = sine_numbers(input.scene.numerics, SinesOf::numbers, scalar);
+  return section_if(are_there, sine_data(numbers, scalar, literal, SineSpelling::values));
+}
+
 }  // namespace
 
 std::string c99_header(const EmissionInput& input) {
   TemplateData data = header_data(input, *c99_dialect(input.model, input.scene, input.program));
   data.set("scalar", std::string(name_of(c99_scalar(input.scene))));
   const bool is_float = c99_scalar(input.scene) == ScalarKind::single_precision;
-  data.set("sine", is_float ? "sinf" : "sin");
+  data.set("sine_function", is_float ? "sinf" : "sin");
+  data.set("cosine_function", is_float ? "cosf" : "cos");
   data.set("hyperbolic_sine", is_float ? "sinhf" : "sinh");
+  data.set("sine_cosine", c99_sines(input));
   data.set("digits", is_float ? "1e9" : "1e17");
   data.set("guard", capitals(input.scene.base_name));
   data.set("capitals", capitals(name_space(input.scene)));

@@ -35,16 +35,9 @@ std::vector<std::string> local_names(const Dialect& dialect, const Program& prog
 void use(const Instruction& instruction, UsedNames& used) {
   if (is_leaf(instruction.opcode)) used.variables.insert(leaf_row(instruction.opcode).symbol);
   if (instruction.opcode == Opcode::square_root) used.functions.insert("sqrt");
-  if (instruction.opcode != Opcode::call || !function_row(instruction.function).own_name.empty())
-    return;
-  used.functions.insert(function_row(instruction.function).name);
-}
-
-/// "  target = …;\n", broken before operators.
-std::string assignment(const std::string& target, const std::string& value) {
-  const std::string start = fmt::format("  {} = ", target);
-  const Wrapping wrapping{line_width - start.size() - 1, "      "};
-  return start + fmt::format("{}", fmt::join(wrap_expression(value, wrapping), "\n")) + ";\n";
+  if (instruction.opcode != Opcode::call) return;
+  const FunctionRow& row = function_row(instruction.function);
+  if (row.own_name.empty() && !is_circular(row.id)) used.functions.insert(row.name);
 }
 
 class DefinitionWriter {
@@ -58,8 +51,8 @@ class DefinitionWriter {
         formulas_(program, ordered_, dialect, names_) {}
 
   FunctionDefinition definition() {
-    const std::vector<Statement> all = statements(
-        ordered_, names_, dialect_.sine_cosine().empty() ? Pairing::separate : Pairing::joint);
+    const std::vector<Statement> all =
+        statements(ordered_, names_, dialect_.has_pairs() ? Pairing::joint : Pairing::separate);
     // The values that parts share have one type.
     if (all.size() <= longest_body || dialect_.inner() != nullptr) return {short_text(all)};
     const Sections cut = sections(all, section_length);
@@ -119,8 +112,7 @@ class DefinitionWriter {
                         formulas_.definition(at).text());
     }
     const Formula angle = formulas_.operand(at, ordered_.instructions[at].a);
-    return assignment(dialect.pair(name, names_[*statement.cosine], is_declared),
-                      called(dialect.sine_cosine(), {angle}).text());
+    return dialect.pair(name, names_[*statement.cosine], angle, is_declared);
   }
 
   /// The names of what crosses into other parts; it is spelt as shared from here on.

@@ -14,7 +14,7 @@ namespace elgen {
 /// The variables that a body reads and writes, and the functions that it calls.
 struct UsedNames {
   std::set<std::string_view> variables = {};  ///< "q", "w", "result"
-  std::set<std::string_view> functions = {};  ///< of the library: "sin"
+  std::set<std::string_view> functions = {};  ///< of the library: "exp"
 };
 
 /// The entries of each field, row-major.
@@ -39,15 +39,13 @@ class Dialect : public Vocabulary {
   /// A temporary that several parts of a function share, where it is written and read.
   [[nodiscard]] std::string shared(const std::string& name) const;
 
-  /// The call that gives sine and cosine of an angle at once; empty where the language has none.
-  [[nodiscard]] virtual std::string sine_cosine() const { return {}; }
+  /// Whether one statement gives the sine and the cosine of an angle.
+  [[nodiscard]] virtual bool has_pairs() const { return true; }
 
-  /// "const auto [sin_x, cos_x]", "std::tie(w.sin_x, w.cos_x)": what takes its result, declared
-  /// here or not.
-  [[nodiscard]] virtual std::string pair(const std::string& /*sine*/, const std::string& /*cosine*/,
-                                         bool /*is_declared*/) const {
-    return {};
-  }
+  /// "const auto [sin_x, cos_x] = detail::SineCosine<Scalar>::of(x);", a line or more: both values,
+  /// declared here or not.
+  [[nodiscard]] virtual std::string pair(const std::string& sine, const std::string& cosine,
+                                         const Formula& angle, bool is_declared) const = 0;
 
   /// "const Scalar x": the declaration of a temporary, without its value.
   [[nodiscard]] virtual std::string declaration(const std::string& name) const = 0;

@@ -8,13 +8,12 @@
 
 #include "emit/code/function_docs.hpp"
 #include "emit/code/header_data.hpp"
+#include "emit/code/sine_data.hpp"
 #include "emit/interface/code_interface.hpp"
-#include "emit/interface/pack_trigonometry.hpp"
 #include "emit/text/emission_checks.hpp"
 #include "emit/text/emission_input.hpp"
 #include "emit/text/layout.hpp"
-#include "numbers/exact_number.hpp"
-#include "numbers/scalar_literal.hpp"
+#include "program/evaluate/sines.hpp"
 
 namespace elgen {
 namespace {
@@ -23,38 +22,11 @@ using Texts = std::vector<std::string>;
 
 constexpr std::array<std::string_view, 2> own_names{"Pack", "batch"};
 
-std::string literal(double value, ScalarKind scalar) {
-  const bool is_float = scalar == ScalarKind::single_precision;
-  return shortest_literal(exact_value(value), scalar) + (is_float ? "F" : "");
-}
-
-std::string coefficients(const SinePolynomial& polynomial, ScalarKind scalar) {
-  Texts texts;
-  for (const double value : polynomial.coefficients) texts.push_back(literal(value, scalar));
-  return fmt::format("{{\n      {},\n  }}", fmt::join(texts, ",\n      "));
-}
-
-TemplateData element(const Numerics& numerics, ScalarKind scalar) {
-  const AngleReduction& known = angle_reduction(scalar);
-  const cln::cl_RA error = trigonometry_error(numerics, scalar);
-  const std::array numbers{std::pair("domain", known.domain), std::pair("high", known.high),
-                           std::pair("low", known.low), std::pair("inverse", known.inverse),
-                           std::pair("shift", known.shift)};
-  const TemplateData reduction = rows_data(numbers, [scalar](const auto& number) {
-    return TemplateRow{{"constant", number.first}, {"number", literal(number.second, scalar)}};
-  });
-  return TemplateRow{
-      {"element", std::string(name_of(scalar))},
-      {"integer", scalar == ScalarKind::single_precision ? "std::int32_t" : "std::int64_t"},
-      {"reduction", reduction},
-      {"sine", coefficients(cheapest(sine_polynomials(), error, scalar), scalar)},
-      {"cosine", coefficients(cheapest(cosine_polynomials(), error, scalar), scalar)}};
-}
-
 Texts notes(const EmissionInput& input) {
   Texts lines;
   for (const ScalarKind scalar : input.scene.numerics.scalars) {
-    const double error = cln::double_approx(trigonometry_error(input.scene.numerics, scalar));
+    const double error =
+        cln::double_approx(sine_error(input.scene.numerics, SinesOf::packs, scalar));
     lines.push_back(
         fmt::format(" In {}, sines and cosines are off by at most {:.3g} for angles up to {:g}, "
                     "beyond which they are NaN.",
@@ -156,12 +128,15 @@ std::string batch_header(const EmissionInput& input) {
   data.set("header", input.scene.base_name + ".hpp");
   data.set("notes", lines_data(notes(input)));
   const Numerics& numerics = input.scene.numerics;
-  data.set("elements", rows_data(numerics.scalars, [&numerics](ScalarKind scalar) {
-             return element(numerics, scalar);
-           }));
+  const bool has_tables = has_tables_of_packs(input.scene, input.program);
+  const std::vector<ScalarKind> none;
+  data.set("tables",
+           trigonometry_tables(numerics, SinesOf::packs, has_tables ? numerics.scalars : none));
+  data.set("trigonometry",
+           has_tables ? "Trigonometry" : "::" + name_space(input.scene) + "::detail::Trigonometry");
   data.set("calls", calls_data(input.program, 1));
   data.set("calls_of_two", calls_data(input.program, 2));
-  data.set("sine_cosine", section_if(has_sine_with_cosine(input.program)));
+  data.set("sine_cosine", section_if(calls_sines(input.program)));
   data.set("parameters", lines_data(parameters(input)));
   data.set("functions", functions(input));
   return header_text("cpp/batch.hpp.mustache", data);

@@ -69,6 +69,12 @@ std::string name_if(const UsedNames& used, std::string_view blank_and_name) {
   return std::string(used.variables.count(blank_and_name.substr(1)) > 0 ? blank_and_name : "");
 }
 
+/// "const auto [sin_x, cos_x]", "std::tie(w.sin_x, w.cos_x)": what takes both.
+std::string both(const std::string& sine, const std::string& cosine, bool is_declared) {
+  return is_declared ? fmt::format("const auto [{}, {}]", sine, cosine)
+                     : fmt::format("std::tie({}, {})", sine, cosine);
+}
+
 class CppDialect : public Dialect {
  public:
   CppDialect(const Model& model, const Program& program) : Dialect(model, program, ".") {}
@@ -85,14 +91,10 @@ class CppDialect : public Dialect {
     return fmt::format("const {} {}", scalar(), name);
   }
 
-  std::string sine_cosine() const override {
-    return fmt::format("{}detail::SineCosine<{}>::of", scope(), scalar());
-  }
-
-  std::string pair(const std::string& sine, const std::string& cosine,
+  std::string pair(const std::string& sine, const std::string& cosine, const Formula& angle,
                    bool is_declared) const override {
-    return is_declared ? fmt::format("const auto [{}, {}]", sine, cosine)
-                       : fmt::format("std::tie({}, {})", sine, cosine);
+    const std::string name = fmt::format("{}detail::SineCosine<{}>::of", scope(), scalar());
+    return assignment(both(sine, cosine, is_declared), called(name, {angle}).text());
   }
 
   std::string target(const Function& function, std::uint32_t at,
@@ -202,7 +204,11 @@ class CppDialect : public Dialect {
   bool is_reserved(const std::string& name) const override { return is_emitted_name(name); }
 
  private:
-  std::string library_function(std::string_view name) const override { return std::string(name); }
+  /// Sine and cosine by functions of the header, which has them in line where it can.
+  std::string library_function(std::string_view name) const override {
+    if (name != "sin" && name != "cos") return std::string(name);
+    return own_function(name == "sin" ? "Sine" : "Cosine") + "::of";
+  }
 
   std::string own_function(std::string_view name) const override {
     return fmt::format("{}detail::{}<{}>", scope(), name, scalar());

@@ -7,6 +7,7 @@
 #include "emit/code/cpp_constant.hpp"
 #include "emit/code/function_docs.hpp"
 #include "emit/code/header_data.hpp"
+#include "emit/code/sine_data.hpp"
 #include "emit/cpp/cpp_dialect.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "emit/text/emission_input.hpp"
@@ -120,6 +121,35 @@ TemplateData sine_cosine_calls(const Numerics& numerics) {
   });
 }
 
+/// The built-in scalars that an answer holds for.
+template <class Predicate>
+std::vector<ScalarKind> scalars_that(const Predicate& is_wanted) {
+  std::vector<ScalarKind> scalars;
+  for (const ScalarRow& row : scalar_table) {
+    if (is_wanted(row.kind)) scalars.push_back(row.kind);
+  }
+  return scalars;
+}
+
+/// Scalars that compute sines in line, and tables of these and of packs without tables of their
+/// own.
+TemplateData sines_in_line(const EmissionInput& input) {
+  const Scene& scene = input.scene;
+  const bool has_packs = scene.emission.batch && !has_tables_of_packs(input.scene, input.program);
+  const auto in_line =
+      scalars_that([&](ScalarKind scalar) { return has_sines_in_line(scene, scalar); });
+  const auto in_tables = scalars_that([&](ScalarKind scalar) {
+    const bool is_named = std::ranges::count(scene.numerics.scalars, scalar) > 0;
+    return has_sines_in_line(scene, scalar) || (has_packs && is_named);
+  });
+  const TemplateData names = rows_data(in_line, [](ScalarKind scalar) {
+    return TemplateData("scalar", std::string(name_of(scalar)));
+  });
+  return TemplateRow{{"scalars", sine_cosine_calls(scene.numerics)},
+                     {"tables", trigonometry_tables(scene.numerics, SinesOf::numbers, in_tables)},
+                     {"in_line", section_if(!in_line.empty(), TemplateRow{{"scalars", names}})}};
+}
+
 }  // namespace
 
 std::string cpp_header(const EmissionInput& input) {
@@ -128,9 +158,7 @@ std::string cpp_header(const EmissionInput& input) {
   data.set("declared", rows_data(declared_arrays(input.model), declared));
   data.set("filled", section_if(has_filled_array(input.model, parameters)));
   data.set("numbers", numbers(input.program));
-  data.set("sine_cosine",
-           section_if(has_sine_with_cosine(input.program),
-                      TemplateRow{{"scalars", sine_cosine_calls(input.scene.numerics)}}));
+  data.set("sine_cosine", section_if(calls_sines(input.program), sines_in_line(input)));
   data.set("parameters",
            lines_data(documented_members(declared_parameters(input.model, parameters))));
   return header_text("cpp/header.hpp.mustache", data);

@@ -159,6 +159,14 @@ bool calls(const Program& program, FunctionId function) {
   });
 }
 
+bool calls_sines(const Program& program) {
+  return calls(program, FunctionId::sin) || calls(program, FunctionId::cos);
+}
+
+bool has_tables_of_packs(const Scene& scene, const Program& program) {
+  return scene.numerics.trigonometry_error || !calls_sines(program);
+}
+
 std::vector<std::string_view> library_calls(const Program& program, std::size_t arity) {
   std::vector<std::string_view> names;
   for (const FunctionRow& row : function_table()) {

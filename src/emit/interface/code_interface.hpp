@@ -78,6 +78,12 @@ struct DeclaredArray {
 /// Whether some function calls it.
 [[nodiscard]] bool calls(const Program& program, FunctionId function);
 
+/// Whether some function calls a sine or a cosine.
+[[nodiscard]] bool calls_sines(const Program& program);
+
+/// Whether the header of packs has tables of sines; else it uses those of the other header.
+[[nodiscard]] bool has_tables_of_packs(const Scene& scene, const Program& program);
+
 /// Whether some function gives the pivots of M.
 [[nodiscard]] bool gives_pivots(const Program& program);
 

@@ -93,6 +93,12 @@ std::vector<std::string> wrap_expression(std::string_view text, const Wrapping& 
   });
 }
 
+std::string assignment(const std::string& target, const std::string& value) {
+  const std::string start = fmt::format("  {} = ", target);
+  const Wrapping wrapping{line_width - start.size() - 1, "      "};
+  return start + fmt::format("{}", fmt::join(wrap_expression(value, wrapping), "\n")) + ";\n";
+}
+
 std::vector<std::string> wrap_words(std::string_view text, const Wrapping& wrapping) {
   return wrapped(text, wrapping, [](std::string_view rest, std::size_t width) {
     const std::size_t last = rest.rfind(' ', width);

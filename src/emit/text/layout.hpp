@@ -25,6 +25,9 @@ struct Wrapping {
 [[nodiscard]] std::vector<std::string> wrap_expression(std::string_view text,
                                                        const Wrapping& wrapping);
 
+/// "  target = value;\n", broken alike.
+[[nodiscard]] std::string assignment(const std::string& target, const std::string& value);
+
 /// Breaks prose at spaces.
 [[nodiscard]] std::vector<std::string> wrap_words(std::string_view text, const Wrapping& wrapping);
 

@@ -70,6 +70,15 @@ std::string line(const std::string& key, const std::string& value) {
   return value.empty() ? "" : assigned(key, value) + "\n";
 }
 
+/// Functions of numbers keep the sines that the scene has for them.
+std::string sines_of(const Design& design, const Scene& scene) {
+  std::vector<std::string> entries;
+  const std::string& error = design.trigonometry;
+  if (!error.empty()) entries.push_back(fmt::format("max_error = \"{}\"", error));
+  if (scene.numerics.has_library_sines) entries.emplace_back("scalar = \"library\"");
+  return entries.empty() ? "" : toml_inline_table(entries);
+}
+
 class DesignText {
  public:
   DesignText(const DesignBase& base, const Design& design) : base_(base), design_(design) {}
@@ -188,16 +197,14 @@ class DesignText {
   }
 
   [[nodiscard]] Lines numeric() const {
-    const std::string& error = design_.trigonometry;
-    return {
-        line("scalar", fmt::format("[\"{}\"]", name_of(design_.scalar))),
-        line("inner", inner().empty() ? "" : toml_string(inner())),
-        line("form", own("numeric", "form")),
-        line("prefer", own("numeric", "prefer")),
-        line("trigonometry", error.empty() ? "" : fmt::format("{{ max_error = \"{}\" }}", error)),
-        line("max_error",
-             base_.max_error ? expression_text(fmt::format("{}", *base_.max_error)) : ""),
-        line("ranges", ranges())};
+    return {line("scalar", fmt::format("[\"{}\"]", name_of(design_.scalar))),
+            line("inner", inner().empty() ? "" : toml_string(inner())),
+            line("form", own("numeric", "form")),
+            line("prefer", own("numeric", "prefer")),
+            line("trigonometry", sines_of(design_, base_.checked.scene)),
+            line("max_error",
+                 base_.max_error ? expression_text(fmt::format("{}", *base_.max_error)) : ""),
+            line("ranges", ranges())};
   }
 
   /// Ranges of the scene, with the given ones beside them or in their place.

@@ -75,6 +75,7 @@ Visit<Scalar>::Visit(const Subject& subject, const SampledState<Scalar>& sample,
     : subject_(subject),
       sample_(sample),
       options_(options),
+      sines_(subject.scene, SinesOf::numbers),
       oracle_(subject, exact_state(subject, sample.values)),
       losses_(subject, oracle_, rounding<Scalar>(), options.least_loss) {}
 
@@ -91,7 +92,7 @@ void Visit<Scalar>::run(const FieldPlace& place) {
   if (place.function == function_) return;
   function_ = place.function;
   exact_ = &exact_run_of(*function_);
-  values_ = evaluate(subject_.program, *function_, sample_.values);
+  values_ = evaluate_code(subject_.program, *function_, sample_.values, sines_);
   wide_values_.clear();
   if (options_.wide != nullptr && suits_inner()) {
     wide_values_ = options_.wide->call(function_->name, sample_.values);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "elgen/toolchain.hpp"
+#include "program/evaluate/sines.hpp"
 #include "sample/points.hpp"
 #include "sample/states.hpp"
 #include "verify/bounds/field_place.hpp"
@@ -119,6 +120,7 @@ class Visit {
   const Subject& subject_;
   const SampledState<Scalar>& sample_;
   VisitOptions options_;
+  Sines<Scalar> sines_;  ///< as code has them
   OracleCache oracle_;
   Losses losses_;
   std::map<const Function*, ExactRun> exact_runs_ = {};

@@ -6,6 +6,7 @@
 #define __device__ __attribute__((device))
 #define __global__ __attribute__((global))
 extern "C" {
+__device__ void* memcpy(void*, const void*, unsigned long);
 __device__ double cos(double);
 __device__ double sin(double);
 __device__ double sqrt(double);

@@ -1,0 +1,270 @@
+// Sines: the errors of the table of polynomials, measured again in 40 digits; those of packs are
+// off by at most what a scene asks for, on the whole domain, those of numbers by 1.5 ulp.
+#include "program/evaluate/sines.hpp"
+
+#include <cln/float.h>
+#include <cln/integer.h>
+#include <cln/rational.h>
+#include <cln/real.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "elgen/evaluate.hpp"
+#include "numbers/exact_number.hpp"
+#include "numbers/random.hpp"
+
+using namespace elgen;
+using cln::cl_R;
+using cln::cl_RA;
+
+namespace {
+
+const cln::float_format_t digits = cln::float_format(40);
+
+cl_R angle(int step, int steps) { return cln::pi(digits) / 4 * step / steps; }
+
+/// first + x^power (c_0 + c_1 x^2 + …)
+cl_R value(const SinePolynomial& polynomial, const cl_R& first, int power, const cl_R& x) {
+  cl_R sum = 0;
+  for (std::size_t i = polynomial.coefficients.size(); i-- > 0;) {
+    sum = sum * x * x + exact_value(polynomial.coefficients[i]);
+  }
+  return first + cln::expt(x, cln::cl_I(power)) * sum;
+}
+
+cl_R sine(const SinePolynomial& polynomial, const cl_R& x) { return value(polynomial, x, 3, x); }
+cl_R cosine(const SinePolynomial& polynomial, const cl_R& x) {
+  return value(polynomial, 1 - x * x / 2, 4, x);
+}
+
+/// The largest of |difference| over the angles.
+template <class Difference>
+double largest(const Difference& difference) {
+  constexpr int steps = 2000;
+  cl_R most = 0;
+  for (int step = 0; step <= steps; ++step) {
+    most = cln::max(most, cln::abs(difference(angle(step, steps))));
+  }
+  return cln::double_approx(most);
+}
+
+Scene scene_of(const Numerics& numerics) {
+  Scene scene;
+  scene.numerics = numerics;
+  return scene;
+}
+
+/// The scene of a scalar alone.
+template <class Scalar>
+Scene scene_for() {
+  Numerics numerics;
+  numerics.scalars = {scalar_kind<Scalar>};
+  return scene_of(numerics);
+}
+
+/// How far a value is off, in units of the last place of the exact one.
+template <class Scalar>
+double in_ulps(Scalar value, const Real& truth) {
+  constexpr int digits_of_scalar = std::numeric_limits<Scalar>::digits;
+  const double magnitude = ScalarTraits<double>::from_real(truth.value());
+  const double ulp = std::ldexp(1.0, std::ilogb(magnitude) + 1 - digits_of_scalar);
+  const Real error = Real(exact_value(static_cast<double>(value))) - truth;
+  return std::abs(ScalarTraits<double>::from_real(error.value())) / ulp;
+}
+
+/// The larger error of sine and cosine of numbers.
+template <class Scalar>
+double worst_ulps(const Sines<Scalar>& numbers, Scalar angle) {
+  const Real exact{exact_value(static_cast<double>(angle))};
+  const auto [sine, cosine] = numbers.of(angle);
+  return std::max(in_ulps(sine, sin(exact)), in_ulps(cosine, cos(exact)));
+}
+
+/// The largest of them for angles beside the multiples of pi/4 in the domain, every `stride`th.
+template <class Scalar>
+double worst_beside(std::size_t first, std::size_t stride) {
+  const Sines<Scalar> numbers(scene_for<Scalar>(), SinesOf::numbers);
+  const double domain = angle_reduction(scalar_kind<Scalar>).domain;
+  const double eighth = std::acos(-1.0) / 4;
+  double worst = 0;
+  for (std::size_t i = first; static_cast<double>(i) * eighth < domain; i += stride) {
+    const auto middle = static_cast<Scalar>(static_cast<double>(i) * eighth);
+    for (const Scalar to : {Scalar(0), Scalar(1e9)}) {
+      worst = std::max(worst, worst_ulps(numbers, std::nextafter(middle, to)));
+    }
+    worst = std::max(worst, worst_ulps(numbers, Scalar(-middle)));
+  }
+  return worst;
+}
+
+/// The largest error of sine and cosine over random angles of all magnitudes.
+template <class Scalar>
+double largest_error(const Numerics& numerics) {
+  const Sines<Scalar> packs(scene_of(numerics), SinesOf::packs);
+  const double domain = angle_reduction(scalar_kind<Scalar>).domain;
+  Random random(7);
+  double most = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const double magnitude = i % 2 == 0 ? 4 : domain;
+    const auto angle = static_cast<Scalar>(random.uniform(-magnitude, magnitude));
+    const Real exact{exact_value(static_cast<double>(angle))};
+    const auto [sine, cosine] = packs.of(angle);
+    for (const auto& [value, truth] :
+         {std::pair(sine, sin(exact)), std::pair(cosine, cos(exact))}) {
+      const Real error = Real(exact_value(static_cast<double>(value))) - truth;
+      most = std::max(most, std::abs(ScalarTraits<double>::from_real(error.value())));
+    }
+  }
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("the errors of the table are those of its polynomials, rounded up") {
+  for (const SinePolynomial& polynomial : sine_polynomials()) {
+    const double error = largest([&](const cl_R& x) { return sine(polynomial, x) - cln::sin(x); });
+    INFO("sine of degree " << polynomial.degree);
+    CHECK(polynomial.coefficients.size() == static_cast<std::size_t>(polynomial.degree - 1) / 2);
+    CHECK(error <= polynomial.error);
+    CHECK(error >= 0.99 * polynomial.error);
+  }
+  for (const SinePolynomial& polynomial : cosine_polynomials()) {
+    const double error =
+        largest([&](const cl_R& x) { return cosine(polynomial, x) - cln::cos(x); });
+    INFO("cosine of degree " << polynomial.degree);
+    CHECK(polynomial.coefficients.size() == static_cast<std::size_t>(polynomial.degree - 2) / 2);
+    CHECK(error <= polynomial.error);
+    CHECK(error >= 0.99 * polynomial.error);
+  }
+}
+
+TEST_CASE("the least degree that will do is taken") {
+  const auto degrees = [](const cl_RA& error, ScalarKind scalar) {
+    return std::pair(cheapest(sine_polynomials(), error, scalar).degree,
+                     cheapest(cosine_polynomials(), error, scalar).degree);
+  };
+  constexpr ScalarKind in_float = ScalarKind::single_precision;
+  constexpr ScalarKind in_double = ScalarKind::double_precision;
+  CHECK(degrees(cln::expt(cl_RA(2), -52), in_double) == std::pair(13, 12));
+  CHECK(degrees(cl_RA(1) / 10'000'000, in_double) == std::pair(7, 6));
+  CHECK(degrees(cl_RA(1) / 100, in_double) == std::pair(5, 4));
+  CHECK(degrees(cln::expt(cl_RA(2), -23), in_float) == std::pair(7, 8));
+  CHECK(degrees(cl_RA(1) / 1'000'000, in_float) == std::pair(5, 6));
+}
+
+TEST_CASE("every accuracy a scalar can have is reached") {
+  for (const ScalarKind scalar : {ScalarKind::single_precision, ScalarKind::double_precision}) {
+    const cl_RA least = trigonometry_error({}, scalar);
+    const cl_RA rounding = exact_value(angle_reduction(scalar).rounding);
+    CHECK(exact_value(cheapest(sine_polynomials(), least, scalar).error) + rounding <= least);
+    CHECK(exact_value(cheapest(cosine_polynomials(), least, scalar).error) + rounding <= least);
+  }
+}
+
+TEST_CASE("multiples of the parts of pi/2 but the last are exact for all angles of the domain") {
+  for (const auto& [scalar, bits] :
+       {std::pair(ScalarKind::single_precision, 24), std::pair(ScalarKind::double_precision, 53)}) {
+    const AngleReduction& known = angle_reduction(scalar);
+    const cln::cl_I most = cln::ceiling1(exact_value(known.domain) / exact_value(known.parts[0]));
+    cl_R rest = cln::pi(digits) / 2 - exact_value(known.parts.back());
+    for (std::size_t i = 0; i + 1 < known.parts.size(); ++i) {
+      const cl_RA part = exact_value(known.parts[i]);
+      rest = rest - part;
+      // A part is an odd number of its last bits: with those of k they have to fit the significand.
+      cln::cl_I significand = cln::numerator(part);
+      while (cln::evenp(significand)) significand = cln::exquo(significand, 2);
+      CHECK(cln::integer_length(significand) + cln::integer_length(most) <=
+            static_cast<std::uintptr_t>(bits));
+    }
+    // The nearest angle to a multiple is 2^-61, in float 2^-28 away from it, its k below 256.
+    const double nearest = std::ldexp(1.0, (bits == 53 ? -61 : -28) - bits);
+    CHECK(cln::abs(rest) * 256 < exact_value(nearest));
+    const cl_R inverse = 2 / cln::pi(digits) - exact_value(known.inverse);
+    CHECK(cln::abs(inverse) < known.rounding);
+  }
+}
+
+TEST_CASE("sines and cosines are off by at most what is asked for, and need not be by less") {
+  Numerics numerics;
+  CHECK(largest_error<double>(numerics) <= 0x1p-52);
+  CHECK(largest_error<float>(numerics) <= 0x1p-23);
+  numerics.trigonometry_error = cln::cl_RA(1) / 1'000'000;
+  CHECK(largest_error<double>(numerics) <= 1e-6);
+  CHECK(largest_error<double>(numerics) > 1e-8);
+  CHECK(largest_error<float>(numerics) <= 1e-6);
+}
+
+TEST_CASE("angles beyond the domain have no value") {
+  const Sines<float> packs(Scene{}, SinesOf::packs);
+  CHECK(std::isnan(packs.of(1001.0F).sine));
+  CHECK(std::isnan(packs.of(-1001.0F).cosine));
+  CHECK(std::isnan(packs.of(std::nanf("")).sine));
+  CHECK_FALSE(std::isnan(packs.of(1000.0F).sine));
+}
+
+TEST_CASE("quarter turns are exact") {
+  const Sines<double> packs(Scene{}, SinesOf::packs);
+  CHECK(packs.of(0).sine == 0);
+  CHECK(packs.of(0).cosine == 1);
+  CHECK(packs.of(std::acos(-1.0)).cosine == -1);
+  CHECK(packs.of(std::acos(-1.0) / 2).sine == 1);
+}
+
+TEST_CASE("sines of numbers are off by 1.5 ulp, in float 0.9, and by 0.5 beside zeros") {
+  CHECK(worst_beside<double>(2, 62) <= 0.5001);  // multiples of pi/2
+  CHECK(worst_beside<float>(2, 2) <= 0.5001);
+  CHECK(worst_beside<double>(1, 62) <= 1.5);  // odd multiples of pi/4, where polynomials are worst
+  CHECK(worst_beside<float>(1, 2) <= 0.9);
+  Random random(3);
+  const Sines<double> numbers(Scene{}, SinesOf::numbers);
+  double worst = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const double angle = random.uniform(-1, 1) * std::pow(10, random.uniform(-20, 5));
+    worst = std::max(worst, worst_ulps(numbers, angle));
+  }
+  CHECK(worst <= 1.5);
+}
+
+TEST_CASE("the nearest numbers to multiples of pi/2 keep their digits") {
+  const Sines<double> in_double(scene_for<double>(), SinesOf::numbers);
+  CHECK(worst_ulps(in_double, 0x1.6c6cbc45dc8dep+5) <= 0.5001);  // 29 pi/2
+  const Sines<float> in_float(scene_for<float>(), SinesOf::numbers);
+  CHECK(worst_ulps(in_float, 0x1.f9cbe2p+7F) <= 0.5001);  // 161 pi/2
+}
+
+TEST_CASE("numbers beyond the domain, and scalars without code, have the sines of the library") {
+  const Sines<double> numbers(Scene{}, SinesOf::numbers);
+  CHECK(numbers.of(1.1e5).sine == std::sin(1.1e5));
+  CHECK(numbers.of(-1e300).cosine == std::cos(-1e300));
+  CHECK(std::isnan(numbers.of(std::numeric_limits<double>::infinity()).sine));
+  const Sines<float> floats(Scene{}, SinesOf::numbers);  // the scene names double alone
+  for (int i = 0; i < 100; ++i) {
+    const float angle = 0.7F * static_cast<float>(i);
+    CHECK(floats.of(angle).sine == std::sin(angle));
+  }
+}
+
+TEST_CASE("a scene that asks for the library has its sines") {
+  Scene scene;
+  scene.numerics.has_library_sines = true;
+  const Sines<double> numbers(scene, SinesOf::numbers);
+  const Sines<double> packs(scene, SinesOf::packs);
+  const Sines<double> in_line(Scene{}, SinesOf::packs);
+  for (int i = 0; i < 100; ++i) {
+    const double angle = 0.7 * i;
+    CHECK(numbers.of(angle).cosine == std::cos(angle));
+    CHECK(packs.of(angle).cosine == in_line.of(angle).cosine);
+  }
+}
+
+TEST_CASE("the sine of a zero has its sign") {
+  for (const SinesOf arithmetic : {SinesOf::packs, SinesOf::numbers}) {
+    const Sines<double> sines(Scene{}, arithmetic);
+    CHECK(std::signbit(sines.of(-0.0).sine));
+    CHECK_FALSE(std::signbit(sines.of(0.0).sine));
+    CHECK(sines.of(-0.0).cosine == 1);
+    CHECK(sines.of(5e-324).sine == 5e-324);
+  }
+}
