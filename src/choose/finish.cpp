@@ -1,6 +1,7 @@
 // finish: guards are two instructions per pivot, but where M_ii is a number, or divides already;
-// lengths are written out instruction by instruction, with those of the function that are the same;
-// angles and their pairs of calls come first, then all else as it stood.
+// one of the two multiplies where 1/M_ii is there; lengths are written out instruction by
+// instruction, with those of the function that are the same; angles and their pairs of calls come
+// first, then all else as it stood.
 #include "choose/finish.hpp"
 
 #include <algorithm>
@@ -17,6 +18,20 @@ namespace {
 
 bool has_diagonal(const Function& function) {
   return !function.fields.empty() && function.fields.back().name == diagonal_field;
+}
+
+/// Where a function computes 1 by a value, if it does.
+std::optional<std::uint32_t> reciprocal_of(std::uint32_t value, const Function& function,
+                                           const std::vector<Constant>& constants) {
+  const std::vector<Instruction>& all = function.instructions;
+  const auto is_reciprocal = [&](const Instruction& i) {
+    if (i.opcode != Opcode::divide || i.b != value) return false;
+    const Instruction& above = all[i.a];
+    return above.opcode == Opcode::constant && constants[above.a].form == rational_form(1);
+  };
+  const auto found = std::ranges::find_if(all, is_reciprocal);
+  if (found == all.end()) return std::nullopt;
+  return static_cast<std::uint32_t>(found - all.begin());
 }
 
 class Scaling {
@@ -143,8 +158,11 @@ Function with_guarded_pivots(Function forward_dynamics, std::vector<Constant>& c
     const bool is_guarded = pivot.opcode == Opcode::divide && pivot.b == diagonal[i];
     const bool is_number = forward_dynamics.instructions[diagonal[i]].opcode == Opcode::constant;
     if (is_guarded || is_number) continue;
+    const std::optional<std::uint32_t> reciprocal =
+        reciprocal_of(diagonal[i], forward_dynamics, constants);
     const std::uint32_t guard =
-        instructions.add(Opcode::divide, instructions.add(zero), diagonal[i]);
+        instructions.add(reciprocal ? Opcode::multiply : Opcode::divide, instructions.add(zero),
+                         reciprocal.value_or(diagonal[i]));
     pivots[i] = instructions.add(Opcode::add, pivots[i], guard);
   }
   return without_diagonal(std::move(forward_dynamics));

@@ -13,11 +13,12 @@ inline constexpr std::string_view diagonal_field = "diagonal";
 /// A relative pivot D_i/M_ii is not a number where M_ii is 0.
 ///
 ///     before    relative_pivots 2 = 1                  diagonal 2 = m r^2
-///     after     relative_pivots 2 = 1 + 0/(m r^2)
+///     after     relative_pivots 2 = 1 + 0/(m r^2)      or 1 + 0*r where r = 1/(m r^2) is there
 ///
 /// Algebra cancels what D_i and M_ii share, and with it the state where both vanish and M is
 /// singular. 0/M_ii puts it back: exactly 0 elsewhere, and neither a branch nor an order of
-/// scalars. `constants` may grow by 0.
+/// scalars. A reciprocal that is infinite (M_ii below 1/4 of the smallest normal number) is not a
+/// number either, as it is in the acceleration. `constants` may grow by 0. Pages leave guards out.
 [[nodiscard]] Function with_guarded_pivots(Function forward_dynamics,
                                            std::vector<Constant>& constants);
 

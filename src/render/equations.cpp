@@ -121,13 +121,29 @@ std::vector<std::string> read_names(const Program& program, const Function& func
   return names;
 }
 
+/// Entries as they are read: x of x + 0/y and of x + 0*y, by which pivots are no numbers where M_ii
+/// is 0. Instructions stay, and with them the names of the code.
+Function without_guards(const Program& program, Function function) {
+  const std::vector<Instruction>& all = function.instructions;
+  for (Field& field : function.fields) {
+    for (std::uint32_t& entry : field.entries) {
+      const Instruction& sum = all[entry];
+      if (sum.opcode != Opcode::add) continue;
+      const Instruction& guard = all[sum.b];
+      const bool scales = guard.opcode == Opcode::divide || guard.opcode == Opcode::multiply;
+      if (scales && loads_zero(program, all[guard.a])) entry = sum.a;
+    }
+  }
+  return function;
+}
+
 FunctionEquations readable(const Program& program, std::size_t index,
                            const Vocabulary& vocabulary) {
   if (has_readable_form(program, index)) {
     const Function& book = program.readable[index];
     return by_names(program, book, vocabulary, vocabulary.definitions(book.names), {});
   }
-  const Function& function = program.functions[index];
+  const Function function = without_guards(program, program.functions[index]);
   return equations(program, function, vocabulary, read_names(program, function, vocabulary));
 }
 

@@ -80,6 +80,29 @@ TEST_CASE("a pivot that M_ii divides stays as it is") {
   CHECK(pivot.opcode == Opcode::divide);
 }
 
+TEST_CASE("a pivot is guarded by the reciprocal of M_ii that is there, else by a division") {
+  Program program = polar();
+  Function& function = program.functions[0];
+  function.instructions.push_back({.opcode = Opcode::divide, .a = 2, .b = 5});
+  function.names.emplace_back();
+  function.fields[0].entries[1] = 8;
+  function = with_guarded_pivots(function, program.constants);
+  CHECK(check_invariants(program).empty());
+  const auto guard_of = [&](std::size_t i) {
+    return function.instructions[function.instructions[function.fields[1].entries[i]].b];
+  };
+  CHECK(guard_of(1).opcode == Opcode::multiply);
+  CHECK(function.instructions[guard_of(1).b].opcode == Opcode::divide);
+  CHECK(guard_of(0).opcode == Opcode::divide);
+  Arguments<double> at;
+  at.parameters = {3};
+  at.v = {1, 1, 1};
+  at.q = {2, 1, 1};
+  CHECK(evaluate(program, function, at)[4] == 1);
+  at.q = {0, 1, 1};
+  CHECK(std::isnan(evaluate(program, function, at)[4]));
+}
+
 TEST_CASE("without the diagonal nothing of it is left") {
   Program program = polar();
   Function& function = program.functions[0];

@@ -76,3 +76,15 @@ TEST_CASE("a short entry is written out, a long one over the definitions it need
   CHECK(result.definitions[2].value == "sin_y*sin_x^13");
   CHECK(result.entries.at(0).at(1) == result.definitions[4].name + "*sin_x^7");
 }
+
+TEST_CASE("guards of pivots are for code: pages do not show them") {
+  const Program program = testing::read_program(
+      "parameters m\ncoordinates x\nfunction forward_dynamics\n"
+      "  0 = parameter m\n  1 = coordinate x\n  2 = constant 1\n  3 = constant 0\n"
+      "  4 = divide 2 0\n  5 = multiply 3 4\n  6 = add 2 5\n  7 = divide 3 1\n"
+      "  8 = add 4 7\n  9 = add 1 4\n"
+      "  result acceleration 1 1 = 9\n  result relative_pivots 2 1 = 6 8\n");
+  const FunctionEquations read = readable_equations(program, 0);
+  CHECK(read.entries.at(1) == std::vector<std::string>{"1", "1/m"});
+  CHECK(read.entries.at(0) == std::vector<std::string>{"x + 1/m"});
+}
