@@ -336,7 +336,8 @@ struct Model {
   /// the whole model.
   Variant variant = {};
 
-  bool quadratic = true;  ///< T - V (or L) is at most quadratic in the rates
+  bool quadratic = true;        ///< T - V (or L) is at most quadratic in the rates
+  bool without_pivots = false;  ///< of forward_dynamics, unless a scene says otherwise
   /// t occurs in an energy, a point, a force or an output: every function takes t
   bool uses_time = false;
   /// T may have terms of degree 1 or 0 in the rates, or V of degree 1; otherwise drift is 0

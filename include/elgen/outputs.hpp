@@ -98,6 +98,8 @@ struct OutputRow {
   Notation constrained_equation = {};     ///< with constraints, where it is another
   std::string_view doc = {};              ///< one sentence
   std::string_view constrained_doc = {};  ///< with constraints, where it is another
+  std::string_view doc_without_pivots = {};
+  std::string_view constrained_doc_without_pivots = {};
   Requirement requirement = Requirement::nothing;
   bool solves = false;           ///< M x = b
   bool differentiates = false;   ///< the equations of motion

@@ -88,6 +88,8 @@ inline constexpr std::size_t zero_points = 64;
 [[nodiscard]] std::vector<std::uint32_t> entries_of(const Function& function);
 /// The number of the first entry of a field among them; that of all where there is no such field.
 [[nodiscard]] std::size_t first_entry_of(const Function& function, std::string_view field);
+/// Whether `relative_pivots` are among its fields.
+[[nodiscard]] bool has_pivots(const Function& function);
 /// "[1,2]", "[2]", or nothing for one entry alone: how pages number the entries of a field.
 [[nodiscard]] std::string index_text(const Field& field, std::size_t entry);
 

@@ -76,6 +76,7 @@ struct OutputRequest {
   std::optional<Form> form = {};     ///< asked for; otherwise the cheaper one
   std::uint32_t iterations = 0;      ///< of a `step` whose method is implicit
   std::uint32_t composed_order = 0;  ///< of a `step` whose method is composed; 0: it is not
+  bool without_pivots = false;       ///< of what gives them otherwise
 };
 
 /// The criterion that decides between rewritings.
@@ -186,6 +187,8 @@ struct SceneOptions {
   std::vector<SourcePointer> ranges = {};   ///< "theta=-0.1..0.1"
   /// Functions left open are their samples, where the scene has no expression of them.
   bool close_functions = false;
+  /// Forward dynamics with relative pivots, whatever the model says: a run looks at them.
+  bool keeps_pivots = false;
   /// Without the scene's `[approximate]`: what its expansion is compared with.
   bool is_exact = false;
   /// Keep closed forms of more than 4096 nodes too: `verify` needs them. Without it they are read

@@ -38,9 +38,16 @@ Parts parts(const ConstraintResidual& x) { return {x.position, x.rate}; }
 Parts parts(const ProjectedState& x) { return {x.coordinates, x.rates}; }
 Parts parts(const ConstrainedInverse& x) { return {x.inputs, x.multipliers, x.unbalanced}; }
 
+/// Leaves a, and the multipliers where there are some.
+void leave_out_pivots(Parts& solution) {
+  solution[1].clear();
+  solution.resize(solution[2].empty() ? 1 : 3);
+}
+
 /// One of several without entries is left out: a model without inputs has none by them. The table
 /// does not have the diagonal beside the pivots.
-Fields fields(const Derivation& derivation, const OutputRequest& request, const Parts& all) {
+Fields fields(const Derivation& derivation, const OutputRequest& request, Parts all) {
+  if (request.without_pivots) leave_out_pivots(all);
   if (all.size() == 1) return {{"", request.rows, request.columns, all.front()}};
   const std::span<const FieldRow> rows = output_row(request.kind).fields;
   Fields result;
@@ -115,7 +122,7 @@ std::optional<ArticulatedRoute> articulated_route(const Lagrangian& lagrangian,
   Derivation derivation(lagrangian);
   ArticulatedRoute route;
   try {
-    const auto dynamics = articulated_dynamics(derivation);
+    const auto dynamics = articulated_dynamics(derivation, !request.without_pivots);
     if (!dynamics) return std::nullopt;
     OutputEquations output{request, fields(derivation, request, parts(dynamics->solution))};
     define_entries(derivation, output.fields);

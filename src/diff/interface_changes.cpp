@@ -215,6 +215,10 @@ void compare_outputs(Changes& changes, const Scene& before, const Scene& after) 
       changes.add(Impact::breaks, "there is no function {} any more", in_backticks(old.name));
     } else if (now->kind != old.kind) {
       changes.add_silent(fmt::format("the function {} is another output", in_backticks(old.name)));
+    } else if (now->without_pivots != old.without_pivots) {
+      changes.add(
+          Impact::breaks, "{} {}", in_backticks(now->name),
+          now->without_pivots ? "gives no relative pivots any more" : "gives relative pivots, too");
     } else if (output_row(now->kind).steps) {
       compare_methods(changes, old, *now);
     }

@@ -174,7 +174,7 @@ std::vector<Labelled> labelled(const Model& model, const Function& function,
     for (std::size_t i = 0; i < field.entries.size(); ++i) {
       const std::size_t r = i / field.columns;
       const std::size_t c = i % field.columns;
-      all.push_back({{field.name, rows[r], columns[c]},
+      all.push_back({{std::string(row.name), rows[r], columns[c]},
                      name + index_text(field, i),
                      unit_text_of_entry(model, {function.kind, field.name, r, c})});
     }

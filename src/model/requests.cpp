@@ -192,11 +192,20 @@ std::uint32_t extent_of(const Model& model, Extent kind, std::uint32_t user) {
   return 1;
 }
 
+std::uint32_t first_entry_of(const Model& model, OutputKind kind, std::size_t field) {
+  std::uint32_t first = 0;
+  for (const FieldRow& row : output_row(kind).fields.first(field)) {
+    first += extent_of(model, row.rows) * extent_of(model, row.columns);
+  }
+  return first;
+}
+
 OutputRequest request_of(const Model& model, OutputKind kind, std::uint32_t user) {
   const OutputRow& row = output_row(kind);
   OutputRequest request;
   request.kind = kind;
   request.user = user;
+  request.without_pivots = row.gives_pivots && model.without_pivots;
   request.name =
       row.of_user ? model.outputs[user].name + std::string(row.suffix) : std::string(row.name);
   if (!row.fields.empty()) {

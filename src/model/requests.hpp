@@ -31,6 +31,10 @@ namespace elgen {
 /// How many rows or columns that is; `user` numbers declared outputs.
 [[nodiscard]] std::uint32_t extent_of(const Model& model, Extent kind, std::uint32_t user = 0);
 
+/// The number of the first entry of a field, where the fields before it in the output table are all
+/// there.
+[[nodiscard]] std::uint32_t first_entry_of(const Model& model, OutputKind kind, std::size_t field);
+
 /// The request for a kind with the shape of its first field; `user` numbers declared outputs.
 [[nodiscard]] OutputRequest request_of(const Model& model, OutputKind kind, std::uint32_t user);
 

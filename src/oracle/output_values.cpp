@@ -162,10 +162,7 @@ Values canonical_rates(const Question& of) {
 template <Values (*values)(const Question&)>
 cl_R contracted_field(const Question& of, const Contraction& by) {
   const Values all = values(of);
-  std::size_t first = 0;
-  for (std::size_t field = 0; field < by.field; ++field) {
-    first += extent_of(of.model, output_row(of.output.kind).fields[field].rows);
-  }
+  const std::size_t first = first_entry_of(of.model, of.output.kind, by.field);
   cl_R sum = 0;
   for (std::size_t i = 0; i < by.w.size(); ++i) sum = sum + by.w[i] * all[first + i];
   return sum;

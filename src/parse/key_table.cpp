@@ -131,6 +131,10 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"output", "doc", text, optional, true, "one line"},
     {"output", "for", repetition, optional, true, "repeats the entry"},
 
+    {"outputs", "forward_dynamics", table, optional, true, "unless a scene says otherwise"},
+    {"outputs.forward_dynamics", "pivots", boolean, optional, true,
+     "false: without relative_pivots"},
+
     {"constraint", "name", name, required, true, "name of the constraint and of its multiplier"},
     {"constraint", "kind", choice, optional, true,
      "position, unless given: f(q, t) = 0; velocity: affine in the rates"},
@@ -173,6 +177,8 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"scene.outputs.*", "order", integer, optional, true,
      "of verlet and midpoint: 2 (unless given), 4 or 8"},
     {"scene.outputs.*", "iterations", integer, optional, true, "of midpoint, 1 to 20"},
+    {"scene.outputs.*", "pivots", boolean, optional, true,
+     "of forward_dynamics; false: without relative_pivots"},
 
     {"scene.parameters", "fixed", text_or_table, optional, true, "become numbers in the code"},
     {"scene.parameters.fixed", "*", expression, optional, true, "the parameter's value"},
@@ -287,6 +293,7 @@ constexpr auto entry_rows = std::to_array<EntryRow>({
     {"input", repeated, optional, true, "an actuator"},
     {"force", repeated, optional, true, "a force that no energy gives"},
     {"output", repeated, optional, true, "a function to emit"},
+    {"outputs", single, optional, true, "how the model's own outputs are given"},
     {"constraint", repeated, optional, true, "an equation the motion obeys"},
     {"equilibrium", repeated, optional, true, "a point at which the system stays at rest"},
     {"expect", repeated, optional, true, "closed forms to be verified"},

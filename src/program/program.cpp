@@ -65,6 +65,11 @@ std::vector<std::uint32_t> entries_of(const Function& function) {
   return entries;
 }
 
+bool has_pivots(const Function& function) {
+  return std::ranges::find(function.fields, "relative_pivots", &Field::name) !=
+         function.fields.end();
+}
+
 std::size_t first_entry_of(const Function& function, std::string_view field) {
   std::size_t first = 0;
   for (const Field& each : function.fields) {

@@ -76,8 +76,11 @@ std::string output_doc(const Model& model, const Function& function) {
                                    is_composed ? function.composed_order : method.order));
   }
   if (!row.of_user) {
-    const bool is_other = !model.constraints.empty() && !row.constrained_doc.empty();
-    return std::string(is_other ? row.constrained_doc : row.doc);
+    const bool is_without = row.gives_pivots && !has_pivots(function);
+    const std::string_view doc = is_without ? row.doc_without_pivots : row.doc;
+    const std::string_view constrained =
+        is_without ? row.constrained_doc_without_pivots : row.constrained_doc;
+    return std::string(model.constraints.empty() || constrained.empty() ? doc : constrained);
   }
   const UserOutput& output = model.outputs[function.user];
   return sentence(

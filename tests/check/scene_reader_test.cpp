@@ -74,6 +74,30 @@ TEST_CASE("outputs may be renamed, but not to a name in use") {
         "E204 5:20 `double` is reserved: it is a keyword of C++\n");
 }
 
+TEST_CASE("forward dynamics gives pivots unless the model or the scene says otherwise") {
+  const auto without = [](const std::string& model, const Wanted& wanted) {
+    const Scene scene = checked(model, wanted).scene;
+    return find_request(scene, "forward_dynamics")->without_pivots;
+  };
+  const std::string fast = arrays + "[outputs]\nforward_dynamics = { pivots = false }\n";
+  const std::string own = arrays + "[outputs.forward_dynamics]\n";
+  const std::string with = scene_of_block("[outputs]\nforward_dynamics = { pivots = true }\n");
+  const std::string usual = scene_of_block("[outputs]\nforward_dynamics = true\n");
+  const std::string none = scene_of_block("[outputs]\nforward_dynamics = { pivots = false }\n");
+  CHECK_FALSE(without(arrays, {}));
+  CHECK_FALSE(without(own, {}));
+  CHECK_FALSE(without(arrays, {.scene = usual}));
+  CHECK(without(arrays, {.scene = none}));
+  CHECK(without(fast, {}));
+  CHECK(without(fast, {.scene = usual}));
+  CHECK(without(fast, {.outputs = {"forward_dynamics"}}));
+  CHECK_FALSE(without(fast, {.scene = with}));
+  CHECK_FALSE(find_request(checked(fast).scene, "bias")->without_pivots);
+  CHECK(arrays_messages("[outputs]\nbias = { pivots = false }\n") ==
+        "E103 5:10 `bias` has no `pivots`: `forward_dynamics` has them\n");
+  CHECK(messages(arrays + "[outputs]\nbias = { pivots = false }\n").starts_with("E103"));
+}
+
 TEST_CASE("parameters are fixed by name, by element, or all") {
   CHECK(fixed(arrays_scene("[parameters]\nfixed = { k = \"1/2\", l = 3 }\n")) == "1=1/2 2=3 3=3 ");
   CHECK(fixed(arrays_scene("[parameters]\nfixed = \"all\"\n")) == "0=1 1=2 2=1 3=2 ");

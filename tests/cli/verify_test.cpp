@@ -33,6 +33,37 @@ TEST_CASE("verify: all closed forms of the models hold, a wrong one exits with 1
   CHECK(mentions(wrong.errors, "[E510]"));
 }
 
+TEST_CASE("forward dynamics without pivots is verified, and its model runs") {
+  const Workspace workspace;
+  for (const std::string name : {"pendulum_xy", "cart_pole"}) {
+    workspace.prepare("cp " + models + "/" + name +
+                      ".toml . && printf '\\n[outputs]\\n"
+                      "forward_dynamics = { pivots = false }\\n' >> " +
+                      name + ".toml");
+    workspace.write("c.scene.toml",
+                    "format = 1\nmodel = \"" + name +
+                        ".toml\"\nname = \"c\"\n"
+                        "[outputs]\nforward_dynamics = true\n[emit]\nlanguage = \"c99\"\n");
+    workspace.write("packs.scene.toml",
+                    "format = 1\nmodel = \"" + name +
+                        ".toml\"\nname = \"packs\"\n"
+                        "[outputs]\nforward_dynamics = true\n[emit]\nbatch = true\neigen = true\n");
+    for (const std::string& file :
+         {name + ".toml", std::string("c.scene.toml"), std::string("packs.scene.toml")}) {
+      const Outcome judged = workspace.run("elgen verify --quick " + file);
+      INFO(file + judged.output + judged.errors);
+      CHECK(judged.status == 0);
+    }
+    const Outcome emitted = workspace.run("elgen generate -q -o out " + name + ".toml && cat out/" +
+                                          name + "/" + name + ".hpp");
+    CHECK_FALSE(mentions(emitted.output, "pivots"));
+    CHECK_FALSE(mentions(emitted.output, "is_regular"));
+    const bool is_free = name == "cart_pole";
+    CHECK(mentions(emitted.output, "Accelerations<Scalar> forward_dynamics(") == is_free);
+    CHECK(workspace.run("elgen simulate --time 0.1 " + name + ".toml").status == 0);
+  }
+}
+
 TEST_CASE("the Jacobian of a frame is judged as that of its twist") {
   const Workspace workspace;
   workspace.write("arm.toml", R"toml(format = 1

@@ -55,6 +55,17 @@ TEST_CASE("what no function reads, or what a scene fixes, is no member") {
   CHECK(seen_by_callers(spring(), reversed, scene, scene).empty());
 }
 
+TEST_CASE("pivots that go change what a function returns") {
+  const std::string with = "[outputs]\nforward_dynamics = true\n";
+  const std::string without = "[outputs]\nforward_dynamics = { pivots = false }\n";
+  CHECK(seen_by_callers(spring(), spring(), with, without) ==
+        "breaks: `forward_dynamics` gives no relative pivots any more\n");
+  CHECK(seen_by_callers(spring(), spring(), without, with) ==
+        "breaks: `forward_dynamics` gives relative pivots, too\n");
+  CHECK(seen_by_callers(spring(), spring() + without, with, without) ==
+        "breaks: `forward_dynamics` gives no relative pivots any more\n");
+}
+
 TEST_CASE("other assumptions are told, also where all entries are equal") {
   CHECK(seen_by_callers(spring(), edited(spring(), ", assume = \"positive\"", "")) ==
         "values: `m` is assumed to be any number where it was positive\n");

@@ -129,7 +129,11 @@ TEST_CASE("forward dynamics gives pivots") {
   Program program;
   program.functions.emplace_back().kind = OutputKind::bias;
   CHECK_FALSE(gives_pivots(program));
-  program.functions.emplace_back().kind = OutputKind::forward_dynamics;
+  Function& dynamics = program.functions.emplace_back();
+  dynamics.kind = OutputKind::forward_dynamics;
+  dynamics.fields = {{.rows = 2, .entries = {0, 1}}};
+  CHECK_FALSE(gives_pivots(program));
+  dynamics.fields = {{"acceleration", 2, 1, {0, 1}}, {"relative_pivots", 2, 1, {2, 2}}};
   CHECK(gives_pivots(program));
 }
 

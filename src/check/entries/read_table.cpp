@@ -1,4 +1,4 @@
-// The tables that are not repeated: [model], [define], [gravity], [energy].
+// The tables that are not repeated: [model], [define], [gravity], [energy], [outputs].
 #include <algorithm>
 #include <array>
 
@@ -84,6 +84,12 @@ void read_energies(ValueReader& values, const EntrySyntax& entry) {
   }
 }
 
+void read_outputs(Model& model, const EntrySyntax& entry) {
+  const KeySyntax* dynamics = entry.find("forward_dynamics");
+  const KeySyntax* pivots = dynamics == nullptr ? nullptr : dynamics->value.find("pivots");
+  model.without_pivots = pivots != nullptr && !pivots->value.boolean;
+}
+
 }  // namespace
 
 void read_table(Context& context, const EntrySyntax& entry) {
@@ -96,6 +102,8 @@ void read_table(Context& context, const EntrySyntax& entry) {
     read_gravity(values, entry);
   } else if (entry.name == "energy") {
     read_energies(values, entry);
+  } else if (entry.name == "outputs") {
+    read_outputs(context.model, entry);
   }
 }
 

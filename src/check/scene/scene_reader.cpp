@@ -91,6 +91,17 @@ void read_step(const ValueSyntax& entry, OutputRequest& output, Report& report) 
   if (order != nullptr) read_order(*order, output, report);
 }
 
+/// Whether the entry of the output says that it gives its pivots. E103 where it has none.
+void read_pivots(const ValueSyntax& entry, OutputRequest& output, Report& report) {
+  const KeySyntax* pivots = entry.find("pivots");
+  if (pivots == nullptr) return;
+  if (!output_row(output.kind).gives_pivots) {
+    report.add(Code::E103, pivots->key_span,
+               fmt::format("`{}` has no `pivots`: `forward_dynamics` has them", output.name));
+  }
+  output.without_pivots = !pivots->value.boolean;
+}
+
 bool precedes(const OutputRequest& a, const OutputRequest& b) {
   return std::pair(a.kind, a.user) < std::pair(b.kind, b.user);
 }
@@ -226,6 +237,7 @@ class SceneReader {
         return &other;
       }
     }
+    if (options_.keeps_pivots) found->without_pivots = false;
     scene_.outputs.push_back(std::move(*found));
     return &scene_.outputs.back();
   }
@@ -247,6 +259,7 @@ class SceneReader {
     if (output != nullptr) {
       output->form = form_in(key.value.find("form"));
       read_step(key.value, *output, context_.report);
+      read_pivots(key.value, *output, context_.report);
     }
     if (output != nullptr && rename != nullptr) {
       output->name = rename->value.text;

@@ -157,7 +157,7 @@ ForwardDynamics forward_dynamics(Derivation& derivation) {
   return {motion.x, dynamics.solve().relative_pivots(), motion.y, dynamics.solve().diagonal()};
 }
 
-std::optional<ArticulatedDynamics> articulated_dynamics(Derivation& derivation) {
+std::optional<ArticulatedDynamics> articulated_dynamics(Derivation& derivation, bool has_pivots) {
   const Lagrangian& lagrangian = derivation.lagrangian;
   const bool is_tree = lagrangian.masses.empty() && lagrangian.lagrangian.empty() &&
                        lagrangian.constraints.empty() && !lagrangian.tree.bodies.empty();
@@ -168,10 +168,11 @@ std::optional<ArticulatedDynamics> articulated_dynamics(Derivation& derivation) 
   const auto joints = tree_joints(tree);
   if (!joints) return std::nullopt;
   const Vector forces = negative(bias(derivation, InputForces::acting, Bodies::without_frames));
-  const ArticulatedMotion motion = articulated_motion(tree, *joints, forces, *armatures);
+  const ArticulatedMotion motion =
+      articulated_motion(tree, *joints, forces, *armatures, has_pivots);
   name_accelerations(derivation, motion.acceleration);
   Vector relative_pivots;
-  for (std::size_t i = 0; i < motion.pivots.size(); ++i) {
+  for (std::size_t i = 0; i < motion.diagonal.size(); ++i) {
     relative_pivots.push_back(motion.pivots[i] / motion.diagonal[i]);
   }
   return ArticulatedDynamics{{motion.acceleration, relative_pivots, {}, motion.diagonal},

@@ -172,12 +172,14 @@ struct ForwardDynamics {
 /// The same without M (tree/articulated.hpp), and the operations that factorising M would take.
 /// None where L is given whole, where there are constraints, masses beside frames, or more than a
 /// diagonal in what [energy] T adds to M, where a velocity moves no step or several, or where M is
-/// eliminated from the first velocity to the last: then the pivots would be others.
+/// eliminated from the first velocity to the last: then the pivots would be others. Without pivots
+/// M_ii is not computed.
 struct ArticulatedDynamics {
   ForwardDynamics solution;
   std::size_t operations_of_factorisation = 0;
 };
-[[nodiscard]] std::optional<ArticulatedDynamics> articulated_dynamics(Derivation& derivation);
+[[nodiscard]] std::optional<ArticulatedDynamics> articulated_dynamics(Derivation& derivation,
+                                                                      bool has_pivots = true);
 
 /// n_v x n_v each, row-major.
 struct InverseDerivatives {

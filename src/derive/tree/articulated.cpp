@@ -158,16 +158,16 @@ class ArticulatedRecursion {
         inertias_(tree.size()),
         eliminated_(joints.size()) {}
 
-  ArticulatedMotion run() {
+  ArticulatedMotion run(bool has_diagonal) {
     ArticulatedMotion motion;
-    motion.diagonal = diagonal_of_mass();
+    if (has_diagonal) motion.diagonal = diagonal_of_mass();
     start();
     for (std::size_t k = tree_.size(); k-- > 0;) {
       if (!moved_by_[k].empty()) {
         accumulate(algebra_, std::exchange(rigid_[k], {}), inertias_[k]);
       }
       for (auto i = moved_by_[k].rbegin(); i != moved_by_[k].rend(); ++i) {
-        eliminate(*i, motion.diagonal[*i]);
+        eliminate(*i);
       }
       pass_on(k);
     }
@@ -205,13 +205,13 @@ class ArticulatedRecursion {
 
   /// Along a single axis without J the joint lets the body go: there nothing is left of I, and the
   /// force passed on is that on the joint. With J, I - L U^T = I J/D without a difference.
-  void eliminate(std::uint32_t velocity, const ex& diagonal) {
+  void eliminate(std::uint32_t velocity) {
     const TreeJoint& joint = joints_[velocity];
     const ex& armature = armatures_[velocity];
     ArticulatedInertia& inertia = inertias_[joint.step];
     const SpatialForce moving = product(algebra_, inertia, joint.unit);
     const ex pivot = algebra_.define(contracted(algebra_, joint.unit, moving) + armature);
-    if (pivot.is_zero()) throw ZeroPivot(RowsOf::velocities, velocity, diagonal.is_zero());
+    if (pivot.is_zero()) throw ZeroPivot(RowsOf::velocities, velocity, false);
     const ex reciprocal = algebra_.define(1 / pivot);
     const Spatial unit = components(joint.unit.spin, joint.unit.velocity);
     const Spatial u = components(moving.moment, moving.force);
@@ -312,8 +312,9 @@ std::optional<std::vector<TreeJoint>> tree_joints(Tree& tree) {
 }
 
 ArticulatedMotion articulated_motion(Tree& tree, const std::vector<TreeJoint>& joints,
-                                     const Vector& forces, const Vector& armatures) {
-  return ArticulatedRecursion(tree, joints, forces, armatures).run();
+                                     const Vector& forces, const Vector& armatures,
+                                     bool has_diagonal) {
+  return ArticulatedRecursion(tree, joints, forces, armatures).run(has_diagonal);
 }
 
 std::size_t operations_of_factorisation(const Tree& tree, const std::vector<TreeJoint>& joints) {

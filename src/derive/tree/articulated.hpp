@@ -38,13 +38,15 @@ struct TreeJoint {
 struct ArticulatedMotion {
   Vector acceleration;
   Vector pivots;    ///< D
-  Vector diagonal;  ///< of M
+  Vector diagonal;  ///< of M; empty where it is not asked for
 };
 
 /// The solution of M a = Q less the inertial forces at a = 0 and the weights of the bodies;
-/// `forces` are Q, `armatures` J, by velocity. Throws ZeroPivot.
+/// `forces` are Q, `armatures` J, by velocity. Throws ZeroPivot, of
+/// which it does not know M_ii.
 [[nodiscard]] ArticulatedMotion articulated_motion(Tree& tree, const std::vector<TreeJoint>& joints,
-                                                   const Vector& forces, const Vector& armatures);
+                                                   const Vector& forces, const Vector& armatures,
+                                                   bool has_diagonal);
 
 /// Operations of the factorisation M = L D L^T alone, limbs first, where an entry of M is 0 only
 /// between two limbs: d (d + 2) for every velocity that d others carry.

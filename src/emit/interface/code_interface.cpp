@@ -197,7 +197,7 @@ bool has_sine_with_cosine(const Program& program) {
 
 bool gives_pivots(const Program& program) {
   return std::any_of(program.functions.begin(), program.functions.end(),
-                     [](const Function& f) { return output_row(f.kind).gives_pivots; });
+                     [](const Function& f) { return has_pivots(f); });
 }
 
 bool gives_struct(const Function& function) {

@@ -149,6 +149,7 @@ std::vector<OutputRequest> needed_for_step(const Model& model, const OutputReque
     OutputRequest request = request_of(model, kind, 0);
     if (!is_available(model, request)) continue;
     request.span = step.span;
+    request.without_pivots = output_row(kind).gives_pivots;
     const bool judges =
         domain_of(step) == StepDomain::separable && kind != OutputKind::forward_dynamics;
     if (!judges) request.form = step.form;

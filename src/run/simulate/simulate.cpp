@@ -251,6 +251,7 @@ std::string outputs_of_run(const Model& model) {
 Products derived_for_run(const Inputs& inputs, PipelineOptions options,
                          const std::optional<ChosenStep>& step) {
   options.scene.close_functions = true;
+  options.scene.keeps_pivots = true;
   PipelineOptions first = options;
   first.goals = {Goal::check};
   Products checked = run_pipeline(inputs, first);

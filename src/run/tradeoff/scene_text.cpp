@@ -162,8 +162,12 @@ class DesignText {
       return toml_inline_table(entries);
     }
     const KeySyntax* const key = find_key(base_.scene, "outputs", output());
-    const KeySyntax* const form = key == nullptr ? nullptr : key->value.find("form");
-    return form == nullptr ? "true" : fmt::format("{{ form = {} }}", value_text(form->value));
+    Lines entries;
+    for (const char* const name : {"form", "pivots"}) {
+      const KeySyntax* const own = key == nullptr ? nullptr : key->value.find(name);
+      if (own != nullptr) entries.push_back(assigned(name, value_text(own->value)));
+    }
+    return entries.empty() ? "true" : toml_inline_table(entries);
   }
 
   /// Parameters that the scene has fixed keep their values.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "model/requests.hpp"
+
 namespace elgen {
 namespace {
 
@@ -57,7 +59,9 @@ std::vector<FieldPlace> field_places(const Subject& subject, std::size_t index) 
     place.form = form_of(subject.program, index, field, first);
     place.request = request_of(subject, function, field);
     place.request_field = number_of_field(place.request.kind, field.name);
-    place.first_oracle = holds_others ? 0 : first;
+    if (!holds_others) {
+      place.first_oracle = first_entry_of(subject.model, function.kind, place.request_field);
+    }
     first += field.entries.size();
     places.push_back(std::move(place));
   }

@@ -66,7 +66,7 @@ class Projection {
       return compare_contraction(place_.field().rows);
     }
     if (!output.gives_pivots) return compare_response();
-    const bool is_acceleration = place_.field().name == "acceleration";
+    const bool is_acceleration = row().name == "acceleration";
     return is_acceleration ? compare_acceleration() : compare_pivots();
   }
 

@@ -36,7 +36,7 @@ std::vector<SolvedColumn> solved_columns(const FieldPlace& place, OracleCache& o
   const OutputRow& output = output_row(place.request.kind);
   const Field& field = place.field();
   const bool is_multiplier = field.name == "multipliers";
-  const bool is_acceleration = field.name == "acceleration" || output.differentiates;
+  const bool is_acceleration = place.row().name == "acceleration" || output.differentiates;
   if (!output.solves || !(is_multiplier || is_acceleration)) return {};
   std::vector<Real> weights = roots_of_diagonal(oracle);
   if (is_multiplier && !weights.empty()) weights = lengths_of_rows(weights, oracle);

@@ -251,9 +251,9 @@ class Proofs {
   [[nodiscard]] bool conserved(const Expectation& expectation, std::size_t entry);
 
  private:
-  /// The form of an entry, counted over all fields; null where there is none, or where it rests on
-  /// zeros that were sampled.
-  [[nodiscard]] const Fraction* derived(OutputKind kind, std::uint32_t user,
+  /// The form of an entry of the first field, or of the one of this name; null where there is none,
+  /// or where it rests on zeros that were sampled.
+  [[nodiscard]] const Fraction* derived(const OutputRequest& request, std::string_view field,
                                         std::size_t entry) const;
   [[nodiscard]] std::optional<std::vector<Fraction>> entries(OutputKind kind) const;
   [[nodiscard]] Replacements momenta() const;
@@ -263,16 +263,18 @@ class Proofs {
   ClosedForms* forms_;
 };
 
-const Fraction* Proofs::derived(OutputKind kind, std::uint32_t user, std::size_t entry) const {
+const Fraction* Proofs::derived(const OutputRequest& request, std::string_view field,
+                                std::size_t entry) const {
   const std::vector<Function>& functions = subject_.program.functions;
   for (std::size_t i = 0; forms_ != nullptr && i < forms_->functions.size(); ++i) {
-    if (functions[i].kind != kind || functions[i].user != user) continue;
+    if (functions[i].kind != request.kind || functions[i].user != request.user) continue;
+    if (!field.empty()) entry += first_entry_of(functions[i], field);
     if (std::ranges::count(functions[i].sampled_zeros, entry) > 0) return nullptr;
-    for (const ClosedField& field : forms_->functions[i].fields) {
-      if (entry < field.entries.size()) {
-        return field.entries[entry] ? &*field.entries[entry] : nullptr;
+    for (const ClosedField& closed : forms_->functions[i].fields) {
+      if (entry < closed.entries.size()) {
+        return closed.entries[entry] ? &*closed.entries[entry] : nullptr;
       }
-      entry -= field.entries.size();
+      entry -= closed.entries.size();
     }
     return nullptr;
   }
@@ -286,8 +288,7 @@ std::optional<Fraction> Proofs::written(const Expectation& expectation, std::siz
 
 bool Proofs::equal(const Expectation& expectation, std::size_t entry) {
   const auto request = find_request(subject_.model, expectation.output);
-  const Fraction* const form =
-      request ? derived(request->kind, request->user, expectation.first + entry) : nullptr;
+  const Fraction* const form = request ? derived(*request, expectation.field, entry) : nullptr;
   if (form == nullptr) return false;
   const auto own = written(expectation, entry);
   return own && proved_equal(*forms_, *own, *form);
@@ -299,7 +300,7 @@ std::optional<std::vector<Fraction>> Proofs::entries(OutputKind kind) const {
   if (function == nullptr) return std::nullopt;
   std::vector<Fraction> result;
   for (std::size_t i = 0; i < function->fields.front().entries.size(); ++i) {
-    const Fraction* const form = derived(kind, 0, i);
+    const Fraction* const form = derived({.kind = kind}, "", i);
     if (form == nullptr) return std::nullopt;
     result.push_back(*form);
   }

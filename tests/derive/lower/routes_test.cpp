@@ -75,6 +75,22 @@ TEST_CASE("where M is shorter it is eliminated", "[frames]") {
   CHECK(cost_of(routes.lowered()) <= cost_of(routes.eliminated()));
 }
 
+TEST_CASE("without pivots M_ii is not computed, and accelerations stand alone", "[frames]") {
+  const Routes usual(links_text(20));
+  Framed system(links_text(20));
+  OutputRequest request = usual.request;
+  request.without_pivots = true;
+  const EquationsOfMotion equations = *derive(system.lagrangian, {request}, {});
+  const Result<Program> program = lower(equations, {request}, {});
+  REQUIRE(program);
+  const Function& alone = program->functions.front();
+  REQUIRE(alone.fields.size() == 1);
+  CHECK(alone.fields.front().name.empty());
+  CHECK(alone.fields.front().entries.size() == 20);
+  // Composite inertias take more than a twentieth of it.
+  CHECK(20 * cost_of(alone) < 19 * cost_of(usual.lowered()));
+}
+
 TEST_CASE("M of a long chain is not derived for forward dynamics", "[frames]") {
   const Routes routes(links_text(60));
   CHECK(routes.equations.outputs.empty());
