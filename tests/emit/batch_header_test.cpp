@@ -26,7 +26,7 @@ TEST_CASE("a function loads its arguments and stores its fields one after anothe
                  "  using Scalar = Pack<T>;\n"
                  "  const auto constants = detail::repeated<Scalar>(p);\n"
                  "  detail::for_each_pack<Scalar>(count, [&](const detail::Place& at) {\n"
-                 "    const auto values = cart_pole::forward_dynamics<Scalar>(\n"
+                 "    const auto values = ::cart_pole::forward_dynamics<Scalar>(\n"
                  "        constants,\n"
                  "        detail::loaded<Coordinates<Scalar>>(q, at),\n"
                  "        detail::loaded<Velocities<Scalar>>(v, at),\n"
@@ -34,6 +34,16 @@ TEST_CASE("a function loads its arguments and stores its fields one after anothe
                  "    detail::store(values.acceleration, at, result);\n"
                  "    detail::store(values.relative_pivots, at, result + 2 * count);\n"
                  "  });\n"));
+  CHECK(mentions(text,
+                 "__global__ void forward_dynamics(Parameters<T> constants, std::size_t count, "
+                 "const T* q,\n"
+                 "                                 const T* v, const T* u, T* result) {\n"
+                 "  using Scalar = T;\n"));
+  CHECK(mentions(text,
+                 "    const detail::Place at{state, count};\n"
+                 "    const auto values = ::cart_pole::forward_dynamics<Scalar>(\n"));
+  CHECK(text.find("namespace cart_pole::kernel {") < text.find("gnu::vector_size"));
+  CHECK(text.find("#error") > text.find("#else"));
   CHECK(mentions(text, "  result.l = p.l;\n"));
   CHECK(mentions(text, "Pack<T, N> sqrt("));
   CHECK_FALSE(mentions(text, "Pack<T, N> exp("));
@@ -70,5 +80,6 @@ TEST_CASE("names of the header of batches are E701") {
   CHECK(batch_check_names(subject.model, subject.scene, subject.program).empty());
   subject.program.functions[0].name = "batch";
   subject.program.functions[4].name = "pack";
-  CHECK(batch_check_names(subject.model, subject.scene, subject.program).size() == 2);
+  subject.program.functions[2].name = "kernel";
+  CHECK(batch_check_names(subject.model, subject.scene, subject.program).size() == 3);
 }

@@ -1,5 +1,7 @@
 // Programs of tests/emit/compiled/ around an emitted header, built by both compilers and run.
 #include <catch2/catch.hpp>
+#include <iostream>
+#include <sstream>
 #include <vector>
 
 #include "support/installed.hpp"
@@ -58,6 +60,10 @@ TEST_CASE("a pack has to declare the type of its elements") {
 
 TEST_CASE("batches give what the functions of one state give") {
   expect_success("batch.cpp", GENERATE("", "-march=native", "-march=x86-64-v3"));
+}
+
+TEST_CASE("kernels of batches give what the functions of one state give") {
+  expect_success("kernel.cpp");
 }
 
 TEST_CASE("fast-math is refused by batches, or does not reach their angles") {
@@ -163,7 +169,7 @@ TEST_CASE("a standard below C++17 is named") {
   CHECK(test::mentions(compiled.errors, "these functions are C++17: compile with -std=c++17"));
 }
 
-TEST_CASE("device code calls the functions") {
+TEST_CASE("device code calls the functions, and batches are kernels") {
   const test::Workspace workspace;
   const std::string folders = " -I" + (std::string(ELGEN_SOURCE_DIR) + "/generated ") +
                               ELGEN_SOURCE_DIR + "/tests/emit/compiled/device.cu -o device";
@@ -172,7 +178,7 @@ TEST_CASE("device code calls the functions") {
   };
   std::string compiler;
   if (knows("nvcc --version")) {
-    compiler = "nvcc -std=c++17 --expt-relaxed-constexpr -c";
+    compiler = "nvcc -std=c++17 --expt-relaxed-constexpr -Xptxas -v -c";
   } else if (knows("clang++ --print-targets | grep -q nvptx64")) {
     // Without NVIDIA's headers: the program declares the functions that it needs.
     compiler =
@@ -185,6 +191,15 @@ TEST_CASE("device code calls the functions") {
   const test::Outcome built = test::shell(compiler + folders, workspace.path());
   INFO(compiler << "\n" << built.errors);
   CHECK(built.status == 0);
+  std::istringstream lines(built.errors);
+  for (std::string line; std::getline(lines, line);) {
+    const bool is_of_kernel = test::mentions(line, "Function properties for ") ||
+                              test::mentions(line, " stack frame") ||
+                              test::mentions(line, " registers");
+    if (is_of_kernel) std::cout << line << '\n';
+    // The library's slow path for large angles would need one.
+    if (test::mentions(line, " stack frame")) CHECK(test::mentions(line, " 0 bytes stack frame"));
+  }
 }
 
 TEST_CASE("the macro before the functions is the user's to define") {

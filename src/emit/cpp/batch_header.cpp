@@ -20,7 +20,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-constexpr std::array<std::string_view, 2> own_names{"Pack", "batch"};
+constexpr std::array<std::string_view, 3> own_names{"Pack", "batch", "kernel"};
 
 Texts notes(const EmissionInput& input) {
   Texts lines;
@@ -55,15 +55,17 @@ Texts parameters(const EmissionInput& input) {
   return lines;
 }
 
-std::string batch_signature(const Model& model, const Function& function) {
-  Texts arguments{"const Parameters<T>& p", "std::size_t count"};
+/// "void gravity(const Parameters<T>& p, std::size_t count, const T* q, T* result)"
+std::string batch_signature(const std::string& type, const std::string& parameters,
+                            const Model& model, const Function& function) {
+  Texts arguments{parameters, "std::size_t count"};
   for (const Opcode argument : arguments_of(model, function)) {
     if (argument != Opcode::parameter) {
       arguments.push_back(fmt::format("const T* {}", leaf_row(argument).symbol));
     }
   }
   arguments.emplace_back("T* result");
-  return signature("void " + function.name, arguments, "");
+  return signature(type + " " + function.name, arguments, "");
 }
 
 std::string loaded(Opcode argument) {
@@ -88,18 +90,15 @@ std::string stores(const Function& function) {
   return lines;
 }
 
-std::string body(const EmissionInput& input, const Function& function) {
+/// The call for one place, and what keeps its values.
+std::string statements(const EmissionInput& input, const Function& function) {
   Texts arguments;
   for (const Opcode argument : arguments_of(input.model, function)) {
     arguments.push_back(loaded(argument));
   }
-  return fmt::format(
-      "  using Scalar = {};\n"
-      "  const auto constants = detail::repeated<Scalar>(p);\n"
-      "  detail::for_each_pack<Scalar>(count, [&](const detail::Place& at) {{\n"
-      "    const auto values = {}::{}<Scalar>(\n        {});\n{}  }});\n",
-      needs_order(function) ? "T" : "Pack<T>", name_space(input.scene), function.name,
-      fmt::join(arguments, ",\n        "), stores(function));
+  return fmt::format("    const auto values = ::{}::{}<Scalar>(\n        {});\n{}",
+                     name_space(input.scene), function.name, fmt::join(arguments, ",\n        "),
+                     stores(function));
 }
 
 TemplateData functions(const EmissionInput& input) {
@@ -109,9 +108,13 @@ TemplateData functions(const EmissionInput& input) {
     if (!is_returned(function)) continue;
     const FunctionText text{input.model, input.program,       function, input.equations[i],
                             {},          input.scene.emission};
-    list << TemplateRow{{"summary", function_heading(text)},
-                        {"signature", batch_signature(input.model, function)},
-                        {"body", body(input, function)}};
+    list << TemplateRow{
+        {"summary", function_heading(text)},
+        {"signature", batch_signature("void", "const Parameters<T>& p", input.model, function)},
+        {"kernel",
+         batch_signature("__global__ void", "Parameters<T> constants", input.model, function)},
+        {"scalar", needs_order(function) ? "T" : "Pack<T>"},
+        {"statements", statements(input, function)}};
   }
   return list;
 }

@@ -107,11 +107,7 @@ std::vector<SineNumber> sine_numbers(const Numerics& numerics, SinesOf arithmeti
 }
 
 bool has_sines_in_line(const Scene& scene, ScalarKind scalar) {
-  const Numerics& numerics = scene.numerics;
-  const bool is_inner =
-      scalar == ScalarKind::single_precision && numerics.inner == InnerScalar::single_precision;
-  return !numerics.has_library_sines && scalar != ScalarKind::long_double &&
-         (is_inner || std::ranges::count(numerics.scalars, scalar) > 0);
+  return !scene.numerics.has_library_sines && scalar != ScalarKind::long_double;
 }
 
 template <class Scalar>

@@ -58,8 +58,8 @@ enum class SinesOf : std::uint8_t { packs, numbers };
 [[nodiscard]] cln::cl_RA sine_error(const Numerics& numerics, SinesOf arithmetic,
                                     ScalarKind scalar);
 
-/// Whether functions of numbers compute sines in line: of float and double, where code is for them
-/// and the scene does not ask for the library.
+/// Whether functions of numbers compute sines in line: of float and double, whichever the scene
+/// names, unless it asks for the library.
 [[nodiscard]] bool has_sines_in_line(const Scene& scene, ScalarKind scalar);
 
 /// A number of the algorithm: "domain", "inverse", "shift", "part_1", "sine_3", "cosine_4".

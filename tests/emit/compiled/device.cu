@@ -1,10 +1,14 @@
 // Kernels that call emitted functions in both precisions: a small model, one with quaternions, one
-// whose functions have parts. clang++ without NVIDIA's headers gets what those would declare.
+// whose functions have parts; and those of batches. clang++ without NVIDIA's headers gets what those would declare.
 #if defined(__clang__)
 #define __CUDACC__
 #define __host__ __attribute__((host))
 #define __device__ __attribute__((device))
 #define __global__ __attribute__((global))
+struct Dimensions {
+  unsigned x;
+};
+extern __device__ const Dimensions gridDim, blockDim, blockIdx, threadIdx;
 extern "C" {
 __device__ void* memcpy(void*, const void*, unsigned long);
 __device__ double cos(double);
@@ -19,8 +23,10 @@ __device__ void sincosf(float, float*, float*);
 #endif
 
 #include "cart_pole/cart_pole.hpp"
+#include "cart_pole_sampling/cart_pole_sampling_batch.hpp"
 #include "free_body/free_body.hpp"
 #include "panda7/panda7.hpp"
+#include "panda7_rollouts/panda7_rollouts_batch.hpp"
 
 template <class Array, class T>
 __device__ Array numbers(const T* from) {
@@ -50,3 +56,19 @@ __device__ void evaluate(const T* from, T* to) {
 
 __global__ void in_double(const double* from, double* to) { evaluate(from, to); }
 __global__ void in_float(const float* from, float* to) { evaluate(from, to); }
+
+namespace cart_pole_sampling::kernel {
+
+template __global__ void forward_dynamics(Parameters<double>, std::size_t, const double*,
+                                          const double*, const double*, double*);
+
+}  // namespace cart_pole_sampling::kernel
+
+namespace panda7_rollouts::kernel {
+
+template __global__ void inverse_dynamics(Parameters<double>, std::size_t, const double*,
+                                          const double*, const double*, double*);
+template __global__ void inverse_dynamics(Parameters<float>, std::size_t, const float*,
+                                          const float*, const float*, float*);
+
+}  // namespace panda7_rollouts::kernel
