@@ -35,11 +35,15 @@ struct DesignBase {
   std::vector<SourcePointer> ranges = {};
 };
 
+/// Functions of one state call the library for sines and cosines.
+inline constexpr std::string_view library_sines = "library";
+
 /// The choice in each dimension; "" where that of the scene stands.
 struct Design {
   ScalarKind scalar = ScalarKind::double_precision;  ///< or float
   bool in_packs = false;
-  std::string trigonometry = {};  ///< max_error of polynomials; "": as accurate as the scalar
+  /// max_error of polynomials; "": as accurate as the scalar; or library_sines
+  std::string trigonometry = {};
   bool is_fixed = false;          ///< every parameter is a number
   InnerScalar inner = InnerScalar::same;  ///< of one state in double
   std::string order = {};                 ///< of an expansion, or "exact": nothing is approximated

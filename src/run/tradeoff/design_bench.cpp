@@ -79,7 +79,9 @@ class DesignRuns {
       if (row->design.in_packs) timing.variants.push_back({row->design.scalar, true, true});
     }
     if (scene.numerics.scalars.empty()) scene.numerics.scalars = {timing.variants.front().scalar};
-    scene.numerics.inner = piece.rows.front()->design.inner;
+    const Design& common = piece.rows.front()->design;
+    scene.numerics.inner = common.inner;
+    scene.numerics.has_library_sines = common.trigonometry == library_sines;
     const Model& model = products.checked->model;
     const Result<EmittedFiles> files = emit(model, scene, *products.program, {});
     if (!files) return files.diagnostics;

@@ -33,7 +33,7 @@ constexpr std::array dimension_rows{
     DimensionRow{"scalar", "numeric", "scalar", false, "try this scalar alone"},
     DimensionRow{"batch", "emit", "batch", false, "try one state per call, or packs, alone"},
     DimensionRow{"trigonometry", "numeric", "trigonometry", false,
-                 "try sines of this accuracy alone"},
+                 "try sines of this accuracy, or the library's, alone"},
     DimensionRow{"parameters", "parameters", "fixed", false,
                  "try parameters as arguments, or fixed, alone"},
     DimensionRow{"inner", "numeric", "inner", true,
@@ -46,6 +46,7 @@ struct ValueRow {
   std::string_view value;
   void (*choose)(Design&);
   bool (*is_left)(const CheckedModel&);
+  bool is_asked = false;  ///< tried only where it is pinned, or its dimension named
 };
 
 bool has_scalar(const CheckedModel& base, ScalarKind scalar) {
@@ -74,12 +75,17 @@ constexpr std::array value_rows{
     ValueRow{"batch", "packs", [](Design& d) { d.in_packs = true; },
              [](const CheckedModel& base) { return base.scene.emission.batch; }},
     ValueRow{"trigonometry", "full", [](Design& d) { d.trigonometry = ""; },
-             [](const CheckedModel& base) { return !base.scene.numerics.trigonometry_error; }},
+             [](const CheckedModel& base) {
+               const Numerics& numerics = base.scene.numerics;
+               return !numerics.trigonometry_error && !numerics.has_library_sines;
+             }},
     ValueRow{"trigonometry", "1e-7", [](Design& d) { d.trigonometry = "1e-7"; },
              [](const CheckedModel& base) {
                return trigonometry_error(base.scene.numerics, ScalarKind::double_precision) ==
                       cln::cl_RA(1) / 10'000'000;
              }},
+    ValueRow{"trigonometry", library_sines, [](Design& d) { d.trigonometry = library_sines; },
+             [](const CheckedModel& base) { return base.scene.numerics.has_library_sines; }, true},
     ValueRow{"parameters", "arguments", [](Design& d) { d.is_fixed = false; },
              [](const CheckedModel& base) {
                return base.scene.specialisation.fixed.size() < base.model.parameters.size();
@@ -129,6 +135,10 @@ class ExistingDesigns {
     }
     if (design.trigonometry.empty()) return "";
     if (!has_sines_) return "the output has no sine and no cosine";
+    if (design.trigonometry == library_sines) {
+      const bool is_plain = design.inner == InnerScalar::same && !design.in_packs;
+      return is_plain ? "" : "packs and wider scalars have sines of their own";
+    }
     // A float cannot be as good as 1e-7; and outside of packs there are no polynomials.
     return design.in_packs && !is_float ? "" : "sines of this accuracy are in packs of double";
   }
@@ -159,10 +169,10 @@ Diagnostics none_as_pinned(const std::vector<PinnedDimension>& pinned, const cha
 /// The pinned value, or all of a dimension that is usual or named.
 std::vector<ValueRow> tried_values(const DimensionRow& dimension, const DesignChoices& choices) {
   const PinnedDimension* const pin = find_pin(choices.pinned, dimension.name);
-  const bool is_tried =
-      !dimension.is_asked || std::ranges::find(choices.more, dimension.name) != choices.more.end();
+  const bool is_named = std::ranges::find(choices.more, dimension.name) != choices.more.end();
   std::vector<ValueRow> values;
   for (const ValueRow& row : value_rows) {
+    const bool is_tried = is_named || !(dimension.is_asked || row.is_asked);
     const bool is_chosen = pin == nullptr ? is_tried : row.value == pin->value;
     if (row.dimension == dimension.name && is_chosen) values.push_back(row);
   }

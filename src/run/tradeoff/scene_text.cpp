@@ -70,12 +70,16 @@ std::string line(const std::string& key, const std::string& value) {
   return value.empty() ? "" : assigned(key, value) + "\n";
 }
 
-/// Functions of numbers keep the sines that the scene has for them.
+/// Steps keep the sines that the scene has for functions of numbers.
 std::string sines_of(const Design& design, const Scene& scene) {
   std::vector<std::string> entries;
-  const std::string& error = design.trigonometry;
-  if (!error.empty()) entries.push_back(fmt::format("max_error = \"{}\"", error));
-  if (scene.numerics.has_library_sines) entries.emplace_back("scalar = \"library\"");
+  const std::string& sines = design.trigonometry;
+  const bool is_library = design.step ? scene.numerics.has_library_sines : sines == library_sines;
+  if (is_library) {
+    entries.emplace_back("scalar = \"library\"");
+  } else if (!sines.empty()) {
+    entries.push_back(fmt::format("max_error = \"{}\"", sines));
+  }
   return entries.empty() ? "" : toml_inline_table(entries);
 }
 

@@ -78,6 +78,23 @@ TEST_CASE("wider scalars are tried of one state in double where they are asked f
         "doubles of one state");
 }
 
+TEST_CASE("calls of the library are tried of one state where they are asked for") {
+  const TradeoffPlan plan = planned(pendulum_text(), "gravity", {.more = {"trigonometry"}});
+  CHECK(plan.designs.size() == 10 + 4);
+  CHECK(has(plan, {"double", "one", "library", "arguments"}));
+  CHECK(has(plan, {"float", "one", "library", "fixed"}));
+  CHECK_FALSE(has(plan, {"double", "packs", "library", "fixed"}));
+  const TradeoffPlan pinned =
+      planned(pendulum_text(), "gravity", {.pinned = {{"trigonometry", "library"}}});
+  CHECK(pinned.dimensions == Texts{"scalar", "trigonometry", "parameters"});
+  CHECK(pinned.designs.size() == 4);
+  const TradeoffPlan wide =
+      planned(pendulum_text(), "gravity", {.more = {"trigonometry", "inner"}});
+  CHECK_FALSE(has(wide, {"double", "one", "library", "fixed", "long double"}));
+  CHECK(refusal(mass, {.pinned = {{"trigonometry", "library"}}}) ==
+        "no design is left by `--trigonometry library`; the output has no sine and no cosine");
+}
+
 TEST_CASE("of a pinned dimension one value is tried, in a column that stays") {
   const TradeoffPlan plan =
       planned(pendulum_text(), "gravity", {.pinned = {{"batch", "one"}, {"order", "3"}}});

@@ -83,6 +83,16 @@ TEST_CASE("a design in a wider scalar is a scene with inner") {
   CHECK(run(text).checked->scene.numerics.inner == InnerScalar::double_double);
 }
 
+TEST_CASE("a design with the library's sines says so, one with those in line says nothing") {
+  const std::string library = "[numeric]\ntrigonometry = { scalar = \"library\" }\n";
+  const std::string text = text_of({.trigonometry = "library"});
+  CHECK(mentions(text, "_library\"\n"));
+  CHECK(mentions(text, "\ntrigonometry = { scalar = \"library\" }\n"));
+  CHECK(run(text).checked->scene.numerics.has_library_sines);
+  CHECK_FALSE(mentions(text_of({}, library), "library"));
+  CHECK(mentions(text_of({.step = ChosenStep{StepMethod::rk4}}, library), "\"library\""));
+}
+
 TEST_CASE("all parameters are fixed beside those that the scene has fixed at other values") {
   const std::string text = text_of({.is_fixed = true}, "[parameters]\nfixed = { g = \"1/3\" }\n");
   CHECK(mentions(text, "fixed = { m = 2, l = \"sqrt(2)\", g = \"1/3\", k = 1 }"));
