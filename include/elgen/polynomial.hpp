@@ -66,7 +66,7 @@ class Monomial {
     }
     x = std::move(kept);
   }
-  /// Of the factors as they stand; the order of terms is MonomialLess.
+  /// Compares the factors as they stand; terms are ordered by MonomialLess.
   friend std::strong_ordering operator<=>(const Monomial& x, const Monomial& y) {
     return std::lexicographical_compare_three_way(x.begin(), x.end(), y.begin(), y.end());
   }

@@ -20,7 +20,7 @@ struct ArticulatedInertia {
   ExMatrix3 coupling = {0, 0, 0, 0, 0, 0, 0, 0, 0};
   Symmetric3 mass{0, 0, 0, 0, 0, 0};
 
-  /// Of the 6 x 6 matrix, i <= j.
+  /// Entry of the 6 x 6 matrix, i <= j.
   [[nodiscard]] ex& at(std::size_t i, std::size_t j) {
     if (j < 3) return spin[symmetric_index(i, j)];
     return i < 3 ? coupling[3 * i + j - 3] : mass[symmetric_index(i - 3, j - 3)];
@@ -245,7 +245,7 @@ class ArticulatedRecursion {
     accumulate(algebra_, to_parent(tree_, k, inertias_[k]), inertias_[*parent]);
   }
 
-  /// Of what a step carries, from what it is carried by.
+  /// The motion after a step, from that before it.
   Twist after(std::size_t k, const Twist& from) {
     if (tree_.step(k).kind == FrameStepKind::translation) {
       const ExVector3 lever = algebra_.cross(from.spin, tree_.step(k).vector);
