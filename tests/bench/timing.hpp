@@ -1,5 +1,5 @@
-// Interleaved timing of alternatives in one run, so that they meet the same machine: medians of
-// many short repetitions.
+// Interleaved timing of alternatives in one run, so that they meet the same machine: medians or
+// minima of many short repetitions.
 #pragma once
 
 #include <algorithm>
@@ -15,9 +15,12 @@ void keep(const Value& value) {
   asm volatile("" : : "r"(&value) : "memory");
 }
 
-/// Median nanoseconds per call of each alternative, `calls` calls a repetition, all in turn.
-inline std::vector<double> medians(const std::vector<std::function<void(int)>>& alternatives,
-                                   int calls, int repetitions) {
+/// Alternatives that take a state visit so many in turn.
+inline constexpr int state_count = 16;
+
+/// Nanoseconds per call of each alternative in every repetition, `calls` calls each, all in turn.
+inline std::vector<std::vector<double>> samples(
+    const std::vector<std::function<void(int)>>& alternatives, int calls, int repetitions) {
   using Clock = std::chrono::steady_clock;
   std::vector<std::vector<double>> times(alternatives.size());
   for (int repetition = 0; repetition < repetitions; ++repetition) {
@@ -28,11 +31,27 @@ inline std::vector<double> medians(const std::vector<std::function<void(int)>>& 
       times[i].push_back(elapsed.count() / calls);
     }
   }
+  return times;
+}
+
+/// The median of the samples of each alternative.
+inline std::vector<double> medians(const std::vector<std::function<void(int)>>& alternatives,
+                                   int calls, int repetitions) {
   std::vector<double> result;
-  for (std::vector<double>& samples : times) {
-    const auto middle = samples.begin() + static_cast<std::ptrdiff_t>(samples.size() / 2);
-    std::nth_element(samples.begin(), middle, samples.end());
+  for (std::vector<double>& times : samples(alternatives, calls, repetitions)) {
+    const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+    std::nth_element(times.begin(), middle, times.end());
     result.push_back(*middle);
+  }
+  return result;
+}
+
+/// The least sample of each alternative.
+inline std::vector<double> minima(const std::vector<std::function<void(int)>>& alternatives,
+                                  int calls, int repetitions) {
+  std::vector<double> result;
+  for (const std::vector<double>& times : samples(alternatives, calls, repetitions)) {
+    result.push_back(*std::min_element(times.begin(), times.end()));
   }
   return result;
 }
