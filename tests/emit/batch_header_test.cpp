@@ -36,8 +36,8 @@ TEST_CASE("a function loads its arguments and stores its fields one after anothe
                  "  });\n"));
   CHECK(mentions(text,
                  "__global__ void forward_dynamics(Parameters<T> constants, std::size_t count, "
-                 "const T* q,\n"
-                 "                                 const T* v, const T* u, T* result) {\n"
+                 "const T* q, const T* v,\n"
+                 "                                 const T* u, T* result) {\n"
                  "  using Scalar = T;\n"));
   CHECK(mentions(text,
                  "    const detail::Place at{state, count};\n"

@@ -234,16 +234,13 @@ TEST_CASE("the nearest numbers to multiples of pi/2 keep their digits") {
   CHECK(worst_ulps(in_float, 0x1.f9cbe2p+7F) <= 0.5001);  // 161 pi/2
 }
 
-TEST_CASE("numbers beyond the domain, and scalars without code, have the sines of the library") {
+TEST_CASE("numbers beyond the domain have the sines of the library") {
   const Sines<double> numbers(Scene{}, SinesOf::numbers);
   CHECK(numbers.of(1.1e5).sine == std::sin(1.1e5));
   CHECK(numbers.of(-1e300).cosine == std::cos(-1e300));
   CHECK(std::isnan(numbers.of(std::numeric_limits<double>::infinity()).sine));
-  const Sines<float> floats(Scene{}, SinesOf::numbers);  // the scene names double alone
-  for (int i = 0; i < 100; ++i) {
-    const float angle = 0.7F * static_cast<float>(i);
-    CHECK(floats.of(angle).sine == std::sin(angle));
-  }
+  const Sines<float> floats(Scene{}, SinesOf::numbers);
+  CHECK(floats.of(1.1e3F).sine == std::sin(1.1e3F));
 }
 
 TEST_CASE("a scene that asks for the library has its sines") {
