@@ -386,16 +386,6 @@ std::uint32_t append_rotation(Model& model, Rotation rotation);
   return {!model.rotations.empty(), !model.constraints.empty()};
 }
 
-/// Frames with fewer velocities are solved by M = L D L^T in any case, which is shorter there: a
-/// chain of turns takes as many operations by articulated bodies at about ten.
-inline constexpr std::size_t least_of_articulated = 10;
-
-/// The order in which M is eliminated: where a frame carries two or more others, the last velocity
-/// first, so that limbs do not fill each other in, and also where frames have least_of_articulated
-/// velocities, as articulated bodies do it; otherwise the first one first. It decides the relative
-/// pivots of forward dynamics.
-[[nodiscard]] bool eliminates_last_first(const Model& model);
-
 /// The expression that an ExpressionKind::frame_component of this index stands for.
 [[nodiscard]] ExpressionId component_of_frame(const Model& model, std::uint32_t index);
 

@@ -13,6 +13,7 @@
 #include "derive/outputs/outputs.hpp"
 #include "elgen/equations_of_motion.hpp"
 #include "inspect/singular_mass.hpp"
+#include "model/elimination.hpp"
 
 namespace elgen {
 

@@ -6,6 +6,8 @@
 #include <array>
 #include <utility>
 
+#include "model/elimination.hpp"
+
 namespace elgen {
 
 std::uint32_t append_coordinate(Model& model, Coordinate coordinate) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "model/elimination.hpp"
 #include "oracle/mechanics.hpp"
 #include "oracle/real_functions.hpp"
 

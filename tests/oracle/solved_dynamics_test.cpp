@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "elgen/oracle.hpp"
+#include "model/elimination.hpp"
 #include "oracle/constraints.hpp"
 #include "oracle/real_functions.hpp"
 #include "oracle/samples.hpp"

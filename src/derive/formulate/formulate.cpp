@@ -13,6 +13,7 @@
 
 #include "derive/formulate/expressions.hpp"
 #include "elgen/lagrangian.hpp"
+#include "model/elimination.hpp"
 
 namespace elgen {
 

@@ -9,7 +9,7 @@ namespace elgen {
 namespace {
 
 /// Least and greatest exponent of an atom in a polynomial; where it is absent its exponent is 0.
-struct Side {
+struct AtomRange {
   AtomId atom = 0;
   std::int32_t least = 0;
   std::int32_t greatest = 0;
@@ -17,25 +17,25 @@ struct Side {
 };
 
 /// Ascending atoms.
-using Box = std::vector<Side>;
+using Box = std::vector<AtomRange>;
 
 /// The side of an atom, by default one of exponent 0.
-Side& side_of(Box& box, AtomId atom) {
-  const auto at = std::ranges::lower_bound(box, atom, {}, &Side::atom);
-  return at != box.end() && at->atom == atom ? *at : *box.insert(at, Side{.atom = atom});
+AtomRange& side_of(Box& box, AtomId atom) {
+  const auto at = std::ranges::lower_bound(box, atom, {}, &AtomRange::atom);
+  return at != box.end() && at->atom == atom ? *at : *box.insert(at, AtomRange{.atom = atom});
 }
 
 Box box_of(const Polynomial& x) {
   Box box;
   for (const auto& [monomial, coefficient] : x) {
     for (const AtomPower& factor : monomial) {
-      Side& side = side_of(box, factor.atom);
+      AtomRange& side = side_of(box, factor.atom);
       const bool is_first = side.terms++ == 0;
       side.least = is_first ? factor.exponent : std::min(side.least, factor.exponent);
       side.greatest = is_first ? factor.exponent : std::max(side.greatest, factor.exponent);
     }
   }
-  for (Side& side : box) {
+  for (AtomRange& side : box) {
     if (side.terms == x.size()) continue;
     side.least = std::min(side.least, 0);
     side.greatest = std::max(side.greatest, 0);
@@ -46,20 +46,20 @@ Box box_of(const Polynomial& x) {
 /// The exponents that x / y can have; none where there are no such.
 std::optional<Box> quotient_box(const Polynomial& x, const Polynomial& y) {
   Box box = box_of(x);
-  for (const Side& divisor : box_of(y)) {
-    Side& own = side_of(box, divisor.atom);
+  for (const AtomRange& divisor : box_of(y)) {
+    AtomRange& own = side_of(box, divisor.atom);
     own.least -= divisor.least;
     own.greatest -= divisor.greatest;
   }
   const bool is_empty =
-      std::ranges::any_of(box, [](const Side& side) { return side.least > side.greatest; });
+      std::ranges::any_of(box, [](const AtomRange& side) { return side.least > side.greatest; });
   if (is_empty) return std::nullopt;
   return box;
 }
 
 bool is_inside(const Monomial& monomial, const Box& box) {
   auto factor = monomial.begin();
-  for (const Side& side : box) {
+  for (const AtomRange& side : box) {
     const bool is_present = factor != monomial.end() && factor->atom == side.atom;
     const std::int32_t exponent = is_present ? (factor++)->exponent : 0;
     if (exponent < side.least || exponent > side.greatest) return false;
@@ -69,9 +69,9 @@ bool is_inside(const Monomial& monomial, const Box& box) {
 
 /// The products of each term of x with each term of another sum, descending: a heap holds the next
 /// one of every term of x. The other sum may grow on the way, by terms below all before.
-class Products {
+class ProductHeap {
  public:
-  Products(Polynomial::const_iterator first, Polynomial::const_iterator last)
+  ProductHeap(Polynomial::const_iterator first, Polynomial::const_iterator last)
       : heads_(static_cast<std::size_t>(last - first)) {
     for (Head& head : heads_) head.term = &*first++;
   }
@@ -127,7 +127,7 @@ std::optional<Polynomial> quotient(const Polynomial& x, const Polynomial& y, std
   const Monomial last = product(x.begin()->first, power(y.begin()->first, -1));
   if (!is_inside(last, *box)) return std::nullopt;
   // The terms that the lower ones of y take from x; the rest of x is never written down.
-  Products taken(y.begin(), y.end() - 1);
+  ProductHeap taken(y.begin(), y.end() - 1);
   auto own = x.rbegin();
   while (own != x.rend() || !taken.empty()) {
     const bool is_own =

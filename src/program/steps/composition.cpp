@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "elgen/leaf_names.hpp"
+#include "model/elimination.hpp"
 
 namespace elgen {
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "elgen/outputs.hpp"
+#include "model/elimination.hpp"
 
 namespace elgen {
 namespace {
