@@ -64,6 +64,7 @@ System::System(const CheckedModel& checked, const Program& program, const Compil
     : model_(checked.model),
       program_(program),
       compiled_(compiled),
+      sines_(checked.scene, SinesOf::numbers),
       at_(arguments_at<double>(nominal_state(checked.model, checked.scene))),
       laws_(laws_of(model_, at_)),
       callees_(callees()),
@@ -185,7 +186,7 @@ void System::call(OutputKind kind, const double* q, const double* v, double t, d
   std::copy_n(q, positions(), at_.q.begin());
   std::copy_n(v, velocities(), at_.v.begin());
   at_.t = t;
-  std::ranges::copy(evaluate(program_, *called.function, at_), result);
+  std::ranges::copy(evaluate_code(program_, *called.function, at_, sines_), result);
 }
 
 const Numbers& System::stepped(const Numbers& state, double t, double h) {

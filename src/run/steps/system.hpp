@@ -20,6 +20,7 @@
 #include "elgen/simulate.hpp"
 #include "elgen/toolchain.hpp"
 #include "program/evaluate/conservation.hpp"
+#include "program/evaluate/sines.hpp"
 #include "run/steps/state_function.hpp"
 
 namespace elgen {
@@ -144,6 +145,7 @@ class System {
   const Model& model_;
   const Program& program_;
   const CompiledModel* compiled_;
+  const Sines<double> sines_;
   /// Arguments of a call; inputs are the last ones, and a, p, E belong to conserved quantities.
   Arguments<double> at_;
   std::vector<InputLaw> laws_;
