@@ -122,7 +122,7 @@ std::vector<std::string> read_names(const Program& program, const Function& func
 }
 
 /// Entries as they are read: x of x + 0/y and of x + 0*y, by which pivots are no numbers where M_ii
-/// is 0. Instructions stay, and with them the names of the code.
+/// is 0. Instructions stay: their names are those of the whole function, as in code.
 Function without_guards(const Program& program, Function function) {
   const std::vector<Instruction>& all = function.instructions;
   for (Field& field : function.fields) {
@@ -143,8 +143,9 @@ FunctionEquations readable(const Program& program, std::size_t index,
     const Function& book = program.readable[index];
     return by_names(program, book, vocabulary, vocabulary.definitions(book.names), {});
   }
-  const Function function = without_guards(program, program.functions[index]);
-  return equations(program, function, vocabulary, read_names(program, function, vocabulary));
+  const Function& function = program.functions[index];
+  return equations(program, without_guards(program, function), vocabulary,
+                   read_names(program, function, vocabulary));
 }
 
 }  // namespace

@@ -69,9 +69,9 @@ std::string mistake(Read read, const std::string& text, WrittenEquations& equati
 
 void expect_right(const Written& system) {
   WrittenEquations equations(system.origin());
-  CHECK(mistake(read_comments, system.header, equations).empty());
-  CHECK(mistake(read_sidecar, system.sidecar, equations).empty());
-  CHECK(mistake(read_page, system.page, equations).empty());
+  CHECK(mistake(read_comments, system.header, equations) == "");
+  CHECK(mistake(read_sidecar, system.sidecar, equations) == "");
+  CHECK(mistake(read_page, system.page, equations) == "");
 }
 
 void expect_right(const Inputs& inputs) {
