@@ -22,6 +22,7 @@ struct FieldEquations {
 struct OutputEquations {
   OutputRequest request = {};
   std::vector<FieldEquations> fields = {};
+  ExpressionMap<std::string> told = {};  ///< names of definitions, by their symbols
 };
 
 struct EquationsOfMotion {

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -81,12 +82,28 @@ struct SymbolPlace {
   LeafSet depends = {};     ///< of a definition as there
 };
 
+/// The values being defined now, for the names of temporaries (derive/formulate/telling.hpp).
+struct Wording {
+  std::string kind = {};  ///< "moment"; "" tells nothing
+  std::string frame = {};
+  std::string axis = {};
+};
+
+/// Definitions by what they were when an output used them first: "moment_link5_y", and
+/// "moment_link5_y_2", … of others that the same words are for.
+struct ToldDefinitions {
+  ExpressionMap<std::string> names = {};   ///< by symbol
+  std::map<std::string, int> counts = {};  ///< of definitions with the same words
+};
+
 /// An ordered list of definitions; every value uses earlier ones only. Append by define().
 struct Definitions {
   std::vector<Definition> list = {};
   ExpressionMap<SymbolPlace> places = {};  ///< of leaves and definitions
   ExpressionMap<GiNaC::ex> known_values =
       {};  ///< value -> symbol, so that one value is defined once
+  Wording wording = {};
+  ToldDefinitions told = {};  ///< of the output that is derived
 };
 
 /// How a new definition is called, and where it comes from.

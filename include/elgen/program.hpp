@@ -53,6 +53,12 @@ struct InstructionHash {
 [[nodiscard]] Instruction with_operands(Instruction instruction,
                                         const std::vector<std::uint32_t>& places);
 
+/// Begins the names that are only for temporaries: "~moment_link5_y", told by the derivation.
+inline constexpr char told_mark = '~';
+
+/// The first name of a value stays; a told one gives way to others.
+void take_name(std::string& known, const std::string& name);
+
 struct Field {
   std::string name = {};  ///< "" for plain outputs
   std::uint32_t rows = 1;
@@ -69,7 +75,7 @@ struct Function {
   Form form = Form::recursive;
   std::vector<Instruction> instructions = {};
   std::vector<std::string> names =
-      {};  ///< same length; what an instruction is ("sin_theta"), or ""
+      {};  ///< same length; what an instruction is ("sin_theta", "~moment_link5_y"), or ""
   std::vector<Field> fields = {};
   /// Entries, numbered over all fields, that rest on a zero which was not proved but found at
   /// `zero_points` random points.
@@ -179,11 +185,12 @@ inline constexpr std::array operation_columns{OperationColumn{"add", &OperationC
 
 /// The names under which equations and the emitted code know an instruction; "" where it is
 /// written out. Every name is a C++ identifier, unique in the function, stable under changes
-/// elsewhere (a content hash where the instruction has no name of its own).
+/// elsewhere (a content hash where nothing tells what the instruction is).
 [[nodiscard]] std::vector<std::string> temporary_names(const Program& program,
                                                        const Function& function);
 
-/// The names that describe an instruction; "" where the name would be a hash of its content.
-[[nodiscard]] std::vector<std::string> told_names(const Program& program, const Function& function);
+/// Keeps the names that hold where leaves have other values, too: not those spelt over leaves, told
+/// of values in frames, or made of a hash.
+[[nodiscard]] std::vector<std::string> own_names(const Program& program, const Function& function);
 
 }  // namespace elgen

@@ -153,8 +153,7 @@ class Putting {
       }
       const Instruction next = with_operands(constant_in(program, i), places);
       places.push_back(instructions.add(without_negation(result, next)));
-      std::string& name = result.names[places.back()];
-      if (name.empty()) name = from.names[at];
+      take_name(result.names[places.back()], from.names[at]);
     }
     for (Field& field : result.fields) {
       for (std::uint32_t& entry : field.entries) entry = places[entry];

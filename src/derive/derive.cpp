@@ -127,6 +127,7 @@ std::optional<ArticulatedRoute> articulated_route(const Lagrangian& lagrangian,
     if (!dynamics) return std::nullopt;
     OutputEquations output{request, fields(derivation, request, parts(dynamics->solution))};
     define_entries(derivation, output.fields);
+    output.told = std::move(derivation.definitions.told.names);
     route.equations.outputs.push_back(std::move(output));
     std::size_t operations = 0;
     for (const Definition& definition : derivation.definitions.list) {
@@ -171,6 +172,7 @@ Result<EquationsOfMotion> derive(const Lagrangian& lagrangian,
       if (other && other->is_shorter) continue;
       OutputEquations output{request, derived(derivation, request)};
       define_entries(derivation, output.fields);
+      output.told = std::exchange(derivation.definitions.told, {}).names;
       equations.outputs.push_back(std::move(output));
     } catch (const ZeroPivot& pivot) {
       return singular(request, pivot, lagrangian.leaves);

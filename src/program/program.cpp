@@ -176,6 +176,12 @@ std::vector<std::uint32_t> cone_of(const Function& function, std::vector<std::ui
   return cone;
 }
 
+void take_name(std::string& known, const std::string& name) {
+  const bool gives_way =
+      known.empty() || (known.front() == told_mark && !name.starts_with(told_mark));
+  if (gives_way && !name.empty()) known = name;
+}
+
 Function reordered(const Function& function, const std::vector<std::uint32_t>& order) {
   Function result = function;
   result.instructions.clear();

@@ -106,17 +106,17 @@ FunctionEquations equations(const Program& program, const Function& function,
   return by_names(program, function, vocabulary, names, sizes);
 }
 
-/// In formulas, names that only a hash of the content gives are xi_1, xi_2, ….
+/// In formulas, what has no name of its own is xi_1, xi_2, ….
 std::vector<std::string> read_names(const Program& program, const Function& function,
                                     const Vocabulary& vocabulary) {
   std::vector<std::string> names = temporary_names(program, function);
   if (!vocabulary.spelling().is_two_dimensional) return names;
-  const std::vector<std::string> told = told_names(program, function);
+  const std::vector<std::string> own = own_names(program, function);
   const std::vector<std::size_t> sizes = written_out_sizes(function, longest_entry);
   std::size_t number = 0;
   for (std::size_t at = 0; at < names.size(); ++at) {
     const bool is_shown = !names[at].empty() && sizes[at] > short_definition;
-    if (is_shown && told[at].empty()) names[at] = fmt::format("xi_{}", ++number);
+    if (is_shown && own[at].empty()) names[at] = fmt::format("xi_{}", ++number);
   }
   return names;
 }

@@ -95,16 +95,12 @@ SheetOutput by_definition(const Model& model, const Function& function) {
           definition_by_others(model, function)};
 }
 
-SheetOutput with_equations(const Model& model, const Scene& scene, const Program& program,
-                           std::size_t index) {
+SheetOutput with_equations(const Model& model, const Program& program, std::size_t index) {
   const Function& function = program.functions[index];
   const Heading heading = elgen::heading(model, function);
   SheetOutput result = by_definition(model, function);
   result.definition = heading.definition;
-  const FunctionEquations equations =
-      has_readable_form(program, index)
-          ? latex_equations(model, program, index)
-          : latex_equations(model, program, function, part_names(model, scene, program, function));
+  const FunctionEquations equations = latex_equations(model, program, index);
   for (const EquationLine& line : equations.definitions) {
     result.equations.push_back({line.name, 1, 1, {line.value}});
   }
@@ -135,12 +131,12 @@ bool fills_sheet(const SheetOutput& output) {
 }
 
 /// By its definition where that says more than equations would, which then has none.
-SheetOutput readable_output(const Model& model, const Scene& scene, const Program& program,
-                            std::size_t index, bool is_asked_for) {
+SheetOutput readable_output(const Model& model, const Program& program, std::size_t index,
+                            bool is_asked_for) {
   SheetOutput defined = by_definition(model, program.functions[index]);
   const bool is_defined = !defined.definition.empty();
   if (is_defined && !has_readable_form(program, index)) return defined;
-  SheetOutput result = with_equations(model, scene, program, index);
+  SheetOutput result = with_equations(model, program, index);
   return is_defined && !is_asked_for && fills_sheet(result) ? defined : result;
 }
 
@@ -171,7 +167,7 @@ Sheet sheet(const Model& model, const Scene& scene, const Program& program,
     if (!options.zeros && is_zero(program, function)) continue;
     if (entry_count(function) <= options.most_entries) {
       const bool is_asked_for = options.most_entries == SIZE_MAX;
-      result.outputs.push_back(readable_output(model, scene, program, i, is_asked_for));
+      result.outputs.push_back(readable_output(model, program, i, is_asked_for));
       const bool is_basic = !divides_by_mass(row) && !row.differentiates && !row.of_user;
       needs_parts = needs_parts || (is_basic && result.outputs.back().equations.empty());
     } else {

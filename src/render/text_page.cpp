@@ -6,6 +6,7 @@
 
 #include "elgen/render.hpp"
 #include "elgen/scalars.hpp"
+#include "program/network/instructions.hpp"
 #include "render/constraints.hpp"
 #include "render/headings.hpp"
 #include "render/named_parts.hpp"
@@ -15,11 +16,19 @@ namespace {
 
 using FieldTexts = std::vector<std::vector<std::string>>;
 
-/// The entries of what has no closed form, and the parts they are made of, each once.
-FunctionEquations parts_of(const Model& model, const Scene& scene, const Program& program,
-                           const std::vector<std::size_t>& functions) {
-  const Function all = united(program, functions);
-  return equations(program, all, part_names(model, scene, program, all));
+/// Functions as one: what they compute alike is computed once. Their fields follow one another.
+Function united(const Program& program, const std::vector<std::size_t>& functions) {
+  Function all;
+  Instructions instructions(all);
+  for (const std::size_t index : functions) {
+    const Function& each = program.functions[index];
+    const std::vector<std::uint32_t> places = instructions.add_all(each);
+    for (Field field : each.fields) {
+      for (std::uint32_t& entry : field.entries) entry = places[entry];
+      all.fields.push_back(std::move(field));
+    }
+  }
+  return all;
 }
 
 std::string function_text(const Function& function, FieldTexts::const_iterator entries) {
@@ -57,7 +66,7 @@ std::string text_page(const Model& model, const Scene& scene, const Program& pro
     const bool is_closed = has_readable_form(program, i);
     if (!is_closed && is_shown(program, program.functions[i], options)) open.push_back(i);
   }
-  const FunctionEquations parts = parts_of(model, scene, program, open);
+  const FunctionEquations parts = equations(program, united(program, open));
   if (!parts.definitions.empty()) text += "\nnamed parts\n";
   for (const EquationLine& line : parts.definitions) {
     text += fmt::format("  {} = {}\n", line.name, line.value);

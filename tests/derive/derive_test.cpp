@@ -1,11 +1,13 @@
 // The outputs that are derived, their shapes, and the limit on their size.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <set>
 
 #include "derived.hpp"
 #include "elgen/equations_of_motion.hpp"
 #include "elgen/specialise.hpp"
 #include "model/requests.hpp"
+#include "support/links.hpp"
 
 using namespace elgen;
 using namespace elgen::test;
@@ -147,4 +149,22 @@ TEST_CASE("a dump lists definitions, then entries, the same in every run") {
   CHECK(text.find("mass_matrix (2 x 2) =") != std::string::npos);
   CHECK(text == dump(*derived(checked_model(cart_pole_text()),
                               {request(checked, OutputKind::mass_matrix)})));
+}
+
+TEST_CASE("definitions are told by kind, frame and axis, alike beside other outputs") {
+  const CheckedModel checked = checked_model(links_text(3));
+  const OutputRequest bias = request(checked, OutputKind::bias);
+  const auto told = [&](const std::vector<OutputRequest>& outputs) {
+    std::set<std::string> names;
+    const auto equations = derived(checked, outputs);
+    for (const auto& [symbol, name] : equations->outputs.back().told) names.insert(name);
+    return names;
+  };
+  const std::set<std::string> alone = told({bias});
+  for (const char* const name : {"motion_f2_x", "moment_f3_z", "inertial_f3_y"}) {
+    INFO(name);
+    CHECK(alone.contains(name));
+  }
+  CHECK(told({request(checked, OutputKind::mass_matrix), request(checked, OutputKind::gravity),
+              request(checked, OutputKind::inverse_dynamics), bias}) == alone);
 }

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <set>
 
@@ -44,7 +45,7 @@ TEST_CASE("sines and cosines of sums of leaves are named after them") {
   CHECK(names[10].empty());  // used once: written out
   CHECK(names[11] == "cos_t");
   CHECK(names[0].empty());
-  CHECK(names[4] == "sum_q_1_minus_q_2");
+  CHECK(names[4] == "q_1_minus_q_2");
   CHECK(names[5].empty());
 }
 
@@ -73,15 +74,18 @@ TEST_CASE("a sine and a cosine of one angle have names, for one call computes bo
   CHECK(one[3].empty());
 }
 
-TEST_CASE("told names are those that are no hash, however they begin") {
+TEST_CASE("names of its own are neither spelt, nor told, nor hashes, however they begin") {
   const Program program = testing::read_program(
       "coordinates x y\nfunction bias\n  0 = coordinate x\n  1 = coordinate y\n"
       "  2 = multiply 0 1\n  3 = sin 2\n  4 = cos 2\n  5 = multiply 3 4  ; t_work\n"
-      "  result 1 1 = 5\n");
-  const std::vector<std::string> told = told_names(program, program.functions[0]);
-  CHECK(temporary_names(program, program.functions[0])[3].starts_with("t_"));
-  CHECK(told[3].empty());
-  CHECK(told[5] == "t_work");
+      "  6 = tan 5  ; ~moment_link_y\n  7 = multiply 6 6\n  8 = subtract 0 1\n"
+      "  result 1 4 = 5 7 8 8\n");
+  const std::vector<std::string> all = temporary_names(program, program.functions[0]);
+  CHECK(all[3].starts_with("t_"));
+  CHECK(all[6] == "moment_link_y");
+  CHECK(all[8] == "x_minus_y");
+  const std::vector<std::string> own = own_names(program, program.functions[0]);
+  CHECK(own == std::vector<std::string>{"", "", "", "", "", "t_work", "", "", ""});
 }
 
 TEST_CASE("a name of its own is kept unless something else is called so") {
@@ -97,13 +101,14 @@ TEST_CASE("a name of its own is kept unless something else is called so") {
 
 TEST_CASE("what is used twice has a hash of its content, the same wherever it stands") {
   const std::string head = "coordinates x y\nfunction bias\n  0 = coordinate x\n";
-  const auto alone = names_of(head + "  1 = exp 0\n  2 = multiply 1 1\n  result 1 1 = 2\n");
+  const auto alone =
+      names_of(head + "  1 = multiply 0 0\n  2 = exp 1\n  3 = multiply 2 2\n  result 1 1 = 3\n");
   const auto among = names_of(head +
-                              "  1 = coordinate y\n  2 = tan 1\n  3 = exp 0\n"
-                              "  4 = multiply 3 3\n  result 1 2 = 2 4\n");
-  REQUIRE(alone[1].size() == 7);
-  CHECK(alone[1].substr(0, 2) == "t_");
-  CHECK(among[3] == alone[1]);
+                              "  1 = coordinate y\n  2 = tan 1\n  3 = multiply 0 0\n"
+                              "  4 = exp 3\n  5 = multiply 4 4\n  result 1 2 = 2 5\n");
+  REQUIRE(alone[2].size() == 7);
+  CHECK(alone[2].substr(0, 2) == "t_");
+  CHECK(among[4] == alone[2]);
   CHECK(among[2].empty());
 }
 
@@ -123,4 +128,71 @@ TEST_CASE("long expressions are broken up") {
   CHECK(distinct.size() == 3);  // "", and one name after every 13 operations
   CHECK_FALSE(names[13].empty());
   CHECK_FALSE(names[26].empty());
+}
+
+namespace {
+
+const std::string few =
+    "parameters M m l half\ncoordinates x theta\nvelocities x theta\nfunction bias\n"
+    "  0 = parameter M\n  1 = parameter m\n  2 = parameter l\n  3 = coordinate x\n"
+    "  4 = coordinate theta\n  5 = velocity theta\n  6 = constant 1/2\n  7 = constant 1\n"
+    "  8 = cos 4\n";
+
+/// The name of the last instruction, which is used twice.
+std::string name_of(const std::string& instructions, int last) {
+  return names_of(fmt::format("{}{}  result 1 2 = {} {}\n", few, instructions, last, last)).back();
+}
+
+}  // namespace
+
+TEST_CASE("what is made of a few names is spelt") {
+  CHECK(name_of("  9 = multiply 1 2\n", 9) == "m_l");
+  CHECK(name_of("  9 = multiply 8 1\n  10 = multiply 9 2\n", 10) == "l_m_cos_theta");
+  CHECK(name_of("  9 = divide 3 2\n", 9) == "x_over_l");
+  CHECK(name_of("  9 = add 0 1\n", 9) == "M_plus_m");
+  CHECK(name_of("  9 = subtract 7 8\n", 9) == "one_minus_cos_theta");
+  CHECK(name_of("  9 = multiply 4 6\n  10 = sin 9\n", 10) == "sin_half_theta");
+  CHECK(name_of("  9 = multiply 5 5\n", 9) == "theta_dot_theta_dot");
+}
+
+TEST_CASE("what would read as something else, hide it or be too long has a hash") {
+  for (const char* const text : {
+           "  9 = subtract 8 3\n",                  // the cosine of theta - x
+           "  9 = multiply 1 2\n  10 = sin 9\n",    // the sine of m + l
+           "  9 = add 0 1\n  10 = multiply 9 2\n",  // M + m*l
+           "  9 = multiply 0 0\n",                  // M_M is like a macro
+           "  9 = multiply 1 1\n  10 = multiply 9 9\n  11 = multiply 10 1\n",  // five names
+       }) {
+    INFO(text);
+    const std::string lines = text;
+    const auto last = static_cast<int>(8 + std::ranges::count(lines, '\n'));
+    CHECK(name_of(lines, last).starts_with("t_"));
+  }
+  const auto names = names_of(
+      "parameters m l m_l mass matrix\ncoordinates x\nfunction mass_matrix\n  0 = parameter m\n"
+      "  1 = parameter l\n  2 = multiply 0 1\n  3 = parameter mass\n  4 = parameter matrix\n"
+      "  5 = multiply 3 4\n  result 1 4 = 2 2 5 5\n");
+  CHECK(names[2].starts_with("t_"));
+  CHECK(names[5].starts_with("t_"));
+}
+
+TEST_CASE("two values that one name is for have hashes") {
+  const auto names = names_of(
+      "parameters a b a_b c\ncoordinates x\nfunction bias\n  0 = parameter a\n"
+      "  1 = parameter a_b\n  2 = parameter c\n  3 = parameter b\n  4 = multiply 0 3\n"
+      "  5 = multiply 4 2\n  6 = multiply 1 2\n  result 1 4 = 5 5 6 6\n");
+  CHECK(names[5].starts_with("t_"));
+  CHECK(names[6].starts_with("t_"));
+}
+
+TEST_CASE("told values are words of others, and what they are made of are parts") {
+  const auto names = names_of(
+      "parameters m\ncoordinates x y\nfunction bias\n  0 = parameter m\n  1 = coordinate x\n"
+      "  2 = coordinate y\n  3 = exp 1\n  4 = tan 3\n  5 = multiply 4 4\n"
+      "  6 = add 5 2  ; ~moment_link_y\n  7 = multiply 0 6\n  8 = multiply 0 0  ; ~told\n"
+      "  result 1 6 = 6 6 7 7 8 8\n");
+  CHECK(names[6] == "moment_link_y");
+  CHECK(names[4] == "moment_link_y_part");
+  CHECK(names[7] == "m_moment_link_y");
+  CHECK(names[8] == "m_m");
 }

@@ -2,6 +2,7 @@
 #include "derive/formulate/chain_rule.hpp"
 
 #include <map>
+#include <utility>
 
 namespace elgen {
 
@@ -128,8 +129,11 @@ void Tangent::differentiate(std::uint32_t definition) {
 }
 
 ex Tangent::operator()(const ex& value) {
+  // Rates stay known from one output to the next, so none may be told while it is found.
+  Wording wording = std::exchange(definitions_.wording, {});
   visit_needed(definitions_, value, mask_, known_,
                [this](std::uint32_t definition) { differentiate(definition); });
+  definitions_.wording = std::move(wording);
   return from_known(value);
 }
 
@@ -206,6 +210,10 @@ void Substitution::substitute(std::uint32_t definition) {
   Label label{old.name, old.origin};
   const ex replaced = define(definitions_, from_known(old.value), std::move(label));
   if (!replaced.is_equal(symbol)) values_.emplace(symbol, replaced);
+  auto& names = definitions_.told.names;
+  if (const auto told = names.find(symbol); told != names.end()) {
+    names.emplace(replaced, told->second);
+  }
 }
 
 ex Substitution::operator()(const ex& value) {

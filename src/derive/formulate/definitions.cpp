@@ -34,6 +34,21 @@ void collect_symbols(const ex& value, std::vector<ex>& symbols) {
   for (std::size_t i = 0; i < value.nops(); ++i) collect_symbols(value.op(i), symbols);
 }
 
+/// Notes `value`, where it is a definition, known or new, under the words for what is defined now.
+ex tell(Definitions& definitions, const ex& value) {
+  const auto& [kind, frame, axis] = definitions.wording;
+  if (kind.empty() || definitions.told.names.contains(value)) return value;
+  const auto place = definitions.places.find(value);
+  if (place == definitions.places.end() || !place->second.is_definition) return value;
+  std::string name = kind;
+  if (!frame.empty()) name += "_" + frame;
+  if (!axis.empty()) name += "_" + axis;
+  const int number = ++definitions.told.counts[name];
+  if (number > 1) name += "_" + std::to_string(number);
+  definitions.told.names.emplace(value, std::move(name));
+  return value;
+}
+
 }  // namespace
 
 std::vector<ex> symbols_of(const Definitions& definitions, const ex& value) {
@@ -61,9 +76,9 @@ void add_leaf(Definitions& definitions, const ex& symbol, Opcode kind) {
 }
 
 ex define(Definitions& definitions, const ex& value, Label label) {
-  if (is_atomic(value)) return value;
+  if (is_atomic(value)) return tell(definitions, value);
   const auto known = definitions.known_values.find(value);
-  if (known != definitions.known_values.end()) return known->second;
+  if (known != definitions.known_values.end()) return tell(definitions, known->second);
 
   Definition definition{GiNaC::realsymbol(), value, std::move(label.name), label.origin, {}, {}};
   for (const ex& symbol : symbols_of(definitions, value)) {
@@ -75,7 +90,7 @@ ex define(Definitions& definitions, const ex& value, Label label) {
   definitions.places.emplace(definition.symbol, SymbolPlace{true, index, definition.depends});
   definitions.known_values.emplace(value, definition.symbol);
   definitions.list.push_back(std::move(definition));
-  return definitions.list.back().symbol;
+  return tell(definitions, definitions.list.back().symbol);
 }
 
 void name(Definitions& definitions, const ex& symbol, const std::string& text) {

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <numeric>
+#include <string>
 #include <utility>
+
+#include "derive/formulate/telling.hpp"
 
 namespace elgen {
 
@@ -20,15 +23,19 @@ SymmetricSolve::SymmetricSolve(Definitions& definitions, const Vector& matrix,
     if (matrix_[j * n + j].is_zero()) throw ZeroPivot(rows, j, true);
   }
   for (std::size_t j = 0; j < n; ++j) {
+    const Telling eliminated(definitions_, "pivot", row_of(j));
     pivots_.push_back(entry(j, j));
     if (pivots_[j].is_zero()) throw ZeroPivot(rows, order_[j], false);
     reciprocals_.push_back(define(definitions_, 1 / pivots_[j]));
     for (std::size_t i = j + 1; i < n; ++i) {
+      const Telling under_pivot(definitions_, "row", row_of(j) + "_" + row_of(i));
       unscaled(i, j) = entry(i, j);
       lower(i, j) = define(definitions_, unscaled(i, j) * reciprocals_[j]);
     }
   }
 }
+
+std::string SymmetricSolve::row_of(std::size_t i) const { return std::to_string(order_[i] + 1); }
 
 ex SymmetricSolve::entry(std::size_t i, std::size_t j) {
   GiNaC::exvector terms{matrix(i, j)};
@@ -39,6 +46,7 @@ ex SymmetricSolve::entry(std::size_t i, std::size_t j) {
 Vector SymmetricSolve::forward(const Vector& right_side) {
   Vector z(order_.size());
   for (std::size_t i = 0; i < z.size(); ++i) {
+    const Telling forwards(definitions_, "forward", row_of(i));
     GiNaC::exvector terms{right_side[order_[i]]};
     for (std::size_t k = 0; k < i; ++k) terms.push_back(-lower(i, k) * z[k]);
     z[i] = define(definitions_, GiNaC::add(terms));
@@ -50,6 +58,7 @@ Vector SymmetricSolve::backward(const Vector& z) {
   const std::size_t n = order_.size();
   Vector x(n);
   for (std::size_t i = n; i-- > 0;) {
+    const Telling backwards(definitions_, "solution", row_of(i));
     GiNaC::exvector terms{z[i] * reciprocals_[i]};
     for (std::size_t k = i + 1; k < n; ++k) terms.push_back(-lower(k, i) * x[order_[k]]);
     x[order_[i]] = define(definitions_, GiNaC::add(terms));

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "derive/lagrangian/derivation.hpp"
@@ -51,6 +52,7 @@ class SymmetricSolve {
   [[nodiscard]] Vector diagonal() const;
 
  private:
+  [[nodiscard]] std::string row_of(std::size_t i) const;
   [[nodiscard]] GiNaC::ex entry(std::size_t i, std::size_t j);
   [[nodiscard]] const GiNaC::ex& matrix(std::size_t i, std::size_t j) const {
     return matrix_[order_[i] * order_.size() + order_[j]];

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "derive/formulate/chain_rule.hpp"
+#include "derive/formulate/telling.hpp"
 
 namespace elgen {
 
@@ -31,18 +32,22 @@ class VectorAlgebra {
     return elgen::define(definitions_, value);
   }
 
-  [[nodiscard]] ExVector3 define(const ExVector3& value) {
-    return {define(value[0]), define(value[1]), define(value[2])};
-  }
-
-  /// The components are called name_x, name_y, name_z, where they have no name yet.
-  [[nodiscard]] ExVector3 define(const ExVector3& value, const std::string& name, Entity origin) {
-    static constexpr const char* axes[] = {"_x", "_y", "_z"};
+  /// The components are called name_x, name_y, name_z, where there is a name and they have none.
+  [[nodiscard]] ExVector3 define(const ExVector3& value, const std::string& name = {},
+                                 Entity origin = {}) {
+    static constexpr const char* axes[] = {"x", "y", "z"};
     ExVector3 result;
     for (std::size_t i = 0; i < 3; ++i) {
-      result[i] = elgen::define(definitions_, value[i], {name + axes[i], origin});
+      definitions_.wording.axis = axes[i];
+      const std::string own = name.empty() ? name : name + "_" + axes[i];
+      result[i] = elgen::define(definitions_, value[i], {own, origin});
     }
+    definitions_.wording.axis.clear();
     return result;
+  }
+
+  [[nodiscard]] Telling telling(const std::string& kind, const std::string& frame = {}) {
+    return {definitions_, kind, frame};
   }
 
   /// Its derivative along a direction.

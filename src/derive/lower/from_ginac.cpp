@@ -211,6 +211,16 @@ Result<ImportedOutput> from_ginac(const EquationsOfMotion& equations, const Outp
   ImportedOutput imported;
   imported.fields = import_fields(importer, request, outputs, imported.values);
   if (importer.problem) return *importer.problem;
+  for (const OutputEquations* output : outputs) {
+    const bool repeats = output_row(request.kind).repeats;
+    for (std::uint32_t i = 0; i < needed.size(); ++i) {
+      const GiNaC::ex& symbol = equations.definitions.list[i].symbol;
+      const auto told = output->told.find(symbol);
+      if (!needed[i] || told == output->told.end()) continue;
+      imported.told_values.push_back(importer.import(symbol));
+      imported.told_names.push_back((repeats ? output->request.name + "_" : "") + told->second);
+    }
+  }
   imported.graph = std::move(importer.graph);
   return imported;
 }

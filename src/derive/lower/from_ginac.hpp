@@ -1,6 +1,7 @@
 // from_ginac: EquationsOfMotion -> Graph. The only importer; nothing of GiNaC's order survives it.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "elgen/leaf_names.hpp"
@@ -16,6 +17,9 @@ struct ImportedOutput {
   Graph graph = {};
   std::vector<Field> fields = {};  ///< entries number `values`
   std::vector<Ref> values = {};    ///< every entry of every field
+  /// Values of the graph, and what derive calls them; where outputs are repeated, with their names.
+  std::vector<Ref> told_values = {};
+  std::vector<std::string> told_names = {};
 };
 
 /// Imports the definitions that a requested output needs, once each, then its entries; for

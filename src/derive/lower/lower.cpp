@@ -15,6 +15,7 @@
 #include "inspect/singular_mass.hpp"
 #include "program/network/cheapest.hpp"
 #include "program/network/linearise.hpp"
+#include "program/network/told_values.hpp"
 
 namespace elgen {
 namespace {
@@ -43,10 +44,11 @@ Diagnostic zero_denominator(const Program& program, const OutputRequest& request
 struct Unfilled {
   Function function = {};
   CostedNetwork network = {};
+  ToldValues told = {};
 };
 
 Result<Unfilled> by_route(const EquationsOfMotion& equations, const OutputRequest& request,
-                          const Limits& limits) {
+                          const Limits& limits, const LeafNames& leaves) {
   Result<ImportedOutput> imported = from_ginac(equations, request, limits.derived_nodes);
   if (!imported) return imported.diagnostics;
   Unfilled result;
@@ -55,6 +57,8 @@ Result<Unfilled> by_route(const EquationsOfMotion& equations, const OutputReques
   result.function.name = request.name;
   result.function.fields = std::move(imported->fields);
   const Expressions expressions{std::move(imported->graph), std::move(imported->values)};
+  result.told = told_values({expressions.graph, std::move(imported->told_values)},
+                            imported->told_names, leaves);
   result.network = std::move(networks_by_cost(expressions, result.function).front());
   return result;
 }
@@ -67,7 +71,7 @@ Diagnostics lower_output(const EquationsOfMotion& equations, const OutputRequest
   Diagnostics errors;
   try {
     for (const EquationsOfMotion* const route : routes_to(equations, request)) {
-      Result<Unfilled> found = by_route(*route, request, limits);
+      Result<Unfilled> found = by_route(*route, request, limits, program.leaves);
       if (!found) {
         errors = std::move(found.diagnostics);
         if (errors.front().code == Code::E312) return {zero_denominator(program, request)};
@@ -77,6 +81,7 @@ Diagnostics lower_output(const EquationsOfMotion& equations, const OutputRequest
     }
     if (!cheapest) return errors;
     linearise(cheapest->network.network, program, cheapest->function);
+    name_told(cheapest->told, program, cheapest->function);
   } catch (const cln::division_by_0_exception&) {
     // Only other rewritings show that a denominator is 0: sin(2*x) - 2*sin(x)*cos(x).
     return {zero_denominator(program, request)};

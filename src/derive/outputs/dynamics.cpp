@@ -1,8 +1,10 @@
 // Forward dynamics: the mass matrix, the constraints, the bias with the inputs acting, and the
 // solution; or articulated bodies.
 // Derivatives: columns of the frames, forward passes over the rest.
+#include <string>
 #include <utility>
 
+#include "derive/formulate/telling.hpp"
 #include "derive/lagrangian/symmetric_solve.hpp"
 #include "derive/outputs/outputs.hpp"
 #include "derive/tree/articulated.hpp"
@@ -47,6 +49,7 @@ class Dynamics {
     const std::size_t n = derivation_.size();
     Vector result(n * columns);
     for (std::size_t j = 0; j < columns; ++j) {
+      const Telling response(derivation_.definitions, "response_" + std::to_string(j + 1));
       const Vector x =
           solve_.solve(column_of(forces, j, columns), column_of(shortage, j, columns)).x;
       for (std::size_t i = 0; i < n; ++i) result[i * columns + j] = x[i];

@@ -163,6 +163,7 @@ class ArticulatedRecursion {
     if (has_diagonal) motion.diagonal = diagonal_of_mass();
     start();
     for (std::size_t k = tree_.size(); k-- > 0;) {
+      const Telling articulated = tree_.telling("articulated", k);
       if (!moved_by_[k].empty()) {
         accumulate(algebra_, std::exchange(rigid_[k], {}), inertias_[k]);
       }
@@ -187,6 +188,7 @@ class ArticulatedRecursion {
     const std::vector<CompositeInertia> carried = composite_inertias(tree_);
     Vector result;
     for (std::size_t i = 0; i < joints_.size(); ++i) {
+      const Telling diagonal = tree_.telling("diagonal", joints_[i].step);
       const Twist& s = joints_[i].unit;
       const SpatialForce column = momentum(algebra_, carried[joints_[i].step], s.spin, s.velocity);
       result.push_back(algebra_.define(contracted(algebra_, s, column) + armatures_[i]));
@@ -258,6 +260,7 @@ class ArticulatedRecursion {
     Vector accelerations(joints_.size());
     std::vector<Twist> motions;  // d
     for (std::size_t k = 0; k < tree_.size(); ++k) {
+      const Telling outward = tree_.telling("outward", k);
       const auto& parent = tree_.step(k).parent;
       Twist motion = parent ? after(k, motions[*parent]) : Twist{};
       for (const std::uint32_t i : moved_by_[k]) {

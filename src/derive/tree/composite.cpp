@@ -224,6 +224,7 @@ CompositeInertia to_parent(Tree& tree, std::size_t step, const CompositeInertia&
 }
 
 std::vector<CompositeInertia> composite_inertias(Tree& tree) {
+  const Telling inertias = tree.algebra.telling("inertia");
   auto own = on_steps<CompositeInertia>(
       tree, [&](const RigidBody& body) { return about_origin(tree.algebra, body); });
   return with_carried(tree, std::move(own), [&](std::size_t k, const CompositeInertia& inertia) {
@@ -260,6 +261,7 @@ CompositeRate to_parent(Tree& tree, std::size_t step, const CompositeRate& rate)
 }
 
 std::vector<CompositeRate> composite_rates(Tree& tree, const std::vector<Twist>& twists) {
+  const Telling rates = tree.algebra.telling("inertia_rate");
   auto own = on_steps<CompositeRate>(tree, [&](const RigidBody& body) {
     return own_rate(tree.algebra, body, twists[*body.step]);
   });

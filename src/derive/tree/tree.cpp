@@ -94,7 +94,11 @@ ExVector3 first_moment(VectorAlgebra& algebra, const RigidBody& body) {
 }
 
 void accumulate(VectorAlgebra& algebra, const SpatialForce& from, SpatialForce& to) {
-  to.force = algebra.add(to.force, from.force);
+  {
+    const Telling force = algebra.telling("force");
+    to.force = algebra.add(to.force, from.force);
+  }
+  const Telling moment = algebra.telling("moment");
   to.moment = algebra.add(to.moment, from.moment);
 }
 
@@ -152,6 +156,7 @@ ExVector3 Tree::relative_spin(std::size_t index, Tangent& along) {
 
 void Tree::weigh(std::size_t index, const SpatialForce& on_step, TreeForces& forces) {
   const TreeStep& s = step(index);
+  const Telling joint = telling("joint", index);
   switch (s.kind) {
     case FrameStepKind::translation:
       for (std::size_t i = 0; i < 3; ++i)
@@ -183,7 +188,11 @@ void Tree::weigh(std::size_t index, const SpatialForce& on_step, TreeForces& for
 
 SpatialForce Tree::before(std::size_t index, const SpatialForce& force) {
   SpatialForce result;
-  result.force = to_parent(index, force.force);
+  {
+    const Telling of_force = algebra.telling("force");
+    result.force = to_parent(index, force.force);
+  }
+  const Telling of_moment = algebra.telling("moment");
   result.moment = to_parent(index, force.moment);
   if (step(index).kind == FrameStepKind::translation) {
     const ExVector3 lever = algebra.cross(step(index).vector, result.force);
@@ -211,9 +220,11 @@ TreeForces Tree::wrench_forces(const std::function<ex(const ex&)>& part) {
     for (ex& component : wrench.force) component = part(component);
     for (ex& component : wrench.moment) component = part(component);
   }
+  const Telling of_wrenches = algebra.telling("wrench");
   std::vector<SpatialForce> on_step(size());
   for (const Wrench& wrench : wrenches) {
     if (!wrench.step) continue;
+    const Telling on_frame = telling("", *wrench.step);
     const ExVector3 force = turned(wrench.force, wrench.axes, wrench.step);
     const ExVector3 pure = turned(wrench.moment, wrench.axes, wrench.step);
     const ExVector3 lever = algebra.cross(wrench.at, force);

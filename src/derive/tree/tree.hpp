@@ -59,6 +59,9 @@ class Tree {
   [[nodiscard]] std::size_t size() const { return frames().steps.size(); }
   [[nodiscard]] const TreeStep& step(std::size_t index) const { return frames().steps[index]; }
   [[nodiscard]] const StepRotation& rotation(std::size_t index) const { return rotations_[index]; }
+  [[nodiscard]] Telling telling(const std::string& kind, std::size_t step) {
+    return algebra.telling(kind, frames().steps[step].name);
+  }
 
   /// Bodies of the Lagrangian, with numbers regrouped (regrouped()).
   [[nodiscard]] const std::vector<RigidBody>& bodies() const { return bodies_; }
@@ -112,7 +115,9 @@ template <class Value, class Of>
 [[nodiscard]] std::vector<Value> on_steps(Tree& tree, const Of& of) {
   std::vector<Value> result(tree.size());
   for (const RigidBody& body : tree.bodies()) {
-    if (body.step) accumulate(tree.algebra, of(body), result[*body.step]);
+    if (!body.step) continue;
+    const Telling on_step = tree.telling("", *body.step);
+    accumulate(tree.algebra, of(body), result[*body.step]);
   }
   return result;
 }
@@ -122,6 +127,7 @@ template <class Value, class Before>
 [[nodiscard]] std::vector<Value> with_carried(Tree& tree, std::vector<Value> values,
                                               const Before& before) {
   for (std::size_t k = tree.size(); k-- > 0;) {
+    const Telling of_step = tree.telling("", k);
     const auto& parent = tree.step(k).parent;
     if (parent) accumulate(tree.algebra, before(k, values[k]), values[*parent]);
   }

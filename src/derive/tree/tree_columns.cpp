@@ -241,9 +241,11 @@ void TreeColumns::for_each_pair(const std::vector<ColumnKind>& kinds,
     if (kind != ColumnKind::inertia) make_motions();
   }
   for (std::size_t upper = 0; upper < variables_.size(); ++upper) {
+    const std::uint32_t step = variables_[upper].step;
+    const Telling of_upper = tree_.telling("column_" + tree_.step(step).name, step);
     std::vector<SpatialForce> columns;
     for (const ColumnKind kind : kinds) columns.push_back(column(kind, variables_[upper]));
-    for (const std::size_t other : on_step_[variables_[upper].step]) {
+    for (const std::size_t other : on_step_[step]) {
       visit({upper, other, other != upper, columns});
     }
     visit_below(upper, std::move(columns), visit);
@@ -260,6 +262,7 @@ void TreeColumns::visit_below(std::size_t upper, std::vector<SpatialForce> colum
   if (variables_[upper].velocity_index) pass(step);
   while (has_below_[step]) {
     step = *tree_.step(step).parent;
+    const Telling at_lower = tree_.telling("", step);
     const bool is_rotation = tree_.step(step).rotation.has_value();
     if (!is_rotation) pass(step);
     for (const std::size_t lower : on_step_[step]) visit({upper, lower, false, columns});

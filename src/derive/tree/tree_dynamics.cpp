@@ -67,6 +67,7 @@ class MotionRecursion {
   std::vector<StepMotion> run() {
     std::vector<StepMotion> motions;
     for (std::size_t k = 0; k < tree_.size(); ++k) {
+      const Telling motion = tree_.telling("motion", k);
       const auto& parent = tree_.step(k).parent;
       const StepMotion from = parent ? motions[*parent] : base_motion(tree_, by_.with_gravity);
       motions.push_back(tree_.step(k).kind == FrameStepKind::translation ? translated(k, from)
@@ -113,6 +114,7 @@ class MotionRecursion {
 /// F and N about the origin of the step.
 SpatialForce inertial_force(VectorAlgebra& algebra, const RigidBody& body,
                             const StepMotion& motion) {
+  const Telling inertial = algebra.telling("inertial");
   SpatialForce result;
   if (!body.inertia.empty()) result.moment = inertial_moment(algebra, body.inertia, motion);
   if (!has_mass(body)) return result;
@@ -134,6 +136,7 @@ std::vector<ExVector3> gravity_by_step(Tree& tree) {
   const ExVector3& g = *tree.derivation().lagrangian.gravity;
   std::vector<ExVector3> result;
   for (std::size_t k = 0; k < tree.size(); ++k) {
+    const Telling gravity = tree.telling("gravity", k);
     const auto& parent = tree.step(k).parent;
     result.push_back(tree.to_child(k, parent ? result[*parent] : g));
   }
@@ -162,6 +165,7 @@ MassMoment to_parent(Tree& tree, std::size_t index, const MassMoment& c) {
 }
 
 std::vector<MassMoment> mass_moments(Tree& tree) {
+  const Telling moments = tree.algebra.telling("mass");
   auto own = on_steps<MassMoment>(tree, [&](const RigidBody& body) {
     return MassMoment{body.mass, first_moment(tree.algebra, body)};
   });
@@ -198,6 +202,7 @@ std::vector<Twist> tree_twists(Tree& tree, Tangent& along) {
   VectorAlgebra& algebra = tree.algebra;
   std::vector<Twist> twists;
   for (std::size_t k = 0; k < tree.size(); ++k) {
+    const Telling velocity = tree.telling("velocity", k);
     const TreeStep& step = tree.step(k);
     const Twist from = step.parent ? twists[*step.parent] : Twist{};
     Twist twist = from;
@@ -218,6 +223,7 @@ std::vector<Twist> tree_twists(Tree& tree, Tangent& along) {
 TreeForces tree_momentum(Tree& tree) {
   VectorAlgebra& algebra = tree.algebra;
   const std::vector<Twist> twists = tree_twists(tree, tree.derivation().coasting);
+  const Telling momenta = algebra.telling("momentum");
   return tree.pull_back(on_steps<SpatialForce>(tree, [&](const RigidBody& body) {
     const Twist& twist = twists[*body.step];
     // Momentum about the com, so the inertia has to be about it too.
@@ -238,6 +244,7 @@ Terms tree_kinetic_energy(Tree& tree, Tangent& along) {
   Terms terms;
   for (const RigidBody& body : tree.bodies()) {
     if (!body.step) continue;
+    const Telling energy = tree.telling("kinetic", *body.step);
     const Twist& twist = twists[*body.step];
     const ExVector3 spin = spin_momentum(algebra, body, twist.spin);
     terms.push_back(half * algebra.dot(spin, twist.spin));
@@ -286,6 +293,7 @@ TreeForces tree_gravity(Tree& tree) {
   const std::vector<MassMoment> carried = mass_moments(tree);
   VectorAlgebra& algebra = tree.algebra;
   for (std::size_t k = 0; k < tree.size(); ++k) {
+    const Telling weight = tree.telling("weight", k);
     // -(weight) and its moment about the origin of the step.
     SpatialForce lift;
     lift.force = algebra.scaled(-carried[k].mass, g[k]);

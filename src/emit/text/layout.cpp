@@ -94,8 +94,10 @@ std::vector<std::string> wrap_expression(std::string_view text, const Wrapping& 
 }
 
 std::string assignment(const std::string& target, const std::string& value) {
-  const std::string start = fmt::format("  {} = ", target);
-  const Wrapping wrapping{line_width - start.size() - 1, "      "};
+  std::string start = fmt::format("  {} = ", target);
+  const bool is_long = start.size() > line_width / 2 && start.size() + value.size() >= line_width;
+  if (is_long) start = fmt::format("  {} =\n      ", target);
+  const Wrapping wrapping{line_width - (is_long ? 6 : start.size()) - 1, "      "};
   return start + fmt::format("{}", fmt::join(wrap_expression(value, wrapping), "\n")) + ";\n";
 }
 

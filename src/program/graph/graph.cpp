@@ -207,7 +207,7 @@ ConstantForm Graph::form_of(Ref value) const {
 void Graph::name(Ref value, const std::string& name) {
   Node& node = nodes_[value.node];
   const bool is_atom = node.kind == NodeKind::leaf || node.constant_size > 0;
-  if (!is_atom && !value.negative && node.name.empty()) node.name = name;
+  if (!is_atom && !value.negative) take_name(node.name, name);
 }
 
 bool Graph::is_zero(NodeId id) const { return is_rational(id) && cln::zerop(rational_of(id)); }

@@ -91,7 +91,7 @@ class Graph {
   /// A constant, node by node; sums in sums and products in products are spliced.
   Ref constant(const ConstantForm& form);
 
-  /// The first name stays; leaves and constants have their own.
+  /// See take_name; leaves and constants have their own.
   void name(Ref value, const std::string& name);
 
   [[nodiscard]] const Node& node(NodeId id) const { return nodes_[id]; }

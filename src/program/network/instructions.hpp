@@ -35,8 +35,7 @@ class Instructions {
     std::vector<std::uint32_t> places;
     for (std::size_t at = 0; at < from.instructions.size(); ++at) {
       places.push_back(add(with_operands(from.instructions[at], places)));
-      std::string& name = function_.names[places.back()];
-      if (name.empty()) name = from.names[at];
+      take_name(function_.names[places.back()], from.names[at]);
     }
     return places;
   }

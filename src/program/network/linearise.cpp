@@ -39,8 +39,7 @@ class Linearising {
     const Operation& operation = network_.operations[id];
     const std::uint32_t result = emit_operation(operation);
     done_[id] = result;
-    std::string& name = function_.names[result];
-    if (name.empty()) name = operation.name;
+    take_name(function_.names[result], operation.name);
   }
 
   std::uint32_t signed_value(Ref ref) {

@@ -287,8 +287,7 @@ class Conversion {
     if (!denominator.empty()) {
       result = made_.quotient(result, made_.product(std::move(denominator)));
     }
-    std::string& name = made_.network.operations[result].name;
-    if (name.empty() && !negative) name = node.name;
+    if (!negative) take_name(made_.network.operations[result].name, node.name);
     return {result, negative};
   }
 

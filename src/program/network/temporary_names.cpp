@@ -2,21 +2,28 @@
 //
 //     sin of a leaf, or of a sum of leaves       sin_theta, cos_q1_q2, sin_q1_minus_q2
 //     an instruction that has a name             that name
-//     a sum of leaves used more than once        sum_q1_q2
-//     used more than once, too long to read,     t_4f2a9: a hash of what it computes
-//     or beside the cosine (sine) of its angle
+//     made of a few leaves                       m_l_cos_theta, M_plus_m (spelling.hpp)
+//     told by the derivation                     moment_link5_y
+//     made of a few of all these                 m5_moment_link5_y
+//     a part of one of these                     moment_link5_y_part, moment_link5_y_part_2
+//     else                                       t_4f2a9: a hash of what it computes
 //
-// The hash covers leaves, constants and operations, not positions, so a change elsewhere leaves it
-// alone. told_names leaves it out.
+// The last five are for what is used more than once, too long to read, or beside the cosine (sine)
+// of its angle. They depend on the value alone: where two values claim one name, or it means
+// something else, both have hashes. These cover leaves, constants and operations, not positions, so
+// a change elsewhere leaves them alone.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "elgen/program.hpp"
+#include "program/network/spelling.hpp"
 
 namespace elgen {
 namespace {
@@ -24,29 +31,148 @@ namespace {
 /// Longer expressions are broken up, so that a line stays readable.
 constexpr std::size_t longest_expression = 12;
 constexpr std::size_t longest_name = 40;
+/// It stands on a line of 100 columns.
+constexpr std::size_t longest_temporary = 60;
 constexpr int shortest_hash = 5;
+/// Beyond, a number says less than a hash, and changes more often.
+constexpr std::size_t most_parts = 9;
 
-/// Names the emitted functions use themselves, beside arguments and functions of the language.
-constexpr std::array<std::string_view, 6> reserved_names{"sqrt",       "constant", "result",
-                                                         "parameters", "Scalar",   "std"};
+/// Names the emitted functions use themselves, beside arguments and functions of the language, and
+/// keywords and types that are made of words: co*await.
+constexpr std::array<std::string_view, 16> reserved_names{
+    "sqrt",         "constant",     "result",           "parameters", "Scalar",  "std",
+    "co_await",     "co_yield",     "co_return",        "wchar_t",    "char8_t", "char16_t",
+    "thread_local", "dynamic_cast", "reinterpret_cast", "size_t"};
+
+/// "M_E", "INT_MAX"
+bool is_like_macro(const std::string& name) {
+  return std::ranges::none_of(name, [](char c) { return c >= 'a' && c <= 'z'; });
+}
+
+/// How often each value is used. A negation is written out wherever it is used, so its uses are its
+/// operand's.
+std::vector<std::size_t> uses_in(const Function& function) {
+  std::vector<std::size_t> uses(function.instructions.size(), 0);
+  for (const std::uint32_t entry : entries_of(function)) ++uses[entry];
+  for (std::size_t at = uses.size(); at-- > 0;) {
+    const Instruction& i = function.instructions[at];
+    if (operand_count(i) > 0) uses[i.a] += i.opcode == Opcode::negate ? uses[at] : 1;
+    if (operand_count(i) > 1) ++uses[i.b];
+  }
+  return uses;
+}
+
+/// FNV-1a over the operation, the spelling of leaves and constants, and the hashes of operands.
+std::vector<std::uint64_t> hashes_of(const Program& program, const Function& function) {
+  std::vector<std::uint64_t> hashes;
+  for (const Instruction& i : function.instructions) {
+    std::string content =
+        fmt::format("{} {} ", opcode_row(i.opcode).tag,
+                    i.opcode == Opcode::call ? function_row(i.function).name : "");
+    if (i.opcode == Opcode::constant) content += text_of(program.constants[i.a].form);
+    const bool is_listed = is_leaf(i.opcode) && !is_single(i.opcode);
+    if (is_listed) content += leaf_of(program.leaves, i.opcode, i.a);
+    if (operand_count(i) > 0) content += fmt::format("{:x} ", hashes[i.a]);
+    if (operand_count(i) > 1) content += fmt::format("{:x} ", hashes[i.b]);
+    std::uint64_t value = 0xCBF29CE484222325U;
+    for (const char c : content) {
+      value = (value ^ static_cast<unsigned char>(c)) * 0x100000001B3U;
+    }
+    hashes.push_back(value);
+  }
+  return hashes;
+}
+
+/// The places of `wanted` in the expression of `whole`, as far as nothing has a name.
+std::vector<std::size_t> parts_of(std::size_t whole, const Function& function,
+                                  const std::vector<std::string>& names,
+                                  const std::set<std::size_t>& wanted) {
+  std::vector<std::size_t> parts;
+  std::vector<std::size_t> pending = {whole};
+  while (!pending.empty() && parts.size() < most_parts) {
+    const std::size_t at = pending.back();
+    const Instruction& i = function.instructions[at];
+    pending.pop_back();
+    const bool is_known = std::ranges::find(parts, at) != parts.end();
+    if (is_known || (at != whole && !names[at].empty())) continue;
+    if (wanted.contains(at)) parts.push_back(at);
+    if (operand_count(i) > 1) pending.push_back(i.b);
+    if (operand_count(i) > 0) pending.push_back(i.a);
+  }
+  return parts;
+}
+
+/// "moment_link5_y_part", "moment_link5_y_part_2", … for `wanted`. Of several names the shortest,
+/// and of these the first.
+std::vector<std::string> part_names(const Function& function, const std::vector<std::string>& names,
+                                    const std::set<std::size_t>& wanted) {
+  std::vector<std::string> result(names.size());
+  for (std::size_t whole = 0; whole < names.size(); ++whole) {
+    const std::string& own = names[whole].empty() ? function.names[whole] : names[whole];
+    if (own.empty()) continue;
+    const std::string stem = own.starts_with(told_mark) ? own.substr(1) : own;
+    int number = 0;
+    for (const std::size_t at : parts_of(whole, function, names, wanted)) {
+      std::string name = stem + "_part";
+      if (++number > 1) name += fmt::format("_{}", number);
+      std::string& known = result[at];
+      const bool is_better = std::pair(name.size(), name) < std::pair(known.size(), known);
+      if (known.empty() || is_better) known = std::move(name);
+    }
+  }
+  return result;
+}
+
+std::set<std::string, std::less<>> names_elsewhere(const Program& program) {
+  std::set<std::string, std::less<>> taken(reserved_names.begin(), reserved_names.end());
+  for (const LeafRow& row : leaf_table()) {
+    if (is_passed(program.leaves, row.id)) taken.emplace(row.symbol);
+  }
+  for (const FunctionRow& row : function_table()) taken.emplace(row.name);
+  for_each_leaf(
+      [&](Opcode, std::uint32_t, const std::string& leaf) { taken.insert(identifier_of(leaf)); },
+      program.leaves);
+  return taken;
+}
+
+bool is_trigonometric(const Instruction& i) {
+  return i.opcode == Opcode::call && is_circular(i.function);
+}
+
+struct TakenNames {
+  std::set<std::string, std::less<>> all;
+
+  std::string unique(const std::string& wanted) {
+    std::string name = wanted;
+    for (int number = 1; !all.insert(name).second; ++number) {
+      name = number == 1 ? wanted + "_" : fmt::format("{}_{}", wanted, number);
+    }
+    return name;
+  }
+
+  std::string hash_name(std::uint64_t hash) {
+    const std::string digits = fmt::format("{:016x}", hash);
+    for (int length = shortest_hash; length < 16; ++length) {
+      const std::string name = "t_" + digits.substr(0, static_cast<std::size_t>(length));
+      if (all.insert(name).second) return name;
+    }
+    return unique("t_" + digits);
+  }
+};
 
 class Naming {
  public:
   Naming(const Program& program, const Function& function)
-      : program_(program), function_(function) {
-    for (const std::string_view name : reserved_names) taken_.emplace(name);
-    for (const LeafRow& row : leaf_table()) {
-      if (is_passed(program.leaves, row.id)) taken_.emplace(row.symbol);
-    }
-    for (const FunctionRow& row : function_table()) taken_.emplace(row.name);
-    for_each_leaf([this](Opcode, std::uint32_t,
-                         const std::string& leaf) { taken_.insert(identifier_of(leaf)); },
-                  program.leaves);
-    count_uses();
+      : program_(program),
+        function_(function),
+        taken_{names_elsewhere(program)},
+        uses_(uses_in(function)),
+        hashes_(hashes_of(program, function)) {
     find_angles();
     for (std::size_t at = 0; at < function.instructions.size(); ++at) {
-      hash(at);
       sums_.push_back(leaf_sum(at));
+      own_.push_back(own_name(at));
+      spellings_.push_back(spelling(at));
     }
   }
 
@@ -54,44 +180,41 @@ class Naming {
     const std::size_t count = function_.instructions.size();
     std::vector<std::string> names(count);
     std::vector<std::size_t> sizes(count, 0);
+    std::vector<std::size_t> unnamed;
     for (std::size_t at = 0; at < count; ++at) {
       const Instruction& i = function_.instructions[at];
       if (operand_count(i) == 0) continue;
       sizes[at] = 1 + sizes[i.a] + (operand_count(i) > 1 ? sizes[i.b] : 0);
-      names[at] = name(at, sizes[at]);
-      if (!names[at].empty()) sizes[at] = 0;
+      const bool is_short = uses_[at] <= 1 && sizes[at] <= longest_expression;
+      const bool is_written_out = is_short && !has_sine_and_cosine(i);
+      if (i.opcode == Opcode::negate || (own_[at].empty() && is_written_out)) continue;
+      if (own_[at].empty()) unnamed.push_back(at);
+      if (!own_[at].empty()) names[at] = taken_.unique(own_[at]);
+      sizes[at] = 0;
     }
+    for (const std::size_t at : unnamed) names[at] = spellings_[at].text;
+    unnamed = name_alone(unnamed, names);
+    const std::vector<std::string> parts =
+        part_names(function_, names, {unnamed.begin(), unnamed.end()});
+    for (const std::size_t at : unnamed) names[at] = parts[at];
+    for (const std::size_t at : name_alone(unnamed, names))
+      names[at] = taken_.hash_name(hashes_[at]);
     return names;
   }
 
-  std::vector<std::string> told_names() {
-    std::vector<std::string> told = names();
-    for (const std::size_t at : hashed_) told[at].clear();
-    return told;
+  std::vector<std::string> own_names() {
+    std::vector<std::string> own = names();
+    for (std::size_t at = 0; at < own.size(); ++at) {
+      if (own_[at].empty()) own[at].clear();
+    }
+    return own;
   }
 
  private:
-  /// A negation is written out wherever it is used, so its uses are its operand's.
-  void count_uses() {
-    uses_.resize(function_.instructions.size(), 0);
-    for (const Field& field : function_.fields) {
-      for (const std::uint32_t entry : field.entries) ++uses_[entry];
-    }
-    for (std::size_t at = uses_.size(); at-- > 0;) {
-      const Instruction& i = function_.instructions[at];
-      if (operand_count(i) > 0) uses_[i.a] += i.opcode == Opcode::negate ? uses_[at] : 1;
-      if (operand_count(i) > 1) ++uses_[i.b];
-    }
-  }
-
   void find_angles() {
     for (const Instruction& i : function_.instructions) {
       if (is_trigonometric(i)) angles_[i.a].insert(i.function);
     }
-  }
-
-  static bool is_trigonometric(const Instruction& i) {
-    return i.opcode == Opcode::call && is_circular(i.function);
   }
 
   /// One call computes both.
@@ -99,16 +222,52 @@ class Naming {
     return is_trigonometric(i) && angles_.at(i.a).size() == 2;
   }
 
-  std::string name(std::size_t at, std::size_t size) {
+  std::string own_name(std::size_t at) const {
     const Instruction& i = function_.instructions[at];
-    if (i.opcode == Opcode::negate) return "";
-    if (const auto angle = angle_name(i)) return unique(*angle);
-    if (!function_.names[at].empty()) return unique(function_.names[at]);
-    const bool is_short = uses_[at] <= 1 && size <= longest_expression;
-    if (is_short && !has_sine_and_cosine(i)) return "";
-    if (sums_[at]) return unique("sum_" + *sums_[at]);
-    hashed_.push_back(at);
-    return hash_name(hashes_[at]);
+    const std::string& name = function_.names[at];
+    if (operand_count(i) == 0 || i.opcode == Opcode::negate) return "";
+    return angle_name(i).value_or(name.starts_with(told_mark) ? "" : name);
+  }
+
+  /// A value made of leaves is spelt; else a told one is one name.
+  Spelling spelling(std::size_t at) const {
+    const Instruction& i = function_.instructions[at];
+    if (i.opcode == Opcode::constant) return spelt(program_.constants[i.a].form);
+    if (is_leaf(i.opcode)) {
+      const std::string leaf = identifier_of(leaf_of(program_.leaves, i.opcode, i.a));
+      return {.text = fmt::format(fmt::runtime(leaf_row(i.opcode).identifier), leaf)};
+    }
+    if (!own_[at].empty() && !is_trigonometric(i)) return {.text = own_[at], .is_told = true};
+    if (!own_[at].empty()) return {own_[at], 1, false, Spelling::Begin::call, Spelling::End::call};
+    Spelling made = spelt(i, spellings_[i.a], spellings_[operand_count(i) > 1 ? i.b : i.a]);
+    const bool is_told = function_.names[at].starts_with(told_mark);
+    if (!is_told || (!made.text.empty() && !made.is_told)) return made;
+    return {.text = function_.names[at].substr(1), .is_told = true};
+  }
+
+  /// The places that are left without a name: those that share one, or have one that means
+  /// something else.
+  std::vector<std::size_t> name_alone(const std::vector<std::size_t>& places,
+                                      std::vector<std::string>& names) {
+    std::map<std::string, int> claims;
+    for (const std::size_t at : places) ++claims[names[at]];
+    std::vector<std::size_t> left;
+    for (const std::size_t at : places) {
+      if (claims[names[at]] > 1 || is_taken(names[at])) {
+        names[at].clear();
+        left.push_back(at);
+      } else {
+        taken_.all.insert(names[at]);
+      }
+    }
+    return left;
+  }
+
+  bool is_taken(const std::string& name) const {
+    const bool is_function =
+        std::ranges::find(program_.functions, name, &Function::name) != program_.functions.end();
+    return is_function || taken_.all.contains(name) || is_like_macro(name) ||
+           name.size() > longest_temporary || name.find("__") != std::string::npos;
   }
 
   /// "sin_theta", "cos_q1_minus_q2"; nothing where the argument is no short sum of
@@ -132,49 +291,15 @@ class Naming {
     return name.size() <= longest_name ? std::optional(name) : std::nullopt;
   }
 
-  std::string unique(const std::string& wanted) {
-    std::string name = wanted;
-    for (int number = 1; !taken_.insert(name).second; ++number) {
-      name = number == 1 ? wanted + "_" : fmt::format("{}_{}", wanted, number);
-    }
-    return name;
-  }
-
-  std::string hash_name(std::uint64_t hash) {
-    const std::string digits = fmt::format("{:016x}", hash);
-    for (int length = shortest_hash; length < 16; ++length) {
-      const std::string name = "t_" + digits.substr(0, static_cast<std::size_t>(length));
-      if (taken_.insert(name).second) return name;
-    }
-    return unique("t_" + digits);
-  }
-
-  /// FNV-1a over the operation, the spelling of leaves and constants, and the hashes of operands.
-  void hash(std::size_t at) {
-    const Instruction& i = function_.instructions[at];
-    std::string content =
-        fmt::format("{} {} ", opcode_row(i.opcode).tag,
-                    i.opcode == Opcode::call ? function_row(i.function).name : "");
-    if (i.opcode == Opcode::constant) content += text_of(program_.constants[i.a].form);
-    const bool is_listed = is_leaf(i.opcode) && !is_single(i.opcode);
-    if (is_listed) content += leaf_of(program_.leaves, i.opcode, i.a);
-    if (operand_count(i) > 0) content += fmt::format("{:x} ", hashes_[i.a]);
-    if (operand_count(i) > 1) content += fmt::format("{:x} ", hashes_[i.b]);
-    std::uint64_t value = 0xCBF29CE484222325U;
-    for (const char c : content) {
-      value = (value ^ static_cast<unsigned char>(c)) * 0x100000001B3U;
-    }
-    hashes_.push_back(value);
-  }
-
   const Program& program_;
   const Function& function_;
-  std::set<std::string, std::less<>> taken_;
-  std::vector<std::size_t> uses_;
+  TakenNames taken_;
+  const std::vector<std::size_t> uses_;
   std::map<std::uint32_t, std::set<FunctionId>> angles_;  ///< the functions called with each
-  std::vector<std::uint64_t> hashes_;
-  std::vector<std::size_t> hashed_;               ///< instructions that are called by their hash
+  const std::vector<std::uint64_t> hashes_;
   std::vector<std::optional<std::string>> sums_;  ///< names of short sums of leaves
+  std::vector<std::string> own_;                  ///< of what has a name that is not told
+  std::vector<Spelling> spellings_;
 };
 
 }  // namespace
@@ -183,8 +308,8 @@ std::vector<std::string> temporary_names(const Program& program, const Function&
   return Naming(program, function).names();
 }
 
-std::vector<std::string> told_names(const Program& program, const Function& function) {
-  return Naming(program, function).told_names();
+std::vector<std::string> own_names(const Program& program, const Function& function) {
+  return Naming(program, function).own_names();
 }
 
 }  // namespace elgen

@@ -97,8 +97,8 @@ std::uint32_t Composition::leaf_at(const Instruction& leaf, const CallPoint& at)
 Places Composition::call(const Program& from, const Function& callee, const Field& field,
                          const CallPoint& at, bool is_inner) {
   const std::vector<bool> needed = needed_for(callee, field.entries);
-  // A hash says of what a value is computed, which is another one here.
-  const std::vector<std::string> names = told_names(from, callee);
+  // The other names say of what a value is computed, which is another one here.
+  const std::vector<std::string> names = own_names(from, callee);
   const std::string suffix = at.number > 1 ? fmt::format("_{}", at.number) : "";
   Places places(callee.instructions.size());
   for (std::size_t i = 0; i < places.size(); ++i) {

@@ -1,0 +1,65 @@
+// told_values: doubles where all leaves are drawn at random. Sums, products and quotients round
+// alike on every machine; functions are computed in 64 digits, so that they do, too.
+#include "program/network/told_values.hpp"
+
+#include <cmath>
+
+#include "elgen/evaluate.hpp"
+#include "program/network/linearise.hpp"
+#include "sample/points.hpp"
+
+namespace elgen {
+namespace {
+
+/// Values that agree differ by rounding, some 1e-15; of ten thousand that do not, two are as near
+/// with a probability of 1e-4.
+constexpr double rounding = 1e-12;
+
+struct PortableRules : interpreter::NumberRules<double> {
+  [[nodiscard]] double call(FunctionId function, double x, double y) const {
+    const auto is_usual = [](double number) { return number == 0 || std::isnormal(number); };
+    if (!is_usual(x) || !is_usual(y)) return 0;
+    const Real value = interpreter::call(function, Real(cln::cl_R(x)), Real(cln::cl_R(y)));
+    return value.is_defined() ? ScalarTraits<double>::from_real(value.value()) : 0;
+  }
+};
+
+/// The value of each instruction.
+std::vector<double> values_of(const Program& program, const Function& function) {
+  const LeafValues<double> at = Sampler(1).scaled_point(program.leaves, -2, 0);
+  return fold<double>(PortableRules{{at}}, program, function);
+}
+
+ToldValues::const_iterator found(const ToldValues& told, double value) {
+  const auto next = told.lower_bound(std::abs(value) * (1 - rounding));
+  const bool is_near = next != told.end() && next->first <= std::abs(value) * (1 + rounding);
+  return is_near ? next : told.end();
+}
+
+}  // namespace
+
+ToldValues told_values(const Expressions& told, const std::vector<std::string>& names,
+                       const LeafNames& leaves) {
+  Linearised all(make_network(told));
+  all.program.leaves = leaves;
+  const std::vector<double> values = entries_of(all.function, values_of(all.program, all.function));
+  ToldValues result;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const bool is_new = std::isnormal(values[i]) && found(result, values[i]) == result.end();
+    if (is_new) result.try_emplace(std::abs(values[i]), names[i], values[i] < 0);
+  }
+  return result;
+}
+
+void name_told(const ToldValues& told, const Program& program, Function& function) {
+  const std::vector<double> values = values_of(program, function);
+  for (std::size_t at = 0; at < values.size(); ++at) {
+    const auto known = found(told, values[at]);
+    if (known == told.end() || operand_count(function.instructions[at]) == 0) continue;
+    const auto& [name, is_negative] = known->second;
+    const bool is_opposite = is_negative != (values[at] < 0);
+    take_name(function.names[at], told_mark + (is_opposite ? "minus_" + name : name));
+  }
+}
+
+}  // namespace elgen

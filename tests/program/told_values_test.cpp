@@ -1,0 +1,37 @@
+// Names are found again by values, however these are written.
+#include "program/network/told_values.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "program/read_program.hpp"
+
+using namespace elgen;
+
+TEST_CASE("what values of a graph are called is told of instructions with that value") {
+  Expressions told;
+  Graph& graph = told.graph;
+  const Ref m = graph.leaf(Opcode::parameter, 0);
+  const Ref x = graph.leaf(Opcode::coordinate, 0);
+  const Ref sine = graph.call(FunctionId::sin, {x});
+  const Ref value = graph.product({{graph.rational(cln::cl_RA(1) / 2), 1}, {m, 1}, {sine, 2}});
+  told.values = {value, value, -sine};
+  Program program = testing::read_program(
+      "parameters m\ncoordinates x\nfunction bias\n  0 = parameter m\n  1 = coordinate x\n"
+      "  2 = sin 1\n  3 = constant 1/2\n  4 = multiply 3 2\n  5 = multiply 4 0\n"
+      "  6 = multiply 5 2\n  7 = negate 6  ; own\n  8 = cos 1\n  result 1 3 = 6 7 8\n");
+  Function& function = program.functions[0];
+  name_told(told_values(told, {"moment", "later", "turn"}, program.leaves), program, function);
+  CHECK(function.names ==
+        std::vector<std::string>{"", "", "~minus_turn", "", "", "", "~moment", "own", ""});
+}
+
+TEST_CASE("a told name gives way to others, not to told ones") {
+  std::string name;
+  take_name(name, "~first");
+  take_name(name, "~second");
+  take_name(name, "");
+  CHECK(name == "~first");
+  take_name(name, "own");
+  take_name(name, "other");
+  CHECK(name == "own");
+}
