@@ -20,7 +20,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-constexpr std::array<std::string_view, 3> header_names{"Pack", "batch", "kernel"};
+constexpr std::array<std::string_view, 3> batch_names{"Pack", "batch", "kernel"};
 
 Texts notes(const EmissionInput& input) {
   Texts lines;
@@ -148,8 +148,8 @@ std::string batch_header(const EmissionInput& input) {
 Diagnostics batch_check_names(const Model& /*model*/, const Scene& scene, const Program& program) {
   Diagnostics diagnostics;
   for (const Function& function : program.functions) {
-    const bool is_taken = std::ranges::count(header_names, function.name) > 0 ||
-                          (gives_struct(function) && camel_case(function.name) == header_names[0]);
+    const bool is_taken = std::ranges::count(batch_names, function.name) > 0 ||
+                          (gives_struct(function) && camel_case(function.name) == batch_names[0]);
     if (is_taken) diagnostics.push_back(taken_name(scene, function));
   }
   return diagnostics;
