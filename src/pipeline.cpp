@@ -1,7 +1,7 @@
 // The order of the stages, and the only place that knows it:
 //
-//     parse -> check -> inspect -> formulate -> specialise -> derive -> lower -> cancel -> present
-//     -> choose -> typeset -> emit -> self-check
+//     parse -> check -> inspect -> formulate -> specialise -> derive -> lower -> cancel (with
+//     outputs composed of their parts) -> present -> choose -> typeset -> emit -> self-check
 //
 //     specialise -> steps    the derivation as a student writes it
 //     specialise -> choose   what `step` calls, derived in its own name
@@ -19,6 +19,7 @@
 #include "elgen/cancel.hpp"
 #include "elgen/choose.hpp"
 #include "elgen/closed_forms.hpp"
+#include "elgen/compose.hpp"
 #include "elgen/equations_of_motion.hpp"
 #include "elgen/inspect.hpp"
 #include "elgen/lagrangian.hpp"
@@ -113,7 +114,7 @@ class Compilation {
   Products products() && {
     Products out;
     out.checked = std::move(checked_.product);
-    out.lowered = std::move(lowered_.product);
+    if (lowered_.product) out.lowered = composed(std::move(*lowered_.product));
     out.closed_forms = std::move(forms_.product);
     if (choice_.product) out.program = std::move(choice_.product->program);
     if (choice_.product) out.costs = std::move(choice_.product->costs);
@@ -176,7 +177,7 @@ class Compilation {
                              const Limits& limits) { return lower(e, c.scene.outputs, limits); }};
 
   Stage<Program> recursive_{run_, Goal::cancel, std::tie(lowered_),
-                            [](const Program& p) { return cancel(p); }};
+                            [](const Program& p) { return composed(cancel(p)); }};
 
   Stage<ClosedForms> forms_{run_, Goal::present, std::tie(recursive_),
                             [](const Program& p) { return present(p); }};

@@ -23,6 +23,9 @@ struct OutputEquations {
   OutputRequest request = {};
   std::vector<FieldEquations> fields = {};
   ExpressionMap<std::string> told = {};  ///< names of definitions, by their symbols
+  /// Where the fields are the parts of an output (elgen/compose.hpp): the velocities in the order
+  /// in which M is eliminated.
+  std::vector<std::uint32_t> elimination = {};
 };
 
 struct EquationsOfMotion {

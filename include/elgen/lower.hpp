@@ -17,8 +17,9 @@ namespace elgen {
 
 struct EquationsOfMotion;
 
-/// One Function per requested output but `step`; `dynamics`, where requested, has one field per
-/// output that takes neither a nor u. E908: more than limits.derived_nodes nodes.
+/// One Function per requested output but `step`, or its parts (elgen/compose.hpp); `dynamics`,
+/// where requested, has one field per output that takes neither a nor u. E908: more than
+/// limits.derived_nodes nodes.
 [[nodiscard]] Result<Program> lower(const EquationsOfMotion& equations,
                                     const std::vector<OutputRequest>& outputs,
                                     const Limits& limits);

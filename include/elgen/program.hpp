@@ -1,7 +1,8 @@
 // Program: one straight-line function per output, free of GiNaC, ordered by elgen's own keys.
 //
 // A Function is a list of instructions in single-assignment form, operands before use, nothing
-// computed twice, nothing dead (check_invariants). Text form, one instruction a line:
+// computed twice but by repetitions, nothing dead (check_invariants). Text form, one instruction a
+// line:
 //
 //     function mass_matrix(q)
 //       0 = parameter m             ; leaves are named as in the model
@@ -10,6 +11,7 @@
 //       3 = multiply 0 2            ; inertia
 //       result 1 1 = 3              ; rows columns = entries, row-major;
 //                                   ; of a struct: "result acceleration 2 1 = …"
+//       repeated 2 16               ; the last 32 are 16 times 2 instructions: a loop in code
 #pragma once
 
 #include <array>
@@ -66,6 +68,16 @@ struct Field {
   std::vector<std::uint32_t> entries = {};  ///< instruction of each entry, row-major
 };
 
+/// The last `length * count` instructions of a function do the same `count` times. An operand is of
+/// the own repetition, or stands before all of them: one value for all, or one for each.
+///
+///     5 = multiply 0 1     6 = subtract 2 5     7 = multiply 0 3     8 = subtract 4 7
+///     length 2, count 2, with the values 1, 2 and then 3, 4
+struct Repetition {
+  std::uint32_t length = 0;
+  std::uint32_t count = 0;
+};
+
 struct Function {
   OutputKind kind = {};
   std::uint32_t user = 0;        ///< which user output, for the user_* kinds; of `step` its method
@@ -83,7 +95,14 @@ struct Function {
   /// Entries, numbered alike, that are computed otherwise than they are read: what is read loses
   /// digits where sums cancel.
   std::vector<std::uint32_t> rewritten = {};
+  Repetition repeated = {};  ///< none where nothing is
+  /// Where the fields are parts that an output is composed of (elgen/compose.hpp): the velocities
+  /// in the order in which M is eliminated.
+  std::vector<std::uint32_t> elimination = {};
 };
+
+/// The number of the first instruction that is repeated; that of all where none is.
+[[nodiscard]] std::size_t first_repeated(const Function& function);
 
 /// Where a value is asked for before it is taken for zero.
 inline constexpr std::size_t zero_points = 64;
@@ -166,7 +185,7 @@ inline constexpr std::array operation_columns{OperationColumn{"add", &OperationC
     std::size_t most = std::numeric_limits<std::size_t>::max());
 
 /// The instructions `order`, by their old numbers, and nothing else. Operands stand before what
-/// they go into, and every entry is there.
+/// they go into, and every entry is there. Repetitions stay where all of them stay at the end.
 [[nodiscard]] Function reordered(const Function& function, const std::vector<std::uint32_t>& order);
 
 /// Without the instructions that none of its entries needs.

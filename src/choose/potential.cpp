@@ -152,7 +152,8 @@ class Putting {
         continue;
       }
       const Instruction next = with_operands(constant_in(program, i), places);
-      places.push_back(instructions.add(without_negation(result, next)));
+      places.push_back(at < first_repeated(from) ? instructions.add(without_negation(result, next))
+                                                 : instructions.append(next));
       take_name(result.names[places.back()], from.names[at]);
     }
     for (Field& field : result.fields) {

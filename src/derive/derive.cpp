@@ -11,6 +11,7 @@
 #include "derive/lagrangian/turning.hpp"
 #include "derive/lower/from_ginac.hpp"
 #include "derive/outputs/outputs.hpp"
+#include "elgen/compose.hpp"
 #include "elgen/equations_of_motion.hpp"
 #include "inspect/singular_mass.hpp"
 #include "model/elimination.hpp"
@@ -90,8 +91,34 @@ constexpr Fields (*derivations[])(Derivation&, const OutputRequest&) = {
 #include "elgen/outputs.def"
 };
 
-Fields derived(Derivation& derivation, const OutputRequest& request) {
-  return derivations[static_cast<std::size_t>(request.kind)](derivation, request);
+FieldEquations part_field(std::string_view name, const Vector& entries, std::size_t rows) {
+  return {std::string(name), static_cast<std::uint32_t>(rows),
+          static_cast<std::uint32_t>(entries.size() / rows), entries};
+}
+
+/// The parts of an output that is composed, if it is.
+std::optional<OutputEquations> in_parts(Derivation& derivation, const OutputRequest& request) {
+  const bool is_linearization = request.kind == OutputKind::linearization;
+  if (!is_linearization && request.kind != OutputKind::forward_dynamics_derivatives) return {};
+  const std::optional<ResponseParts> parts = response_parts(derivation);
+  if (!parts) return std::nullopt;
+  const std::size_t n = derivation.size();
+  const auto& [by_position, by_velocity, by_input] = parts->forces;
+  Fields fields{part_field(mass_part, parts->mass, n), part_field(force_part, parts->force, n),
+                part_field(position_part, by_position, n),
+                part_field(velocity_part, by_velocity, n)};
+  if (!by_input.empty()) fields.push_back(part_field(input_part, by_input, n));
+  if (is_linearization) fields.push_back(part_field(rate_part, parts->rates, n));
+  OutputEquations output{request, std::move(fields)};
+  for (const std::size_t velocity : order_of_velocities(derivation)) {
+    output.elimination.push_back(static_cast<std::uint32_t>(velocity));
+  }
+  return output;
+}
+
+OutputEquations derived(Derivation& derivation, const OutputRequest& request) {
+  if (auto parts = in_parts(derivation, request)) return std::move(*parts);
+  return {request, derivations[static_cast<std::size_t>(request.kind)](derivation, request)};
 }
 
 /// Entries as symbols, so that every output, and what shares them, refers to definitions.
@@ -170,7 +197,7 @@ Result<EquationsOfMotion> derive(const Lagrangian& lagrangian,
       auto other = articulated_route(lagrangian, request, limits);
       if (other) equations.other_routes.push_back(std::move(other->equations));
       if (other && other->is_shorter) continue;
-      OutputEquations output{request, derived(derivation, request)};
+      OutputEquations output = derived(derivation, request);
       define_entries(derivation, output.fields);
       output.told = std::exchange(derivation.definitions.told, {}).names;
       equations.outputs.push_back(std::move(output));

@@ -13,6 +13,7 @@
 #include "elgen/cancel.hpp"
 #include "elgen/certificate.hpp"
 #include "elgen/choose.hpp"
+#include "elgen/compose.hpp"
 #include "elgen/integrate.hpp"
 #include "elgen/lower.hpp"
 #include "elgen/steps.hpp"
@@ -23,15 +24,15 @@
 namespace elgen {
 namespace {
 
-/// The program of some outputs of the Lagrangian, before forms are chosen: derive, lower and cancel
-/// in one go.
+/// The program of some outputs of the Lagrangian, before forms are chosen: derive, lower, cancel
+/// and compose in one go.
 Result<Program> recursive_program(const Lagrangian& lagrangian,
                                   const std::vector<OutputRequest>& outputs, const Limits& limits) {
   const Result<EquationsOfMotion> equations = derive(lagrangian, outputs, limits);
   if (!equations) return equations.diagnostics;
   Result<Program> lowered = lower(*equations, outputs, limits);
   if (!lowered) return lowered.diagnostics;
-  return cancel(std::move(*lowered));
+  return composed(cancel(std::move(*lowered)));
 }
 
 /// The scene of a Lagrangian whose functions are chosen, and what they are chosen from.

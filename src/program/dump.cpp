@@ -70,6 +70,9 @@ std::string function_text(const Program& program, const Function& function) {
     if (!function.names[at].empty()) text += fmt::format("  ; {}", function.names[at]);
     text += '\n';
   }
+  if (function.repeated.count > 0) {
+    text += fmt::format("  repeated {} {}\n", function.repeated.length, function.repeated.count);
+  }
   for (const Field& field : function.fields) {
     text += fmt::format("  result {}{}{} {} = {}\n", field.name, field.name.empty() ? "" : " ",
                         field.rows, field.columns, fmt::join(field.entries, " "));

@@ -1,8 +1,8 @@
 // check_invariants: what holds of every Program after every pass.
 //
-// Operands come before their users, leaves and constants exist, nothing is computed twice, nothing
-// is dead, every field has rows * columns entries, and unused operand slots are zero (so that equal
-// means equal bytes).
+// Operands come before their users, leaves and constants exist, nothing is computed twice but by
+// repetitions, which do the same in the same order, nothing is dead, every field has rows * columns
+// entries, and unused operand slots are zero (so that equal means equal bytes).
 #include <fmt/core.h>
 
 #include <set>
@@ -66,16 +66,54 @@ std::string broken_field(const Function& function) {
   return "";
 }
 
+/// Whether an operand is that of the repetition before, one repetition further on.
+bool is_shifted(std::uint32_t before, std::uint32_t now, std::size_t first, std::uint32_t length) {
+  return before < first ? now < first : now == before + length;
+}
+
+/// Vectors of the compiler have these alone.
+bool is_arithmetic(const Instruction& instruction) {
+  return instruction.opcode != Opcode::call && instruction.opcode != Opcode::square_root;
+}
+
+/// Operands stand before their users, so those of the first repetition are of it or before it.
+std::string broken_repetition(const Function& function) {
+  const auto& [length, count] = function.repeated;
+  const std::size_t size = std::size_t{length} * count;
+  if ((size == 0) != (length + count == 0) || size > function.instructions.size()) {
+    return fmt::format("{} times {} of {} instructions are repeated", count, length,
+                       function.instructions.size());
+  }
+  const std::size_t first = first_repeated(function);
+  for (std::size_t at = first + length; at < function.instructions.size(); ++at) {
+    const Instruction& before = function.instructions[at - length];
+    Instruction now = function.instructions[at];
+    const std::size_t operands = operand_count(now);
+    bool is_alike =
+        operands > 0 && is_arithmetic(now) && is_shifted(before.a, now.a, first, length);
+    if (operands > 1) is_alike = is_alike && is_shifted(before.b, now.b, first, length);
+    now.a = before.a;
+    now.b = before.b;
+    if (!is_alike || !(now == before)) {
+      return fmt::format("instruction {}: does not repeat {}", at, at - length);
+    }
+  }
+  return "";
+}
+
 std::string broken_function(const Program& program, const Function& function) {
   if (function.names.size() != function.instructions.size()) {
     return fmt::format("{} names for {} instructions", function.names.size(),
                        function.instructions.size());
   }
+  const std::string repetition = broken_repetition(function);
+  if (!repetition.empty()) return repetition;
   std::set<std::tuple<Opcode, FunctionId, std::uint32_t, std::uint32_t, bool>> seen;
   for (std::size_t at = 0; at < function.instructions.size(); ++at) {
     const std::string broken = broken_instruction(program, function, at);
     if (!broken.empty()) return fmt::format("instruction {}: {}", at, broken);
     const Instruction& i = function.instructions[at];
+    if (at >= first_repeated(function)) continue;
     if (!seen.emplace(i.opcode, i.function, i.a, i.b, i.is_inner).second) {
       return fmt::format("instruction {}: computed before", at);
     }

@@ -31,6 +31,11 @@ Instruction with_operands(Instruction instruction, const std::vector<std::uint32
   return instruction;
 }
 
+std::size_t first_repeated(const Function& function) {
+  const Repetition& repeated = function.repeated;
+  return function.instructions.size() - std::size_t{repeated.length} * repeated.count;
+}
+
 std::size_t entry_count(const Function& function) {
   std::size_t count = 0;
   for (const Field& field : function.fields) count += field.entries.size();
@@ -182,8 +187,22 @@ void take_name(std::string& known, const std::string& name) {
   if (gives_way && !name.empty()) known = name;
 }
 
+namespace {
+
+/// Whether what is repeated stands at the end of the order as it stood.
+bool keeps_repetitions(const Function& function, const std::vector<std::uint32_t>& order) {
+  std::size_t old = function.instructions.size();
+  const std::size_t size = old - first_repeated(function);
+  if (order.size() < size) return false;
+  return std::all_of(order.rbegin(), order.rbegin() + static_cast<std::ptrdiff_t>(size),
+                     [&old](std::uint32_t at) { return at == --old; });
+}
+
+}  // namespace
+
 Function reordered(const Function& function, const std::vector<std::uint32_t>& order) {
   Function result = function;
+  if (!keeps_repetitions(function, order)) result.repeated = {};
   result.instructions.clear();
   result.names.clear();
   std::vector<std::uint32_t> renumbered(function.instructions.size());

@@ -5,6 +5,7 @@
 
 #include "elgen/cancel.hpp"
 #include "elgen/choose.hpp"
+#include "elgen/compose.hpp"
 #include "elgen/equations_of_motion.hpp"
 #include "elgen/lower.hpp"
 #include "elgen/render.hpp"
@@ -26,7 +27,7 @@ inline Chosen chosen(const std::string& text, const SceneOptions& options = {},
   result.checked.scene.numerics.prefer = prefer;
   const Result<Lagrangian> lagrangian = formulate(result.checked.model);
   const auto equations = derive(*lagrangian, result.checked.scene.outputs, {});
-  result.recursive = cancel(*lower(*equations, result.checked.scene.outputs, {}));
+  result.recursive = composed(cancel(*lower(*equations, result.checked.scene.outputs, {})));
   result.forms = present(result.recursive);
   result.choice = *chosen(*lagrangian, result.recursive, result.forms, result.checked, Limits{});
   return result;

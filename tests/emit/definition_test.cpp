@@ -95,3 +95,52 @@ TEST_CASE("column-major storage goes down the columns") {
   CHECK(function_of(subject, Storage::column_major).whole.body ==
         "  return {{q[0], q[0] + q[1], q[1], q[0] * q[1]}};\n");
 }
+
+namespace {
+
+/// The squares of x times x and times theta, as repetitions; `before` instructions stand before.
+Subject repeating_function(std::size_t before = 0) {
+  Subject subject = cart_pole();
+  std::string text =
+      "coordinates x theta\nfunction gravity\n  0 = coordinate x\n  1 = coordinate theta\n"
+      "  2 = multiply 0 0  ; square\n";
+  std::size_t at = 3;
+  for (; at < before + 3; ++at) text += fmt::format("  {} = add {} 1  ; s{}\n", at, at - 1, at);
+  text += fmt::format("  {} = multiply {} 0\n  {} = multiply {} 1\n  result 2 1 = {} {}\n", at,
+                      at - 1, at + 1, at - 1, at, at + 1);
+  subject.program = elgen::testing::read_program(text);
+  subject.program.functions.front().repeated = {1, 2};
+  return subject;
+}
+
+}  // namespace
+
+TEST_CASE("repetitions are a loop over columns") {
+  CHECK(function_of(repeating_function()).whole.body ==
+        R"(  Scalar given[2];
+  Scalar solved[2];
+  const Scalar square = q[0] * q[0];
+  given[0] = q[0];
+  given[1] = q[1];
+  using Columns = detail::Columns<Scalar>;
+  for (std::size_t first = 0; first < 2; first += Columns::size) {
+    const std::size_t at = first + Columns::size < 2 ? first : 2 - Columns::size;
+    const typename Columns::Value solved_1 = square * Columns::load(given + at);
+    Columns::store(solved_1, solved + at);
+  }
+  return {{solved[0], solved[1]}};
+)");
+}
+
+TEST_CASE("parts share the arrays of a loop") {
+  const FunctionDefinition function = function_of(repeating_function(longest_body));
+  REQUIRE(function.parts.size() == 3);
+  const std::vector<std::string>& shared = function.workspace;
+  CHECK(shared[shared.size() - 2] == "given[2]");
+  CHECK(shared.back() == "solved[2]");
+  const std::string& last = function.parts.back().body;
+  CHECK(function.parts.front().body.find("  w.given[1] = q[1];\n") != std::string::npos);
+  CHECK(last.find("Columns::load(w.given + at);\n    Columns::store(solved_1, w.solved + at);\n") !=
+        std::string::npos);
+  CHECK(last.find("  result[1] = w.solved[1];\n") != std::string::npos);
+}

@@ -115,3 +115,55 @@ TEST_CASE("every invariant is watched, and names function and instruction") {
   row.damage(program.functions[0]);
   CHECK(check_invariants(program) == std::string("function `bias`: ") + row.broken);
 }
+
+TEST_CASE("repetitions do the same on operands of their own") {
+  const std::string text =
+      "coordinates x y z\nfunction bias\n  0 = coordinate x\n  1 = coordinate y\n"
+      "  2 = coordinate z\n  3 = multiply 0 1\n  4 = subtract 3 0\n  5 = multiply 0 2\n"
+      "  6 = subtract 5 0\n  repeated 2 2\n  result 2 1 = 4 6\n";
+  const Program repeated = testing::read_program(text);
+  CHECK(check_invariants(repeated) == "");
+  CHECK(first_repeated(repeated.functions[0]) == 3);
+  CHECK(dump(repeated) == text);
+  const BrokenRow row = GENERATE(values<BrokenRow>({
+      {[](Function& f) { f.instructions[6].a = 3; }, "instruction 6: does not repeat 4"},
+      {[](Function& f) { f.instructions[6].opcode = Opcode::add; },
+       "instruction 6: does not repeat 4"},
+      {[](Function& f) { f.instructions[5].a = 3; }, "instruction 5: does not repeat 3"},
+      {[](Function& f) {
+         f.repeated = {1, 2};
+       },
+       "instruction 6: does not repeat 5"},
+      {[](Function& f) {
+         f.repeated = {4, 2};
+       },
+       "2 times 4 of 7 instructions are repeated"},
+      {[](Function& f) {
+         f.repeated = {0, 2};
+       },
+       "2 times 0 of 7 instructions are repeated"},
+  }));
+  Program program = repeated;
+  row.damage(program.functions[0]);
+  CHECK(check_invariants(program) == std::string("function `bias`: ") + row.broken);
+}
+
+TEST_CASE("only repetitions compute a value twice") {
+  Program program = testing::read_program(
+      "coordinates x\nfunction bias\n  0 = coordinate x\n  1 = multiply 0 0\n"
+      "  2 = multiply 0 0\n  result 2 1 = 1 2\n");
+  CHECK(check_invariants(program) == "function `bias`: instruction 2: computed before");
+  program.functions[0].repeated = {1, 2};
+  CHECK(check_invariants(program) == "");
+}
+
+TEST_CASE("repetitions stay where all of them stay at the end") {
+  Program program = testing::read_program(
+      "coordinates x y\nfunction bias\n  0 = coordinate x\n  1 = coordinate y\n"
+      "  2 = multiply 0 0\n  3 = multiply 0 1\n  result 2 1 = 2 3\n");
+  Function& function = program.functions[0];
+  function.repeated = {1, 2};
+  CHECK(reordered(function, {1, 0, 2, 3}).repeated.count == 2);
+  CHECK(reordered(function, {0, 1, 3, 2}).repeated.count == 0);
+  CHECK(with_entries(function, {2}).repeated.count == 0);
+}

@@ -49,6 +49,14 @@ class ProgramReader {
     return {&source_, begin, begin + static_cast<std::uint32_t>(text.size())};
   }
 
+  std::string read_repetition(const Words& words) {
+    const auto length = words.size() == 3 ? number(words[1]) : std::nullopt;
+    const auto count = words.size() == 3 ? number(words[2]) : std::nullopt;
+    if (!length || !count) return "a length and a count are expected";
+    program_.functions.back().repeated = {*length, *count};
+    return "";
+  }
+
   /// Empty, or what is wrong with the line.
   std::string read_line(std::string_view line) {
     const std::size_t comment = line.find(';');
@@ -77,6 +85,7 @@ class ProgramReader {
     }
     if (program_.functions.empty()) return fmt::format("`{}` outside of a function", words[0]);
     if (words[0] == "result") return read_result(words);
+    if (words[0] == "repeated") return read_repetition(words);
     const Words name = split(comment == std::string_view::npos ? "" : line.substr(comment + 1));
     return read_instruction(words, name.empty() ? std::string_view() : name[0]);
   }

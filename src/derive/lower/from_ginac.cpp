@@ -221,6 +221,7 @@ Result<ImportedOutput> from_ginac(const EquationsOfMotion& equations, const Outp
       imported.told_names.push_back((repeats ? output->request.name + "_" : "") + told->second);
     }
   }
+  imported.elimination = outputs.front()->elimination;
   imported.graph = std::move(importer.graph);
   return imported;
 }

@@ -15,8 +15,9 @@ struct EquationsOfMotion;
 /// The entries of one output over a graph.
 struct ImportedOutput {
   Graph graph = {};
-  std::vector<Field> fields = {};  ///< entries number `values`
-  std::vector<Ref> values = {};    ///< every entry of every field
+  std::vector<Field> fields = {};               ///< entries number `values`
+  std::vector<Ref> values = {};                 ///< every entry of every field
+  std::vector<std::uint32_t> elimination = {};  ///< of parts
   /// Values of the graph, and what derive calls them; where outputs are repeated, with their names.
   std::vector<Ref> told_values = {};
   std::vector<std::string> told_names = {};

@@ -56,6 +56,7 @@ Result<Unfilled> by_route(const EquationsOfMotion& equations, const OutputReques
   result.function.user = request.user;
   result.function.name = request.name;
   result.function.fields = std::move(imported->fields);
+  result.function.elimination = std::move(imported->elimination);
   const Expressions expressions{std::move(imported->graph), std::move(imported->values)};
   result.told = told_values({expressions.graph, std::move(imported->told_values)},
                             imported->told_names, leaves);

@@ -142,7 +142,7 @@ InverseDerivatives constraint_derivatives(Derivation& derivation) {
   return derivatives(derivation, second_rates);
 }
 
-/// -[w]x in the upper left block of A.
+/// -[w]x in the upper left block of A, which has 2 n_v columns.
 void add_turning_of_displacement(const Symbols& symbols, const RotationPlace& rotation, Vector& a) {
   const std::size_t columns = 2 * symbols.v.size();
   const std::size_t first = rotation.first_velocity;
@@ -150,6 +150,17 @@ void add_turning_of_displacement(const Symbols& symbols, const RotationPlace& ro
     a[(first + k) * columns + first + i] = symbols.v[first + j];
     a[(first + k) * columns + first + j] = -symbols.v[first + i];
   }
+}
+
+/// The upper rows of A: d(dq)/dt = dv, less w x dq where rotations turn.
+Vector upper_rows(const Derivation& derivation) {
+  const std::size_t n = derivation.size();
+  Vector result(2 * n * n, 0);
+  for (std::size_t i = 0; i < n; ++i) result[i * 2 * n + n + i] = 1;
+  for (const RotationPlace& rotation : derivation.symbols.rotations) {
+    add_turning_of_displacement(derivation.symbols, rotation, result);
+  }
+  return result;
 }
 
 }  // namespace
@@ -211,18 +222,30 @@ ForwardDerivatives forward_dynamics_derivatives(Derivation& derivation) {
   return result;
 }
 
+std::optional<ResponseParts> response_parts(Derivation& derivation) {
+  const std::size_t n = derivation.size();
+  if (n < least_of_composed || !derivation.lagrangian.constraints.empty()) return std::nullopt;
+  ResponseParts parts;
+  parts.mass = mass_matrix(derivation);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (parts.mass[i * n + i].is_zero()) throw ZeroPivot(RowsOf::velocities, i, true);
+  }
+  parts.force = negative(bias(derivation, InputForces::acting));
+  const InverseDerivatives rest = residual_derivatives(derivation, InputForces::acting);
+  parts.forces = {negative(rest.by_position), negative(rest.by_velocity), input_matrix(derivation)};
+  parts.rates = upper_rows(derivation);
+  return parts;
+}
+
 Linearization linearization(Derivation& derivation) {
   const ForwardDerivatives of_acceleration = forward_dynamics_derivatives(derivation);
   const std::size_t n = derivation.size();
   const std::size_t inputs = derivation.symbols.u.size();
   Linearization result;
-  result.a.assign(4 * n * n, 0);
+  result.a = upper_rows(derivation);
+  result.a.resize(4 * n * n, 0);
   result.b.assign(2 * n * inputs, 0);
-  for (const RotationPlace& rotation : derivation.symbols.rotations) {
-    add_turning_of_displacement(derivation.symbols, rotation, result.a);
-  }
   for (std::size_t i = 0; i < n; ++i) {
-    result.a[i * 2 * n + n + i] = 1;
     for (std::size_t j = 0; j < n; ++j) {
       result.a[(n + i) * 2 * n + j] = of_acceleration.by_position[i * n + j];
       result.a[(n + i) * 2 * n + n + j] = of_acceleration.by_velocity[i * n + j];

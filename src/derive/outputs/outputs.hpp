@@ -196,6 +196,19 @@ struct ForwardDerivatives {
 };
 [[nodiscard]] ForwardDerivatives forward_dynamics_derivatives(Derivation& derivation);
 
+/// The parts that the derivatives, and the linearization, are composed of from this many velocities
+/// on (elgen/compose.hpp).
+inline constexpr std::size_t least_of_composed = 10;
+struct ResponseParts {
+  Vector mass;
+  Vector force;
+  ForwardDerivatives forces;  ///< -dr/dq, -dr/dv, B
+  Vector rates;               ///< the upper rows of A
+};
+
+/// None below, and where there are constraints. Throws ZeroPivot where an M_ii is 0.
+[[nodiscard]] std::optional<ResponseParts> response_parts(Derivation& derivation);
+
 /// 2 n_v x 2 n_v and 2 n_v x n_u.
 struct Linearization {
   Vector a;

@@ -38,6 +38,15 @@ std::string pair_text(const std::string& scalar, const std::string& call, const 
   return fmt::format("{}  {};\n", scalar.empty() ? "" : declared, fmt::join(lines, "\n"));
 }
 
+ColumnWords column_words(const std::string& prefix, std::uint32_t count) {
+  const std::string width = capitals(prefix) + "COLUMNS";
+  return {fmt::format("  for (int first = 0; first < {0}; first += {1}) {{\n"
+                      "    const int at = first + {1} < {0} ? first : {0} - {1};\n",
+                      count, width),
+          fmt::format("const {}columns", prefix), prefix + "load_columns",
+          prefix + "store_columns"};
+}
+
 class C99Dialect final : public Dialect {
  public:
   C99Dialect(const Model& model, const Scene& scene, const Program& program)
@@ -64,6 +73,10 @@ class C99Dialect final : public Dialect {
   std::string declaration(const std::string& name) const override {
     return fmt::format("const {} {}", scalar_, name);
   }
+
+  std::string_view scalar() const override { return scalar_; }
+
+  ColumnWords columns(std::uint32_t count) const override { return column_words(prefix_, count); }
 
   std::string target(const Function& function, std::uint32_t at,
                      std::uint32_t index) const override {
@@ -156,21 +169,7 @@ class C99Dialect final : public Dialect {
     return fmt::format("{}{}", prefix_, name);
   }
 
-  Texts declared_arguments(const Function& function) const {
-    Texts arguments;
-    for (const Opcode argument : arguments_of(model(), function)) {
-      const std::string_view name = leaf_row(argument).symbol;
-      if (argument == Opcode::parameter) {
-        arguments.push_back(fmt::format("const {}parameters *{}", prefix_, name));
-      } else if (is_single(argument)) {
-        arguments.push_back(fmt::format("{} {}", scalar_, name));
-      } else {
-        arguments.push_back(
-            fmt::format("const {} {}{}", scalar_, name, extent(leaf_count(model(), argument))));
-      }
-    }
-    return arguments;
-  }
+  Texts declared_arguments(const Function& function) const;
 
   bool gives_number(const Function& function) const {
     return !gives_struct(function) && is_number(function, function.fields.front());
@@ -187,6 +186,22 @@ class C99Dialect final : public Dialect {
   std::string prefix_;  ///< "cart_pole_"
   bool has_pairs_;      ///< of sines in line
 };
+
+Texts C99Dialect::declared_arguments(const Function& function) const {
+  Texts arguments;
+  for (const Opcode argument : arguments_of(model(), function)) {
+    const std::string_view name = leaf_row(argument).symbol;
+    if (argument == Opcode::parameter) {
+      arguments.push_back(fmt::format("const {}parameters *{}", prefix_, name));
+    } else if (is_single(argument)) {
+      arguments.push_back(fmt::format("{} {}", scalar_, name));
+    } else {
+      arguments.push_back(
+          fmt::format("const {} {}{}", scalar_, name, extent(leaf_count(model(), argument))));
+    }
+  }
+  return arguments;
+}
 
 }  // namespace
 

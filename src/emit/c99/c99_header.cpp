@@ -68,9 +68,10 @@ Texts default_parameters(const EmissionInput& input) {
   return continued(std::move(lines));
 }
 
-constexpr std::array<std::string_view, 10> header_names{
-    "parameters", "is_regular", "sign_of",   "smaller",     "larger",
-    "stumpff",    "sine_of",    "cosine_of", "sine_cosine", "sine_cosine_beyond"};
+constexpr std::array<std::string_view, 13> header_names{
+    "parameters", "is_regular",   "sign_of",      "smaller",     "larger",
+    "stumpff",    "sine_of",      "cosine_of",    "sine_cosine", "sine_cosine_beyond",
+    "columns",    "load_columns", "store_columns"};
 
 /// Whether `name` is that of the struct, the workspace or a part of the function.
 bool is_helper(const std::string& name, const Function& function) {
@@ -84,13 +85,17 @@ bool is_taken(const std::string& name, const Program& program) {
          std::any_of(program.functions.begin(), program.functions.end(), takes);
 }
 
+bool are_sines_in_line(const EmissionInput& input) {
+  return calls_sines(input.program) && has_sines_in_line(input.scene, c99_scalar(input.scene));
+}
+
 /// Section `sine_cosine`, which is there where sines are in line.
 TemplateData c99_sines(const EmissionInput& input) {
   const ScalarKind scalar = c99_scalar(input.scene);
-  const bool are_there = calls_sines(input.program) && has_sines_in_line(input.scene, scalar);
   const auto literal = [scalar](double value) { return c99_literal(exact_value(value), scalar); };
   const auto numbers = sine_numbers(input.scene.numerics, SinesOf::numbers, scalar);
-  return section_if(are_there, sine_data(numbers, scalar, literal, SineSpelling::values));
+  return section_if(are_sines_in_line(input),
+                    sine_data(numbers, scalar, literal, SineSpelling::values));
 }
 
 }  // namespace
@@ -103,6 +108,7 @@ std::string c99_header(const EmissionInput& input) {
   data.set("cosine_function", is_float ? "cosf" : "cos");
   data.set("hyperbolic_sine", is_float ? "sinhf" : "sinh");
   data.set("sine_cosine", c99_sines(input));
+  data.set("memory", section_if(are_sines_in_line(input) || has_loops(input.program)));
   data.set("digits", is_float ? "1e9" : "1e17");
   data.set("guard", capitals(input.scene.base_name));
   data.set("capitals", capitals(name_space(input.scene)));

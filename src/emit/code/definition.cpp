@@ -6,6 +6,8 @@
 //     detail::dynamics_part_1(result, w, p, q, v);
 //     …
 //     return result;
+//
+// Repetitions are a loop, in one of the parts.
 #include "emit/code/definition.hpp"
 
 #include <fmt/format.h>
@@ -45,17 +47,24 @@ class DefinitionWriter {
   DefinitionWriter(const Dialect& dialect, const Program& program, const Function& function,
                    Storage storage)
       : dialect_(dialect),
+        program_(program),
         function_(function),
         ordered_(stored(function, storage)),
+        loop_(column_loop(ordered_)),
         names_(local_names(dialect, program, ordered_)),
-        formulas_(program, ordered_, dialect, names_) {}
+        names_in_loop_(names_),
+        formulas_(program, ordered_, dialect, names_) {
+    for (std::uint32_t at = loop_.first; at < names_.size(); ++at) {
+      names_[at] = solved_name(loop_, ordered_, at);
+    }
+  }
 
   FunctionDefinition definition() {
-    const std::vector<Statement> all =
-        statements(ordered_, names_, dialect_.has_pairs() ? Pairing::joint : Pairing::separate);
-    // The values that parts share have one type.
+    const Pairing pairing = dialect_.has_pairs() ? Pairing::joint : Pairing::separate;
+    const std::vector<Statement> all = statements(ordered_, names_, pairing, loop_);
     if (all.size() <= longest_body || dialect_.inner() != nullptr) return {short_text(all)};
-    const Sections cut = sections(all, section_length);
+    Sections cut = sections(all, section_length);
+    if (loop_.count > 0) cut.crosses[loop_.first] = true;
     FunctionDefinition result;
     result.workspace = take_shared(cut.crosses);
     UsedNames passed_on;
@@ -71,9 +80,12 @@ class DefinitionWriter {
  private:
   [[nodiscard]] DefinitionText short_text(const std::vector<Statement>& all) const {
     std::string lines;
+    for (const std::string& array : arrays()) {
+      lines += fmt::format("  {} {};\n", dialect_.scalar(), array);
+    }
     FieldTexts entries(ordered_.fields.size());
     for (const Statement& statement : all) {
-      if (statement.is_entry) {
+      if (statement.is_entry && !is_given(statement)) {
         entries[statement.field].push_back(formulas_.entry(statement.instruction).text());
       } else {
         lines += named_value(statement, true);
@@ -86,11 +98,11 @@ class DefinitionWriter {
                 (returned.empty() ? assignments(dialect_, ordered_, entries) : returned)};
   }
 
-  /// A value that another part reads is assigned to the workspace, not declared.
+  /// A value that another part reads is assigned to the workspace, whose members have one type.
   [[nodiscard]] DefinitionText part_text(const Sections& cut, std::size_t part) const {
     std::string lines;
     for (const Statement& statement : cut.parts[part]) {
-      if (statement.is_entry) {
+      if (statement.is_entry && !is_given(statement)) {
         lines += assignment(dialect_.target(ordered_, statement.field, statement.index),
                             formulas_.entry(statement.instruction).text());
       } else {
@@ -104,6 +116,13 @@ class DefinitionWriter {
 
   [[nodiscard]] std::string named_value(const Statement& statement, bool is_declared) const {
     const std::uint32_t at = statement.instruction;
+    if (is_given(statement)) {
+      return assignment(fmt::format("{}[{}]", arrays_.given, statement.index),
+                        formulas_.entry(at).text());
+    }
+    if (is_loop(statement)) {
+      return column_lines(dialect_, program_, ordered_, loop_, names_in_loop_, arrays_);
+    }
     const std::string& name = names_[at];
     const bool is_inner = ordered_.instructions[at].is_inner && dialect_.inner() != nullptr;
     const Dialect& dialect = is_inner ? *dialect_.inner() : dialect_;
@@ -115,15 +134,37 @@ class DefinitionWriter {
     return dialect.pair(name, names_[*statement.cosine], angle, is_declared);
   }
 
-  /// The names of what crosses into other parts; it is spelt as shared from here on.
+  /// The names of what crosses into other parts; it is spelt as shared from here on. All that is of
+  /// the loop crosses.
   std::vector<std::string> take_shared(const std::vector<bool>& crosses) {
     std::vector<std::string> shared;
-    for (std::size_t at = 0; at < crosses.size(); ++at) {
+    for (std::size_t at = 0; at < std::min<std::size_t>(crosses.size(), loop_.first); ++at) {
       if (!crosses[at]) continue;
       shared.push_back(names_[at]);
-      names_[at] = dialect_.shared(names_[at]);
+      names_[at] = names_in_loop_[at] = dialect_.shared(names_[at]);
     }
+    for (std::size_t at = loop_.first; at < names_.size(); ++at) {
+      if (!names_[at].empty()) names_[at] = dialect_.shared(names_[at]);
+    }
+    const std::vector<std::string> of_loop = arrays();
+    shared.insert(shared.end(), of_loop.begin(), of_loop.end());
+    arrays_ = {dialect_.shared(arrays_.given), dialect_.shared(arrays_.solved)};
     return shared;
+  }
+
+  /// "given[60]", "solved[60]": the arrays of the loop, if there is one.
+  [[nodiscard]] std::vector<std::string> arrays() const {
+    if (loop_.count == 0) return {};
+    return {fmt::format("{}[{}]", arrays_.given, loop_.given.size()),
+            fmt::format("{}[{}]", arrays_.solved, loop_.solved.size() * loop_.count)};
+  }
+
+  [[nodiscard]] bool is_given(const Statement& statement) const {
+    return statement.is_entry && statement.field == ordered_.fields.size();
+  }
+
+  [[nodiscard]] bool is_loop(const Statement& statement) const {
+    return !statement.is_entry && statement.instruction == loop_.first;
   }
 
   /// `crosses`: see Sections; empty in a body of one part.
@@ -135,16 +176,20 @@ class DefinitionWriter {
       for (const std::uint32_t at : statement.written) use(ordered_.instructions[at], used);
       const bool is_written = !statement.is_entry && is_shared(statement.instruction);
       const bool is_read = std::any_of(statement.uses.begin(), statement.uses.end(), is_shared);
-      if (is_written || is_read) used.variables.insert("w");
-      if (statement.is_entry) used.variables.insert("result");
+      if (is_written || is_read || is_given(statement)) used.variables.insert("w");
+      if (statement.is_entry && !is_given(statement)) used.variables.insert("result");
     }
     return used;
   }
 
   const Dialect& dialect_;
+  const Program& program_;
   const Function& function_;
   const Function ordered_;
+  const ColumnLoop loop_;
   std::vector<std::string> names_;
+  std::vector<std::string> names_in_loop_;  ///< of the first column there
+  ColumnArrays arrays_ = {};
   const FunctionFormulas formulas_;
 };
 

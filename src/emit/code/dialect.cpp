@@ -4,10 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "emit/interface/code_interface.hpp"
 
 namespace elgen {
+namespace {
+
+constexpr std::array<std::string_view, 4> names_of_loops{"given", "solved", "first", "at"};
+
+}  // namespace
 
 Dialect::Dialect(const Model& model, const Program& program, std::string_view access)
     : Vocabulary(code_spelling),
@@ -40,8 +46,9 @@ std::string Dialect::temporary(const std::string& name) const {
   const bool is_argument = std::ranges::any_of(leaf_table(), [&](const LeafRow& leaf) {
     return leaf.symbol == name && is_passed(program_.leaves, leaf.id);
   });
-  const bool hides =
-      is_argument || name == "w" || name == "result" || is_function(name) || is_reserved(name);
+  const bool is_of_loop = std::ranges::count(names_of_loops, name) > 0;
+  const bool hides = is_argument || is_of_loop || name == "w" || name == "result" ||
+                     is_function(name) || is_reserved(name);
   return hides ? name + "_" : name;
 }
 

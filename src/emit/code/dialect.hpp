@@ -17,6 +17,14 @@ struct UsedNames {
   std::set<std::string_view> functions = {};  ///< of the library: "exp"
 };
 
+/// How a loop over columns is written.
+struct ColumnWords {
+  std::string opening = {};  ///< its first lines; `at` is the first of the columns of a pass
+  std::string value = {};    ///< "const double": the declaration of a value without its name
+  std::string load = {};     ///< takes the place of the first of some numbers, and gives a value
+  std::string store = {};    ///< takes a value and such a place
+};
+
 /// The entries of each field, row-major.
 using FieldTexts = std::vector<std::vector<std::string>>;
 
@@ -49,6 +57,12 @@ class Dialect : public Vocabulary {
 
   /// "const Scalar x": the declaration of a temporary, without its value.
   [[nodiscard]] virtual std::string declaration(const std::string& name) const = 0;
+
+  /// "double": the type of numbers.
+  [[nodiscard]] virtual std::string_view scalar() const = 0;
+
+  /// A loop over so many columns.
+  [[nodiscard]] virtual ColumnWords columns(std::uint32_t count) const = 0;
 
   /// "result.gravity[1]": where an entry is written, when it is not returned at once.
   [[nodiscard]] virtual std::string target(const Function& function, std::uint32_t field,

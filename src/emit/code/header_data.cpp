@@ -123,6 +123,11 @@ void set_regular(TemplateData& data, const EmissionInput& input) {
   data.set("regular", section_if(gives_pivots(input.program)));
 }
 
+bool has_loops(const Program& program) {
+  return std::ranges::any_of(program.functions,
+                             [](const Function& function) { return function.repeated.count > 0; });
+}
+
 TemplateData header_data(const EmissionInput& input, const Dialect& dialect) {
   TemplateData data = stamp_data(input);
   set_counts(data, input);
@@ -131,6 +136,7 @@ TemplateData header_data(const EmissionInput& input, const Dialect& dialect) {
   const auto has = [&input](FunctionId function) { return calls(input.program, function); };
   const bool has_kinks = has(FunctionId::sign) || has(FunctionId::min) || has(FunctionId::max);
   data.set("kinks", section_if(has_kinks));
+  data.set("columns", section_if(has_loops(input.program)));
   data.set("stumpff", section_if(has(FunctionId::stumpff)));
   data.set("hyperbolic", section_if(has_negative_order(input.program)));
   data.set("functions", functions(input, dialect));

@@ -18,7 +18,10 @@ namespace elgen {
 /// Section `regular`, which is there where pivots are.
 void set_regular(TemplateData& data, const EmissionInput& input);
 
-/// Section `kinks` is there where sign, min or max are.
+/// Whether a function has a loop over columns.
+[[nodiscard]] bool has_loops(const Program& program);
+
+/// Sections `kinks` and `columns` are there where sign, min or max, and where loops are.
 [[nodiscard]] TemplateData header_data(const EmissionInput& input, const Dialect& dialect);
 
 /// " step is left out: it has more than 4096 entries."

@@ -12,11 +12,18 @@ namespace {
 void collect(const Function& function, const std::vector<std::string>& names, std::uint32_t at,
              Statement& statement) {
   const bool is_definition = !statement.is_entry && at == statement.instruction;
-  if (!names[at].empty() && !is_definition) return statement.uses.push_back(at);
+  const auto first = static_cast<std::uint32_t>(first_repeated(function));
+  if (!names[at].empty() && !is_definition) return statement.uses.push_back(std::min(at, first));
   statement.written.push_back(at);
   const Instruction& i = function.instructions[at];
   if (operand_count(i) > 0) collect(function, names, i.a, statement);
   if (operand_count(i) > 1) collect(function, names, i.b, statement);
+}
+
+void sort_uses(Statement& statement) {
+  std::vector<std::uint32_t>& uses = statement.uses;
+  std::sort(uses.begin(), uses.end());
+  uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
 }
 
 /// The text of a sine and a cosine is their angle.
@@ -24,10 +31,21 @@ Statement completed(const Function& function, const std::vector<std::string>& na
                     Statement statement) {
   const std::uint32_t at = statement.instruction;
   collect(function, names, statement.cosine ? function.instructions[at].a : at, statement);
-  std::vector<std::uint32_t>& uses = statement.uses;
-  std::sort(uses.begin(), uses.end());
-  uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
+  sort_uses(statement);
   return statement;
+}
+
+/// The numbers that are given to the loop, and the loop.
+void add_loop(const Function& function, const std::vector<std::string>& names,
+              const ColumnLoop& loop, std::vector<Statement>& all) {
+  const auto field = static_cast<std::uint32_t>(function.fields.size());
+  for (std::uint32_t index = 0; index < loop.given.size(); ++index) {
+    all.push_back(completed(function, names, {loop.given[index], {}, {}, true, field, index}));
+  }
+  Statement statement{.instruction = loop.first};
+  for (const std::uint32_t at : loop.shared) collect(function, names, at, statement);
+  sort_uses(statement);
+  all.push_back(std::move(statement));
 }
 
 /// Instructions are numbered in the order of evaluation.
@@ -76,9 +94,9 @@ std::vector<bool> crossing(const Sections& cut) {
 }  // namespace
 
 std::vector<Statement> statements(const Function& function, const std::vector<std::string>& names,
-                                  Pairing pairing) {
+                                  Pairing pairing, const ColumnLoop& loop) {
   std::vector<Statement> all;
-  for (std::uint32_t at = 0; at < names.size(); ++at) {
+  for (std::uint32_t at = 0; at < first_repeated(function); ++at) {
     if (names[at].empty()) continue;
     Statement statement{.instruction = at};
     if (pairing == Pairing::joint && is_sine_with_cosine(function, at)) {
@@ -86,6 +104,7 @@ std::vector<Statement> statements(const Function& function, const std::vector<st
     }
     all.push_back(completed(function, names, std::move(statement)));
   }
+  if (loop.count > 0) add_loop(function, names, loop, all);
   for (std::uint32_t field = 0; field < function.fields.size(); ++field) {
     const std::vector<std::uint32_t>& entries = function.fields[field].entries;
     for (std::uint32_t index = 0; index < entries.size(); ++index) {

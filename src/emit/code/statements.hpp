@@ -13,10 +13,13 @@
 #include <vector>
 
 #include "elgen/program.hpp"
+#include "emit/code/column_loop.hpp"
 
 namespace elgen {
 
-/// A named value, the sine and cosine of an angle, or an entry of a field.
+/// A named value, the sine and cosine of an angle, an entry of a field, or a number that is given
+/// to the loop over columns, as an entry of one field more; or the loop, as a named value of the
+/// first instruction in it.
 struct Statement {
   std::uint32_t instruction = 0;
   std::vector<std::uint32_t> uses = {};     ///< named instructions, ascending, each once
@@ -30,10 +33,11 @@ struct Statement {
 /// Whether one statement computes the sine and the cosine of an angle, where both are needed.
 enum class Pairing : std::uint8_t { joint, separate };
 
-/// `names`: of each instruction, empty where it is written out.
+/// `names`: of each instruction, empty where it is written out. An entry that the loop computes
+/// uses its first instruction.
 [[nodiscard]] std::vector<Statement> statements(const Function& function,
                                                 const std::vector<std::string>& names,
-                                                Pairing pairing);
+                                                Pairing pairing, const ColumnLoop& loop = {});
 
 /// A long body in parts of bounded length, for compilers whose time grows faster than the length of
 /// a function.

@@ -75,6 +75,15 @@ std::string both(const std::string& sine, const std::string& cosine, bool is_dec
                      : fmt::format("std::tie({}, {})", sine, cosine);
 }
 
+ColumnWords column_words(std::string_view scope, std::uint32_t count) {
+  return {fmt::format("  using Columns = {0}detail::Columns<Scalar>;\n"
+                      "  for (std::size_t first = 0; first < {1}; first += Columns::size) {{\n"
+                      "    const std::size_t at = first + Columns::size < {1} ? first : {1} - "
+                      "Columns::size;\n",
+                      scope, count),
+          "const typename Columns::Value", "Columns::load", "Columns::store"};
+}
+
 class CppDialect : public Dialect {
  public:
   CppDialect(const Model& model, const Program& program) : Dialect(model, program, ".") {}
@@ -87,6 +96,8 @@ class CppDialect : public Dialect {
     return {(is_negative ? "-" : "") + magnitude, is_negative ? Binding::negation : Binding::atom};
   }
 
+  std::string_view scalar() const override { return "Scalar"; }
+
   std::string declaration(const std::string& name) const override {
     return fmt::format("const {} {}", scalar(), name);
   }
@@ -96,6 +107,8 @@ class CppDialect : public Dialect {
     const std::string name = fmt::format("{}detail::SineCosine<{}>::of", scope(), scalar());
     return assignment(both(sine, cosine, is_declared), called(name, {angle}).text());
   }
+
+  ColumnWords columns(std::uint32_t count) const override { return column_words(scope(), count); }
 
   std::string target(const Function& function, std::uint32_t at,
                      std::uint32_t index) const override {
@@ -179,9 +192,6 @@ class CppDialect : public Dialect {
     if (gives_struct(function)) return camel_case(function.name) + "<Scalar>";
     return type_of_field(function.kind, function.fields.front());
   }
-
-  /// The type of values.
-  virtual std::string_view scalar() const { return "Scalar"; }
 
   /// In front of `detail::` of the header.
   virtual std::string_view scope() const { return ""; }

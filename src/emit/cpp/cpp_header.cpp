@@ -159,6 +159,7 @@ std::string cpp_header(const EmissionInput& input) {
   data.set("filled", section_if(has_filled_array(input.model, parameters)));
   data.set("numbers", numbers(input.program));
   data.set("sine_cosine", section_if(calls_sines(input.program), sines_in_line(input)));
+  data.set("memory", section_if(calls_sines(input.program) || has_loops(input.program)));
   data.set("parameters",
            lines_data(documented_members(declared_parameters(input.model, parameters))));
   return header_text("cpp/header.hpp.mustache", data);

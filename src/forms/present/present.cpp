@@ -56,7 +56,10 @@ void present_functions(const Program& program, const PresentBudget& budget, Clos
     if (output_row(function.kind).repeats) continue;
     const std::size_t share = std::min(left, budget_of(function, budget));
     Arithmetic arithmetic(forms.algebra, share, budget.terms);
-    const std::vector<Value> values = values_of(arithmetic, function);
+    // The closed form of what is repeated would be one of M^-1.
+    const bool is_open = function.repeated.count > 0;
+    const std::vector<Value> values = is_open ? std::vector<Value>(function.instructions.size())
+                                              : values_of(arithmetic, function);
     for (const Field& field : function.fields) {
       ClosedField& entries = closed.fields.emplace_back(ClosedField{field.name, {}});
       for (const std::uint32_t entry : field.entries) entries.entries.push_back(values[entry]);

@@ -19,11 +19,14 @@ class Instructions {
   std::uint32_t add(const Instruction& instruction) {
     const auto next = static_cast<std::uint32_t>(function_.instructions.size());
     const auto [known, is_new] = known_.emplace(instruction, next);
-    if (is_new) {
-      function_.instructions.push_back(instruction);
-      function_.names.emplace_back();
-    }
-    return known->second;
+    return is_new ? append(instruction) : known->second;
+  }
+
+  /// Behind all others, even where its value is there.
+  std::uint32_t append(const Instruction& instruction) {
+    function_.instructions.push_back(instruction);
+    function_.names.emplace_back();
+    return static_cast<std::uint32_t>(function_.instructions.size() - 1);
   }
 
   std::uint32_t add(Opcode opcode, std::uint32_t a, std::uint32_t b = 0) {

@@ -113,6 +113,7 @@ class Linearising {
 Function unfilled(const Function& function) {
   Function result{.kind = function.kind, .user = function.user, .name = function.name};
   result.sampled_zeros = function.sampled_zeros;
+  result.elimination = function.elimination;
   std::uint32_t next = 0;
   for (const Field& field : function.fields) {
     Field& copy = result.fields.emplace_back(field);

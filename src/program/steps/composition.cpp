@@ -6,11 +6,23 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "elgen/leaf_names.hpp"
 #include "model/elimination.hpp"
 
 namespace elgen {
+namespace {
+
+/// Code of fewer columns is as fast without a loop: a register of vectors holds up to 16 numbers.
+constexpr std::size_t least_columns = 16;
+
+/// value - x y
+std::uint32_t less(Composition& compose, std::uint32_t value, std::uint32_t x, std::uint32_t y) {
+  return compose.add(Opcode::subtract, value, compose.add(Opcode::multiply, x, y));
+}
+
+}  // namespace
 
 std::uint32_t Composition::leaf(Opcode kind, std::uint32_t number) {
   return instructions_.add(Instruction{.opcode = kind, .a = number});
@@ -91,6 +103,7 @@ std::uint32_t Composition::leaf_at(const Instruction& leaf, const CallPoint& at)
   if (leaf.opcode == Opcode::coordinate) return at.q[leaf.a];
   if (leaf.opcode == Opcode::velocity) return at.v[leaf.a];
   if (leaf.opcode == Opcode::time) return at.t;
+  if (leaf.opcode == Opcode::acceleration) return at.a[leaf.a];
   return instructions_.add(leaf);
 }
 
@@ -132,17 +145,76 @@ void Composition::name(const Places& values, Opcode kind, std::uint32_t number) 
   }
 }
 
-Factorised::Factorised(Composition& compose, const Model& model, const Places& mass)
-    : compose_(compose), order_(model.velocities.size()) {
+void Composition::name(const Places& values, const std::string& prefix) {
+  for (std::uint32_t i = 0; i < values.size(); ++i) {
+    std::string& name = function_.names[values[i]];
+    if (operand_count(function_.instructions[values[i]]) == 0 || !name.empty()) continue;
+    name = prefix + identifier_of(leaf_of(program_.leaves, Opcode::velocity, i));
+  }
+}
+
+std::vector<std::size_t> Composition::long_columns(const std::vector<Places>& columns,
+                                                   const Body& body, std::size_t length) const {
+  Function straight = function_;
+  Composition trial(program_, straight);
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const std::size_t before = straight.instructions.size();
+    (void)body(trial, columns[i]);
+    if (2 * (straight.instructions.size() - before) > length) result.push_back(i);
+  }
+  if (result.size() < least_columns) result.clear();
+  return result;
+}
+
+/// The body is composed once, on leaves that no function has, in a copy of the function.
+std::vector<Places> Composition::repeat(const std::vector<Places>& columns, const Body& body) {
+  Function pattern = function_;
+  Composition trial(program_, pattern);
+  const auto first = static_cast<std::uint32_t>(pattern.instructions.size());
+  const std::size_t rows = columns.empty() ? 0 : columns.front().size();
+  const Places inner = body(trial, trial.leaves(Opcode::energy, rows));
+  const auto begin = static_cast<std::uint32_t>(first + rows);
+  const auto end = static_cast<std::uint32_t>(pattern.instructions.size());
+  const std::vector<std::size_t> repeated = long_columns(columns, body, end - begin);
+  std::vector<Places> results(columns.size());
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (!std::ranges::binary_search(repeated, i)) results[i] = body(*this, columns[i]);
+  }
+  for (const std::size_t i : repeated) {
+    Places places(end);
+    std::iota(places.begin(), places.begin() + first, 0U);
+    std::ranges::copy(columns[i], places.begin() + first);
+    const std::string suffix = i == repeated.front() ? "" : fmt::format("_{}", i + 1);
+    for (std::uint32_t at = begin; at < end; ++at) {
+      places[at] = instructions_.append(with_operands(pattern.instructions[at], places));
+      const std::string& name = pattern.names[at];
+      if (!name.empty()) function_.names[places[at]] = name + suffix;
+    }
+    for (const std::uint32_t place : inner) results[i].push_back(places[place]);
+  }
+  if (!repeated.empty()) {
+    function_.repeated = {end - begin, static_cast<std::uint32_t>(repeated.size())};
+  }
+  return results;
+}
+
+Places order_of_elimination(const Model& model) {
+  Places order(model.velocities.size());
+  std::iota(order.begin(), order.end(), 0U);
+  if (eliminates_last_first(model)) std::reverse(order.begin(), order.end());
+  return order;
+}
+
+Factorised::Factorised(Composition& compose, Places order, const Places& mass)
+    : compose_(compose), order_(std::move(order)) {
   const std::size_t n = order_.size();
-  std::iota(order_.begin(), order_.end(), 0U);
-  if (eliminates_last_first(model)) std::reverse(order_.begin(), order_.end());
   lower_.resize(n);
   std::vector<Places> unscaled(n);  // W = L D
   for (std::size_t j = 0; j < n; ++j) {
     for (std::size_t i = j; i < n; ++i) {
       std::uint32_t w = mass[order_[i] * n + order_[j]];
-      for (std::size_t k = 0; k < j; ++k) w = less(w, lower_[j][k], unscaled[i][k]);
+      for (std::size_t k = 0; k < j; ++k) w = less(compose_, w, lower_[j][k], unscaled[i][k]);
       unscaled[i].push_back(w);
       if (i == j) reciprocals_.push_back(compose_.add(Opcode::divide, compose_.number(1), w));
       if (i > j) lower_[i].push_back(compose_.add(Opcode::multiply, w, reciprocals_[j]));
@@ -150,26 +222,37 @@ Factorised::Factorised(Composition& compose, const Model& model, const Places& m
   }
 }
 
-/// value - x y
-std::uint32_t Factorised::less(std::uint32_t value, std::uint32_t x, std::uint32_t y) {
-  return compose_.add(Opcode::subtract, value, compose_.add(Opcode::multiply, x, y));
+/// L^-1 r, by row.
+Places Factorised::reduced(Composition& compose, const Places& r) const {
+  Places z = r;
+  for (std::size_t i = 0; i < order_.size(); ++i) {
+    std::uint32_t& value = z[order_[i]];
+    for (std::size_t k = 0; k < i; ++k) value = less(compose, value, lower_[i][k], z[order_[k]]);
+  }
+  return z;
 }
 
-Places Factorised::solve(const Places& r) {
+/// L^-T D^-1 z, by row.
+Places Factorised::substituted(Composition& compose, const Places& z) const {
   const std::size_t n = order_.size();
-  Places z;
-  for (std::size_t i = 0; i < n; ++i) {
-    std::uint32_t value = r[order_[i]];
-    for (std::size_t k = 0; k < i; ++k) value = less(value, lower_[i][k], z[k]);
-    z.push_back(value);
-  }
   Places x(n);
   for (std::size_t i = n; i-- > 0;) {
-    std::uint32_t value = compose_.add(Opcode::multiply, z[i], reciprocals_[i]);
-    for (std::size_t k = i + 1; k < n; ++k) value = less(value, lower_[k][i], x[order_[k]]);
+    std::uint32_t value = compose.add(Opcode::multiply, z[order_[i]], reciprocals_[i]);
+    for (std::size_t k = i + 1; k < n; ++k)
+      value = less(compose, value, lower_[k][i], x[order_[k]]);
     x[order_[i]] = value;
   }
   return x;
+}
+
+std::vector<Places> Factorised::solve_columns(const std::vector<Places>& columns) const {
+  return compose_.repeat(columns, [this](Composition& compose, const Places& r) {
+    const Places z = reduced(compose, r);
+    compose.name(z, "reduced_");
+    Places x = substituted(compose, z);
+    compose.name(x, "response_");
+    return x;
+  });
 }
 
 }  // namespace elgen

@@ -6,7 +6,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "elgen/model.hpp"
@@ -18,12 +20,14 @@ namespace elgen {
 /// Numbers of instructions.
 using Places = std::vector<std::uint32_t>;
 
-/// The arguments q, v and t of a call. Parameters and u are the caller's.
+/// The arguments q, v, t and, where the callee takes it, a of a call. Parameters and u are the
+/// caller's.
 struct CallPoint {
   Places q = {};
   Places v = {};
   std::uint32_t t = 0;
   std::uint32_t number = 1;  ///< of the call: part of the names from the second on
+  Places a = {};
 };
 
 class Composition {
@@ -48,8 +52,19 @@ class Composition {
   [[nodiscard]] Places call(const Program& from, const Function& callee, const Field& field,
                             const CallPoint& at, bool is_inner = false);
 
+  using Body = std::function<Places(Composition&, const Places&)>;
+  /// The values that `body` makes of each of the columns. Columns that have few zeros are the
+  /// repetitions of the function, which compute with these, and nothing is added behind them; all
+  /// others are composed one by one: those that take at most half of the operations so, or all
+  /// where few are left.
+  ///
+  ///     r -> r/d   of   (0 = q), (1 = v)   ->   3 = divide 0 2   4 = divide 1 2
+  [[nodiscard]] std::vector<Places> repeat(const std::vector<Places>& columns, const Body& body);
+
   /// Calls values "theta_2" that are computed and have no name yet.
   void name(const Places& values, Opcode kind, std::uint32_t number);
+  /// Calls them "reduced_theta", likewise.
+  void name(const Places& values, const std::string& prefix);
 
  private:
   [[nodiscard]] std::uint32_t leaf_at(const Instruction& leaf, const CallPoint& at);
@@ -57,6 +72,10 @@ class Composition {
   [[nodiscard]] bool is_zero(std::uint32_t place) const;
   [[nodiscard]] bool is_one(std::uint32_t place) const;
   [[nodiscard]] std::uint32_t add(const Instruction& instruction);
+  /// The columns for which the body takes more than half of so many instructions; none where they
+  /// are few.
+  [[nodiscard]] std::vector<std::size_t> long_columns(const std::vector<Places>& columns,
+                                                      const Body& body, std::size_t length) const;
 
   Program& program_;
   Function& function_;
@@ -72,19 +91,29 @@ class Composition {
 /// zeros stay (derive/lagrangian/symmetric_solve.hpp has the same on formulas).
 class Factorised {
  public:
-  /// `mass`: n x n, row-major, of `model`. Without pivoting: M is positive definite.
-  Factorised(Composition& compose, const Model& model, const Places& mass);
+  /// `mass`: n x n, row-major. `order`: its rows as they are eliminated. Without pivoting: M is
+  /// positive definite.
+  Factorised(Composition& compose, Places order, const Places& mass);
 
   /// x with M x = r.
-  [[nodiscard]] Places solve(const Places& r);
+  [[nodiscard]] Places solve(const Places& r) const {
+    return substituted(compose_, reduced(compose_, r));
+  }
+
+  /// The same of each column r (Composition::repeat).
+  [[nodiscard]] std::vector<Places> solve_columns(const std::vector<Places>& columns) const;
 
  private:
-  [[nodiscard]] std::uint32_t less(std::uint32_t value, std::uint32_t x, std::uint32_t y);
+  [[nodiscard]] Places reduced(Composition& compose, const Places& r) const;
+  [[nodiscard]] Places substituted(Composition& compose, const Places& z) const;
 
   Composition& compose_;
-  Places order_ = {};               ///< rows of M as they are eliminated
+  Places order_;
   std::vector<Places> lower_ = {};  ///< L below its diagonal, by order
   Places reciprocals_ = {};         ///< 1 / D
 };
+
+/// The velocities of a model in that order.
+[[nodiscard]] Places order_of_elimination(const Model& model);
 
 }  // namespace elgen

@@ -77,7 +77,8 @@ class Midpoint {
 
   /// M^-1 (p - b) at a point, whatever its v.
   Places velocities(CallPoint at, const Places& p) {
-    Factorised mass(compose_, step_.model, part(OutputKind::mass_matrix, at));
+    const Factorised mass(compose_, order_of_elimination(step_.model),
+                          part(OutputKind::mass_matrix, at));
     at.v.assign(p.size(), compose_.number(0));
     return mass.solve(compose_.add(Opcode::subtract, p, part(OutputKind::momentum, at)));
   }

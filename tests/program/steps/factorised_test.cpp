@@ -30,7 +30,8 @@ class Solved {
       all.push_back(numbers_[i] == 0 ? compose.number(0) : compose.leaf(Opcode::parameter, i));
     }
     const auto middle = all.begin() + static_cast<std::ptrdiff_t>(n * n);
-    Places x = Factorised(compose, model, {all.begin(), middle}).solve({middle, all.end()});
+    const Factorised mass(compose, order_of_elimination(model), {all.begin(), middle});
+    Places x = mass.solve({middle, all.end()});
     function.fields = {{"", static_cast<std::uint32_t>(n), 1, std::move(x)}};
     program_.functions.push_back(std::move(function));
   }
@@ -81,6 +82,75 @@ TEST_CASE("a diagonal matrix is divided by") {
   const Solved diagonal(model_of(2, false), {2, 0, 0, 4, 6, 6}, 2);
   CHECK(diagonal.x() == std::vector<double>{3, 1.5});
   CHECK(diagonal.counts() == OperationCounts{.mul = 2, .div = 2});
+}
+
+namespace {
+
+/// M^-1 of columns of numbers from -2 to 6, which are parameters; M has 4, 5, 6 on its diagonal.
+struct Columns {
+  Columns(const std::vector<std::vector<int>>& columns, int coupling) {
+    for (int i = -2; i <= 6; ++i) numbers.push_back(i);
+    program.leaves.parameters.resize(numbers.size(), "m");
+    program.leaves.v = {"x", "y", "z"};
+    Function function{.kind = OutputKind::bias, .name = "bias"};
+    Composition compose(program, function);
+    const auto place = [&](int number) {
+      return number == 0 ? compose.number(0)
+                         : compose.leaf(Opcode::parameter, static_cast<std::uint32_t>(number + 2));
+    };
+    Places mass;
+    for (const int entry : {4, coupling, coupling, coupling, 5, coupling, coupling, coupling, 6})
+      mass.push_back(place(entry));
+    std::vector<Places> right;
+    for (const std::vector<int>& column : columns) {
+      Places& places = right.emplace_back();
+      for (const int entry : column) places.push_back(place(entry));
+    }
+    const Factorised factors(compose, {2, 1, 0}, mass);
+    Places entries;
+    for (const Places& x : factors.solve_columns(right)) {
+      entries.insert(entries.end(), x.begin(), x.end());
+    }
+    function.fields = {{"", static_cast<std::uint32_t>(columns.size()), 3, std::move(entries)}};
+    program.functions.push_back(pruned(function));
+  }
+
+  [[nodiscard]] std::uint32_t repetitions() const { return program.functions[0].repeated.count; }
+
+  std::vector<double> numbers = {};
+  Program program = {};
+};
+
+std::vector<std::vector<int>> columns_of(int count) {
+  std::vector<std::vector<int>> columns;
+  for (int i = 0; i < count; ++i) columns.push_back({i % 7 - 2, 5 * i % 9 - 2, i % 5 - 1});
+  return columns;
+}
+
+}  // namespace
+
+TEST_CASE("many columns are repetitions, whatever is 0 in some") {
+  CHECK(Columns(columns_of(15), 1).repetitions() == 0);
+  std::vector<std::vector<int>> right = columns_of(20);
+  right.insert(right.begin() + 4, {0, 0, 0});
+  const Columns many(right, 1);
+  CHECK(many.repetitions() == 20);
+  CHECK(check_invariants(many.program) == "");
+  Arguments<double> at;
+  at.parameters = many.numbers;
+  const std::vector<double> x = evaluate(many.program, many.program.functions[0], at);
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    const double* const y = &x[3 * i];
+    CHECK(4 * y[0] + y[1] + y[2] == Approx(right[i][0]).margin(1e-14));
+    CHECK(y[0] + 5 * y[1] + y[2] == Approx(right[i][1]).margin(1e-14));
+    CHECK(y[0] + y[1] + 6 * y[2] == Approx(right[i][2]).margin(1e-14));
+  }
+}
+
+TEST_CASE("columns of zeros but one entry are straight lines under a diagonal M") {
+  std::vector<std::vector<int>> columns;
+  for (int i = 0; i < 18; ++i) columns.push_back({i % 3 == 0, i % 3 == 1, i % 3 == 2});
+  CHECK(Columns(columns, 0).repetitions() == 0);
 }
 
 }  // namespace elgen::test

@@ -1,0 +1,163 @@
+// column_loop: operands are compared over all columns; the body is a function of its own, whose
+// operands from before it stand by their names, by what they are, or as loads.
+#include "emit/code/column_loop.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "emit/text/layout.hpp"
+
+namespace elgen {
+namespace {
+
+using Places = std::vector<std::uint32_t>;
+
+/// The operand of every column: `slot` 0 is a, 1 is b.
+Places operands(const Function& function, std::uint32_t at, std::size_t slot) {
+  Places all;
+  for (std::size_t i = at; i < function.instructions.size(); i += function.repeated.length) {
+    const Instruction& instruction = function.instructions[i];
+    all.push_back(slot == 0 ? instruction.a : instruction.b);
+  }
+  return all;
+}
+
+bool are_alike(const Places& places) {
+  return std::ranges::all_of(places, [&](std::uint32_t at) { return at == places.front(); });
+}
+
+void add_once(Places& places, std::uint32_t at) {
+  if (std::ranges::find(places, at) == places.end()) places.push_back(at);
+}
+
+/// " + 60", the start of a row; nothing for the first one.
+std::string start_of(std::size_t row, std::uint32_t count) {
+  return row == 0 ? "" : fmt::format(" + {}", row * count);
+}
+
+class LoopBody {
+ public:
+  LoopBody(const Dialect& dialect, const Program& program, const Function& function,
+           const ColumnLoop& loop, const std::vector<std::string>& names)
+      : function_(function),
+        loop_(loop),
+        outer_names_(names),
+        words_(dialect.columns(loop.count)),
+        formulas_(program, body_, dialect, names_) {}
+
+  std::string lines(const ColumnArrays& arrays) {
+    std::string text = words_.opening;
+    for (std::uint32_t at = loop_.first; at < loop_.first + function_.repeated.length; ++at) {
+      const std::size_t row = row_of(loop_.solved, at);
+      const bool is_stored = row < loop_.solved.size();
+      std::string name = outer_names_[at];
+      if (is_stored && name.empty()) name = fmt::format("solved_{}", row + 1);
+      const std::uint32_t place = add(in_body(at, arrays), name);
+      inner_.push_back(place);
+      if (name.empty()) continue;
+      text += assignment(fmt::format("  {} {}", words_.value, name),
+                         formulas_.definition(place).text());
+      if (!is_stored) continue;
+      text += fmt::format("    {}({}, {}{} + at);\n", words_.store, name, arrays.solved,
+                          start_of(row, loop_.count));
+    }
+    return text + "  }\n";
+  }
+
+ private:
+  static std::size_t row_of(const Places& rows, std::uint32_t at) {
+    return static_cast<std::size_t>(std::ranges::find(rows, at) - rows.begin());
+  }
+
+  std::uint32_t add(const Instruction& instruction, std::string name) {
+    body_.instructions.push_back(instruction);
+    names_.push_back(std::move(name));
+    return static_cast<std::uint32_t>(names_.size() - 1);
+  }
+
+  Instruction in_body(std::uint32_t at, const ColumnArrays& arrays) {
+    Instruction instruction = function_.instructions[at];
+    const std::size_t count = operand_count(instruction);
+    if (count > 0) instruction.a = operand(at, 0, arrays);
+    if (count > 1) instruction.b = operand(at, 1, arrays);
+    return instruction;
+  }
+
+  std::uint32_t operand(std::uint32_t at, std::size_t slot, const ColumnArrays& arrays) {
+    const Places all = operands(function_, at, slot);
+    if (all.front() >= loop_.first) return inner_[all.front() - loop_.first];
+    if (are_alike(all)) return shared(all.front());
+    const auto count = static_cast<std::ptrdiff_t>(loop_.count);
+    auto row = loop_.given.begin();
+    while (!std::equal(all.begin(), all.end(), row)) row += count;
+    const auto start = static_cast<std::size_t>(row - loop_.given.begin());
+    return add({}, fmt::format("{}({}{} + at)", words_.load, arrays.given,
+                               start_of(start / loop_.count, loop_.count)));
+  }
+
+  /// By its name, or written out.
+  std::uint32_t shared(std::uint32_t at) {
+    const auto known = shared_.find(at);
+    if (known != shared_.end()) return known->second;
+    Instruction instruction = function_.instructions[at];
+    const bool is_named = !outer_names_[at].empty();
+    const std::size_t count = is_named ? 0 : operand_count(instruction);
+    if (count > 0) instruction.a = shared(instruction.a);
+    if (count > 1) instruction.b = shared(instruction.b);
+    return shared_[at] = add(is_named ? Instruction{} : instruction, outer_names_[at]);
+  }
+
+  const Function& function_;
+  const ColumnLoop& loop_;
+  const std::vector<std::string>& outer_names_;
+  const ColumnWords words_;
+  Function body_ = {};
+  std::vector<std::string> names_ = {};  ///< of its instructions
+  Places inner_ = {};                    ///< those of the first column in the body
+  std::map<std::uint32_t, std::uint32_t> shared_ = {};
+  const FunctionFormulas formulas_;
+};
+
+}  // namespace
+
+ColumnLoop column_loop(const Function& function) {
+  ColumnLoop loop{.first = static_cast<std::uint32_t>(first_repeated(function)),
+                  .count = function.repeated.count};
+  std::set<Places> known;
+  for (std::uint32_t at = loop.first; at < loop.first + function.repeated.length; ++at) {
+    for (std::size_t slot = 0; slot < operand_count(function.instructions[at]); ++slot) {
+      const Places all = operands(function, at, slot);
+      if (all.front() >= loop.first || !known.insert(all).second) continue;
+      if (are_alike(all)) {
+        loop.shared.push_back(all.front());
+      } else {
+        loop.given.insert(loop.given.end(), all.begin(), all.end());
+      }
+    }
+  }
+  for (const std::uint32_t entry : entries_of(function)) {
+    if (entry < loop.first) continue;
+    add_once(loop.solved, loop.first + (entry - loop.first) % function.repeated.length);
+  }
+  return loop;
+}
+
+std::string solved_name(const ColumnLoop& loop, const Function& function, std::uint32_t at) {
+  const std::uint32_t length = function.repeated.length;
+  const std::uint32_t inside = at - loop.first;
+  const auto row = std::ranges::find(loop.solved, loop.first + inside % length);
+  if (row == loop.solved.end()) return {};
+  return fmt::format("solved[{}]", (row - loop.solved.begin()) * loop.count + inside / length);
+}
+
+std::string column_lines(const Dialect& dialect, const Program& program, const Function& function,
+                         const ColumnLoop& loop, const std::vector<std::string>& names,
+                         const ColumnArrays& arrays) {
+  return LoopBody(dialect, program, function, loop, names).lines(arrays);
+}
+
+}  // namespace elgen

@@ -1,0 +1,141 @@
+// composed: two calls of the parts, M and forces first, then the derivatives at the accelerations.
+#include "elgen/compose.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <numeric>
+#include <utility>
+
+#include "program/steps/composition.hpp"
+
+namespace elgen {
+namespace {
+
+/// A matrix of values, row-major.
+struct ValueMatrix {
+  Places entries = {};
+  std::size_t columns = 0;
+};
+
+Places row_of(const ValueMatrix& matrix, std::size_t row) {
+  const auto begin = matrix.entries.begin() + static_cast<std::ptrdiff_t>(row * matrix.columns);
+  return {begin, begin + static_cast<std::ptrdiff_t>(matrix.columns)};
+}
+
+class Derivatives {
+ public:
+  /// `parts` outlives it, and is no function of the program.
+  Derivatives(Program& program, const Function& parts)
+      : program_(program),
+        parts_(parts),
+        function_{.kind = parts.kind, .user = parts.user, .name = parts.name},
+        compose_(program, function_) {}
+
+  Function operator()() {
+    const LeafNames& leaves = program_.leaves;
+    CallPoint at{.q = compose_.leaves(Opcode::coordinate, leaves.q.size()),
+                 .v = compose_.leaves(Opcode::velocity, leaves.v.size())};
+    if (leaves.uses_time) at.t = compose_.leaf(Opcode::time);
+    const std::vector<ValueMatrix> dynamics = called({mass_part, force_part}, at);
+    const Factorised mass(compose_, parts_.elimination, dynamics[0].entries);
+    at.a = mass.solve(dynamics[1].entries);
+    compose_.name(at.a, "acceleration_");
+    const std::vector<ValueMatrix> rates = called({rate_part}, at);
+    write(responses(mass, called({position_part, velocity_part, input_part}, at)), rates);
+    if (!parts_.sampled_zeros.empty()) {
+      function_.sampled_zeros.resize(entry_count(function_));
+      std::iota(function_.sampled_zeros.begin(), function_.sampled_zeros.end(), 0U);
+    }
+    return pruned(function_);
+  }
+
+ private:
+  /// The parts of these names that are there, by one call.
+  std::vector<ValueMatrix> called(const std::vector<std::string_view>& names, const CallPoint& at) {
+    Field all;
+    std::vector<ValueMatrix> result;
+    for (const std::string_view name : names) {
+      const auto field = std::ranges::find(parts_.fields, name, &Field::name);
+      if (field == parts_.fields.end()) continue;
+      all.entries.insert(all.entries.end(), field->entries.begin(), field->entries.end());
+      result.push_back({Places(field->entries.size()), field->columns});
+    }
+    if (result.empty()) return result;
+    const Places values = compose_.call(program_, parts_, all, at);
+    auto next = values.begin();
+    for (ValueMatrix& matrix : result) {
+      const auto end = next + static_cast<std::ptrdiff_t>(matrix.entries.size());
+      matrix.entries.assign(std::exchange(next, end), end);
+    }
+    return result;
+  }
+
+  /// M^-1 of all columns of some matrices.
+  std::vector<ValueMatrix> responses(const Factorised& mass, std::vector<ValueMatrix> forces) {
+    const std::size_t n = parts_.elimination.size();
+    std::vector<Places> columns;
+    std::vector<std::pair<ValueMatrix*, std::size_t>> places;
+    for (ValueMatrix& matrix : forces) {
+      for (std::size_t j = 0; j < matrix.columns; ++j) {
+        Places column;
+        for (std::size_t i = 0; i < n; ++i)
+          column.push_back(matrix.entries[i * matrix.columns + j]);
+        columns.push_back(std::move(column));
+        places.emplace_back(&matrix, j);
+      }
+    }
+    const std::vector<Places> solved = mass.solve_columns(columns);
+    for (std::size_t k = 0; k < solved.size(); ++k) {
+      const auto& [matrix, j] = places[k];
+      for (std::size_t i = 0; i < n; ++i) matrix->entries[i * matrix->columns + j] = solved[k][i];
+    }
+    return forces;
+  }
+
+  /// As fields of the output: each derivative is one, or A has the rates, the derivatives by q and
+  /// those by v below, and B those by u below zeros.
+  void write(const std::vector<ValueMatrix>& derivatives, const std::vector<ValueMatrix>& rates) {
+    if (rates.empty()) {
+      for (const ValueMatrix& matrix : derivatives) add_field(matrix);
+      return;
+    }
+    ValueMatrix a = rates.front();
+    for (std::size_t i = 0; i < parts_.elimination.size(); ++i) {
+      for (std::size_t k = 0; k < 2; ++k) {
+        const Places row = row_of(derivatives[k], i);
+        a.entries.insert(a.entries.end(), row.begin(), row.end());
+      }
+    }
+    add_field(a);
+    if (derivatives.size() < 3) return;
+    ValueMatrix b = derivatives[2];
+    b.entries.insert(b.entries.begin(), b.entries.size(), compose_.number(0));
+    add_field(b);
+  }
+
+  void add_field(const ValueMatrix& matrix) {
+    const FieldRow& row = output_row(function_.kind).fields[function_.fields.size()];
+    function_.fields.push_back({std::string(row.name),
+                                static_cast<std::uint32_t>(matrix.entries.size() / matrix.columns),
+                                static_cast<std::uint32_t>(matrix.columns), matrix.entries});
+  }
+
+  Program& program_;
+  const Function& parts_;
+  Function function_;
+  Composition compose_;
+};
+
+}  // namespace
+
+Program composed(Program program) {
+  for (std::size_t i = 0; i < program.functions.size(); ++i) {
+    if (program.functions[i].elimination.empty()) continue;
+    const Function parts = std::move(program.functions[i]);
+    program.functions[i] = Derivatives(program, parts)();
+  }
+  assert(check_invariants(program).empty());
+  return program;
+}
+
+}  // namespace elgen
