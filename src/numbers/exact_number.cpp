@@ -2,6 +2,7 @@
 // no locale and no libm decides a digit.
 #include "numbers/exact_number.hpp"
 
+#include <cln/dfloat.h>
 #include <cln/float.h>
 #include <cln/integer_io.h>
 #include <cln/rational_ring.h>
@@ -104,11 +105,11 @@ cln::cl_R largest_of(const std::vector<cln::cl_R>& values) {
 
 cln::cl_RA exact_value(double value) {
   if (!std::isfinite(value)) return 0;
-  // CLN has no denormals, so the exponent is applied to an integer significand.
-  int exponent = 0;
-  const double fraction = std::frexp(value, &exponent);
-  const auto significand = static_cast<long>(std::ldexp(fraction, 53));
-  return cln::cl_RA(significand) * cln::expt(cln::cl_RA(2), exponent - 53);
+  if (std::isnormal(value)) return cln::rational(cln::cl_DF(value));
+  // CLN has no denormals: they are counted in the smallest of them.
+  constexpr int smallest = 1074;
+  const auto count = static_cast<long>(std::ldexp(value, smallest));
+  return cln::cl_RA(count) * cln::expt(cln::cl_RA(2), -smallest);
 }
 
 std::optional<Decimal> exact_decimal(const cln::cl_R& value, long most_places) {

@@ -77,6 +77,9 @@ TEST_CASE("decimal literals round as the compiler's do") {
   CHECK(from<double>(cln::cl_RA("980665/100000")) == 9.80665);
   CHECK(from<float>(cln::cl_RA("1/10")) == 0.1F);
   CHECK(from<long double>(cln::cl_RA("-1/3")) == -1.0L / 3.0L);
+  CHECK(from<double>(cln::cl_RA("-1/3")) == -1.0 / 3.0);
+  CHECK(from<float>(cln::cl_RA("16777217/3")) == 5592405.5F);
+  CHECK(from<double>(cln::cl_RA(3) / cln::ash(1, 1075)) == 2 * 0x1p-1074);
   CHECK(from<double>(cln::pi(cln::float_format(60))) == 3.14159265358979323846);
 }
 
@@ -92,6 +95,7 @@ TEST_CASE("every binary value comes back, and a value between two goes to the ne
     if (part != cln::cl_RA("1/2")) {
       RC_ASSERT(from<double>(between) == (part < cln::cl_RA("1/2") ? x : next));
     }
+    RC_ASSERT(from<double>(cln::cl_float(between, cln::float_format(60))) == from<double>(between));
   }));
 }
 
