@@ -53,7 +53,7 @@ std::optional<Printed> printed(const Model& model, const Algebra& algebra,
   Function function = typeset_value(model, {}, algebra, *form, program);
   if (function.fields.empty()) {
     const std::optional<ReadableForm> readable =
-        shortest(algebra, *form, nullptr, mixed_points(leaves));
+        shortest(rewritings_of(algebra, *form).collected, nullptr, mixed_points(leaves));
     if (!readable) return std::nullopt;
     const Function shape{.fields = {Field{"", 1, 1, {0}}}};
     function = lowered_one_by_one({readable}, shape, program);

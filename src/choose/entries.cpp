@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "forms/write/kept_digits.hpp"
 #include "program/network/cheapest.hpp"
@@ -24,25 +25,23 @@ std::size_t term_count(const ClosedFunction& closed) {
   return count;
 }
 
-/// All rewritings of an entry, the shortest first. `derived` may be null.
-std::vector<Expressions> all_rewritings(const Algebra& algebra, const Fraction& form,
+/// All rewritings of an entry, the shortest first: those of its closed form, precise ones, and as
+/// it was derived, which may be null.
+std::vector<Expressions> all_rewritings(Rewritings of_form, std::vector<Collected> precise,
                                         const DerivedEntry* derived) {
   std::vector<Expressions> rewritings;
-  for (Collected& rewriting : collected_rewritings(algebra, form)) {
-    rewritings.push_back(std::move(rewriting.expressions));
-  }
-  for (Collected& rewriting : precise_rewritings(algebra, form)) {
-    rewritings.push_back(std::move(rewriting.expressions));
+  for (auto* some : {&of_form.collected, &precise}) {
+    for (Collected& rewriting : *some) rewritings.push_back(std::move(rewriting.expressions));
   }
   if (derived != nullptr) {
-    rewritings.push_back(derived_rewriting(derived->written_out).expressions);
+    rewritings.push_back(derived->collected.expressions);
     rewritings.push_back(derived->as_it_stands);
   }
   // Sums are written out where brackets hide what cancels, so that one grouping is enough.
-  std::vector<Expressions> sources = plain_rewritings(algebra, form);
+  std::vector<Expressions> sources = std::move(of_form.plain);
   if (!rewritings.empty()) sources.push_back(rewritings.front());
   if (derived != nullptr) {
-    sources.push_back(derived_rewriting(derived->written_out).expressions);
+    sources.push_back(derived->collected.expressions);
     sources.push_back(derived->as_it_stands);
   }
   for (const Expressions& source : sources) {
@@ -66,12 +65,13 @@ class Judging {
       : known_(known), entry_(entry), text_(text) {}
 
   /// Writes the entry accurately, where a rewriting does that, and finds the rewriting that keeps
-  /// its digits.
-  void operator()(const Algebra& algebra, const Fraction& form, const DerivedEntry* derived) {
+  /// its digits. `rewritings` gives all of them.
+  template <class Rewriting>
+  void operator()(const Rewriting& rewritings) {
     const bool is_inaccurate = text_.is_less_accurate(known_.compact, entry_);
     ErrorsAtPoints errors = text_.errors_of(known_.compact);
     if (is_inaccurate || text_.may_lose(errors, entry_)) {
-      rewritings_ = all_rewritings(algebra, form, derived);
+      rewritings_ = rewritings();
       std::erase_if(rewritings_,
                     [&](const Expressions& w) { return text_.is_less_accurate(w, entry_); });
       for (const Expressions& rewriting : rewritings_) {
@@ -192,10 +192,14 @@ ReadableEntries read_entries(const BothForms& both, const Points& points, TextEr
       auto& entry = entries.emplace_back();
       if (!form) continue;
       const auto derived = as_derived(program, function, function.fields[f].entries[e]);
-      entry = shortest(forms.algebra, *form, derived ? &derived->written_out : nullptr, points);
+      Rewritings rewritings = rewritings_of(forms.algebra, *form);
+      entry = shortest(rewritings.collected, derived ? &derived->collected : nullptr, points);
       if (!entry || text == nullptr) continue;
       Judging judging(*entry, entries.size() - 1, *text);
-      judging(forms.algebra, *form, derived ? &*derived : nullptr);
+      judging([&] {
+        return all_rewritings(std::move(rewritings), precise_rewritings(forms.algebra, *form),
+                              derived ? &*derived : nullptr);
+      });
     }
   }
   return entries;

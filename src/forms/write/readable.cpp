@@ -1,8 +1,8 @@
 // readable: the shortest rewriting. Two rewritings are compared as one function of two entries, so
 // that common parts, sines above all, are evaluated once.
 #include <algorithm>
-#include <numeric>
 #include <set>
+#include <utility>
 
 #include "forms/write/rewritings.hpp"
 #include "program/graph/angle_sums.hpp"
@@ -57,16 +57,12 @@ Real admitted_error(const Running<Real>& x) {
 constexpr std::size_t longest_derived = 60;
 
 /// The shortest of those that are as precise as `judge`, by whose B the code is judged.
-std::size_t shortest_precise(const std::vector<Collected>& rewritings, std::size_t judge,
-                             const Points& points) {
-  std::vector<std::size_t> order(rewritings.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, {},
-                           [&](std::size_t rewriting) { return rewritings[rewriting].length; });
-  return *std::ranges::find_if(order, [&](std::size_t rewriting) {
-    return rewritings[rewriting].terms == rewritings[judge].terms ||
-           is_as_precise(rewritings[rewriting].expressions, rewritings[judge].expressions, points,
-                         Leaves::exact);
+const Collected& shortest_precise(std::vector<const Collected*> rewritings, const Collected& judge,
+                                  const Points& points) {
+  std::ranges::stable_sort(rewritings, {}, [](const Collected* x) { return x->length; });
+  return **std::ranges::find_if(rewritings, [&](const Collected* x) {
+    return x->terms == judge.terms ||
+           is_as_precise(x->expressions, judge.expressions, points, Leaves::exact);
   });
 }
 
@@ -92,33 +88,34 @@ bool is_as_precise(const Expressions& rewriting, const Expressions& reference, c
   return is_compared;
 }
 
-std::optional<ReadableForm> shortest(const Algebra& algebra, const Fraction& form,
-                                     const Expressions* derived, const Points& points) {
-  std::vector<Collected> rewritings = collected_rewritings(algebra, form);
+std::optional<ReadableForm> shortest(const std::vector<Collected>& rewritings,
+                                     const Collected* derived, const Points& points) {
   if (rewritings.empty() && derived == nullptr) return std::nullopt;
-  const auto least = std::ranges::min_element(rewritings, {}, &Collected::weighted_length);
-  auto readable = static_cast<std::size_t>(least - rewritings.begin());
+  const Collected* readable = derived;
+  if (!rewritings.empty()) {
+    readable = &*std::ranges::min_element(rewritings, {}, &Collected::weighted_length);
+  }
+  std::vector<const Collected*> all;
+  for (const Collected& rewriting : rewritings) all.push_back(&rewriting);
   if (derived != nullptr) {
-    rewritings.push_back(derived_rewriting(*derived));
-    const std::size_t last = rewritings.size() - 1;
-    const bool is_shorter = rewritings[last].weighted_length < rewritings[readable].weighted_length;
-    if (is_shorter && is_as_precise(rewritings[last].expressions, rewritings[readable].expressions,
-                                    points, Leaves::rounded)) {
-      readable = last;
+    all.push_back(derived);
+    const bool is_shorter = derived->weighted_length < readable->weighted_length;
+    if (is_shorter &&
+        is_as_precise(derived->expressions, readable->expressions, points, Leaves::rounded)) {
+      readable = derived;
     }
   }
-  const std::size_t compact = shortest_precise(rewritings, readable, points);
-  return ReadableForm{rewritings[readable].expressions, rewritings[compact].expressions,
-                      rewritings[readable].length};
+  const Collected& compact = shortest_precise(std::move(all), *readable, points);
+  return ReadableForm{readable->expressions, compact.expressions, readable->length};
 }
 
 std::optional<DerivedEntry> as_derived(const Program& program, const Function& function,
                                        std::uint32_t entry) {
   if (cone_of(function, {entry}, longest_derived).size() > longest_derived) return std::nullopt;
-  DerivedEntry derived{from_program(program, function, {entry}), {}};
-  derived.written_out = flatten(derived.as_it_stands, Flattened::all_products);
-  if (written_length(derived.written_out) > longest_derived) return std::nullopt;
-  return derived;
+  Expressions derived = from_program(program, function, {entry});
+  const Expressions written_out = flatten(derived, Flattened::all_products);
+  if (written_length(written_out) > longest_derived) return std::nullopt;
+  return DerivedEntry{std::move(derived), derived_rewriting(written_out)};
 }
 
 }  // namespace elgen

@@ -2,6 +2,7 @@
 #include "forms/write/rewritings.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "forms/write/closed_graph.hpp"
 #include "program/graph/factor.hpp"
@@ -156,23 +157,19 @@ std::size_t written_length(const Expressions& expressions) {
   return Lengths(expressions).of(expressions.values[0].node);
 }
 
-std::vector<Collected> collected_rewritings(const Algebra& algebra, const Fraction& form) {
-  std::vector<Collected> rewritings;
+Rewritings rewritings_of(const Algebra& algebra, const Fraction& form) {
+  Rewritings rewritings;
   std::size_t terms = 0;
-  for (const Written& rewriting : candidates(algebra, form)) {
+  for (Written& candidate : candidates(algebra, form)) {
     ++terms;
     for (const Grouping grouping : groupings(algebra, form)) {
-      const auto grouped = written(algebra, form, {rewriting.layout.trigonometry, grouping});
-      if (grouped) rewritings.push_back(collected(grouped->expressions, terms, grouping));
+      const auto grouped = grouping == Grouping::none
+                               ? std::optional(candidate)
+                               : written(algebra, form, {candidate.layout.trigonometry, grouping});
+      if (!grouped) continue;
+      rewritings.collected.push_back(collected(grouped->expressions, terms, grouping));
     }
-  }
-  return rewritings;
-}
-
-std::vector<Expressions> plain_rewritings(const Algebra& algebra, const Fraction& form) {
-  std::vector<Expressions> rewritings;
-  for (Written& rewriting : candidates(algebra, form)) {
-    rewritings.push_back(std::move(rewriting.expressions));
+    rewritings.plain.push_back(std::move(candidate.expressions));
   }
   return rewritings;
 }

@@ -34,14 +34,13 @@ struct Collected {
 /// Signs and calls of the one value.
 [[nodiscard]] std::size_t written_length(const Expressions& expressions);
 
-/// The closed form in multiple angles, by sines and by cosines, in all groupings; none where it is
-/// beyond most_terms.
-[[nodiscard]] std::vector<Collected> collected_rewritings(const Algebra& algebra,
-                                                          const Fraction& form);
-
-/// The same as sums of products: nothing is collected, so that terms which cancel stand together.
-[[nodiscard]] std::vector<Expressions> plain_rewritings(const Algebra& algebra,
-                                                        const Fraction& form);
+/// A closed form in multiple angles, by sines and by cosines; none where it is beyond most_terms.
+struct Rewritings {
+  /// Sums of products: nothing is collected, so that terms which cancel stand together.
+  std::vector<Expressions> plain = {};
+  std::vector<Collected> collected = {};  ///< in all groupings
+};
+[[nodiscard]] Rewritings rewritings_of(const Algebra& algebra, const Fraction& form);
 
 /// As it was derived.
 [[nodiscard]] Collected derived_rewriting(const Expressions& derived);
@@ -69,14 +68,13 @@ struct ReadableForm {
 };
 
 /// The shortest candidate; none where all are too long. `derived` may be null.
-[[nodiscard]] std::optional<ReadableForm> shortest(const Algebra& algebra, const Fraction& form,
-                                                   const Expressions* derived,
-                                                   const Points& points);
+[[nodiscard]] std::optional<ReadableForm> shortest(const std::vector<Collected>& rewritings,
+                                                   const Collected* derived, const Points& points);
 
 /// One entry of a function as it was derived, over the leaves; none where that is long.
 struct DerivedEntry {
   Expressions as_it_stands = {};
-  Expressions written_out = {};  ///< products in products
+  Collected collected = {};  ///< with products written out in products
 };
 [[nodiscard]] std::optional<DerivedEntry> as_derived(const Program& program,
                                                      const Function& function, std::uint32_t entry);
