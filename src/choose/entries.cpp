@@ -68,31 +68,32 @@ class Judging {
   /// its digits. `rewritings` gives all of them.
   template <class Rewriting>
   void operator()(const Rewriting& rewritings) {
-    const bool is_inaccurate = text_.is_less_accurate(known_.compact, entry_);
-    ErrorsAtPoints errors = text_.errors_of(known_.compact);
-    if (is_inaccurate || text_.may_lose(errors, entry_)) {
-      rewritings_ = rewritings();
-      std::erase_if(rewritings_,
-                    [&](const Expressions& w) { return text_.is_less_accurate(w, entry_); });
-      for (const Expressions& rewriting : rewritings_) {
-        errors_.push_back(text_.errors_of(rewriting));
-      }
-    }
-    if (is_inaccurate) {
+    std::optional<ErrorsAtPoints> errors = text_.accurate_errors(known_.compact, entry_);
+    if (!errors || text_.may_lose(*errors, entry_)) keep_accurate(rewritings());
+    if (!errors) {
       if (rewritings_.empty()) return;
       known_.compact = rewritings_.front();
       known_.is_rewritten = true;
       errors = errors_.front();
-    } else {
-      known_.is_rewritten = text_.is_less_accurate(known_.readable, entry_);
+    } else if (!known_.is_shortest) {
+      known_.is_rewritten = !text_.accurate_errors(known_.readable, entry_);
     }
-    text_.add_rewriting(errors, entry_);
+    text_.add_rewriting(*errors, entry_);
     for (const ErrorsAtPoints& rewriting : errors_) text_.add_rewriting(rewriting, entry_);
-    known_.loss = text_.loss_of(errors, entry_);
+    known_.loss = text_.loss_of(*errors, entry_);
     if (known_.loss > tolerated_loss) keep();
   }
 
  private:
+  void keep_accurate(std::vector<Expressions> rewritings) {
+    for (Expressions& rewriting : rewritings) {
+      auto errors = text_.accurate_errors(rewriting, entry_);
+      if (!errors) continue;
+      rewritings_.push_back(std::move(rewriting));
+      errors_.push_back(std::move(*errors));
+    }
+  }
+
   /// The cheapest rewriting that loses nothing, else the one that loses least.
   void keep() {
     double least = known_.loss;

@@ -41,8 +41,10 @@ class TextErrors {
   TextErrors(const Program& program, const Function& text, Points points,
              Scale scale = Scale::field);
 
-  /// Whether a rewriting is less accurate than one entry of the text, by its number among all.
-  [[nodiscard]] bool is_less_accurate(const Expressions& rewriting, std::size_t entry) const;
+  /// E of a rewriting of one entry, by its number among all; none where it is less accurate than
+  /// the text.
+  [[nodiscard]] std::optional<ErrorsAtPoints> accurate_errors(const Expressions& rewriting,
+                                                              std::size_t entry) const;
 
   /// The first inaccurate entry of another form; none where all are accurate.
   [[nodiscard]] std::optional<std::size_t> inaccurate_entry(const Program& program,
@@ -67,18 +69,18 @@ class TextErrors {
   [[nodiscard]] double worst_loss(const Program& program, const Function& form) const;
 
  private:
-  [[nodiscard]] std::optional<std::size_t> inaccurate_entry_at(const Program& program,
-                                                               const Function& form,
-                                                               std::size_t first,
+  class FormAt;
+
+  [[nodiscard]] FormAt at(std::size_t point, const Program& program, const Function& form) const;
+  [[nodiscard]] std::optional<std::size_t> inaccurate_entry_at(FormAt& form, std::size_t first,
                                                                std::size_t point) const;
   [[nodiscard]] const std::vector<Running<Real>>& exact_text(std::size_t point) const;
-  [[nodiscard]] std::vector<double> errors_at(const Program& program, const Function& form,
-                                              std::size_t point) const;
   [[nodiscard]] std::vector<double> magnitudes_at(std::size_t point, Scale scale) const;
 
   const Program& program_;
   const Function& text_;
   Points points_;
+  std::vector<RunningErrorRules<double>> rules_ = {};     ///< by point
   std::vector<std::vector<Running<double>>> rough_ = {};  ///< of the text, by point and entry
   mutable std::map<std::size_t, std::vector<Running<Real>>> exact_ = {};  ///< once it is asked for
   std::vector<std::vector<double>> magnitudes_ = {};  ///< by point and entry; NaN: no value

@@ -27,7 +27,7 @@ Arguments<double> at(double a, double b) {
 bool is_inaccurate(const std::string& rewriting, const std::string& text, double a, double b) {
   const Program program = program_of(testing::Texts{text});
   const TextErrors errors(program, program.functions[0], {at(a, b)});
-  return errors.is_less_accurate(expressions_of({rewriting}), 0);
+  return !errors.accurate_errors(expressions_of({rewriting}), 0);
 }
 
 const std::string strut = R"toml(format = 1

@@ -106,7 +106,8 @@ std::optional<ReadableForm> shortest(const std::vector<Collected>& rewritings,
     }
   }
   const Collected& compact = shortest_precise(std::move(all), *readable, points);
-  return ReadableForm{readable->expressions, compact.expressions, readable->length};
+  return ReadableForm{readable->expressions, compact.expressions, readable->length,
+                      &compact == readable};
 }
 
 std::optional<DerivedEntry> as_derived(const Program& program, const Function& function,

@@ -62,6 +62,7 @@ struct ReadableForm {
   Expressions readable = {};
   Expressions compact = {};              ///< the shortest that is as precise, however it looks
   std::size_t length = 0;                ///< of the readable one
+  bool is_shortest = false;              ///< the readable one: it is the compact one, too
   bool is_rewritten = false;             ///< code is always the compact one: the other loses digits
   double loss = 0;                       ///< of the compact one (text_errors.hpp)
   std::optional<Expressions> kept = {};  ///< a longer one that keeps the digits it loses
