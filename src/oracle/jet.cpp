@@ -144,7 +144,9 @@ void Jet::shorten() {
 }
 
 Jet operator+(const Jet& x, const Jet& y) {
-  Jet result = x;
+  Jet result;
+  result.terms_.reserve(x.terms_.size() + y.terms_.size());
+  result.terms_ = x.terms_;
   for (const auto& [present, value] : y.terms_) result.add(present, value);
   return result;
 }
@@ -157,6 +159,7 @@ Jet operator-(const Jet& x) {
 
 Jet operator*(const Jet& x, const Jet& y) {
   Jet result;
+  result.terms_.reserve(x.terms_.size() * y.terms_.size());
   for (const auto& [in_x, x_value] : x.terms_) {
     for (const auto& [in_y, y_value] : y.terms_) {
       // The sum of disjoint sets is their union; grades that vanish carry over.
