@@ -2,6 +2,8 @@
 // Expansion: the point from the model's expressions, and motions scaled towards it.
 #include "oracle/mechanics.hpp"
 
+#include "oracle/real_functions.hpp"
+
 namespace elgen::oracle {
 namespace {
 
@@ -42,8 +44,12 @@ Direction unit_direction(std::size_t n, std::size_t i) {
   return direction;
 }
 
+State shortened(const State& state) {
+  return map_leaves([](const cl_R& value) { return shortened(value, longest_leaf); }, state);
+}
+
 Motion motion_of(const State& state) {
-  return map_leaves([](const cl_R& value) { return Jet(value); }, state);
+  return map_leaves([](const cl_R& value) { return Jet(value); }, shortened(state));
 }
 
 std::optional<ExpansionPoint> expansion_point(const Model& model, const State& state) {
@@ -77,7 +83,10 @@ Motion towards(const ExpansionPoint& point, const Motion& motion, unsigned order
 }
 
 Mechanics::Mechanics(const Model& model, const State& state)
-    : model_(model), state_(state), point_(expansion_point(model, state)), base_(motion_of(state)) {
+    : model_(model),
+      state_(shortened(state)),
+      point_(expansion_point(model, state_)),
+      base_(motion_of(state_)) {
   base_.a.assign(model.velocities.size(), Jet());
   base_.u.assign(model.inputs.size(), Jet());
 }

@@ -20,7 +20,10 @@ using Direction = std::vector<cln::cl_R>;
 /// The i-th of n unit vectors.
 [[nodiscard]] Direction unit_direction(std::size_t n, std::size_t i);
 
-/// The motion of a state, with exact entries and no generators.
+/// A state without long rationals.
+[[nodiscard]] State shortened(const State& state);
+
+/// Its motion, without generators.
 [[nodiscard]] Motion motion_of(const State& state);
 
 /// quantity += direction * generators, entry by entry.
@@ -154,7 +157,7 @@ class Mechanics {
   Motion at_rest() const;
 
   const Model& model_;
-  const State& state_;
+  State state_;
   std::optional<ExpansionPoint> point_;
   Motion base_;  ///< of the state, with a = 0 and u = 0
   std::shared_ptr<JetFunctions> functions_ = std::make_shared<JetFunctions>();

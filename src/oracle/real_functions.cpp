@@ -17,9 +17,6 @@ using cln::cl_I;
 using cln::cl_R;
 using cln::cl_RA;
 
-/// Rationals of more bits become floats: gcds of longer ones dominate the cost of everything else.
-constexpr unsigned longest_rational = 4096;
-
 /// exp of more than this exceeds every scalar type by far, and CLN would take minutes.
 const cl_R largest_exponent = 1'000'000;
 
@@ -192,12 +189,12 @@ cl_R as_float(const cl_R& x) {
   return is_rational(x) ? cl_R(cln::cl_float(x, working_format())) : x;
 }
 
-cl_R shortened(const cl_R& x) {
+cl_R shortened(const cl_R& x, unsigned longest) {
   if (!is_rational(x)) return x;
   const cl_RA rational = cln::the<cl_RA>(x);
   const auto bits = cln::integer_length(cln::numerator(rational)) +
                     cln::integer_length(cln::denominator(rational));
-  return bits <= longest_rational ? x : as_float(x);
+  return bits <= longest ? x : as_float(x);
 }
 
 cl_R real_pi() { return cln::pi(working_format()); }

@@ -2,9 +2,9 @@
 // digits. It is the oracle's own, and shares no value of a function with what it judges.
 //
 // Exact rationals stay exact as long as they are short, and exact zeros stay exact, so that
-// derivatives that vanish cost nothing. Arguments of any size are reduced with as many digits as
-// their magnitude asks for. Undefined values throw OutsideDomain, which is caught at the oracle's
-// interface.
+// derivatives that vanish cost nothing. Drawn doubles are floats, in which they are exact, too.
+// Arguments of any size are reduced with as many digits as their magnitude asks for. Undefined
+// values throw OutsideDomain, which is caught at the oracle's interface.
 #pragma once
 
 #include <cln/exception.h>
@@ -35,8 +35,14 @@ struct OutsideDomain : std::runtime_error {
 /// `x` in working precision, unless it already is a float.
 [[nodiscard]] cln::cl_R as_float(const cln::cl_R& x);
 
-/// `x` itself, or a float if it is too long a rational to compute with.
-[[nodiscard]] cln::cl_R shortened(const cln::cl_R& x);
+/// Rationals of more bits become floats: gcds of longer ones dominate the cost of everything else.
+inline constexpr unsigned longest_rational = 4096;
+/// Likewise leaves: decimals of 14 digits and the rationals of exact states are shorter. Drawn
+/// doubles have about 106 bits, and as rationals make sums and products two to four times as slow.
+inline constexpr unsigned longest_leaf = 96;
+
+/// `x` itself, or a float if it is a rational of more bits than `longest`.
+[[nodiscard]] cln::cl_R shortened(const cln::cl_R& x, unsigned longest = longest_rational);
 
 /// pi in working precision.
 [[nodiscard]] cln::cl_R real_pi();
