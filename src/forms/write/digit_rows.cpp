@@ -243,8 +243,8 @@ class RowsOfSum : RowMatching {
     for (std::size_t k = 0; k < parts_.size(); ++k) {
       if (std::ranges::find(match.places, k) != match.places.end()) continue;
       if (is_known && !is_same(known, parts_[k])) continue;
-      std::vector<Match> ways{match};
-      if (!is_known) ways = matches(pattern, parts_[k], match.letters);
+      std::vector<Match> ways =
+          is_known ? std::vector{match} : matches(pattern, parts_[k], match.letters);
       for (Match& way : ways) {
         way.places = match.places;
         way.places.push_back(k);

@@ -27,7 +27,7 @@ class Triangles : GraphTerms {
       mixed.factors.erase(cosine);
       for (std::size_t i = 0; i < terms.size(); ++i) {
         for (std::size_t j = i + 1; j < terms.size(); ++j) {
-          if (i == k || j == k) continue;
+          if (i == k || j == k || !may_be_triangle(parts[i], parts[j], mixed)) continue;
           const std::optional<Ref> triangle = of_triangle(parts[i], parts[j], mixed, angle);
           if (!triangle) continue;
           terms[k] = *triangle;
@@ -41,12 +41,17 @@ class Triangles : GraphTerms {
   }
 
  private:
+  /// The coefficients of C a^2, C b^2 and 2 C a b.
+  static bool may_be_triangle(const ScaledTerm& first, const ScaledTerm& second,
+                              const ScaledTerm& mixed) {
+    return first.coefficient * second.coefficient * 4 == mixed.coefficient * mixed.coefficient;
+  }
+
   /// `mixed` is -+2 C a b: with + it is the cosine of c/2.
   std::optional<Ref> of_triangle(ScaledTerm first, ScaledTerm second, const ScaledTerm& mixed,
                                  Ref angle) {
     const cl_RA common = first.coefficient;
     const cl_RA ratio = second.coefficient / common;
-    if (ratio * common * common * 4 != mixed.coefficient * mixed.coefficient) return std::nullopt;
     const std::vector<Operand> shared = take_shared(first, second);
     const std::optional<Ref> a = exact_root({1, first.factors}, 2);
     const std::optional<Ref> b = exact_root({ratio, second.factors}, 2);
