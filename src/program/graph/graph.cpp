@@ -78,10 +78,13 @@ NodeId Graph::intern(Node node) {
 
 Ref Graph::rational(const cln::cl_RA& value) {
   const cln::cl_RA magnitude = cln::abs(value);
-  const auto next = static_cast<std::uint32_t>(rationals_.size());
-  const auto [it, is_new] = rational_index_.emplace(magnitude, next);
-  if (is_new) rationals_.push_back(magnitude);
-  return {intern({.kind = NodeKind::rational, .index = it->second}), cln::minusp(value)};
+  const auto [known, is_new] = rational_nodes_.try_emplace(magnitude, 0);
+  if (is_new) {
+    const auto next = static_cast<std::uint32_t>(rationals_.size());
+    rationals_.push_back(magnitude);
+    known->second = intern({.kind = NodeKind::rational, .index = next});
+  }
+  return {known->second, cln::minusp(value)};
 }
 
 Ref Graph::pi() { return {intern({.kind = NodeKind::pi}), false}; }

@@ -54,6 +54,8 @@ struct Node {
   /// Nodes of a constant written as a tree, at most unwritable_constant; 0 where there are leaves.
   std::uint32_t constant_size = 0;
   std::string name = {};  ///< what it is, for a reader
+  /// The product without its rational coefficient, once it was asked for.
+  std::optional<NodeId> unscaled = {};
 };
 
 [[nodiscard]] inline bool is_call(const Node& node, FunctionId function) {
@@ -146,7 +148,7 @@ class Graph {
   };
   std::vector<Node> nodes_;
   std::vector<cln::cl_RA> rationals_;
-  std::unordered_map<cln::cl_RA, std::uint32_t, RationalHash> rational_index_;
+  std::unordered_map<cln::cl_RA, NodeId, RationalHash> rational_nodes_;
   std::unordered_multimap<std::size_t, NodeId> known_;
   std::uint32_t birth_ = 0;
 };

@@ -7,12 +7,30 @@
 //     product:  (y - x)*x*(x - y)    -> -x*(x - y)^2 signs pulled out, equal bases merged
 //               2*pi*x/4             -> 1/2*pi*x     rational numbers are one coefficient
 #include <algorithm>
-#include <map>
 #include <optional>
+#include <utility>
 
 #include "program/graph/graph.hpp"
 
 namespace elgen {
+namespace {
+
+/// Sorts by nodes, and puts what has one node together.
+template <class Part, class Merging>
+void merge_by_node(std::vector<Part>& parts, const Merging& merge) {
+  std::ranges::sort(parts, {}, &Part::node);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (count > 0 && parts[count - 1].node == parts[i].node) {
+      merge(parts[count - 1], parts[i]);
+    } else {
+      parts[count++] = parts[i];
+    }
+  }
+  parts.resize(count);
+}
+
+}  // namespace
 
 /// A product taken apart: its rational coefficient, and powers of other nodes.
 struct Graph::Factors {
@@ -57,9 +75,8 @@ void Graph::merge_factors(Factors& factors) {
   std::vector<Operand>& powers = factors.powers;
   for (bool changed = true; changed;) {
     changed = false;
-    std::map<NodeId, std::int32_t> merged;
-    for (const Operand& power : powers) merged[power.node] += power.weight;
-    powers.clear();
+    std::vector<Operand> merged = std::exchange(powers, {});
+    merge_by_node(merged, [](Operand& to, const Operand& from) { to.weight += from.weight; });
     for (const auto& [id, exponent] : merged) {
       const Node& base = node(id);
       const bool is_squared = base.kind == NodeKind::square_root && std::abs(exponent) > 1;
@@ -99,11 +116,13 @@ std::optional<Graph::Term> Graph::scaled_product(NodeId id) {
   const Node& product = node(id);
   const bool is_scaled = product.kind == NodeKind::product && is_rational(product.operands[0].node);
   if (!is_scaled) return std::nullopt;
-  const NodeId coefficient = product.operands[0].node;
+  const cln::cl_RA& coefficient = rational_of(product.operands[0].node);
+  if (product.unscaled) return Term{coefficient, *product.unscaled};
   Factors rest;
   rest.powers.assign(product.operands.begin() + 1, product.operands.end());
   const NodeId scaled = build_product(std::move(rest)).node;
-  return Term{rational_of(coefficient), scaled};
+  nodes_[id].unscaled = scaled;
+  return Term{rational_of(node(id).operands[0].node), scaled};
 }
 
 Graph::Term Graph::split_coefficient(Ref term) {
@@ -122,8 +141,10 @@ Ref Graph::build_sum(const std::vector<Term>& terms, const cln::cl_RA& constant)
   std::vector<Operand> operands;
   for (const Term& term : terms) {
     const cln::cl_RA magnitude = is_common ? cln::cl_RA(1) : cln::abs(term.coefficient);
-    const Ref scaled = product({{rational(magnitude)}, {{term.node, false}}});
-    operands.push_back({scaled.node, cln::minusp(term.coefficient) ? -1 : 1});
+    const Ref factor = rational(magnitude);
+    const bool is_itself = magnitude == 1 && !is_constant(term.node);
+    const NodeId scaled = is_itself ? term.node : product({{factor}, {{term.node, false}}}).node;
+    operands.push_back({scaled, cln::minusp(term.coefficient) ? -1 : 1});
   }
   if (has_constant) {
     operands.push_back({rational(constant).node, cln::minusp(constant) ? -1 : 1});
@@ -191,12 +212,10 @@ bool Graph::join_squares(std::vector<Term>& terms) {
 }
 
 void Graph::merge_terms(std::vector<Term>& terms) {
-  std::map<NodeId, cln::cl_RA> merged;
-  for (const Term& term : terms) merged[term.node] = merged[term.node] + term.coefficient;
-  terms.clear();
-  for (const auto& [node, coefficient] : merged) {
-    if (!cln::zerop(coefficient)) terms.push_back({coefficient, node});
-  }
+  merge_by_node(terms, [](Term& to, const Term& from) {
+    to.coefficient = to.coefficient + from.coefficient;
+  });
+  std::erase_if(terms, [](const Term& term) { return cln::zerop(term.coefficient); });
 }
 
 /// Writes out the first sum among the terms that holds the opposite of another term: where the two
