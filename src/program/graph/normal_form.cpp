@@ -7,6 +7,7 @@
 //     product:  (y - x)*x*(x - y)    -> -x*(x - y)^2 signs pulled out, equal bases merged
 //               2*pi*x/4             -> 1/2*pi*x     rational numbers are one coefficient
 #include <algorithm>
+#include <cstdlib>
 #include <optional>
 #include <utility>
 
@@ -73,19 +74,21 @@ void Graph::collect(const Power& power, Factors& factors) {
 /// Equal bases become one; sqrt(x)^2 becomes x, which may meet other powers of x.
 void Graph::merge_factors(Factors& factors) {
   std::vector<Operand>& powers = factors.powers;
-  for (bool changed = true; changed;) {
-    changed = false;
-    std::vector<Operand> merged = std::exchange(powers, {});
-    merge_by_node(merged, [](Operand& to, const Operand& from) { to.weight += from.weight; });
-    for (const auto& [id, exponent] : merged) {
-      const Node& base = node(id);
-      const bool is_squared = base.kind == NodeKind::square_root && std::abs(exponent) > 1;
-      const std::int32_t left = is_squared ? exponent % 2 : exponent;
-      if (left != 0) powers.push_back({id, left});
-      if (!is_squared) continue;
-      changed = true;
-      const Operand radicand = base.operands[0];
-      collect({{radicand.node, radicand.weight < 0}, exponent / 2}, factors);
+  const auto is_squared = [this](const Operand& power) {
+    return node(power.node).kind == NodeKind::square_root && std::abs(power.weight) > 1;
+  };
+  for (;;) {
+    merge_by_node(powers, [](Operand& to, const Operand& from) { to.weight += from.weight; });
+    std::erase_if(powers, [](const Operand& power) { return power.weight == 0; });
+    if (std::ranges::none_of(powers, is_squared)) return;
+    for (const Operand& power : std::exchange(powers, {})) {
+      const bool is_whole = !is_squared(power);
+      if (is_whole || power.weight % 2 != 0) {
+        powers.push_back({power.node, is_whole ? power.weight : power.weight % 2});
+      }
+      if (is_whole) continue;
+      const Operand radicand = node(power.node).operands[0];
+      collect({{radicand.node, radicand.weight < 0}, power.weight / 2}, factors);
     }
   }
 }
@@ -106,6 +109,7 @@ Ref Graph::build_product(Factors factors) {
 
 Ref Graph::product(const std::vector<Power>& powers) {
   Factors factors;
+  factors.powers.reserve(powers.size() + 1);  // a coefficient may join them
   for (const Power& power : powers) collect(power, factors);
   merge_factors(factors);
   return build_product(std::move(factors));
@@ -139,6 +143,7 @@ Ref Graph::build_sum(const std::vector<Term>& terms, const cln::cl_RA& constant)
       !has_constant && std::all_of(terms.begin(), terms.end(),
                                    [&](const Term& t) { return cln::abs(t.coefficient) == first; });
   std::vector<Operand> operands;
+  operands.reserve(terms.size() + 1);
   for (const Term& term : terms) {
     const cln::cl_RA magnitude = is_common ? cln::cl_RA(1) : cln::abs(term.coefficient);
     const Ref factor = rational(magnitude);
@@ -246,6 +251,7 @@ bool Graph::write_out_opposed(std::vector<Term>& terms) {
 Ref Graph::sum(const std::vector<Ref>& terms) {
   cln::cl_RA constant = 0;
   std::vector<Term> split;
+  split.reserve(terms.size());
   for (const Ref term : terms) {
     if (const auto number = rational_value(term)) {
       constant = constant + *number;
