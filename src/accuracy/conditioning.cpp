@@ -66,7 +66,12 @@ Conditioning::Conditioning(const Program& program, const Function& function,
   for (const Real& value : values_) rounded_values_.push_back(rounded(value));
 }
 
+/// That of a term is 1 or -1, and of a factor the other factor; all else goes by dual numbers.
 Real Conditioning::slope(const Instruction& i, std::uint32_t operand) const {
+  const bool is_first = operand == i.a;
+  if (is_sum(i) && i.a != i.b) return Real(is_first || i.opcode == Opcode::add ? 1 : -1);
+  const bool is_product = i.opcode == Opcode::multiply && i.a != i.b;
+  if (is_product && values_[operand].is_defined()) return values_[is_first ? i.b : i.a];
   static const Arguments<Dual<Real>> no_leaves;
   const interpreter::NumberRules<Dual<Real>> rules{no_leaves};
   return folded(rules, program_, i, OneMoves{values_, operand}).slope;
