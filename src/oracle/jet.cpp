@@ -76,6 +76,18 @@ Jet composed(const Jet& x, const Jet& y, const Function& f) {
   return sum;
 }
 
+/// A sine and a cosine of one angle are each other's derivatives, and so are their parts with fewer
+/// generators; a few angles may be between them.
+constexpr std::size_t remembered_calls = 32;
+
+/// As numbers, and exact alike.
+bool is_same(const Jet& x, const Jet& y) {
+  return std::ranges::equal(x.terms(), y.terms(), [](const Jet::Term& a, const Jet::Term& b) {
+    return a.first == b.first && is_rational(a.second) == is_rational(b.second) &&
+           a.second == b.second;
+  });
+}
+
 bool is_graded(const Jet& x) { return x.lowest_grade() != 0; }
 
 }  // namespace
@@ -189,7 +201,22 @@ Jet JetFunctions::value(FunctionId function, const Jet& x, const Jet& y) {
                     [&](const Jet& at_x, const Jet& at_y) { return value(function, at_x, at_y); });
   }
   if (support == 0) return real_.value(function, x.real(), y.real());
-  const Generators top = std::bit_floor(support);
+  const auto known = std::ranges::find_if(known_, [&](const Call& call) {
+    return call.function == function && is_same(call.x, x) && is_same(call.y, y);
+  });
+  if (known != known_.end()) return known->value;
+  Call call{function, x, y, by_chain_rule(function, x, y)};
+  Jet value = call.value;
+  if (known_.size() < remembered_calls) {
+    known_.push_back(std::move(call));
+  } else {
+    known_[next_++ % remembered_calls] = std::move(call);
+  }
+  return value;
+}
+
+Jet JetFunctions::by_chain_rule(FunctionId function, const Jet& x, const Jet& y) {
+  const Generators top = std::bit_floor(x.support() | y.support());
   const Jet x0 = x.without(top);
   const Jet y0 = y.without(top);
   const Jet f = value(function, x0, y0);

@@ -113,9 +113,19 @@ class JetFunctions {
     Jet x;
     Jet y;
   };
+  struct Call {
+    FunctionId function = FunctionId::sin;
+    Jet x = {};
+    Jet y = {};
+    Jet value = {};
+  };
+
+  [[nodiscard]] Jet by_chain_rule(FunctionId function, const Jet& x, const Jet& y);
   Gradient gradient(FunctionId function, const Jet& x, const Jet& y, const Jet& f);
 
   RealFunctions real_ = {};
+  std::vector<Call> known_ = {};  ///< the latest ones, of jets with generators
+  std::size_t next_ = 0;          ///< to be replaced
 };
 
 }  // namespace elgen::oracle
