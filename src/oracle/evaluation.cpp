@@ -148,48 +148,35 @@ Jet Evaluation::open_value(const Expression& e, unsigned time_order) const {
   return result;
 }
 
-Jet Evaluation::leaf(const Expression& e, unsigned time_order) {
+Jet Evaluation::leaf(const Expression& e, unsigned time_order) const {
   if (e.kind == ExpressionKind::number) return Jet(e.number);
   if (e.kind == ExpressionKind::pi) return Jet(real_pi());
-  if (e.leaf == Opcode::coordinate) return position(e.index, time_order);
   const Jet s = elapsed_time(time_order);
   if (e.leaf == Opcode::time) return motion_.t + s;
+  if (e.leaf == Opcode::coordinate) return position(e.index, s);
   if (e.leaf == Opcode::velocity) return motion_.v[e.index] + motion_.a[e.index] * s;
   return leaf_of(motion_, e.leaf, e.index);
 }
 
 /// q + dq/dt s + 1/2 d2q/dt2 s^2
-Jet Evaluation::position(std::uint32_t index, unsigned time_order) {
+Jet Evaluation::position(std::uint32_t index, const Jet& s) const {
   const Coordinate& coordinate = model_.coordinates[index];
-  if (time_order == 0) return motion_.q[index];
-  if (coordinate.rotation) {
-    const std::uint32_t first = model_.rotations[*coordinate.rotation].first_coordinate;
-    return orientation(*coordinate.rotation, time_order)[index - first];
-  }
-  const std::uint32_t rate = coordinate.velocity;
-  const Jet s = elapsed_time(time_order);
   const Jet half_square = s * s * Jet(cln::cl_RA(1) / 2);
-  return motion_.q[index] + motion_.v[rate] * s + motion_.a[rate] * half_square;
-}
-
-/// Likewise of the four components of a quaternion, made together.
-const Quaternion& Evaluation::orientation(std::uint32_t rotation, unsigned time_order) {
-  const auto [known, is_new] = orientations_.try_emplace({rotation, time_order});
-  Quaternion& result = known->second;
-  if (!is_new) return result;
-  const Quaternion e = quaternion_of(model_.rotations[rotation], motion_.q);
-  const Spin w = spin_of(model_.rotations[rotation], motion_.v);
+  if (!coordinate.rotation) {
+    const std::uint32_t rate = coordinate.velocity;
+    return motion_.q[index] + motion_.v[rate] * s + motion_.a[rate] * half_square;
+  }
+  if (s.support() == 0) return motion_.q[index];
+  const Rotation& rotation = model_.rotations[*coordinate.rotation];
+  const std::uint32_t component = index - rotation.first_coordinate;
+  const Quaternion e = quaternion_of(rotation, motion_.q);
+  const Spin w = spin_of(rotation, motion_.v);
   const Quaternion rate = rate_of(e, w);
-  const Jet s = elapsed_time(time_order);
-  for (std::size_t i = 0; i < result.size(); ++i) result[i] = e[i] + rate[i] * s;
-  if (time_order < 2) return result;  // s^2 = 0
-  const Jet half_square = s * s * Jet(cln::cl_RA(1) / 2);
+  if (half_square.terms().empty()) return e[component] + rate[component] * s;
   const Quaternion turning = rate_of(rate, w);
-  const Quaternion accelerating = rate_of(e, spin_of(model_.rotations[rotation], motion_.a));
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    result[i] = result[i] + (turning[i] + accelerating[i]) * half_square;
-  }
-  return result;
+  const Quaternion accelerating = rate_of(e, spin_of(rotation, motion_.a));
+  return e[component] + rate[component] * s +
+         (turning[component] + accelerating[component]) * half_square;
 }
 
 Jet Evaluation::folded(const Expression& e, unsigned time_order) const {

@@ -11,11 +11,8 @@
 // An open function of x + d, d nilpotent, is f + f_i d_i + 1/2 f_ij d_i d_j, all f of the state.
 #pragma once
 
-#include <array>
-#include <map>
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "elgen/leaves.hpp"
@@ -27,8 +24,6 @@ namespace elgen::oracle {
 /// A state whose entries may carry directions of differentiation, generators 0 to 7, of which R
 /// takes 6 and 7.
 using Motion = LeafValues<Jet>;
-
-using Quaternion = std::array<Jet, quaternion_size>;  ///< w, x, y, z
 
 class Evaluation {
  public:
@@ -57,10 +52,9 @@ class Evaluation {
   [[nodiscard]] bool knows(ExpressionId id, unsigned time_order) const;
   [[nodiscard]] Jet made(ExpressionId root, unsigned time_order);
   Jet evaluated(const Expression& e, unsigned time_order);
-  Jet leaf(const Expression& e, unsigned time_order);
+  Jet leaf(const Expression& e, unsigned time_order) const;
   [[nodiscard]] Jet open_value(const Expression& e, unsigned time_order) const;
-  [[nodiscard]] Jet position(std::uint32_t index, unsigned time_order);
-  [[nodiscard]] const Quaternion& orientation(std::uint32_t rotation, unsigned time_order);
+  [[nodiscard]] Jet position(std::uint32_t index, const Jet& s) const;
   Jet folded(const Expression& e, unsigned time_order) const;
   Jet function(const Expression& e, unsigned time_order);
   [[nodiscard]] Jet operand(ExpressionId id, unsigned time_order) const;
@@ -69,7 +63,6 @@ class Evaluation {
   const Motion& motion_;
   std::shared_ptr<JetFunctions> functions_;
   std::vector<std::optional<Known>> known_;  ///< by expression
-  std::map<std::pair<std::uint32_t, unsigned>, Quaternion> orientations_ = {};
 };
 
 }  // namespace elgen::oracle

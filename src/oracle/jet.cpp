@@ -205,23 +205,15 @@ Jet JetFunctions::value(FunctionId function, const Jet& x, const Jet& y) {
     return call.function == function && is_same(call.x, x) && is_same(call.y, y);
   });
   if (known != known_.end()) return known->value;
-  Call call{function, x, y, by_chain_rule(function, x, y)};
-  Jet value = call.value;
-  if (known_.size() < remembered_calls) {
-    known_.push_back(std::move(call));
-  } else {
-    known_[next_++ % remembered_calls] = std::move(call);
-  }
-  return value;
-}
-
-Jet JetFunctions::by_chain_rule(FunctionId function, const Jet& x, const Jet& y) {
-  const Generators top = std::bit_floor(x.support() | y.support());
+  const Generators top = std::bit_floor(support);
   const Jet x0 = x.without(top);
   const Jet y0 = y.without(top);
   const Jet f = value(function, x0, y0);
   const Gradient slope = gradient(function, x0, y0, f);
-  return f + (slope.x * x.tangent(top) + slope.y * y.tangent(top)) * Jet(top, 1);
+  const Jet result = f + (slope.x * x.tangent(top) + slope.y * y.tangent(top)) * Jet(top, 1);
+  known_.push_front({function, x, y, result});
+  if (known_.size() > remembered_calls) known_.pop_back();
+  return result;
 }
 
 JetFunctions::Gradient JetFunctions::gradient(FunctionId function, const Jet& x, const Jet& y,

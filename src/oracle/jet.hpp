@@ -22,6 +22,7 @@
 #include <cln/real.h>
 
 #include <cstdint>
+#include <deque>
 #include <utility>
 #include <vector>
 
@@ -114,18 +115,15 @@ class JetFunctions {
     Jet y;
   };
   struct Call {
-    FunctionId function = FunctionId::sin;
-    Jet x = {};
-    Jet y = {};
-    Jet value = {};
+    FunctionId function;
+    Jet x;
+    Jet y;
+    Jet value;
   };
-
-  [[nodiscard]] Jet by_chain_rule(FunctionId function, const Jet& x, const Jet& y);
   Gradient gradient(FunctionId function, const Jet& x, const Jet& y, const Jet& f);
 
   RealFunctions real_ = {};
-  std::vector<Call> known_ = {};  ///< the latest ones, of jets with generators
-  std::size_t next_ = 0;          ///< to be replaced
+  std::deque<Call> known_ = {};  ///< with generators, the latest first
 };
 
 }  // namespace elgen::oracle

@@ -8,7 +8,8 @@
 
 namespace elgen::oracle {
 
-using Spin = std::array<Jet, axis_count>;  ///< in the axes of the body
+using Quaternion = std::array<Jet, quaternion_size>;  ///< w, x, y, z
+using Spin = std::array<Jet, axis_count>;             ///< in the axes of the body
 
 /// 1/2 e (0, w): the rate of e where the body turns with w.
 [[nodiscard]] Quaternion rate_of(const Quaternion& e, const Spin& w);
