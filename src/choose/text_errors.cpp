@@ -76,57 +76,14 @@ bool loses_more(double loss, double other, double tolerated) {
   return loss > std::max(tolerated, similar_losses * other);
 }
 
-/// The entries of a form at one point, exact ones once they are asked for.
-class TextErrors::FormAt {
- public:
-  FormAt(const Program& program, const Function& form, const RunningErrorRules<double>& rules,
-         const Arguments<double>& point)
-      : rough(running_entries(program, form, rules)),
-        program_(program),
-        form_(form),
-        point_(point) {}
-
-  [[nodiscard]] const Running<Real>& exact(std::size_t entry) {
-    if (!exact_) exact_ = exact_entries(program_, form_, point_);
-    return (*exact_)[entry];
-  }
-
-  /// E, which double hardly knows where it is lost.
-  [[nodiscard]] double error(std::size_t entry) {
-    const Running<double>& own = rough[entry];
-    const bool is_known = !own.is_lost && std::isfinite(own.error);
-    return is_known ? own.error : number_of(exact(entry).error);
-  }
-
-  [[nodiscard]] std::vector<double> errors() {
-    std::vector<double> all;
-    for (std::size_t i = 0; i < rough.size(); ++i) all.push_back(error(i));
-    return all;
-  }
-
-  const std::vector<Running<double>> rough;
-
- private:
-  const Program& program_;
-  const Function& form_;
-  const Arguments<double>& point_;
-  std::optional<std::vector<Running<Real>>> exact_ = {};
-};
-
 TextErrors::TextErrors(const Program& program, const Function& text, Points points, Scale scale)
     : program_(program), text_(text), points_(std::move(points)) {
   for (std::size_t point = 0; point < points_.size(); ++point) {
     rules_.push_back({running_leaves<double>(points_[point], Leaves::exact)});
-    FormAt form = at(point, program, text);
-    rough_.push_back(form.rough);
+    rough_.push_back(running_entries(program, text, rules_[point]));
     magnitudes_.push_back(magnitudes_at(point, scale));
-    least_.push_back(form.errors());
+    least_.push_back(errors_at(program, text, point, rough_[point]));
   }
-}
-
-auto TextErrors::at(std::size_t point, const Program& program, const Function& form) const
-    -> FormAt {
-  return {program, form, rules_[point], points_[point]};
 }
 
 /// Counts digits of the text exactly where double hardly has any.
@@ -150,23 +107,42 @@ std::vector<double> TextErrors::magnitudes_at(std::size_t point, Scale scale) co
   return magnitudes;
 }
 
+std::vector<double> TextErrors::errors_at(const Program& program, const Function& form,
+                                          std::size_t point, const Entries& rough) const {
+  std::vector<double> errors;
+  std::optional<std::vector<Running<Real>>> exact;
+  for (const Running<double>& entry : rough) {
+    const std::size_t i = errors.size();
+    errors.push_back(entry.error);
+    if (!entry.is_lost && std::isfinite(entry.error)) continue;
+    if (!exact) exact = exact_entries(program, form, points_[point]);
+    errors.back() = number_of((*exact)[i].error);
+  }
+  return errors;
+}
+
+std::vector<double> TextErrors::errors_at(const Program& program, const Function& form,
+                                          std::size_t point) const {
+  return errors_at(program, form, point, running_entries(program, form, rules_[point]));
+}
+
 ErrorsAtPoints TextErrors::errors_of(const Expressions& rewriting) const {
   const Linearised one(make_network(rewriting));
   ErrorsAtPoints errors;
   for (std::size_t point = 0; point < points_.size(); ++point) {
-    errors.push_back(at(point, one.program, one.function).error(0));
+    errors.push_back(errors_at(one.program, one.function, point).front());
   }
   return errors;
 }
 
 std::optional<ErrorsAtPoints> TextErrors::accurate_errors(const Expressions& rewriting,
                                                           std::size_t entry) const {
-  const Linearised one(make_network(rewriting));
+  const auto [program, function] = Linearised(make_network(rewriting));
   ErrorsAtPoints errors;
   for (std::size_t point = 0; point < points_.size(); ++point) {
-    FormAt form = at(point, one.program, one.function);
-    if (inaccurate_entry_at(form, entry, point)) return std::nullopt;
-    errors.push_back(form.error(0));
+    const Entries rough = running_entries(program, function, rules_[point]);
+    if (inaccurate_entry_at(program, function, point, rough, entry)) return std::nullopt;
+    errors.push_back(errors_at(program, function, point, rough).front());
   }
   return errors;
 }
@@ -187,7 +163,7 @@ void TextErrors::add_rewriting(const ErrorsAtPoints& errors, std::size_t entry) 
 
 void TextErrors::add_form(const Program& program, const Function& form) {
   for (std::size_t point = 0; point < points_.size(); ++point) {
-    const std::vector<double> errors = at(point, program, form).errors();
+    const std::vector<double> errors = errors_at(program, form, point);
     for (std::size_t i = 0; i < errors.size(); ++i) {
       least_[point][i] = std::min(least_[point][i], errors[i]);
     }
@@ -205,7 +181,7 @@ double TextErrors::loss_of(const ErrorsAtPoints& errors, std::size_t entry) cons
 double TextErrors::worst_loss(const Program& program, const Function& form) const {
   double loss = 0;
   for (std::size_t point = 0; point < points_.size(); ++point) {
-    const std::vector<double> errors = at(point, program, form).errors();
+    const std::vector<double> errors = errors_at(program, form, point);
     for (std::size_t i = 0; i < errors.size(); ++i) {
       loss = std::max(loss, loss_at(errors[i], magnitudes_[point][i], least_[point][i]));
     }
@@ -216,17 +192,21 @@ double TextErrors::worst_loss(const Program& program, const Function& form) cons
 std::optional<std::size_t> TextErrors::inaccurate_entry(const Program& program,
                                                         const Function& form) const {
   for (std::size_t point = 0; point < points_.size(); ++point) {
-    FormAt entries = at(point, program, form);
-    if (const auto entry = inaccurate_entry_at(entries, 0, point)) return entry;
+    const Entries rough = running_entries(program, form, rules_[point]);
+    if (const auto entry = inaccurate_entry_at(program, form, point, rough, 0)) return entry;
   }
   return std::nullopt;
 }
 
-std::optional<std::size_t> TextErrors::inaccurate_entry_at(FormAt& form, std::size_t first,
-                                                           std::size_t point) const {
-  for (std::size_t i = 0; i < form.rough.size(); ++i) {
-    if (is_certainly_accurate(form.rough[i], rough_[point][first + i])) continue;
-    if (is_inaccurate(form.exact(i), exact_text(point)[first + i])) return first + i;
+std::optional<std::size_t> TextErrors::inaccurate_entry_at(const Program& program,
+                                                           const Function& form, std::size_t point,
+                                                           const Entries& rough,
+                                                           std::size_t first) const {
+  std::optional<std::vector<Running<Real>>> exact;
+  for (std::size_t i = 0; i < rough.size(); ++i) {
+    if (is_certainly_accurate(rough[i], rough_[point][first + i])) continue;
+    if (!exact) exact = exact_entries(program, form, points_[point]);
+    if (is_inaccurate((*exact)[i], exact_text(point)[first + i])) return first + i;
   }
   return std::nullopt;
 }

@@ -69,19 +69,26 @@ class TextErrors {
   [[nodiscard]] double worst_loss(const Program& program, const Function& form) const;
 
  private:
-  class FormAt;
+  using Entries = std::vector<Running<double>>;  ///< of a form, in double
 
-  [[nodiscard]] FormAt at(std::size_t point, const Program& program, const Function& form) const;
-  [[nodiscard]] std::optional<std::size_t> inaccurate_entry_at(FormAt& form, std::size_t first,
-                                                               std::size_t point) const;
+  /// The first of the entries that is less accurate than the text's, of which it is the `first`.
+  [[nodiscard]] std::optional<std::size_t> inaccurate_entry_at(const Program& program,
+                                                               const Function& form,
+                                                               std::size_t point,
+                                                               const Entries& rough,
+                                                               std::size_t first) const;
+  [[nodiscard]] std::vector<double> errors_at(const Program& program, const Function& form,
+                                              std::size_t point) const;
+  [[nodiscard]] std::vector<double> errors_at(const Program& program, const Function& form,
+                                              std::size_t point, const Entries& rough) const;
   [[nodiscard]] const std::vector<Running<Real>>& exact_text(std::size_t point) const;
   [[nodiscard]] std::vector<double> magnitudes_at(std::size_t point, Scale scale) const;
 
   const Program& program_;
   const Function& text_;
   Points points_;
-  std::vector<RunningErrorRules<double>> rules_ = {};     ///< by point
-  std::vector<std::vector<Running<double>>> rough_ = {};  ///< of the text, by point and entry
+  std::vector<RunningErrorRules<double>> rules_ = {};  ///< by point
+  std::vector<Entries> rough_ = {};                    ///< of the text, by point and entry
   mutable std::map<std::size_t, std::vector<Running<Real>>> exact_ = {};  ///< once it is asked for
   std::vector<std::vector<double>> magnitudes_ = {};  ///< by point and entry; NaN: no value
   std::vector<std::vector<double>> least_ = {};       ///< E of all rewritings, likewise
