@@ -22,12 +22,6 @@ bool precedes(const CircularPower& x, const CircularPower& y) {
   return std::tie(x.cosine, x.sine) < std::tie(y.cosine, y.sine);
 }
 
-struct CircularLess {
-  bool operator()(const std::vector<CircularPower>& x, const std::vector<CircularPower>& y) const {
-    return std::lexicographical_compare(x.begin(), x.end(), y.begin(), y.end(), precedes);
-  }
-};
-
 /// One step of sin^2 = 1 - cos^2, or cos^2 = 1 - sin^2.
 TwoPowers reduced(const TwoPowers& sum, bool by_sines) {
   TwoPowers result;
@@ -135,9 +129,9 @@ class RealTerms {
     if (angle.empty()) return add_real(sum, 0, coefficient.real);
     const NumberedSum& products = numbered(angle);
     work_ += products.size();
+    const Gaussian twice{coefficient.real * 2, coefficient.imaginary * 2};
     for (const auto& [number, value] : products) {
-      add_real(sum, number,
-               (value.real * coefficient.real - value.imaginary * coefficient.imaginary) * 2);
+      add_real(sum, number, value.real * twice.real - value.imaginary * twice.imaginary);
     }
   }
 
@@ -149,11 +143,13 @@ class RealTerms {
   [[nodiscard]] std::vector<RealTerm> take() const {
     std::vector<RealTerm> terms;
     for (const auto& [powers, sum] : sums_) {
-      std::map<std::vector<CircularPower>, cl_RA, CircularLess> ordered;
+      const auto first = static_cast<std::ptrdiff_t>(terms.size());
       for (const auto& [number, value] : sum) {
-        if (!cln::zerop(value)) ordered.emplace(circular_.factors(number), value);
+        if (!cln::zerop(value)) terms.push_back({value, powers, circular_.factors(number)});
       }
-      for (const auto& [circular, value] : ordered) terms.push_back({value, powers, circular});
+      std::sort(terms.begin() + first, terms.end(), [](const RealTerm& x, const RealTerm& y) {
+        return std::ranges::lexicographical_compare(x.circular, y.circular, precedes);
+      });
     }
     return terms;
   }
@@ -218,7 +214,9 @@ class RealTerms {
   NumberedSum times_exponential(const NumberedSum& x, const Monomial& angle,
                                 std::int32_t multiple) {
     NumberedSum result;
-    for (const auto& [powers, b] : power_of_exponential(multiple, by_sines_)) {
+    const auto [known, is_new] = powers_.try_emplace(multiple);
+    if (is_new) known->second = power_of_exponential(multiple, by_sines_);
+    for (const auto& [powers, b] : known->second) {
       const bool is_one = powers.first == 0 && powers.second == 0;
       const std::size_t power = circular_.number_of({angle, powers.first, powers.second});
       for (const auto& [own, a] : x) {
@@ -236,6 +234,7 @@ class RealTerms {
   std::map<AtomId, std::int32_t> base_of_unit_;
   std::map<Monomial, std::int32_t, MonomialLess> base_of_direction_;
   std::map<Monomial, NumberedSum, MonomialLess> expansions_;
+  std::map<std::int32_t, TwoPowers> powers_ = {};  ///< of exponentials
   CircularProducts circular_;
   std::map<Monomial, RealSum, MonomialLess> sums_;
 };

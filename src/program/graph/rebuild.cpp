@@ -13,6 +13,7 @@ namespace {
 /// The old node's operands in the new graph: terms of a sum or arguments, with their signs.
 std::vector<Ref> renewed_terms(const RebuildStep& step) {
   std::vector<Ref> terms;
+  terms.reserve(step.old_graph.node(step.old_node).operands.size());
   for (const Operand& operand : step.old_graph.node(step.old_node).operands) {
     terms.push_back(with_sign(step.renewed[operand.node], operand.weight < 0));
   }
@@ -22,6 +23,7 @@ std::vector<Ref> renewed_terms(const RebuildStep& step) {
 /// The factors of a product in the new graph.
 std::vector<Power> renewed_factors(const RebuildStep& step) {
   std::vector<Power> factors;
+  factors.reserve(step.old_graph.node(step.old_node).operands.size());
   for (const Operand& operand : step.old_graph.node(step.old_node).operands) {
     factors.push_back({step.renewed[operand.node], operand.weight});
   }
