@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <deque>
 
 #include "numbers/exact_number.hpp"
 
@@ -294,8 +295,8 @@ cl_R function_value(FunctionId function, const cl_F& x, const cl_F& y) {
 #define ELGEN_VALUE(name, ...) \
   case FunctionId::name:       \
     return __VA_ARGS__;
-    ELGEN_VALUE(sin, cln::sin(x))
-    ELGEN_VALUE(cos, cln::cos(x))
+    ELGEN_VALUE(sin, cos_sin_of(x).sin)
+    ELGEN_VALUE(cos, cos_sin_of(x).cos)
     ELGEN_VALUE(tan, cln::tan(x))
     ELGEN_VALUE(asin, cln::atan(cofunction(), x))
     ELGEN_VALUE(acos, cln::atan(x, cofunction()))
@@ -317,6 +318,22 @@ cl_R function_value(FunctionId function, const cl_F& x, const cl_F& y) {
 #undef ELGEN_VALUE
   }
   return x;
+}
+
+cln::cos_sin_t cos_sin_of(const cl_F& x) {
+  struct Known {
+    cl_F x;
+    cln::cos_sin_t both;
+  };
+  constexpr std::size_t most = 16;  // angles of a few bodies, in one precision or two
+  thread_local std::deque<Known> latest;
+  const auto known = std::ranges::find_if(latest, [&x](const Known& other) {
+    return cln::float_digits(other.x) == cln::float_digits(x) && other.x == x;
+  });
+  if (known != latest.end()) return known->both;
+  latest.push_front({x, cln::cos_sin(x)});
+  if (latest.size() > most) latest.pop_back();
+  return latest.front().both;
 }
 
 std::optional<cl_RA> known_value(FunctionId function, const cl_RA& x, const cl_RA& y) {

@@ -87,6 +87,10 @@ class EnclosedArithmetic {
 /// f(x), or f(x, y), inside the domain; CLN throws where its exponents end.
 [[nodiscard]] cln::cl_R function_value(FunctionId function, const cln::cl_F& x, const cln::cl_F& y);
 
+/// Sine and cosine by CLN, which makes both at the cost of one. The latest are remembered: their
+/// derivatives, and other functions at a state, ask for them again.
+[[nodiscard]] cln::cos_sin_t cos_sin_of(const cln::cl_F& x);
+
 /// Exponents of ten beyond this one are too large for a constant.
 inline constexpr double largest_decimal_exponent = 10'000;
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <optional>
 
 #include "numbers/enclosed_number.hpp"
 #include "numbers/exact_number.hpp"
@@ -67,18 +66,6 @@ bool in_domain(FunctionId function, const cln::cl_F& x) {
   return true;
 }
 
-/// Both are made together: a derivative of one asks for the other next.
-cln::cl_R sine_or_cosine(FunctionId function, const cln::cl_F& x) {
-  struct Known {
-    cln::cl_F x;
-    cln::cos_sin_t both;
-  };
-  thread_local std::optional<Known> last;
-  const bool is_known = last && cln::float_digits(last->x) == cln::float_digits(x) && last->x == x;
-  if (!is_known) last = Known{x, cln::cos_sin(x)};
-  return function == FunctionId::sin ? last->both.sin : last->both.cos;
-}
-
 Real called(FunctionId function, const Real& x, const Real& y) {
   if (!both(x, y)) return Real::undefined();
   if (is_kinked(function)) return Real(function_value(function, number(x), number(y)));
@@ -86,7 +73,6 @@ Real called(FunctionId function, const Real& x, const Real& y) {
   const bool is_origin = cln::zerop(number(x)) && cln::zerop(number(y));
   if (function == FunctionId::atan2 && is_origin) return Real();  // as the C library has it
   return guarded(in_domain(far, number(x)), [&] {
-    if (is_circular(function)) return sine_or_cosine(function, lengthened(x));
     return function_value(function, is_periodic(far) ? lengthened(x) : number(x), number(y));
   });
 }

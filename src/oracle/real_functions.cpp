@@ -7,6 +7,7 @@
 #include <cln/integer.h>
 #include <cln/rational.h>
 
+#include "numbers/enclosed_number.hpp"
 #include "numbers/exact_number.hpp"
 
 namespace elgen::oracle {
@@ -232,7 +233,7 @@ cl_R RealFunctions::remembered(FunctionId function, const cl_R& x, const cl_R& y
   if (!is_circular(function)) {
     return known_[Call{function, x, y}] = rounded(computed(function, x, y));
   }
-  const cln::cos_sin_t both = cln::cos_sin(widened(x));
+  const cln::cos_sin_t both = cos_sin_of(widened(x));
   const cl_R sine = known_[Call{FunctionId::sin, x, y}] = rounded(both.sin);
   const cl_R cosine = known_[Call{FunctionId::cos, x, y}] = rounded(both.cos);
   return function == FunctionId::sin ? sine : cosine;
