@@ -198,7 +198,7 @@ ReadableEntries read_entries(const BothForms& both, const Points& points, TextEr
       if (!entry || text == nullptr) continue;
       Judging judging(*entry, entries.size() - 1, *text);
       judging([&] {
-        return all_rewritings(std::move(rewritings), precise_rewritings(forms.algebra, *form),
+        return all_rewritings(std::move(rewritings), precise_rewritings(both.forms.algebra, *form),
                               derived ? &*derived : nullptr);
       });
     }
