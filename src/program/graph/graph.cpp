@@ -77,12 +77,14 @@ NodeId Graph::intern(Node node) {
 }
 
 Ref Graph::rational(const cln::cl_RA& value) {
+  if (one_ && value == 1) return {*one_, false};
   const cln::cl_RA magnitude = cln::abs(value);
   const auto [known, is_new] = rational_nodes_.try_emplace(magnitude, 0);
   if (is_new) {
     const auto next = static_cast<std::uint32_t>(rationals_.size());
     rationals_.push_back(magnitude);
     known->second = intern({.kind = NodeKind::rational, .index = next});
+    if (magnitude == 1) one_ = known->second;
   }
   return {known->second, cln::minusp(value)};
 }

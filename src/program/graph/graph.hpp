@@ -151,6 +151,7 @@ class Graph {
   std::unordered_map<cln::cl_RA, NodeId, RationalHash> rational_nodes_;
   std::unordered_multimap<std::size_t, NodeId> known_;
   std::uint32_t birth_ = 0;
+  std::optional<NodeId> one_ = {};  ///< the coefficient of almost every product
 };
 
 /// Operands before users, each node once: what `outputs` need.
