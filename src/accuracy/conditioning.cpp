@@ -66,7 +66,7 @@ Conditioning::Conditioning(const Program& program, const Function& function,
   for (const Real& value : values_) rounded_values_.push_back(rounded(value));
 }
 
-/// That of a term is 1 or -1, and of a factor the other factor; all else goes by dual numbers.
+/// A term has slope 1 or -1, and a factor the other factor; all else goes by dual numbers.
 Real Conditioning::slope(const Instruction& i, std::uint32_t operand) const {
   const bool is_first = operand == i.a;
   if (is_sum(i) && i.a != i.b) return Real(is_first || i.opcode == Opcode::add ? 1 : -1);
