@@ -1,5 +1,6 @@
 // Real arithmetic of the oracle: the functions of the model language to working_digits decimal
-// digits. It is the oracle's own, and shares no value of a function with what it judges.
+// digits. It is the oracle's own, and shares no value of a function with what it judges but CLN's
+// sines and cosines.
 //
 // Exact rationals stay exact as long as they are short, and exact zeros stay exact, so that
 // derivatives that vanish cost nothing. Drawn doubles are floats, in which they are exact, too.
