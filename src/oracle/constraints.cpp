@@ -223,7 +223,7 @@ Values pivots_of_constraints(const Model& model, const ConstrainedSystem& system
 }
 
 ConstrainedSystem constrained_system(Mechanics& at) {
-  return {mass_matrix_values(at), constraint_jacobian(at.model(), at.state())};
+  return {at.mass_matrix(), constraint_jacobian(at.model(), at.state())};
 }
 
 ConstrainedMotion response(Mechanics& at, const ConstrainedSystem& system, const Values& r,
@@ -264,7 +264,7 @@ Direction correction(const Model& model, const State& state, const Shortage& sho
   const Values still(state.v.size());
   if (shortage.rows.empty()) return still;
   Mechanics at(model, state);
-  ConstrainedSystem system{mass_matrix_values(at), {}};
+  ConstrainedSystem system{at.mass_matrix(), {}};
   for (const Direction& row : shortage.rows) {
     system.jacobian.insert(system.jacobian.end(), row.begin(), row.end());
   }

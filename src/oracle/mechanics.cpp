@@ -2,6 +2,8 @@
 // Expansion: the point from the model's expressions, and motions scaled towards it.
 #include "oracle/mechanics.hpp"
 
+#include <algorithm>
+
 #include "oracle/real_functions.hpp"
 
 namespace elgen::oracle {
@@ -122,6 +124,35 @@ cl_R Mechanics::mass(const Direction& w, const Direction& y) {
   displace(motion.v, w, first);
   displace(motion.v, y, second);
   return energy_at(lagrangian, motion).coefficient(first | second);
+}
+
+/// The coefficient of e_i g_j in L(q, v + sum e_i w_i + sum g_j y_j): nine entries by one
+/// evaluation with six generators, where L is quadratic. Otherwise that would compose functions of
+/// all six.
+std::vector<cl_R> Mechanics::mass_matrix() {
+  const std::size_t n = size();
+  const std::size_t block = model_.quadratic ? 3 : 1;
+  const auto first_of = [](std::size_t i) { return generator(static_cast<unsigned>(i)); };
+  const auto second_of = [](std::size_t j) { return generator(static_cast<unsigned>(3 + j)); };
+  std::vector<cl_R> values(n * n);
+  for (std::size_t row = 0; row < n; row += block) {
+    const std::size_t rows = std::min(block, n - row);
+    for (std::size_t column = 0; column <= row; column += block) {
+      const std::size_t columns = std::min(block, n - column);
+      Motion motion = model_.quadratic ? at_rest() : base_;
+      for (std::size_t i = 0; i < rows; ++i) displace(motion.v, unit(row + i), first_of(i));
+      for (std::size_t j = 0; j < columns; ++j) displace(motion.v, unit(column + j), second_of(j));
+      const Jet energy = energy_at(lagrangian, motion);
+      for (std::size_t k = 0; k < rows * columns; ++k) {
+        const std::size_t i = k / columns;
+        const std::size_t j = k % columns;
+        cl_R& entry = values[(row + i) * n + column + j];
+        entry = energy.coefficient(first_of(i) | second_of(j));
+        values[(column + j) * n + row + i] = entry;
+      }
+    }
+  }
+  return values;
 }
 
 cl_R Mechanics::turned_mass(const Direction& w, const Direction& by, const Direction& y) {

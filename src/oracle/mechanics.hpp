@@ -92,6 +92,9 @@ class Mechanics {
   /// w.M y, M = d2L/dv2
   [[nodiscard]] cln::cl_R mass(const Direction& w, const Direction& y);
 
+  /// M, n x n for n velocities, row-major.
+  [[nodiscard]] std::vector<cln::cl_R> mass_matrix();
+
   /// w.M y with directions turned: w.([v]x M y) is (w x v).M y, on the velocities of rotations.
   [[nodiscard]] cln::cl_R turned_mass(const Direction& w, const Direction& by, const Direction& y);
 

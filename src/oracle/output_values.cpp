@@ -214,7 +214,7 @@ constexpr OracleRow column{column_entries<product>, contracted<product>};
 
 namespace rows {
 
-constexpr OracleRow mass_matrix{entries<mass_matrix_values>, contracted<&Mechanics::mass>};
+constexpr OracleRow mass_matrix{entries<&Mechanics::mass_matrix>, contracted<&Mechanics::mass>};
 constexpr OracleRow coriolis_matrix{entries<coriolis_entries>, contracted<coriolis>};
 constexpr OracleRow input_matrix{entries<input_entries>, contracted<&Mechanics::input_force>};
 

@@ -60,17 +60,6 @@ Solution solve_symmetric(std::vector<cl_R> matrix, const std::vector<cl_R>& righ
   return solution;
 }
 
-std::vector<cl_R> mass_matrix_values(Mechanics& at) {
-  const std::size_t n = at.size();
-  std::vector<cl_R> values(n * n);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j <= i; ++j) {
-      values[i * n + j] = values[j * n + i] = at.mass(at.unit(i), at.unit(j));
-    }
-  }
-  return values;
-}
-
 Solution solve_mass(const Model& model, std::vector<cl_R> mass,
                     const std::vector<cl_R>& right_side) {
   if (!eliminates_last_first(model)) return solve_symmetric(std::move(mass), right_side);
@@ -107,7 +96,7 @@ std::vector<cl_R> velocities_of_momenta(const Model& model, State state,
   Mechanics at(model, state);
   std::vector<cl_R> right_side = unit_products(at, &Mechanics::momentum);
   for (std::size_t i = 0; i < p.size(); ++i) right_side[i] = p[i] - right_side[i];
-  return solve_mass(model, mass_matrix_values(at), right_side).x;
+  return solve_mass(model, at.mass_matrix(), right_side).x;
 }
 
 std::vector<cl_R> momentum_rates(const Model& model, const State& state) {

@@ -22,9 +22,6 @@ struct Solution {
 [[nodiscard]] Solution solve_symmetric(std::vector<cln::cl_R> matrix,
                                        const std::vector<cln::cl_R>& right_side);
 
-/// M, n x n for n velocities, row-major.
-[[nodiscard]] std::vector<cln::cl_R> mass_matrix_values(Mechanics& at);
-
 /// M x = r with M at hand, and the relative pivots by velocity, in the model's order of
 /// elimination.
 [[nodiscard]] Solution solve_mass(const Model& model, std::vector<cln::cl_R> mass,

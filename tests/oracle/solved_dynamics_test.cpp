@@ -37,7 +37,7 @@ TEST_CASE("the mass matrix is symmetric and the solution solves") {
   const Model model = coupled();
   const State state = random_state(model, 4);
   Mechanics at(model, state);
-  const auto mass = mass_matrix_values(at);
+  const auto mass = at.mass_matrix();
   CHECK(mass == Values{2, 1, 1, 4});
   const auto solution = solve_mass(model, mass, {3, 5});
   CHECK(solution.x == Values{1, 1});
