@@ -202,11 +202,16 @@ inline constexpr std::array operation_columns{OperationColumn{"add", &OperationC
 
 [[nodiscard]] std::string dump(const Program& program);
 
+/// The names of values for which nothing tells what they are: code has a hash of their content,
+/// pages count them ("part_2").
+enum class LastName : std::uint8_t { hash, number };
+
 /// The names under which equations and the emitted code know an instruction; "" where it is
 /// written out. Every name is a C++ identifier, unique in the function, stable under changes
-/// elsewhere (a content hash where nothing tells what the instruction is).
+/// elsewhere unless it is a number.
 [[nodiscard]] std::vector<std::string> temporary_names(const Program& program,
-                                                       const Function& function);
+                                                       const Function& function,
+                                                       LastName last = LastName::hash);
 
 /// Keeps the names that hold where leaves have other values, too: not those spelt over leaves, told
 /// of values in frames, or made of a hash.

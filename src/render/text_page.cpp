@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "elgen/render.hpp"
 #include "elgen/scalars.hpp"
@@ -17,11 +18,16 @@ namespace {
 using FieldTexts = std::vector<std::vector<std::string>>;
 
 /// Functions as one: what they compute alike is computed once. Their fields follow one another.
+/// Names that another function tells too have that of their function before them.
 Function united(const Program& program, const std::vector<std::size_t>& functions) {
   Function all;
   Instructions instructions(all);
   for (const std::size_t index : functions) {
-    const Function& each = program.functions[index];
+    Function each = program.functions[index];
+    const std::set<std::string> known(all.names.begin(), all.names.end());
+    for (std::string& name : each.names) {
+      if (name.starts_with(told_mark) && known.contains(name)) name.insert(1, each.name + "_");
+    }
     const std::vector<std::uint32_t> places = instructions.add_all(each);
     for (Field field : each.fields) {
       for (std::uint32_t& entry : field.entries) entry = places[entry];
@@ -66,7 +72,9 @@ std::string text_page(const Model& model, const Scene& scene, const Program& pro
     const bool is_closed = has_readable_form(program, i);
     if (!is_closed && is_shown(program, program.functions[i], options)) open.push_back(i);
   }
-  const FunctionEquations parts = equations(program, united(program, open));
+  const Function all = united(program, open);
+  const FunctionEquations parts =
+      equations(program, all, temporary_names(program, all, LastName::number));
   if (!parts.definitions.empty()) text += "\nnamed parts\n";
   for (const EquationLine& line : parts.definitions) {
     text += fmt::format("  {} = {}\n", line.name, line.value);

@@ -59,6 +59,7 @@ inline void read_parameter(Subject& subject, const std::string& leaf) {
   leaves.push_back(leaf);
   subject.program.functions.front().instructions.push_back(
       {Opcode::parameter, FunctionId::sin, index, 0});
+  subject.program.functions.front().names.emplace_back();
 }
 
 /// Lets the first function load a constant, so that it is emitted.
@@ -66,6 +67,7 @@ inline void load_constant(Subject& subject, const Constant& constant) {
   const std::uint32_t index = position_of(constant, subject.program.constants);
   subject.program.functions.front().instructions.push_back(
       {Opcode::constant, FunctionId::sin, index, 0});
+  subject.program.functions.front().names.emplace_back();
 }
 
 inline void add_coordinate(Model& model, const std::string& name, const std::string& unit) {

@@ -42,7 +42,7 @@ int main() {
   const auto packs = values<NUMBER>();
   static const limbs_c_parameters p = LIMBS_C_DEFAULT_PARAMETERS;
   Eigen::Matrix<NUMBER, n, 1> q, v;
-  for (std::size_t i = 0; i < n; ++i) {
+  for (Eigen::Index i = 0; i < q.size(); ++i) {
     q[i] = static_cast<NUMBER>(0.25) * static_cast<NUMBER>(i % 5) + static_cast<NUMBER>(0.1);
     v[i] = static_cast<NUMBER>(0.5) - static_cast<NUMBER>(0.3) * static_cast<NUMBER>(i % 3);
   }

@@ -1,4 +1,4 @@
-// Spelling: what a value is made of, as a name.
+// SpeltName: what a value is made of, as a name.
 //
 //     m*l*cos(theta)     m_l_cos_theta          x/l                x_over_l
 //     M + m              M_plus_m               1 - cos(theta)     one_minus_cos_theta
@@ -15,7 +15,7 @@
 
 namespace elgen {
 
-struct Spelling {
+struct SpeltName {
   enum class Begin : std::uint8_t { name, number, call };
   enum class End : std::uint8_t { name, call, divisor, sum };
 
@@ -27,9 +27,9 @@ struct Spelling {
 };
 
 /// Spells a constant; none but 1, 2, 3, 4 and 1/2.
-[[nodiscard]] Spelling spelt(const ConstantForm& form);
+[[nodiscard]] SpeltName spelt(const ConstantForm& form);
 
 /// Spells an operation on spelt values; `b` where it has two operands.
-[[nodiscard]] Spelling spelt(const Instruction& operation, const Spelling& a, const Spelling& b);
+[[nodiscard]] SpeltName spelt(const Instruction& operation, const SpeltName& a, const SpeltName& b);
 
 }  // namespace elgen

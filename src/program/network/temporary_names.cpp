@@ -176,7 +176,7 @@ class Naming {
     }
   }
 
-  std::vector<std::string> names() {
+  std::vector<std::string> names(LastName last) {
     const std::size_t count = function_.instructions.size();
     std::vector<std::string> names(count);
     std::vector<std::size_t> sizes(count, 0);
@@ -197,13 +197,14 @@ class Naming {
     const std::vector<std::string> parts =
         part_names(function_, names, {unnamed.begin(), unnamed.end()});
     for (const std::size_t at : unnamed) names[at] = parts[at];
-    for (const std::size_t at : name_alone(unnamed, names))
-      names[at] = taken_.hash_name(hashes_[at]);
+    for (const std::size_t at : name_alone(unnamed, names)) {
+      names[at] = last == LastName::hash ? taken_.hash_name(hashes_[at]) : taken_.unique("part");
+    }
     return names;
   }
 
   std::vector<std::string> own_names() {
-    std::vector<std::string> own = names();
+    std::vector<std::string> own = names(LastName::hash);
     for (std::size_t at = 0; at < own.size(); ++at) {
       if (own_[at].empty()) own[at].clear();
     }
@@ -230,7 +231,7 @@ class Naming {
   }
 
   /// A value made of leaves is spelt; else a told one is one name.
-  Spelling spelling(std::size_t at) const {
+  SpeltName spelling(std::size_t at) const {
     const Instruction& i = function_.instructions[at];
     if (i.opcode == Opcode::constant) return spelt(program_.constants[i.a].form);
     if (is_leaf(i.opcode)) {
@@ -238,8 +239,9 @@ class Naming {
       return {.text = fmt::format(fmt::runtime(leaf_row(i.opcode).identifier), leaf)};
     }
     if (!own_[at].empty() && !is_trigonometric(i)) return {.text = own_[at], .is_told = true};
-    if (!own_[at].empty()) return {own_[at], 1, false, Spelling::Begin::call, Spelling::End::call};
-    Spelling made = spelt(i, spellings_[i.a], spellings_[operand_count(i) > 1 ? i.b : i.a]);
+    if (!own_[at].empty())
+      return {own_[at], 1, false, SpeltName::Begin::call, SpeltName::End::call};
+    SpeltName made = spelt(i, spellings_[i.a], spellings_[operand_count(i) > 1 ? i.b : i.a]);
     const bool is_told = function_.names[at].starts_with(told_mark);
     if (!is_told || (!made.text.empty() && !made.is_told)) return made;
     return {.text = function_.names[at].substr(1), .is_told = true};
@@ -299,13 +301,14 @@ class Naming {
   const std::vector<std::uint64_t> hashes_;
   std::vector<std::optional<std::string>> sums_;  ///< names of short sums of leaves
   std::vector<std::string> own_;                  ///< of what has a name that is not told
-  std::vector<Spelling> spellings_;
+  std::vector<SpeltName> spellings_;
 };
 
 }  // namespace
 
-std::vector<std::string> temporary_names(const Program& program, const Function& function) {
-  return Naming(program, function).names();
+std::vector<std::string> temporary_names(const Program& program, const Function& function,
+                                         LastName last) {
+  return Naming(program, function).names(last);
 }
 
 std::vector<std::string> own_names(const Program& program, const Function& function) {

@@ -110,7 +110,7 @@ std::uint32_t Composition::leaf_at(const Instruction& leaf, const CallPoint& at)
 Places Composition::call(const Program& from, const Function& callee, const Field& field,
                          const CallPoint& at, bool is_inner) {
   const std::vector<bool> needed = needed_for(callee, field.entries);
-  // The other names say of what a value is computed, which is another one here.
+  // Names that are spelt say of what a value is computed, which is another one here.
   const std::vector<std::string> names = own_names(from, callee);
   const std::string suffix = at.number > 1 ? fmt::format("_{}", at.number) : "";
   Places places(callee.instructions.size());
@@ -127,8 +127,9 @@ Places Composition::call(const Program& from, const Function& callee, const Fiel
     instruction.is_inner = is_inner && operand_count(instruction) > 0;
     places[i] = add(with_operands(instruction, places));
     const bool is_computed = operand_count(function_.instructions[places[i]]) > 0;
-    std::string& name = function_.names[places[i]];
-    if (is_computed && !names[i].empty() && name.empty()) name = names[i] + suffix;
+    const bool is_told = names[i].empty() && callee.names[i].starts_with(told_mark);
+    const std::string& own = is_told ? callee.names[i] : names[i];
+    if (is_computed && !own.empty()) take_name(function_.names[places[i]], own + suffix);
   }
   Places result;
   for (const std::uint32_t entry : field.entries) result.push_back(places[entry]);
@@ -145,11 +146,14 @@ void Composition::name(const Places& values, Opcode kind, std::uint32_t number) 
   }
 }
 
+void Composition::name(std::uint32_t value, const std::string& name) {
+  std::string& known = function_.names[value];
+  if (operand_count(function_.instructions[value]) > 0 && known.empty()) known = name;
+}
+
 void Composition::name(const Places& values, const std::string& prefix) {
   for (std::uint32_t i = 0; i < values.size(); ++i) {
-    std::string& name = function_.names[values[i]];
-    if (operand_count(function_.instructions[values[i]]) == 0 || !name.empty()) continue;
-    name = prefix + identifier_of(leaf_of(program_.leaves, Opcode::velocity, i));
+    name(values[i], prefix + identifier_of(leaf_of(program_.leaves, Opcode::velocity, i)));
   }
 }
 
@@ -161,7 +165,7 @@ std::vector<std::size_t> Composition::long_columns(const std::vector<Places>& co
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const std::size_t before = straight.instructions.size();
     (void)body(trial, columns[i]);
-    if (2 * (straight.instructions.size() - before) > length) result.push_back(i);
+    if (3 * (straight.instructions.size() - before) > 2 * length) result.push_back(i);
   }
   if (result.size() < least_columns) result.clear();
   return result;
@@ -217,7 +221,9 @@ Factorised::Factorised(Composition& compose, Places order, const Places& mass)
       for (std::size_t k = 0; k < j; ++k) w = less(compose_, w, lower_[j][k], unscaled[i][k]);
       unscaled[i].push_back(w);
       if (i == j) reciprocals_.push_back(compose_.add(Opcode::divide, compose_.number(1), w));
-      if (i > j) lower_[i].push_back(compose_.add(Opcode::multiply, w, reciprocals_[j]));
+      if (i == j) continue;
+      lower_[i].push_back(compose_.add(Opcode::multiply, w, reciprocals_[j]));
+      compose_.name(lower_[i].back(), fmt::format("lower_{}_{}", order_[i] + 1, order_[j] + 1));
     }
   }
 }

@@ -63,6 +63,8 @@ class Composition {
 
   /// Calls values "theta_2" that are computed and have no name yet.
   void name(const Places& values, Opcode kind, std::uint32_t number);
+  /// Calls a value so, likewise.
+  void name(std::uint32_t value, const std::string& name);
   /// Calls them "reduced_theta", likewise.
   void name(const Places& values, const std::string& prefix);
 
@@ -72,7 +74,7 @@ class Composition {
   [[nodiscard]] bool is_zero(std::uint32_t place) const;
   [[nodiscard]] bool is_one(std::uint32_t place) const;
   [[nodiscard]] std::uint32_t add(const Instruction& instruction);
-  /// The columns for which the body takes more than half of so many instructions; none where they
+  /// The columns for which the body takes more than two thirds of so many instructions; none where they
   /// are few.
   [[nodiscard]] std::vector<std::size_t> long_columns(const std::vector<Places>& columns,
                                                       const Body& body, std::size_t length) const;
