@@ -25,9 +25,9 @@ double rounded(const Real& x) {
   return x.is_defined() ? cln::double_approx(x.value()) : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// How far roundings took K: its figures are judged by factors, and differences of slopes that
-/// lose more than seven of sixteen digits are left to Real.
-constexpr double tolerated_error = 1e-9;
+/// How far roundings may have taken K, of which a tenth of a decimal digit is told; the bound grows
+/// with the length of a function. Where slopes cancel, K is left to Real.
+constexpr double tolerated_error = 1e-4;
 
 /// More than a product of doubles, or a factor, loses where it underflows.
 constexpr double lost_to_underflow = 1e-300;

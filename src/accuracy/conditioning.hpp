@@ -32,7 +32,7 @@ class Conditioning {
   Conditioning(const Program& program, const Function& function, std::vector<Real> values,
                std::vector<bool> parameters = {});
 
-  /// K of an instruction; undefined where a derivative is. Doubles give it to nine digits, with a
+  /// K of an instruction; undefined where a derivative is. Doubles give it to four digits, with a
   /// bound of their error, and Real where that is too large. Cost: ten operations of double, or
   /// else two of Real, for each instruction before it.
   [[nodiscard]] Real of(std::uint32_t instruction) const;
