@@ -44,7 +44,7 @@ struct Design {
   bool in_packs = false;
   /// max_error of polynomials; "": as accurate as the scalar; or library_sines
   std::string trigonometry = {};
-  bool is_fixed = false;          ///< every parameter is a number
+  bool is_fixed = false;                  ///< every parameter is a number
   InnerScalar inner = InnerScalar::same;  ///< of one state in double
   std::string order = {};                 ///< of an expansion, or "exact": nothing is approximated
   std::optional<ChosenStep> step = {};    ///< in the place of the output

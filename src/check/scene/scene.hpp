@@ -22,8 +22,8 @@ namespace elgen {
 [[nodiscard]] Emission read_emission(Context& context, const FileSyntax* syntax,
                                      const Scene& scene);
 
-/// Sets Emission::batch, Numerics::trigonometry_error and has_library_sines. E611 where the language is not C++, E625
-/// where the scalars or the accuracy are those of no batch.
+/// Sets Emission::batch, Numerics::trigonometry_error and has_library_sines. E611 where the
+/// language is not C++, E625 where the scalars or the accuracy are those of no batch.
 void read_batch(Context& context, const FileSyntax* syntax, Scene& scene);
 
 /// Sets Numerics::inner; float is for the outputs of the scene, not for those of the options. E611

@@ -74,8 +74,8 @@ class Composition {
   [[nodiscard]] bool is_zero(std::uint32_t place) const;
   [[nodiscard]] bool is_one(std::uint32_t place) const;
   [[nodiscard]] std::uint32_t add(const Instruction& instruction);
-  /// The columns for which the body takes more than two thirds of so many instructions; none where they
-  /// are few.
+  /// The columns for which the body takes more than two thirds of so many instructions; none where
+  /// they are few.
   [[nodiscard]] std::vector<std::size_t> long_columns(const std::vector<Places>& columns,
                                                       const Body& body, std::size_t length) const;
 
