@@ -49,7 +49,7 @@ class LoopBody {
         words_(dialect.columns(loop.count)),
         formulas_(program, body_, dialect, names_) {}
 
-  std::string lines(const ColumnArrays& arrays) {
+  std::string lines(const ColumnNames& arrays) {
     std::string text = words_.opening;
     for (std::uint32_t at = loop_.first; at < loop_.first + function_.repeated.length; ++at) {
       const std::size_t row = row_of(loop_.solved, at);
@@ -79,7 +79,7 @@ class LoopBody {
     return static_cast<std::uint32_t>(names_.size() - 1);
   }
 
-  Instruction in_body(std::uint32_t at, const ColumnArrays& arrays) {
+  Instruction in_body(std::uint32_t at, const ColumnNames& arrays) {
     Instruction instruction = function_.instructions[at];
     const std::size_t count = operand_count(instruction);
     if (count > 0) instruction.a = operand(at, 0, arrays);
@@ -87,7 +87,7 @@ class LoopBody {
     return instruction;
   }
 
-  std::uint32_t operand(std::uint32_t at, std::size_t slot, const ColumnArrays& arrays) {
+  std::uint32_t operand(std::uint32_t at, std::size_t slot, const ColumnNames& arrays) {
     const Places all = operands(function_, at, slot);
     if (all.front() >= loop_.first) return inner_[all.front() - loop_.first];
     if (are_alike(all)) return shared(all.front());
@@ -155,9 +155,8 @@ std::string solved_name(const ColumnLoop& loop, const Function& function, std::u
 }
 
 std::string column_lines(const Dialect& dialect, const Program& program, const Function& function,
-                         const ColumnLoop& loop, const std::vector<std::string>& names,
-                         const ColumnArrays& arrays) {
-  return LoopBody(dialect, program, function, loop, names).lines(arrays);
+                         const ColumnLoop& loop, const ColumnNames& names) {
+  return LoopBody(dialect, program, function, loop, names.values).lines(names);
 }
 
 }  // namespace elgen

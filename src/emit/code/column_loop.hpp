@@ -32,16 +32,17 @@ struct ColumnLoop {
 [[nodiscard]] std::string solved_name(const ColumnLoop& loop, const Function& function,
                                       std::uint32_t at);
 
-/// The arrays by their names: those of the function, or those that its parts share.
-struct ColumnArrays {
+/// The names in the loop: of the instructions before it and of the first column; of the arrays, as
+/// the function has them or its parts share them.
+struct ColumnNames {
+  std::vector<std::string> values = {};
   std::string given = "given";
   std::string solved = "solved";
 };
 
-/// The lines of the loop. `names`: of the instructions before it and of the first column.
+/// The lines of the loop.
 [[nodiscard]] std::string column_lines(const Dialect& dialect, const Program& program,
                                        const Function& function, const ColumnLoop& loop,
-                                       const std::vector<std::string>& names,
-                                       const ColumnArrays& arrays);
+                                       const ColumnNames& names);
 
 }  // namespace elgen

@@ -52,7 +52,7 @@ class DefinitionWriter {
         ordered_(stored(function, storage)),
         loop_(column_loop(ordered_)),
         names_(local_names(dialect, program, ordered_)),
-        names_in_loop_(names_),
+        in_loop_{names_},
         formulas_(program, ordered_, dialect, names_) {
     for (std::uint32_t at = loop_.first; at < names_.size(); ++at) {
       names_[at] = solved_name(loop_, ordered_, at);
@@ -117,11 +117,11 @@ class DefinitionWriter {
   [[nodiscard]] std::string named_value(const Statement& statement, bool is_declared) const {
     const std::uint32_t at = statement.instruction;
     if (is_given(statement)) {
-      return assignment(fmt::format("{}[{}]", arrays_.given, statement.index),
+      return assignment(fmt::format("{}[{}]", in_loop_.given, statement.index),
                         formulas_.entry(at).text());
     }
     if (is_loop(statement)) {
-      return column_lines(dialect_, program_, ordered_, loop_, names_in_loop_, arrays_);
+      return column_lines(dialect_, program_, ordered_, loop_, in_loop_);
     }
     const std::string& name = names_[at];
     const bool is_inner = ordered_.instructions[at].is_inner && dialect_.inner() != nullptr;
@@ -141,22 +141,23 @@ class DefinitionWriter {
     for (std::size_t at = 0; at < std::min<std::size_t>(crosses.size(), loop_.first); ++at) {
       if (!crosses[at]) continue;
       shared.push_back(names_[at]);
-      names_[at] = names_in_loop_[at] = dialect_.shared(names_[at]);
+      names_[at] = in_loop_.values[at] = dialect_.shared(names_[at]);
     }
     for (std::size_t at = loop_.first; at < names_.size(); ++at) {
       if (!names_[at].empty()) names_[at] = dialect_.shared(names_[at]);
     }
     const std::vector<std::string> of_loop = arrays();
     shared.insert(shared.end(), of_loop.begin(), of_loop.end());
-    arrays_ = {dialect_.shared(arrays_.given), dialect_.shared(arrays_.solved)};
+    in_loop_.given = dialect_.shared(in_loop_.given);
+    in_loop_.solved = dialect_.shared(in_loop_.solved);
     return shared;
   }
 
   /// "given[60]", "solved[60]": the arrays of the loop, if there is one.
   [[nodiscard]] std::vector<std::string> arrays() const {
     if (loop_.count == 0) return {};
-    return {fmt::format("{}[{}]", arrays_.given, loop_.given.size()),
-            fmt::format("{}[{}]", arrays_.solved, loop_.solved.size() * loop_.count)};
+    return {fmt::format("{}[{}]", in_loop_.given, loop_.given.size()),
+            fmt::format("{}[{}]", in_loop_.solved, loop_.solved.size() * loop_.count)};
   }
 
   [[nodiscard]] bool is_given(const Statement& statement) const {
@@ -188,8 +189,7 @@ class DefinitionWriter {
   const Function ordered_;
   const ColumnLoop loop_;
   std::vector<std::string> names_;
-  std::vector<std::string> names_in_loop_;  ///< of the first column there
-  ColumnArrays arrays_ = {};
+  ColumnNames in_loop_;
   const FunctionFormulas formulas_;
 };
 
