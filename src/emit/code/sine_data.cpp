@@ -1,8 +1,13 @@
-// sine_data: polynomials by Horner's rule, one coefficient after another. In C++ numbers are
-// members, so that device code has their values and tests can read them.
+// sine_data: polynomials by Estrin's scheme, which has less to wait for than Horner's. In C++
+// numbers are members, so that device code has their values and tests can read them.
 #include "emit/code/sine_data.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
 #include <string_view>
+#include <utility>
 
 #include "numbers/exact_number.hpp"
 #include "numbers/scalar_literal.hpp"
@@ -15,6 +20,37 @@ TemplateData rows(const std::vector<std::string>& texts, std::size_t first, cons
   for (std::size_t i = first; i < texts.size(); ++i) list.push_back(TemplateData(hole, texts[i]));
   return list;
 }
+
+/// x^2, x^4, x^8 by their names in templates.
+constexpr std::array<std::string_view, 3> powers{"square", "fourth", "eighth"};
+
+/// Sums of neighbours, c0 + c1 x^2, then of these, with x^4, …: the order of `polynomial` in
+/// program/evaluate/sines.cpp.
+class Estrin {
+ public:
+  Estrin(std::vector<std::string> terms, const std::string& name, std::string_view type)
+      : terms_(std::move(terms)) {
+    for (std::size_t level = 0; terms_.size() > 1; ++level) {
+      std::vector<std::string> sums;
+      for (std::size_t i = 0; i < terms_.size(); i += 2) {
+        const bool is_first = level == 0 && i + 1 < terms_.size();
+        sums.push_back(is_first ? fmt::format("{}_{}", name, sums.size() + 1) : terms_[i]);
+        if (i + 1 == terms_.size()) continue;
+        lines_.push_back(fmt::format("{}{} = {} + {} * {};",
+                                     is_first ? fmt::format("{} ", type) : "", sums.back(),
+                                     terms_[i], terms_[i + 1], powers.at(level)));
+      }
+      terms_ = std::move(sums);
+    }
+  }
+
+  [[nodiscard]] const std::vector<std::string>& lines() const { return lines_; }
+  [[nodiscard]] const std::string& value() const { return terms_.front(); }
+
+ private:
+  std::vector<std::string> terms_;
+  std::vector<std::string> lines_ = {};
+};
 
 }  // namespace
 
@@ -33,14 +69,26 @@ TemplateRow sine_data(const std::vector<SineNumber>& numbers, ScalarKind scalar,
     const std::string text = spelling == SineSpelling::names ? name : literal(value);
     row[name] = text;
     if (name.starts_with("part_")) parts.push_back(text);
-    if (name.starts_with("sine_")) sines.insert(sines.begin(), text);
-    if (name.starts_with("cosine_")) cosines.insert(cosines.begin(), text);
+    if (name.starts_with("sine_")) sines.push_back(text);
+    if (name.starts_with("cosine_")) cosines.push_back(text);
   }
   row["parts"] = rows(parts, 2, "part");
-  row["sine"] = sines.front();
-  row["sines"] = rows(sines, 1, "coefficient");
-  row["cosine"] = cosines.front();
-  row["cosines"] = rows(cosines, 1, "coefficient");
+  TemplateData higher(TemplateData::type::list);
+  const std::size_t most = std::max(sines.size(), cosines.size());
+  for (std::size_t level = 1; most > std::size_t{1} << level; ++level) {
+    higher.push_back(TemplateRow{{"power", std::string(powers.at(level))},
+                                 {"base", std::string(powers.at(level - 1))}});
+  }
+  row["powers"] = std::move(higher);
+  const std::string type =
+      spelling == SineSpelling::names ? "Native" : std::string(name_of(scalar));
+  const Estrin sine(std::move(sines), "odd", type);
+  const Estrin cosine(std::move(cosines), "even", type);
+  std::vector<std::string> lines = sine.lines();
+  lines.insert(lines.end(), cosine.lines().begin(), cosine.lines().end());
+  row["lines"] = rows(lines, 0, "line");
+  row["sine"] = sine.value();
+  row["cosine"] = cosine.value();
   row["constants"] = rows_data(numbers, [&literal](const SineNumber& number) {
     return TemplateRow{{"constant", number.name}, {"number", literal(number.value)}};
   });

@@ -17,8 +17,8 @@ enum class SineSpelling : std::uint8_t { names, values };
 /// How a language writes a number of the scalar.
 using SineLiteral = std::function<std::string(double)>;
 
-/// One hole for each number; lists of the later parts of pi/2, and of the coefficients, which begin
-/// with the last but one.
+/// One hole for each number; lists of the later parts of pi/2, of powers of x^2, and of the lines
+/// that compute the polynomials `sine` and `cosine`.
 [[nodiscard]] TemplateRow sine_data(const std::vector<SineNumber>& numbers, ScalarKind scalar,
                                     const SineLiteral& literal, SineSpelling spelling);
 

@@ -27,12 +27,17 @@ std::vector<Scalar> coefficients_of(const SinePolynomial& polynomial) {
   return coefficients;
 }
 
-/// coefficients[0] + coefficients[1] x + ..., by Horner's rule.
+/// coefficients[0] + coefficients[1] x + ..., by Estrin's scheme: sums of neighbours, then of
+/// these.
 template <class Scalar>
-Scalar polynomial(Scalar x, const std::vector<Scalar>& coefficients) {
-  Scalar value = coefficients.back();
-  for (std::size_t i = coefficients.size() - 1; i-- > 0;) value = value * x + coefficients[i];
-  return value;
+Scalar polynomial(Scalar x, std::vector<Scalar> terms) {
+  for (std::size_t count = terms.size(); count > 1; count = (count + 1) / 2) {
+    for (std::size_t i = 0; i < count; i += 2) {
+      terms[i / 2] = i + 1 < count ? terms[i] + terms[i + 1] * x : terms[i];
+    }
+    x = x * x;
+  }
+  return terms.front();
 }
 
 }  // namespace
