@@ -138,11 +138,9 @@ Places Composition::call(const Program& from, const Function& callee, const Fiel
 
 void Composition::name(const Places& values, Opcode kind, std::uint32_t number) {
   for (std::uint32_t i = 0; i < values.size(); ++i) {
-    if (operand_count(function_.instructions[values[i]]) == 0) continue;
-    std::string& name = function_.names[values[i]];
-    if (!name.empty()) continue;
     const std::string of = identifier_of(leaf_of(program_.leaves, kind, i));
-    name = fmt::format("{}_{}", fmt::format(fmt::runtime(leaf_row(kind).identifier), of), number);
+    const std::string leaf = fmt::format(fmt::runtime(leaf_row(kind).identifier), of);
+    name(values[i], fmt::format("{}_{}", leaf, number));
   }
 }
 
@@ -220,8 +218,10 @@ Factorised::Factorised(Composition& compose, Places order, const Places& mass)
       std::uint32_t w = mass[order_[i] * n + order_[j]];
       for (std::size_t k = 0; k < j; ++k) w = less(compose_, w, lower_[j][k], unscaled[i][k]);
       unscaled[i].push_back(w);
-      if (i == j) reciprocals_.push_back(compose_.add(Opcode::divide, compose_.number(1), w));
-      if (i == j) continue;
+      if (i == j) {
+        reciprocals_.push_back(compose_.add(Opcode::divide, compose_.number(1), w));
+        continue;
+      }
       lower_[i].push_back(compose_.add(Opcode::multiply, w, reciprocals_[j]));
       compose_.name(lower_[i].back(), fmt::format("lower_{}_{}", order_[i] + 1, order_[j] + 1));
     }
