@@ -15,9 +15,6 @@ using End = SpeltName::End;
 
 constexpr std::size_t most_names = 4;
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 5> numbers{
-    {{"1", "one"}, {"2", "two"}, {"3", "three"}, {"4", "four"}, {"1/2", "half"}}};
-
 SpeltName joined(SpeltName a, std::string_view between, const SpeltName& b, End end) {
   a.text.append(between).append(b.text);
   a.names += b.names;
@@ -69,9 +66,11 @@ SpeltName made(const Instruction& operation, const SpeltName& a, const SpeltName
 }  // namespace
 
 SpeltName spelt(const ConstantForm& form) {
-  const std::string text = text_of(form);
+  static const std::array<std::pair<cln::cl_RA, const char*>, 5> numbers{
+      {{1, "one"}, {2, "two"}, {3, "three"}, {4, "four"}, {cln::cl_RA(1) / 2, "half"}}};
+  if (form.kind != ConstantKind::rational) return {};
   for (const auto& [number, word] : numbers) {
-    if (number == text) return {.text = std::string(word), .names = 0, .begin = Begin::number};
+    if (form.number == number) return {.text = word, .names = 0, .begin = Begin::number};
   }
   return {};
 }
