@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -17,6 +19,9 @@
 
 namespace elgen {
 namespace {
+
+/// The longest row of sine_polynomials.def has so many.
+constexpr std::size_t most_coefficients = 6;
 
 template <class Scalar>
 std::vector<Scalar> coefficients_of(const SinePolynomial& polynomial) {
@@ -30,8 +35,11 @@ std::vector<Scalar> coefficients_of(const SinePolynomial& polynomial) {
 /// coefficients[0] + coefficients[1] x + ..., by Estrin's scheme: sums of neighbours, then of
 /// these.
 template <class Scalar>
-Scalar polynomial(Scalar x, std::vector<Scalar> terms) {
-  for (std::size_t count = terms.size(); count > 1; count = (count + 1) / 2) {
+Scalar polynomial(Scalar x, const std::vector<Scalar>& coefficients) {
+  assert(coefficients.size() <= most_coefficients);
+  std::array<Scalar, most_coefficients> terms{};  // a vector would be allocated for every sine
+  std::ranges::copy(coefficients, terms.begin());
+  for (std::size_t count = coefficients.size(); count > 1; count = (count + 1) / 2) {
     for (std::size_t i = 0; i < count; i += 2) {
       terms[i / 2] = i + 1 < count ? terms[i] + terms[i + 1] * x : terms[i];
     }
