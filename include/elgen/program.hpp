@@ -169,9 +169,10 @@ inline constexpr std::array operation_columns{OperationColumn{"add", &OperationC
 /// The k of a call stumpff(x, k), which stands there: a constant or the opposite of one.
 [[nodiscard]] int order_at(const Program& program, const Function& function, std::uint32_t at);
 
-/// In multiplications: mul, add 1; division 4; square root 8; the sine and cosine of an angle 26;
-/// any other function 16. From tests/bench/operation_costs (g++ 12, glibc 2.36, one run): in a row
-/// 4.3, 7.9, 24.7 (one of the two 16.2) and 12.1 for exp; side by side 1.9, 5.9, 27.4 (20.1), 12.0.
+/// In multiplications: mul, add 1; division 4; square root 8; the sine and cosine of an angle 20,
+/// also where one of them is needed; any other function 16. From tests/bench/operation_costs
+/// (g++ 12, glibc 2.36, one run): in a row 4.4, 7.9, 22.6 (24.9 by the library) and 11.8 for exp;
+/// side by side 1.9, 5.9, 17.7 (24.6) and 11.8.
 [[nodiscard]] std::size_t cost(const OperationCounts& counts);
 
 /// Whether each instruction is one of `wanted` or goes into one.

@@ -145,7 +145,7 @@ OperationCounts count_operations(const Function& function) {
 }
 
 std::size_t cost(const OperationCounts& counts) {
-  return counts.mul + counts.add + 4 * counts.div + 8 * counts.sqrt + 26 * counts.sincos +
+  return counts.mul + counts.add + 4 * counts.div + 8 * counts.sqrt + 20 * counts.sincos +
          16 * counts.other;
 }
 

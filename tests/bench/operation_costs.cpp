@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <string>
 
+#include "panda7/panda7.hpp"
 #include "timing.hpp"
 
 namespace {
@@ -59,6 +60,10 @@ int main() {
   rows.add("square root", [=](double x) { return std::sqrt(x) * factor; });
   rows.add("sine", [=](double x) { return std::sin(x) + factor; });
   rows.add("sine and cosine", [=](double x) { return std::sin(x) * std::cos(x) + factor; });
+  rows.add("in line", [=](double x) {
+    const auto [sine, cosine] = panda7::detail::SineCosine<double>::of(x);
+    return sine * cosine + factor;
+  });
   rows.add("exponential", [=](double x) { return std::exp(-x); });
   const std::vector<double> ns = bench::medians(rows.alternatives, 8000, 401);
   std::printf("%-16s %12s %12s   ns (in multiplications)\n", "operation", "in a row",

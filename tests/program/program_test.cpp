@@ -39,7 +39,7 @@ TEST_CASE("operations are counted as the emitted function executes them") {
   // sin x and cos x are one angle, cos y another; tan and atan2 are other calls; negation is free.
   CHECK(counts ==
         OperationCounts{.add = 2, .mul = 1, .div = 1, .sqrt = 1, .sincos = 2, .other = 2});
-  CHECK(cost(counts) == 2 + 1 + 4 + 8 + 2 * 26 + 2 * 16);
+  CHECK(cost(counts) == 2 + 1 + 4 + 8 + 2 * 20 + 2 * 16);
 }
 
 TEST_CASE("operand counts follow the opcode and the function's arity") {

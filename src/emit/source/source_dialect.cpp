@@ -1,0 +1,190 @@
+// source_dialect: one body that computes in doubles of the interpreter. Where a field is a matrix,
+// its rows are vectors.
+#include "emit/source/source_dialect.hpp"
+
+#include <fmt/format.h>
+
+#include "base/ascii.hpp"
+#include "emit/interface/code_interface.hpp"
+#include "emit/text/layout.hpp"
+#include "numbers/scalar_literal.hpp"
+
+namespace elgen {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+std::string filled(std::string_view pattern, std::string_view name, const std::string& more = {}) {
+  return fmt::format(fmt::runtime(pattern), name, more);
+}
+
+class SourceDialect final : public Dialect {
+ public:
+  SourceDialect(const Model& model, const Scene& scene, const Program& program)
+      : Dialect(model, program, "."),
+        scene_(scene),
+        spelling_(source_spelling(scene.emission.language)),
+        members_(members_of(model, program.leaves)) {}
+
+  std::string leaf(Opcode kind, std::uint32_t number) const override {
+    if (kind != Opcode::parameter) {
+      const std::string_view name = leaf_row(kind).symbol;
+      return is_single(kind) ? std::string(name) : element(std::string(name), number);
+    }
+    const auto& [name, place] = members_[number];
+    const std::string member = "p." + spelt_name(spelling_.language, name);
+    return place ? element(member, *place) : member;
+  }
+
+  Formula constant(const Constant& constant) const override {
+    const bool is_negative = cln::minusp(constant.value);
+    return {source_literal(constant.value), is_negative ? Binding::negation : Binding::atom};
+  }
+
+  bool has_pairs() const override { return false; }
+  bool has_parts() const override { return false; }
+  bool has_loops() const override { return false; }
+  std::size_t deepest() const override { return spelling_.deepest; }
+  std::string_view scalar() const override { return ""; }
+  CommentMarks comment_marks() const override { return python_marks; }
+  std::string declaration(const std::string& name) const override { return name; }
+
+  std::string assignment(const std::string& target, const std::string& value) const override {
+    return statement(target + " = ", value, Brackets::needed);
+  }
+
+  std::string returned(const Function& function, const Function& /*ordered*/,
+                       const FieldTexts& entries) const override {
+    if (!gives_struct(function)) {
+      return statement(
+          std::string(spelling_.result),
+          value_of(function, function.fields.front(), entries.front()),
+          is_number(function, function.fields.front()) ? Brackets::needed : Brackets::there);
+    }
+    std::string lines;
+    Texts values;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      const Field& field = function.fields[i];
+      values.push_back(value_of(function, field, entries[i]));
+      if (spelling_.field.empty()) continue;
+      const std::string name = spelt_name(spelling_.language, field.name);
+      lines += statement(filled(spelling_.field, name), values.back(), Brackets::there);
+    }
+    if (!spelling_.field.empty()) return lines;
+    const std::string made = fmt::format("{}({})", struct_name(function), fmt::join(values, ", "));
+    return statement(std::string(spelling_.result), made, Brackets::there);
+  }
+
+  std::string opening(const Function& /*function*/, const UsedNames& /*used*/,
+                      bool /*is_part*/) const override {
+    return "";
+  }
+
+  std::string signature(const Function& function, const UsedNames& /*used*/) const override {
+    const std::string arguments = fmt::format("{}", fmt::join(argument_names_of(function), ", "));
+    return filled(spelling_.definition, spelt_name(spelling_.language, function.name), arguments);
+  }
+
+  /// "acceleration: list"
+  std::string member(const Function& function, const Field& field) const override {
+    return fmt::format("{}: {}", spelt_name(spelling_.language, field.name),
+                       is_number(function, field) ? "float" : "list");
+  }
+
+  std::string struct_name(const Function& function) const override {
+    return camel_case(function.name);
+  }
+
+  Texts documented(Texts lines) const override {
+    for (std::string& line : lines) {
+      std::string safe;
+      for (const char c : line) safe += c == '\\' ? "\\\\" : c == '"' ? "\\\"" : std::string(1, c);
+      line = safe;
+    }
+    return lines;
+  }
+
+  // Bodies have no pairs, parts, loops and assigned entries.
+  std::string pair(const std::string&, const std::string&, const Formula&, bool) const override {
+    return "";
+  }
+  ColumnWords columns(std::uint32_t) const override { return {}; }
+  std::string target(const Function&, std::uint32_t, std::uint32_t) const override { return ""; }
+  std::string part_signature(const Function&, std::size_t, const UsedNames&) const override {
+    return "";
+  }
+  std::string calling_body(const Function&, std::size_t) const override { return ""; }
+  std::string workspace_name(const Function&) const override { return ""; }
+
+ private:
+  /// Whether a value stands in brackets of its own, in which lines may break.
+  enum class Brackets : std::uint8_t { there, needed };
+
+  [[nodiscard]] std::string element(const std::string& name, std::uint32_t number) const {
+    return filled(spelling_.element, name, std::to_string(number + spelling_.first_index));
+  }
+
+  [[nodiscard]] std::string statement(const std::string& start, const std::string& value,
+                                      Brackets brackets) const {
+    const std::string margin(spelling_.indent, ' ');
+    const std::string end(spelling_.end);
+    if (margin.size() + start.size() + value.size() + end.size() <= line_width) {
+      return fmt::format("{}{}{}{}\n", margin, start, value, end);
+    }
+    const bool is_needed = brackets == Brackets::needed;
+    const std::string text =
+        fmt::format("{}{}{}{}{}{}", margin, start, is_needed ? spelling_.opening : "", value,
+                    is_needed ? spelling_.closing : "", end);
+    const std::size_t margin_of_lines = line_width - spelling_.end_of_line.size();
+    const Texts lines = wrap_expression(text, {margin_of_lines, margin + "    "});
+    return fmt::format("{}\n", fmt::join(lines, fmt::format("{}\n", spelling_.end_of_line)));
+  }
+
+  [[nodiscard]] std::string value_of(const Function& function, const Field& field,
+                                     const Texts& entries) const {
+    if (is_number(function, field)) return entries.front();
+    const OutputKind kind = kind_of_field(program(), function, field);
+    if (!is_matrix(kind, field)) return source_vector(spelling_, entries);
+    Texts rows;
+    for (std::size_t row = 0; row < field.rows; ++row) {
+      const auto first = entries.begin() + static_cast<std::ptrdiff_t>(row * field.columns);
+      const Texts of_row(first, first + static_cast<std::ptrdiff_t>(field.columns));
+      rows.push_back(filled(spelling_.matrix_row, fmt::format("{}", fmt::join(of_row, ", "))));
+    }
+    return filled(spelling_.vector, fmt::format("{}", fmt::join(rows, spelling_.between_rows)));
+  }
+
+  bool is_reserved(const std::string& name) const override {
+    return has_word(spelling_.reserved, name) || has_word(spelling_.taken, name);
+  }
+
+  std::string library_function(std::string_view name) const override {
+    return std::string(name == "abs" ? spelling_.absolute : name);
+  }
+
+  std::string own_function(std::string_view name) const override {
+    return filled(spelling_.own_function, name, scene_.base_name);
+  }
+
+  const Scene& scene_;
+  const SourceSpelling& spelling_;
+  std::vector<ParameterMember> members_;
+};
+
+}  // namespace
+
+std::string source_literal(const cln::cl_R& value) {
+  return (cln::minusp(value) ? "-" : "") +
+         scalar_literal(cln::abs(value), ScalarKind::double_precision);
+}
+
+std::string source_vector(const SourceSpelling& spelling, const Texts& entries) {
+  return filled(spelling.vector, fmt::format("{}", fmt::join(entries, spelling.between_entries)));
+}
+
+std::unique_ptr<Dialect> source_dialect(const Model& model, const Scene& scene,
+                                        const Program& program) {
+  return std::make_unique<SourceDialect>(model, scene, program);
+}
+
+}  // namespace elgen

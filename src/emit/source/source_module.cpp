@@ -1,0 +1,256 @@
+// source_module: a module in an interpreted language, from the template of the language.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "base/ascii.hpp"
+#include "emit/code/function_docs.hpp"
+#include "emit/code/header_data.hpp"
+#include "emit/interface/code_interface.hpp"
+#include "emit/source/source_dialect.hpp"
+#include "emit/text/emission_checks.hpp"
+#include "emit/text/emission_input.hpp"
+#include "emit/text/layout.hpp"
+#include "numbers/exact_number.hpp"
+
+namespace elgen {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+/// "(1.0, 2.0)"; one element is followed by a comma.
+std::string tuple(const Texts& elements) {
+  return fmt::format("({}{})", fmt::join(elements, ", "), elements.size() == 1 ? "," : "");
+}
+
+std::string in_lines(const std::string& start, const std::string& text) {
+  const Texts lines = wrap_expression(text, {line_width - start.size(), "    "});
+  return fmt::format("{}", fmt::join(lines, "\n"));
+}
+
+/// Names and units of parameters too, elements of arrays each.
+std::vector<DeclaredArray> all_arrays(const Model& model, const Program& program) {
+  std::vector<DeclaredArray> arrays = declared_arrays(model);
+  DeclaredArray names{"parameter_names"};
+  DeclaredArray units{"parameter_units"};
+  for (const ParameterArray& array : emitted_parameters(model, program)) {
+    names.texts.push_back(array.name);
+    units.texts.push_back(array.unit_text);
+  }
+  arrays.push_back(std::move(names));
+  arrays.push_back(std::move(units));
+  return arrays;
+}
+
+TemplateData declared(const DeclaredArray& array, const SourceSpelling& spelling) {
+  const Texts elements = declared_elements(array, "({0}, {1})", spelling.unbounded);
+  return TemplateRow{{"name", array.name},
+                     {"value", in_lines(array.name + " = ", tuple(elements))}};
+}
+
+Texts literals(const Model& model, const ParameterArray& array) {
+  Texts texts;
+  for (const cln::cl_R& value : values_of(model, array)) texts.push_back(source_literal(value));
+  return texts;
+}
+
+/// "M: float = 1.0", with what it is.
+std::vector<Member> parameter_lines(const EmissionInput& input) {
+  const LanguageId language = input.scene.emission.language;
+  std::vector<Member> members;
+  for (const ParameterArray& array : emitted_parameters(input.model, input.program)) {
+    const Texts values = literals(input.model, array);
+    const std::string start = fmt::format("{}: {} = ", spelt_name(language, array.name),
+                                          array.is_array ? "tuple" : "float");
+    const std::string value = array.is_array ? tuple(values) : values.front();
+    members.push_back({start + in_lines("    " + start, value), parameter_doc(array)});
+  }
+  return members;
+}
+
+/// The factor of pi, where the form is pi or a rational number times pi.
+std::optional<cln::cl_RA> factor_of_pi(const ConstantForm& form) {
+  if (form.kind == ConstantKind::pi) return cln::cl_RA(1);
+  if (form.kind != ConstantKind::product || form.parts.size() != 2) return std::nullopt;
+  const auto& [first, second] = std::pair(form.parts[0], form.parts[1]);
+  const bool is_multiple = first.weight == 1 && second.weight == 1 &&
+                           first.form.kind == ConstantKind::rational &&
+                           second.form.kind == ConstantKind::pi;
+  return is_multiple ? std::optional(first.form.number) : std::nullopt;
+}
+
+std::string fraction(const cln::cl_RA& number, const char* more) {
+  return fmt::format("({}, {}{})", exact_text(cln::numerator(number)),
+                     exact_text(cln::denominator(number)), more);
+}
+
+/// "(1, 10)", "(1, 2, True)" with pi, "'0.8660…'": the number that a double stands for.
+std::string exact_value_text(const Constant& constant) {
+  if (is_rational(constant)) return fraction(cln::rational(cln::abs(constant.value)), "");
+  const auto factor = factor_of_pi(constant.form);
+  if (factor) return fraction(cln::abs(*factor), ", True");
+  constexpr int digits = 60;
+  return fmt::format("\"{}\"", literal_text(rounded_decimal(cln::abs(constant.value), digits)));
+}
+
+/// The numbers of the equations and the parameters that are no doubles, by their literals.
+std::string exact_numbers(const EmissionInput& input) {
+  std::vector<Constant> constants = executed_constants(input.program);
+  for (const ParameterArray& array : emitted_parameters(input.model, input.program)) {
+    for (const cln::cl_R& value : values_of(input.model, array)) {
+      if (is_rational(value)) constants.push_back(rational_constant(cln::rational(value)));
+    }
+  }
+  std::map<double, std::set<std::string>> exact;
+  for (const Constant& constant : constants) {
+    const double nearest = ScalarTraits<double>::from_real(cln::abs(constant.value));
+    if (is_rational(constant) && exact_value(nearest) == cln::abs(constant.value)) continue;
+    exact[nearest].insert(exact_value_text(constant));
+  }
+  Texts pairs;
+  for (const auto& [nearest, values] : exact) {
+    if (values.size() > 1) continue;  // nobody could tell which one the double stands for
+    pairs.push_back(fmt::format("{}: {}", source_literal(exact_value(nearest)), *values.begin()));
+  }
+  return in_lines("exact = ", fmt::format("{{{}}}", fmt::join(pairs, ", ")));
+}
+
+/// The functions of the library that the module calls, by its names.
+Texts called_functions(const Program& program, const SourceSpelling& spelling) {
+  Texts names;
+  for (const std::size_t arity : {1U, 2U}) {
+    for (const std::string_view name : library_calls(program, arity)) {
+      names.emplace_back(name == "abs" ? spelling.absolute : name);
+    }
+  }
+  const bool has_series = calls(program, FunctionId::stumpff);
+  if (has_series || calls(program, FunctionId::sin)) names.emplace_back("sin");
+  if (calls(program, FunctionId::cos)) names.emplace_back("cos");
+  if (has_series) names.emplace_back("sinh");
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+/// What others call it: arctan2, abs, Abs.
+std::string other_names(const std::string& name) {
+  Texts names{name};
+  const bool is_inverse = name != "abs" && name.starts_with('a');
+  if (is_inverse) names.push_back("arc" + name.substr(1));
+  if (name == "fabs") names.insert(names.end(), {"abs", "Abs"});
+  for (std::string& each : names) each = '"' + each + '"';
+  return tuple(names);
+}
+
+std::string library(const Texts& names) {
+  Texts pairs;
+  for (const std::string& name : names) {
+    pairs.push_back(fmt::format("\"{}\": {}", name, other_names(name)));
+  }
+  return in_lines("_library = ", fmt::format("{{{}}}", fmt::join(pairs, ", ")));
+}
+
+/// The functions of the module that branch on a number.
+Texts branching_functions(const Program& program) {
+  Texts names;
+  const auto has = [&program](FunctionId function) { return calls(program, function); };
+  if (has(FunctionId::sign) || has(FunctionId::min) || has(FunctionId::max)) {
+    names = {"_sign_of", "_smaller", "_larger"};
+  }
+  if (has(FunctionId::stumpff)) names.emplace_back("_stumpff");
+  return names;
+}
+
+Texts names_of_functions(const EmissionInput& input) {
+  Texts names = branching_functions(input.program);
+  for (const Function& function : input.program.functions) {
+    names.push_back(spelt_name(input.scene.emission.language, function.name));
+  }
+  return names;
+}
+
+/// The module, without blanks at the ends of lines.
+std::string trimmed(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    while (c == '\n' && !result.empty() && result.back() == ' ') result.pop_back();
+    result += c;
+  }
+  return result;
+}
+
+void set_python(TemplateData& data, const EmissionInput& input) {
+  const Texts called =
+      called_functions(input.program, source_spelling(input.scene.emission.language));
+  Texts imported = called;
+  const std::vector<DeclaredArray> arrays = all_arrays(input.model, input.program);
+  const bool has_intervals = std::ranges::any_of(
+      arrays, [](const DeclaredArray& array) { return !array.intervals.empty(); });
+  if (has_intervals) imported.insert(imported.begin(), "inf");
+  data.set("imports",
+           section_if(!imported.empty(),
+                      TemplateRow{{"names", fmt::format("{}", fmt::join(imported, ", "))}}));
+  data.set("exact", exact_numbers(input));
+  data.set("library", library(called));
+  Texts branching = branching_functions(input.program);
+  for (std::string& name : branching) name = '"' + name + '"';
+  data.set("branching", tuple(branching));
+  data.set("all", in_lines("_functions = ", tuple(names_of_functions(input))));
+}
+
+/// The names of a module beside those of its outputs.
+std::set<std::string> names_in_module(const Model& model, const Program& program,
+                                      const SourceSpelling& spelling) {
+  std::set<std::string> names;
+  for (const DeclaredArray& array : all_arrays(model, program)) names.insert(array.name);
+  for (const std::string& name : called_functions(program, spelling)) names.insert(name);
+  return names;
+}
+
+}  // namespace
+
+std::string source_module(const EmissionInput& input) {
+  TemplateData data = header_data(input, *source_dialect(input.model, input.scene, input.program));
+  const SourceSpelling& spelling = source_spelling(input.scene.emission.language);
+  data.set("declared",
+           rows_data(all_arrays(input.model, input.program),
+                     [&](const DeclaredArray& array) { return declared(array, spelling); }));
+  data.set("parameters", lines_data(documented_members(parameter_lines(input), python_marks)));
+  data.set("count_of_pivots",
+           std::to_string(input.model.velocities.size() + input.model.constraints.size()));
+  set_python(data, input);
+  return stamped(trimmed(fill_template("python/module.py.mustache", data)));
+}
+
+Diagnostics source_check_names(const Model& model, const Scene& scene, const Program& program) {
+  Diagnostics diagnostics;
+  const LanguageId language = scene.emission.language;
+  const SourceSpelling& spelling = source_spelling(language);
+  if (has_word(spelling.unnameable, scene.base_name) ||
+      has_word(spelling.reserved, scene.base_name)) {
+    diagnostics.push_back({Code::E701, scene.emission.name_space_span,
+                           fmt::format("`{}` cannot name a module: {} has the name for itself",
+                                       scene.base_name, language_row(language).name),
+                           "rename the model or scene"});
+  }
+  std::set<std::string> names;
+  for (const ParameterArray& array : emitted_parameters(model, program)) {
+    if (names.insert(spelt_name(language, array.name)).second) continue;
+    diagnostics.push_back(taken_name(array.name, "parameter", array.span));
+  }
+  names = names_in_module(model, program, spelling);
+  for (const Function& function : program.functions) {
+    const std::string name = spelt_name(language, function.name);
+    const std::string type = camel_case(function.name);
+    const bool is_taken =
+        has_word(spelling.taken, name) || !names.insert(name).second ||
+        (gives_struct(function) && (has_word(spelling.taken, type) || !names.insert(type).second));
+    if (is_taken) diagnostics.push_back(taken_name(scene, function));
+  }
+  return diagnostics;
+}
+
+}  // namespace elgen
