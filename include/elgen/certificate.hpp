@@ -62,6 +62,7 @@ struct CertificateRow {
   std::string where = {};      ///< the state of the worst value, empty where nothing was sampled
   std::string tolerance = {};  ///< the bound and its reason
   Verdict verdict = Verdict::holds;
+  std::vector<std::string> findings = {};  ///< about foreign code that is wrong
 };
 
 struct Certificate {

@@ -16,6 +16,7 @@
 #include "cli/process/terminal.hpp"
 #include "cli/shown_pipeline.hpp"
 #include "elgen/certificate.hpp"
+#include "elgen/foreign.hpp"
 #include "elgen/render.hpp"
 #include "elgen/tradeoff.hpp"
 
@@ -28,6 +29,7 @@ struct VerifyCommandOptions {
   bool strict = false;           ///< skipped checks count as failed
   std::string output_file = {};  ///< of certificates; empty: none
   bool force = false;
+  ForeignOptions foreign = {};  ///< without claims: none is judged
 };
 
 /// With every check, as -o gets it.
@@ -121,11 +123,27 @@ Result<Verification> compared(const std::string& path, const Inputs& inputs, Pro
   return result;
 }
 
+/// The same of foreign code. Nothing is derived.
+Result<Verification> judged(const std::string& path, Products& products,
+                            const VerifyCommandOptions& options, const Limits& limits) {
+  ForeignOptions foreign = options.foreign;
+  foreign.seed = options.verify.seed;
+  foreign.states = options.verify.samples.value_or(foreign.states);
+  foreign.seconds = limits.seconds;
+  return timed("judge", products, Progress(path),
+               [&] { return judge_foreign(*products.checked, foreign); });
+}
+
 /// Appends the input's certificate in full; none where it could not be generated.
 ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& options,
                     const Inputs& inputs, std::vector<std::string>& certificates) {
   const std::string& path = (inputs.scene != nullptr ? inputs.scene : inputs.model)->path;
+  const bool is_foreign = !options.foreign.claims.empty();
   PipelineOptions pipeline = pipeline_options(global, {Goal::emit, Goal::claims});
+  if (is_foreign) pipeline = pipeline_options(global, {Goal::check});
+  for (const ForeignClaim& claim : options.foreign.claims) {
+    pipeline.scene.outputs.push_back(make_source("command line", claim.output));
+  }
   pipeline.scene.large_expectations = true;
   Products products = run_shown(path, inputs, pipeline);
   const ExitCode generated = report_products(global, products);
@@ -133,16 +151,20 @@ ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& opt
     tell_times(global, products);
     return generated;
   }
-  if (global.verbose) {
+  if (global.verbose && !is_foreign) {
     const auto& [model, scene] = *products.checked;
     tell(global, overview(sheet(model, scene, products.book->program), screen_of(stderr)));
   }
-  const auto verification = compared(path, inputs, products, options.verify, global.limits);
+  const auto verification = is_foreign
+                                ? judged(path, products, options, global.limits)
+                                : compared(path, inputs, products, options.verify, global.limits);
   tell_times(global, products);
   if (!verification) return report(global, verification.diagnostics);
   const Certificate& certificate = verification->certificate;
   certificates.push_back(full_text(global, certificate));
-  const ExitCode printed = print(global, text_of(global, certificate));
+  const bool is_short = global.quiet || !is_foreign;
+  const ExitCode printed =
+      print(global, is_short ? text_of(global, certificate) : certificates.back());
   const ExitCode found = std::max(printed, report(global, verification->diagnostics));
   return std::max(found, exit_code(certificate, options.strict));
 }
@@ -201,6 +223,32 @@ void add_states(CLI::App& command, VerifyOptions& verify) {
       ->check(CLI::Range(1U, most_jobs));
 }
 
+/// "forward_dynamics=my_fd": without a name there, that of the output.
+ForeignClaim claim_of(const std::string& text) {
+  const std::string output = text.substr(0, text.find('='));
+  return {output, output.size() + 1 < text.size() ? text.substr(output.size() + 1) : output};
+}
+
+void add_foreign(CLI::App& command, ForeignOptions& foreign) {
+  const auto add_claims = [&foreign](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) foreign.claims.push_back(claim_of(text));
+  };
+  CLI::Option* const code = command.add_option(
+      "--foreign", foreign.code,
+      "judge code that elgen did not write: a shared library, or a command that answers lines");
+  code->type_name("CODE");
+  CLI::Option* const function = command.add_option_function<std::vector<std::string>>(
+      "--function", add_claims, "the output that a function of it should be, and its name there");
+  function->type_name("OUTPUT[=NAME]")->allow_extra_args(false)->needs(code);
+  code->needs(function);
+  command.add_option("--tolerance", foreign.tolerance, "of the largest entry (1e-9)")
+      ->check(CLI::PositiveNumber)
+      ->needs(code);
+  for (const char* const other : {"--extremes", "--quick", "--jobs"}) {
+    code->excludes(command.get_option(other));
+  }
+}
+
 }  // namespace
 
 void add_verify(CLI::App& app, Action& action) {
@@ -213,6 +261,7 @@ void add_verify(CLI::App& app, Action& action) {
                     "count the digits that are lost beyond the declared ranges, too");
   command->add_flag("--quick", options->verify.quick,
                     "few states, projections instead of all entries, no compiler");
+  add_foreign(*command, options->foreign);
   command->add_flag("--strict", options->strict, "exit with 1 where a check is skipped");
   command->add_option("-o,--output", options->output_file, "write the certificates here too")
       ->type_name("FILE");

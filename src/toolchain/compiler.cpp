@@ -7,19 +7,11 @@
 #include <array>
 #include <cstdlib>
 #include <fstream>
-#include <sstream>
 
 #include "toolchain/workshop.hpp"
 
 namespace elgen {
 namespace {
-
-CompilerCommand split(const std::string& text) {
-  std::istringstream stream(text);
-  CompilerCommand words;
-  for (std::string word; stream >> word;) words.push_back(word);
-  return words;
-}
 
 /// In the order of Build. g++ 12 joins neighbouring products and sums to vfmaddsub in spite of
 /// -ffp-contract=off where it vectorises straight lines.
@@ -45,14 +37,6 @@ std::string chosen_compiler() {
   return chosen == nullptr ? "" : chosen;
 }
 
-std::string ending_text(const ProcessResult& result) {
-  if (result.ending == Ending::not_started) return "could not be run";
-  if (result.ending == Ending::signalled) {
-    return fmt::format("was ended by signal {}", result.status - 128);
-  }
-  return fmt::format("exits {}", result.status);
-}
-
 Diagnostic out_of_time(const CompilerCommand& command, std::uint64_t seconds) {
   return {Code::E909,
           {},
@@ -64,7 +48,10 @@ Diagnostic out_of_time(const CompilerCommand& command, std::uint64_t seconds) {
 Diagnostic no_compiler(const ProcessResult& last) {
   const std::string chosen = chosen_compiler();
   if (!chosen.empty()) {
-    return {Code::E704, {}, fmt::format("`{}`, which $CXX names, {}", chosen, ending_text(last))};
+    return {
+        Code::E704,
+        {},
+        fmt::format("`{}`, which $CXX names, {}", chosen, ending_text(last.ending, last.status))};
   }
   std::string tried;
   for (const CompilerCommand& candidate : compiler_candidates()) {
@@ -115,7 +102,8 @@ std::vector<CompilerCommand> compiler_candidates() {
   const std::string chosen = chosen_compiler();
   if (chosen.empty()) return {{"c++"}, {"g++"}, {"clang++"}};
   std::vector<CompilerCommand> candidates{{chosen}};
-  if (CompilerCommand words = split(chosen); words.size() > 1) candidates.push_back(words);
+  if (CompilerCommand words = words_of_command(chosen); words.size() > 1)
+    candidates.push_back(words);
   return candidates;
 }
 
@@ -137,7 +125,7 @@ ProcessResult compile_shared(const Compiler& compiler, Build build,
                              const std::filesystem::path& object) {
   CompilerCommand command = compiler.command;
   const char* const flags_of_build = flags_of_builds[static_cast<std::size_t>(build)];
-  for (const CompilerCommand& flags : {split(flags_of_build), language_flags(source)}) {
+  for (const CompilerCommand& flags : {words_of_command(flags_of_build), language_flags(source)}) {
     command.insert(command.end(), flags.begin(), flags.end());
   }
   command.insert(command.end(), {source.string(), "-o", object.string()});
@@ -160,8 +148,8 @@ Diagnostic why_refused(const Compiler& compiler, const ProcessResult& compiled,
       is_refusal(compiled) && takes_probe(compiler, Build::as_written, directory, source);
   return {is_ours ? Code::E705 : Code::E709,
           {},
-          fmt::format("`{}` {}:\n{}", fmt::join(compiler.command, " "), ending_text(compiled),
-                      plain_text(compiled.output))};
+          fmt::format("`{}` {}:\n{}", fmt::join(compiler.command, " "),
+                      ending_text(compiled.ending, compiled.status), plain_text(compiled.output))};
 }
 
 Result<Machine> this_machine(const Limits& limits) {

@@ -4,14 +4,18 @@
 #include "toolchain/process.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <poll.h>
 #include <spawn.h>
+#include <sys/mman.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <cstring>
 #include <optional>
+#include <sstream>
 #include <utility>
 
 #include "base/descriptor.hpp"
@@ -47,12 +51,29 @@ std::vector<std::string> variables_with(const std::string& temporary) {
   return variables;
 }
 
-/// stdin from nowhere, stdout and stderr into pipes; signals as in a fresh process.
+/// A file without a name, to be read from its beginning; not open where there is no such file.
+Descriptor file_with(std::string_view text) {
+  Descriptor file(::memfd_create("input", MFD_CLOEXEC));
+  while (file.is_open() && !text.empty()) {
+    const ssize_t count = ::write(file.number(), text.data(), text.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) (void)file.close();
+    text.remove_prefix(count > 0 ? static_cast<std::size_t>(count) : 0);
+  }
+  if (file.is_open()) (void)::lseek(file.number(), 0, SEEK_SET);
+  return file;
+}
+
+/// stdin from a file or from nowhere, stdout and stderr into pipes; signals as in a fresh process.
 class Circumstances {
  public:
-  Circumstances(int output, int errors) {
+  Circumstances(const Descriptor& input, int output, int errors) {
     posix_spawn_file_actions_init(&actions_);
-    posix_spawn_file_actions_addopen(&actions_, 0, "/dev/null", O_RDONLY, 0);
+    if (input.is_open()) {
+      posix_spawn_file_actions_adddup2(&actions_, input.number(), 0);
+    } else {
+      posix_spawn_file_actions_addopen(&actions_, 0, "/dev/null", O_RDONLY, 0);
+    }
     posix_spawn_file_actions_adddup2(&actions_, output, 1);
     posix_spawn_file_actions_adddup2(&actions_, errors, 2);
     posix_spawnattr_init(&attributes_);
@@ -147,14 +168,17 @@ Ending wait_for(Child& child, std::vector<Stream>& streams, const Descriptor& si
 
 /// stdout goes to the first stream, stderr to the last.
 ProcessResult run_with(std::vector<Stream> streams, const std::vector<std::string>& command,
-                       std::uint64_t seconds, const std::string& temporary) {
+                       std::uint64_t seconds, const std::string& temporary,
+                       std::string_view input = {}) {
   constexpr std::uint64_t longest = 1U << 30U;
   if (command.empty()) return {};
   const NoInterrupts taken_in_turn;
   const ChildSignal end_of_child;
   const Descriptor signals = signals_to_wait_for();
   if (!signals.is_open() || !std::ranges::all_of(streams, &Stream::is_open)) return {};
-  const Circumstances circumstances(streams.front().writing().number(),
+  const Descriptor file = input.empty() ? Descriptor() : file_with(input);
+  if (!input.empty() && !file.is_open()) return {};
+  const Circumstances circumstances(file, streams.front().writing().number(),
                                     streams.back().writing().number());
   const std::optional<pid_t> id = circumstances.start(command, variables_with(temporary));
   for (Stream& stream : streams) stream.close_writing();
@@ -195,11 +219,25 @@ ProcessResult run(const std::vector<std::string>& command, std::uint64_t seconds
 }
 
 ProcessResult run_apart(const std::vector<std::string>& command, std::uint64_t seconds,
-                        std::size_t most_output) {
+                        std::size_t most_output, std::string_view input) {
   std::vector<Stream> streams;
   streams.emplace_back(most_output);
   streams.emplace_back(most_said);
-  return run_with(std::move(streams), command, seconds, {});
+  return run_with(std::move(streams), command, seconds, {}, input);
+}
+
+std::vector<std::string> words_of_command(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+std::string ending_text(Ending ending, int status) {
+  if (ending == Ending::not_started) return "could not be run";
+  if (ending != Ending::signalled) return fmt::format("exits {}", status);
+  const char* const name = ::sigabbrev_np(status - 128);
+  return fmt::format("was ended by signal {} (SIG{})", status - 128, name == nullptr ? "" : name);
 }
 
 std::string plain_text(std::string_view text) {

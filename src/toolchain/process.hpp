@@ -31,9 +31,17 @@ struct ProcessResult {
 [[nodiscard]] ProcessResult run(const std::vector<std::string>& command, std::uint64_t seconds,
                                 const std::string& temporary = {});
 
-/// The same with stdout and stderr apart: the first `most_output` bytes of stdout.
+/// The same with stdout and stderr apart: the first `most_output` bytes of stdout. `input` is all
+/// that its stdin has.
 [[nodiscard]] ProcessResult run_apart(const std::vector<std::string>& command,
-                                      std::uint64_t seconds, std::size_t most_output);
+                                      std::uint64_t seconds, std::size_t most_output,
+                                      std::string_view input = {});
+
+/// The words between blanks: what a shell without quotes makes of a command.
+[[nodiscard]] std::vector<std::string> words_of_command(const std::string& text);
+
+/// "could not be run", "was ended by signal 11 (SIGSEGV)", "exits 1"
+[[nodiscard]] std::string ending_text(Ending ending, int status);
 
 /// The words of another program, made fit for a message: without escape sequences and control
 /// characters other than line ends; what is longer than 4000 bytes is cut, and so is what is not

@@ -81,6 +81,7 @@ void append_details(std::string& text, const CertificateRow& row) {
   append_detail(text, "skipped", skipped_text(row));
   append_detail(text, "worst at", row.where);
   append_detail(text, "tolerance", row.tolerance);
+  for (const std::string& finding : row.findings) append_detail(text, "found", finding);
 }
 
 std::size_t count_of(const Rows& rows, Verdict verdict) {
@@ -187,6 +188,7 @@ Json json_of(const CertificateRow& row) {
   json["worst"] = row.worst;
   json["worst_at"] = row.where;
   json["tolerance"] = row.tolerance;
+  if (!row.findings.empty()) json["findings"] = row.findings;
   return json;
 }
 

@@ -53,6 +53,21 @@ TEST_CASE_METHOD(Fixture, "output of both streams and the status are returned") 
   CHECK(result.output == "out\nerr\n");
 }
 
+TEST_CASE("stdin has the text that is given, however long") {
+  const std::string text(1U << 20U, 'x');
+  const auto result = elgen::run_apart({"wc", "-c"}, 60, 100, text);
+  CHECK(result.status == 0);
+  CHECK(result.output == "1048576\n");
+  CHECK(elgen::run_apart({"cat"}, 60, 100).output.empty());
+}
+
+TEST_CASE("how a process ended is told by its status or the name of its signal") {
+  CHECK(elgen::ending_text(Ending::exited, 3) == "exits 3");
+  CHECK(elgen::ending_text(Ending::signalled, 128 + SIGABRT) == "was ended by signal 6 (SIGABRT)");
+  CHECK(elgen::words_of_command(" python3  mine.py ") ==
+        std::vector<std::string>{"python3", "mine.py"});
+}
+
 TEST_CASE_METHOD(Fixture, "no shell reads the arguments") {
   const auto result = run({"printf", "%s", "a b; $HOME 'c' \"d\""});
   CHECK(result.status == 0);

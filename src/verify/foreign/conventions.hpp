@@ -1,0 +1,38 @@
+// Conventions: coordinates and inputs as others may have chosen them, all of one form,
+//
+//     q' = S q + pi c,   v' = S v,   a' = S a,   p' = S^-T p,   forces f' = S^-T f,   u' = U u
+#pragma once
+
+#include <cln/real.h>
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "elgen/model.hpp"
+#include "elgen/oracle.hpp"
+#include "elgen/scene.hpp"
+
+namespace elgen {
+
+struct Convention {
+  std::string name = {};  ///< "its `theta` is `theta + pi`"
+  Eigen::MatrixXi S = {};
+  Eigen::MatrixXi inverse = {};
+  Eigen::VectorXi half_turns = {};  ///< c
+  Eigen::MatrixXi U = {};           ///< its own inverse
+};
+
+/// Signs and half turns of single coordinates and inputs, then of two; relative and absolute
+/// angles; other orders of up to three coordinates. Of models with rotations those of inputs alone.
+[[nodiscard]] std::vector<Convention> conventions(const Model& model);
+
+/// The state that is `theirs` to others.
+[[nodiscard]] State our_state(const Convention& convention, State theirs);
+
+/// Values of the first field of an output, as others have them.
+[[nodiscard]] std::vector<cln::cl_R> their_values(const Convention& convention,
+                                                  const OutputRequest& output,
+                                                  const std::vector<cln::cl_R>& ours);
+
+}  // namespace elgen

@@ -1,0 +1,378 @@
+// elgen verify --foreign: code that elgen did not write, right and wrong in the ways of its
+// authors.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/cli_testing.hpp"
+
+namespace elgen::test {
+namespace {
+
+/// The accelerations of models/cart_pole.toml.
+const std::string cart = R"c(#include <math.h>
+#include <signal.h>
+#include <unistd.h>
+typedef double real;
+void my_fd(const double *p, const double *q, const double *v, const double *u, double *result) {
+  const real M = p[0], m = p[1], l = p[2], g = p[3];
+  const real theta = q[1], w = v[1], force = u[0];
+  const real s = sin(theta), c = cos(theta);
+  const real a = (force + m * l * w * w * s - m * g * s * c) / (M + m * s * s);
+  result[0] = a;
+  result[1] = (g * s - c * a) / l;
+}
+)c";
+
+/// The same as a command.
+const std::string script = R"py(import json, math, sys
+
+def forward_dynamics(p, q, v, u):
+    s, c = math.sin(q[1]), math.cos(q[1])
+    force = u[0] + p["m"] * p["l"] * v[1] ** 2 * s - p["m"] * p["g"] * s * c
+    a = force / (p["M"] + p["m"] * s * s)
+    return [a, (p["g"] * s - c * a) / p["l"]]
+
+def mass_matrix(p, q):
+    c = p["m"] * p["l"] * math.cos(q[1])
+    return [[p["M"] + p["m"], c], [c, p["m"] * p["l"] ** 2]]
+
+for line in sys.stdin:
+    call = json.loads(line)
+    print(json.dumps(globals()[call.pop("function")](**call)))
+)py";
+
+std::string replaced(std::string text, const std::string& part, const std::string& other) {
+  const std::size_t at = text.find(part);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, part.size(), other);
+}
+
+/// A folder with models and foreign code.
+class Foreign : public Workspace {
+ public:
+  /// Of the cart, as C.
+  [[nodiscard]] Outcome judge_c(const std::string& text, const std::string& options = "") const {
+    write("mine.c", text);
+    prepare("cc -std=c99 -D_DEFAULT_SOURCE -O1 -fPIC -shared mine.c -o mine.so -lm");
+    return run("elgen verify --foreign ./mine.so --function forward_dynamics=my_fd " + options +
+               " " + models + "/cart_pole.toml");
+  }
+  /// Of the cart with one thing changed.
+  [[nodiscard]] Outcome judge_changed(const std::string& part, const std::string& other,
+                                      const std::string& options = "") const {
+    return judge_c(replaced(cart, part, other), options);
+  }
+  /// As a command.
+  [[nodiscard]] Outcome judge(const std::string& text, const std::string& functions,
+                              const std::string& model = models + "/cart_pole.toml") const {
+    write("mine.py", text);
+    return run("elgen verify --foreign 'python3 mine.py' " + functions + " " + model);
+  }
+};
+
+const std::string another = "under another convention: ";
+
+}  // namespace
+
+TEST_CASE("foreign code that is right agrees to the last digits") {
+  const Foreign folder;
+  const Outcome in_c = folder.judge_c(cart);
+  INFO(in_c.output << in_c.errors);
+  CHECK(in_c.status == 0);
+  CHECK(mentions(in_c.output, "holds    my_fd as forward_dynamics  agrees at 60 states to "));
+  CHECK(mentions(in_c.output, "tolerance  1e-09 of the largest entry\n"));
+  CHECK(in_c.errors.empty());
+  const Outcome in_python =
+      folder.judge(script, "--function forward_dynamics --function mass_matrix --samples 20");
+  INFO(in_python.output << in_python.errors);
+  CHECK(in_python.status == 0);
+  CHECK(mentions(in_python.output, "mass_matrix       agrees at 20 states to "));
+  CHECK(mentions(in_python.output, "2 checks hold, 0 fail, 0 skipped\n"));
+}
+
+TEST_CASE("a wrong sign is told by the situation in which it shows") {
+  const Foreign folder;
+  const Outcome outcome = folder.judge_changed("+ m * l * w", "- m * l * w");
+  INFO(outcome.output << outcome.errors);
+  CHECK(outcome.status == 1);
+  CHECK(mentions(outcome.output, "FAILS    my_fd as forward_dynamics  forward_dynamics."));
+  CHECK(mentions(outcome.output, ", the oracle says "));
+  CHECK(mentions(outcome.output, "found      only when moving: agrees at rest\n"));
+  CHECK(mentions(outcome.output, "worst at   q = ("));
+  CHECK_FALSE(mentions(outcome.output, another));
+  CHECK(mentions(outcome.errors, "error[E717]: `my_fd as forward_dynamics`: "));
+}
+
+TEST_CASE("a half turn, and a direction, of an angle are named") {
+  const Foreign folder;
+  const Outcome half_turn =
+      folder.judge_changed("theta = q[1]", "theta = q[1] + 3.14159265358979324");
+  INFO(half_turn.output);
+  CHECK(half_turn.status == 1);
+  CHECK(mentions(half_turn.output, "found      at rest already\n"));
+  CHECK(mentions(half_turn.output, another + "its `theta` is `theta + pi`\n"));
+  // Counted from the other side: a' = -a, w' = -w.
+  const Outcome mirrored = folder.judge_c(replaced(replaced(cart, "theta = q[1]", "theta = -q[1]"),
+                                                   "(g * s - c * a)", "-(g * s - c * a)"));
+  INFO(mirrored.output);
+  CHECK(mentions(mirrored.output, another + "its `theta` is `-theta`\n"));
+  const Outcome both = folder.judge_c(
+      replaced(replaced(replaced(cart, "theta = q[1]", "theta = 3.14159265358979324 - q[1]"),
+                        "(g * s - c * a)", "-(g * s - c * a)"),
+               "result[0] = a", "result[0] = -a"));
+  INFO(both.output);
+  CHECK(both.status == 1);
+  CHECK(mentions(both.output, another));
+}
+
+TEST_CASE("a reversed input shows with inputs alone") {
+  const Foreign folder;
+  const Outcome outcome = folder.judge_changed("force = u[0]", "force = -u[0]");
+  INFO(outcome.output);
+  CHECK(outcome.status == 1);
+  CHECK(mentions(outcome.output, "found      only with inputs: agrees without\n"));
+  CHECK(mentions(outcome.output, another + "its `u` is `-u`\n"));
+}
+
+TEST_CASE("relative angles for absolute ones, and another order, are named") {
+  const Foreign folder;
+  folder.write("links.toml", R"toml(format = 1
+[model]
+name = "links"
+[[coordinate]]
+name = "a"
+unit = "rad"
+[[coordinate]]
+name = "b"
+unit = "rad"
+[parameters]
+m = { value = 2, unit = "kg" }
+l = { value = 0.5, unit = "m" }
+[energy]
+T = "1/2*m*l^2*(2*dot(a)^2 + 2*cos(a - b)*dot(a)*dot(b) + dot(b)^2)"
+)toml");
+  const std::string head =
+      "import json, math, sys\nfor line in sys.stdin:\n  call = json.loads(line)\n"
+      "  q, i = call['q'], call['p']['m'] * call['p']['l'] ** 2\n";
+  const auto judged = [&](const std::string& matrix) {
+    return folder.judge(head + matrix, "--function mass_matrix", "links.toml").output;
+  };
+  CHECK(mentions(judged("  c = i * math.cos(q[1])\n"
+                        "  print([[3 * i + 2 * c, i + c], [i + c, i]])\n"),
+                 another + "each of its angles is ours less the one before\n"));
+  CHECK(mentions(judged("  c = i * math.cos(q[0] - q[1])\n  print([[i, c], [c, 2 * i]])\n"),
+                 another + "the order of its coordinates is `b`, `a`\n"));
+  const std::string wrong = judged("  c = i * math.cos(q[0] - q[1])\n  print([i, c, 2 * c, i])\n");
+  CHECK(mentions(wrong, "mass_matrix[a, a] is "));
+  CHECK_FALSE(mentions(wrong, another));
+}
+
+TEST_CASE("a point mass for a rod is a factor") {
+  const Foreign folder;
+  folder.write("rod.toml", R"toml(format = 1
+[model]
+name = "rod"
+[[coordinate]]
+name = "theta"
+unit = "rad"
+[parameters]
+m = { value = 2, unit = "kg" }
+l = { value = 0.5, unit = "m" }
+g = { value = 9.81, unit = "m/s^2" }
+[energy]
+T = "1/6*m*l^2*dot(theta)^2"
+V = "-1/2*m*g*l*cos(theta)"
+)toml");
+  const Outcome outcome = folder.judge(
+      "import json, math, sys\nfor line in sys.stdin:\n  call = json.loads(line)\n"
+      "  p = call['p']\n  print([-p['g'] / p['l'] * math.sin(call['q'][0])])\n",
+      "--function forward_dynamics", "rod.toml");
+  INFO(outcome.output << outcome.errors);
+  CHECK(outcome.status == 1);
+  CHECK(mentions(outcome.output, "found      is 0.666667 times the oracle's at all states\n"));
+}
+
+TEST_CASE("a parameter that is written out is named") {
+  const Foreign folder;
+  const Outcome outcome = folder.judge_changed("g = p[3]", "g = 9.81");
+  INFO(outcome.output);
+  CHECK(outcome.status == 1);
+  CHECK(mentions(outcome.output,
+                 "found      only where parameters are varied: agrees at those of the file\n"));
+  CHECK(mentions(outcome.output, "found      ignores `g`\n"));
+}
+
+TEST_CASE("single precision agrees to the digits of float, within a tolerance it is right") {
+  const Foreign folder;
+  const Outcome outcome = folder.judge_changed("typedef double real", "typedef float real");
+  INFO(outcome.output);
+  CHECK(outcome.status == 1);
+  CHECK(mentions(outcome.output, ", the digits of float\n"));
+  CHECK(folder
+            .run("elgen verify -q --tolerance 1e-4 --foreign ./mine.so --function "
+                 "forward_dynamics=my_fd " +
+                 models + "/cart_pole.toml")
+            .status == 0);
+}
+
+TEST_CASE("a crash and a hang end the foreign code alone") {
+  const Foreign folder;
+  const std::string end = "  result[0] = a;\n";
+  const Outcome crash =
+      folder.judge_changed(end, end + "  static int calls;\n  if (++calls == 4) raise(SIGSEGV);\n");
+  INFO(crash.output << crash.errors);
+  CHECK(crash.status == 1);
+  CHECK(mentions(crash.output, "was ended by signal 11 (SIGSEGV), after 3 answers\n"));
+  CHECK(mentions(crash.errors, "`my_fd as forward_dynamics` was ended by signal 11 (SIGSEGV)"));
+  const Outcome hang =
+      folder.judge_changed(end, end + "  for (;;) sleep(1);\n", "--limit seconds=3");
+  INFO(hang.output << hang.errors);
+  CHECK(hang.status == 1);
+  CHECK(mentions(hang.output, "has not ended within 3 s, after 0 answers\n"));
+  folder.write("hang.py", "import time\nprint([1, 2], flush=True)\ntime.sleep(60)\n");
+  const Outcome command = folder.run(
+      "elgen verify --limit seconds=3 --foreign 'python3 hang.py' --function forward_dynamics " +
+      models + "/cart_pole.toml");
+  INFO(command.output << command.errors);
+  CHECK(command.status == 1);
+  CHECK(mentions(command.output, "has not ended within 3 s, after 1 answer\n"));
+}
+
+TEST_CASE("a wrong count of numbers, NaN and what is no number are told") {
+  const Foreign folder;
+  const std::string end = "  result[0] = a;\n";
+  CHECK(mentions(folder.judge_changed(end, end + "  result[2] = a;\n").output,
+                 "gives 3 numbers for 2 x 1 entries\n"));
+  CHECK(mentions(folder.judge_changed("  result[1] =", "  const real lost =").output,
+                 "gives 1 number for 2 x 1 entries\n"));
+  const std::string as = "--function forward_dynamics";
+  CHECK(mentions(folder.judge("print([1, 2, 3])\n", as).output,
+                 "gives 3 numbers for 2 x 1 entries\n"));
+  const Outcome in_c = folder.judge_changed("(g * s - c * a) / l", "NAN");
+  INFO(in_c.output);
+  CHECK(in_c.status == 1);
+  CHECK(mentions(in_c.output, "forward_dynamics.acceleration[theta] is nan, the oracle says "));
+  CHECK(mentions(in_c.output, "found      at rest already\n"));
+  CHECK(mentions(folder.judge(replaced(script, "return [a, ", "return [math.nan, "), as).output,
+                 "forward_dynamics.acceleration[x] is nan, the oracle says "));
+  CHECK(mentions(folder.judge("print('ready')\n", as).output,
+                 "answers `ready`, which is no list of numbers, after 0 answers\n"));
+  CHECK(mentions(folder.judge("print([1, 2])\n", as).output, "ends early, after 1 answer\n"));
+}
+
+TEST_CASE("the words of a command that fails are shown") {
+  const Foreign folder;
+  const Outcome outcome = folder.judge("raise ValueError('no such pole')\n", "--function bias");
+  CHECK(outcome.status == 1);
+  CHECK(mentions(outcome.errors, "error[E717]: `bias` exits 1, after 0 answers:\nTraceback"));
+  CHECK(mentions(outcome.errors, "ValueError: no such pole"));
+}
+
+TEST_CASE("code that cannot be called exits with 4") {
+  const Foreign folder;
+  folder.write("text.so", "no library\n");
+  folder.write("mine.c", cart);
+  folder.prepare("cc -fPIC -shared mine.c -o mine.so -lm");
+  const auto judged = [&](const std::string& code) {
+    const Outcome outcome = folder.run("elgen verify --function gravity=my_g --foreign " + code +
+                                       " " + models + "/cart_pole.toml");
+    CHECK(outcome.status == 4);
+    return outcome.errors;
+  };
+  CHECK(judged("./mine.so") == "elgen: error[E716]: `./mine.so` has no function `my_g`\n");
+  CHECK(mentions(judged("text.so"), "error[E716]: `text.so` cannot be loaded: "));
+  CHECK(mentions(judged("./none.so"), "`./none.so` is no file, and no command that could be run"));
+}
+
+TEST_CASE("options of foreign code that lack their companions are refused") {
+  const Foreign folder;
+  folder.write("mine.py", script);
+  const std::string cart_pole = " " + models + "/cart_pole.toml";
+  const auto refused = [&](const std::string& options) {
+    const Outcome outcome = folder.run("elgen verify " + options + cart_pole);
+    INFO(options);
+    CHECK(outcome.status == 2);
+    return outcome.errors;
+  };
+  const std::string code = "--foreign 'python3 mine.py' ";
+  CHECK(mentions(refused("--foreign 'python3 mine.py'"), "--function"));
+  CHECK(mentions(refused("--function gravity"), "--foreign"));
+  CHECK(mentions(refused("--tolerance 1e-6"), "--foreign"));
+  (void)refused(code + "--function gravity --tolerance 0");
+  (void)refused(code + "--function gravity --quick");
+  CHECK(mentions(refused(code + "--function gravty"), "error[E601]: unknown output `gravty`"));
+  CHECK(mentions(refused(code + "--function constraint_jacobian"), "error[E603]"));
+  CHECK(mentions(refused(code + "--function gravity --function dynamics"),
+                 "error[E603]: `dynamics` repeats other outputs"));
+}
+
+TEST_CASE("certificates of foreign code are JSON, and annotations name the model") {
+  const Foreign folder;
+  const Outcome outcome =
+      folder.judge_changed("force = u[0]", "force = -u[0]", "--format json -o c.json");
+  const auto json = nlohmann::json::parse(outcome.output);
+  CHECK(json.at("fails") == 1);
+  const auto& row = json.at("checks").at(0);
+  CHECK(row.at("check") == "foreign code vs oracle");
+  CHECK(row.at("findings").at(0) == "only with inputs: agrees without");
+  CHECK(nlohmann::json::parse(outcome.errors).at("code") == "E717");
+  CHECK(folder.read("c.json") == outcome.output);
+  const Outcome annotated =
+      folder.judge_changed("force = u[0]", "force = -u[0]", "-q --format github");
+  CHECK(mentions(annotated.errors, "::error file="));
+  CHECK(mentions(annotated.errors, "cart_pole.toml,line="));
+}
+
+// CartPole and Pendulum of OpenAI Gym (MIT licence, https://github.com/openai/gym,
+// gym/envs/classic_control), written anew from their equations: Barto, Sutton, Anderson, Neuronlike
+// adaptive elements (1983), with the corrections of Florian, Correct equations for the dynamics of
+// the cart-pole system (2007), without friction. `l` of the cart is half the length of its pole,
+// which is a rod.
+TEST_CASE("the formulas of Gym's CartPole and Pendulum are those of rods") {
+  const Foreign folder;
+  const std::string head = "format = 1\n[model]\nname = \"rod\"\n";
+  const std::string angle = "[[coordinate]]\nname = \"theta\"\nunit = \"rad\"\n";
+  const std::string values =
+      "[parameters]\nm = { value = 0.1, unit = \"kg\" }\nl = { value = 0.5, unit = \"m\" }\n"
+      "g = { value = 9.8, unit = \"m/s^2\" }\n";
+  folder.write("cart.toml",
+               head + "[[coordinate]]\nname = \"x\"\nunit = \"m\"\n" + angle + values +
+                   "M = { value = 1, unit = \"kg\" }\n[[input]]\nname = \"u\"\nunit = \"N\"\non = "
+                   "\"x\"\n[energy]\nT = \"1/2*(M + m)*dot(x)^2 + m*l*cos(theta)*dot(x)*dot(theta) "
+                   "+ 2/3*m*l^2*dot(theta)^2\"\nV = \"m*g*l*cos(theta)\"\n");
+  const std::string input = "[[input]]\nname = \"u\"\nunit = \"N*m\"\non = \"theta\"\n";
+  const std::string energy = "[energy]\nT = \"1/6*m*l^2*dot(theta)^2\"\nV = \"";
+  folder.write("upright.toml", head + angle + values + input + energy + "m*g*l/2*cos(theta)\"\n");
+  folder.write("hanging.toml", head + angle + values + input + energy + "-m*g*l/2*cos(theta)\"\n");
+  const std::string gym = R"py(import json, math, sys
+
+def cart_pole(p, q, v, u):
+    total_mass = p["M"] + p["m"]
+    polemass_length = p["m"] * p["l"]
+    costheta, sintheta = math.cos(q[1]), math.sin(q[1])
+    temp = (u[0] + polemass_length * v[1] ** 2 * sintheta) / total_mass
+    thetaacc = (p["g"] * sintheta - costheta * temp) / (
+        p["l"] * (4.0 / 3.0 - p["m"] * costheta**2 / total_mass))
+    return [temp - polemass_length * thetaacc * costheta / total_mass, thetaacc]
+
+def pendulum(p, q, v, u):
+    g, m, l = p["g"], p["m"], p["l"]
+    return [3 * g / (2 * l) * math.sin(q[0]) + 3.0 / (m * l**2) * u[0]]
+
+for line in sys.stdin:
+    call = json.loads(line)
+    print(json.dumps(globals()[call.pop("function")](**call)))
+)py";
+  const std::string cart_pole = "--function forward_dynamics=cart_pole";
+  const std::string pendulum = "--function forward_dynamics=pendulum";
+  CHECK(mentions(folder.judge(gym, cart_pole, "cart.toml").output, "1 check holds, 0 fail"));
+  const Outcome point_mass = folder.judge(gym, cart_pole);
+  CHECK(point_mass.status == 1);
+  CHECK(mentions(point_mass.output, "found      at rest already\n"));
+  CHECK_FALSE(mentions(point_mass.output, another));
+  CHECK(mentions(folder.judge(gym, pendulum, "upright.toml").output, "1 check holds, 0 fail"));
+  CHECK(mentions(folder.judge(gym, pendulum, "hanging.toml").output,
+                 another + "its `theta` is `theta + pi`\n"));
+}
+
+}  // namespace elgen::test
