@@ -86,7 +86,9 @@ void judge(Context& context, const FileSyntax& syntax, const FileSyntax* scene,
   if (!has_order) return;
   check_function_expressions(context);
   check_routh(context);
-  check_places(context, find_traits(context.model));
+  const std::vector<Traits> traits = find_traits(context.model);
+  check_places(context, traits);
+  check_equations(context, traits);
   check_units(context);
 }
 

@@ -91,7 +91,8 @@ bool is_alike(const IdentifiedEntry& x, const IdentifiedEntry& y) {
 
 const KeySyntax* identifying_key(const EntrySyntax& entry) {
   for (const char* const key : {"name", "on", "at", "frame"}) {
-    if (const KeySyntax* const found = entry.find(key)) return found;
+    const KeySyntax* const found = entry.find(key);
+    if (found != nullptr && found->value.kind != ValueKind::table) return found;
   }
   return nullptr;
 }

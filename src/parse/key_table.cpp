@@ -158,7 +158,12 @@ constexpr auto key_rows = std::to_array<KeyRow>({
 
     {"expect", "conserved", expression_list, optional, true,
      "constant along the motion, u = 0; E and p(NAME) are names"},
+    {"expect", "equations", equations, optional, true, "equations of motion, in any form"},
+    {"expect", "at", table, optional, true, "outputs are numbers at this state, else the start"},
+    {"expect", "within", expression, optional, true, "of the largest entry; 1e-12 unless given"},
     {"expect", "*", closed_form, optional, true, "an output's closed form"},
+    {"expect.at", "*", expression, optional, true,
+     "a coordinate, a rate such as dot(theta), an input, a parameter, …"},
     {"expect.*", "for", repetition, required, true, "the indices of the entry"},
     {"expect.*", "value", expression, required, true, "the entry at these indices"},
 
@@ -296,7 +301,7 @@ constexpr auto entry_rows = std::to_array<EntryRow>({
     {"outputs", single, optional, true, "how the model's own outputs are given"},
     {"constraint", repeated, optional, true, "an equation the motion obeys"},
     {"equilibrium", repeated, optional, true, "a point at which the system stays at rest"},
-    {"expect", repeated, optional, true, "closed forms to be verified"},
+    {"expect", repeated, optional, true, "closed forms, equations and numbers to be verified"},
     {"scene.outputs", single, optional, true, "what is derived and emitted"},
     {"scene.parameters", single, optional, true, "parameters that become numbers"},
     {"scene.sizes", single, optional, true, "sizes other than the model's"},

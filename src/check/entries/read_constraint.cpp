@@ -56,11 +56,10 @@ class ConstraintReader {
     const Place& place = blank_.is_position ? position_equation : velocity_equation;
     for (std::size_t i = 0; i < list.items.size(); ++i) {
       const ValueSyntax& item = list.items[i];
-      const KeySyntax* left = item.find("left");
-      const KeySyntax* right = item.find("right");
-      if (left == nullptr || right == nullptr) continue;  // reported when the file was parsed
+      const std::optional<ExpressionSyntax> value = residual(item);
+      if (!value) continue;
       const std::string suffix = list.items.size() == 1 ? "" : std::to_string(i + 1);
-      add(suffix, values_.root(residual(*left, *right, item.span), {place}), item.span);
+      add(suffix, values_.root(*value, {place}), item.span);
     }
   }
 
@@ -69,14 +68,6 @@ class ConstraintReader {
     if (!number || !cln::minusp(*number)) return;
     context_.report.add(Code::E112, key.value.span,
                         in_backticks(key.value.span) + " is negative: errors would grow");
-  }
-
-  /// left - right, or left where the right side is 0.
-  static ExpressionSyntax residual(const KeySyntax& left, const KeySyntax& right,
-                                   const Span& span) {
-    const ExpressionSyntax& other = right.value.expression;
-    const bool is_zero = other.kind == SyntaxKind::number && cln::zerop(other.value);
-    return is_zero ? left.value.expression : difference(left.value.expression, other, span);
   }
 
   /// A row for each component that both points have.

@@ -219,6 +219,16 @@ ExpressionSyntax difference(const ExpressionSyntax& larger, const ExpressionSynt
   return sum;
 }
 
+std::optional<ExpressionSyntax> residual(const ValueSyntax& equation) {
+  const KeySyntax* const left = equation.find("left");
+  const KeySyntax* const right = equation.find("right");
+  if (left == nullptr || right == nullptr) return std::nullopt;  // reported when it was parsed
+  const ExpressionSyntax& other = right->value.expression;
+  const bool is_zero = other.kind == SyntaxKind::number && cln::zerop(other.value);
+  if (is_zero) return left->value.expression;
+  return difference(left->value.expression, other, equation.span);
+}
+
 const EntrySyntax* find_entry(const FileSyntax* file, std::string_view name) {
   if (file == nullptr) return nullptr;
   const auto found = std::ranges::find(file->entries, name, &EntrySyntax::name);

@@ -133,6 +133,9 @@ std::uint32_t append_row(Model& model, const EntrySyntax& entry, const NewName& 
 [[nodiscard]] ExpressionSyntax difference(const ExpressionSyntax& larger,
                                           const ExpressionSyntax& smaller, const Span& span);
 
+/// left - right of an equation, or left where the right side is 0; none where it could not be read.
+[[nodiscard]] std::optional<ExpressionSyntax> residual(const ValueSyntax& equation);
+
 /// An entry that is not repeated, and a key of it, or null; its keys, or none. `file` may be null.
 [[nodiscard]] const EntrySyntax* find_entry(const FileSyntax* file, std::string_view name);
 [[nodiscard]] const KeySyntax* find_key(const FileSyntax* file, std::string_view entry,

@@ -1,6 +1,7 @@
 // Expectations: closed forms as matrices of expressions, row-major, or by entry:
 //
 //     gravity_entry = { for = "i in 1..2", value = "m[i]*g" }   ->   gravity = [m[1]*g, m[2]*g]
+//     equations = ["m*dot(dot(x)) = -k*x"]                      ->   m*dot(dot(x)) - -k*x
 #include <algorithm>
 #include <utility>
 
@@ -21,6 +22,7 @@ constexpr Place closed_form{"a closed form", place::anything};
 constexpr Place closed_form_of_momenta{"a closed form", place::anything | uses_momentum};
 constexpr Place conserved_form{"a conserved quantity",
                                place::anything | uses_momentum | uses_energy};
+constexpr Place equation_of_motion{"an equation of motion", place::anything};
 
 /// A field of an output: the first one, or `multipliers`.
 struct ExpectedField {
@@ -133,11 +135,15 @@ bool check_complete(Expectation& expectation, const Span& span, Report& report) 
 
 class ExpectationReader {
  public:
-  explicit ExpectationReader(Context& context) : context_(context), values_(context) {}
+  /// Outputs are known at a state, or else at all of them.
+  ExpectationReader(Context& context, const std::optional<StatedState>& at)
+      : context_(context), values_(context), at_(at) {}
 
   void read(const KeySyntax& key) {
     if (key.key == "conserved") {
-      read_conserved(key);
+      read_column(key, conserved_form);
+    } else if (key.key == "equations") {
+      read_column(key, equation_of_motion);
     } else if (key.value.kind == ValueKind::table) {
       read_sized(key);
     } else if (const auto expected = require(context_, key.key, key.key_span)) {
@@ -146,12 +152,16 @@ class ExpectationReader {
   }
 
  private:
-  void read_conserved(const KeySyntax& key) {
+  /// Expressions about the motion, of no output.
+  void read_column(const KeySyntax& key, const Place& place) {
     Expectation expectation;
     expectation.output = key.key;
     expectation.span = key.key_span;
     for (const ValueSyntax& item : key.value.items) {
-      add_entry(expectation, item, {conserved_form});
+      const auto value = item.kind == ValueKind::table ? residual(item) : item.expression;
+      if (!value) continue;
+      expectation.entries.push_back(values_.root(*value, {place}));
+      expectation.spans.push_back(item.span);
     }
     expectation.rows = static_cast<std::uint32_t>(expectation.entries.size());
     expectation.columns = 1;
@@ -169,6 +179,7 @@ class ExpectationReader {
       for (std::size_t j = 0; fits && j < rows[i].size(); ++j) {
         const std::size_t index = expectation.entries.size();
         add_entry(expectation, *rows[i][j], request_for(expected, index));
+        forget_unit();
       }
     }
     if (!fits) {
@@ -182,7 +193,15 @@ class ExpectationReader {
     keep(std::move(expectation));
   }
 
+  /// Numbers at a state are a table: nobody forgot their names.
+  void forget_unit() {
+    if (at_ && !context_.roots.empty() && context_.roots.back().plain_numbers) {
+      context_.roots.back().unit.reset();
+    }
+  }
+
   void keep(Expectation expectation) {
+    if (!expectation.is_conserved() && !expectation.are_equations()) expectation.at = at_;
     if (!context_.beyond_limits) {
       context_.model.expectations.push_back(std::move(expectation));
     }
@@ -237,6 +256,7 @@ class ExpectationReader {
       if (!index) return false;
       const ExpressionId entry =
           ValueReader(context_, scope).root(value.value, request_for(expected, *index));
+      forget_unit();
       // Grown as needed: a form beyond the limit of nodes ends long before its last entry.
       expectation.entries.resize(std::max(expectation.entries.size(), *index + 1), no_expression);
       expectation.entries[*index] = entry;
@@ -245,23 +265,24 @@ class ExpectationReader {
     const bool complete = repeat(ranges, scope, context_.report, add);
     if (complete && check_complete(expectation, value.value.span, context_.report)) {
       expectation.spans.assign(expectation.entries.size(), value.value.span);
-      context_.model.expectations.push_back(std::move(expectation));
+      keep(std::move(expectation));
     }
   }
 
   Context& context_;
   ValueReader values_;
+  const std::optional<StatedState>& at_;
 };
 
 /// Reads one closed form with few nodes; one that needs more is dropped again, but what was wrong
 /// with it until then is reported.
-void read_small(Context& context, const KeySyntax& key) {
+void read_small(Context& context, const std::optional<StatedState>& at, const KeySyntax& key) {
   constexpr std::uint64_t few_nodes = 4096;
   const std::size_t nodes = context.model.expressions.size();
   const std::size_t roots = context.roots.size();
   const std::uint64_t limit = std::exchange(context.node_limit, nodes + few_nodes);
   Report outer = std::exchange(context.report, Report{});
-  ExpectationReader(context).read(key);
+  ExpectationReader(context, at).read(key);
   const Report inner = std::exchange(context.report, std::move(outer));
   context.node_limit = limit;
   if (std::exchange(context.beyond_limits, false)) {
@@ -277,17 +298,40 @@ void read_small(Context& context, const KeySyntax& key) {
 
 }  // namespace
 
+void check_equations(Context& context, const std::vector<Traits>& traits) {
+  const Model& model = context.model;
+  for (const Expectation& expectation : model.expectations) {
+    if (!expectation.are_equations()) continue;
+    for (std::size_t i = 0; i < expectation.entries.size(); ++i) {
+      if ((traits[expectation.entries[i]].ingredients & uses_acceleration) != 0) continue;
+      context.report.add(Code::E540, expectation.spans[i],
+                         in_backticks(expectation.spans[i]) + " holds no acceleration",
+                         "that of `x` is `dot(dot(x))`");
+    }
+    const std::size_t count = expectation.entries.size();
+    const std::size_t velocities = model.velocities.size();
+    const std::size_t constraints = model.constraints.size();
+    if (count + constraints >= velocities) continue;
+    std::string needed = "the model has " + counted(velocities, "acceleration");
+    if (constraints > 0) needed += " and " + counted(constraints, "constraint");
+    context.report.add(Code::E540, expectation.span,
+                       counted(count, "equation") + ", but " + needed);
+  }
+}
+
 void read_expectations(Context& context, const FileSyntax& syntax, bool large) {
   for (const EntrySyntax& entry : syntax.entries) {
     if (entry.name != "expect") {
       continue;
     }
+    const std::optional<StatedState> at = read_stated_state(context, entry);
     for (const KeySyntax& key : entry.keys) {
-      if (uses_closed_derivative(context, key.value)) continue;
+      const bool is_of_state = key.key == "at" || key.key == "within";
+      if (is_of_state || uses_closed_derivative(context, key.value)) continue;
       if (large) {
-        ExpectationReader(context).read(key);
+        ExpectationReader(context, at).read(key);
       } else {
-        read_small(context, key);
+        read_small(context, at, key);
       }
     }
   }

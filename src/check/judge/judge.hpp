@@ -2,6 +2,7 @@
 // [[expect]] -> Model::expectations.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "check/expressions/traits.hpp"
@@ -19,9 +20,16 @@ void check_mechanics(Context& context, const std::vector<Traits>& traits);
 /// E535, E536, E539 of the constraints of a model that is reduced.
 void check_constraints(Context& context);
 
+/// The state of an [[expect]] that has one. E112, E201, E319.
+[[nodiscard]] std::optional<StatedState> read_stated_state(Context& context,
+                                                           const EntrySyntax& entry);
+
+/// E540: an equation of [[expect]] that holds no acceleration, or too few of them.
+void check_equations(Context& context, const std::vector<Traits>& traits);
+
 /// Resolves every closed form and compares its shape with that of the output. Closed forms of sized
 /// models grow faster than the model, so that those of more than 4096 nodes are kept only where
-/// `large`. E517, E601, E603, E505.
+/// `large`. E517, E601, E603, E505, and those of states.
 void read_expectations(Context& context, const FileSyntax& syntax, bool large);
 
 }  // namespace elgen

@@ -8,13 +8,15 @@
 #include <algorithm>
 #include <utility>
 
-#include "analyse/substitution.hpp"
-#include "elgen/references.hpp"
 #include "model/requests.hpp"
 #include "numbers/exact_number.hpp"
 #include "sample/states.hpp"
 #include "verify/states/kinks.hpp"
 #include "verify/states/tally.hpp"
+#include "verify/structure/differing_terms.hpp"
+#include "verify/structure/proofs.hpp"
+#include "verify/structure/stated_equations.hpp"
+#include "verify/structure/stated_numbers.hpp"
 
 namespace elgen {
 namespace {
@@ -27,6 +29,9 @@ constexpr double tolerance = 1e-45;
 constexpr const char* sampled_reason = "1e-45 of the largest entry: sampled, no proof";
 constexpr const char* proof = "proved: both are one canonical sum";
 constexpr const char* proof_of_rate = "proved: the rate is the empty canonical sum";
+constexpr const char* proof_of_equation = "proved: along the motion it is the empty canonical sum";
+/// Equations hold accelerations everywhere or nowhere, but for kinks: few states tell.
+constexpr std::size_t states_of_rank = 8;
 
 /// Where the model is sampled, and the sides of kinks that are not among it.
 struct SamplingStates {
@@ -53,42 +58,24 @@ double quotient(const cl_R& difference, const cl_R& scale) {
   return ScalarTraits<double>::from_real(cln::abs(difference) / scale);
 }
 
-/// One entry of an expectation about a system.
-struct Entry {
-  const Expectation& of;
-  std::size_t index;
-  const Subject& subject;
-
-  [[nodiscard]] ExpressionId expression() const { return of.entries[index]; }
-  [[nodiscard]] Span span() const { return index < of.spans.size() ? of.spans[index] : of.span; }
-};
-
-/// As the file calls it.
 const std::string& written_name(const Expectation& expectation) {
   return expectation.field.empty() ? expectation.output : expectation.field;
 }
 
-std::string name_of(const Entry& entry) {
-  const Field field{.columns = std::max(entry.of.columns, 1U), .entries = entry.of.entries};
-  return written_name(entry.of) + index_text(field, entry.index);
+std::string formula_of(const ExpectedEntry& entry) {
+  const std::string text = to_string(entry.subject.model, entry.expression());
+  if (entry.of.is_conserved()) return fmt::format("d/dt ({}) = 0 at u = 0", text);
+  if (entry.of.are_equations()) return fmt::format("{} = 0 along the motion", text);
+  return text;
 }
 
-CertificateRow row_of(const Entry& entry) {
-  CertificateRow row;
-  row.check = "[[expect]]";
-  row.output = row.check + " " + written_name(entry.of);
-  row.subject = name_of(entry);
-  row.formula = to_string(entry.subject.model, entry.expression());
-  if (entry.of.is_conserved()) row.formula = fmt::format("d/dt ({}) = 0 at u = 0", row.formula);
-  row.tolerance = sampled_reason;
-  return row;
-}
-
-CertificateRow proved_row(const Entry& entry) {
-  CertificateRow row = row_of(entry);
+CertificateRow proved_row(const ExpectedEntry& entry) {
+  CertificateRow row = blank_row(entry);
   row.worst = "equal";
   row.evidence = Evidence::proof;
-  row.tolerance = entry.of.is_conserved() ? proof_of_rate : proof;
+  row.tolerance = entry.of.is_conserved()    ? proof_of_rate
+                  : entry.of.are_equations() ? proof_of_equation
+                                             : proof;
   return row;
 }
 
@@ -99,17 +86,19 @@ struct Sample {
   cl_R scale;
 };
 
-std::string wrong_text(const Entry& entry, const Sample& sample, const State& state) {
+std::string wrong_text(const ExpectedEntry& entry, const Sample& sample, const State& state) {
   const std::string where = describe(entry.subject, state);
   const std::string written = short_text(sample.written);
   if (entry.of.is_conserved())
     return fmt::format("its rate is {} instead of 0 at {}", written, where);
+  if (entry.of.are_equations())
+    return fmt::format("left - right is {} instead of 0 along the motion at {}", written, where);
   return fmt::format("{} is {} by this form, {} as derived, {} too much, at {}", name_of(entry),
                      written, short_text(sample.derived),
                      short_text(sample.written - sample.derived), where);
 }
 
-Diagnostic nothing_compared(const Entry& entry) {
+Diagnostic nothing_compared(const ExpectedEntry& entry) {
   return {Code::E510, entry.span(),
           fmt::format("this form of {} and the derived one have no value in common at {} points",
                       name_of(entry), point_count),
@@ -131,7 +120,7 @@ SampledPoint derived_at(const Model& model, const OutputRequest& request, const 
   return derived;
 }
 
-std::optional<Sample> value_sample(const Entry& entry, const SampledPoint& derived) {
+std::optional<Sample> value_sample(const ExpectedEntry& entry, const SampledPoint& derived) {
   const auto written = oracle_expression(entry.subject.model, entry.expression(), derived.state);
   const std::size_t index = entry.of.first + entry.index;
   const bool is_there = derived.entries && index < derived.entries->size();
@@ -153,42 +142,65 @@ std::optional<State> kept(const Model& model, const State& state) {
   return there;
 }
 
-/// The state at rest of inputs, with the acceleration, the momenta and the energy that it then has;
-/// none where M is singular, or the constraints cannot be kept.
-std::optional<State> free_motion(const Model& model, const State& start) {
-  std::optional<State> constrained = kept(model, start);
-  if (!constrained) return std::nullopt;
-  State& state = *constrained;
-  for (cl_R& u : state.u) u = 0;
-  const OracleValues solution = oracle_values(model, {.kind = OutputKind::forward_dynamics}, state);
-  const OracleValues momenta = oracle_values(model, {.kind = OutputKind::momentum}, state);
-  const OracleValues energy = oracle_values(model, {.kind = OutputKind::energy_function}, state);
-  if (!solution || !momenta || !energy) return std::nullopt;
-  for (std::size_t i = 0; i < state.a.size(); ++i) state.a[i] = (*solution)[i];
-  state.momenta = *momenta;
-  state.E = energy->front();
-  return constrained;
+/// The state with the acceleration that it has; none where M is singular, or the constraints cannot
+/// be kept.
+std::optional<State> motion_at(const Model& model, const State& start) {
+  std::optional<State> state = kept(model, start);
+  if (!state) return std::nullopt;
+  const OracleValues solution =
+      oracle_values(model, {.kind = OutputKind::forward_dynamics}, *state);
+  if (!solution) return std::nullopt;
+  for (std::size_t i = 0; i < state->a.size(); ++i) state->a[i] = (*solution)[i];
+  return state;
 }
 
-/// de/dt along the motion, judged by the size of its terms: |e|, the part without a, and the part
-/// of each a_i.
-std::optional<Sample> rate_sample(const Entry& entry, const State& motion) {
-  const Model& model = entry.subject.model;
-  const auto value = oracle_expression(model, entry.expression(), motion);
-  const auto rate = oracle_rate(model, entry.expression(), motion);
+/// The same at rest of inputs, with the momenta and the energy that it then has.
+std::optional<State> free_motion(const Model& model, State start) {
+  for (cl_R& u : start.u) u = 0;
+  std::optional<State> state = motion_at(model, start);
+  if (!state) return std::nullopt;
+  const OracleValues momenta = oracle_values(model, {.kind = OutputKind::momentum}, *state);
+  const OracleValues energy = oracle_values(model, {.kind = OutputKind::energy_function}, *state);
+  if (!momenta || !energy) return std::nullopt;
+  state->momenta = *momenta;
+  state->E = energy->front();
+  return state;
+}
+
+/// The value f(a) of a function of the acceleration, with the scale of what it sums: `size`, |f(0)|
+/// and the part of each a_i.
+template <class F>
+std::optional<Sample> sample_of_parts(const F& f, const State& motion, cl_R size) {
   State part = motion;
   part.a.assign(motion.a.size(), cl_R(0));
-  const auto coasting = oracle_rate(model, entry.expression(), part);
-  if (!value || !rate || !coasting) return std::nullopt;
-  Sample result{*rate, 0, cln::abs(*value) + cln::abs(*coasting)};
+  const std::optional<cl_R> whole = f(motion);
+  const std::optional<cl_R> coasting = f(part);
+  if (!whole || !coasting) return std::nullopt;
+  Sample result{*whole, 0, size + cln::abs(*coasting)};
   for (std::size_t i = 0; i < motion.a.size(); ++i) {
     part.a[i] = motion.a[i];
-    const auto accelerated = oracle_rate(model, entry.expression(), part);
+    const std::optional<cl_R> accelerated = f(part);
     part.a[i] = 0;
     if (!accelerated) return std::nullopt;
     result.scale = result.scale + cln::abs(*accelerated - *coasting);
   }
   return result;
+}
+
+/// de/dt along the motion, judged by the size of its terms and by |e|; of an equation e itself.
+std::optional<Sample> motion_sample(const ExpectedEntry& entry, const State& motion) {
+  const Model& model = entry.subject.model;
+  const ExpressionId id = entry.expression();
+  const auto value = [&](const State& at) { return oracle_expression(model, id, at); };
+  if (entry.of.are_equations()) return sample_of_parts(value, motion, 0);
+  const std::optional<cl_R> size = value(motion);
+  if (!size) return std::nullopt;
+  const auto rate = [&](const State& at) { return oracle_rate(model, id, at); };
+  return sample_of_parts(rate, motion, cln::abs(*size));
+}
+
+bool is_of_motion(const Expectation& expectation) {
+  return expectation.is_conserved() || expectation.are_equations();
 }
 
 /// Where one expectation is sampled.
@@ -197,8 +209,10 @@ std::vector<SampledPoint> points_of(const Model& model, const Expectation& expec
   const auto request = find_request(model, expectation.output);
   std::vector<SampledPoint> points;
   for (const State& state : states) {
-    if (expectation.is_conserved()) {
-      if (const auto motion = free_motion(model, state)) points.push_back({*motion});
+    if (is_of_motion(expectation)) {
+      const auto motion =
+          expectation.is_conserved() ? free_motion(model, state) : motion_at(model, state);
+      if (motion) points.push_back({*motion});
     } else if (request) {
       points.push_back(derived_at(model, *request, state));
     }
@@ -206,14 +220,37 @@ std::vector<SampledPoint> points_of(const Model& model, const Expectation& expec
   return points;
 }
 
+/// How the forms differ; "" where there are none, or it is too long to be read.
+std::string difference_text(const ExpectedEntry& entry, Proofs& proofs) {
+  const std::optional<Fraction> written = proofs.written(entry.of, entry.index);
+  if (!written || entry.of.is_conserved()) return {};
+  if (entry.of.are_equations()) return difference_from_motion(proofs, *written);
+  const std::optional<Fraction> derived = proofs.derived(entry.of, entry.index);
+  if (!derived) return {};
+  Algebra& algebra = *proofs.algebra();
+  const Model& model = entry.subject.model;
+  const auto terms = differing_terms(algebra, *derived, *written);
+  std::string text = terms ? text_of(model, algebra, *terms) : "";
+  if (!text.empty()) return text;
+  const Value difference = Arithmetic(algebra).subtract(*written, *derived);
+  text = difference ? short_form(model, algebra, *difference) : "";
+  return text.empty() ? "" : "the difference is " + text;
+}
+
+/// Where entries are sampled, and the sides of kinks that none of these points is on.
+struct SampledPoints {
+  const std::vector<SampledPoint>& points;
+  const std::string& unseen;
+};
+
 /// Compares one entry at all states; the first where it is wrong becomes the diagnostic.
-void compare(ExpectationReport& report, const Entry& entry, const std::vector<SampledPoint>& points,
-             const std::string& unseen) {
+void compare(ExpectationReport& report, const ExpectedEntry& entry, Proofs& proofs,
+             const SampledPoints& sampled) {
   Tally tally;
   std::string wrong;
-  for (const SampledPoint& point : points) {
+  for (const SampledPoint& point : sampled.points) {
     const auto sample =
-        entry.of.is_conserved() ? rate_sample(entry, point.state) : value_sample(entry, point);
+        is_of_motion(entry.of) ? motion_sample(entry, point.state) : value_sample(entry, point);
     if (!sample) {
       tally.skip();
       continue;
@@ -222,133 +259,65 @@ void compare(ExpectationReport& report, const Entry& entry, const std::vector<Sa
     tally.add(figure, point.state);
     if (wrong.empty() && !(figure <= tolerance)) wrong = wrong_text(entry, *sample, point.state);
   }
-  CertificateRow& row = report.rows.emplace_back(row_of(entry));
+  CertificateRow& row = report.rows.emplace_back(blank_row(entry));
+  row.tolerance = sampled_reason;
   tally.tell(row, entry.subject, tolerance);
   row.worst = fmt::format("{:.1e} relative", tally.worst());
   if (row.verdict == Verdict::holds) row.where.clear();
   // The author expects a value: where there is none, the expectation is not met.
   if (tally.samples() == 0) row.verdict = Verdict::fails;
-  if (!unseen.empty()) row.tolerance += "; not seen on both sides: " + unseen;
+  if (!sampled.unseen.empty()) row.tolerance += "; not seen on both sides: " + sampled.unseen;
   if (!wrong.empty()) {
-    report.diagnostics.push_back({Code::E510, entry.span(), std::move(wrong)});
+    std::string hint = difference_text(entry, proofs);
+    if (!hint.empty()) row.worst += "; " + hint;
+    report.diagnostics.push_back({Code::E510, entry.span(), std::move(wrong), std::move(hint)});
   } else if (tally.samples() == 0) {
     report.diagnostics.push_back(nothing_compared(entry));
   }
 }
 
-/// The author's form and the derived one are one canonical sum. The former comes straight from the
-/// model, the latter from the program, so that they share nothing but the ring they are compared
-/// in.
-class Proofs {
- public:
-  /// Without `forms` nothing is proved.
-  Proofs(const Subject& subject, ClosedForms* forms) : subject_(subject), forms_(forms) {}
-
-  /// The entry equals that of the output derived. False says nothing.
-  [[nodiscard]] bool equal(const Expectation& expectation, std::size_t entry);
-
-  /// The rate of a `conserved` entry along the motion at u = 0 is the empty sum.
-  [[nodiscard]] bool conserved(const Expectation& expectation, std::size_t entry);
-
- private:
-  /// The form of an entry of the first field, or of the one of this name; null where there is none,
-  /// or where it rests on zeros that were sampled.
-  [[nodiscard]] const Fraction* derived(const OutputRequest& request, std::string_view field,
-                                        std::size_t entry) const;
-  [[nodiscard]] std::optional<std::vector<Fraction>> entries(OutputKind kind) const;
-  [[nodiscard]] Replacements momenta() const;
-  std::optional<Fraction> written(const Expectation& expectation, std::size_t entry);
-
-  const Subject& subject_;
-  ClosedForms* forms_;
-};
-
-const Fraction* Proofs::derived(const OutputRequest& request, std::string_view field,
-                                std::size_t entry) const {
-  const std::vector<Function>& functions = subject_.program.functions;
-  for (std::size_t i = 0; forms_ != nullptr && i < forms_->functions.size(); ++i) {
-    if (functions[i].kind != request.kind || functions[i].user != request.user) continue;
-    if (!field.empty()) entry += first_entry_of(functions[i], field);
-    if (std::ranges::count(functions[i].sampled_zeros, entry) > 0) return nullptr;
-    for (const ClosedField& closed : forms_->functions[i].fields) {
-      if (entry < closed.entries.size()) {
-        return closed.entries[entry] ? &*closed.entries[entry] : nullptr;
-      }
-      entry -= closed.entries.size();
-    }
-    return nullptr;
+/// The motion at the first states that have one.
+std::vector<State> first_motions(const Model& model, const std::vector<State>& states) {
+  std::vector<State> motions;
+  for (std::size_t i = 0; i < states.size() && motions.size() < states_of_rank; ++i) {
+    if (auto motion = motion_at(model, states[i])) motions.push_back(*std::move(motion));
   }
-  return nullptr;
+  return motions;
 }
 
-std::optional<Fraction> Proofs::written(const Expectation& expectation, std::size_t entry) {
-  return closed_form(*forms_, subject_.model, subject_.scene.specialisation.fixed,
-                     expectation.entries[entry]);
-}
-
-bool Proofs::equal(const Expectation& expectation, std::size_t entry) {
-  const auto request = find_request(subject_.model, expectation.output);
-  const Fraction* const form = request ? derived(*request, expectation.field, entry) : nullptr;
-  if (form == nullptr) return false;
-  const auto own = written(expectation, entry);
-  return own && proved_equal(*forms_, *own, *form);
-}
-
-/// Entries of the first field; none where one of them has no form, or rests on samples.
-std::optional<std::vector<Fraction>> Proofs::entries(OutputKind kind) const {
-  const Function* const function = find_function(subject_.program, kind);
-  if (function == nullptr) return std::nullopt;
-  std::vector<Fraction> result;
-  for (std::size_t i = 0; i < function->fields.front().entries.size(); ++i) {
-    const Fraction* const form = derived({.kind = kind}, "", i);
-    if (form == nullptr) return std::nullopt;
-    result.push_back(*form);
-  }
-  return result;
-}
-
-/// The forms of p and E in `conserved`, as far as they are known.
-Replacements Proofs::momenta() const {
-  Replacements result;
-  for (const auto& [leaf, kind] : {std::pair{Opcode::momentum, OutputKind::momentum},
-                                   std::pair{Opcode::energy, OutputKind::energy_function}}) {
-    const auto forms = entries(kind);
-    for (std::uint32_t i = 0; forms && i < forms->size(); ++i)
-      result[{leaf, i}].value = (*forms)[i];
-  }
-  return result;
-}
-
-bool Proofs::conserved(const Expectation& expectation, std::size_t entry) {
-  const auto accelerations = entries(OutputKind::forward_dynamics);
-  if (!accelerations) return false;
-  auto own = written(expectation, entry);
-  const bool has_momenta =
-      holds_leaf(subject_.model, expectation.entries[entry], Opcode::momentum | Opcode::energy);
-  if (own && has_momenta) own = substituted(forms_->algebra, *own, momenta());
-  const std::vector<Fraction> rates = coordinate_rates(*forms_, subject_.model);
-  const OpenTerms open_values =
-      open_terms(*forms_, subject_.model, subject_.scene.specialisation.fixed);
-  return own && proved_conserved(*forms_, *own, *accelerations, rates, open_values);
-}
-
-void check(ExpectationReport& report, const Expectation& expectation, const Subject& subject,
-           Proofs& proofs, const SamplingStates& all) {
+void check(ExpectationReport& report, const Expectation& expectation, Proofs& proofs,
+           const SamplingStates& all) {
+  const Subject& subject = proofs.subject();
   std::optional<std::vector<SampledPoint>> points;  // for the first entry that is not proved
   for (std::size_t index = 0; index < expectation.entries.size(); ++index) {
-    const Entry entry{expectation, index, subject};
-    const bool is_proved = expectation.is_conserved() ? proofs.conserved(expectation, index)
-                                                      : proofs.equal(expectation, index);
-    if (is_proved) {
+    const ExpectedEntry entry{expectation, index, subject};
+    if (proofs.holds(expectation, index)) {
       report.rows.push_back(proved_row(entry));
       continue;
     }
     if (!points) points = points_of(subject.model, expectation, all.states);
-    compare(report, entry, *points, all.unseen);
+    compare(report, entry, proofs, {*points, all.unseen});
+  }
+  if (expectation.are_equations()) {
+    check_rank(report, expectation, subject, first_motions(subject.model, all.states));
   }
 }
 
 }  // namespace
+
+std::string name_of(const ExpectedEntry& entry) {
+  const Field field{.columns = std::max(entry.of.columns, 1U), .entries = entry.of.entries};
+  return written_name(entry.of) + index_text(field, entry.index);
+}
+
+CertificateRow blank_row(const ExpectedEntry& entry) {
+  CertificateRow row;
+  row.check = "[[expect]]";
+  row.output = row.check + " " + written_name(entry.of);
+  row.subject = name_of(entry);
+  row.formula = formula_of(entry);
+  return row;
+}
 
 ExpectationReport check_expectations(const Subject& subject, ClosedForms* forms,
                                      std::uint64_t seed) {
@@ -358,7 +327,11 @@ ExpectationReport check_expectations(const Subject& subject, ClosedForms* forms,
   Proofs proofs(subject, forms);
   const SamplingStates points = random_points(subject.model, seed);
   for (const Expectation& expectation : subject.model.expectations) {
-    check(report, expectation, subject, proofs, points);
+    if (expectation.at) {
+      check_numbers(report, expectation, subject);
+    } else {
+      check(report, expectation, proofs, points);
+    }
   }
   return report;
 }

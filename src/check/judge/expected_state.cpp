@@ -1,0 +1,87 @@
+// The state of an [[expect]]: what its keys `at` and `within` say.
+//
+//     at = { theta = 0.1, "dot(theta)" = 2, m = 0.3 }   ->   coordinate 0: 1/10, velocity 0: 2, …
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "check/expressions/values.hpp"
+#include "check/judge/judge.hpp"
+#include "elgen/leaf_names.hpp"
+#include "numbers/exact_number.hpp"
+
+namespace elgen {
+namespace {
+
+/// Every leaf that a function may take, as models write it, without a value.
+std::vector<std::pair<std::string, StatedLeaf>> stated_leaves(const Model& model) {
+  LeafNames names = leaf_names(model);
+  names.momenta = names.v;
+  std::vector<std::pair<std::string, StatedLeaf>> leaves;
+  for_each_leaf(
+      [&](Opcode kind, std::uint32_t number, const std::string& name) {
+        if (name.empty() || never_passed.has_any(kind)) return;
+        leaves.push_back({leaf_text(names, kind, number), {kind, number}});
+      },
+      names);
+  return leaves;
+}
+
+/// E201, E319.
+std::vector<StatedLeaf> read_leaves(Context& context, const std::vector<KeySyntax>& keys) {
+  using Named = std::pair<std::string, StatedLeaf>;
+  const std::vector<Named> known = stated_leaves(context.model);
+  std::vector<StatedLeaf> leaves;
+  for (const KeySyntax& key : keys) {
+    const auto found = std::ranges::find(known, key.key, &Named::first);
+    if (found == known.end()) {
+      context.report.add(Code::E201, key.key_span, "unknown name " + in_backticks(key.key),
+                         suggestion(key.key, words_in(known, &Named::first)));
+      continue;
+    }
+    StatedLeaf leaf = found->second;
+    const std::optional<cln::cl_R> value = ValueReader(context).constant(key.value);
+    if (leaf.kind == Opcode::coordinate) {
+      note_degrees(context.report, key.value.span, context.model.coordinates[leaf.number], value);
+    }
+    leaf.value = value.value_or(leaf.value);
+    leaves.push_back(leaf);
+  }
+  return leaves;
+}
+
+/// Whether a key of an [[expect]] is an output.
+bool is_output(const KeySyntax& key) {
+  constexpr std::array<std::string_view, 4> others{"at", "within", "conserved", "equations"};
+  return std::ranges::find(others, key.key) == others.end();
+}
+
+}  // namespace
+
+std::optional<StatedState> read_stated_state(Context& context, const EntrySyntax& entry) {
+  const KeySyntax* const at = entry.find("at");
+  const KeySyntax* const within = entry.find("within");
+  if (at == nullptr) {
+    if (within == nullptr) return std::nullopt;
+    context.report.add(Code::E112, within->key_span, "`within` without `at`",
+                       "closed forms are exact; numbers are given `at` a state");
+    return std::nullopt;
+  }
+  if (std::ranges::none_of(entry.keys, is_output)) {
+    context.report.add(Code::E112, at->key_span, "no output is given at this state",
+                       "`conserved` and `equations` are about all states");
+  }
+  // A table of doubles keeps as many digits.
+  StatedState state{read_leaves(context, at->value.entries), power_of_ten(-12)};
+  if (within == nullptr) return state;
+  state.within = ValueReader(context).constant(within->value).value_or(state.within);
+  if (!cln::plusp(state.within)) {
+    context.report.add(Code::E112, within->value.span,
+                       in_backticks(within->value.span) + " is not positive");
+  }
+  return state;
+}
+
+}  // namespace elgen

@@ -1,0 +1,116 @@
+// Both forms are brought over one denominator, and their numerators compared.
+#include "verify/structure/differing_terms.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+#include <vector>
+
+#include "analyse/formulas.hpp"
+#include "forms/present/arithmetic.hpp"
+#include "forms/present/polynomial.hpp"
+#include "numbers/exact_number.hpp"
+
+namespace elgen {
+namespace {
+
+/// Products of terms that a comparison may take, some milliseconds: textbook equations take less
+/// than a tenth of them.
+constexpr std::size_t most_work = 20'000;
+/// More terms than these are no slip of the pen.
+constexpr std::size_t most_told = 4;
+/// As `elgen diff` prints.
+constexpr std::size_t longest_form = 100;
+
+bool is_no_angle(const Atom& atom) { return atom.kind != AtomKind::circular; }
+
+const Polynomial& part_of(const TermsByPowers& terms, const Monomial& powers) {
+  static const Polynomial none;
+  const auto found = terms.find(powers);
+  return found == terms.end() ? none : found->second;
+}
+
+/// Without the sign in front of a product.
+std::string without_sign(const std::string& text) {
+  const bool is_product = text.find(' ') == std::string::npos;
+  return is_product && text.starts_with('-') ? text.substr(1) : text;
+}
+
+std::string times_text(const cln::cl_RA& times) {
+  if (times == -1) return "has the other sign";
+  const bool is_part = cln::abs(times) < 1;
+  return fmt::format("has {} {} its factor", exact_text(times), is_part ? "of" : "times");
+}
+
+}  // namespace
+
+TermsByPowers terms_by_powers(const Algebra& algebra, const Polynomial& sum) {
+  return parts_by(algebra, sum, is_no_angle);
+}
+
+std::optional<DifferingTerms> differing_terms(Algebra& algebra, const Fraction& right,
+                                              const Fraction& written) {
+  Arithmetic arithmetic(algebra, most_work);
+  const Value first = divisor_of(algebra, written);
+  const Value once = arithmetic.multiply(right, first);
+  const Value divisor = once ? arithmetic.multiply(first, divisor_of(algebra, *once)) : once;
+  const Value x = arithmetic.multiply(right, divisor);
+  const Value y = arithmetic.multiply(written, divisor);
+  if (!x || !y || !x->denominator.empty() || !y->denominator.empty()) return std::nullopt;
+  const TermsByPowers rights = terms_by_powers(algebra, x->numerator);
+  const TermsByPowers writtens = terms_by_powers(algebra, y->numerator);
+  std::set<Monomial, MonomialLess> all;
+  for (const TermsByPowers* terms : {&rights, &writtens}) {
+    for (const auto& [powers, part] : *terms) all.insert(powers);
+  }
+  DifferingTerms result;
+  const auto add = [&](Fraction& to, const Polynomial& part, const Monomial& powers) {
+    const Fraction term = fraction_of(scaled(part, {1, 0}, powers));
+    const Value sum = arithmetic.add(to, arithmetic.divide(term, divisor));
+    if (sum) to = *sum;
+    return sum.has_value();
+  };
+  for (const Monomial& powers : all) {
+    const Polynomial& own = part_of(rights, powers);
+    const Polynomial& other = part_of(writtens, powers);
+    if (own == other) continue;
+    ++result.count;
+    const auto times = own.empty() || other.empty() ? std::nullopt : ratio_of(other, own);
+    const bool is_told =
+        times ? add(result.multiples[*times], own, powers)
+              : add(result.missing, own, powers) && add(result.surplus, other, powers);
+    if (!is_told) return std::nullopt;
+  }
+  return result;
+}
+
+std::string short_form(const Model& model, const Algebra& algebra, const Fraction& form) {
+  const std::optional<Printed> text = printed(model, algebra, form);
+  return text && text->text.size() <= longest_form ? text->text : "";
+}
+
+std::string text_of(const Model& model, const Algebra& algebra, const DifferingTerms& terms) {
+  if (terms.count == 0 || terms.count > most_told) return {};
+  bool is_read = true;
+  const auto read = [&](const Fraction& form) {
+    std::string text = form.numerator.empty() ? "" : short_form(model, algebra, form);
+    is_read = is_read && text.empty() == form.numerator.empty();
+    return text;
+  };
+  std::vector<std::string> words;
+  for (const auto& [times, form] : terms.multiples) {
+    words.push_back(fmt::format("the term {} {}", without_sign(read(form)), times_text(times)));
+  }
+  const std::string missing = read(terms.missing);
+  const std::string surplus = read(terms.surplus);
+  if (!missing.empty() && !surplus.empty()) {
+    words.push_back(fmt::format("{} stands in the place of {}", surplus, missing));
+  } else if (!missing.empty()) {
+    words.push_back(fmt::format("the term {} is missing", without_sign(missing)));
+  } else if (!surplus.empty()) {
+    words.push_back(fmt::format("the term {} is too much", without_sign(surplus)));
+  }
+  return is_read ? fmt::format("{}", fmt::join(words, ", ")) : "";
+}
+
+}  // namespace elgen

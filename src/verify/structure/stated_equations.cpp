@@ -1,0 +1,183 @@
+// Factors are quotients of a term of the equation by one of the row that holds the same rates:
+// those of accelerations first.
+#include "verify/structure/stated_equations.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "analyse/formulas.hpp"
+#include "forms/present/arithmetic.hpp"
+#include "forms/present/polynomial.hpp"
+#include "numbers/echelon.hpp"
+#include "numbers/exact_number.hpp"
+#include "verify/structure/differing_terms.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_R;
+
+/// The rows M a + bias - B u; none where one has no form.
+std::optional<std::vector<Fraction>> rows_of_motion(const Proofs& proofs) {
+  const Model& model = proofs.subject().model;
+  auto rows = proofs.entries(OutputKind::inverse_dynamics);
+  const std::size_t inputs = model.inputs.size();
+  const auto gains = inputs == 0 ? std::optional<std::vector<Fraction>>(std::in_place)
+                                 : proofs.entries(OutputKind::input_matrix);
+  if (!rows || !gains || !model.constraints.empty()) return std::nullopt;
+  Arithmetic arithmetic(*proofs.algebra());
+  for (std::size_t k = 0; k < gains->size(); ++k) {
+    const Value input = arithmetic.leaf(Opcode::input, static_cast<std::uint32_t>(k % inputs));
+    Fraction& row = (*rows)[k / inputs];
+    const Value rest = arithmetic.subtract(row, arithmetic.multiply((*gains)[k], input));
+    if (!rest) return std::nullopt;
+    row = *rest;
+  }
+  return rows;
+}
+
+constexpr LeafSet of_motion = Opcode::velocity | Opcode::acceleration | Opcode::input;
+
+/// The terms with accelerations of a form, by their powers of rates, accelerations and inputs.
+std::vector<std::pair<Monomial, Fraction>> accelerated_terms(Algebra& algebra,
+                                                             const Fraction& form) {
+  Arithmetic arithmetic(algebra);
+  const Value divisor = divisor_of(algebra, form);
+  const Value sum = arithmetic.multiply(form, divisor);
+  std::vector<std::pair<Monomial, Fraction>> terms;
+  if (!sum || !sum->denominator.empty()) return terms;
+  for (const auto& [powers, part] : terms_by_powers(algebra, sum->numerator)) {
+    Monomial rates;
+    bool accelerates = false;
+    for (const AtomPower& power : powers) {
+      const Atom& atom = algebra.atoms[power.atom];
+      if (atom.kind != AtomKind::leaf || !of_motion.has_any(atom.leaf)) continue;
+      rates.push_back(power);
+      accelerates = accelerates || atom.leaf == Opcode::acceleration;
+    }
+    const Value term = arithmetic.divide(fraction_of(scaled(part, {1, 0}, powers)), divisor);
+    if (accelerates && term) terms.emplace_back(rates, *term);
+  }
+  return terms;
+}
+
+/// The factors that turn a term of the row into one of the equation, each once.
+std::vector<Fraction> factors_of(Algebra& algebra, const Fraction& equation, const Fraction& row) {
+  Arithmetic arithmetic(algebra);
+  std::vector<Fraction> factors;
+  const auto others = accelerated_terms(algebra, row);
+  for (const auto& [rates, own] : accelerated_terms(algebra, equation)) {
+    for (const auto& [other_rates, other] : others) {
+      const Value factor = rates == other_rates ? arithmetic.divide(own, other) : std::nullopt;
+      if (factor && std::ranges::count(factors, *factor) == 0) factors.push_back(*factor);
+    }
+  }
+  return factors;
+}
+
+/// d(left - right)/da of each equation, with the rows of A below; empty where one has no value.
+std::vector<cl_R> slopes_of(const Model& model, const Expectation& equations, const State& motion) {
+  std::vector<cl_R> slopes;
+  State direction = map_leaves([](const cl_R&) { return cl_R(0); }, motion);
+  for (const ExpressionId equation : equations.entries) {
+    for (cl_R& along : direction.a) {
+      along = 1;
+      const std::optional<cl_R> slope = oracle_slope(model, equation, motion, direction);
+      if (!slope) return {};
+      slopes.push_back(*slope);
+      along = 0;
+    }
+  }
+  if (model.constraints.empty()) return slopes;
+  const OracleValues rows = oracle_values(model, {.kind = OutputKind::constraint_jacobian}, motion);
+  if (rows) slopes.insert(slopes.end(), rows->begin(), rows->end());
+  return slopes;
+}
+
+std::size_t rank_of(const std::vector<cl_R>& matrix, std::size_t columns) {
+  std::vector<cl_R> scales;
+  for (std::size_t k = 0; k < matrix.size(); ++k) {
+    if (k % columns == 0) scales.emplace_back(0);
+    scales.back() = cln::max(scales.back(), cln::abs(matrix[k]));
+  }
+  // A row of zeros holds no pivot, whatever its scale.
+  for (cl_R& scale : scales) scale = cln::zerop(scale) ? cl_R(1) : scale;
+  // Half of the 60 digits: what elimination leaves of 0 is far below, textbook equations above.
+  LargestPivot<cl_R> field(power_of_ten(-30), 0, scales);
+  return Echelon<LargestPivot<cl_R>>(field, matrix, columns, columns).rank();
+}
+
+/// The right form that is nearest so far.
+struct Nearest {
+  std::string right = {};  ///< in words
+  std::optional<DifferingTerms> terms = {};
+
+  bool is_farther(const std::optional<DifferingTerms>& other) const {
+    return other && (!terms || other->count < terms->count);
+  }
+};
+
+std::string row_text(const Model& model, const Algebra& algebra, std::size_t row,
+                     const Fraction& factor) {
+  const std::string text = short_form(model, algebra, factor);
+  const bool is_plain = text.empty() || text == "1";
+  return fmt::format("row {} of the equations of motion{}{}", model.velocities[row].name,
+                     is_plain ? "" : ", times ", is_plain ? "" : text);
+}
+
+}  // namespace
+
+std::string difference_from_motion(const Proofs& proofs, const Fraction& equation) {
+  const auto rows = rows_of_motion(proofs);
+  if (!rows) return {};
+  const Model& model = proofs.subject().model;
+  Algebra& algebra = *proofs.algebra();
+  Arithmetic arithmetic(algebra);
+  Nearest nearest;
+  for (std::size_t i = 0; i < rows->size(); ++i) {
+    for (const Fraction& factor : factors_of(algebra, equation, (*rows)[i])) {
+      const Value right = arithmetic.multiply(factor, (*rows)[i]);
+      if (!right) continue;
+      auto terms = differing_terms(algebra, *right, equation);
+      if (!nearest.is_farther(terms)) continue;
+      nearest = {row_text(model, algebra, i, factor), std::move(terms)};
+    }
+  }
+  const std::optional<Fraction> rest = proofs.along_motion(equation);
+  const Value right = rest ? arithmetic.subtract(equation, *rest) : std::nullopt;
+  auto terms = right ? differing_terms(algebra, *right, equation) : std::nullopt;
+  if (nearest.is_farther(terms)) nearest = {"the accelerations of the motion", std::move(terms)};
+  const std::string text = nearest.terms ? text_of(model, algebra, *nearest.terms) : "";
+  if (!text.empty()) return fmt::format("compared with {}: {}", nearest.right, text);
+  const std::string whole = rest ? short_form(model, algebra, *rest) : "";
+  return whole.empty() ? "" : fmt::format("left - right is {} along the motion", whole);
+}
+
+void check_rank(ExpectationReport& report, const Expectation& equations, const Subject& subject,
+                const std::vector<State>& motions) {
+  CertificateRow row = blank_row({equations, 0, subject});
+  row.subject = "accelerations";
+  row.formula = "rank of d(left - right)/da and A = number of velocities";
+  row.samples = motions.size();
+  row.worst = "full rank";
+  row.tolerance = "pivots above 1e-30 of their rows, in 60 digits";
+  const std::size_t n = subject.model.velocities.size();
+  for (const State& motion : motions) {
+    const std::vector<cl_R> slopes = slopes_of(subject.model, equations, motion);
+    const std::size_t rank = rank_of(slopes, n);
+    if (slopes.empty() || rank == n) continue;
+    row.verdict = Verdict::fails;
+    row.worst = fmt::format("rank {} of {}", rank, n);
+    row.where = describe(subject, motion);
+    report.diagnostics.push_back(
+        {Code::E540, equations.span,
+         fmt::format("d(left - right)/da has {}, so the accelerations are not determined, at {}",
+                     row.worst, row.where)});
+    break;
+  }
+  report.rows.push_back(std::move(row));
+}
+
+}  // namespace elgen

@@ -1,0 +1,25 @@
+// Stated equations of motion: how a wrong one differs from the right ones, and whether all of them
+// determine the accelerations.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "verify/structure/expectations.hpp"
+#include "verify/structure/proofs.hpp"
+
+namespace elgen {
+
+/// The difference of left - right from f times a row of M a + bias - B u, f without velocities,
+/// accelerations and inputs, where the fewest terms differ; or from what has the same accelerations
+/// in it and holds along the motion. "compared with row theta of the equations of motion, times
+/// 1/(m*l^2): the term g*sin(theta)/l has the other sign"; "" where there are no forms to compare,
+/// as with constraints, or none is near.
+[[nodiscard]] std::string difference_from_motion(const Proofs& proofs, const Fraction& equation);
+
+/// A row that says whether d(left - right)/da, with the rows of A below, has the rank of the
+/// velocities at these states, which have the accelerations of the motion; E540 where it has not.
+void check_rank(ExpectationReport& report, const Expectation& equations, const Subject& subject,
+                const std::vector<State>& motions);
+
+}  // namespace elgen

@@ -1,0 +1,145 @@
+// [[expect]] of others: equations as students write them, and numbers at a state, by elgen verify.
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/cli_testing.hpp"
+
+namespace elgen::test {
+namespace {
+
+/// A model with these keys in the place of its [[expect]] entries.
+Outcome verified(const std::string& model, const std::string& keys,
+                 const std::string& options = "-q") {
+  const Workspace workspace;
+  workspace.write("expect.toml", "[[expect]]\n" + keys);
+  workspace.prepare("sed '/^\\[\\[expect\\]\\]/,$d' " + models + "/" + model +
+                    ".toml > model.toml && cat expect.toml >> model.toml");
+  return workspace.run("elgen verify --quick " + options + " model.toml");
+}
+
+struct StudentEquations {
+  std::string model;
+  std::string keys;
+  std::vector<std::string> words;  ///< of what is wrong; none: nothing is
+};
+
+const std::string cart_row =
+    "\"(M + m)*dot(dot(x)) + m*l*cos(theta)*dot(dot(theta)) - m*l*sin(theta)*dot(theta)^2 = u\"";
+const std::string pole_row = "\"l*dot(dot(theta)) + cos(theta)*dot(dot(x)) = g*sin(theta)\"";
+
+/// Twelve equations, four of them wrong.
+const std::vector<StudentEquations> students{
+    {"simple_pendulum", "equations = \"m*l^2*dot(dot(theta)) + m*g*l*sin(theta) = 0\"\n", {}},
+    {"simple_pendulum", "equations = \"-g*sin(theta)/l = dot(dot(theta))\"\n", {}},
+    {"simple_pendulum", "equations = \"dot(m*l^2*dot(theta)) = -m*g*l*sin(theta)\"\n", {}},
+    {"simple_pendulum",
+     "equations = \"l*dot(dot(theta)) = g*sin(theta)\"\n",
+     {"row theta of the equations of motion", "the term g*sin(theta) has the other sign"}},
+    {"cart_pole", "equations = [" + cart_row + ", " + pole_row + "]\n", {}},
+    {"cart_pole",
+     "equations = [\"dot(dot(x)) = (u + m*sin(theta)*(l*dot(theta)^2 - g*cos(theta)))"
+     "/(M + m*sin(theta)^2)\", \"dot(dot(theta)) = ((M + m)*g*sin(theta) - cos(theta)*(u + "
+     "m*l*dot(theta)^2*sin(theta)))/(l*(M + m*sin(theta)^2))\"]\n",
+     {}},
+    {"cart_pole",
+     "equations = [\"(M + m)*dot(dot(x)) + m*l*cos(theta)*dot(dot(theta)) = u\", " + pole_row +
+         "]\n",
+     {"row x of the equations of motion", "sin(theta) is missing"}},
+    {"cart_pole",
+     "equations = [" + cart_row +
+         ", \"l*dot(dot(theta)) + cos(theta)*dot(dot(x)) = g*cos(theta)\"]\n",
+     {"row theta", "g*cos(theta) stands in the place of -g*sin(theta)"}},
+    {"rotating_hoop",
+     "equations = \"R*dot(dot(theta)) = (R*Omega^2*cos(theta) - g)*sin(theta)\"\n",
+     {}},
+    {"rotating_hoop",
+     "equations = \"dot(dot(theta)) + g/R*sin(theta) - 1/2*Omega^2*sin(theta)*cos(theta) = 0\"\n",
+     {"row theta", "Omega^2", "has 1/2 of its factor"}},
+};
+
+}  // namespace
+
+TEST_CASE("verify: equations of students, right ones in any form and wrong ones in words") {
+  for (const StudentEquations& student : students) {
+    const Outcome judged = verified(student.model, student.keys);
+    INFO(student.keys << judged.output << judged.errors);
+    CHECK(judged.status == (student.words.empty() ? 0 : 1));
+    CHECK(mentions(judged.errors, "[E510]") == !student.words.empty());
+    for (const std::string& words : student.words) CHECK(mentions(judged.errors, words));
+  }
+}
+
+TEST_CASE("verify: an equation solved for an acceleration is compared with the accelerations") {
+  const Outcome judged =
+      verified("cart_pole",
+               "equations = [\"dot(dot(x)) = (u + m*sin(theta)*(l*dot(theta)^2 + g*cos(theta)))"
+               "/(M + m*sin(theta)^2)\", " +
+                   pole_row + "]\n");
+  INFO(judged.errors);
+  CHECK(judged.status == 1);
+  CHECK(mentions(judged.errors, "compared with the accelerations of the motion: the term "));
+  CHECK(mentions(judged.errors, "has the other sign"));
+}
+
+TEST_CASE("verify: equations are proved, where they have a closed form") {
+  const Outcome proved =
+      verified("simple_pendulum", "equations = \"l*dot(dot(theta)) = -g*sin(theta)\"\n", "");
+  INFO(proved.output);
+  CHECK(mentions(proved.output, "[[expect]] equations"));
+  CHECK(mentions(proved.output, "some proved"));
+  const Outcome sampled =
+      verified("simple_pendulum", "equations = \"dot(l*dot(theta)) = -g*sin(theta)\"\n", "");
+  INFO(sampled.output);
+  CHECK(sampled.status == 0);
+  CHECK_FALSE(mentions(sampled.output, "some proved"));
+}
+
+TEST_CASE("verify: equations that do not determine the accelerations are refused") {
+  const Outcome judged =
+      verified("cart_pole", "equations = [" + pole_row + ", " + pole_row + "]\n");
+  INFO(judged.errors);
+  CHECK(judged.status == 2);
+  CHECK(mentions(judged.errors, "[E540]: d(left - right)/da has rank 1 of 2, so"));
+}
+
+TEST_CASE("verify: with constraints equations hold where these are kept, and count with them") {
+  const std::string tangent = "x*dot(dot(y)) - y*dot(dot(x)) = ";
+  CHECK(verified("pendulum_xy", "equations = \"" + tangent + "-g*x\"\n").status == 0);
+  const Outcome wrong = verified("pendulum_xy", "equations = \"" + tangent + "g*x\"\n");
+  INFO(wrong.errors);
+  CHECK(wrong.status == 1);
+  CHECK(mentions(wrong.errors, "[E510]: left - right is "));
+}
+
+TEST_CASE("verify: numbers at a state are right to a share of the largest") {
+  const std::string at = "at = { theta = \"pi/2\", \"dot(theta)\" = 2, m = 1, l = 0.5 }\n";
+  CHECK(verified("simple_pendulum", at + "gravity = [4.905]\nmass_matrix = [[0.25]]\n"
+                                         "hamiltonian = 0.5\n")
+            .status == 0);
+  CHECK(verified("simple_pendulum", at + "within = 1e-2\ngravity = [4.9]\n").status == 0);
+  const Outcome wrong = verified("simple_pendulum", at + "gravity = [4.9]\n");
+  INFO(wrong.errors);
+  CHECK(wrong.status == 1);
+  CHECK(mentions(wrong.errors,
+                 "[E510]: gravity is 4.9 in the file, 4.905 as derived, -0.005 too much: "
+                 "0.00101937 of the largest entry, more than 1e-12, at q = (1.5708)"));
+}
+
+TEST_CASE("verify: inputs, momenta, parameters and components of rotations are named at a state") {
+  CHECK(verified("cart_pole",
+                 "at = { u = 1, theta = 0, M = 2, m = 1, l = 1 }\n"
+                 "forward_dynamics = [\"1/2\", -0.5]\n")
+            .status == 0);
+  CHECK(verified("simple_pendulum",
+                 "at = { theta = \"pi/2\", \"p(theta)\" = 2, m = 1, l = 0.5 }\n"
+                 "hamiltonian = 8\n")
+            .status == 0);
+  CHECK(verified("quadrotor",
+                 "at = { attitude_w = 3, attitude_x = 4, \"thrust[1]\" = 1, \"thrust[2]\" = 1, "
+                 "\"thrust[3]\" = 1, \"thrust[4]\" = 1, m = 1, c = 0 }\n"
+                 "forward_dynamics = [0, -3.84, -10.93, 0, 0, 0]\n")
+            .status == 0);
+}
+
+}  // namespace elgen::test
