@@ -38,6 +38,11 @@ void rename(ValueSyntax& value, const std::string& table, const Renames& renames
 }  // namespace
 
 std::string renamed(const std::string& name, const Renames& renames) {
+  const std::size_t inner = name.find('(') + 1;
+  if (inner > 0 && name.back() == ')') {  // dot(x), a key of ranges and states
+    const std::string argument = name.substr(inner, name.size() - 1 - inner);
+    return name.substr(0, inner) + renamed(argument, renames) + ")";
+  }
   const std::size_t stem = std::min(name.find('['), name.size());
   const auto found = renames.find(name.substr(0, stem));
   return found == renames.end() ? name : found->second + name.substr(stem);

@@ -113,3 +113,13 @@ TEST_CASE("equations are told as they are written, and their order is told") {
   CHECK(key_changes(held_plane(held_rod + held_slot), held_plane(held_slot + held_rod)) ==
         "[[constraint]] order: rod, slot -> slot, rod\n");
 }
+
+TEST_CASE("a state of an expectation is changed key by key, and has the names of its rates") {
+  const std::string text = spring() + "[[expect]]\nat = { x = 1, \"dot(x)\" = 2 }\ngravity = [3]\n";
+  CHECK(key_changes(text, edited(text, "{ x = 1", "{ x = 4")) == "[[expect]] #1 at.x: 1 -> 4\n");
+  const FileSyntax syntax = *parse_model(make_source("model.toml", text), {});
+  const FileSyntax now = renamed(syntax, {{"x", "s"}});
+  const std::vector<KeySyntax>& at = now.entries.back().keys.front().value.entries;
+  CHECK(at.front().key == "s");
+  CHECK(at.back().key == "dot(s)");
+}

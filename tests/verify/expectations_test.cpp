@@ -73,6 +73,13 @@ vector = ["0", "-g"]
     return check_expectations(subject, has_forms ? &forms : nullptr, 1).rows.front().evidence;
   }
 
+  /// The answer to the first entry that is wrong; "" where none is.
+  [[nodiscard]] std::string hint() {
+    const Subject subject{checked.model, checked.scene, program};
+    const Diagnostics found = check_expectations(subject, &forms, 1).diagnostics;
+    return found.empty() ? "" : found.front().hint;
+  }
+
   CheckedModel checked;
   Program program = {};
   ClosedForms forms = {};
@@ -214,5 +221,41 @@ TEST_CASE("without closed forms, and where an entry rests on a sampled zero, not
     CHECK(pendulum.evidence(false) == Evidence::states);
     for (Function& function : pendulum.program.functions) function.sampled_zeros = {0};
     CHECK(pendulum.evidence() == Evidence::states);
+  }
+}
+
+TEST_CASE("a wrong closed form is answered by the terms that differ") {
+  for (const auto& [expect, words] :
+       {std::pair{"gravity = [\"-m*g*l*sin(theta)\"]\n",
+                  "the term m*g*l*sin(theta) has the other sign"},
+        std::pair{"gravity = [\"m*g*l*sin(theta)/2\"]\n",
+                  "the term m*g*l*sin(theta) has 1/2 of its factor"},
+        std::pair{"gravity = [\"3*m*g*l*sin(theta)\"]\n",
+                  "the term m*g*l*sin(theta) has 3 times its factor"},
+        std::pair{"gravity = [\"m*g*l*cos(theta)\"]\n",
+                  "m*g*l*cos(theta) stands in the place of m*g*l*sin(theta)"},
+        std::pair{"gravity = [\"m*g*l*sin(theta) + m*g*l^2\"]\n", "the term m*g*l^2 is too much"},
+        std::pair{"gravity = [\"0\"]\n", "the term m*g*l*sin(theta) is missing"},
+        std::pair{"gravity = [\"m*g*l*sin(theta)\"]\n", ""},
+        std::pair{"conserved = [\"theta\"]\n", ""}}) {
+    INFO(expect);
+    CHECK(DerivedPendulum(expect).hint() == words);
+  }
+}
+
+TEST_CASE("a wrong equation is answered by the terms that differ from a multiple of its row") {
+  const std::string row = "compared with row theta of the equations of motion";
+  for (const auto& [equation, words] :
+       {std::pair{"m*l^2*dot(dot(theta)) = m*g*l*sin(theta)",
+                  row + ": the term m*g*l*sin(theta) has the other sign"},
+        std::pair{"m*l^2*dot(dot(theta)) = 0", row + ": the term m*g*l*sin(theta) is missing"},
+        std::pair{"m*dot(dot(theta)) + m*g*l*sin(theta) = 0",
+                  std::string("m*g*l*sin(theta) stands in the place of ")},
+        std::pair{"-l*dot(dot(theta)) = g*sin(theta)", std::string()}}) {
+    INFO(equation);
+    const std::string expect = std::string("equations = [\"") + equation + "\"]\n";
+    const std::string hint = DerivedPendulum(expect).hint();
+    CHECK(hint.find(words) != std::string::npos);
+    CHECK(hint.empty() == words.empty());
   }
 }

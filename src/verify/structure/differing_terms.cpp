@@ -39,7 +39,7 @@ std::string without_sign(const std::string& text) {
 std::string times_text(const cln::cl_RA& times) {
   if (times == -1) return "has the other sign";
   const bool is_part = cln::abs(times) < 1;
-  return fmt::format("has {} {} its factor", exact_text(times), is_part ? "of" : "times");
+  return fmt::format("has {} {} its factor", number_text(times), is_part ? "of" : "times");
 }
 
 }  // namespace
