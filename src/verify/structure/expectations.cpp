@@ -168,9 +168,10 @@ std::optional<State> free_motion(const Model& model, State start) {
 }
 
 /// The value f(a) of a function of the acceleration, with the scale of what it sums: `size`, |f(0)|
-/// and the part of each a_i.
+/// and the part of each a_i, where a_i is as large as `sizes` says.
 template <class F>
-std::optional<Sample> sample_of_parts(const F& f, const State& motion, cl_R size) {
+std::optional<Sample> sample_of_parts(const F& f, const State& motion, cl_R size,
+                                      const std::vector<cl_R>& sizes) {
   State part = motion;
   part.a.assign(motion.a.size(), cl_R(0));
   const std::optional<cl_R> whole = f(motion);
@@ -178,7 +179,7 @@ std::optional<Sample> sample_of_parts(const F& f, const State& motion, cl_R size
   if (!whole || !coasting) return std::nullopt;
   Sample result{*whole, 0, size + cln::abs(*coasting)};
   for (std::size_t i = 0; i < motion.a.size(); ++i) {
-    part.a[i] = motion.a[i];
+    part.a[i] = sizes[i];
     const std::optional<cl_R> accelerated = f(part);
     part.a[i] = 0;
     if (!accelerated) return std::nullopt;
@@ -192,11 +193,15 @@ std::optional<Sample> motion_sample(const ExpectedEntry& entry, const State& mot
   const Model& model = entry.subject.model;
   const ExpressionId id = entry.expression();
   const auto value = [&](const State& at) { return oracle_expression(model, id, at); };
-  if (entry.of.are_equations()) return sample_of_parts(value, motion, 0);
+  if (entry.of.are_equations()) {
+    // An acceleration that is 0 has the rounding of the largest one.
+    const std::vector<cl_R> largest(motion.a.size(), largest_of(motion.a));
+    return sample_of_parts(value, motion, 0, largest);
+  }
   const std::optional<cl_R> size = value(motion);
   if (!size) return std::nullopt;
   const auto rate = [&](const State& at) { return oracle_rate(model, id, at); };
-  return sample_of_parts(rate, motion, cln::abs(*size));
+  return sample_of_parts(rate, motion, cln::abs(*size), motion.a);
 }
 
 bool is_of_motion(const Expectation& expectation) {
