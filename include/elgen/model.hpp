@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -354,6 +355,9 @@ struct Model {
   /// taken the place of locked variables, and 0 that of cyclic ones, where the Lagrangian is R of
   /// the whole model.
   Variant variant = {};
+
+  /// Accelerations, momenta, t and h that `--state` gives, by their texts: "dot(dot(theta))".
+  std::map<std::string, cln::cl_R> stated = {};
 
   bool quadratic = true;        ///< T - V (or L) is at most quadratic in the rates
   bool without_pivots = false;  ///< of forward_dynamics, unless a scene says otherwise

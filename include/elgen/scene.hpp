@@ -185,6 +185,8 @@ struct SceneOptions {
   std::vector<SourcePointer> starts = {};   ///< "theta=1,dot(theta)=0,attitude=[1,0,0,0]"
   std::vector<SourcePointer> laws = {};     ///< "u=-3*theta"
   std::vector<SourcePointer> ranges = {};   ///< "theta=-0.1..0.1"
+  /// `starts` may name accelerations, momenta, t and h, too (Model::stated).
+  bool states_all = false;
   /// Functions left open are their samples, where the scene has no expression of them.
   bool close_functions = false;
   /// Forward dynamics with relative pivots, whatever the model says: a run looks at them.

@@ -121,7 +121,7 @@ struct Trajectory {
 
 /// The model with a start that meets its constraints at a time, near its own one. What `--state`
 /// names stays: E538 where the rest cannot be solved for.
-[[nodiscard]] Result<CheckedModel> assembled_model(const CheckedModel& checked, double t);
+[[nodiscard]] Result<CheckedModel> assembled_model(const CheckedModel& checked, const cln::cl_R& t);
 
 /// Runs from the model's start, assembled, by what was compiled; where that is null, in the
 /// evaluator. Ends where M or the constraints lose rank, and warns where energy is lost by more

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdint>
 #include <functional>
+#include <system_error>
 
 #include "cli/options.hpp"
 
@@ -35,6 +38,16 @@ inline void add_sources(CLI::App& command, const std::string& name, const std::s
   command.add_option_function<std::vector<std::string>>(name, read, doc)
       ->type_name(type)
       ->allow_extra_args(false);
+}
+
+/// Why a word is no number of this type; CLI11 takes the largest one for what is beyond it, or
+/// negative.
+inline std::string refused_number(const std::string& word) {
+  std::uint64_t number = 0;
+  const char* const end = word.data() + word.size();
+  const auto [stop, error] = std::from_chars(word.data(), end, number);
+  const bool is_read = error == std::errc() && stop == end;
+  return is_read ? "" : "`" + word + "` is not a whole number below 2^64";
 }
 
 /// --fix and --size

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "base/ascii.hpp"
 #include "cli/commands.hpp"
@@ -110,6 +111,29 @@ std::vector<std::string> without_help_command(std::vector<std::string> words) {
   words.erase(words.begin() + 1);
   words.emplace_back("--help");
   return words;
+}
+
+/// `--state a=1 b=2`, or with a comma between them, as `--state a=1 --state b=2`. Files of inputs
+/// are no settings.
+std::vector<std::string> with_options_repeated(const std::vector<std::string>& words) {
+  std::vector<std::string> all;
+  std::string option;  // of the settings before
+  bool is_first = false;
+  for (std::string word : words) {
+    const std::size_t equals = word.find('=');
+    if (word.starts_with("--")) {
+      option = word.substr(0, equals);
+      is_first = equals == std::string::npos;
+    } else if (equals == std::string::npos || word.ends_with(".toml")) {
+      option.clear();
+    } else if (!option.empty()) {
+      if (!is_first) all.push_back(option);
+      is_first = false;
+      if (word.ends_with(',')) word.pop_back();
+    }
+    all.push_back(std::move(word));
+  }
+  return all;
 }
 
 Diagnostic rejected(const CLI::App& app, const std::vector<std::string>& words,
@@ -234,7 +258,7 @@ Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
 #include "cli/commands.def"
 #undef ELGEN_COMMAND
   try {
-    const std::vector<std::string> read = without_help_command(words);
+    const std::vector<std::string> read = with_options_repeated(without_help_command(words));
     std::vector<std::string> reversed(read.rbegin(), read.rend() - 1);
     app.parse(reversed);
   } catch (const CLI::CallForHelp&) {

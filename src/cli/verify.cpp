@@ -1,10 +1,8 @@
 // elgen verify: a certificate per input, on stdout and where -o says.
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cstdint>
 #include <string>
-#include <system_error>
 #include <thread>
 
 #include "cli/commands.hpp"
@@ -198,16 +196,6 @@ ExitCode run_verify(const GlobalOptions& global, const VerifyCommandOptions& opt
   Diagnostics refused;
   if (!file.empty()) refused = refuse_places({{file, "", Replaces::nothing}}, options.force);
   return refused.empty() ? verify_each(global, options) : report(global, refused);
-}
-
-/// Why a word is no number of this type; CLI11 takes the largest one for what is beyond it, or
-/// negative.
-std::string refused_number(const std::string& word) {
-  std::uint64_t number = 0;
-  const char* const end = word.data() + word.size();
-  const auto [stop, error] = std::from_chars(word.data(), end, number);
-  const bool is_read = error == std::errc() && stop == end;
-  return is_read ? "" : "`" + word + "` is not a whole number below 2^64";
 }
 
 /// How many states, which, and by whom.

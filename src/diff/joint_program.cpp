@@ -7,6 +7,7 @@
 #include "diff/renamed.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "model/output_units.hpp"
+#include "model/requests.hpp"
 #include "program/network/instructions.hpp"
 
 namespace elgen {
@@ -112,35 +113,13 @@ JointFunction JointProgram::joined(const Function& before, const Function& after
 
 namespace {
 
-/// The coordinate, rate, input or constraint that a row or column stands for, or its number.
-struct LineLabel {
-  std::string name = {};
-  bool is_rate = false;
-  friend auto operator<=>(const LineLabel&, const LineLabel&) = default;
-};
 using LineLabels = std::vector<LineLabel>;
 
-/// The labels of rows or columns with the names of the newer version; numbers where they stand for
-/// none of these.
+/// The labels of rows or columns with the names of the newer version.
 LineLabels labels_of(const Model& model, const Renames& renames, Extent extent,
                      std::uint32_t count) {
-  LineLabels labels;
-  const auto add = [&](const auto& list, bool is_rate = false) {
-    for (const auto& entry : list) labels.push_back({renamed(entry.name, renames), is_rate});
-  };
-  const bool has_states = extent == Extent::states;
-  const bool has_pivots = extent == Extent::pivots;
-  if (extent == Extent::coordinates) add(model.coordinates);
-  if (extent == Extent::inputs) add(model.inputs);
-  if (extent == Extent::velocities || has_states || has_pivots) add(model.velocities);
-  if (has_states) add(model.velocities, true);
-  if (extent == Extent::constraints || has_pivots) add(model.constraints);
-  if (extent == Extent::positions) {
-    std::vector<Constraint> positions = model.constraints;
-    std::erase_if(positions, [](const Constraint& c) { return !c.is_position; });
-    add(positions);
-  }
-  while (labels.size() < count) labels.push_back({std::to_string(labels.size() + 1)});
+  LineLabels labels = line_labels(model, extent, count);
+  for (LineLabel& label : labels) label.name = renamed(label.name, renames);
   return labels;
 }
 

@@ -192,6 +192,27 @@ std::uint32_t extent_of(const Model& model, Extent kind, std::uint32_t user) {
   return 1;
 }
 
+std::vector<LineLabel> line_labels(const Model& model, Extent extent, std::uint32_t count) {
+  std::vector<LineLabel> labels;
+  const auto add = [&labels](const auto& list, bool is_rate = false) {
+    for (const auto& entry : list) labels.push_back({entry.name, is_rate});
+  };
+  const bool has_states = extent == Extent::states;
+  const bool has_pivots = extent == Extent::pivots;
+  if (extent == Extent::coordinates) add(model.coordinates);
+  if (extent == Extent::inputs) add(model.inputs);
+  if (extent == Extent::velocities || has_states || has_pivots) add(model.velocities);
+  if (has_states) add(model.velocities, true);
+  if (extent == Extent::constraints || has_pivots) add(model.constraints);
+  if (extent == Extent::positions) {
+    std::vector<Constraint> positions = model.constraints;
+    std::erase_if(positions, [](const Constraint& c) { return !c.is_position; });
+    add(positions);
+  }
+  while (labels.size() < count) labels.push_back({std::to_string(labels.size() + 1)});
+  return labels;
+}
+
 std::uint32_t first_entry_of(const Model& model, OutputKind kind, std::size_t field) {
   std::uint32_t first = 0;
   for (const FieldRow& row : output_row(kind).fields.first(field)) {

@@ -1,7 +1,9 @@
 // Requests: which outputs a model has, and their shapes.
 #pragma once
 
+#include <compare>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "base/report.hpp"
@@ -30,6 +32,17 @@ namespace elgen {
 
 /// How many rows or columns that is; `user` numbers declared outputs.
 [[nodiscard]] std::uint32_t extent_of(const Model& model, Extent kind, std::uint32_t user = 0);
+
+/// The coordinate, rate, input or constraint that a row or column stands for, or its number.
+struct LineLabel {
+  std::string name = {};
+  bool is_rate = false;
+  friend auto operator<=>(const LineLabel&, const LineLabel&) = default;
+};
+
+/// The labels of so many rows or columns; numbers where they stand for none of these.
+[[nodiscard]] std::vector<LineLabel> line_labels(const Model& model, Extent extent,
+                                                 std::uint32_t count);
 
 /// The number of the first entry of a field, where the fields before it in the output table are all
 /// there.

@@ -23,6 +23,8 @@ const std::vector<JsonRow> json_rows{
     {"show", "show --format json " + pendulum, "outputs"},
     {"verify", "verify --format json --quick " + pendulum, "checks"},
     {"diff", "diff --format json " + pendulum + " " + pendulum, "systems"},
+    {"evaluate", "evaluate --format json " + pendulum, "values"},
+    {"vectors", "vectors --format json --samples 1 " + pendulum, "values"},
     {"simulate", "simulate --format json --time 0.1 " + pendulum, "rows"},
     {"tradeoff", "tradeoff --format json --trajectory 0.1 " + pendulum, "designs"},
     {"import", "import --format json -q -o gripper.toml " + robot, "files"},

@@ -1,10 +1,13 @@
-// The start of a run, word by word: "theta=1", "dot(theta)=0", "attitude=[1,0,0,0]", "m=2".
+// The start of a run, word by word: "theta=1", "dot(theta)=0", "attitude=[1,0,0,0]", "m=2"; and of
+// a state, "dot(dot(theta))=3", "t=1".
 #include <algorithm>
+#include <utility>
 
 #include "check/expressions/parameters.hpp"
 #include "check/expressions/places.hpp"
 #include "check/expressions/values.hpp"
 #include "check/scene/scene.hpp"
+#include "elgen/leaf_names.hpp"
 
 namespace elgen {
 namespace {
@@ -16,6 +19,7 @@ struct StartPlace {
   std::uint32_t first = 0;  ///< of coordinates, or of velocities
   std::uint32_t count = 1;
   bool is_rate = false;
+  bool is_stated = false;  ///< by its name, in Model::stated
 };
 
 std::vector<StartPlace> start_places(const Model& model) {
@@ -37,10 +41,25 @@ std::vector<StartPlace> start_places(const Model& model) {
   return places;
 }
 
+/// Beside a start: accelerations, momenta, t and h. A coordinate may be called h: it stands before.
+std::vector<StartPlace> places_of_state(const Model& model) {
+  std::vector<StartPlace> places = start_places(model);
+  const auto n = static_cast<std::uint32_t>(model.velocities.size());
+  const auto add = [&](Opcode kind, std::uint32_t number, std::uint32_t coordinate) {
+    places.push_back({leaf_text(model, kind, number), coordinate, number, 1, false, true});
+  };
+  for (const Opcode kind : {Opcode::acceleration, Opcode::momentum}) {
+    for (std::uint32_t i = 0; i < n; ++i) add(kind, i, model.velocities[i].coordinate);
+  }
+  const auto none = static_cast<std::uint32_t>(model.coordinates.size());
+  for (const Opcode kind : {Opcode::time, Opcode::step}) add(kind, 0, none);
+  return places;
+}
+
 class StartReader {
  public:
-  explicit StartReader(Context& context)
-      : context_(context), model_(context.model), values_(context), places_(start_places(model_)) {}
+  StartReader(Context& context, std::vector<StartPlace> places)
+      : context_(context), model_(context.model), values_(context), places_(std::move(places)) {}
 
   void read(const KeySyntax& key) {
     const StartPlace* const place = place_of(key);
@@ -56,7 +75,7 @@ class StartReader {
       const auto value = values_.constant_with_form(items[i]);
       if (!value) continue;
       give(*place, place->first + i, value->number);
-      if (place->is_rate) continue;
+      if (place->is_rate || place->is_stated) continue;
       note_degrees(context_.report, items[i].span, model_.coordinates[place->coordinate],
                    value->number);
     }
@@ -88,6 +107,10 @@ class StartReader {
   }
 
   void give(const StartPlace& place, std::uint32_t index, const cln::cl_R& value) {
+    if (place.is_stated) {
+      model_.stated[place.name] = value;
+      return;
+    }
     number(place, index) = value;
     (place.is_rate ? model_.velocities[index].is_start_named
                    : model_.coordinates[index].is_start_named) = true;
@@ -128,7 +151,8 @@ void read_law(Context& context, const KeySyntax& key) {
 
 void read_starts(Context& context, const SceneOptions& options) {
   if (options.starts.empty()) return;
-  StartReader reader(context);
+  StartReader reader(
+      context, options.states_all ? places_of_state(context.model) : start_places(context.model));
   const auto keys = keys_of(context, options.starts, KeyType::expression_or_list);
   for (const KeySyntax& key : keys) reader.read(key);
 }

@@ -26,13 +26,15 @@ inline constexpr std::array data_formats{
 
 /// By the ending of its name; E913 where that says nothing.
 template <class Data>
-[[nodiscard]] Result<DataFormat<Data>> format_of(const std::string& file) {
-  for (const DataFormat<Data>& format : data_formats<Data>) {
+[[nodiscard]] Result<DataFormat<Data>> format_of(
+    const std::string& file, const std::array<DataFormat<Data>, 3>& formats = data_formats<Data>) {
+  for (const DataFormat<Data>& format : formats) {
     if (file.ends_with(fmt::format(".{}", format.name))) return format;
   }
   return Diagnostic{Code::E913,
                     {},
-                    fmt::format("`{}` ends in none of .csv, .json and .svg", file),
+                    fmt::format("`{}` ends in none of .{}, .{} and .{}", file, formats[0].name,
+                                formats[1].name, formats[2].name),
                     "the ending says what is written"};
 }
 

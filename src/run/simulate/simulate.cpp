@@ -12,6 +12,7 @@
 #include "elgen/wording.hpp"
 #include "model/output_units.hpp"
 #include "model/requests.hpp"
+#include "numbers/exact_number.hpp"
 #include "program/evaluate/subject.hpp"
 #include "run/simulate/ranks.hpp"
 #include "run/simulate/recorder.hpp"
@@ -281,7 +282,7 @@ Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
   if (!method) return method.diagnostics;
   const Result<StepRule> rule = step_rule(*method, options);
   if (!rule) return rule.diagnostics;
-  const Result<CheckedModel> assembled = assembled_model(checked, options.from);
+  const Result<CheckedModel> assembled = assembled_model(checked, exact_value(options.from));
   if (!assembled) return assembled.diagnostics;
   System system(*assembled, program, compiled, options.project);
   Diagnostics refused = refuse_start(system, system.start(), options.from);

@@ -9,7 +9,6 @@
 
 #include "elgen/oracle.hpp"
 #include "inspect/checks.hpp"
-#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {
@@ -60,11 +59,11 @@ bool keeps_named(const Model& model, const Model& moved) {
 
 }  // namespace
 
-Result<CheckedModel> assembled_model(const CheckedModel& checked, double t) {
+Result<CheckedModel> assembled_model(const CheckedModel& checked, const cln::cl_R& t) {
   const Model& model = checked.model;
   if (model.constraints.empty()) return checked;
   State start = start_state(model, checked.scene);
-  start.t = exact_value(t);
+  start.t = t;
   const std::optional<Assembly> at = oracle_assembly(model, start, named_start(model));
   if (at && at->has_rates) return started_at(checked, at->state);
   const std::optional<State> near = oracle_assembled(model, std::move(start));

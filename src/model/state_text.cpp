@@ -1,0 +1,54 @@
+// A state in JSON. Numbers are written by exact arithmetic, since no double has 40 digits.
+#include "model/state_text.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "numbers/exact_number.hpp"
+
+namespace elgen {
+namespace {
+
+std::string parameters_json(const Model& model, const std::vector<cln::cl_R>& values, int digits) {
+  std::vector<std::string> members;
+  for (const ParameterArray& array : model.parameter_arrays) {
+    const auto first = values.begin() + array.first;
+    const std::string numbers = decimal_texts({first, first + array.count}, digits);
+    members.push_back(fmt::format(fmt::runtime(array.is_array ? "{}: [{}]" : "{}: {}"),
+                                  nlohmann::json(array.name).dump(), numbers));
+  }
+  return fmt::format("{{{}}}", fmt::join(members, ", "));
+}
+
+}  // namespace
+
+std::string decimal_text(const cln::cl_R& value, int digits) {
+  return literal_text(rounded_decimal(value, digits));
+}
+
+std::string decimal_texts(const std::vector<cln::cl_R>& values, int digits) {
+  std::vector<std::string> texts;
+  for (const cln::cl_R& value : values) texts.push_back(decimal_text(value, digits));
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::string state_json(const Model& model, const LeafValues<cln::cl_R>& state,
+                       const std::vector<Opcode>& kinds, int digits) {
+  std::vector<std::string> members;
+  for (const Opcode kind : kinds) {
+    const std::vector<cln::cl_R>* const list = list_of(state, kind);
+    std::string value;
+    if (kind == Opcode::parameter) {
+      value = parameters_json(model, state.parameters, digits);
+    } else if (list != nullptr) {
+      value = fmt::format("[{}]", decimal_texts(*list, digits));
+    } else {
+      value = decimal_text(leaf_of(state, kind, 0), digits);
+    }
+    members.push_back(fmt::format("\"{}\": {}", leaf_row(kind).symbol, value));
+  }
+  return fmt::format("{}", fmt::join(members, ", "));
+}
+
+}  // namespace elgen

@@ -1,0 +1,115 @@
+// Records: fields by the output table, and values with digits that are right to the last.
+#include "run/values/records.hpp"
+
+#include <cln/float.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "emit/interface/code_interface.hpp"
+#include "model/output_units.hpp"
+#include "model/requests.hpp"
+#include "numbers/exact_number.hpp"
+#include "numbers/more_digits.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_R;
+
+/// Floats of a state get zeros behind their digits, more than the oracle computes with.
+cl_R lengthened(const cl_R& x) {
+  constexpr unsigned all_digits = 200;
+  if (is_rational(x)) return x;
+  return cln::cl_float(x, cln::float_format(all_digits));
+}
+
+/// The oracle's values with 60 of its 95 digits more. One that these make 1e-20 of what it was is
+/// the rounding of terms that cancel: it is 0.
+OracleValues settled_values(const Model& model, const OutputRequest& output, const State& state) {
+  constexpr unsigned more_digits = 60;
+  static const cl_R share_of_a_zero = power_of_ten(-20);
+  const OracleValues rough = oracle_values(model, output, state);
+  OracleValues values = with_digits(
+      more_digits, [&] { return oracle_values(model, output, map_leaves(lengthened, state)); });
+  if (!rough || !values) return std::nullopt;
+  for (std::size_t i = 0; i < values->size(); ++i) {
+    const cl_R size = cln::abs((*values)[i]);
+    if (size <= cln::abs((*rough)[i]) * share_of_a_zero) (*values)[i] = 0;
+    if (cln::zerop((*rough)[i])) (*values)[i] = 0;
+  }
+  return values;
+}
+
+std::vector<std::string> labels_of(const Model& model, Extent extent, std::uint32_t count) {
+  const bool is_number = extent == Extent::one || extent == Extent::user;
+  if (is_number && count == 1) return {""};
+  std::vector<std::string> labels;
+  for (const LineLabel& line : line_labels(model, extent, count)) {
+    labels.push_back(line.is_rate ? "dot(" + line.name + ")" : line.name);
+  }
+  return labels;
+}
+
+ValueField field_of(const Model& model, const OutputRequest& output, const FieldRow& row) {
+  const bool is_alone = output_row(output.kind).fields.size() == 1;
+  const auto count = [&](Extent extent, std::uint32_t alone) {
+    return is_alone ? alone : extent_of(model, extent, output.user);
+  };
+  ValueField field{std::string(row.name), labels_of(model, row.rows, count(row.rows, output.rows)),
+                   labels_of(model, row.columns, count(row.columns, output.columns))};
+  for (std::size_t r = 0; r < field.rows.size(); ++r) {
+    for (std::size_t c = 0; c < field.columns.size(); ++c) {
+      field.units.push_back(unit_text_of_entry(model, {output.kind, row.name, r, c}));
+    }
+  }
+  return field;
+}
+
+ValueFunction function_of(const Model& model, const OutputRequest& output) {
+  ValueFunction function{output, arguments_of(model, Function{.kind = output.kind})};
+  std::erase_if(function.takes, [&](Opcode kind) { return leaf_count(model, kind) == 0; });
+  for (const FieldRow& row : output_row(output.kind).fields) {
+    const bool is_left_out = (row.rows == Extent::pivots && output.without_pivots) ||
+                             (row.is_remainder && output.iterations == 0);
+    if (!is_left_out) function.fields.push_back(field_of(model, output, row));
+  }
+  std::erase_if(function.fields, [](const ValueField& field) { return field.units.empty(); });
+  return function;
+}
+
+}  // namespace
+
+ValueTable table_of(const CheckedModel& checked, int digits) {
+  ValueTable table{checked.model, checked.scene.base_name, digits};
+  for (const OutputRequest& output : checked.scene.outputs) {
+    if (output_row(output.kind).repeats) continue;
+    table.functions.push_back(function_of(checked.model, output));
+  }
+  return table;
+}
+
+bool takes(const ValueTable& table, Opcode kind) {
+  return std::ranges::any_of(table.functions, [kind](const ValueFunction& function) {
+    return std::ranges::find(function.takes, kind) != function.takes.end();
+  });
+}
+
+std::optional<ValueRecord> record_at(const ValueTable& table, std::size_t function,
+                                     std::string place, const State& state) {
+  const OutputRequest& output = table.functions[function].output;
+  OracleValues values = settled_values(table.model, output, state);
+  if (!values) return std::nullopt;
+  if (output.without_pivots) {
+    const auto pivots = values->begin() + extent_of(table.model, Extent::velocities);
+    values->erase(pivots, pivots + extent_of(table.model, Extent::pivots));
+  }
+  return ValueRecord{function, std::move(place), state, std::move(*values)};
+}
+
+void set_momenta(const Model& model, State& state) {
+  OracleValues momenta = oracle_values(model, {.kind = OutputKind::momentum}, state);
+  if (momenta) state.momenta = std::move(*momenta);
+}
+
+}  // namespace elgen

@@ -1,0 +1,130 @@
+// Test vectors: states in turn, and how many digits of each value doubles keep.
+#include <fmt/format.h>
+
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "elgen/wording.hpp"
+#include "program/evaluate/subject.hpp"
+#include "run/values/records.hpp"
+#include "sample/states.hpp"
+#include "verify/bounds/exact_run.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_R;
+
+constexpr int digits_of_double = 17;
+
+struct VectorState {
+  const char* place = "";
+  State state = {};
+};
+
+State start_of(const Subject& subject) {
+  State state = start_state(subject.model, subject.scene);
+  if (!subject.program.leaves.momenta.empty()) set_momenta(subject.model, state);
+  state.h = cln::cl_RA(1) / 100;
+  return state;
+}
+
+/// Other parameters are half to twice the model's, and anywhere in their ranges, by turns.
+VectorState state_number(const Subject& subject, std::size_t number, Sampler& draw) {
+  if (number == 0) return {"start", start_of(subject)};
+  const bool varies = number % 3 == 0;
+  const std::size_t turn = varies ? 3 * (1 + number / 3) : 0;  // multiples of 3: rates of order 1
+  State state = drawn_state(subject.model, subject.scene, draw, turn);
+  state.h = cln::abs(draw.number()) / 10;
+  if (varies) return {"parameters", std::move(state)};
+  if (number % 3 == 2) return {"moving", std::move(state)};
+  for (auto* const list : {&state.v, &state.momenta, &state.a, &state.u}) {
+    list->assign(list->size(), cl_R(0));
+  }
+  return {"rest", std::move(state)};
+}
+
+/// The digits of `size` that a value keeps which rounding takes no farther than u E.
+int kept_digits(const Running<Real>& value, const cl_R& size) {
+  if (value.is_lost || !value.error.is_defined()) return 0;
+  const cl_R error = value.error.value() * rounding<double>().roundoff.value();
+  int digits = digits_of_double;
+  while (digits > 0 && error * power_of_ten(digits) > size) --digits;
+  return digits;
+}
+
+/// The kept digits of all values, by a run of the emitted function.
+std::vector<int> digits_of(const Subject& subject, const ValueFunction& function,
+                           const ValueRecord& record) {
+  const Function& emitted =
+      *find_function(subject.program, function.output.kind, function.output.user);
+  const ExactRun run = exact_run(subject.program, emitted, record.state, rounding<double>());
+  std::vector<int> digits;
+  for (const ValueField& field : function.fields) {
+    const auto first = record.values.begin() + static_cast<std::ptrdiff_t>(digits.size());
+    const auto size = static_cast<std::ptrdiff_t>(field.units.size());
+    const cl_R largest = largest_of({first, first + size});
+    for (auto value = first; value != first + size; ++value) {
+      const cl_R of_entry = cln::zerop(*value) ? largest : cln::abs(*value);
+      digits.push_back(kept_digits(run.entries[digits.size()], of_entry));
+    }
+  }
+  return digits;
+}
+
+/// E633 for each function left open that others read.
+Diagnostics refuse_open_functions(const Model& model, const Program& program) {
+  std::vector<std::set<std::string>> readers(model.functions.size());
+  for (const Function& function : program.functions) {
+    for (const Instruction& instruction : function.instructions) {
+      if (instruction.opcode != Opcode::open_value) continue;
+      readers[model.open_values[instruction.a].function].insert(in_backticks(function.name));
+    }
+  }
+  Diagnostics errors;
+  for (std::size_t i = 0; i < readers.size(); ++i) {
+    if (readers[i].empty()) continue;
+    errors.push_back(
+        {Code::E633, model.functions[i].span,
+         fmt::format("{} is left open, and vectors of {} need its values",
+                     in_backticks(model.functions[i].name), fmt::join(readers[i], ", ")),
+         "give it an expression in `[functions]` of a scene, or ask for other `--outputs`"});
+  }
+  return errors;
+}
+
+}  // namespace
+
+Result<ValueTable> test_vectors(const CheckedModel& checked, const Program& program,
+                                const VectorOptions& options) {
+  Diagnostics errors = refuse_open_functions(checked.model, program);
+  if (!errors.empty()) return errors;
+  const Subject subject{checked.model, checked.scene, program};
+  Sampler draw(options.seed);
+  std::vector<VectorState> states;
+  for (std::size_t i = 0; i < options.samples; ++i) {
+    VectorState& next = states.emplace_back(state_number(subject, i, draw));
+    next.state = exact_state(subject, arguments_at<double>(next.state));
+  }
+  ValueTable table = table_of(checked, digits_of_double);
+  for (std::size_t i = 0; i < table.functions.size(); ++i) {
+    const std::size_t known = table.records.size();
+    for (const VectorState& at : states) {
+      std::optional<ValueRecord> record = record_at(table, i, at.place, at.state);
+      if (!record) continue;
+      record->digits = digits_of(subject, table.functions[i], *record);
+      table.records.push_back(std::move(*record));
+    }
+    if (table.records.size() > known) continue;
+    errors.push_back(
+        {Code::E521, table.functions[i].output.span,
+         fmt::format("{} has no value at {}", in_backticks(table.functions[i].output.name),
+                     counted(states.size(), "state that was drawn"))});
+  }
+  if (!errors.empty()) return errors;
+  return table;
+}
+
+}  // namespace elgen

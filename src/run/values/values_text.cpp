@@ -1,0 +1,208 @@
+// Tables of values: for people, as an object, as rows of entries, and as arrays of C.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "emit/interface/code_interface.hpp"
+#include "model/state_text.hpp"
+#include "run/values/records.hpp"
+
+namespace elgen {
+namespace {
+
+/// The leaves of a kind, as models write them.
+std::vector<std::string> leaf_texts(const Model& model, Opcode kind) {
+  std::vector<std::string> texts;
+  const auto count = static_cast<std::uint32_t>(leaf_count(model, kind));
+  for (std::uint32_t i = 0; i < count; ++i) texts.push_back(leaf_text(model, kind, i));
+  return texts;
+}
+
+/// The texts of a column, those of labels from the left, numbers to the right.
+void align(std::vector<std::string>& cells, const char* pattern) {
+  std::size_t width = 0;
+  for (const std::string& cell : cells) width = std::max(width, cell.size());
+  for (std::string& cell : cells) cell = fmt::format(fmt::runtime(pattern), cell, width);
+}
+
+/// A table of one field; `texts` are its numbers with their units.
+std::string field_text(const std::string& title, const ValueField& field,
+                       std::vector<std::string> texts) {
+  const std::vector<std::string> no_name{""};
+  const bool has_columns = field.columns != no_name;
+  if (!has_columns && field.rows == no_name) return title + " = " + texts.front() + "\n";
+  std::vector<std::string> lines{""};
+  lines.insert(lines.end(), field.rows.begin(), field.rows.end());
+  align(lines, "  {:<{}}");
+  const std::size_t width = field.columns.size();
+  for (std::size_t column = 0; column < width; ++column) {
+    std::vector<std::string> cells{field.columns[column]};
+    for (std::size_t i = column; i < texts.size(); i += width) cells.push_back(texts[i]);
+    align(cells, "  {:>{}}");
+    for (std::size_t i = 0; i < cells.size(); ++i) lines[i] += cells[i];
+  }
+  if (!has_columns) lines.erase(lines.begin());
+  return fmt::format("{}\n{}\n", title, fmt::join(lines, "\n"));
+}
+
+/// "theta = 0.1, dot(theta) = 2.0": all that functions take, but parameters.
+std::string state_text(const ValueTable& table, const State& state) {
+  std::vector<std::string> parts;
+  const auto add = [&](Opcode kind, std::uint32_t number, const cln::cl_R& value) {
+    if (kind == Opcode::parameter || !takes(table, kind)) return;
+    parts.push_back(fmt::format("{} = {}", leaf_text(table.model, kind, number),
+                                decimal_text(value, table.digits)));
+  };
+  for_each_leaf(add, state);
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string function_json(const ValueTable& table, const ValueFunction& function) {
+  nlohmann::ordered_json object{{"name", function.output.name}};
+  for (const Opcode kind : function.takes) {
+    object["takes"][leaf_row(kind).symbol] = leaf_texts(table.model, kind);
+  }
+  for (const auto& [name, rows, columns, units] : function.fields) {
+    object["fields"].push_back(
+        {{"name", name}, {"rows", rows}, {"columns", columns}, {"units", units}});
+  }
+  return object.dump();
+}
+
+std::string record_json(const ValueTable& table, const ValueRecord& record) {
+  const ValueFunction& function = table.functions[record.function];
+  std::string text =
+      fmt::format(R"({{"function": "{}", "state": "{}", {}, "value": [{}])", function.output.name,
+                  record.place, state_json(table.model, record.state, function.takes, table.digits),
+                  decimal_texts(record.values, table.digits));
+  if (!record.digits.empty())
+    text += fmt::format(R"(, "digits": [{}])", fmt::join(record.digits, ", "));
+  return text + "}";
+}
+
+/// The kinds that functions take, in their order.
+std::vector<Opcode> kinds_of(const ValueTable& table) {
+  std::vector<Opcode> kinds;
+  for (const LeafRow& row : leaf_table()) {
+    if (takes(table, row.id)) kinds.push_back(row.id);
+  }
+  return kinds;
+}
+
+/// The struct of a function: its arguments, its values, and their digits.
+std::string struct_text(const ValueTable& table, const ValueFunction& function) {
+  std::string text;
+  for (const Opcode kind : function.takes) {
+    const std::vector<std::string> names = leaf_texts(table.model, kind);
+    text += fmt::format("  double {}{}; /* {} */\n", leaf_row(kind).symbol,
+                        is_single(kind) ? "" : fmt::format("[{}]", names.size()),
+                        fmt::join(names, ", "));
+  }
+  std::size_t size = 0;
+  std::vector<std::string> shapes;
+  for (const ValueField& field : function.fields) {
+    size += field.units.size();
+    shapes.push_back(fmt::format("{} {} x {}", field.name.empty() ? "value" : field.name,
+                                 field.rows.size(), field.columns.size()));
+  }
+  return text + fmt::format("  double value[{0}]; /* {1} */\n  int digits[{0}];\n", size,
+                            fmt::join(shapes, ", "));
+}
+
+std::string initializer(const ValueTable& table, const ValueRecord& record) {
+  std::string text;
+  for (const Opcode kind : table.functions[record.function].takes) {
+    const auto* const list = list_of(record.state, kind);
+    text += list == nullptr ? decimal_text(leaf_of(record.state, kind, 0), table.digits) + ", "
+                            : fmt::format("{{{}}}, ", decimal_texts(*list, table.digits));
+  }
+  return fmt::format("  {{{}{{{}}}, {{{}}}}}, /* {} */\n", text,
+                     decimal_texts(record.values, table.digits), fmt::join(record.digits, ", "),
+                     record.place);
+}
+
+}  // namespace
+
+std::string to_text(const ValueTable& table) {
+  std::string text;
+  for (const ValueRecord& record : table.records) {
+    if (text.empty()) text = table.name + " at " + state_text(table, record.state) + "\n";
+    const ValueFunction& function = table.functions[record.function];
+    auto value = record.values.begin();
+    for (const ValueField& field : function.fields) {
+      std::vector<std::string> texts;
+      for (const std::string& unit : field.units) {
+        const bool has_unit = !unit.empty() && unit != "1";
+        texts.push_back(decimal_text(*value++, table.digits) + (has_unit ? " " + unit : ""));
+      }
+      const std::string part = field.name.empty() ? "" : "." + field.name;
+      text += field_text(function.output.name + part, field, std::move(texts));
+    }
+  }
+  return text;
+}
+
+std::string to_json(const ValueTable& table) {
+  std::vector<std::string> functions;
+  for (const ValueFunction& f : table.functions) functions.push_back(function_json(table, f));
+  std::vector<std::string> records;
+  for (const ValueRecord& record : table.records) records.push_back(record_json(table, record));
+  return fmt::format(
+      "{{\"name\": \"{}\",\n \"functions\": [\n  {}\n ],\n \"values\": [\n  {}\n ]}}\n", table.name,
+      fmt::join(functions, ",\n  "), fmt::join(records, ",\n  "));
+}
+
+std::string to_csv(const ValueTable& table) {
+  const std::vector<Opcode> kinds = kinds_of(table);
+  std::string text = "function,field,row,column,unit,value,digits,state";
+  for (const Opcode kind : kinds) {
+    text += fmt::format(",{}", fmt::join(leaf_texts(table.model, kind), ","));
+  }
+  text += "\n";
+  for (const ValueRecord& record : table.records) {
+    const ValueFunction& function = table.functions[record.function];
+    std::string cells = record.place;
+    for_each_leaf(
+        [&](Opcode kind, std::uint32_t, const cln::cl_R& value) {
+          if (std::ranges::find(kinds, kind) == kinds.end()) return;
+          const bool is_taken = std::ranges::find(function.takes, kind) != function.takes.end();
+          cells += "," + (is_taken ? decimal_text(value, table.digits) : "");
+        },
+        record.state);
+    std::size_t entry = 0;
+    for (const ValueField& field : function.fields) {
+      for (std::size_t i = 0; i < field.units.size(); ++i, ++entry) {
+        const std::size_t width = field.columns.size();
+        text +=
+            fmt::format("{},{},{},{},{},{},{},{}\n", function.output.name, field.name,
+                        field.rows[i / width], field.columns[i % width], field.units[i],
+                        decimal_text(record.values[entry], table.digits),
+                        record.digits.empty() ? "" : std::to_string(record.digits[entry]), cells);
+      }
+    }
+  }
+  return text;
+}
+
+std::string to_header(const ValueTable& table) {
+  std::string text = fmt::format(
+      "/* Test vectors of {0}: arguments of its functions, and values, row-major, field after\n"
+      "   field. A double keeps so many digits of each. */\n"
+      "#ifndef {1}_VECTORS_H\n#define {1}_VECTORS_H\n",
+      table.name, capitals(table.name));
+  for (std::size_t i = 0; i < table.functions.size(); ++i) {
+    const ValueFunction& function = table.functions[i];
+    std::string rows;
+    for (const ValueRecord& record : table.records) {
+      if (record.function == i) rows += initializer(table, record);
+    }
+    text +=
+        fmt::format("\nstatic const struct {0}_vector {{\n{1}}} {0}_vectors[{2}] = {{\n{3}}};\n",
+                    table.name + "_" + function.output.name, struct_text(table, function),
+                    std::ranges::count(table.records, i, &ValueRecord::function), rows);
+  }
+  return text + "\n#endif\n";
+}
+
+}  // namespace elgen
