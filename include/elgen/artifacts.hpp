@@ -41,6 +41,7 @@ inline constexpr PerArtifact<ArtifactRow> artifact_table{
     .batch = {"_batch.hpp", [](const Scene& s) { return s.emission.batch; }},
     .wide = {"_wide.hpp", [](const Scene& s) { return s.numerics.inner != InnerScalar::same; }},
     .c99 = {".h", [](const Scene& s) { return s.emission.language == LanguageId::c99; }},
+    .python = {".py", [](const Scene& s) { return s.emission.language == LanguageId::python; }},
     .sidecar = {".equations.json", [](const Scene& s) { return s.emission.equations; }},
     .page = {".md", [](const Scene& s) { return s.emission.page; }}};
 

@@ -36,6 +36,7 @@ struct LanguageRow {
   LanguageScalars scalars;
   std::string_view ending;  ///< "cpp": of a source in it
   bool has_more_headers;    ///< on Eigen's types, and in batches
+  bool is_interpreted;      ///< in doubles, with the sines of its own library
 };
 
 inline constexpr std::array language_table{
@@ -179,6 +180,7 @@ struct SceneOptions {
   SourcePaths paths = {};                   ///< empty: names of files
   std::vector<SourcePointer> outputs = {};  ///< "mass_matrix,bias"
   std::optional<ChosenStep> step = {};      ///< beside these `step`, by this method
+  std::optional<LanguageId> language = {};  ///< in the place of the scene's
   std::vector<SourcePointer> fixed = {};    ///< "NAME", "NAME=VALUE" or "all"
   std::vector<SourcePointer> sizes = {};    ///< "n=20"
   std::vector<SourcePointer> values = {};   ///< "m=2": of parameters that stay parameters
@@ -196,6 +198,11 @@ struct SceneOptions {
   /// Keep closed forms of more than 4096 nodes too: `verify` needs them. Without it they are read
   /// until there, so that mistakes in them are reported, and dropped.
   bool large_expectations = false;
+
+  /// Whether the files are others than those of the scene.
+  [[nodiscard]] bool change_files() const {
+    return !outputs.empty() || language || !fixed.empty() || !sizes.empty();
+  }
 };
 
 /// Resolves both syntaxes. `scene` may be null: the built-in scene `full`.

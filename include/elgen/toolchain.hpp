@@ -27,6 +27,10 @@ using DriverFunction = void (*)(
 #undef ELGEN_LEAF
     Scalar* result);
 
+/// values[function][state]: all entries of all fields. Empty where the function raised an exception:
+/// interpreters raise one in the place of infinities and NaNs.
+using ValuesOfFunctions = std::vector<std::vector<std::vector<double>>>;
+
 /// The functions of one emitted header, instantiated for one built-in scalar.
 class CompiledModel {
  public:
@@ -39,6 +43,10 @@ class CompiledModel {
                                                  const Arguments<double>& arguments) const = 0;
   [[nodiscard]] virtual std::vector<float> call(std::string_view function,
                                                 const Arguments<float>& arguments) const = 0;
+  /// Each of these functions at each of these states. E709 where what runs them ends before.
+  [[nodiscard]] virtual Result<ValuesOfFunctions> call_all(
+      const std::vector<std::string_view>& functions,
+      const std::vector<Arguments<double>>& states) const;
   /// Whether the code is there for double, for float.
   [[nodiscard]] virtual bool has(ScalarKind scalar) const = 0;
 };
@@ -71,6 +79,10 @@ struct CompiledHeader {
   std::string lacking = {};                   ///< why there are no functions; else empty
   std::vector<DeclaredNumber> declared = {};  ///< by all headers; with the first one
   bool is_wide = false;  ///< computes in Numerics::inner: its bits are not those of the program
+  /// Functions that the interpreter of a module computes by code of its own, between spaces; and
+  /// the error of its others, in u of the largest entry of a field. 0: the bits of the program.
+  std::string_view own_implementations = {};
+  int roundings = 0;
 };
 using CompiledHeaders = std::vector<CompiledHeader>;
 

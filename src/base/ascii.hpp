@@ -1,6 +1,9 @@
 // ASCII: kinds of characters, the same in every locale.
 #pragma once
 
+#include <string>
+#include <string_view>
+
 namespace elgen {
 
 [[nodiscard]] constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -25,6 +28,11 @@ namespace elgen {
 /// Blanks and line ends.
 [[nodiscard]] constexpr bool is_space(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
+
+/// Whether `words`, which stand between spaces, have this one.
+[[nodiscard]] inline bool has_word(std::string_view words, std::string_view word) {
+  return words.find(" " + std::string(word) + " ") != std::string_view::npos;
 }
 
 }  // namespace elgen

@@ -3,10 +3,14 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <string>
 #include <system_error>
+#include <vector>
 
 #include "cli/options.hpp"
 
@@ -55,6 +59,18 @@ inline void add_specialisation(CLI::App& command, SceneOptions& options) {
   add_sources(command, "--fix", "NAME[=VALUE]", options.fixed,
               "make a parameter a number: NAME, NAME=VALUE or all");
   add_sources(command, "--size", "NAME=N", options.sizes, "override a size of the model");
+}
+
+/// --language
+inline void add_language(CLI::App& command, std::optional<LanguageId>& language) {
+  std::vector<std::string> names;
+  for (const LanguageRow& row : language_table) names.emplace_back(row.name);
+  const auto set = [&language](const std::string& name) {
+    language = std::ranges::find(language_table, name, &LanguageRow::name)->id;
+  };
+  command.add_option_function<std::string>("--language", set, "of the code, whatever the scene says")
+      ->check(CLI::IsMember(names))
+      ->type_name("LANGUAGE");
 }
 
 }  // namespace elgen::cli

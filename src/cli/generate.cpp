@@ -114,10 +114,11 @@ Diagnostics changed_by_options(const GenerateOptions& options, const std::vector
     if (!job.scene().has_options || options.output_directory_given) continue;
     for (const OutputFile& file : files_in(options.output_directory, *job.products.files)) {
       if (existing_text(file.path).value_or(file.text) == file.text) continue;
-      errors.push_back({Code::E607,
-                        {},
-                        fmt::format("--outputs, --fix or --size would change `{}`", file.path),
-                        "give `-o DIR`, or write a scene"});
+      errors.push_back(
+          {Code::E607,
+           {},
+           fmt::format("--outputs, --language, --fix or --size would change `{}`", file.path),
+           "give `-o DIR`, or write a scene"});
     }
   }
   return errors;
@@ -225,9 +226,7 @@ std::string repair_command(const GlobalOptions& global, const GenerateOptions& o
   for (std::size_t i = 1; i < global.words.size(); ++i) {
     if (global.words[i] != "--check") command += " " + in_backticks(global.words[i]);
   }
-  const SceneOptions& scene = options.scene;
-  const bool changes = !scene.outputs.empty() || !scene.fixed.empty() || !scene.sizes.empty();
-  if (changes && !options.output_directory_given) {
+  if (options.scene.change_files() && !options.output_directory_given) {
     command += " -o " + in_backticks(options.output_directory);
   }
   return command;
@@ -377,6 +376,7 @@ void add_generate(CLI::App& app, Action& action) {
       ->each([options](const std::string&) { options->output_directory_given = true; });
   add_sources(*command, "--outputs", "LIST", options->scene.outputs,
               "only these: mass_matrix,bias,…");
+  add_language(*command, options->scene.language);
   add_specialisation(*command, options->scene);
   CLI::Option* check =
       command->add_flag("--check", options->check, "write nothing; exit 1 if the files differ");

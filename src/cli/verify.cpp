@@ -27,6 +27,7 @@ struct VerifyCommandOptions {
   bool strict = false;           ///< skipped checks count as failed
   std::string output_file = {};  ///< of certificates; empty: none
   bool force = false;
+  std::optional<LanguageId> language = {};
   ForeignOptions foreign = {};  ///< without claims: none is judged
 };
 
@@ -143,6 +144,7 @@ ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& opt
     pipeline.scene.outputs.push_back(make_source("command line", claim.output));
   }
   pipeline.scene.large_expectations = true;
+  pipeline.scene.language = options.language;
   Products products = run_shown(path, inputs, pipeline);
   const ExitCode generated = report_products(global, products);
   if (generated != ExitCode::success || !global.stop_after.empty()) {
@@ -249,6 +251,7 @@ void add_verify(CLI::App& app, Action& action) {
                     "count the digits that are lost beyond the declared ranges, too");
   command->add_flag("--quick", options->verify.quick,
                     "few states, projections instead of all entries, no compiler");
+  add_language(*command, options->language);
   add_foreign(*command, options->foreign);
   command->add_flag("--strict", options->strict, "exit with 1 where a check is skipped");
   command->add_option("-o,--output", options->output_file, "write the certificates here too")

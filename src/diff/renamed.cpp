@@ -15,11 +15,18 @@ void rename(ExpressionSyntax& expression, const Renames& renames) {
 
 void rename(ValueSyntax& value, const std::string& table, const Renames& renames);
 
+/// Whether the table has a row of this key.
+bool has_row(std::string_view table, std::string_view key) {
+  return std::ranges::any_of(
+      key_table(), [&](const KeyRow& row) { return row.entry == table && row.key == key; });
+}
+
 void rename(std::vector<KeySyntax>& keys, const std::string& table, const Renames& renames) {
-  const bool are_names = has_names_for_keys(table);
+  const bool has_names = has_names_for_keys(table);
   for (KeySyntax& key : keys) {
-    if (are_names) rename(key.key, renames);
-    rename(key.value, table + "." + (are_names ? "*" : key.key), renames);
+    const bool is_name = has_names && !has_row(table, key.key);
+    if (is_name) rename(key.key, renames);
+    rename(key.value, table + "." + (is_name ? "*" : key.key), renames);
   }
 }
 
@@ -48,10 +55,7 @@ std::string renamed(const std::string& name, const Renames& renames) {
   return found == renames.end() ? name : found->second + name.substr(stem);
 }
 
-bool has_names_for_keys(std::string_view table) {
-  return std::ranges::any_of(
-      key_table(), [table](const KeyRow& row) { return row.entry == table && row.key == "*"; });
-}
+bool has_names_for_keys(std::string_view table) { return has_row(table, "*"); }
 
 std::string_view table_prefix(const FileSyntax& file) {
   const bool names_model = !file.entries.empty() && file.entries.front().name.empty() &&

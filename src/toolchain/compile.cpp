@@ -11,6 +11,7 @@
 #include "base/no_interrupts.hpp"
 #include "elgen/toolchain.hpp"
 #include "toolchain/driver.hpp"
+#include "toolchain/interpreted.hpp"
 #include "toolchain/workshop.hpp"
 
 namespace elgen {
@@ -138,9 +139,22 @@ std::vector<DriverUnit> all_units(const DriverInput& input, const std::vector<Bu
 
 }  // namespace
 
+Result<ValuesOfFunctions> CompiledModel::call_all(
+    const std::vector<std::string_view>& functions,
+    const std::vector<Arguments<double>>& states) const {
+  ValuesOfFunctions values(functions.size());
+  for (std::size_t i = 0; i < functions.size(); ++i) {
+    for (const Arguments<double>& state : states) values[i].push_back(call(functions[i], state));
+  }
+  return values;
+}
+
 Result<CompiledHeaders> compile(const EmittedFiles& files, const Model& model, const Scene& scene,
                                 const Program& program, const CompileOptions& options) {
   const DriverInput input{model, scene, program};
+  if (language_row(scene.emission.language).is_interpreted) {
+    return interpret(files, input, options.limits);
+  }
   Declarations declared;
   if (options.declarations) declared = declarations(input);
   const std::vector<DriverUnit> units = all_units(input, options.builds, declared.text);

@@ -7,7 +7,9 @@
 //                                 reinterpret_cast<const double*>(&in_double));
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -24,7 +26,8 @@ namespace {
 /// How a language reads the declarations of a header, as patterns.
 struct DeclarationRow {
   ArtifactId header;            ///< of scenes without batches
-  bool has_intervals;           ///< whether the header declares them
+  std::string_view array;       ///< {0}: namespace, {1}: its name
+  std::string_view size;        ///< {}: an array
   std::string_view linkage;     ///< of the function
   std::string_view statement;   ///< {}: the number that it gives
   std::string_view constant;    ///< {0}: namespace, {1}: its name, {2}: both in capitals
@@ -32,15 +35,17 @@ struct DeclarationRow {
   std::string_view address;     ///< {0}: scalar, {1}: the variable
 };
 
-/// In the order of languages.def.
+/// Of the languages that are compiled, which come first in languages.def.
 constexpr std::array declaration_table{
-    DeclarationRow{ArtifactId::cpp, true, "extern \"C\" ", "  *to++ = static_cast<double>({});\n",
-                   "::{0}::{1}", "static const ::{0}::Parameters<{1}> {2}{{}};\n",
+    DeclarationRow{ArtifactId::cpp, "::{0}::{1}", "{}.size()", "extern \"C\" ",
+                   "  *to++ = static_cast<double>({});\n", "::{0}::{1}",
+                   "static const ::{0}::Parameters<{1}> {2}{{}};\n",
                    "reinterpret_cast<const {0}*>(&{1})"},
-    DeclarationRow{ArtifactId::c99, false, "", "  *to++ = (double)({});\n", "{2}",
-                   "static const {0}_parameters {2} = {3}_DEFAULT_PARAMETERS;\n",
-                   "(const {0}*)&{1}"}};
-static_assert(declaration_table.size() == language_table.size());
+    DeclarationRow{
+        ArtifactId::c99, "{0}_{1}", "sizeof({0}) / sizeof(*{0})", "", "  *to++ = (double)({});\n",
+        "{2}", "static const {0}_parameters {2} = {3}_DEFAULT_PARAMETERS;\n", "(const {0}*)&{1}"}};
+static_assert(std::ssize(declaration_table) ==
+              std::ranges::count(language_table, false, &LanguageRow::is_interpreted));
 
 /// A text while it grows, beside the numbers that it has to give.
 class DeclarationText {
@@ -52,7 +57,7 @@ class DeclarationText {
   [[nodiscard]] Declarations complete() && {
     add_counts();
     for (const ScalarKind scalar : driver_scalars(input_)) add_parameters(scalar);
-    if (row_.has_intervals) add_intervals();
+    add_arrays();
     const bool has_batch = input_.scene.emission.batch;
     if (has_batch) {
       for (const ScalarKind scalar : input_.scene.numerics.scalars) add_trigonometry(scalar);
@@ -120,21 +125,32 @@ class DeclarationText {
                                                   : ScalarTraits<double>::from_real(value);
   }
 
-  void add_intervals() {
-    const std::string space = "::" + name_space(input_.scene) + "::";
+  /// C has no arrays without elements.
+  void add_arrays() {
     for (const DeclaredArray& array : declared_arrays(input_.model)) {
-      add("the size of " + array.name, space + array.name + ".size()",
+      const std::string name =
+          fmt::format(fmt::runtime(row_.array), name_space(input_.scene), array.name);
+      if (array.size() == 0 && row_.header == ArtifactId::c99) continue;
+      add("the size of " + array.name, fmt::format(fmt::runtime(row_.size), name),
           static_cast<double>(array.size()));
+      for (std::size_t i = 0; i < array.numbers.size(); ++i) {
+        add(fmt::format("{}[{}]", array.name, i), fmt::format("{}[{}]", name, i),
+            ScalarTraits<double>::from_real(array.numbers[i]));
+      }
       for (std::size_t i = 0; i < array.intervals.size(); ++i) {
-        const std::optional<Interval>& interval = array.intervals[i];
-        const std::string element = fmt::format("{}[{}]", array.name, i);
-        constexpr double infinity = std::numeric_limits<double>::infinity();
-        add(element + ".low", space + element + ".low",
-            interval ? ScalarTraits<double>::from_real(interval->low) : -infinity);
-        add(element + ".high", space + element + ".high",
-            interval ? ScalarTraits<double>::from_real(interval->high) : infinity);
+        add_interval(fmt::format("{}[{}]", array.name, i), fmt::format("{}[{}]", name, i),
+                     array.intervals[i]);
       }
     }
+  }
+
+  void add_interval(const std::string& name, const std::string& element,
+                    const std::optional<Interval>& interval) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    add(name + ".low", element + ".low",
+        interval ? ScalarTraits<double>::from_real(interval->low) : -infinity);
+    add(name + ".high", element + ".high",
+        interval ? ScalarTraits<double>::from_real(interval->high) : infinity);
   }
 
   /// How packs reduce angles, and their polynomials: a last digit shows in few results.

@@ -1,6 +1,7 @@
 // Helpers of the tests of the command line: files of the project, commands in folders of their own.
 #pragma once
 
+#include <catch2/catch.hpp>
 #include <string>
 
 #include "support/shell.hpp"
@@ -37,5 +38,12 @@ class Project : public Workspace {
     return check(options);
   }
 };
+
+/// With the first `part` replaced, which has to be there.
+inline std::string replaced(std::string text, const std::string& part, const std::string& other) {
+  const std::size_t at = text.find(part);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, part.size(), other);
+}
 
 }  // namespace elgen::test

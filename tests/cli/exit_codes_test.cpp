@@ -87,12 +87,6 @@ const std::vector<ExitRow> exit_rows{
     {"man", 4, "elgen man > /dev/full"},
 };
 
-std::string replaced(std::string text, const std::string& part, const std::string& other) {
-  const std::size_t at = text.find(part);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, part.size(), other);
-}
-
 class Models : public Workspace {
  public:
   Models() {

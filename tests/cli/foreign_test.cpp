@@ -41,12 +41,6 @@ for line in sys.stdin:
     print(json.dumps(globals()[call.pop("function")](**call)))
 )py";
 
-std::string replaced(std::string text, const std::string& part, const std::string& other) {
-  const std::size_t at = text.find(part);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, part.size(), other);
-}
-
 /// A folder with models and foreign code.
 class Foreign : public Workspace {
  public:

@@ -171,8 +171,9 @@ TEST_CASE("a header declares names, units and ranges, each of its own") {
     CHECK(array.size() == (array.name.starts_with("input") ? 1 : 2));
   }
   CHECK(names == std::vector<std::string>{"coordinate_names", "coordinate_units",
-                                          "coordinate_ranges", "rate_ranges", "input_names",
-                                          "input_units", "input_limits"});
+                                          "coordinate_ranges", "start_coordinates", "rate_ranges",
+                                          "start_rates", "input_names", "input_units",
+                                          "input_limits"});
 }
 
 TEST_CASE("the values of a parameter are those of its elements") {

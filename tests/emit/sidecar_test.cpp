@@ -44,7 +44,10 @@ TEST_CASE("outputs") {
   CHECK(outputs["mass_matrix"]["entries"][0] == "M + m");
   CHECK(outputs["mass_matrix"]["operations"]["mul"] == 4);
   CHECK(outputs["forward_dynamics"]["fields"]["acceleration"]["shape"] == Json{2, 1});
-  CHECK(outputs["dynamics"].size() == 1);
+  CHECK(outputs["forward_dynamics"]["arguments"] == Json{"p", "q", "v", "u"});
+  CHECK(outputs["dynamics"].size() == 3);
+  CHECK(outputs["dynamics"]["fields"].begin().value().size() == 1);  // no entries
+  CHECK(outputs["dynamics"]["arguments"] == Json{"p", "q", "v"});
   CHECK(outputs["dynamics"].contains("operations"));
 }
 
@@ -60,7 +63,8 @@ TEST_CASE("definitions are listed in order, before the entries that use them") {
   CHECK(output["entries"] == Json::parse(R"(["square", "0"])"));
   std::vector<std::string> keys;
   for (const auto& item : output.items()) keys.push_back(item.key());
-  CHECK(keys == std::vector<std::string>{"definitions", "shape", "entries", "operations"});
+  CHECK(keys ==
+        std::vector<std::string>{"arguments", "definitions", "shape", "entries", "operations"});
 }
 
 TEST_CASE("parameters: exact texts, arrays as one entry, unread ones left out") {

@@ -7,6 +7,7 @@
 #include "elgen/wording.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "model/output_units.hpp"
+#include "numbers/exact_number.hpp"
 #include "texts/readers.hpp"
 
 namespace elgen::texts {
@@ -29,13 +30,9 @@ class SidecarReader {
     expect(take(json, "format"), 1);
     expect(take(json, "name"), origin_.scene.base_name);
     emission(json);
-    const auto unit = [](const auto& declared) { return declared.unit_text; };
-    named(take(json, "coordinates"), model.coordinates, unit);
-    if (!model.rotations.empty()) {
-      named(take(json, "velocities"), model.velocities,
-            [&](const Velocity& v) { return velocity_unit(model, v); });
-    }
-    named(take(json, "inputs"), model.inputs, unit);
+    coordinates(take(json, "coordinates"));
+    if (!model.rotations.empty()) velocities(take(json, "velocities"));
+    inputs(take(json, "inputs"));
     if (!model.constraints.empty()) constraints(take(json, "constraints"));
     if (!model.functions.empty()) open_functions(json);
     parameters(take(json, "parameters"));
@@ -98,6 +95,46 @@ class SidecarReader {
     }
   }
 
+  void interval(Json& json, const char* key, const std::optional<Interval>& interval) {
+    if (!interval) return;
+    expect(take(json, key), {exact_text(interval->low), exact_text(interval->high)});
+  }
+
+  void rate(Json& json, const Velocity& velocity) {
+    interval(json, "rate_range", velocity.rate_range);
+    expect(take(json, "start_rate"), exact_text(velocity.start_rate));
+  }
+
+  void coordinates(Json list) {
+    const Model& model = origin_.model;
+    expect_size(list, model.coordinates.size());
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const Coordinate& coordinate = model.coordinates[i];
+      interval(list[i], "range", coordinate.range);
+      expect(take(list[i], "start"), exact_text(coordinate.start_value));
+      if (coordinate.wrap) expect(take(list[i], "wrap"), true);
+      if (model.rotations.empty()) rate(list[i], model.velocities[i]);
+    }
+    named(std::move(list), model.coordinates, [](const Coordinate& c) { return c.unit_text; });
+  }
+
+  void velocities(Json list) {
+    const Model& model = origin_.model;
+    expect_size(list, model.velocities.size());
+    for (std::size_t i = 0; i < list.size(); ++i) rate(list[i], model.velocities[i]);
+    named(std::move(list), model.velocities,
+          [&](const Velocity& v) { return velocity_unit(model, v); });
+  }
+
+  void inputs(Json list) {
+    const Model& model = origin_.model;
+    expect_size(list, model.inputs.size());
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      interval(list[i], "limits", model.inputs[i].limits);
+    }
+    named(std::move(list), model.inputs, [](const Input& input) { return input.unit_text; });
+  }
+
   void constraints(Json list) {
     const Model& model = origin_.model;
     expect_size(list, model.constraints.size());
@@ -145,8 +182,22 @@ class SidecarReader {
         const std::string problem = equations_.number(value, text_of(values[k]));
         if (!problem.empty()) fail(problem);
       }
+      interval(list[i], "range", array.range);
+      const Assumption assumption = origin_.model.parameters[array.first].assumption;
+      if (assumption != Assumption::none) {
+        const bool is_positive = assumption == Assumption::positive;
+        expect(take(list[i], "assume"), is_positive ? "positive" : "nonnegative");
+      }
+      spellings(list[i], array.name);
       expect_empty(list[i]);
     }
+  }
+
+  /// Reserved words get an underscore, in languages where they are.
+  void spellings(Json& json, const std::string& name) {
+    if (!json.contains("spelt")) return;
+    Json spelt = take(json, "spelt");
+    for (const auto& [language, text] : spelt.items()) expect(text, name + "_");
   }
 
   void outputs(Json all) {
@@ -158,7 +209,9 @@ class SidecarReader {
       equations_.start(i);
       const OutputRow& row = output_row(function.kind);
       if (!row.of_user && row.name != function.name) expect(take(output, "output"), row.name);
-      if (has_equations(row)) equations(output, function);
+      spellings(output, function.name);
+      arguments(take(output, "arguments"), function);
+      equations(output, function, has_equations(row));
       operations(take(output, "operations"), function);
       expect_empty(output);
       function_.clear();
@@ -175,13 +228,22 @@ class SidecarReader {
     expect_empty(all);
   }
 
-  void equations(Json& output, const Function& function) {
+  void arguments(const Json& list, const Function& function) {
+    const std::vector<Opcode> expected = arguments_of(origin_.model, function);
+    expect_size(list, expected.size());
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      expect(list[i], leaf_row(expected[i]).symbol);
+    }
+  }
+
+  void equations(Json& output, const Function& function, bool has_entries) {
     if (output.contains("definitions")) definitions(take(output, "definitions"));
-    if (!gives_struct(function)) return field(output, function.fields.front());
+    if (!gives_struct(function)) return field(output, function.fields.front(), has_entries);
     Json fields = take(output, "fields");
     for (const Field& each : function.fields) {
       Json entries = take(fields, each.name);
-      field(entries, each);
+      field(entries, each, has_entries);
+      spellings(entries, each.name);
       expect_empty(entries);
     }
     expect_empty(fields);
@@ -196,8 +258,9 @@ class SidecarReader {
     }
   }
 
-  void field(Json& json, const Field& field) {
+  void field(Json& json, const Field& field, bool has_entries) {
     expect(take(json, "shape"), Json{field.rows, field.columns});
+    if (!has_entries) return;
     const Json entries = take(json, "entries");
     expect_size(entries, field.entries.size());
     for (std::size_t i = 0; i < field.entries.size(); ++i) {

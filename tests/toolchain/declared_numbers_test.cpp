@@ -36,6 +36,8 @@ inline constexpr std::array<const char*, 0> input_names{}, input_units{};
 inline constexpr std::array<Interval, 1> coordinate_ranges{{{-2.0, 0.3}}};
 inline constexpr std::array<Interval, 1> rate_ranges{{{-unbounded, unbounded}}};
 inline constexpr std::array<Interval, 0> input_limits{};
+inline constexpr std::array<double, 1> start_coordinates{{0.0}};
+inline constexpr std::array<double, 1> start_rates{{0.0}};
 )");
   return text;
 }
@@ -86,6 +88,13 @@ TEST_CASE("a C header declares its values in a macro") {
 enum { SAMPLE_COORDINATE_COUNT = 1, SAMPLE_VELOCITY_COUNT = 1, SAMPLE_INPUT_COUNT = 0,
        SAMPLE_PARAMETER_COUNT = 3 };
 typedef struct sample_parameters { float m; float l[2]; } sample_parameters;
+typedef struct sample_interval { double low, high; } sample_interval;
+static const char *const sample_coordinate_names[1] = {"x"};
+static const char *const sample_coordinate_units[1] = {""};
+static const sample_interval sample_coordinate_ranges[1] = {{-2.0, 0.3}};
+static const double sample_start_coordinates[1] = {0.0};
+static const sample_interval sample_rate_ranges[1] = {{-__builtin_huge_val(), __builtin_huge_val()}};
+static const double sample_start_rates[1] = {0.0};
 #define SAMPLE_DEFAULT_PARAMETERS {1.0F / 3.0F, {2.0F / 3.0F, 1.0F}}
 typedef struct sample_forward_dynamics_result {
   float acceleration[1];

@@ -1,5 +1,7 @@
 // Emission: words of the choice table become enumerators, and what does not go together is refused
 // where it is written. The accuracy of batches has to be within what the scalars can give.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -18,8 +20,27 @@ LanguageId language_named(std::string_view name) {
   return row == language_table.end() ? default_language : row->id;
 }
 
-bool fits_one_scalar(const Numerics& numerics) {
-  return numerics.scalars.size() == 1 && numerics.scalars.front() != ScalarKind::long_double;
+/// Of a language that is written for one scalar.
+bool takes_scalars(const LanguageRow& language, const Numerics& numerics) {
+  if (numerics.scalars.size() != 1) return false;
+  const ScalarKind scalar = numerics.scalars.front();
+  return scalar == ScalarKind::double_precision ||
+         (scalar == ScalarKind::single_precision && !language.is_interpreted);
+}
+
+/// Keys that say how compiled code is laid out, or computes.
+void refuse_of_compiled(const FileSyntax* syntax, const LanguageRow& language, Report& report) {
+  const std::string name = in_backticks(language.name);
+  const auto refuse = [&](const char* section, const char* key, const std::string& why) {
+    const KeySyntax* const found = find_key(syntax, section, key);
+    if (found == nullptr) return;
+    report.add(Code::E611, found->key_span,
+               fmt::format("{} is of compiled code, and `language` is {}", in_backticks(key), name),
+               why + "; leave the key out");
+  };
+  refuse("emit", "storage", "matrices are lists of rows there");
+  refuse("emit", "namespace", "a module is named by the base name of the scene");
+  refuse("numeric", "trigonometry", "sines are those of the library there");
 }
 
 void check_together(const FileSyntax* syntax, const Emission& emission, const Scene& scene,
@@ -27,11 +48,13 @@ void check_together(const FileSyntax* syntax, const Emission& emission, const Sc
   const LanguageRow& language = language_row(emission.language);
   const std::string name = in_backticks(language.name);
   const KeySyntax* scalar = find_key(syntax, "numeric", "scalar");
-  if (scalar != nullptr && language.scalars == LanguageScalars::one &&
-      !fits_one_scalar(scene.numerics)) {
+  const bool is_for_one = language.scalars == LanguageScalars::one;
+  if (scalar != nullptr && is_for_one && !takes_scalars(language, scene.numerics)) {
     report.add(Code::E610, scalar->value.span,
-               "code in " + name + " is written for one scalar, `float` or `double`");
+               fmt::format("code in {} is written for one scalar, {}", name,
+                           language.is_interpreted ? "`double`" : "`float` or `double`"));
   }
+  if (language.is_interpreted) refuse_of_compiled(syntax, language, report);
   if (emission.eigen && !language.has_more_headers) {
     report.add(Code::E611, find_key(syntax, "emit", "eigen")->key_span,
                "`eigen` needs C++, and `language` is " + name);
@@ -62,9 +85,10 @@ class BatchReader {
   void read() {
     const KeySyntax* batch = find_key(syntax_, "emit", "batch");
     scene_.emission.batch = is_set(batch);
+    scene_.numerics.has_library_sines = language_row(scene_.emission.language).is_interpreted;
     if (scene_.emission.batch) check_scalars(*batch);
     const KeySyntax* trigonometry = find_key(syntax_, "numeric", "trigonometry");
-    if (trigonometry != nullptr) read_sines(*trigonometry);
+    if (trigonometry != nullptr && !scene_.numerics.has_library_sines) read_sines(*trigonometry);
   }
 
  private:
@@ -120,7 +144,8 @@ std::string_view name_of(Storage storage) {
   return storage == Storage::row_major ? "row-major" : "column-major";
 }
 
-Emission read_emission(Context& context, const FileSyntax* syntax, const Scene& scene) {
+Emission read_emission(Context& context, const FileSyntax* syntax, const SceneOptions& options,
+                       const Scene& scene) {
   Emission emission;
   emission.name_space = scene.base_name;
   emission.name_space_span = context.model.name_span;
@@ -132,6 +157,7 @@ Emission read_emission(Context& context, const FileSyntax* syntax, const Scene& 
   if (const KeySyntax* key = find_key(syntax, "emit", "language")) {
     emission.language = language_named(key->value.text);
   }
+  emission.language = options.language.value_or(emission.language);
   if (const KeySyntax* key = find_key(syntax, "emit", "storage")) {
     const bool is_column_major = key->value.text == name_of(Storage::column_major);
     emission.storage = is_column_major ? Storage::column_major : Storage::row_major;

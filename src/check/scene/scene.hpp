@@ -18,9 +18,9 @@ namespace elgen {
                                const SceneOptions& options);
 
 /// E205, E204 of the namespace; E610 where the language is for one scalar and the scene asks for
-/// others; E611 for what the language does not have.
+/// others; E611 for what the language, that of the options if they name one, does not have.
 [[nodiscard]] Emission read_emission(Context& context, const FileSyntax* syntax,
-                                     const Scene& scene);
+                                     const SceneOptions& options, const Scene& scene);
 
 /// Sets Emission::batch, Numerics::trigonometry_error and has_library_sines. E611 where the
 /// language is not C++, E625 where the scalars or the accuracy are those of no batch.

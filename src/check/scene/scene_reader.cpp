@@ -118,6 +118,7 @@ std::string canonical_text(const FileSyntax* scene, const SceneOptions& options)
       text += fmt::format("--{} {}\n", name, word);
     }
   }
+  if (options.language) text += fmt::format("--language {}\n", language_row(*options.language).name);
   return text;
 }
 
@@ -131,12 +132,11 @@ class SceneReader {
     read_outputs();
     read_fixed();
     read_numerics();
-    scene_.emission = read_emission(context_, syntax_, scene_);
+    scene_.emission = read_emission(context_, syntax_, options_, scene_);
     read_batch(context_, syntax_, scene_);
     read_inner(context_, syntax_, options_, scene_);
     read_promise(context_, syntax_, options_, scene_.numerics);
-    scene_.has_options =
-        !options_.outputs.empty() || !options_.fixed.empty() || !options_.sizes.empty();
+    scene_.has_options = options_.change_files();
     scene_.canonical = canonical_text(syntax_, options_);
     return std::move(scene_);
   }

@@ -68,10 +68,10 @@ Texts default_parameters(const EmissionInput& input) {
   return continued(std::move(lines));
 }
 
-constexpr std::array<std::string_view, 13> header_names{
-    "parameters", "is_regular",   "sign_of",      "smaller",     "larger",
-    "stumpff",    "sine_of",      "cosine_of",    "sine_cosine", "sine_cosine_beyond",
-    "columns",    "load_columns", "store_columns"};
+constexpr std::array<std::string_view, 14> header_names{
+    "parameters", "is_regular",   "sign_of",       "smaller",     "larger",
+    "stumpff",    "sine_of",      "cosine_of",     "sine_cosine", "sine_cosine_beyond",
+    "columns",    "load_columns", "store_columns", "interval"};
 
 /// Whether `name` is that of the struct, the workspace or a part of the function.
 bool is_helper(const std::string& name, const Function& function) {
@@ -79,10 +79,33 @@ bool is_helper(const std::string& name, const Function& function) {
          (gives_struct(function) && name == function.name + "_result");
 }
 
-bool is_taken(const std::string& name, const Program& program) {
+bool is_taken(const std::string& name, const Model& model, const Program& program) {
+  const auto is_table = [&name](const DeclaredArray& array) { return array.name == name; };
+  if (std::ranges::any_of(declared_arrays(model), is_table)) return true;
   const auto takes = [&name](const Function& function) { return is_helper(name, function); };
   return std::find(header_names.begin(), header_names.end(), name) != header_names.end() ||
          std::any_of(program.functions.begin(), program.functions.end(), takes);
+}
+
+/// Tables of names, units, bounds and starts; C has none of no elements.
+TemplateData declared_tables(const EmissionInput& input) {
+  TemplateData list(TemplateData::type::list);
+  const std::string& prefix = name_space(input.scene);
+  const std::array types{std::string("char *const"), std::string("double"), prefix + "_interval"};
+  for (const DeclaredArray& array : declared_arrays(input.model)) {
+    if (array.size() == 0) continue;
+    const Texts elements = declared_elements(array, "{{{0}, {1}}}", "HUGE_VAL");
+    const std::string& type = types[static_cast<std::size_t>(array.kind)];
+    const std::size_t start =
+        fmt::format("static const {} {}_{}[] = ", type, prefix, array.name).size() + 3;
+    const Wrapping wrapping{line_width - start, "    "};
+    const Texts lines = wrap_expression(fmt::format("{{{}}}", fmt::join(elements, ", ")), wrapping);
+    list << TemplateRow{{"type", type},
+                        {"name", array.name},
+                        {"count", std::to_string(array.size())},
+                        {"value", fmt::format("{}", fmt::join(lines, "\n"))}};
+  }
+  return list;
 }
 
 bool are_sines_in_line(const EmissionInput& input) {
@@ -113,14 +136,15 @@ std::string c99_header(const EmissionInput& input) {
   data.set("guard", capitals(input.scene.base_name));
   data.set("capitals", capitals(name_space(input.scene)));
   data.set("parameters", lines_data(documented_members(parameter_members(input))));
+  data.set("declared", declared_tables(input));
   data.set("default_parameters", lines_data(default_parameters(input)));
   return header_text("c99/header.h.mustache", data);
 }
 
-Diagnostics c99_check_names(const Model& /*model*/, const Scene& scene, const Program& program) {
+Diagnostics c99_check_names(const Model& model, const Scene& scene, const Program& program) {
   Diagnostics diagnostics;
   for (const Function& function : program.functions) {
-    if (!is_taken(function.name, program)) continue;
+    if (!is_taken(function.name, model, program)) continue;
     diagnostics.push_back(taken_name(scene, function));
   }
   return diagnostics;

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "emit/code/statements.hpp"
 #include "emit/interface/code_interface.hpp"
@@ -21,17 +22,63 @@
 namespace elgen {
 namespace {
 
+/// Brackets in brackets that are read, and the names in use.
+struct Bounds {
+  std::size_t deepest = 0;
+  std::set<std::string> taken = {};
+};
+
+/// Gives names to values whose formulas would have more brackets in each other than are read: each
+/// instruction that is written out is at most two more.
+void name_deep_values(const Function& function, Bounds bounds, std::vector<std::string>& names) {
+  std::vector<std::size_t> depths(names.size(), 0);
+  std::size_t count = 0;
+  for (std::size_t at = 0; at < names.size(); ++at) {
+    const Instruction& i = function.instructions[at];
+    const std::size_t operands = operand_count(i);
+    if (operands == 0) continue;
+    const auto depth = [&](std::uint32_t of) { return names[of].empty() ? depths[of] : 0; };
+    depths[at] = 2 + std::max(depth(i.a), operands > 1 ? depth(i.b) : 0);
+    if (depths[at] <= bounds.deepest || !names[at].empty()) continue;
+    do names[at] = fmt::format("inner_{}", ++count);
+    while (!bounds.taken.insert(names[at]).second);
+  }
+}
+
+/// Names parameters that are read more than once.
+void name_parameters(const Program& program, const Function& function,
+                     std::vector<std::string>& names) {
+  std::vector<std::size_t> uses(function.instructions.size(), 0);
+  for (const Instruction& i : function.instructions) {
+    if (operand_count(i) > 0) ++uses[i.a];
+    if (operand_count(i) > 1) ++uses[i.b];
+  }
+  for (std::size_t at = 0; at < uses.size(); ++at) {
+    const Instruction& i = function.instructions[at];
+    if (i.opcode != Opcode::parameter || uses[at] < 2) continue;
+    names[at] = identifier_of(program.leaves.parameters[i.a]);
+  }
+}
+
 /// Temporaries under names that are unique in the function.
 std::vector<std::string> local_names(const Dialect& dialect, const Program& program,
                                      const Function& function) {
   std::vector<std::string> names = temporary_names(program, function);
+  if (dialect.names_parameters()) name_parameters(program, function, names);
   std::set<std::string> taken;
   for (std::string& name : names) {
     if (name.empty()) continue;
     name = dialect.temporary(name);
     while (!taken.insert(name).second) name += '_';
   }
+  if (dialect.deepest() > 0) name_deep_values(function, {dialect.deepest(), taken}, names);
   return names;
+}
+
+/// Without repetitions where the language has no loops over columns.
+Function as_written(const Dialect& dialect, Function function) {
+  if (!dialect.has_loops()) function.repeated = {};
+  return function;
 }
 
 void use(const Instruction& instruction, UsedNames& used) {
@@ -49,7 +96,7 @@ class DefinitionWriter {
       : dialect_(dialect),
         program_(program),
         function_(function),
-        ordered_(stored(function, storage)),
+        ordered_(as_written(dialect, stored(function, storage))),
         loop_(column_loop(ordered_)),
         names_(local_names(dialect, program, ordered_)),
         in_loop_{names_},
@@ -62,7 +109,7 @@ class DefinitionWriter {
   FunctionDefinition definition() {
     const Pairing pairing = dialect_.has_pairs() ? Pairing::joint : Pairing::separate;
     const std::vector<Statement> all = statements(ordered_, names_, pairing, loop_);
-    if (all.size() <= longest_body || dialect_.inner() != nullptr) return {short_text(all)};
+    if (all.size() <= longest_body || !dialect_.has_parts()) return {short_text(all)};
     Sections cut = sections(all, section_length);
     if (loop_.count > 0) cut.crosses[loop_.first] = true;
     FunctionDefinition result;
@@ -103,8 +150,8 @@ class DefinitionWriter {
     std::string lines;
     for (const Statement& statement : cut.parts[part]) {
       if (statement.is_entry && !is_given(statement)) {
-        lines += assignment(dialect_.target(ordered_, statement.field, statement.index),
-                            formulas_.entry(statement.instruction).text());
+        lines += dialect_.assignment(dialect_.target(ordered_, statement.field, statement.index),
+                                     formulas_.entry(statement.instruction).text());
       } else {
         lines += named_value(statement, !cut.crosses[statement.instruction]);
       }
@@ -117,8 +164,8 @@ class DefinitionWriter {
   [[nodiscard]] std::string named_value(const Statement& statement, bool is_declared) const {
     const std::uint32_t at = statement.instruction;
     if (is_given(statement)) {
-      return assignment(fmt::format("{}[{}]", in_loop_.given, statement.index),
-                        formulas_.entry(at).text());
+      return dialect_.assignment(fmt::format("{}[{}]", in_loop_.given, statement.index),
+                                 formulas_.entry(at).text());
     }
     if (is_loop(statement)) {
       return column_lines(dialect_, program_, ordered_, loop_, in_loop_);
@@ -127,8 +174,8 @@ class DefinitionWriter {
     const bool is_inner = ordered_.instructions[at].is_inner && dialect_.inner() != nullptr;
     const Dialect& dialect = is_inner ? *dialect_.inner() : dialect_;
     if (!statement.cosine) {
-      return assignment(is_declared ? dialect.declaration(name) : name,
-                        formulas_.definition(at).text());
+      return dialect.assignment(is_declared ? dialect.declaration(name) : name,
+                                formulas_.definition(at).text());
     }
     const Formula angle = formulas_.operand(at, ordered_.instructions[at].a);
     return dialect.pair(name, names_[*statement.cosine], angle, is_declared);
@@ -200,7 +247,7 @@ std::string assignments(const Dialect& dialect, const Function& function,
   std::string lines;
   for (std::uint32_t field = 0; field < entries.size(); ++field) {
     for (std::uint32_t index = 0; index < entries[field].size(); ++index) {
-      lines += assignment(dialect.target(function, field, index), entries[field][index]);
+      lines += dialect.assignment(dialect.target(function, field, index), entries[field][index]);
     }
   }
   return lines;

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "emit/interface/code_interface.hpp"
+#include "emit/text/layout.hpp"
 
 namespace elgen {
 namespace {
@@ -50,6 +51,10 @@ std::string Dialect::temporary(const std::string& name) const {
   const bool hides = is_argument || is_of_loop || name == "w" || name == "result" ||
                      is_function(name) || is_reserved(name);
   return hides ? name + "_" : name;
+}
+
+std::string Dialect::assignment(const std::string& target, const std::string& value) const {
+  return elgen::assignment(target, value);
 }
 
 std::string Dialect::shared(const std::string& name) const { return "w" + access_ + name; }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "elgen/program.hpp"
+#include "emit/text/layout.hpp"
 #include "render/function_formulas.hpp"
 
 namespace elgen {
@@ -57,6 +58,30 @@ class Dialect : public Vocabulary {
 
   /// "const Scalar x": the declaration of a temporary, without its value.
   [[nodiscard]] virtual std::string declaration(const std::string& name) const = 0;
+
+  /// "  const Scalar x = a + b;\n": a statement that gives `target` a value.
+  [[nodiscard]] virtual std::string assignment(const std::string& target,
+                                               const std::string& value) const;
+
+  /// Brackets in brackets that the language reads: values in more have names. 0: any.
+  [[nodiscard]] virtual std::size_t deepest() const { return 0; }
+
+  /// Whether parameters that are read more than once get a name: reading a member costs as much as
+  /// an operation where code is interpreted.
+  [[nodiscard]] virtual bool names_parameters() const { return false; }
+
+  /// Whether long functions are in parts.
+  [[nodiscard]] virtual bool has_parts() const { return inner() == nullptr; }
+
+  /// Whether repetitions are loops; else they are written out.
+  [[nodiscard]] virtual bool has_loops() const { return true; }
+
+  [[nodiscard]] virtual CommentMarks comment_marks() const { return {}; }
+
+  /// Lines of documentation, as they can stand in the code.
+  [[nodiscard]] virtual std::vector<std::string> documented(std::vector<std::string> lines) const {
+    return lines;
+  }
 
   /// "double": the type of numbers.
   [[nodiscard]] virtual std::string_view scalar() const = 0;

@@ -24,11 +24,15 @@ constexpr std::size_t longest_listing = 60;
 constexpr std::size_t longest_units = 60;  // beside the name of a field, on one line
 constexpr std::size_t listing_width = 88;  // what `///` and the indentation leave of a line
 
-std::string shape_text(const Field& field, Storage storage) {
+/// Interpreted languages have matrices, and numbers of one type.
+std::string shape_text(const Field& field, const Emission& emission) {
+  const bool is_interpreted = language_row(emission.language).is_interpreted;
   if (field.columns > 1) {
-    return fmt::format("{} x {}, {}", field.rows, field.columns, name_of(storage));
+    return fmt::format("{} x {}{}{}", field.rows, field.columns, is_interpreted ? "" : ", ",
+                       is_interpreted ? "" : name_of(emission.storage));
   }
-  return field.rows > 1 ? fmt::format("{} entries", field.rows) : "Scalar";
+  if (field.rows > 1) return fmt::format("{} entries", field.rows);
+  return is_interpreted ? "A number" : "Scalar";
 }
 
 std::string equation_text(const OutputRow& row, const Model& model) {
@@ -158,7 +162,7 @@ std::string units_text(const Model& model, OutputKind kind, const Field& field) 
 std::string field_summary(const FunctionText& text, const Field& field) {
   const OutputKind kind = kind_of_field(text.program, text.function, field);
   const std::string units = units_text(text.model, kind, field);
-  return shape_text(field, text.emission.storage) + (units.empty() ? "" : " [" + units + "]");
+  return shape_text(field, text.emission) + (units.empty() ? "" : " [" + units + "]");
 }
 
 std::string function_heading(const FunctionText& text) {

@@ -12,6 +12,7 @@
 #include "emit/pages/introduction.hpp"
 #include "emit/text/emission_input.hpp"
 #include "emit/text/layout.hpp"
+#include "numbers/scalar_literal.hpp"
 
 namespace elgen {
 namespace {
@@ -24,7 +25,7 @@ TemplateData struct_data(const FunctionText& text, const Dialect& dialect) {
   }
   return TemplateRow{{"name", dialect.struct_name(text.function)},
                      {"doc", fmt::format("The results of {}.", text.function.name)},
-                     {"members", lines_data(documented_members(members))}};
+                     {"members", lines_data(documented_members(members, dialect.comment_marks()))}};
 }
 
 TemplateData parts_data(const Function& function, const Dialect& dialect,
@@ -53,7 +54,7 @@ TemplateData function_data(const EmissionInput& input, const Dialect& dialect, s
   return TemplateRow{
       {"struct", section_if(has_struct, has_struct ? struct_data(text, dialect) : TemplateData())},
       {"summary", function_heading(text)},
-      {"documentation", lines_data(function_docs(text))},
+      {"documentation", lines_data(dialect.documented(function_docs(text)))},
       {"parts",
        section_if(has_parts, has_parts ? parts_data(function, dialect, written) : TemplateData())},
       {"signature", written.whole.signature},
@@ -131,8 +132,9 @@ bool has_loops(const Program& program) {
 TemplateData header_data(const EmissionInput& input, const Dialect& dialect) {
   TemplateData data = stamp_data(input);
   set_counts(data, input);
-  data.set("introduction", lines_data(introduction(input.model, input.scene, input.program)));
-  data.set("operation_table", lines_data(operation_table(input.program)));
+  data.set("introduction",
+           lines_data(dialect.documented(introduction(input.model, input.scene, input.program))));
+  data.set("operation_table", lines_data(dialect.documented(operation_table(input.program))));
   const auto has = [&input](FunctionId function) { return calls(input.program, function); };
   const bool has_kinks = has(FunctionId::sign) || has(FunctionId::min) || has(FunctionId::max);
   data.set("kinks", section_if(has_kinks));
@@ -142,6 +144,24 @@ TemplateData header_data(const EmissionInput& input, const Dialect& dialect) {
   data.set("functions", functions(input, dialect));
   set_regular(data, input);
   return data;
+}
+
+std::vector<std::string> declared_elements(const DeclaredArray& array, std::string_view interval,
+                                           std::string_view unbounded) {
+  const auto bound = [&](const cln::cl_R& value, const char* sign) {
+    const bool is_finite = fit(value, ScalarKind::double_precision) != Fit::too_large;
+    return is_finite ? shortest_literal(value, ScalarKind::double_precision)
+                     : fmt::format("{}{}", sign, unbounded);
+  };
+  std::vector<std::string> elements;
+  for (const std::string& text : array.texts) elements.push_back(string_literal(text));
+  for (const cln::cl_R& number : array.numbers) elements.push_back(bound(number, ""));
+  for (const std::optional<Interval>& range : array.intervals) {
+    elements.push_back(fmt::format(fmt::runtime(interval),
+                                   range ? bound(range->low, "-") : fmt::format("-{}", unbounded),
+                                   range ? bound(range->high, "") : std::string(unbounded)));
+  }
+  return elements;
 }
 
 std::string left_out_note(const Function& function) {

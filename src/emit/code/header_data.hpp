@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "emit/code/dialect.hpp"
+#include "emit/interface/code_interface.hpp"
 #include "emit/text/emission_input.hpp"
 #include "render/fill_template.hpp"
 
@@ -23,6 +24,11 @@ void set_regular(TemplateData& data, const EmissionInput& input);
 
 /// Sections `kinks` and `columns` are there where sign, min or max, and where loops are.
 [[nodiscard]] TemplateData header_data(const EmissionInput& input, const Dialect& dialect);
+
+/// The elements of an array at the head, as literals; {0} and {1} of `interval` are its bounds.
+[[nodiscard]] std::vector<std::string> declared_elements(const DeclaredArray& array,
+                                                         std::string_view interval,
+                                                         std::string_view unbounded);
 
 /// " step is left out: it has more than 4096 entries."
 [[nodiscard]] std::string left_out_note(const Function& function);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "emit/code/cpp_constant.hpp"
 #include "emit/code/function_docs.hpp"
@@ -28,23 +29,11 @@ std::string braced(const Texts& elements, std::size_t column) {
   return fmt::format("{{{{\n    {},\n}}}}", fmt::join(elements, ",\n    "));
 }
 
-std::string bound(const cln::cl_R& value, const char* unbounded) {
-  const bool is_finite = fit(value, ScalarKind::double_precision) != Fit::too_large;
-  return is_finite ? shortest_literal(value, ScalarKind::double_precision) : unbounded;
-}
-
-std::string interval(const std::optional<Interval>& range) {
-  if (!range) return "{-unbounded, unbounded}";
-  return fmt::format("{{{}, {}}}", bound(range->low, "-unbounded"),
-                     bound(range->high, "unbounded"));
-}
-
 /// Names, units, ranges and limits of coordinates and inputs.
 TemplateData declared(const DeclaredArray& array) {
-  Texts elements;
-  for (const std::string& text : array.texts) elements.push_back(string_literal(text));
-  for (const auto& range : array.intervals) elements.push_back(interval(range));
-  const std::string type = array.has_texts ? "const char*" : "Interval";
+  constexpr std::array types{"const char*", "double", "Interval"};
+  const Texts elements = declared_elements(array, "{{{0}, {1}}}", "unbounded");
+  const std::string type = types[static_cast<std::size_t>(array.kind)];
   const std::string count = std::to_string(array.size());
   const std::size_t column =
       fmt::format("inline constexpr std::array<{}, {}> {};", type, count, array.name).size();

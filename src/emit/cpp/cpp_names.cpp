@@ -9,6 +9,7 @@
 #include <array>
 #include <map>
 
+#include "base/ascii.hpp"
 #include "emit/code/cpp_constant.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "emit/text/emission_checks.hpp"
@@ -25,10 +26,10 @@ constexpr std::array<std::string_view, 24> emitted_names{
     "coordinate_names", "coordinate_ranges", "coordinate_units", "detail",
     "input_count",      "input_limits",      "input_names",      "input_units",
     "is_regular",       "parameter_count",   "rate_ranges",      "std"};
-constexpr std::array<std::string_view, 13> more_names{
-    "unbounded",        "velocity_count",   "velocity_names",   "velocity_units",   "result",
-    "OpenValues",       "open_value_count", "open_value_names", "open_value_units", "Momenta",
-    "constraint_count", "Multipliers",      "constraint_names"};
+constexpr std::array<std::string_view, 15> more_names{
+    "unbounded",        "velocity_count",   "velocity_names",   "velocity_units",    "result",
+    "OpenValues",       "open_value_count", "open_value_names", "open_value_units",  "Momenta",
+    "constraint_count", "Multipliers",      "constraint_names", "start_coordinates", "start_rates"};
 constexpr std::array<std::string_view, 5> eigen_names{"eigen", "Eigen", "Argument", "Matrix",
                                                       "Vector"};
 /// Members of Parameters hide these in the initialisers beside them.
@@ -69,10 +70,6 @@ constexpr std::array<std::string_view, 16> kept_prefixes{
     "aio_",   "epoll_",   "eventfd_", "inet_", "inet6_",    "inotify_", "isw", "mq_",
     "posix_", "pthread_", "sched_",   "sem_",  "sockaddr_", "timerfd_", "wcs", "wmem"};
 constexpr std::array<std::string_view, 3> kept_suffixes{"_t", "printf", "scanf"};
-
-bool has_word(std::string_view words, std::string_view name) {
-  return words.find(" " + std::string(name) + " ") != std::string_view::npos;
-}
 
 bool is_declared(std::string_view name) { return has_word(library_names, name); }
 

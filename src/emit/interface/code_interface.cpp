@@ -7,8 +7,10 @@
 #include <functional>
 #include <set>
 #include <unordered_map>
+#include <utility>
 
 #include "base/ascii.hpp"
+#include "elgen/spellings.hpp"
 #include "model/output_units.hpp"
 
 namespace elgen {
@@ -26,16 +28,23 @@ Field transposed(const Field& field) {
 
 template <class Element, class Text>
 DeclaredArray texts(const char* name, const std::vector<Element>& elements, const Text& text) {
-  DeclaredArray array{name};
+  DeclaredArray array{name, DeclaredArray::Kind::texts};
   for (const Element& element : elements) array.texts.push_back(std::invoke(text, element));
+  return array;
+}
+
+template <class Element, class Number>
+DeclaredArray numbers(const char* name, const std::vector<Element>& elements,
+                      const Number& number) {
+  DeclaredArray array{name, DeclaredArray::Kind::numbers};
+  for (const Element& element : elements) array.numbers.push_back(std::invoke(number, element));
   return array;
 }
 
 template <class Element, class Range>
 DeclaredArray intervals(const char* name, const std::vector<Element>& elements,
                         const Range& range) {
-  DeclaredArray array{name};
-  array.has_texts = false;
+  DeclaredArray array{name, DeclaredArray::Kind::intervals};
   for (const Element& element : elements) array.intervals.push_back(std::invoke(range, element));
   return array;
 }
@@ -45,11 +54,6 @@ bool has_instruction(const Program& program, const Predicate& is_wanted) {
   return std::any_of(program.functions.begin(), program.functions.end(), [&](const Function& f) {
     return std::any_of(f.instructions.begin(), f.instructions.end(), is_wanted);
   });
-}
-
-std::string member_text(const Model& model, const Parameter& parameter) {
-  const ParameterArray& array = model.parameter_arrays[parameter.array];
-  return array.is_array ? fmt::format("{}[{}]", array.name, parameter.element) : array.name;
 }
 
 }  // namespace
@@ -84,16 +88,37 @@ std::vector<ParameterArray> emitted_parameters(const Model& model, const Program
   return result;
 }
 
+std::string spelt_name(LanguageId language, std::string_view name) {
+  const bool is_word =
+      language_row(language).is_interpreted && has_word(source_spelling(language).reserved, name);
+  return std::string(name) + (is_word ? "_" : "");
+}
+
 /// A leaf is known by its name.
-std::vector<std::string> parameter_members(const Model& model, const LeafNames& leaves) {
+std::vector<ParameterMember> members_of(const Model& model, const LeafNames& leaves) {
   std::unordered_map<std::string_view, const Parameter*> known;
   for (const Parameter& parameter : model.parameters) known.emplace(parameter.name, &parameter);
-  std::vector<std::string> members;
+  std::vector<ParameterMember> members;
   for (const std::string& leaf : leaves.parameters) {
     const auto found = known.find(leaf);
-    members.push_back(found == known.end() ? leaf : member_text(model, *found->second));
+    ParameterMember member{leaf, {}};
+    if (found != known.end()) {
+      const Parameter& parameter = *found->second;
+      const ParameterArray& array = model.parameter_arrays[parameter.array];
+      member.name = array.name;
+      if (array.is_array) member.element = parameter.element;
+    }
+    members.push_back(std::move(member));
   }
   return members;
+}
+
+std::vector<std::string> parameter_members(const Model& model, const LeafNames& leaves) {
+  std::vector<std::string> texts;
+  for (const auto& [name, element] : members_of(model, leaves)) {
+    texts.push_back(element ? fmt::format("{}[{}]", name, *element) : name);
+  }
+  return texts;
 }
 
 std::vector<Opcode> arguments_of(const Model& model, const Function& function) {
@@ -127,13 +152,15 @@ std::vector<DeclaredArray> declared_arrays(const Model& model) {
   std::vector<DeclaredArray> list{
       texts("coordinate_names", model.coordinates, &Coordinate::name),
       texts("coordinate_units", model.coordinates, &Coordinate::unit_text),
-      intervals("coordinate_ranges", model.coordinates, &Coordinate::range)};
+      intervals("coordinate_ranges", model.coordinates, &Coordinate::range),
+      numbers("start_coordinates", model.coordinates, &Coordinate::start_value)};
   if (!model.rotations.empty()) {
     list.push_back(texts("velocity_names", model.velocities, &Velocity::name));
     list.push_back(texts("velocity_units", model.velocities,
                          [&](const Velocity& velocity) { return velocity_unit(model, velocity); }));
   }
   list.push_back(intervals("rate_ranges", model.velocities, &Velocity::rate_range));
+  list.push_back(numbers("start_rates", model.velocities, &Velocity::start_rate));
   list.push_back(texts("input_names", model.inputs, &Input::name));
   list.push_back(texts("input_units", model.inputs, &Input::unit_text));
   list.push_back(intervals("input_limits", model.inputs, &Input::limits));
@@ -222,6 +249,11 @@ bool is_scalar(OutputKind kind, const Field& field) {
 
 bool is_scalar(const Program& program, const Function& function, const Field& field) {
   return is_scalar(kind_of_field(program, function, field), field);
+}
+
+bool is_matrix(OutputKind kind, const Field& field) {
+  const Extent columns = field_row(kind, field.name).columns;
+  return columns == Extent::user ? field.columns > 1 : columns != Extent::one;
 }
 
 std::string_view pivot_count(const Model& model) {

@@ -2,6 +2,7 @@
 // what holds the results of a function.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,7 +28,17 @@ namespace elgen {
 /// The scalars in them.
 [[nodiscard]] std::size_t emitted_parameter_count(const Model& model, const Program& program);
 
-/// "m", "l[2]": the member of the emitted parameters that each parameter leaf is.
+/// "lambda_" for "lambda": a parameter, function or field in a language; others keep their names.
+[[nodiscard]] std::string spelt_name(LanguageId language, std::string_view name);
+
+/// The member of the emitted parameters that a parameter leaf is, and its place in an array.
+struct ParameterMember {
+  std::string name = {};
+  std::optional<std::uint32_t> element = {};
+};
+[[nodiscard]] std::vector<ParameterMember> members_of(const Model& model, const LeafNames& leaves);
+
+/// "m", "l[2]": the same as C writes it.
 [[nodiscard]] std::vector<std::string> parameter_members(const Model& model,
                                                          const LeafNames& leaves);
 
@@ -47,14 +58,19 @@ namespace elgen {
 /// The values of the elements of an array in the model.
 [[nodiscard]] std::vector<cln::cl_R> values_of(const Model& model, const ParameterArray& array);
 
-/// One of the arrays at the head of a C++ header: texts, or intervals.
+/// One of the arrays at the head of the code: of texts, numbers or intervals.
 struct DeclaredArray {
-  std::string name;
-  std::vector<std::string> texts = {};
-  std::vector<std::optional<Interval>> intervals = {};
-  bool has_texts = true;
+  enum class Kind : std::uint8_t { texts, numbers, intervals };
 
-  [[nodiscard]] std::size_t size() const { return has_texts ? texts.size() : intervals.size(); }
+  std::string name;
+  Kind kind = Kind::texts;
+  std::vector<std::string> texts = {};
+  std::vector<cln::cl_R> numbers = {};
+  std::vector<std::optional<Interval>> intervals = {};
+
+  [[nodiscard]] std::size_t size() const {
+    return texts.size() + numbers.size() + intervals.size();
+  }
 };
 
 /// Where nothing rotates, velocities are called as their coordinates.
@@ -98,6 +114,9 @@ struct DeclaredArray {
 /// gravity of one coordinate is an array of one.
 [[nodiscard]] bool is_scalar(OutputKind kind, const Field& field);
 [[nodiscard]] bool is_scalar(const Program& program, const Function& function, const Field& field);
+
+/// Whether a field is a matrix by its nature, also with one column.
+[[nodiscard]] bool is_matrix(OutputKind kind, const Field& field);
 
 /// How many relative pivots there are, as C++ says it.
 [[nodiscard]] std::string_view pivot_count(const Model& model);

@@ -53,11 +53,56 @@ Json named(const std::string& name, const std::string& unit) {
   return json;
 }
 
-/// Coordinates, velocities or inputs.
-template <class Variable, class Unit>
-Json variables(const std::vector<Variable>& all, const Unit& unit) {
+/// The name in each language that writes it otherwise: {"python": "lambda_"}.
+void add_spellings(Json& json, const std::string& name) {
+  for (const LanguageRow& language : language_table) {
+    const std::string spelt = spelt_name(language.id, name);
+    if (spelt != name) json["spelt"][std::string(language.name)] = spelt;
+  }
+}
+
+void add_interval(Json& json, const char* key, const std::optional<Interval>& interval) {
+  if (interval) json[key] = {exact_text(interval->low), exact_text(interval->high)};
+}
+
+/// The range of the rate, and the rate that runs start with.
+void add_rate(Json& json, const Velocity& velocity) {
+  add_interval(json, "rate_range", velocity.rate_range);
+  json["start_rate"] = exact_text(velocity.start_rate);
+}
+
+/// Where nothing rotates, velocities are the rates of the coordinates, in their order.
+Json coordinates(const Model& model) {
   Json list = Json::array();
-  for (const Variable& each : all) list.push_back(named(each.name, unit(each)));
+  for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
+    const Coordinate& coordinate = model.coordinates[i];
+    Json json = named(coordinate.name, coordinate.unit_text);
+    add_interval(json, "range", coordinate.range);
+    json["start"] = exact_text(coordinate.start_value);
+    if (coordinate.wrap) json["wrap"] = true;
+    if (model.rotations.empty()) add_rate(json, model.velocities[i]);
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+Json velocities(const Model& model) {
+  Json list = Json::array();
+  for (const Velocity& velocity : model.velocities) {
+    Json json = named(velocity.name, velocity_unit(model, velocity));
+    add_rate(json, velocity);
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+Json inputs(const Model& model) {
+  Json list = Json::array();
+  for (const Input& input : model.inputs) {
+    Json json = named(input.name, input.unit_text);
+    add_interval(json, "limits", input.limits);
+    list.push_back(std::move(json));
+  }
   return list;
 }
 
@@ -106,6 +151,12 @@ Json parameters(const Model& model, const Program& program) {
     Json json = named(array.name, array.unit_text);
     if (array.is_array) json["size"] = array.count;
     json["value"] = array.is_array ? values : values.front();
+    add_interval(json, "range", array.range);
+    const Assumption assumption = model.parameters[array.first].assumption;
+    if (assumption != Assumption::none) {
+      json["assume"] = assumption == Assumption::positive ? "positive" : "nonnegative";
+    }
+    add_spellings(json, array.name);
     list.push_back(json);
   }
   return list;
@@ -126,23 +177,40 @@ Json definitions(const FunctionEquations& equations) {
   return list;
 }
 
-Json field(const Field& field, const std::vector<std::string>& entries) {
-  return {{"shape", {field.rows, field.columns}}, {"entries", entries}};
+/// The arguments of the function in every language, in their order.
+Json arguments(const Model& model, const Function& function) {
+  Json list = Json::array();
+  for (const Opcode argument : arguments_of(model, function)) {
+    list.push_back(leaf_row(argument).symbol);
+  }
+  return list;
 }
 
-Json output(const Function& function, const FunctionEquations& equations) {
+/// Shape, and entries where the output has equations of its own.
+Json field(const OutputRow& row, const Field& field, const FunctionEquations& equations,
+           std::size_t at) {
+  Json json{{"shape", {field.rows, field.columns}}};
+  if (has_equations(row)) json["entries"] = equations.entries[at];
+  return json;
+}
+
+Json output(const Model& model, const Function& function, const FunctionEquations& equations) {
   Json json = Json::object();
   const OutputRow& row = output_row(function.kind);
   if (!row.of_user && row.name != function.name) json["output"] = row.name;
-  if (has_equations(row)) {
-    if (!equations.definitions.empty()) json["definitions"] = definitions(equations);
-    if (gives_struct(function)) {
-      for (std::size_t i = 0; i < function.fields.size(); ++i) {
-        json["fields"][function.fields[i].name] = field(function.fields[i], equations.entries[i]);
-      }
-    } else {
-      json.update(field(function.fields.front(), equations.entries.front()));
+  add_spellings(json, function.name);
+  json["arguments"] = arguments(model, function);
+  if (has_equations(row) && !equations.definitions.empty()) {
+    json["definitions"] = definitions(equations);
+  }
+  if (gives_struct(function)) {
+    for (std::size_t i = 0; i < function.fields.size(); ++i) {
+      const Field& each = function.fields[i];
+      json["fields"][each.name] = field(row, each, equations, i);
+      add_spellings(json["fields"][each.name], each.name);
     }
+  } else {
+    json.update(field(row, function.fields.front(), equations, 0));
   }
   json["operations"] = operations(function);
   return json;
@@ -152,7 +220,7 @@ Json outputs(const EmissionInput& input) {
   Json json = Json::object();
   for (std::size_t i = 0; i < input.program.functions.size(); ++i) {
     const Function& function = input.program.functions[i];
-    json[function.name] = output(function, input.equations[i]);
+    json[function.name] = output(input.model, function, input.equations[i]);
   }
   return json;
 }
@@ -180,14 +248,9 @@ std::string sidecar(const EmissionInput& input) {
     json["language"] = language_row(emission.language).name;
   }
   if (emission.storage != Storage::row_major) json["storage"] = name_of(emission.storage);
-  const auto unit = [](const auto& variable) { return variable.unit_text; };
-  json["coordinates"] = variables(input.model.coordinates, unit);
-  // Where nothing rotates, velocities are called as their coordinates.
-  if (!input.model.rotations.empty()) {
-    json["velocities"] = variables(
-        input.model.velocities, [&](const Velocity& v) { return velocity_unit(input.model, v); });
-  }
-  json["inputs"] = variables(input.model.inputs, unit);
+  json["coordinates"] = coordinates(input.model);
+  if (!input.model.rotations.empty()) json["velocities"] = velocities(input.model);
+  json["inputs"] = inputs(input.model);
   if (!input.model.constraints.empty()) {
     json["constraints"] = constraints(input.model);
   }

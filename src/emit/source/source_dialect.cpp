@@ -42,6 +42,7 @@ class SourceDialect final : public Dialect {
   }
 
   bool has_pairs() const override { return false; }
+  bool names_parameters() const override { return true; }
   bool has_parts() const override { return false; }
   bool has_loops() const override { return false; }
   std::size_t deepest() const override { return spelling_.deepest; }
@@ -98,6 +99,7 @@ class SourceDialect final : public Dialect {
   Texts documented(Texts lines) const override {
     for (std::string& line : lines) {
       std::string safe;
+      if (line.starts_with(' ')) line.erase(0, 1);
       for (const char c : line) safe += c == '\\' ? "\\\\" : c == '"' ? "\\\"" : std::string(1, c);
       line = safe;
     }

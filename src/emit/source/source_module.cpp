@@ -172,11 +172,12 @@ Texts names_of_functions(const EmissionInput& input) {
   return names;
 }
 
-/// The module, without blanks at the ends of lines.
+/// The module, without blanks at the ends of lines, and with at most two empty lines in a row.
 std::string trimmed(const std::string& text) {
   std::string result;
   for (const char c : text) {
     while (c == '\n' && !result.empty() && result.back() == ' ') result.pop_back();
+    if (c == '\n' && result.ends_with("\n\n\n")) continue;
     result += c;
   }
   return result;
@@ -189,7 +190,8 @@ void set_python(TemplateData& data, const EmissionInput& input) {
   const std::vector<DeclaredArray> arrays = all_arrays(input.model, input.program);
   const bool has_intervals = std::ranges::any_of(
       arrays, [](const DeclaredArray& array) { return !array.intervals.empty(); });
-  if (has_intervals) imported.insert(imported.begin(), "inf");
+  if (has_intervals) imported.emplace_back("inf");
+  std::sort(imported.begin(), imported.end());
   data.set("imports",
            section_if(!imported.empty(),
                       TemplateRow{{"names", fmt::format("{}", fmt::join(imported, ", "))}}));

@@ -47,6 +47,8 @@ struct EmissionInput {
 [[nodiscard]] std::string batch_header(const EmissionInput& input);
 [[nodiscard]] std::string wide_header(const EmissionInput& input);
 [[nodiscard]] std::string c99_header(const EmissionInput& input);
+/// A module in the scene's language, which is interpreted.
+[[nodiscard]] std::string source_module(const EmissionInput& input);
 
 /// The equations as JSON, for programs that read them: one key order, LF, exact numbers as strings.
 [[nodiscard]] std::string sidecar(const EmissionInput& input);
@@ -54,8 +56,8 @@ struct EmissionInput {
 /// The equations as a page to read; outputs of more than 64 entries are left to the sidecar.
 [[nodiscard]] std::string markdown(const EmissionInput& input);
 
-// E701 for parameters, functions and namespaces whose name the emitted code needs, of C99 for
-// functions.
+// E701 for parameters, functions, namespaces and modules whose name the emitted code or its
+// language needs, of C99 for functions.
 [[nodiscard]] Diagnostics cpp_check_names(const Model& model, const Scene& scene,
                                           const Program& program);
 [[nodiscard]] Diagnostics eigen_check_names(const Model& model, const Scene& scene,
@@ -66,5 +68,7 @@ struct EmissionInput {
                                            const Program& program);
 [[nodiscard]] Diagnostics c99_check_names(const Model& model, const Scene& scene,
                                           const Program& program);
+[[nodiscard]] Diagnostics source_check_names(const Model& model, const Scene& scene,
+                                             const Program& program);
 
 }  // namespace elgen

@@ -128,7 +128,8 @@ std::string string_literal(std::string_view text) {
   return literal + '"';
 }
 
-std::vector<std::string> documented_members(const std::vector<Member>& members) {
+std::vector<std::string> documented_members(const std::vector<Member>& members,
+                                            const CommentMarks& marks) {
   std::size_t width = 0;
   for (const Member& member : members) {
     if (member.declaration.size() <= widest_alignment) {
@@ -139,9 +140,9 @@ std::vector<std::string> documented_members(const std::vector<Member>& members) 
   for (const auto& [declaration, doc] : members) {
     const bool is_aligned = declaration.size() <= width;
     const std::string padding(is_aligned ? width - declaration.size() : 0, ' ');
-    const std::string line = fmt::format("{}{}  ///< {}", declaration, padding, doc);
+    const std::string line = fmt::format("{}{}  {}{}", declaration, padding, marks.behind, doc);
     const bool fits = line.size() + 2 <= line_width;
-    if (!fits) lines.push_back("/// " + doc);
+    if (!fits) lines.push_back(std::string(marks.above) + doc);
     lines.push_back(fits ? line : declaration);
   }
   return lines;

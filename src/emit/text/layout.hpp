@@ -44,9 +44,16 @@ struct Member {
   std::string doc;
 };
 
+/// Before documentation behind a declaration, and on a line above it.
+struct CommentMarks {
+  std::string_view behind = "///< ";
+  std::string_view above = "/// ";
+};
+
 /// Declarations with their documentation behind them in one column, or above where a line is too
 /// short.
-[[nodiscard]] std::vector<std::string> documented_members(const std::vector<Member>& members);
+[[nodiscard]] std::vector<std::string> documented_members(const std::vector<Member>& members,
+                                                          const CommentMarks& marks = {});
 
 /// The start of a declaration and its arguments -> the declaration, with line breaks; `start` ends
 /// before the bracket, `end` (" noexcept") follows the closing one.

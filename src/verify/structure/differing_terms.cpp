@@ -16,7 +16,7 @@ namespace {
 
 /// Products of terms that a comparison may take, some milliseconds: textbook equations take less
 /// than a tenth of them.
-constexpr std::size_t most_work = 20'000;
+constexpr std::size_t most_work_of_terms = 20'000;
 /// More terms than these are no slip of the pen.
 constexpr std::size_t most_told = 4;
 /// As `elgen diff` prints.
@@ -50,7 +50,7 @@ TermsByPowers terms_by_powers(const Algebra& algebra, const Polynomial& sum) {
 
 std::optional<DifferingTerms> differing_terms(Algebra& algebra, const Fraction& right,
                                               const Fraction& written) {
-  Arithmetic arithmetic(algebra, most_work);
+  Arithmetic arithmetic(algebra, most_work_of_terms);
   const Value first = divisor_of(algebra, written);
   const Value once = arithmetic.multiply(right, first);
   const Value divisor = once ? arithmetic.multiply(first, divisor_of(algebra, *once)) : once;
