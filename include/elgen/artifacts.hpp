@@ -31,7 +31,7 @@ struct PerArtifact {
 };
 
 struct ArtifactRow {
-  std::string_view ending;  ///< of the path
+  std::string_view ending;  ///< of the path; empty: that of the language
   bool (*is_wanted)(const Scene& scene);
 };
 
@@ -41,7 +41,7 @@ inline constexpr PerArtifact<ArtifactRow> artifact_table{
     .batch = {"_batch.hpp", [](const Scene& s) { return s.emission.batch; }},
     .wide = {"_wide.hpp", [](const Scene& s) { return s.numerics.inner != InnerScalar::same; }},
     .c99 = {".h", [](const Scene& s) { return s.emission.language == LanguageId::c99; }},
-    .python = {".py", [](const Scene& s) { return s.emission.language == LanguageId::python; }},
+    .source = {"", [](const Scene& s) { return language_row(s.emission.language).is_interpreted; }},
     .sidecar = {".equations.json", [](const Scene& s) { return s.emission.equations; }},
     .page = {".md", [](const Scene& s) { return s.emission.page; }}};
 

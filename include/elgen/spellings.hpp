@@ -1,6 +1,7 @@
 // SourceSpelling: how an interpreted language writes code, and how it is run (spellings.def).
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -9,33 +10,53 @@
 
 namespace elgen {
 
+/// How several values are one.
+struct ListSpelling {
+  std::string_view opening;
+  std::string_view between;
+  std::string_view closing;
+  std::string_view behind_one;  ///< of one value alone
+  std::string_view empty;       ///< {0}: columns
+};
+
 struct SourceSpelling {
   LanguageId language;
   std::string_view element;
   std::uint32_t first_index;
   std::string_view definition;
-  std::string_view end_of_definition;  ///< a line below the statements; may be empty
-  std::size_t indent;                  ///< of statements
-  std::string_view result;             ///< before the value that a function gives
-  std::string_view field;              ///< before one of several, {0}; empty: one call makes all
-  std::string_view opening;            ///< around a value of several lines
+  std::size_t indent;        ///< of statements
+  std::string_view result;   ///< before the value that a function gives
+  std::string_view field;    ///< before one of several, {0}; empty: one call makes all
+  std::string_view opening;  ///< around a value of several lines
   std::string_view closing;
   std::string_view end;          ///< of a statement
   std::string_view end_of_line;  ///< of a line that the next one continues
-  std::string_view vector;       ///< {}: the entries; of matrices, the rows
-  std::string_view between_entries;
-  std::string_view matrix_row;
-  std::string_view between_rows;
-  std::string_view own_function;  ///< of what the module has where its library has none
-  std::string_view absolute;      ///< |x| of a number
-  std::string_view unbounded;     ///< an infinite number
-  std::size_t deepest;            ///< brackets in brackets that it reads
-  std::size_t longest_name;       ///< 0: any
-  std::string_view reserved;      ///< words that are no names, between spaces: `_` is appended
-  std::string_view taken;         ///< names that the module needs
-  std::string_view unnameable;    ///< names that no module may have
-  std::string_view command;       ///< starts its interpreter
-  std::string_view variable;      ///< of the environment, which has another command
+  ListSpelling vector;
+  ListSpelling row;     ///< of a matrix
+  ListSpelling matrix;  ///< of rows
+  ListSpelling texts;   ///< at the head of the module, as those that follow
+  ListSpelling numbers;
+  ListSpelling intervals;
+  std::string_view interval;         ///< {0}, {1}: its bounds
+  std::string_view number_value;     ///< of a parameter: {0} is the name
+  std::string_view array_value;      ///< of a parameter that is one
+  std::string_view number_member;    ///< of a struct of results, in documentation
+  std::string_view array_member;     ///< of it
+  std::string_view comment;          ///< before a comment behind a parameter
+  std::string_view member_comment;   ///< before what a member is
+  char quote;                        ///< around texts
+  char escape;                       ///< before it, and before itself
+  std::string_view escaped_in_docs;  ///< by a backslash
+  std::string_view own_function;     ///< of what the module has where its library has none
+  std::string_view absolute;         ///< |x| of a number
+  std::string_view unbounded;        ///< an infinite number
+  std::size_t deepest;               ///< brackets in brackets that it reads
+  std::size_t longest_name;          ///< 0: any
+  std::string_view reserved;         ///< words that are no names, between spaces: `_` is appended
+  std::string_view taken;            ///< names that the module needs
+  std::string_view unnameable;       ///< names that no module may have
+  std::string_view command;          ///< starts its interpreter
+  std::string_view variable;         ///< of the environment, which has another command
   /// Functions that the interpreter has code of its own for, and the error of a field that calls
   /// one, in u of its largest entry; `roundings`: that of any other.
   std::string_view own_implementations;

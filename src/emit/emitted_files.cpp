@@ -21,7 +21,7 @@ constexpr PerArtifact<Writer> writers{.cpp = {&cpp_header, &cpp_check_names},
                                       .batch = {&batch_header, &batch_check_names},
                                       .wide = {&wide_header, &wide_check_names},
                                       .c99 = {&c99_header, &c99_check_names},
-                                      .python = {&source_module, &source_check_names},
+                                      .source = {&source_module, &source_check_names},
                                       .sidecar = {&sidecar, nullptr},
                                       .page = {&markdown, nullptr}};
 

@@ -6,7 +6,9 @@
 namespace elgen {
 
 std::string path_of(const Scene& scene, ArtifactId id) {
-  return fmt::format("{0}/{0}{1}", scene.base_name, artifact_table[id].ending);
+  const std::string_view ending = artifact_table[id].ending;
+  const std::string of_language = fmt::format(".{}", language_row(scene.emission.language).ending);
+  return fmt::format("{0}/{0}{1}", scene.base_name, ending.empty() ? of_language : ending);
 }
 
 std::vector<Artifact> artifacts_of(const Scene& scene) {

@@ -63,7 +63,7 @@ constexpr PerArtifact<DriverRow> driver_table{
     .batch = {"batch", "batch", "", &batch_driver, &sine_driver, true},
     .wide = {"wide", "wide", "", &wide_driver, &wide_driver, false, true},
     .c99 = {"", "c99", "", &c99_driver, &c99_driver},
-    .python = no_code,
+    .source = no_code,
     .sidecar = no_code,
     .page = no_code};
 

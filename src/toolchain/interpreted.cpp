@@ -1,7 +1,7 @@
 // interpreted: a driver script imports the module, says what it declares, and answers a line of
-// hexadecimal floats for every line of them:
+// numbers for every line of them. Seventeen digits tell every double:
 //
-//     0 0x1p+0 0x1.8p-1 …      ->      elgen: = 0x1.921fb54442d18p+1 …
+//     0 1 1 2 0.75 …           ->      elgen: = 3.1415926535897931 …
 //                                      elgen: ! ZeroDivisionError: …
 //
 // Other lines are somebody's else: they are not read.
@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include "elgen/artifacts.hpp"
@@ -39,115 +40,102 @@ Texts interpreter_of(const SourceSpelling& spelling) {
                                                                : std::string(spelling.command));
 }
 
-/// "x[0], (x[1], default.l[1])": what the struct of parameters is made of.
-std::string parameter_values(const DriverInput& input) {
-  const LeafNames& leaves = input.program.leaves;
-  std::map<std::string, std::size_t> places;
-  for (std::size_t i = 0; i < leaves.parameters.size(); ++i) places[leaves.parameters[i]] = i;
-  Texts values;
+/// The parameters that are given, where they stand among those of the module.
+TemplateData parameters_data(const DriverInput& input) {
+  const SourceSpelling& spelling = source_spelling(input.scene.emission.language);
+  std::set<std::string> emitted;
   for (const ParameterArray& array : emitted_parameters(input.model, input.program)) {
-    Texts elements;
-    const std::string name = spelt_name(input.scene.emission.language, array.name);
-    for (std::uint32_t i = 0; i < array.count; ++i) {
-      const auto found = places.find(input.model.parameters[array.first + i].name);
-      elements.push_back(found == places.end() ? fmt::format("default.{}[{}]", name, i)
-                                               : fmt::format("x[{}]", found->second));
-    }
-    values.push_back(array.is_array ? fmt::format("({},)", fmt::join(elements, ", "))
-                                    : elements.front());
+    emitted.insert(array.name);
   }
-  return fmt::format("{}", fmt::join(values, ", "));
+  TemplateData list(TemplateData::type::list);
+  std::size_t number = spelling.first_index;
+  for (const auto& [name, place] : members_of(input.model, input.program.leaves)) {
+    const auto element = fmt::runtime(place ? spelling.element : "");
+    const TemplateRow row{
+        {"name", spelt_name(spelling.language, name)},
+        {"element", fmt::format(element, "", place.value_or(0) + spelling.first_index)},
+        {"number", std::to_string(number++)}};
+    if (emitted.contains(name)) list.push_back(row);
+  }
+  return list;
 }
 
-/// The numbers that a module declares, as expressions of the driver.
-class Declared {
- public:
-  explicit Declared(const DriverInput& input) {
-    for (const DeclaredArray& array : declared_arrays(input.model)) add_array(array);
-    for (const ParameterArray& array : emitted_parameters(input.model, input.program)) {
-      add_parameter(input, array);
-    }
-  }
-
-  [[nodiscard]] const Texts& expressions() const { return expressions_; }
-  [[nodiscard]] std::vector<DeclaredNumber> take() && { return std::move(numbers_); }
-
- private:
-  void add(const std::string& name, std::string expression, double of_model) {
-    expressions_.push_back(std::move(expression));
-    numbers_.push_back({name, 0, of_model});
-  }
-
-  void add_array(const DeclaredArray& array) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    add("the size of " + array.name, fmt::format("len(code.{})", array.name),
-        static_cast<double>(array.size()));
+/// The numbers that a module declares, in the order in which the driver says them.
+std::vector<DeclaredNumber> declared_numbers(const DriverInput& input) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto number = [](const cln::cl_R& value) { return ScalarTraits<double>::from_real(value); };
+  std::vector<DeclaredNumber> all;
+  for (const DeclaredArray& array : declared_arrays(input.model)) {
+    all.push_back({"the size of " + array.name, 0, static_cast<double>(array.size())});
     for (std::size_t i = 0; i < array.numbers.size(); ++i) {
-      const std::string element = fmt::format("{}[{}]", array.name, i);
-      add(element, "code." + element, ScalarTraits<double>::from_real(array.numbers[i]));
+      all.push_back({fmt::format("{}[{}]", array.name, i), 0, number(array.numbers[i])});
     }
     for (std::size_t i = 0; i < array.intervals.size(); ++i) {
       const std::string element = fmt::format("{}[{}]", array.name, i);
       const std::optional<Interval>& interval = array.intervals[i];
-      add(element + ".low", fmt::format("code.{}[0]", element),
-          interval ? ScalarTraits<double>::from_real(interval->low) : -infinity);
-      add(element + ".high", fmt::format("code.{}[1]", element),
-          interval ? ScalarTraits<double>::from_real(interval->high) : infinity);
+      all.push_back({element + ".low", 0, interval ? number(interval->low) : -infinity});
+      all.push_back({element + ".high", 0, interval ? number(interval->high) : infinity});
     }
   }
-
-  void add_parameter(const DriverInput& input, const ParameterArray& array) {
-    const std::string name = spelt_name(input.scene.emission.language, array.name);
-    const std::vector<cln::cl_R> values = values_of(input.model, array);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const std::string member = array.is_array ? fmt::format("{}[{}]", name, i) : name;
-      add(member, "default." + member, ScalarTraits<double>::from_real(values[i]));
+  for (const ParameterArray& array : emitted_parameters(input.model, input.program)) {
+    for (std::uint32_t i = 0; i < array.count; ++i) {
+      const Parameter& parameter = input.model.parameters[array.first + i];
+      all.push_back({parameter.name, 0, number(parameter.value)});
     }
   }
+  return all;
+}
 
-  Texts expressions_ = {};
-  std::vector<DeclaredNumber> numbers_ = {};
-};
+TemplateData arrays_data(const DriverInput& input) {
+  return rows_data(declared_arrays(input.model), [](const DeclaredArray& array) {
+    return TemplateRow{{"name", array.name},
+                       {"numbers", section_if(array.kind != DeclaredArray::Kind::texts)}};
+  });
+}
 
-TemplateData leaves_data() {
-  return rows_data(leaf_table(), [](const LeafRow& leaf) {
-    return TemplateRow{{"name", std::string(leaf.symbol)},
-                       {"first", std::string(is_single(leaf.id) ? "[0]" : "")}};
+TemplateData defaults_data(const DriverInput& input) {
+  return rows_data(
+      emitted_parameters(input.model, input.program), [&](const ParameterArray& array) {
+        return TemplateRow{{"name", spelt_name(input.scene.emission.language, array.name)}};
+      });
+}
+
+TemplateData leaves_data(LanguageId language) {
+  return rows_data(leaf_table(), [language](const LeafRow& leaf) {
+    return TemplateRow{{"name", spelt_name(language, leaf.symbol)},
+                       {"single", section_if(is_single(leaf.id))}};
   });
 }
 
 TemplateData functions_data(const DriverInput& input) {
+  const LanguageId language = input.scene.emission.language;
   return rows_data(input.program.functions, [&](const Function& function) {
     Texts arguments;
     for (const Opcode argument : arguments_of(input.model, function)) {
-      arguments.push_back(fmt::format("x[\"{}\"]", leaf_row(argument).symbol));
+      arguments.push_back("x." + spelt_name(language, leaf_row(argument).symbol));
     }
-    return TemplateRow{{"name", spelt_name(input.scene.emission.language, function.name)},
+    return TemplateRow{{"name", spelt_name(language, function.name)},
                        {"arguments", fmt::format("{}", fmt::join(arguments, ", "))}};
   });
 }
 
-std::string driver_text(const DriverInput& input, const Texts& declared) {
-  return fill_template(
-      fmt::format("{}/driver.{}.mustache", language_row(input.scene.emission.language).name,
-                  language_row(input.scene.emission.language).ending),
-      TemplateRow{{"module", input.scene.base_name},
-                  {"leaves", leaves_data()},
-                  {"parameters", parameter_values(input)},
-                  {"functions", functions_data(input)},
-                  {"numbers", lines_data(declared)}});
+std::string driver_text(const DriverInput& input) {
+  const LanguageRow& language = language_row(input.scene.emission.language);
+  return fill_template(fmt::format("{}/driver.{}.mustache", language.name, language.ending),
+                       TemplateRow{{"module", input.scene.base_name},
+                                   {"leaves", leaves_data(language.id)},
+                                   {"parameters", parameters_data(input)},
+                                   {"functions", functions_data(input)},
+                                   {"declared", arrays_data(input)},
+                                   {"defaults", defaults_data(input)}});
 }
 
-/// "0x1.8p+0", "-0x0.0p+0", "inf", "nan".
-std::optional<double> hexadecimal(std::string_view word) {
-  const bool is_negative = word.starts_with('-');
-  if (is_negative) word.remove_prefix(1);
-  if (word.starts_with("0x")) word.remove_prefix(2);
+/// "0.1", "-0.0", "Inf", "nan".
+std::optional<double> decimal(std::string_view word) {
   double value = 0;
   const char* const end = word.data() + word.size();
-  const auto [stop, error] = std::from_chars(word.data(), end, value, std::chars_format::hex);
-  if (error != std::errc() || stop != end) return std::nullopt;
-  return is_negative ? -value : value;
+  const auto [stop, error] = std::from_chars(word.data(), end, value);
+  return error == std::errc() && stop == end ? std::optional(value) : std::nullopt;
 }
 
 /// A line of the driver: its mark, and what stands behind it.
@@ -170,11 +158,11 @@ std::vector<Answer> answers_in(std::string_view output) {
   return answers;
 }
 
-std::optional<Numbers> hexadecimals(std::string_view text) {
+std::optional<Numbers> decimals(std::string_view text) {
   Numbers numbers;
   while (!text.empty()) {
     const std::string_view word = text.substr(0, text.find(' '));
-    const std::optional<double> value = hexadecimal(word);
+    const std::optional<double> value = decimal(word);
     if (!value) return std::nullopt;
     numbers.push_back(*value);
     text.remove_prefix(std::min(word.size() + 1, text.size()));
@@ -182,14 +170,15 @@ std::optional<Numbers> hexadecimals(std::string_view text) {
   return numbers;
 }
 
-/// "3 2 0x1p+0 0x1p+1 …": the function and all leaves, in the order of the table, behind their counts.
+/// "3 2 1 0.10000000000000001 …": the function and all leaves, in the order of the table, behind
+/// their counts.
 std::string question(std::size_t function, const Arguments<double>& arguments) {
   std::string line = std::to_string(function);
   for (const LeafRow& leaf : leaf_table()) {
     const auto count = static_cast<std::uint32_t>(leaf_count(arguments, leaf.id));
     line += fmt::format(" {}", count);
     for (std::uint32_t i = 0; i < count; ++i) {
-      line += fmt::format(" {:a}", leaf_of(arguments, leaf.id, i));
+      line += fmt::format(" {:.17g}", leaf_of(arguments, leaf.id, i));
     }
   }
   return line + "\n";
@@ -245,7 +234,7 @@ class InterpretedModel final : public CompiledModel {
     }
     ValuesOfFunctions values(functions.size());
     for (std::size_t i = 0; i < answers.size(); ++i) {
-      const auto numbers = answers[i].mark == "=" ? hexadecimals(answers[i].text) : Numbers();
+      const auto numbers = answers[i].mark == "=" ? decimals(answers[i].text) : Numbers();
       values[i / states.size()].push_back(numbers.value_or(Numbers()));
     }
     return values;
@@ -272,7 +261,7 @@ Result<std::string> first_answer(const InterpretedModel& model, std::vector<Decl
   if (process.ending == Ending::not_started) return model.command() + " could not be run";
   const std::vector<Answer> answers = answers_in(process.output);
   if (!answers.empty() && answers.front().mark == "!") return std::string(answers.front().text);
-  const auto numbers = answers.empty() ? std::nullopt : hexadecimals(answers.front().text);
+  const auto numbers = answers.empty() ? std::nullopt : decimals(answers.front().text);
   if (!process.succeeded() || !numbers || numbers->size() != all.size()) {
     return Diagnostic{Code::E705, {}, model.why_silent(process, answers.size())};
   }
@@ -294,13 +283,11 @@ Result<CompiledHeaders> interpret(const EmittedFiles& files, const DriverInput& 
   const SourceSpelling& spelling = source_spelling(input.scene.emission.language);
   std::optional<TemporaryDirectory> directory = TemporaryDirectory::create();
   const std::string ending(language_row(input.scene.emission.language).ending);
-  Declared declared(input);
   const Artifact module = artifacts_of(input.scene).front();
   const bool is_written = directory &&
                           write(directory->path() / (input.scene.base_name + "." + ending),
                                 files.files.at(module.path)) &&
-                          write(directory->path() / ("elgen_driver." + ending),
-                                driver_text(input, declared.expressions()));
+                          write(directory->path() / ("elgen_driver." + ending), driver_text(input));
   if (!is_written) {
     return Diagnostic{
         Code::E706, {}, "no temporary directory could be written; $TMPDIR names another"};
@@ -309,7 +296,7 @@ Result<CompiledHeaders> interpret(const EmittedFiles& files, const DriverInput& 
   command.push_back((directory->path() / ("elgen_driver." + ending)).string());
   auto functions = std::make_unique<InterpretedModel>(std::move(*directory), std::move(command),
                                                       input, limits.seconds);
-  std::vector<DeclaredNumber> numbers = std::move(declared).take();
+  std::vector<DeclaredNumber> numbers = declared_numbers(input);
   const Result<std::string> lacking = first_answer(*functions, numbers);
   if (!lacking) return lacking.diagnostics;
   CompiledHeaders headers(1);

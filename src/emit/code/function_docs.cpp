@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "elgen/spellings.hpp"
 #include "elgen/step_methods.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "emit/text/layout.hpp"
@@ -68,24 +69,28 @@ void append(Lines& to, const Lines& from) { to.insert(to.end(), from.begin(), fr
 Lines wrapped(const std::string& line) { return wrap_expression(line, {listing_width, "    "}); }
 
 /// "[0, 1] = l*m*cos(theta)"
-Lines indexed_lines(const Field& field, const std::vector<std::string>& entries) {
+Lines indexed_lines(const Field& field, const std::vector<std::string>& entries,
+                    std::size_t first) {
   Lines lines;
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    const std::string index = field.columns > 1
-                                  ? fmt::format("[{}, {}]", i / field.columns, i % field.columns)
-                                  : fmt::format("[{}]", i);
+    const std::string index = field.columns > 1 ? fmt::format("[{}, {}]", first + i / field.columns,
+                                                              first + i % field.columns)
+                                                : fmt::format("[{}]", first + i);
     append(lines, wrapped(fmt::format("{} = {}", index, entries[i])));
   }
   return lines;
 }
 
-Lines entry_lines(const Field& field, const std::vector<std::string>& entries) {
+Lines entry_lines(const Field& field, const std::vector<std::string>& entries, std::size_t first) {
   if (entries.size() == 1) return wrapped("= " + entries.front());
   const Lines matrix = matrix_lines(field, entries);
-  return matrix.empty() ? indexed_lines(field, entries) : matrix;
+  return matrix.empty() ? indexed_lines(field, entries, first) : matrix;
 }
 
 Lines listing(const FunctionText& text) {
+  const LanguageId language = text.emission.language;
+  const std::size_t first =
+      language_row(language).is_interpreted ? source_spelling(language).first_index : 0;
   Lines lines;
   for (const EquationLine& line : text.equations.definitions) {
     append(lines, wrapped(line.name + " = " + line.value));
@@ -95,7 +100,7 @@ Lines listing(const FunctionText& text) {
   for (std::size_t i = 0; i < text.function.fields.size(); ++i) {
     const Field& field = text.function.fields[i];
     if (!field.name.empty()) lines.push_back(field.name + ":");
-    append(lines, entry_lines(field, text.equations.entries[i]));
+    append(lines, entry_lines(field, text.equations.entries[i], first));
   }
   return lines;
 }

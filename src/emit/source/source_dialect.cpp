@@ -47,7 +47,10 @@ class SourceDialect final : public Dialect {
   bool has_loops() const override { return false; }
   std::size_t deepest() const override { return spelling_.deepest; }
   std::string_view scalar() const override { return ""; }
-  CommentMarks comment_marks() const override { return python_marks; }
+  std::size_t longest_name() const override { return spelling_.longest_name; }
+  CommentMarks comment_marks() const override {
+    return {spelling_.member_comment, spelling_.member_comment};
+  }
   std::string declaration(const std::string& name) const override { return name; }
 
   std::string assignment(const std::string& target, const std::string& value) const override {
@@ -88,8 +91,8 @@ class SourceDialect final : public Dialect {
 
   /// "acceleration: list"
   std::string member(const Function& function, const Field& field) const override {
-    return fmt::format("{}: {}", spelt_name(spelling_.language, field.name),
-                       is_number(function, field) ? "float" : "list");
+    return filled(is_number(function, field) ? spelling_.number_member : spelling_.array_member,
+                  spelt_name(spelling_.language, field.name));
   }
 
   std::string struct_name(const Function& function) const override {
@@ -100,7 +103,10 @@ class SourceDialect final : public Dialect {
     for (std::string& line : lines) {
       std::string safe;
       if (line.starts_with(' ')) line.erase(0, 1);
-      for (const char c : line) safe += c == '\\' ? "\\\\" : c == '"' ? "\\\"" : std::string(1, c);
+      for (const char c : line) {
+        if (spelling_.escaped_in_docs.find(c) != std::string_view::npos) safe += '\\';
+        safe += c;
+      }
       line = safe;
     }
     return lines;
@@ -137,27 +143,26 @@ class SourceDialect final : public Dialect {
     const std::string text =
         fmt::format("{}{}{}{}{}{}", margin, start, is_needed ? spelling_.opening : "", value,
                     is_needed ? spelling_.closing : "", end);
-    const std::size_t margin_of_lines = line_width - spelling_.end_of_line.size();
-    const Texts lines = wrap_expression(text, {margin_of_lines, margin + "    "});
-    return fmt::format("{}\n", fmt::join(lines, fmt::format("{}\n", spelling_.end_of_line)));
+    return source_lines(spelling_, text, {line_width, margin + "    "}) + "\n";
   }
 
   [[nodiscard]] std::string value_of(const Function& function, const Field& field,
                                      const Texts& entries) const {
     if (is_number(function, field)) return entries.front();
     const OutputKind kind = kind_of_field(program(), function, field);
-    if (!is_matrix(kind, field)) return source_vector(spelling_, entries);
+    if (!is_matrix(kind, field)) return source_list(spelling_.vector, entries);
     Texts rows;
     for (std::size_t row = 0; row < field.rows; ++row) {
       const auto first = entries.begin() + static_cast<std::ptrdiff_t>(row * field.columns);
       const Texts of_row(first, first + static_cast<std::ptrdiff_t>(field.columns));
-      rows.push_back(filled(spelling_.matrix_row, fmt::format("{}", fmt::join(of_row, ", "))));
+      rows.push_back(source_list(spelling_.row, of_row));
     }
-    return filled(spelling_.vector, fmt::format("{}", fmt::join(rows, spelling_.between_rows)));
+    return source_list(spelling_.matrix, rows, field.columns);
   }
 
   bool is_reserved(const std::string& name) const override {
-    return has_word(spelling_.reserved, name) || has_word(spelling_.taken, name);
+    return has_word(spelling_.reserved, name) || has_word(spelling_.taken, name) ||
+           name == scene_.base_name;
   }
 
   std::string library_function(std::string_view name) const override {
@@ -180,8 +185,16 @@ std::string source_literal(const cln::cl_R& value) {
          scalar_literal(cln::abs(value), ScalarKind::double_precision);
 }
 
-std::string source_vector(const SourceSpelling& spelling, const Texts& entries) {
-  return filled(spelling.vector, fmt::format("{}", fmt::join(entries, spelling.between_entries)));
+std::string source_list(const ListSpelling& list, const Texts& values, std::size_t columns) {
+  if (values.empty()) return fmt::format(fmt::runtime(list.empty), columns);
+  return fmt::format("{}{}{}{}", list.opening, fmt::join(values, list.between),
+                     values.size() == 1 ? list.behind_one : "", list.closing);
+}
+
+std::string source_lines(const SourceSpelling& spelling, const std::string& text,
+                         Wrapping wrapping) {
+  wrapping.end = spelling.end_of_line;
+  return fmt::format("{}", fmt::join(wrap_expression(text, wrapping), "\n"));
 }
 
 std::unique_ptr<Dialect> source_dialect(const Model& model, const Scene& scene,

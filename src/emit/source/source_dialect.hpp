@@ -12,14 +12,17 @@
 
 namespace elgen {
 
-inline constexpr CommentMarks python_marks{"# ", "# "};
-
 /// "9.81": the nearest double.
 [[nodiscard]] std::string source_literal(const cln::cl_R& value);
 
-/// "[1.0, 2.0]", "[[1.0, 2.0], [3.0, 4.0]]": entries, or the rows of a matrix.
-[[nodiscard]] std::string source_vector(const SourceSpelling& spelling,
-                                        const std::vector<std::string>& entries);
+/// "[1.0, 2.0]", "[[1.0, 2.0], [3.0, 4.0]]": values, or the rows of a matrix of so many columns.
+[[nodiscard]] std::string source_list(const ListSpelling& list,
+                                      const std::vector<std::string>& values,
+                                      std::size_t columns = 1);
+
+/// A statement in lines that the language continues.
+[[nodiscard]] std::string source_lines(const SourceSpelling& spelling, const std::string& text,
+                                       Wrapping wrapping);
 
 [[nodiscard]] std::unique_ptr<Dialect> source_dialect(const Model& model, const Scene& scene,
                                                       const Program& program);

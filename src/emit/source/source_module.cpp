@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/ascii.hpp"
+#include "elgen/real.hpp"
 #include "emit/code/function_docs.hpp"
 #include "emit/code/header_data.hpp"
 #include "emit/interface/code_interface.hpp"
@@ -21,14 +22,9 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-/// "(1.0, 2.0)"; one element is followed by a comma.
-std::string tuple(const Texts& elements) {
-  return fmt::format("({}{})", fmt::join(elements, ", "), elements.size() == 1 ? "," : "");
-}
-
-std::string in_lines(const std::string& start, const std::string& text) {
-  const Texts lines = wrap_expression(text, {line_width - start.size(), "    "});
-  return fmt::format("{}", fmt::join(lines, "\n"));
+std::string in_lines(const SourceSpelling& spelling, const std::string& start,
+                     const std::string& text) {
+  return source_lines(spelling, text, {line_width - start.size(), "    "});
 }
 
 /// Names and units of parameters too, elements of arrays each.
@@ -46,9 +42,17 @@ std::vector<DeclaredArray> all_arrays(const Model& model, const Program& program
 }
 
 TemplateData declared(const DeclaredArray& array, const SourceSpelling& spelling) {
-  const Texts elements = declared_elements(array, "({0}, {1})", spelling.unbounded);
+  using Kind = DeclaredArray::Kind;
+  Texts elements = declared_elements(array, spelling.interval, spelling.unbounded);
+  for (std::size_t i = 0; i < array.texts.size(); ++i) {
+    elements[i] = string_literal(array.texts[i], spelling.quote, spelling.escape);
+  }
+  const ListSpelling& list = array.kind == Kind::texts     ? spelling.texts
+                             : array.kind == Kind::numbers ? spelling.numbers
+                                                           : spelling.intervals;
+  const std::string value = source_list(list, elements) + std::string(spelling.end);
   return TemplateRow{{"name", array.name},
-                     {"value", in_lines(array.name + " = ", tuple(elements))}};
+                     {"value", in_lines(spelling, array.name + " = ", value)}};
 }
 
 Texts literals(const Model& model, const ParameterArray& array) {
@@ -59,14 +63,18 @@ Texts literals(const Model& model, const ParameterArray& array) {
 
 /// "M: float = 1.0", with what it is.
 std::vector<Member> parameter_lines(const EmissionInput& input) {
-  const LanguageId language = input.scene.emission.language;
+  const SourceSpelling& spelling = source_spelling(input.scene.emission.language);
+  const std::string margin(spelling.indent, ' ');
   std::vector<Member> members;
   for (const ParameterArray& array : emitted_parameters(input.model, input.program)) {
     const Texts values = literals(input.model, array);
-    const std::string start = fmt::format("{}: {} = ", spelt_name(language, array.name),
-                                          array.is_array ? "tuple" : "float");
-    const std::string value = array.is_array ? tuple(values) : values.front();
-    members.push_back({start + in_lines("    " + start, value), parameter_doc(array)});
+    const auto pattern =
+        fmt::runtime(array.is_array ? spelling.array_value : spelling.number_value);
+    const std::string start = fmt::format(pattern, spelt_name(spelling.language, array.name));
+    const std::string value =
+        (array.is_array ? source_list(spelling.numbers, values) : values.front()) +
+        std::string(spelling.end);
+    members.push_back({start + in_lines(spelling, margin + start, value), parameter_doc(array)});
   }
   return members;
 }
@@ -115,7 +123,8 @@ std::string exact_numbers(const EmissionInput& input) {
     if (values.size() > 1) continue;  // nobody could tell which one the double stands for
     pairs.push_back(fmt::format("{}: {}", source_literal(exact_value(nearest)), *values.begin()));
   }
-  return in_lines("exact = ", fmt::format("{{{}}}", fmt::join(pairs, ", ")));
+  return in_lines(source_spelling(input.scene.emission.language),
+                  "exact = ", fmt::format("{{{}}}", fmt::join(pairs, ", ")));
 }
 
 /// The functions of the library that the module calls, by its names.
@@ -136,21 +145,21 @@ Texts called_functions(const Program& program, const SourceSpelling& spelling) {
 }
 
 /// What others call it: arctan2, abs, Abs.
-std::string other_names(const std::string& name) {
+std::string other_names(const SourceSpelling& spelling, const std::string& name) {
   Texts names{name};
   const bool is_inverse = name != "abs" && name.starts_with('a');
   if (is_inverse) names.push_back("arc" + name.substr(1));
   if (name == "fabs") names.insert(names.end(), {"abs", "Abs"});
   for (std::string& each : names) each = '"' + each + '"';
-  return tuple(names);
+  return source_list(spelling.texts, names);
 }
 
-std::string library(const Texts& names) {
+std::string library(const SourceSpelling& spelling, const Texts& names) {
   Texts pairs;
   for (const std::string& name : names) {
-    pairs.push_back(fmt::format("\"{}\": {}", name, other_names(name)));
+    pairs.push_back(fmt::format("\"{}\": {}", name, other_names(spelling, name)));
   }
-  return in_lines("_library = ", fmt::format("{{{}}}", fmt::join(pairs, ", ")));
+  return in_lines(spelling, "_library = ", fmt::format("{{{}}}", fmt::join(pairs, ", ")));
 }
 
 /// The functions of the module that branch on a number.
@@ -183,54 +192,88 @@ std::string trimmed(const std::string& text) {
   return result;
 }
 
-void set_python(TemplateData& data, const EmissionInput& input) {
-  const Texts called =
-      called_functions(input.program, source_spelling(input.scene.emission.language));
+/// What a module imports, and tells about itself: of languages whose templates have holes for it.
+void set_reflection(TemplateData& data, const EmissionInput& input) {
+  const SourceSpelling& spelling = source_spelling(input.scene.emission.language);
+  const Texts called = called_functions(input.program, spelling);
   Texts imported = called;
   const std::vector<DeclaredArray> arrays = all_arrays(input.model, input.program);
   const bool has_intervals = std::ranges::any_of(
       arrays, [](const DeclaredArray& array) { return !array.intervals.empty(); });
-  if (has_intervals) imported.emplace_back("inf");
+  if (has_intervals) imported.emplace_back(spelling.unbounded);
   std::sort(imported.begin(), imported.end());
   data.set("imports",
            section_if(!imported.empty(),
                       TemplateRow{{"names", fmt::format("{}", fmt::join(imported, ", "))}}));
   data.set("exact", exact_numbers(input));
-  data.set("library", library(called));
+  data.set("library", library(spelling, called));
   Texts branching = branching_functions(input.program);
   for (std::string& name : branching) name = '"' + name + '"';
-  data.set("branching", tuple(branching));
-  data.set("all", in_lines("_functions = ", tuple(names_of_functions(input))));
+  data.set("branching", source_list(spelling.texts, branching));
+  data.set(
+      "all",
+      in_lines(spelling, "_functions = ", source_list(spelling.texts, names_of_functions(input))));
 }
 
-/// The names of a module beside those of its outputs.
-std::set<std::string> names_in_module(const Model& model, const Program& program,
-                                      const SourceSpelling& spelling) {
+/// The names of a module beside those of its outputs: its own is one where it calls by that.
+std::set<std::string> names_in_module(const Model& model, const Scene& scene,
+                                      const Program& program) {
+  const SourceSpelling& spelling = source_spelling(scene.emission.language);
   std::set<std::string> names;
   for (const DeclaredArray& array : all_arrays(model, program)) names.insert(array.name);
   for (const std::string& name : called_functions(program, spelling)) names.insert(name);
+  if (spelling.own_function.find("{1}") != std::string_view::npos) names.insert(scene.base_name);
   return names;
+}
+
+/// Nothing where the language reads names of this length.
+Diagnostics long_name(const Scene& scene, const std::string& name, const Span& span) {
+  const LanguageId language = scene.emission.language;
+  const std::size_t longest = source_spelling(language).longest_name;
+  const std::string spelt = spelt_name(language, name);
+  if (longest == 0 || spelt.size() <= longest) return {};
+  return {{Code::E701, span,
+           fmt::format("`{}` has {} characters: names in {} have {} at most", spelt, spelt.size(),
+                       language_row(language).name, longest)}};
+}
+
+Diagnostics long_names(const Model& model, const Scene& scene, const Program& program) {
+  Diagnostics diagnostics = long_name(scene, scene.base_name, scene.emission.name_space_span);
+  const auto add = [&](const std::string& name, const Span& span) {
+    const Diagnostics found = long_name(scene, name, span);
+    diagnostics.insert(diagnostics.end(), found.begin(), found.end());
+  };
+  for (const ParameterArray& array : emitted_parameters(model, program))
+    add(array.name, array.span);
+  for (const Function& function : program.functions) {
+    const OutputRequest* const request = find_request(scene, function.name);
+    add(function.name, request == nullptr ? Span{} : request->span);
+  }
+  return diagnostics;
 }
 
 }  // namespace
 
 std::string source_module(const EmissionInput& input) {
   TemplateData data = header_data(input, *source_dialect(input.model, input.scene, input.program));
-  const SourceSpelling& spelling = source_spelling(input.scene.emission.language);
+  const LanguageRow& language = language_row(input.scene.emission.language);
+  const SourceSpelling& spelling = source_spelling(language.id);
   data.set("declared",
            rows_data(all_arrays(input.model, input.program),
                      [&](const DeclaredArray& array) { return declared(array, spelling); }));
-  data.set("parameters", lines_data(documented_members(parameter_lines(input), python_marks)));
+  data.set("parameters", lines_data(documented_members(parameter_lines(input),
+                                                       {spelling.comment, spelling.comment})));
   data.set("count_of_pivots",
            std::to_string(input.model.velocities.size() + input.model.constraints.size()));
-  set_python(data, input);
-  return stamped(trimmed(fill_template("python/module.py.mustache", data)));
+  set_reflection(data, input);
+  return stamped(trimmed(
+      fill_template(fmt::format("{}/module.{}.mustache", language.name, language.ending), data)));
 }
 
 Diagnostics source_check_names(const Model& model, const Scene& scene, const Program& program) {
-  Diagnostics diagnostics;
   const LanguageId language = scene.emission.language;
   const SourceSpelling& spelling = source_spelling(language);
+  Diagnostics diagnostics = long_names(model, scene, program);
   if (has_word(spelling.unnameable, scene.base_name) ||
       has_word(spelling.reserved, scene.base_name)) {
     diagnostics.push_back({Code::E701, scene.emission.name_space_span,
@@ -243,13 +286,14 @@ Diagnostics source_check_names(const Model& model, const Scene& scene, const Pro
     if (names.insert(spelt_name(language, array.name)).second) continue;
     diagnostics.push_back(taken_name(array.name, "parameter", array.span));
   }
-  names = names_in_module(model, program, spelling);
+  names = names_in_module(model, scene, program);
   for (const Function& function : program.functions) {
     const std::string name = spelt_name(language, function.name);
     const std::string type = camel_case(function.name);
+    const bool has_type = gives_struct(function) && spelling.field.empty();
     const bool is_taken =
         has_word(spelling.taken, name) || !names.insert(name).second ||
-        (gives_struct(function) && (has_word(spelling.taken, type) || !names.insert(type).second));
+        (has_type && (has_word(spelling.taken, type) || !names.insert(type).second));
     if (is_taken) diagnostics.push_back(taken_name(scene, function));
   }
   return diagnostics;

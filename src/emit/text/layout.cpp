@@ -70,15 +70,15 @@ template <class SpaceIn>
 std::vector<std::string> wrapped(std::string_view text, const Wrapping& wrapping,
                                  const SpaceIn& space_in) {
   std::vector<std::string> lines;
-  std::size_t width = wrapping.first;
+  std::size_t width = wrapping.first - wrapping.end.size();
   std::string indent;
   while (text.size() > width) {
     const std::size_t at = space_in(text, width);
     if (at == std::string_view::npos) break;
-    lines.push_back(indent + std::string(text.substr(0, at)));
+    lines.push_back(fmt::format("{}{}{}", indent, text.substr(0, at), wrapping.end));
     text.remove_prefix(at + 1);
     indent = wrapping.indent;
-    width = line_width - indent.size();
+    width = line_width - indent.size() - wrapping.end.size();
   }
   lines.push_back(indent + std::string(text));
   return lines;
@@ -119,13 +119,13 @@ std::string comment_text(std::string_view text) {
   return without_continuations(line);
 }
 
-std::string string_literal(std::string_view text) {
-  std::string literal = "\"";
+std::string string_literal(std::string_view text, char quote, char escape) {
+  std::string literal(1, quote);
   for (const char c : comment_text(text)) {
-    if (c == '"' || c == '\\') literal += '\\';
+    if (c == quote || c == escape) literal += escape;
     literal += c;
   }
-  return literal + '"';
+  return literal + quote;
 }
 
 std::vector<std::string> documented_members(const std::vector<Member>& members,

@@ -11,10 +11,11 @@ namespace elgen {
 inline constexpr std::size_t line_width = 100;
 
 /// How a text is broken: the first line may be `first` columns long, the others begin with
-/// `indent`.
+/// `indent`; all but the last end in `end`.
 struct Wrapping {
   std::size_t first = line_width;
   std::string indent = {};
+  std::string_view end = {};
 };
 
 /// Breaks an expression before operators and after commas, at the outermost bracket that fits:
@@ -35,8 +36,9 @@ struct Wrapping {
 /// it continues on the next line of code.
 [[nodiscard]] std::string comment_text(std::string_view text);
 
-/// User text as a C++ string literal, quotes included.
-[[nodiscard]] std::string string_literal(std::string_view text);
+/// User text as a literal of C++, quotes included, or of a language with other ones.
+[[nodiscard]] std::string string_literal(std::string_view text, char quote = '"',
+                                         char escape = '\\');
 
 /// A struct's member: "Scalar m = 1;" and what it is.
 struct Member {
