@@ -38,7 +38,7 @@ void refuse_of_compiled(const FileSyntax* syntax, const LanguageRow& language, R
                fmt::format("{} is of compiled code, and `language` is {}", in_backticks(key), name),
                why + "; leave the key out");
   };
-  refuse("emit", "storage", "matrices are lists of rows there");
+  refuse("emit", "storage", "matrices are those of the language");
   refuse("emit", "namespace", "a module is named by the base name of the scene");
   refuse("numeric", "trigonometry", "sines are those of the library there");
 }

@@ -1,0 +1,148 @@
+// language = "matlab": a classdef that Octave runs, names that neither of the two takes.
+#include <catch2/catch.hpp>
+#include <sstream>
+#include <string>
+
+#include "cli/cli_testing.hpp"
+#include "support/installed.hpp"
+
+namespace elgen::test {
+namespace {
+
+bool has_octave() { return is_installed("octave", "octave-cli --version"); }
+
+/// A folder with scenes in the language.
+class Matlab : public Workspace {
+ public:
+  /// Of a model file; its module is named as the scene.
+  void write_scene(const std::string& name, const std::string& model,
+                   const std::string& more = "") const {
+    write(name + ".scene.toml", "format = 1\nmodel = \"" + model + "\"\nname = \"" + name + "\"\n" +
+                                    more + "[emit]\nlanguage = \"matlab\"\n");
+  }
+  /// What Octave says to the statements, in the folder of a module.
+  [[nodiscard]] Outcome octave(const std::string& name, const std::string& statements) const {
+    write("generated/" + name + "/asked.m", "1;\n" + statements + "\n");
+    return run("cd generated/" + name + " && octave-cli --norc --quiet asked.m");
+  }
+};
+
+/// Words of MATLAB and of Octave, a parameter that is an array, kinks, a series, an angle whose
+/// sine has a name of more than 63 characters.
+std::string odd_model(const std::string& angle) {
+  return "format = 1\n[model]\nname = \"odd\"\n"
+         "[[coordinate]]\nname = \"" +
+         angle +
+         "\"\nunit = \"rad\"\n[[coordinate]]\nname = \"end\"\nunit = \"m\"\n"
+         "[parameters]\nfunction = { value = 2, unit = \"kg\" }\n"
+         "until = { size = 2, value = [3, 4], unit = \"m\" }\n"
+         "otherwise = { value = 5, unit = \"N\" }\ng = { value = 9.81, unit = \"m/s^2\" }\n"
+         "[energy]\nT = \"1/2*function*(until[1]^2*dot(" +
+         angle + ")^2 + dot(end)^2 + until[2]*sinc(" + angle + ")*dot(" + angle +
+         ")*dot(end))\"\nV = \"function*g*until[1]*cos(" + angle +
+         ")\"\n[[force]]\non = \"end\"\n"
+         "value = \"-otherwise*sign(dot(end)) - otherwise*max(sin(" +
+         angle + "), 0.5)\"\n";
+}
+
+}  // namespace
+
+TEST_CASE("matlab: ten models have the numbers of the program") {
+  if (!has_octave()) return;
+  const Matlab folder;
+  std::string scenes;
+  for (const std::string name :
+       {"cart_pole", "simple_pendulum", "acrobot", "foucault_pendulum", "four_bar", "free_body",
+        "kepler_polar", "motor_pendulum", "rolling_disc", "two_link_arm"}) {
+    folder.write_scene(name, models + "/" + name + ".toml");
+    scenes += " " + name + ".scene.toml";
+  }
+  const Outcome judged = folder.run("elgen verify --quick" + scenes);
+  INFO(judged.output + judged.errors);
+  CHECK(judged.status == 0);
+  CHECK_FALSE(mentions(judged.output, "could not be run"));
+}
+
+TEST_CASE("matlab: a changed module is told from the program, and no octave is a row skipped") {
+  const Matlab folder;
+  folder.write_scene("cart_pole", models + "/cart_pole.toml", "[outputs]\nmass_matrix = true\n");
+  const Outcome without =
+      folder.run("OCTAVE=/nonexistent/octave elgen verify --quick cart_pole.scene.toml");
+  INFO(without.output + without.errors);
+  CHECK(without.status == 0);
+  CHECK(mentions(without.output, "`/nonexistent/octave` could not be run"));
+  if (!has_octave()) return;
+  // It answers as Octave does, but for the sign of the first cosine.
+  folder.write("wrong",
+               "#!/bin/sh\nsed -i '0,/= cos(/s//= -cos(/' \"$(dirname \"$1\")/cart_pole.m\"\n"
+               "exec octave-cli --norc --quiet \"$1\"\n");
+  const Outcome wrong = folder.run(
+      "chmod +x wrong && OCTAVE=\"$PWD/wrong\" elgen verify --quick cart_pole.scene.toml");
+  INFO(wrong.output + wrong.errors);
+  CHECK(wrong.status == 1);
+}
+
+TEST_CASE("matlab: reserved words get an underscore, long names of values are cut") {
+  const Matlab folder;
+  const std::string name = "an_angle_whose_name_has_sixty_two_characters_of_the_sixty_three";
+  folder.write("odd.toml", odd_model(name));
+  folder.write_scene("odd", "odd.toml");
+  folder.prepare("elgen generate -q odd.scene.toml");
+  const std::string text = folder.read("generated/odd/odd.m");
+  CHECK(mentions(text, "p.function_ * "));
+  CHECK(mentions(text, "p.until_(1)"));
+  CHECK(mentions(text, "\n  result.until_ = [3.0; 4.0];"));
+  CHECK(mentions(text, "coordinate_names = {'" + name + "', 'end'};"));
+  CHECK(mentions(text, "odd.sign_of("));
+  CHECK(mentions(text, "\nfunction result = forward_dynamics(p, q, v, u)\n"));
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    INFO(line);
+    if (line.find('%') == std::string::npos) CHECK(line.size() <= 100);
+    CHECK_FALSE(mentions(line, "sin_" + name + " ="));
+  }
+  if (!has_octave()) return;
+  const Outcome judged = folder.run("elgen verify --quick odd.scene.toml");
+  INFO(judged.output + judged.errors);
+  CHECK(judged.status == 0);
+}
+
+TEST_CASE("matlab: vectors are columns, several results a struct, what is empty has its shape") {
+  if (!has_octave()) return;
+  const Matlab folder;
+  folder.write_scene("pendulum", models + "/simple_pendulum.toml");
+  folder.write_scene("cart", models + "/cart_pole.toml");
+  folder.prepare("elgen generate -q pendulum.scene.toml cart.scene.toml");
+  const Outcome said =
+      folder.octave("cart",
+                    "addpath('../pendulum');\np = cart.parameters();\n"
+                    "q = cart.start_coordinates; v = cart.start_rates;\n"
+                    "disp(size(cart.gravity(p, q)))\ndisp(size(cart.mass_matrix(p, q)))\n"
+                    "disp(fieldnames(cart.forward_dynamics(p, q, v, 0)).')\n"
+                    "disp(size(pendulum.input_limits))\ndisp(size(pendulum.input_names))\n"
+                    "p.m = 0.2;\nm = cart.mass_matrix(p, [0; 0]);\nprintf('%.3f\\n', m(1, 1))\n"
+                    "disp(cart.is_regular(cart.forward_dynamics(p, q, v, 0).relative_pivots))");
+  INFO(said.errors);
+  CHECK(said.output ==
+        "   2   1\n   2   2\n{\n  [1,1] = acceleration\n  [1,2] = relative_pivots\n}\n"
+        "   0   2\n   1   0\n1.200\n1\n");
+}
+
+TEST_CASE("matlab: keys of compiled code are refused, and so is a name for the module's own") {
+  const Matlab folder;
+  folder.write("odd.toml", odd_model("theta"));
+  folder.write("stored.scene.toml",
+               "format = 1\nmodel = \"odd.toml\"\nname = \"s\"\n[emit]\nlanguage = \"matlab\"\n"
+               "storage = \"column-major\"\n");
+  const Outcome stored = folder.run("elgen generate stored.scene.toml");
+  CHECK(stored.status == 2);
+  CHECK(mentions(stored.errors, "[E611]"));
+  folder.write_scene("renamed", "odd.toml",
+                     "[outputs]\ngravity = { rename = \"sign_of\" }\n"
+                     "momentum = { rename = \"renamed\" }\nmass_matrix = true\n");
+  const Outcome renamed = folder.run("elgen generate renamed.scene.toml");
+  CHECK(renamed.status == 2);
+  CHECK(count(renamed.errors, "[E701]") == 2);
+}
+
+}  // namespace elgen::test
