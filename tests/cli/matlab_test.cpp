@@ -128,6 +128,21 @@ TEST_CASE("matlab: vectors are columns, several results a struct, what is empty 
         "   0   2\n   1   0\n1.200\n1\n");
 }
 
+TEST_CASE("matlab: ode45 integrates as templates/README.md shows") {
+  const std::string page = read_text(std::string(ELGEN_SOURCE_DIR) + "/templates/README.md");
+  const std::size_t first = page.find("p = cart_pole.parameters();\n");
+  REQUIRE(first != std::string::npos);
+  if (!has_octave()) return;
+  const Matlab folder;
+  folder.write_scene("cart_pole", models + "/cart_pole.toml");
+  folder.prepare("elgen generate -q cart_pole.scene.toml");
+  const Outcome said =
+      folder.octave("cart_pole", page.substr(first, page.find("```", first) - first));
+  INFO(said.errors);
+  CHECK(mentions(page, "prints `" + said.output.substr(0, said.output.find('\n')) + "`"));
+  CHECK(mentions(said.output, "theta(1) = "));
+}
+
 TEST_CASE("matlab: keys of compiled code are refused, and so is a name for the module's own") {
   const Matlab folder;
   folder.write("odd.toml", odd_model("theta"));
