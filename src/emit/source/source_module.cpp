@@ -226,30 +226,16 @@ std::set<std::string> names_in_module(const Model& model, const Scene& scene,
   return names;
 }
 
-/// Nothing where the language reads names of this length.
-Diagnostics long_name(const Scene& scene, const std::string& name, const Span& span) {
+/// E701 where the language reads no names of this length.
+void check_length(const Scene& scene, const std::string& name, const Span& span,
+                  Diagnostics& diagnostics) {
   const LanguageId language = scene.emission.language;
   const std::size_t longest = source_spelling(language).longest_name;
   const std::string spelt = spelt_name(language, name);
-  if (longest == 0 || spelt.size() <= longest) return {};
-  return {{Code::E701, span,
-           fmt::format("`{}` has {} characters: names in {} have {} at most", spelt, spelt.size(),
-                       language_row(language).name, longest)}};
-}
-
-Diagnostics long_names(const Model& model, const Scene& scene, const Program& program) {
-  Diagnostics diagnostics = long_name(scene, scene.base_name, scene.emission.name_space_span);
-  const auto add = [&](const std::string& name, const Span& span) {
-    const Diagnostics found = long_name(scene, name, span);
-    diagnostics.insert(diagnostics.end(), found.begin(), found.end());
-  };
-  for (const ParameterArray& array : emitted_parameters(model, program))
-    add(array.name, array.span);
-  for (const Function& function : program.functions) {
-    const OutputRequest* const request = find_request(scene, function.name);
-    add(function.name, request == nullptr ? Span{} : request->span);
-  }
-  return diagnostics;
+  if (longest == 0 || spelt.size() <= longest) return;
+  diagnostics.push_back({Code::E701, span,
+                         fmt::format("`{}` has {} characters: names in {} have {} at most", spelt,
+                                     spelt.size(), language_row(language).name, longest)});
 }
 
 }  // namespace
@@ -273,7 +259,8 @@ std::string source_module(const EmissionInput& input) {
 Diagnostics source_check_names(const Model& model, const Scene& scene, const Program& program) {
   const LanguageId language = scene.emission.language;
   const SourceSpelling& spelling = source_spelling(language);
-  Diagnostics diagnostics = long_names(model, scene, program);
+  Diagnostics diagnostics;
+  check_length(scene, scene.base_name, scene.emission.name_space_span, diagnostics);
   if (has_word(spelling.unnameable, scene.base_name) ||
       has_word(spelling.reserved, scene.base_name)) {
     diagnostics.push_back({Code::E701, scene.emission.name_space_span,
@@ -283,11 +270,14 @@ Diagnostics source_check_names(const Model& model, const Scene& scene, const Pro
   }
   std::set<std::string> names;
   for (const ParameterArray& array : emitted_parameters(model, program)) {
+    check_length(scene, array.name, array.span, diagnostics);
     if (names.insert(spelt_name(language, array.name)).second) continue;
     diagnostics.push_back(taken_name(array.name, "parameter", array.span));
   }
   names = names_in_module(model, scene, program);
   for (const Function& function : program.functions) {
+    const OutputRequest* const request = find_request(scene, function.name);
+    check_length(scene, function.name, request == nullptr ? Span{} : request->span, diagnostics);
     const std::string name = spelt_name(language, function.name);
     const std::string type = camel_case(function.name);
     const bool has_type = gives_struct(function) && spelling.field.empty();
