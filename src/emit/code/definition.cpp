@@ -22,6 +22,9 @@
 namespace elgen {
 namespace {
 
+/// The start of a name that is too long, which leaves room for a number and underscores.
+constexpr std::size_t kept_of_long_name = 40;
+
 /// Brackets in brackets that are read, and the names in use.
 struct Bounds {
   std::size_t deepest = 0;
@@ -60,21 +63,17 @@ void name_parameters(const Program& program, const Function& function,
   }
 }
 
-/// The start of a name that is too long, which leaves room for a number and underscores.
-constexpr std::size_t kept_of_long_name = 40;
-
 /// Temporaries under names that are unique in the function.
 std::vector<std::string> local_names(const Dialect& dialect, const Program& program,
                                      const Function& function) {
   std::vector<std::string> names = temporary_names(program, function);
   if (dialect.names_parameters()) name_parameters(program, function, names);
   std::set<std::string> taken;
-  std::size_t count = 0;
   for (std::string& name : names) {
     if (name.empty()) continue;
     name = dialect.temporary(name);
     const bool is_long = dialect.longest_name() > 0 && name.size() > dialect.longest_name();
-    if (is_long) name = fmt::format("{}_{}", name.substr(0, kept_of_long_name), ++count);
+    if (is_long) name = fmt::format("{}_{}", name.substr(0, kept_of_long_name), taken.size());
     while (!taken.insert(name).second) name += '_';
   }
   if (dialect.deepest() > 0) name_deep_values(function, {dialect.deepest(), taken}, names);

@@ -70,14 +70,14 @@ class Dialect : public Vocabulary {
   /// an operation where code is interpreted.
   [[nodiscard]] virtual bool names_parameters() const { return false; }
 
-  /// Characters of a name that the language reads. 0: any.
-  [[nodiscard]] virtual std::size_t longest_name() const { return 0; }
-
   /// Whether long functions are in parts.
   [[nodiscard]] virtual bool has_parts() const { return inner() == nullptr; }
 
   /// Whether repetitions are loops; else they are written out.
   [[nodiscard]] virtual bool has_loops() const { return true; }
+
+  /// Characters of a name that the language reads. 0: any.
+  [[nodiscard]] virtual std::size_t longest_name() const { return 0; }
 
   [[nodiscard]] virtual CommentMarks comment_marks() const { return {}; }
 
