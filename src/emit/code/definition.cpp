@@ -67,22 +67,23 @@ void name_parameters(const Program& program, const Function& function,
 std::vector<std::string> local_names(const Dialect& dialect, const Program& program,
                                      const Function& function) {
   std::vector<std::string> names = temporary_names(program, function);
-  if (dialect.names_parameters()) name_parameters(program, function, names);
+  const BodyRules rules = dialect.rules();
+  if (rules.names_parameters) name_parameters(program, function, names);
   std::set<std::string> taken;
   for (std::string& name : names) {
     if (name.empty()) continue;
     name = dialect.temporary(name);
-    const bool is_long = dialect.longest_name() > 0 && name.size() > dialect.longest_name();
+    const bool is_long = rules.longest_name > 0 && name.size() > rules.longest_name;
     if (is_long) name = fmt::format("{}_{}", name.substr(0, kept_of_long_name), taken.size());
     while (!taken.insert(name).second) name += '_';
   }
-  if (dialect.deepest() > 0) name_deep_values(function, {dialect.deepest(), taken}, names);
+  if (rules.deepest > 0) name_deep_values(function, {rules.deepest, taken}, names);
   return names;
 }
 
 /// Without repetitions where the language has no loops over columns.
 Function as_written(const Dialect& dialect, Function function) {
-  if (!dialect.has_loops()) function.repeated = {};
+  if (!dialect.rules().has_loops) function.repeated = {};
   return function;
 }
 
@@ -114,7 +115,8 @@ class DefinitionWriter {
   FunctionDefinition definition() {
     const Pairing pairing = dialect_.has_pairs() ? Pairing::joint : Pairing::separate;
     const std::vector<Statement> all = statements(ordered_, names_, pairing, loop_);
-    if (all.size() <= longest_body || !dialect_.has_parts()) return {short_text(all)};
+    const bool has_parts = dialect_.rules().has_parts && dialect_.inner() == nullptr;
+    if (all.size() <= longest_body || !has_parts) return {short_text(all)};
     Sections cut = sections(all, section_length);
     if (loop_.count > 0) cut.crosses[loop_.first] = true;
     FunctionDefinition result;

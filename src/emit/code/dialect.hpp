@@ -26,6 +26,18 @@ struct ColumnWords {
   std::string store = {};    ///< takes a value and such a place
 };
 
+/// How bodies are put together.
+struct BodyRules {
+  bool has_parts = true;  ///< long functions are in parts
+  bool has_loops = true;  ///< repetitions are loops; else they are written out
+  /// Parameters that are read more than once get a name: reading a member costs as much as an
+  /// operation where code is interpreted.
+  bool names_parameters = false;
+  std::size_t deepest = 0;       ///< brackets in brackets that are read; 0: any
+  std::size_t longest_name = 0;  ///< characters of a name that are read; 0: any
+  CommentMarks comments = {};    ///< of members
+};
+
 /// The entries of each field, row-major.
 using FieldTexts = std::vector<std::vector<std::string>>;
 
@@ -63,23 +75,7 @@ class Dialect : public Vocabulary {
   [[nodiscard]] virtual std::string assignment(const std::string& target,
                                                const std::string& value) const;
 
-  /// Brackets in brackets that the language reads: values in more have names. 0: any.
-  [[nodiscard]] virtual std::size_t deepest() const { return 0; }
-
-  /// Whether parameters that are read more than once get a name: reading a member costs as much as
-  /// an operation where code is interpreted.
-  [[nodiscard]] virtual bool names_parameters() const { return false; }
-
-  /// Whether long functions are in parts.
-  [[nodiscard]] virtual bool has_parts() const { return inner() == nullptr; }
-
-  /// Whether repetitions are loops; else they are written out.
-  [[nodiscard]] virtual bool has_loops() const { return true; }
-
-  /// Characters of a name that the language reads. 0: any.
-  [[nodiscard]] virtual std::size_t longest_name() const { return 0; }
-
-  [[nodiscard]] virtual CommentMarks comment_marks() const { return {}; }
+  [[nodiscard]] virtual BodyRules rules() const { return {}; }
 
   /// Lines of documentation, as they can stand in the code.
   [[nodiscard]] virtual std::vector<std::string> documented(std::vector<std::string> lines) const {

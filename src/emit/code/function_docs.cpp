@@ -81,7 +81,7 @@ Lines indexed_lines(const Field& field, const std::vector<std::string>& entries,
   return lines;
 }
 
-Lines entry_lines(const Field& field, const std::vector<std::string>& entries, std::size_t first) {
+Lines listed_entries(const Field& field, const std::vector<std::string>& entries, std::size_t first) {
   if (entries.size() == 1) return wrapped("= " + entries.front());
   const Lines matrix = matrix_lines(field, entries);
   return matrix.empty() ? indexed_lines(field, entries, first) : matrix;
@@ -100,7 +100,7 @@ Lines listing(const FunctionText& text) {
   for (std::size_t i = 0; i < text.function.fields.size(); ++i) {
     const Field& field = text.function.fields[i];
     if (!field.name.empty()) lines.push_back(field.name + ":");
-    append(lines, entry_lines(field, text.equations.entries[i], first));
+    append(lines, listed_entries(field, text.equations.entries[i], first));
   }
   return lines;
 }

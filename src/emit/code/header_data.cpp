@@ -23,9 +23,10 @@ TemplateData struct_data(const FunctionText& text, const Dialect& dialect) {
     const std::string declaration = dialect.member(text.function, field);
     if (!declaration.empty()) members.push_back({declaration, field_summary(text, field)});
   }
-  return TemplateRow{{"name", dialect.struct_name(text.function)},
-                     {"doc", fmt::format("The results of {}.", text.function.name)},
-                     {"members", lines_data(documented_members(members, dialect.comment_marks()))}};
+  return TemplateRow{
+      {"name", dialect.struct_name(text.function)},
+      {"doc", fmt::format("The results of {}.", text.function.name)},
+      {"members", lines_data(documented_members(members, dialect.rules().comments))}};
 }
 
 TemplateData parts_data(const Function& function, const Dialect& dialect,

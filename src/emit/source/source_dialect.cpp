@@ -18,6 +18,23 @@ std::string filled(std::string_view pattern, std::string_view name, const std::s
   return fmt::format(fmt::runtime(pattern), name, more);
 }
 
+/// Whether a value stands in brackets of its own, in which lines may break.
+enum class Brackets : std::uint8_t { there, needed };
+
+std::string statement_text(const SourceSpelling& spelling, const std::string& start,
+                           const std::string& value, Brackets brackets) {
+  const std::string margin(spelling.indent, ' ');
+  const std::string end(spelling.end);
+  if (margin.size() + start.size() + value.size() + end.size() <= line_width) {
+    return fmt::format("{}{}{}{}\n", margin, start, value, end);
+  }
+  const bool is_needed = brackets == Brackets::needed;
+  const std::string text =
+      fmt::format("{}{}{}{}{}{}", margin, start, is_needed ? spelling.opening : "", value,
+                  is_needed ? spelling.closing : "", end);
+  return source_lines(spelling, text, {line_width, margin + "    "}) + "\n";
+}
+
 class SourceDialect final : public Dialect {
  public:
   SourceDialect(const Model& model, const Scene& scene, const Program& program)
@@ -42,14 +59,14 @@ class SourceDialect final : public Dialect {
   }
 
   bool has_pairs() const override { return false; }
-  bool names_parameters() const override { return true; }
-  bool has_parts() const override { return false; }
-  bool has_loops() const override { return false; }
-  std::size_t deepest() const override { return spelling_.deepest; }
   std::string_view scalar() const override { return ""; }
-  std::size_t longest_name() const override { return spelling_.longest_name; }
-  CommentMarks comment_marks() const override {
-    return {spelling_.member_comment, spelling_.member_comment};
+  BodyRules rules() const override {
+    return {false,
+            false,
+            true,
+            spelling_.deepest,
+            spelling_.longest_name,
+            {spelling_.member_comment, spelling_.member_comment}};
   }
   std::string declaration(const std::string& name) const override { return name; }
 
@@ -125,25 +142,13 @@ class SourceDialect final : public Dialect {
   std::string workspace_name(const Function&) const override { return ""; }
 
  private:
-  /// Whether a value stands in brackets of its own, in which lines may break.
-  enum class Brackets : std::uint8_t { there, needed };
+  [[nodiscard]] std::string statement(const std::string& start, const std::string& value,
+                                      Brackets brackets) const {
+    return statement_text(spelling_, start, value, brackets);
+  }
 
   [[nodiscard]] std::string element(const std::string& name, std::uint32_t number) const {
     return filled(spelling_.element, name, std::to_string(number + spelling_.first_index));
-  }
-
-  [[nodiscard]] std::string statement(const std::string& start, const std::string& value,
-                                      Brackets brackets) const {
-    const std::string margin(spelling_.indent, ' ');
-    const std::string end(spelling_.end);
-    if (margin.size() + start.size() + value.size() + end.size() <= line_width) {
-      return fmt::format("{}{}{}{}\n", margin, start, value, end);
-    }
-    const bool is_needed = brackets == Brackets::needed;
-    const std::string text =
-        fmt::format("{}{}{}{}{}{}", margin, start, is_needed ? spelling_.opening : "", value,
-                    is_needed ? spelling_.closing : "", end);
-    return source_lines(spelling_, text, {line_width, margin + "    "}) + "\n";
   }
 
   [[nodiscard]] std::string value_of(const Function& function, const Field& field,
