@@ -20,6 +20,8 @@ LanguageId language_named(std::string_view name) {
   return row == language_table.end() ? default_language : row->id;
 }
 
+constexpr const char* leave_out = "leave the key out, or write `language = \"c++17\"`";
+
 /// Of a language that is written for one scalar.
 bool takes_scalars(const LanguageRow& language, const Numerics& numerics) {
   if (numerics.scalars.size() != 1) return false;
@@ -52,12 +54,13 @@ void check_together(const FileSyntax* syntax, const Emission& emission, const Sc
   if (scalar != nullptr && is_for_one && !takes_scalars(language, scene.numerics)) {
     report.add(Code::E610, scalar->value.span,
                fmt::format("code in {} is written for one scalar, {}", name,
-                           language.is_interpreted ? "`double`" : "`float` or `double`"));
+                           language.is_interpreted ? "`double`" : "`float` or `double`"),
+               "write `scalar = [\"double\"]`");
   }
   if (language.is_interpreted) refuse_of_compiled(syntax, language, report);
   if (emission.eigen && !language.has_more_headers) {
     report.add(Code::E611, find_key(syntax, "emit", "eigen")->key_span,
-               "`eigen` needs C++, and `language` is " + name);
+               "`eigen` needs C++, and `language` is " + name, leave_out);
   }
 }
 
@@ -100,7 +103,8 @@ class BatchReader {
     const LanguageRow& language = language_row(scene_.emission.language);
     if (!language.has_more_headers) {
       context_.report.add(Code::E611, batch.key_span,
-                          "`batch` needs C++, and `language` is " + in_backticks(language.name));
+                          "`batch` needs C++, and `language` is " + in_backticks(language.name),
+                          leave_out);
     } else if (has_scalar(scene_, ScalarKind::long_double)) {
       refuse(find_key(syntax_, "numeric", "scalar")->value.span,
              "packs have elements of type `float` or `double`");
@@ -201,9 +205,9 @@ void read_inner(Context& context, const FileSyntax* syntax, const SceneOptions& 
   scene.numerics.inner = row->kind;
   const LanguageRow& language = language_row(scene.emission.language);
   if (!language.has_more_headers) {
-    return context.report.add(
-        Code::E611, inner->key_span,
-        "`inner` needs C++, and `language` is " + in_backticks(language.name));
+    return context.report.add(Code::E611, inner->key_span,
+                              "`inner` needs C++, and `language` is " + in_backticks(language.name),
+                              leave_out);
   }
   const auto refuse = [&](const Span& span, const std::string& others) {
     context.report.add(Code::E628, span, others + ", and `inner` is " + in_backticks(row->name));
