@@ -1,0 +1,130 @@
+"""Names that Python reserves or the module needs: what is spelt otherwise, what is refused."""
+import ast
+import builtins
+import keyword
+import os
+import pathlib
+import subprocess
+import tempfile
+
+from generated import functions_of, models, module_at, module_of, path_of, state, value_at, written
+
+rotor = """format = 1
+[model]
+name = "rotor"
+[[coordinate]]
+name = "{coordinate}"
+unit = "rad"
+range = [-1, 1]
+[parameters]
+J = {{ value = 2, unit = "kg*m^2", assume = "positive" }}
+k = {{ value = 3, unit = "J" }}
+{parameters}
+[energy]
+T = "1/2*J*dot({coordinate})^2"
+V = "k*cos({coordinate})*(1{sum})"
+{outputs}
+"""
+
+
+def model(coordinate="angle", parameters=(), outputs=(), arrays=()):
+    lines = [f'{name} = {{ value = {i + 2}, unit = "1" }}' for i, name in enumerate(parameters)]
+    lines += [f'{name} = {{ value = [2, 3], size = 2, unit = "1" }}' for name in arrays]
+    added = [*parameters, *(f"{name}[1]" for name in arrays)]
+    own = [f'[[output]]\nname = "{name}"\nvalue = ["J*{coordinate}", "k*sin({coordinate})"]' for name in outputs]
+    return rotor.format(
+        coordinate=coordinate,
+        parameters="\n".join(lines),
+        sum="".join(f" + {name}" for name in added),
+        outputs="\n".join(own),
+    )
+
+
+def refusals(text):
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "rotor.toml"
+        path.write_text(text)
+        words = [os.environ.get("ELGEN", "elgen"), "generate", "--language", "python", "-o", folder, str(path)]
+        return subprocess.run(words, capture_output=True, text=True).stderr
+
+
+def has_values(module):
+    values = state(module, 1)
+    assert all(value_at(each, values) for each in functions_of(module))
+
+
+def check_parameters():
+    """What Python reserves gets a line below; fields may hide methods of a tuple."""
+    reserved = [name for name in keyword.kwlist if name == name.lower() and "[E204]" not in refusals(model(parameters=[name]))]
+    assert {"lambda", "in", "is", "def", "pass", "with", "yield", "from"} <= set(reserved)
+    others = ["None", "True", "tuple", "list", "count", "index", "end", "self", "cls", "type", "q", "v", "p", "Parameters"]
+    module = written(model(parameters=reserved + others, arrays=["masses"]))
+    assert module.parameter_names[2:] == (*reserved, *others, "masses")
+    spelt = {name: f"{name}_" for name in [*reserved, "None", "True", "tuple"]}
+    assert list(module.Parameters._fields[2:]) == [spelt.get(name, name) for name in module.parameter_names[2:]]
+    given = module.Parameters(lambda_=7.0, count=8.0, index=9.0)
+    assert (given.lambda_, given.count, given.index) == (7.0, 8.0, 9.0)
+    has_values(module)
+    assert module_of("foucault_pendulum").Parameters().lambda_ == 0.8526
+
+
+def check_coordinates():
+    for name in ("end", "lambda", "count", "index", "None"):
+        module = written(model(coordinate=name))
+        assert module.coordinate_names == (name,)
+        has_values(module)
+
+
+def check_outputs():
+    module = written(model(outputs=["lambda", "count", "index", "end", "None", "format", "code", "v"]))
+    assert {"lambda_", "count", "index", "end", "None_", "format", "code", "v"} <= set(module.Dynamics._fields)
+    has_values(module)
+
+
+def used_names(path):
+    """The names of Python that a module reads."""
+    tree = ast.parse(path.read_text())
+    read = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)}
+    return read & set(dir(builtins))
+
+
+def check_taken():
+    """An output that is called like something that the module reads is refused."""
+    used = set().union(*map(used_names, map(path_of, ("cart_pole", "quadrotor", "chain"))))
+    own = {"on", "exact", "Parameters", "NamedTuple", "is_regular", "coordinate_names", "parameter_units", "start_rates"}
+    assert len(used) > 10
+    for name in sorted(used | own):
+        said = refusals(model(outputs=[name]))
+        spelt = name == "tuple" or keyword.iskeyword(name)
+        assert spelt or "[E701]" in said or "[E204]" in said, f"an output may be called {name}"
+
+
+def check_imports():
+    """Modules import what they call, and nothing else."""
+    for path in map(path_of, models):
+        tree = ast.parse(path.read_text())
+        imports = [node for node in ast.walk(tree) if isinstance(node, (ast.Import, ast.ImportFrom))]
+        assert [node.module for node in imports] in (["math", "typing"], ["typing"]), path
+        named = {alias.name for node in imports for alias in node.names}
+        read = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+        assert named <= read, (path, named - read)
+
+
+def check_literals():
+    """CPython folds no constant of a module: each stands in its text, so that on(sympy) finds it."""
+    for path in map(path_of, models):
+        tree = ast.parse(path.read_text())
+        written_down = {node.value for node in ast.walk(tree) if isinstance(node, ast.Constant) and isinstance(node.value, float)}
+        module = module_at(path)
+        for function in module._functions:
+            for constant in function.__code__.co_consts:
+                for each in constant if isinstance(constant, tuple) else (constant,):
+                    assert not isinstance(each, float) or abs(each) in written_down, (path, function, each)
+
+
+check_parameters()
+check_coordinates()
+check_outputs()
+check_taken()
+check_imports()
+check_literals()
