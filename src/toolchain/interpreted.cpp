@@ -18,6 +18,7 @@
 
 #include "elgen/artifacts.hpp"
 #include "elgen/spellings.hpp"
+#include "elgen/wording.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "numbers/exact_number.hpp"
 #include "render/fill_template.hpp"
@@ -114,7 +115,12 @@ TemplateData functions_data(const DriverInput& input) {
     for (const Opcode argument : arguments_of(input.model, function)) {
       arguments.push_back("x." + spelt_name(language, leaf_row(argument).symbol));
     }
+    std::vector<std::string> fields;
+    for (const Field& field : function.fields) {
+      if (!field.name.empty()) fields.push_back(spelt_name(language, field.name));
+    }
     return TemplateRow{{"name", spelt_name(language, function.name)},
+                       {"fields", lines_data(fields)},
                        {"arguments", fmt::format("{}", fmt::join(arguments, ", "))}};
   });
 }
@@ -196,8 +202,9 @@ class InterpretedModel final : public CompiledModel {
   [[nodiscard]] ProcessResult said(const std::string& questions) const {
     return run_apart(command_, seconds_, most_output, questions);
   }
+  /// Without the driver, whose folder has another name each time.
   [[nodiscard]] std::string command() const {
-    return fmt::format("`{}`", fmt::join(command_, " "));
+    return fmt::format("`{}`", fmt::join(command_.begin(), command_.end() - 1, " "));
   }
 
   [[nodiscard]] DriverFunction<double> find(std::string_view /*function*/) const override {
@@ -244,8 +251,9 @@ class InterpretedModel final : public CompiledModel {
     const std::string ended = process.ending == Ending::out_of_time
                                   ? fmt::format("has not ended within {} s", seconds_)
                                   : ending_text(process.ending, process.status);
-    return fmt::format("{} {} after {} answers{}{}", command(), ended, answers,
-                       process.errors.empty() ? "" : ":\n", plain_text(process.errors));
+    const std::string after = answers == 0 ? "" : ", after " + counted(answers, "answer");
+    return fmt::format("{} {}{}{}{}", command(), ended, after, process.errors.empty() ? "" : ":\n",
+                       plain_text(process.errors));
   }
 
  private:
@@ -255,15 +263,17 @@ class InterpretedModel final : public CompiledModel {
   Texts names_ = {};
 };
 
-/// Why there is no code to call; empty where there is. Reads the declared numbers.
+/// Why there is no code to call; empty where there is. An interpreter that works says that it is
+/// ready before it reads the module. Reads the declared numbers.
 Result<std::string> first_answer(const InterpretedModel& model, std::vector<DeclaredNumber>& all) {
   const ProcessResult process = model.said("");
   if (process.ending == Ending::not_started) return model.command() + " could not be run";
   const std::vector<Answer> answers = answers_in(process.output);
-  if (!answers.empty() && answers.front().mark == "!") return std::string(answers.front().text);
-  const auto numbers = answers.empty() ? std::nullopt : decimals(answers.front().text);
+  if (answers.empty()) return model.why_silent(process, 0);
+  if (answers.front().mark == "!") return std::string(answers.front().text);
+  const auto numbers = answers.size() < 2 ? std::nullopt : decimals(answers[1].text);
   if (!process.succeeded() || !numbers || numbers->size() != all.size()) {
-    return Diagnostic{Code::E705, {}, model.why_silent(process, answers.size())};
+    return Diagnostic{Code::E705, {}, model.why_silent(process, answers.size() - 1)};
   }
   for (std::size_t i = 0; i < all.size(); ++i) all[i].declared = (*numbers)[i];
   return std::string();

@@ -52,6 +52,21 @@ const std::vector<Fault> faults{
     {"a function", R"(\[sin_q1, cos_q1\])", "[cos_q1, sin_q1]"},
 };
 
+const std::vector<Fault> faults_of_python{
+    {"a sign", R"(sin_q1 \* sin_q2 - )", "sin_q1 * sin_q2 + "},
+    {"the sign of an entry", R"(\[-t_)", "[t_"},
+    {"the 16th digit of a number", R"(\[9\.81 \*)", "[9.810000000000002 *"},
+    {"the index of a coordinate", R"(cos\(q\[1\]\))", "cos(q[0])"},
+    {"the index of a rate", R"(\* v\[1\])", "* v[0]"},
+    {"a term", R"(p\.m1 \* p\.c1 \+ )", ""},
+    {"a parameter", R"(p\.c2)", "p.c1"},
+    {"the value of a parameter", R"(m1: float = 1\.2)", "m1: float = 1.3"},
+    {"the order of parameters", R"((    m1: .*\n)(    m2: .*\n))", "$2$1"},
+    {"the order of fields", R"((    acceleration: .*\n)(    relative_pivots: .*\n))", "$2$1"},
+    {"a limit", R"(-40\.0, 40\.0)", "-40.0, 40.5"},
+    {"a name that is nowhere", R"(sin_q2 = sin)", "sin_q3 = sin"},
+};
+
 std::string with_fault(const std::string& header, const Fault& fault) {
   const std::size_t kernels = header.rfind("::kernel\n");
   const std::size_t start = kernels == std::string::npos ? 0 : kernels;
@@ -110,6 +125,14 @@ TEST_CASE("verify catches a sign, a digit, an index and a term of the emitted co
                 "[outputs]\ngravity = true\nbias = true\n"
                 "[parameters]\nfixed = { g = 9.81 }\n[numeric]\nscalar = [\"double\"]\n");
   expect_all_caught(run_pipeline(inputs, {}), ".hpp", faults);
+}
+
+TEST_CASE("verify catches a sign, a digit, an order and a default of a module in Python") {
+  const Inputs inputs = inputs_of(
+      model_file("two_link_arm"),
+      "[outputs]\ngravity = true\nbias = true\nforward_dynamics = true\n"
+      "[parameters]\nfixed = { g = 9.81 }\n[emit]\nlanguage = \"python\"\n");
+  expect_all_caught(run_pipeline(inputs, {}), ".py", faults_of_python);
 }
 
 TEST_CASE("verify catches a stride, a digit, a domain and an argument of a batch") {

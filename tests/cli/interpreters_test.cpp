@@ -1,0 +1,48 @@
+// Interpreters that do not work, are too old, write of their own, end or hang: verify says so, and
+// nothing that elgen wrote is blamed.
+#include <catch2/catch.hpp>
+
+#include "cli/cli_testing.hpp"
+#include "support/installed.hpp"
+
+namespace elgen::test {
+namespace {
+
+const std::string verified =
+    " elgen verify --samples 2 --language python " ELGEN_SOURCE_DIR "/models/simple_pendulum.toml";
+
+/// `python`: a script that is run in its place.
+Outcome verified_by(const std::string& python) {
+  const Workspace workspace;
+  write_text(workspace.path() / "mine", "#!/bin/sh\n" + python + "\n");
+  return workspace.run("chmod +x mine; export PYTHON=$PWD/mine;" + verified);
+}
+
+}  // namespace
+
+TEST_CASE("an interpreter that is not there, too old or does not start is a row that is skipped") {
+  const Outcome missing = run("export PYTHON=/nowhere/python3;" + verified);
+  CHECK(missing.status == 0);
+  CHECK(mentions(missing.output, "`/nowhere/python3` could not be run"));
+  CHECK(mentions(missing.output, "1 skipped"));
+  const Outcome older = verified_by("echo 'elgen: ! python 2.7 is older than 3.8'");
+  CHECK(older.status == 0);
+  CHECK(mentions(older.output, "python 2.7 is older than 3.8"));
+  const Outcome dead = verified_by("echo 'no such site' >&2; exit 3");
+  CHECK(dead.status == 0);
+  CHECK(mentions(dead.output, "mine` exits 3:"));
+  CHECK(mentions(dead.output, "no such site"));
+}
+
+TEST_CASE("an interpreter may write of its own, but not end before its last answer") {
+  if (!is_installed("python3", "python3 --version")) return;
+  const Outcome talking = verified_by("echo hello; exec python3 -W error \"$@\"");
+  CHECK(talking.status == 0);
+  CHECK(mentions(talking.output, " 0 fail, 0 skipped"));
+  const Outcome ending = verified_by(
+      "python3 \"$@\" > answers; head -n 5 answers; [ $(wc -l < answers) -lt 6 ] || exit 9");
+  CHECK(ending.status == 1);
+  CHECK(mentions(ending.output, "mine` exits 9, after 3 answers"));
+}
+
+}  // namespace elgen::test
