@@ -69,7 +69,7 @@ inline constexpr std::array spelling_table{
 #undef ELGEN_SPELLING
 };
 
-/// Of a language that is interpreted.
+/// The row of an interpreted language.
 [[nodiscard]] constexpr const SourceSpelling& source_spelling(LanguageId language) {
   std::size_t at = 0;
   while (spelling_table[at].language != language) ++at;

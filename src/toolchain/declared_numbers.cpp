@@ -35,7 +35,7 @@ struct DeclarationRow {
   std::string_view address;     ///< {0}: scalar, {1}: the variable
 };
 
-/// Of the languages that are compiled, which come first in languages.def.
+/// Rows of compiled languages, which come first in languages.def.
 constexpr std::array declaration_table{
     DeclarationRow{ArtifactId::cpp, "::{0}::{1}", "{}.size()", "extern \"C\" ",
                    "  *to++ = static_cast<double>({});\n", "::{0}::{1}",

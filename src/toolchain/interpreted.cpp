@@ -198,7 +198,7 @@ class InterpretedModel final : public CompiledModel {
     for (const Function& function : input.program.functions) names_.push_back(function.name);
   }
 
-  /// What the driver says to these questions.
+  /// The answers of the driver to these questions.
   [[nodiscard]] ProcessResult said(const std::string& questions) const {
     return run_apart(command_, seconds_, most_output, questions);
   }

@@ -295,7 +295,7 @@ CertificateRow without_code(const CompiledHeader& compiled) {
 
 namespace {
 
-/// What runs the code has ended before it answered.
+/// The row of code whose interpreter ended before it answered.
 CertificateRow silent_code(const Diagnostic& why) {
   CertificateRow row;
   row.check = row.output = "compiled code vs program";

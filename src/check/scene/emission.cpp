@@ -22,7 +22,7 @@ LanguageId language_named(std::string_view name) {
 
 constexpr const char* leave_out = "leave the key out, or write `language = \"c++17\"`";
 
-/// Of a language that is written for one scalar.
+/// Whether a language that is written for one scalar takes these.
 bool takes_scalars(const LanguageRow& language, const Numerics& numerics) {
   if (numerics.scalars.size() != 1) return false;
   const ScalarKind scalar = numerics.scalars.front();

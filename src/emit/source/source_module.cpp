@@ -144,7 +144,7 @@ Texts called_functions(const Program& program, const SourceSpelling& spelling) {
   return names;
 }
 
-/// What others call it: arctan2, abs, Abs.
+/// The function and its names in other libraries: arctan2, abs, Abs.
 std::string other_names(const SourceSpelling& spelling, const std::string& name) {
   Texts names{name};
   const bool is_inverse = name != "abs" && name.starts_with('a');
@@ -196,7 +196,7 @@ bool has_open_interval(const DeclaredArray& array) {
   return std::ranges::any_of(array.intervals, [](const auto& interval) { return !interval; });
 }
 
-/// What a module imports, and tells about itself: of languages whose templates have holes for it.
+/// Sets imports and lists of functions, for which some templates have holes.
 void set_reflection(TemplateData& data, const EmissionInput& input) {
   const SourceSpelling& spelling = source_spelling(input.scene.emission.language);
   const Texts called = called_functions(input.program, spelling);
