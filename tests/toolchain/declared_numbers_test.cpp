@@ -119,7 +119,7 @@ static inline void sample_forward_dynamics(const sample_parameters *p, const flo
   INFO(format(compiled.diagnostics));
   REQUIRE(compiled);
   const std::vector<DeclaredNumber>& numbers = compiled->front().declared;
-  CHECK(numbers.size() == 4 + 6 + 1);
+  CHECK(numbers.size() == 4 + 6 + 1 + 12);  // counts, parameters, size, tables
   CHECK(std::ranges::all_of(
       numbers, [](const DeclaredNumber& number) { return number.declared == number.of_model; }));
 }
