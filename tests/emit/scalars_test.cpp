@@ -44,6 +44,20 @@ TEST_CASE("right numbers in every kind of scalar") {
   }
 }
 
+TEST_CASE("nodes of expressions, which no branch takes, have the values of double") {
+  const std::string compiler = GENERATE("g++", "clang++");
+  const test::Workspace workspace;
+  workspace.prepare("elgen generate -q -o . " ELGEN_SOURCE_DIR "/models/cart_pole.toml");
+  const test::Outcome built = workspace.run(
+      compiler + " -std=c++17 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -I. " +
+      programs + "symbols.cpp -o symbols");
+  INFO(compiler << "\n" << built.errors);
+  REQUIRE(built.status == 0);
+  const test::Outcome found = workspace.run("./symbols");
+  INFO(found.output);
+  CHECK(found.status == 0);
+}
+
 TEST_CASE("numbers of numbers get the constants of their innermost ones") {
   const std::string compiler = GENERATE("g++", "clang++");
   const Swing swing;
