@@ -20,7 +20,7 @@ if not _shared:
 
 
 def elgen(*words):
-    """What the command prints; its messages where it fails."""
+    """The output of the command; ends the test with its messages where it fails."""
     done = subprocess.run([os.environ.get("ELGEN", "elgen"), *map(str, words)], capture_output=True, text=True)
     if done.returncode != 0:
         sys.exit(f"elgen {words[0]} {words[-1]}: {done.stderr}")

@@ -11,7 +11,7 @@ mpmath.mp.dps = 50
 # The oracle prints 50 digits; solutions with mass matrices lose up to four.
 most = mpmath.mpf("1e-45")
 
-# What stands in the state of each model is written as a decimal, and read as that.
+# The numbers of a state are decimals, and both sides read them as these.
 states = {
     "cart_pole": "theta=0.1,dot(x)=0.7,dot(theta)=2,dot(dot(x))=0.3,dot(dot(theta))=-0.7",
     "double_pendulum": "theta1=0.3,theta2=-1.1,dot(theta1)=0.7,dot(theta2)=0.2",

@@ -54,7 +54,7 @@ def has_values(module):
 
 
 def check_parameters():
-    """What Python reserves gets a line below; fields may hide methods of a tuple."""
+    """A reserved word gets a line below; fields may hide methods of a tuple."""
     reserved = [name for name in keyword.kwlist if name == name.lower() and "[E204]" not in refusals(model(parameters=[name]))]
     assert {"lambda", "in", "is", "def", "pass", "with", "yield", "from"} <= set(reserved)
     others = ["None", "True", "tuple", "list", "count", "index", "end", "self", "cls", "type", "q", "v", "p", "Parameters"]
@@ -99,6 +99,13 @@ def check_taken():
         assert spelt or "[E701]" in said or "[E204]" in said, f"an output may be called {name}"
 
 
+def check_called():
+    """So is one that is called like a function that the module calls, and only there."""
+    force = '[[force]]\non = "angle"\nvalue = "-k*abs(angle)"\n'
+    assert "[E701]" in refusals(model(outputs=["fabs"]) + force)
+    assert "[E" not in refusals(model(outputs=["fabs"]))
+
+
 def check_imports():
     """Modules import what they call, and nothing else."""
     for path in map(path_of, models):
@@ -126,5 +133,6 @@ check_parameters()
 check_coordinates()
 check_outputs()
 check_taken()
+check_called()
 check_imports()
 check_literals()

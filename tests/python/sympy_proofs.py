@@ -100,7 +100,7 @@ class Expressions:
         return [self.read(text) for row in self.model["point"] if row["name"] == point for text in row["at"]]
 
     def entries(self, expected):
-        """Of an expectation: a text, rows of them, or a text for every index."""
+        """The entries of an expectation: a text, rows of texts, or a text for every index."""
         if not isinstance(expected, dict):
             return [self.read(text) for text in flat(expected)]
         loops = [expected["for"]] if isinstance(expected["for"], str) else expected["for"]
