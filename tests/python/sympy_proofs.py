@@ -7,7 +7,7 @@ import keyword
 import operator
 import re
 
-from generated import flat, models, module_of, needs
+from generated import flat, models, module_of, needs, written
 
 needs("sympy", "tomllib")
 import sympy
@@ -179,6 +179,33 @@ def check_model(path):
     )
 
 
+def check_exact():
+    """Integers, and literals of lists, which CPython joins to one constant."""
+    code = module_of("cart_pole").on(sympy)
+    half = sympy.Rational(1, 2)
+    assert code.mass_matrix(code.Parameters(), [0, 0]) == [[11 * half / 5, half / 10], [half / 10, half / 20]]
+    code = written(
+        """format = 1
+[model]
+name = "rotor"
+[[coordinate]]
+name = "q"
+unit = "rad"
+[parameters]
+J = { value = 2, unit = "kg*m^2" }
+[energy]
+T = "1/2*J*dot(q)^2"
+[[output]]
+name = "place"
+value = ["0.1", "pi/3", "sqrt(2)", "-0.3"]
+"""
+    )
+    place = code.on(sympy).place(code.on(sympy).Parameters(), [0])
+    assert place[::3] == [sympy.Rational(1, 10), sympy.Rational(-3, 10)] and place[1] == sympy.pi / 3, place
+    assert abs(place[2] - sympy.sqrt(2)) < sympy.Float("1e-50")
+
+
+check_exact()
 proved = {path.stem: check_model(path) for path in models}
 print(f"{sum(proved.values())} entries of {sum(map(bool, proved.values()))} models")
 assert sum(proved.values()) > 1400
