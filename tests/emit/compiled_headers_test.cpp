@@ -79,11 +79,13 @@ auto open_values(const h::Parameters<Scalar>&) {
 }
 )";
 
+/// Outputs of equations: steps of any length are no numbers to compare.
 std::string appended(const Json& output, const std::string& result) {
   std::string text;
   if (output.contains("entries")) text = fmt::format("    append(to, {});\n", result);
   if (output.contains("fields")) {
     for (const auto& [field, value] : output["fields"].items()) {
+      if (!value.contains("entries")) continue;
       text += fmt::format("    append(to, {}.{});\n", result, field);
     }
   }

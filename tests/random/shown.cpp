@@ -246,7 +246,7 @@ Shown read_equations(const std::string& json, const Names& names) {
     if (shown.contains("entries")) read_entries(output, shown);
     if (!shown.contains("fields")) continue;
     for (const auto& [field, of_field] : shown.at("fields").items()) {
-      read_entries(output + "." + field, of_field);
+      if (of_field.contains("entries")) read_entries(output + "." + field, of_field);
     }
   }
   return result;
