@@ -11,11 +11,11 @@
 #include <array>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include "elgen/artifacts.hpp"
-#include "emit/interface/code_interface.hpp"
 #include "numbers/exact_number.hpp"
 #include "program/evaluate/sines.hpp"
 #include "toolchain/driver.hpp"
@@ -127,30 +127,17 @@ class DeclarationText {
 
   /// C has no arrays without elements.
   void add_arrays() {
+    const auto expression = [this](const std::string& name) {
+      return fmt::format(fmt::runtime(row_.array), name_space(input_.scene), name);
+    };
     for (const DeclaredArray& array : declared_arrays(input_.model)) {
-      const std::string name =
-          fmt::format(fmt::runtime(row_.array), name_space(input_.scene), array.name);
       if (array.size() == 0 && row_.header == ArtifactId::c99) continue;
-      add("the size of " + array.name, fmt::format(fmt::runtime(row_.size), name),
+      add("the size of " + array.name, fmt::format(fmt::runtime(row_.size), expression(array.name)),
           static_cast<double>(array.size()));
-      for (std::size_t i = 0; i < array.numbers.size(); ++i) {
-        add(fmt::format("{}[{}]", array.name, i), fmt::format("{}[{}]", name, i),
-            ScalarTraits<double>::from_real(array.numbers[i]));
-      }
-      for (std::size_t i = 0; i < array.intervals.size(); ++i) {
-        add_interval(fmt::format("{}[{}]", array.name, i), fmt::format("{}[{}]", name, i),
-                     array.intervals[i]);
+      for (const DeclaredNumber& number : numbers_of(array)) {
+        add(number.name, expression(number.name), number.of_model);
       }
     }
-  }
-
-  void add_interval(const std::string& name, const std::string& element,
-                    const std::optional<Interval>& interval) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    add(name + ".low", element + ".low",
-        interval ? ScalarTraits<double>::from_real(interval->low) : -infinity);
-    add(name + ".high", element + ".high",
-        interval ? ScalarTraits<double>::from_real(interval->high) : infinity);
   }
 
   /// How packs reduce angles, and their polynomials: a last digit shows in few results.
@@ -174,6 +161,24 @@ class DeclarationText {
 };
 
 }  // namespace
+
+std::vector<DeclaredNumber> numbers_of(const DeclaredArray& array) {
+  using Double = ScalarTraits<double>;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<DeclaredNumber> all;
+  const auto add = [&](std::size_t i, std::string_view bound, double value) {
+    all.push_back({fmt::format("{}[{}]{}", array.name, i, bound), 0, value});
+  };
+  for (std::size_t i = 0; i < array.numbers.size(); ++i) {
+    add(i, "", Double::from_real(array.numbers[i]));
+  }
+  for (std::size_t i = 0; i < array.intervals.size(); ++i) {
+    const std::optional<Interval>& interval = array.intervals[i];
+    add(i, ".low", interval ? Double::from_real(interval->low) : -infinity);
+    add(i, ".high", interval ? Double::from_real(interval->high) : infinity);
+  }
+  return all;
+}
 
 Declarations declarations(const DriverInput& input) { return DeclarationText(input).complete(); }
 

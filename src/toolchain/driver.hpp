@@ -10,6 +10,7 @@
 #include "elgen/program.hpp"
 #include "elgen/scene.hpp"
 #include "elgen/toolchain.hpp"
+#include "emit/interface/code_interface.hpp"
 
 namespace elgen {
 
@@ -76,6 +77,9 @@ struct Declarations {
   std::vector<DeclaredNumber> numbers = {};
 };
 [[nodiscard]] Declarations declarations(const DriverInput& input);
+
+/// The numbers of an array at the head of the code, or its bounds: "input_limits[0].low".
+[[nodiscard]] std::vector<DeclaredNumber> numbers_of(const DeclaredArray& array);
 
 /// In the text of declarations: void (*)(double* to), which writes all of them.
 inline constexpr const char* declarations_symbol = "elgen_declared_numbers";

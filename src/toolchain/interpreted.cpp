@@ -12,7 +12,6 @@
 #include <charconv>
 #include <cstdlib>
 #include <fstream>
-#include <limits>
 #include <set>
 #include <utility>
 
@@ -63,25 +62,16 @@ TemplateData parameters_data(const DriverInput& input) {
 
 /// The numbers that a module declares, in the order in which the driver says them.
 std::vector<DeclaredNumber> declared_numbers(const DriverInput& input) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const auto number = [](const cln::cl_R& value) { return ScalarTraits<double>::from_real(value); };
   std::vector<DeclaredNumber> all;
   for (const DeclaredArray& array : declared_arrays(input.model)) {
     all.push_back({"the size of " + array.name, 0, static_cast<double>(array.size())});
-    for (std::size_t i = 0; i < array.numbers.size(); ++i) {
-      all.push_back({fmt::format("{}[{}]", array.name, i), 0, number(array.numbers[i])});
-    }
-    for (std::size_t i = 0; i < array.intervals.size(); ++i) {
-      const std::string element = fmt::format("{}[{}]", array.name, i);
-      const std::optional<Interval>& interval = array.intervals[i];
-      all.push_back({element + ".low", 0, interval ? number(interval->low) : -infinity});
-      all.push_back({element + ".high", 0, interval ? number(interval->high) : infinity});
-    }
+    const std::vector<DeclaredNumber> numbers = numbers_of(array);
+    all.insert(all.end(), numbers.begin(), numbers.end());
   }
   for (const ParameterArray& array : emitted_parameters(input.model, input.program)) {
     for (std::uint32_t i = 0; i < array.count; ++i) {
       const Parameter& parameter = input.model.parameters[array.first + i];
-      all.push_back({parameter.name, 0, number(parameter.value)});
+      all.push_back({parameter.name, 0, ScalarTraits<double>::from_real(parameter.value)});
     }
   }
   return all;
