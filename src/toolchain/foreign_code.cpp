@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
-#include <charconv>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -18,6 +17,8 @@
 
 #include "elgen/wording.hpp"
 #include "emit/interface/code_interface.hpp"
+#include "model/state_text.hpp"
+#include "numbers/exact_number.hpp"
 #include "toolchain/forked.hpp"
 #include "toolchain/process.hpp"
 #include "toolchain/workshop.hpp"
@@ -25,7 +26,6 @@
 namespace elgen {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using AnyFunction = void (*)();
 using Pointers = std::vector<const double*>;
 
@@ -44,10 +44,8 @@ constexpr std::size_t spare_numbers = 64;
 constexpr std::size_t most_arguments = 10;  ///< leaves of all kinds
 
 std::string how_it_ended(const ForeignCalls& calls, Ending ending, int status) {
-  const bool is_late =
-      ending == Ending::out_of_time || status == 128 + SIGALRM || status == 128 + SIGXCPU;
-  return is_late ? fmt::format("has not ended within {} s", calls.function.seconds)
-                 : ending_text(ending, status);
+  const bool is_late = status == 128 + SIGALRM || status == 128 + SIGXCPU;
+  return ending_text(is_late ? Ending::out_of_time : ending, status, calls.function.seconds);
 }
 
 Pointers pointers_to(const ForeignCalls& calls, const Arguments<double>& state) {
@@ -138,50 +136,13 @@ Result<ForeignAnswers> ask_library(const ForeignCalls& calls) {
   return answers;
 }
 
-/// Parameters by their names, arrays of them as lists.
-Json named_parameters(const Model& model, const std::vector<double>& values) {
-  Json json = Json::object();
-  for (const ParameterArray& array : model.parameter_arrays) {
-    const double* const first = &values[array.first];
-    json[array.name] = *first;
-    if (array.is_array) json[array.name] = std::vector<double>(first, first + array.count);
-  }
-  return json;
-}
-
 /// {"function": "forward_dynamics", "p": {"M": 1.0}, "q": [0.1], "v": [0.2]}: doubles read back as
 /// they are.
 std::string request_line(const ForeignCalls& calls, const Arguments<double>& state) {
-  Json json{{"function", calls.function.name}};
-  for (const Opcode argument : calls.arguments) {
-    Json& member = json[std::string(leaf_row(argument).symbol)];
-    const std::vector<double>* const list = list_of(state, argument);
-    if (argument == Opcode::parameter) {
-      member = named_parameters(calls.model, *list);
-    } else if (list != nullptr) {
-      member = *list;
-    } else {
-      member = leaf_of(state, argument, 0);
-    }
-  }
-  return json.dump() + "\n";
-}
-
-/// All numbers of a list, also of nested ones, NaN and Infinity among them.
-std::optional<std::vector<double>> numbers_in(std::string_view line) {
-  constexpr std::string_view between = "[], \t\r";
-  std::vector<double> numbers;
-  const char* const end = line.data() + line.size();
-  for (const char* at = line.data(); at != end;) {
-    if (between.find(*at) != std::string_view::npos) {
-      ++at;
-      continue;
-    }
-    const auto [stop, error] = std::from_chars(at, end, numbers.emplace_back());
-    if (error == std::errc::invalid_argument) return std::nullopt;
-    at = stop;
-  }
-  return numbers;
+  constexpr int digits_of_double = 17;
+  const auto exact = map_leaves([](double x) { return cln::cl_R(exact_value(x)); }, state);
+  return fmt::format("{{\"function\": {}, {}}}\n", nlohmann::json(calls.function.name).dump(),
+                     state_json(calls.model, exact, calls.arguments, digits_of_double));
 }
 
 /// Whole lines: a process that was ended may have begun one.

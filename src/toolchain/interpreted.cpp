@@ -9,9 +9,7 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cstdlib>
-#include <fstream>
 #include <set>
 #include <utility>
 
@@ -126,14 +124,6 @@ std::string driver_text(const DriverInput& input) {
                                    {"defaults", defaults_data(input)}});
 }
 
-/// "0.1", "-0.0", "Inf", "nan".
-std::optional<double> decimal(std::string_view word) {
-  double value = 0;
-  const char* const end = word.data() + word.size();
-  const auto [stop, error] = std::from_chars(word.data(), end, value);
-  return error == std::errc() && stop == end ? std::optional(value) : std::nullopt;
-}
-
 /// A line of the driver: its mark, and what stands behind it.
 struct Answer {
   std::string_view mark = {};
@@ -152,18 +142,6 @@ std::vector<Answer> answers_in(std::string_view output) {
         {line.substr(0, space), space == std::string_view::npos ? "" : line.substr(space + 1)});
   }
   return answers;
-}
-
-std::optional<Numbers> decimals(std::string_view text) {
-  Numbers numbers;
-  while (!text.empty()) {
-    const std::string_view word = text.substr(0, text.find(' '));
-    const std::optional<double> value = decimal(word);
-    if (!value) return std::nullopt;
-    numbers.push_back(*value);
-    text.remove_prefix(std::min(word.size() + 1, text.size()));
-  }
-  return numbers;
 }
 
 /// "3 2 1 0.10000000000000001 …": the function and all leaves, in the order of the table, behind
@@ -231,16 +209,14 @@ class InterpretedModel final : public CompiledModel {
     }
     ValuesOfFunctions values(functions.size());
     for (std::size_t i = 0; i < answers.size(); ++i) {
-      const auto numbers = answers[i].mark == "=" ? decimals(answers[i].text) : Numbers();
+      const auto numbers = answers[i].mark == "=" ? numbers_in(answers[i].text) : Numbers();
       values[i / states.size()].push_back(numbers.value_or(Numbers()));
     }
     return values;
   }
 
   [[nodiscard]] std::string why_silent(const ProcessResult& process, std::size_t answers) const {
-    const std::string ended = process.ending == Ending::out_of_time
-                                  ? fmt::format("has not ended within {} s", seconds_)
-                                  : ending_text(process.ending, process.status);
+    const std::string ended = ending_text(process.ending, process.status, seconds_);
     const std::string after = answers == 0 ? "" : ", after " + counted(answers, "answer");
     return fmt::format("{} {}{}{}{}", command(), ended, after, process.errors.empty() ? "" : ":\n",
                        plain_text(process.errors));
@@ -261,7 +237,7 @@ Result<std::string> first_answer(const InterpretedModel& model, std::vector<Decl
   const std::vector<Answer> answers = answers_in(process.output);
   if (answers.empty()) return model.why_silent(process, 0);
   if (answers.front().mark == "!") return std::string(answers.front().text);
-  const auto numbers = answers.size() < 2 ? std::nullopt : decimals(answers[1].text);
+  const auto numbers = answers.size() < 2 ? std::nullopt : numbers_in(answers[1].text);
   if (!process.succeeded() || !numbers || numbers->size() != all.size()) {
     return Diagnostic{Code::E705, {}, model.why_silent(process, answers.size() - 1)};
   }
@@ -269,31 +245,20 @@ Result<std::string> first_answer(const InterpretedModel& model, std::vector<Decl
   return std::string();
 }
 
-bool write(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream stream(path, std::ios::binary);
-  stream << text;
-  stream.close();
-  return stream.good();
-}
-
 }  // namespace
 
 Result<CompiledHeaders> interpret(const EmittedFiles& files, const DriverInput& input,
                                   const Limits& limits) {
   const SourceSpelling& spelling = source_spelling(input.scene.emission.language);
-  std::optional<TemporaryDirectory> directory = TemporaryDirectory::create();
-  const std::string ending(language_row(input.scene.emission.language).ending);
-  const Artifact module = artifacts_of(input.scene).front();
-  const bool is_written = directory &&
-                          write(directory->path() / (input.scene.base_name + "." + ending),
-                                files.files.at(module.path)) &&
-                          write(directory->path() / ("elgen_driver." + ending), driver_text(input));
-  if (!is_written) {
-    return Diagnostic{
-        Code::E706, {}, "no temporary directory could be written; $TMPDIR names another"};
-  }
+  const std::string ending = fmt::format(".{}", language_row(spelling.language).ending);
+  const std::string driver = "elgen_driver" + ending;
+  Result<TemporaryDirectory> directory = directory_with(
+      {},
+      {{input.scene.base_name + ending, files.files.at(path_of(input.scene, ArtifactId::source))},
+       {driver, driver_text(input)}});
+  if (!directory) return directory.diagnostics;
   Texts command = interpreter_of(spelling);
-  command.push_back((directory->path() / ("elgen_driver." + ending)).string());
+  command.push_back((directory->path() / driver).string());
   auto functions = std::make_unique<InterpretedModel>(std::move(*directory), std::move(command),
                                                       input, limits.seconds);
   std::vector<DeclaredNumber> numbers = declared_numbers(input);

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <chrono>
 #include <cstring>
 #include <optional>
@@ -233,11 +234,28 @@ std::vector<std::string> words_of_command(const std::string& text) {
   return words;
 }
 
-std::string ending_text(Ending ending, int status) {
+std::string ending_text(Ending ending, int status, std::uint64_t seconds) {
   if (ending == Ending::not_started) return "could not be run";
+  if (ending == Ending::out_of_time) return fmt::format("has not ended within {} s", seconds);
   if (ending != Ending::signalled) return fmt::format("exits {}", status);
   const char* const name = ::sigabbrev_np(status - 128);
   return fmt::format("was ended by signal {} (SIG{})", status - 128, name == nullptr ? "" : name);
+}
+
+std::optional<std::vector<double>> numbers_in(std::string_view line) {
+  constexpr std::string_view between = "[], \t\r";
+  std::vector<double> numbers;
+  const char* const end = line.data() + line.size();
+  for (const char* at = line.data(); at != end;) {
+    if (between.find(*at) != std::string_view::npos) {
+      ++at;
+      continue;
+    }
+    const auto [stop, error] = std::from_chars(at, end, numbers.emplace_back());
+    if (error == std::errc::invalid_argument) return std::nullopt;
+    at = stop;
+  }
+  return numbers;
 }
 
 std::string plain_text(std::string_view text) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,8 +41,12 @@ struct ProcessResult {
 /// The words between blanks: what a shell without quotes makes of a command.
 [[nodiscard]] std::vector<std::string> words_of_command(const std::string& text);
 
-/// "could not be run", "was ended by signal 11 (SIGSEGV)", "exits 1"
-[[nodiscard]] std::string ending_text(Ending ending, int status);
+/// "could not be run", "was ended by signal 11 (SIGSEGV)", "exits 1", "has not ended within 60 s"
+[[nodiscard]] std::string ending_text(Ending ending, int status, std::uint64_t seconds = 0);
+
+/// All numbers of a line, NaN and infinities among them, between blanks, commas and brackets; none
+/// where it holds something else.
+[[nodiscard]] std::optional<std::vector<double>> numbers_in(std::string_view line);
 
 /// The words of another program, made fit for a message: without escape sequences and control
 /// characters other than line ends; what is longer than 4000 bytes is cut, and so is what is not

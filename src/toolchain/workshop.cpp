@@ -39,6 +39,13 @@ Diagnostic nowhere(Code code, std::string message) { return {code, {}, std::move
 
 }  // namespace
 
+Result<TemporaryDirectory> directory_with(const EmittedFiles& files,
+                                          const std::vector<Source>& sources) {
+  std::optional<TemporaryDirectory> directory = TemporaryDirectory::create();
+  if (directory && write_all(directory->path(), files, sources)) return std::move(*directory);
+  return nowhere(Code::E706, "no temporary directory could be written; $TMPDIR names another");
+}
+
 std::optional<TemporaryDirectory> TemporaryDirectory::create() {
   const char* parent = std::getenv("TMPDIR");
   std::string name = (parent != nullptr && *parent != '\0') ? parent : "/tmp";
@@ -63,10 +70,8 @@ TemporaryDirectory::~TemporaryDirectory() {
 
 Result<Workshop> Workshop::open(const EmittedFiles& files, const std::vector<Source>& sources,
                                 const Limits& limits) {
-  std::optional<TemporaryDirectory> directory = TemporaryDirectory::create();
-  if (!directory || !write_all(directory->path(), files, sources)) {
-    return nowhere(Code::E706, "no temporary directory could be written; $TMPDIR names another");
-  }
+  Result<TemporaryDirectory> directory = directory_with(files, sources);
+  if (!directory) return directory.diagnostics;
   Result<Compiler> compiler = find_compiler(limits.seconds);
   if (!compiler) return compiler.diagnostics;
   return Workshop(std::move(*directory), std::move(*compiler));

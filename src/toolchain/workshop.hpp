@@ -70,6 +70,10 @@ class TemporaryDirectory {
   std::filesystem::path path_;
 };
 
+/// One that has these files. E706 without room.
+[[nodiscard]] Result<TemporaryDirectory> directory_with(const EmittedFiles& files,
+                                                        const std::vector<Source>& sources);
+
 /// A shared object that is loaded as long as its owner lives.
 class Library {
  public:
