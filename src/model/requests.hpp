@@ -37,6 +37,9 @@ namespace elgen {
 struct LineLabel {
   std::string name = {};
   bool is_rate = false;
+
+  /// "theta", "dot(theta)"
+  [[nodiscard]] std::string text() const { return is_rate ? "dot(" + name + ")" : name; }
   friend auto operator<=>(const LineLabel&, const LineLabel&) = default;
 };
 

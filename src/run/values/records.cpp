@@ -45,9 +45,7 @@ std::vector<std::string> labels_of(const Model& model, Extent extent, std::uint3
   const bool is_number = extent == Extent::one || extent == Extent::user;
   if (is_number && count == 1) return {""};
   std::vector<std::string> labels;
-  for (const LineLabel& line : line_labels(model, extent, count)) {
-    labels.push_back(line.is_rate ? "dot(" + line.name + ")" : line.name);
-  }
+  for (const LineLabel& line : line_labels(model, extent, count)) labels.push_back(line.text());
   return labels;
 }
 

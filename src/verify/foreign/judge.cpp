@@ -12,10 +12,12 @@
 #include "elgen/foreign.hpp"
 #include "elgen/foreign_code.hpp"
 #include "elgen/wording.hpp"
+#include "model/requests.hpp"
 #include "numbers/exact_number.hpp"
 #include "program/evaluate/subject.hpp"
 #include "sample/states.hpp"
 #include "verify/foreign/conventions.hpp"
+#include "verify/states/tally.hpp"
 
 namespace elgen {
 namespace {
@@ -72,25 +74,16 @@ double with_other_value(const Model& model, std::uint32_t parameter, double valu
   return range && range->high < exact_value(larger) ? value * 0.75 : larger;
 }
 
-/// "theta" of a row or column.
-std::string name_of_place(const Model& model, Extent extent, std::size_t i) {
-  const std::size_t n = model.velocities.size();
-  if (extent == Extent::coordinates) return model.coordinates[i].name;
-  if (extent == Extent::inputs) return model.inputs[i].name;
-  if (extent == Extent::constraints) return model.constraints[i].name;
-  if (extent == Extent::velocities) return model.velocities[i].name;
-  if (extent != Extent::states) return std::to_string(i + 1);
-  return i < n ? model.velocities[i].name : fmt::format("dot({})", model.velocities[i - n].name);
-}
-
 /// "forward_dynamics.acceleration[theta]"
 std::string name_of_entry(const Model& model, const OutputRequest& output, std::size_t entry) {
   const FieldRow& field = output_row(output.kind).fields.front();
   const std::size_t columns = output.columns;
   std::string name = output.name + (field.name.empty() ? "" : ".") + std::string(field.name);
   if (output.rows * columns == 1) return name;
-  name += "[" + name_of_place(model, field.rows, entry / columns);
-  if (columns > 1) name += ", " + name_of_place(model, field.columns, entry % columns);
+  name += "[" + line_labels(model, field.rows, output.rows)[entry / columns].text();
+  if (columns > 1) {
+    name += ", " + line_labels(model, field.columns, output.columns)[entry % columns].text();
+  }
   return name + "]";
 }
 
@@ -129,8 +122,8 @@ class ForeignJudge {
     compare(*answers, states);
     if (row_.verdict != Verdict::fails) return row_;
     find(when());
-    if (worst_ <= digits_of_float) {
-      find(fmt::format("agrees at all states to {:.0e}, the digits of float", worst_));
+    if (tally_.worst() <= digits_of_float) {
+      find(fmt::format("agrees at all states to {:.0e}, the digits of float", tally_.worst()));
     } else {
       find(ignored(*answers, states, changed));
       find(factor());
@@ -220,7 +213,7 @@ class ForeignJudge {
   CertificateRow row_ = {};
   std::vector<ForeignSample> samples_ = {};
   cl_R least_ = 0;
-  double worst_ = -1;                                       ///< before there is one
+  Tally tally_ = {};
   std::array<std::optional<bool>, situations> wrong_ = {};  ///< none: nothing compared there
 };
 
@@ -230,34 +223,31 @@ void ForeignJudge::compare(const ForeignAnswers& answers, const States& states) 
   for (std::size_t i = 0; i < options_.states; ++i) {
     State state = exact_state(subject_, states[i]);
     const OracleValues truth = truth_at(state);
-    if (!truth) continue;
+    if (!truth) {
+      tally_.skip();
+      continue;
+    }
     least_ = cln::max(least_, largest_of(*truth) * power_of_ten(-6));
     const auto situation = static_cast<Situation>(i % situations);
     samples_.push_back({situation, std::move(state), *truth, answers.values[i]});
   }
   for (const auto& [situation, state, truth, answer] : samples_) {
     const auto [error, entry] = deviation(answer, truth);
-    const bool differs = error > options_.tolerance;
     std::optional<bool>& is_wrong = wrong_[static_cast<std::size_t>(situation)];
-    is_wrong = is_wrong.value_or(false) || differs;
-    if (error <= worst_) continue;
-    worst_ = error;
-    row_.verdict = differs ? Verdict::fails : Verdict::holds;
-    row_.where = describe(subject_, state);
+    is_wrong = is_wrong.value_or(false) || error > options_.tolerance;
+    if (!tally_.add(error, state)) continue;
     row_.worst = fmt::format("{} is {:.10g}, the oracle says {:.10g}",
                              name_of_entry(subject_.model, output_, entry), answer[entry],
                              ScalarTraits<double>::from_real(truth[entry]));
   }
-  row_.samples = samples_.size();
-  const std::size_t skipped = options_.states - samples_.size();
-  if (skipped > 0) row_.skipped = {{Obstacle::undefined, skipped}};
+  tally_.tell(row_, subject_, options_.tolerance);
   if (samples_.empty()) {
-    row_.verdict = Verdict::skipped;
     row_.worst = "the oracle has no value at any of the states";
   } else if (row_.verdict == Verdict::holds) {
-    row_.worst = fmt::format("agrees at {} to {:.1g}", counted(samples_.size(), "state"), worst_);
-  } else if (std::isfinite(worst_)) {
-    row_.worst += fmt::format(": {:.1e} of the largest entry", worst_);
+    const std::string where = counted(samples_.size(), "state");
+    row_.worst = fmt::format("agrees at {} to {:.1g}", where, tally_.worst());
+  } else if (std::isfinite(tally_.worst())) {
+    row_.worst += fmt::format(": {:.1e} of the largest entry", tally_.worst());
   }
 }
 
