@@ -1,5 +1,6 @@
 // exact_states: see states.hpp. All numbers are rational.
 #include <array>
+#include <utility>
 
 #include "elgen/leaf_names.hpp"
 #include "sample/states.hpp"
@@ -64,6 +65,28 @@ State drawn_state(const Model& model, const Scene& scene, Sampler& draw, std::si
   State state = nominal_state(model, scene);
   if (turn > 0) draw_parameters(model, scene.specialisation.fixed, draw, turn, state);
   draw_motion(model, draw, turn, state);
+  return state;
+}
+
+void scale_to_length_one(const Model& model, State& state) {
+  if (model.rotations.empty()) return;
+  OracleValues scaled = oracle_values(model, {.kind = OutputKind::normalized}, state);
+  if (scaled) state.q = std::move(*scaled);
+}
+
+State with_leaves(const Model& model, State state, const std::vector<StatedLeaf>& leaves) {
+  const auto place = [&leaves](Opcode kind, std::uint32_t number, cl_R& value) {
+    for (const StatedLeaf& leaf : leaves) {
+      if (leaf.kind == kind && leaf.number == number) value = leaf.value;
+    }
+  };
+  for_each_leaf(place, state);
+  scale_to_length_one(model, state);
+  OracleValues momenta = oracle_values(model, {.kind = OutputKind::momentum}, state);
+  if (momenta) state.momenta = std::move(*momenta);
+  for (std::uint32_t i = 0; i < state.momenta.size(); ++i) {
+    place(Opcode::momentum, i, state.momenta[i]);
+  }
   return state;
 }
 

@@ -24,6 +24,14 @@ void draw_motion(const Model& model, Sampler& draw, std::size_t turn, State& sta
 [[nodiscard]] State drawn_state(const Model& model, const Scene& scene, Sampler& draw,
                                 std::size_t turn);
 
+/// Gives every quaternion the length 1, by the oracle.
+void scale_to_length_one(const Model& model, State& state);
+
+/// A state in which these leaves have these values, and quaternions the length 1. Momenta that are
+/// not among them are those of the rates, where they have a value.
+[[nodiscard]] State with_leaves(const Model& model, State state,
+                                const std::vector<StatedLeaf>& leaves);
+
 enum class Region : std::uint8_t {
   nominal,    ///< uniform over the ranges; parameters at their value
   near_zero,  ///< the same, but near a zero of a sum that was typed (verify/states)

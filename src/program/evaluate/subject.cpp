@@ -12,6 +12,8 @@
 #include <limits>
 #include <optional>
 
+#include "sample/states.hpp"
+
 namespace elgen {
 namespace {
 
@@ -66,15 +68,6 @@ std::string description(const Subject& subject, const State& state, bool exactly
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// Where quaternions are of length 1 only to rounding, the two sides of a comparison may go on
-/// differently off the unit sphere; on it, and by a few roundings from the arguments, they must
-/// not.
-void scale_to_length_one(const Model& model, State& state) {
-  if (model.rotations.empty()) return;
-  const OracleValues scaled = oracle_values(model, {.kind = OutputKind::normalized}, state);
-  if (scaled) state.q = *scaled;
-}
-
 }  // namespace
 
 template <class Scalar>
@@ -85,6 +78,9 @@ State exact_state(const Subject& subject, const Arguments<Scalar>& arguments) {
   for (const auto& fixed : subject.scene.specialisation.fixed) {
     state.parameters[fixed.first] = nominal.parameters[fixed.first];
   }
+  // Where quaternions are of length 1 only to rounding, the two sides of a comparison may go on
+  // differently off the unit sphere; on it, and by a few roundings from the arguments, they must
+  // not.
   scale_to_length_one(subject.model, state);
   return state;
 }

@@ -105,9 +105,4 @@ std::optional<ValueRecord> record_at(const ValueTable& table, std::size_t functi
   return ValueRecord{function, std::move(place), state, std::move(*values)};
 }
 
-void set_momenta(const Model& model, State& state) {
-  OracleValues momenta = oracle_values(model, {.kind = OutputKind::momentum}, state);
-  if (momenta) state.momenta = std::move(*momenta);
-}
-
 }  // namespace elgen

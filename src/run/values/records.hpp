@@ -17,7 +17,4 @@ namespace elgen {
 [[nodiscard]] std::optional<ValueRecord> record_at(const ValueTable& table, std::size_t function,
                                                    std::string place, const State& state);
 
-/// The momenta of the rates, where they have a value.
-void set_momenta(const Model& model, State& state);
-
 }  // namespace elgen

@@ -1,4 +1,5 @@
 // Values at the state that options state: its leaves one kind after another, then the outputs.
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -6,6 +7,7 @@
 #include "elgen/simulate.hpp"
 #include "elgen/wording.hpp"
 #include "run/values/records.hpp"
+#include "sample/states.hpp"
 
 namespace elgen {
 namespace {
@@ -16,30 +18,23 @@ Diagnostic no_value(std::string_view name, const Span& span) {
   return {Code::E521, span, in_backticks(name) + " has no value at this state"};
 }
 
-/// Takes over what `--state` says of kinds that a start does not have.
-void place_stated(const Model& model, State& state) {
+/// What `--state` says of kinds that a start does not have.
+std::vector<StatedLeaf> stated_leaves(const Model& model, const State& start) {
   constexpr LeafSet kinds = Opcode::acceleration | Opcode::momentum | Opcode::time | Opcode::step;
-  const auto place = [&](Opcode kind, std::uint32_t number, cl_R& value) {
+  std::vector<StatedLeaf> leaves;
+  const auto add = [&](Opcode kind, std::uint32_t number, const cl_R& /*value*/) {
     if (!kinds.has_any(kind)) return;
     const auto found = model.stated.find(leaf_text(model, kind, number));
-    if (found != model.stated.end()) value = found->second;
+    if (found != model.stated.end()) leaves.push_back({kind, number, found->second});
   };
-  for_each_leaf(place, state);
+  for_each_leaf(add, start);
+  return leaves;
 }
 
 /// The state of a model whose start is where it has to be.
-Result<State> stated_state(const CheckedModel& checked, bool takes_momenta) {
+Result<State> stated_state(const CheckedModel& checked, const std::vector<StatedLeaf>& leaves) {
   const Model& model = checked.model;
-  State state = start_state(model, checked.scene);
-  if (!model.rotations.empty()) {
-    OracleValues q = oracle_values(model, {.kind = OutputKind::normalized}, state);
-    if (q) state.q = std::move(*q);
-  }
-  place_stated(model, state);
-  if (takes_momenta) {
-    set_momenta(model, state);
-    place_stated(model, state);
-  }
+  State state = with_leaves(model, start_state(model, checked.scene), leaves);
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
     const Input& input = model.inputs[i];
     if (!input.law) continue;
@@ -54,12 +49,13 @@ Result<State> stated_state(const CheckedModel& checked, bool takes_momenta) {
 
 Result<ValueTable> state_values(const CheckedModel& checked, const StateOptions& options) {
   ValueTable table = table_of(checked, options.digits);
-  State at_time = start_state(checked.model, checked.scene);
-  place_stated(checked.model, at_time);
-  const Result<CheckedModel> from =
-      options.projects ? assembled_model(checked, at_time.t) : checked;
+  const State start = start_state(checked.model, checked.scene);
+  const std::vector<StatedLeaf> leaves = stated_leaves(checked.model, start);
+  const auto time = std::ranges::find(leaves, Opcode::time, &StatedLeaf::kind);
+  const cl_R& t = time == leaves.end() ? start.t : time->value;
+  const Result<CheckedModel> from = options.projects ? assembled_model(checked, t) : checked;
   if (!from) return from.diagnostics;
-  const Result<State> state = stated_state(*from, takes(table, Opcode::momentum));
+  const Result<State> state = stated_state(*from, leaves);
   if (!state) return state.diagnostics;
   Diagnostics errors;
   for (std::size_t i = 0; i < table.functions.size(); ++i) {

@@ -26,7 +26,7 @@ struct VectorState {
 
 State start_of(const Subject& subject) {
   State state = start_state(subject.model, subject.scene);
-  if (!subject.program.leaves.momenta.empty()) set_momenta(subject.model, state);
+  state.momenta = with_leaves(subject.model, state, {}).momenta;
   state.h = cln::cl_RA(1) / 100;
   return state;
 }

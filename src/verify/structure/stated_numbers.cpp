@@ -10,32 +10,12 @@
 
 #include "model/requests.hpp"
 #include "numbers/exact_number.hpp"
+#include "sample/states.hpp"
 
 namespace elgen {
 namespace {
 
 using cln::cl_R;
-
-State state_of(const Model& model, const StatedState& at) {
-  State state = start_state(model, {});
-  for_each_leaf(
-      [&at](Opcode kind, std::uint32_t number, cl_R& value) {
-        for (const StatedLeaf& leaf : at.leaves) {
-          if (leaf.kind == kind && leaf.number == number) value = leaf.value;
-        }
-      },
-      state);
-  if (!model.rotations.empty()) {
-    const OracleValues q = oracle_values(model, {.kind = OutputKind::normalized}, state);
-    if (q) state.q = *q;
-  }
-  const OracleValues momenta = oracle_values(model, {.kind = OutputKind::momentum}, state);
-  if (momenta) state.momenta = *momenta;
-  for (const StatedLeaf& leaf : at.leaves) {
-    if (leaf.kind == Opcode::momentum) state.momenta[leaf.number] = leaf.value;
-  }
-  return state;
-}
 
 /// The field of an expectation by the oracle; empty where it has no value.
 std::vector<cl_R> field_at(const Model& model, const Expectation& expectation, const State& state) {
@@ -56,7 +36,7 @@ std::string digits_of(const cl_R& value) {
 void check_numbers(ExpectationReport& report, const Expectation& expectation,
                    const Subject& subject) {
   const Model& model = subject.model;
-  const State state = state_of(model, *expectation.at);
+  const State state = with_leaves(model, start_state(model, {}), expectation.at->leaves);
   const std::string where = describe(subject, state);
   const std::vector<cl_R> field = field_at(model, expectation, state);
   const cl_R largest = largest_of(field);

@@ -11,8 +11,8 @@
 #include "accuracy/running_errors.hpp"
 #include "elgen/fold.hpp"
 #include "elgen/outputs.hpp"
-#include "model/requests.hpp"
 #include "numbers/exact_number.hpp"
+#include "sample/states.hpp"
 #include "verify/states/tally.hpp"
 #include "verify/structure/identities.hpp"
 
@@ -116,10 +116,7 @@ std::vector<ExactValues> points_at(const Subject& subject, const std::vector<Sta
 
 /// The states with quaternions of norm 1, which those in double are to 16 digits: R turns there.
 std::vector<State> on_sphere(const Subject& subject, std::vector<State> states) {
-  const OutputRequest request = request_of(subject.model, OutputKind::normalized, 0);
-  for (State& state : states) {
-    if (const OracleValues q = oracle_values(subject.model, request, state)) state.q = *q;
-  }
+  for (State& state : states) scale_to_length_one(subject.model, state);
   return states;
 }
 
