@@ -27,7 +27,7 @@ struct RootRequest {
 class ValueReader {
  public:
   ValueReader(Context& context, const Scope& scope) : context_(context), scope_(scope) {}
-  /// Of an entry that is not repeated.
+  /// Reads an entry that is not repeated.
   explicit ValueReader(Context& context) : ValueReader(context, Scope(context.sizes)) {}
 
   /// Resolves an expression and registers it as a root; `no_expression` after an error.

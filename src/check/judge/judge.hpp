@@ -1,5 +1,5 @@
-// What a set of resolved entries must be to have equations of motion, and its closed forms:
-// [[expect]] -> Model::expectations.
+// Judge: whether resolved entries have equations of motion. Reads their closed forms: [[expect]] ->
+// Model::expectations.
 #pragma once
 
 #include <optional>

@@ -18,7 +18,7 @@ Diagnostic no_value(std::string_view name, const Span& span) {
   return {Code::E521, span, in_backticks(name) + " has no value at this state"};
 }
 
-/// What `--state` says of kinds that a start does not have.
+/// The leaves in `--state` of kinds that a start does not have.
 std::vector<StatedLeaf> stated_leaves(const Model& model, const State& start) {
   constexpr LeafSet kinds = Opcode::acceleration | Opcode::momentum | Opcode::time | Opcode::step;
   std::vector<StatedLeaf> leaves;
