@@ -14,11 +14,11 @@ bool has_octave() { return is_installed("octave", "octave-cli --version"); }
 /// A folder with scenes in the language.
 class Matlab : public Workspace {
  public:
-  /// Of a model file; its module is named as the scene.
+  /// Of a model file; its module is named NAME_m where the model is named NAME.
   void write_scene(const std::string& name, const std::string& model,
                    const std::string& more = "") const {
-    write(name + ".scene.toml", "format = 1\nmodel = \"" + model + "\"\nname = \"" + name + "\"\n" +
-                                    more + "[emit]\nlanguage = \"matlab\"\n");
+    write(name + ".scene.toml", "format = 1\nmodel = \"" + model + "\"\nname = \"m\"\n" + more +
+                                    "[emit]\nlanguage = \"matlab\"\n");
   }
   /// What Octave says to the statements, in the folder of a module.
   [[nodiscard]] Outcome octave(const std::string& name, const std::string& statements) const {
@@ -57,7 +57,7 @@ TEST_CASE("matlab: ten models have the numbers of the program") {
     folder.write_scene(name, models + "/" + name + ".toml");
     scenes += " " + name + ".scene.toml";
   }
-  const Outcome judged = folder.run("elgen verify --quick" + scenes);
+  const Outcome judged = folder.run("elgen verify --samples 4" + scenes);
   INFO(judged.output + judged.errors);
   CHECK(judged.status == 0);
   CHECK_FALSE(mentions(judged.output, "could not be run"));
@@ -67,17 +67,17 @@ TEST_CASE("matlab: a changed module is told from the program, and no octave is a
   const Matlab folder;
   folder.write_scene("cart_pole", models + "/cart_pole.toml", "[outputs]\nmass_matrix = true\n");
   const Outcome without =
-      folder.run("OCTAVE=/nonexistent/octave elgen verify --quick cart_pole.scene.toml");
+      folder.run("OCTAVE=/nonexistent/octave elgen verify --samples 4 cart_pole.scene.toml");
   INFO(without.output + without.errors);
   CHECK(without.status == 0);
   CHECK(mentions(without.output, "`/nonexistent/octave` could not be run"));
   if (!has_octave()) return;
   // It answers as Octave does, but for the sign of the first cosine.
   folder.write("wrong",
-               "#!/bin/sh\nsed -i '0,/= cos(/s//= -cos(/' \"$(dirname \"$1\")/cart_pole.m\"\n"
+               "#!/bin/sh\nsed -i '0,/= cos(/s//= -cos(/' \"$(dirname \"$1\")/cart_pole_m.m\"\n"
                "exec octave-cli --norc --quiet \"$1\"\n");
   const Outcome wrong = folder.run(
-      "chmod +x wrong && OCTAVE=\"$PWD/wrong\" elgen verify --quick cart_pole.scene.toml");
+      "chmod +x wrong && OCTAVE=\"$PWD/wrong\" elgen verify --samples 4 cart_pole.scene.toml");
   INFO(wrong.output + wrong.errors);
   CHECK(wrong.status == 1);
 }
@@ -88,12 +88,12 @@ TEST_CASE("matlab: reserved words get an underscore, long names of values are cu
   folder.write("odd.toml", odd_model(name));
   folder.write_scene("odd", "odd.toml");
   folder.prepare("elgen generate -q odd.scene.toml");
-  const std::string text = folder.read("generated/odd/odd.m");
+  const std::string text = folder.read("generated/odd_m/odd_m.m");
   CHECK(mentions(text, "p.function_ * "));
   CHECK(mentions(text, "p.until_(1)"));
   CHECK(mentions(text, "\n  result.until_ = [3.0; 4.0];"));
   CHECK(mentions(text, "coordinate_names = {'" + name + "', 'end'};"));
-  CHECK(mentions(text, "odd.sign_of("));
+  CHECK(mentions(text, "odd_m.sign_of("));
   CHECK(mentions(text, "\nfunction result = forward_dynamics(p, q, v, u)\n"));
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
@@ -102,7 +102,7 @@ TEST_CASE("matlab: reserved words get an underscore, long names of values are cu
     CHECK_FALSE(mentions(line, "sin_" + name + " ="));
   }
   if (!has_octave()) return;
-  const Outcome judged = folder.run("elgen verify --quick odd.scene.toml");
+  const Outcome judged = folder.run("elgen verify --samples 4 odd.scene.toml");
   INFO(judged.output + judged.errors);
   CHECK(judged.status == 0);
 }
@@ -113,15 +113,15 @@ TEST_CASE("matlab: vectors are columns, several results a struct, what is empty 
   folder.write_scene("pendulum", models + "/simple_pendulum.toml");
   folder.write_scene("cart", models + "/cart_pole.toml");
   folder.prepare("elgen generate -q pendulum.scene.toml cart.scene.toml");
-  const Outcome said =
-      folder.octave("cart",
-                    "addpath('../pendulum');\np = cart.parameters();\n"
-                    "q = cart.start_coordinates; v = cart.start_rates;\n"
-                    "disp(size(cart.gravity(p, q)))\ndisp(size(cart.mass_matrix(p, q)))\n"
-                    "disp(fieldnames(cart.forward_dynamics(p, q, v, 0)).')\n"
-                    "disp(size(pendulum.input_limits))\ndisp(size(pendulum.input_names))\n"
-                    "p.m = 0.2;\nm = cart.mass_matrix(p, [0; 0]);\nprintf('%.3f\\n', m(1, 1))\n"
-                    "disp(cart.is_regular(cart.forward_dynamics(p, q, v, 0).relative_pivots))");
+  const Outcome said = folder.octave(
+      "cart_pole_m",
+      "addpath('../simple_pendulum_m');\np = cart_pole_m.parameters();\n"
+      "q = cart_pole_m.start_coordinates; v = cart_pole_m.start_rates;\n"
+      "disp(size(cart_pole_m.gravity(p, q)))\ndisp(size(cart_pole_m.mass_matrix(p, q)))\n"
+      "disp(fieldnames(cart_pole_m.forward_dynamics(p, q, v, 0)).')\n"
+      "disp(size(simple_pendulum_m.input_limits))\ndisp(size(simple_pendulum_m.input_names))\n"
+      "p.m = 0.2;\nm = cart_pole_m.mass_matrix(p, [0; 0]);\nprintf('%.3f\\n', m(1, 1))\n"
+      "disp(cart_pole_m.is_regular(cart_pole_m.forward_dynamics(p, q, v, 0).relative_pivots))");
   INFO(said.errors);
   CHECK(said.output ==
         "   2   1\n   2   2\n{\n  [1,1] = acceleration\n  [1,2] = relative_pivots\n}\n"
@@ -134,8 +134,7 @@ TEST_CASE("matlab: ode45 integrates as templates/README.md shows") {
   REQUIRE(first != std::string::npos);
   if (!has_octave()) return;
   const Matlab folder;
-  folder.write_scene("cart_pole", models + "/cart_pole.toml");
-  folder.prepare("elgen generate -q cart_pole.scene.toml");
+  folder.prepare("elgen generate -q --language matlab -o generated " + models + "/cart_pole.toml");
   const Outcome said =
       folder.octave("cart_pole", page.substr(first, page.find("```", first) - first));
   INFO(said.errors);
@@ -154,7 +153,7 @@ TEST_CASE("matlab: keys of compiled code are refused, and so is a name for the m
   CHECK(mentions(stored.errors, "[E611]"));
   folder.write_scene("renamed", "odd.toml",
                      "[outputs]\ngravity = { rename = \"sign_of\" }\n"
-                     "momentum = { rename = \"renamed\" }\nmass_matrix = true\n");
+                     "momentum = { rename = \"odd_m\" }\nmass_matrix = true\n");
   const Outcome renamed = folder.run("elgen generate renamed.scene.toml");
   CHECK(renamed.status == 2);
   CHECK(count(renamed.errors, "[E701]") == 2);
