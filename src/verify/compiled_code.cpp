@@ -27,14 +27,6 @@ bool same_bits(Scalar x, Scalar y) {
   return x == y && std::signbit(x) == std::signbit(y);
 }
 
-template <class Scalar>
-std::size_t differing(const std::vector<Scalar>& x, const std::vector<Scalar>& y) {
-  if (x.size() != y.size()) return std::max(x.size(), y.size());
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) count += same_bits(x[i], y[i]) ? 0 : 1;
-  return count;
-}
-
 /// "float, batch, -O3 -march=native": the kind of code.
 std::string kind_of_code(const CompiledHeader& compiled, std::string_view first) {
   std::string text(first);
@@ -59,46 +51,33 @@ double allowed_roundings(const CompiledHeader& compiled, const Function& functio
   return calls_own ? std::max<double>(of_own, compiled.roundings) : compiled.roundings;
 }
 
-/// The entries beyond so many u of the largest of their field.
-std::size_t beyond(const std::vector<double>& given, const std::vector<double>& expected,
-                   const Function& function, double most) {
-  if (given.size() != expected.size()) return expected.size();
+/// The entries with other bits that are off by more than `most` u of the largest one of their
+/// field. An exception agrees with numbers that are infinite or none.
+template <class Scalar>
+std::size_t differing(const Function& function, const std::vector<Scalar>& given,
+                      const std::vector<Scalar>& expected, double most) {
+  const auto is_finite = [](Scalar x) { return std::isfinite(x); };
+  if (given.empty() && !std::ranges::all_of(expected, is_finite)) return 0;
+  if (given.size() != expected.size()) return std::max(given.size(), expected.size());
   constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
   std::size_t count = 0;
-  std::size_t first = 0;
+  std::size_t i = 0;
   for (const Field& field : function.fields) {
+    const std::size_t end = i + field.entries.size();
     double largest = 0;
-    const std::size_t end = first + field.entries.size();
-    for (std::size_t i = first; i < end; ++i) largest = std::max(largest, std::abs(expected[i]));
-    for (std::size_t i = first; i < end; ++i) {
-      const double error = std::abs(given[i] - expected[i]);
-      const bool is_near = error <= most * unit_roundoff * largest;
-      count += is_near || same_bits(given[i], expected[i]) ? 0 : 1;
+    for (std::size_t k = i; k < end; ++k) {
+      largest = std::max<double>(largest, std::abs(expected[k]));
     }
-    first = end;
+    for (; i < end; ++i) {
+      const double error = std::abs(given[i] - expected[i]);
+      const bool is_near = most > 0 && error <= most * unit_roundoff * largest;
+      if (!is_near && !same_bits(given[i], expected[i])) ++count;
+    }
   }
   return count;
 }
 
-/// An exception agrees with numbers that are infinite or none.
-bool raised_for(const std::vector<double>& given, const std::vector<double>& expected) {
-  return given.empty() && std::ranges::any_of(expected, [](double x) { return !std::isfinite(x); });
-}
-
-template <class Scalar>
-std::size_t differing_from_program(const CompiledHeader& compiled, const Function& function,
-                                   const std::vector<Scalar>& given,
-                                   const std::vector<Scalar>& expected) {
-  if constexpr (std::is_same_v<Scalar, double>) {
-    if (raised_for(given, expected)) return 0;
-    const double most = allowed_roundings(compiled, function);
-    if (most > 0) return beyond(given, expected, function, most);
-  }
-  return differing(given, expected);
-}
-
-std::string tolerance_of(const CompiledHeader& compiled, const Function& function) {
-  const double most = allowed_roundings(compiled, function);
+std::string tolerance_of(const CompiledHeader& compiled, double most) {
   if (most > 0) {
     return fmt::format(
         "{} u of the largest entry: the interpreter computes functions of the "
@@ -118,12 +97,13 @@ CertificateRow compiled_row(const Subject& subject, const CompiledHeader& compil
   // A batch takes one state after another where numbers are compared.
   const bool in_packs = compiled.in_packs && !needs_order(function);
   const Sines<Scalar> sines(subject.scene, in_packs ? SinesOf::packs : SinesOf::numbers);
+  const double most = allowed_roundings(compiled, function);
   std::size_t wrong = 0;
   std::size_t entries = 0;
   std::string where;
   for (std::size_t i = 0; i < states.size(); ++i) {
     const auto expected = evaluate_code(subject.program, function, states[i].values, sines);
-    const std::size_t count = differing_from_program(compiled, function, values[i], expected);
+    const std::size_t count = differing(function, values[i], expected, most);
     if (wrong == 0 && count > 0) where = describe(subject, exact_state(subject, states[i].values));
     wrong += count;
     entries += expected.size();
@@ -137,7 +117,7 @@ CertificateRow compiled_row(const Subject& subject, const CompiledHeader& compil
   row.samples = states.size();
   row.worst = fmt::format("{} of {} entries differ", wrong, entries);
   row.where = where;
-  row.tolerance = tolerance_of(compiled, function);
+  row.tolerance = tolerance_of(compiled, most);
   row.verdict = wrong == 0 ? Verdict::holds : Verdict::fails;
   return row;
 }
