@@ -14,7 +14,7 @@ const cl_R& rounding_share() {
 }
 
 Vector row_scales(const Vector& matrix, std::size_t n) {
-  Vector scales(n, cl_R(0));
+  Vector scales(matrix.size() / n, cl_R(0));
   cl_R largest = 0;
   for (std::size_t k = 0; k < matrix.size(); ++k) {
     scales[k / n] = cln::max(scales[k / n], cln::abs(matrix[k]));

@@ -13,7 +13,7 @@ using Vector = std::vector<cln::cl_R>;
 /// two inertias of one model differ so much.
 [[nodiscard]] const cln::cl_R& rounding_share();
 
-/// The largest magnitude in each row of an n x n matrix, row-major; 0 where that is rounding beside
+/// The largest magnitude in each row of a matrix of n columns, row-major; 0 where that is rounding beside
 /// the largest of all.
 [[nodiscard]] Vector row_scales(const Vector& matrix, std::size_t n);
 
