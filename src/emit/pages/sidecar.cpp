@@ -46,6 +46,14 @@ std::string printed(const Json& json, std::size_t column, std::size_t indent) {
   return brackets[0] + text + "\n" + std::string(indent, ' ') + brackets[1];
 }
 
+/// A list of the elements, each as `json_of` gives it.
+template <class Elements, class F>
+Json listed(const Elements& elements, const F& json_of) {
+  Json list = Json::array();
+  for (const auto& element : elements) list.push_back(json_of(element));
+  return list;
+}
+
 /// A name and its unit, where it has one.
 Json named(const std::string& name, const std::string& unit) {
   Json json = {{"name", name}};
@@ -73,81 +81,66 @@ void add_rate(Json& json, const Velocity& velocity) {
 
 /// Where nothing rotates, velocities are the rates of the coordinates, in their order.
 Json coordinates(const Model& model) {
-  Json list = Json::array();
-  for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
-    const Coordinate& coordinate = model.coordinates[i];
+  return listed(model.coordinates, [&](const Coordinate& coordinate) {
     Json json = named(coordinate.name, coordinate.unit_text);
     add_interval(json, "range", coordinate.range);
     json["start"] = exact_text(coordinate.start_value);
     if (coordinate.wrap) json["wrap"] = true;
-    if (model.rotations.empty()) add_rate(json, model.velocities[i]);
-    list.push_back(std::move(json));
-  }
-  return list;
+    if (model.rotations.empty()) add_rate(json, model.velocities[coordinate.velocity]);
+    return json;
+  });
 }
 
 Json velocities(const Model& model) {
-  Json list = Json::array();
-  for (const Velocity& velocity : model.velocities) {
+  return listed(model.velocities, [&](const Velocity& velocity) {
     Json json = named(velocity.name, velocity_unit(model, velocity));
     add_rate(json, velocity);
-    list.push_back(std::move(json));
-  }
-  return list;
+    return json;
+  });
 }
 
 Json inputs(const Model& model) {
-  Json list = Json::array();
-  for (const Input& input : model.inputs) {
+  return listed(model.inputs, [](const Input& input) {
     Json json = named(input.name, input.unit_text);
     add_interval(json, "limits", input.limits);
-    list.push_back(std::move(json));
-  }
-  return list;
+    return json;
+  });
 }
 
 /// Each is `value` = 0, on positions or on velocities.
 Json constraints(const Model& model) {
-  Json list = Json::array();
-  for (const Constraint& constraint : model.constraints) {
+  return listed(model.constraints, [&](const Constraint& constraint) {
     Json json = named(constraint.name, constraint.unit ? to_string(*constraint.unit) : "");
     json["kind"] = constraint.is_position ? "position" : "velocity";
     json["value"] = to_string(model, constraint.value);
-    list.push_back(json);
-  }
-  return list;
+    return json;
+  });
 }
 
 /// Open functions with their arguments, in the model language.
 Json open_functions(const Model& model) {
-  Json list = Json::array();
-  for (const OpenFunction& function : model.functions) {
+  const auto text = [&model](ExpressionId argument) { return to_string(model, argument); };
+  return listed(model.functions, [&](const OpenFunction& function) {
     Json json = named(function.name, function.unit_text);
-    json["of"] = Json::array();
-    for (const ExpressionId id : function.arguments) json["of"].push_back(to_string(model, id));
-    list.push_back(json);
-  }
-  return list;
+    json["of"] = listed(function.arguments, text);
+    return json;
+  });
 }
 
 /// The entries of f; arguments count from 1.
 Json open_values(const Model& model) {
-  Json list = Json::array();
-  for (const OpenValue& value : model.open_values) {
+  const auto count = [](std::uint32_t argument) { return argument + 1; };
+  return listed(model.open_values, [&](const OpenValue& value) {
     Json json = named(value.name, value.unit_text);
     json["function"] = model.functions[value.function].name;
-    json["by"] = Json::array();
-    for (const std::uint32_t argument : value.by) json["by"].push_back(argument + 1);
-    list.push_back(json);
-  }
-  return list;
+    json["by"] = listed(value.by, count);
+    return json;
+  });
 }
 
 Json parameters(const Model& model, const Program& program) {
-  Json list = Json::array();
-  for (const ParameterArray& array : emitted_parameters(model, program)) {
-    Json values = Json::array();
-    for (const cln::cl_R& value : values_of(model, array)) values.push_back(exact_text(value));
+  return listed(emitted_parameters(model, program), [&](const ParameterArray& array) {
+    const Json values = listed(values_of(model, array), &exact_text);
     Json json = named(array.name, array.unit_text);
     if (array.is_array) json["size"] = array.count;
     json["value"] = array.is_array ? values : values.front();
@@ -157,9 +150,8 @@ Json parameters(const Model& model, const Program& program) {
       json["assume"] = assumption == Assumption::positive ? "positive" : "nonnegative";
     }
     add_spellings(json, array.name);
-    list.push_back(json);
-  }
-  return list;
+    return json;
+  });
 }
 
 Json operations(const Function& function) {
@@ -170,20 +162,15 @@ Json operations(const Function& function) {
 }
 
 Json definitions(const FunctionEquations& equations) {
-  Json list = Json::array();
-  for (const EquationLine& line : equations.definitions) {
-    list.push_back({{"name", line.name}, {"value", line.value}});
-  }
-  return list;
+  return listed(equations.definitions, [](const EquationLine& line) {
+    return Json{{"name", line.name}, {"value", line.value}};
+  });
 }
 
 /// The arguments of the function in every language, in their order.
 Json arguments(const Model& model, const Function& function) {
-  Json list = Json::array();
-  for (const Opcode argument : arguments_of(model, function)) {
-    list.push_back(leaf_row(argument).symbol);
-  }
-  return list;
+  return listed(arguments_of(model, function),
+                [](Opcode argument) { return leaf_row(argument).symbol; });
 }
 
 /// Shape, and entries where the output has equations of its own.
