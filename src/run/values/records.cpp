@@ -87,12 +87,6 @@ ValueTable table_of(const CheckedModel& checked, int digits) {
   return table;
 }
 
-bool takes(const ValueTable& table, Opcode kind) {
-  return std::ranges::any_of(table.functions, [kind](const ValueFunction& function) {
-    return std::ranges::find(function.takes, kind) != function.takes.end();
-  });
-}
-
 std::optional<ValueRecord> record_at(const ValueTable& table, std::size_t function,
                                      std::string place, const State& state) {
   const OutputRequest& output = table.functions[function].output;

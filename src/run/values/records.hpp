@@ -10,9 +10,6 @@ namespace elgen {
 /// A table of the outputs of a scene, those that hold others left out, without records.
 [[nodiscard]] ValueTable table_of(const CheckedModel& checked, int digits);
 
-/// Whether some function of the table takes the kind.
-[[nodiscard]] bool takes(const ValueTable& table, Opcode kind);
-
 /// None where the function has no value at the state.
 [[nodiscard]] std::optional<ValueRecord> record_at(const ValueTable& table, std::size_t function,
                                                    std::string place, const State& state);

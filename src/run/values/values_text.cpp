@@ -19,6 +19,19 @@ std::vector<std::string> leaf_texts(const Model& model, Opcode kind) {
   return texts;
 }
 
+LeafSet set_of(const std::vector<Opcode>& kinds) {
+  LeafSet set;
+  for (const Opcode kind : kinds) set |= kind;
+  return set;
+}
+
+/// The kinds that some function takes.
+LeafSet taken_by(const ValueTable& table) {
+  LeafSet kinds;
+  for (const ValueFunction& function : table.functions) kinds |= set_of(function.takes);
+  return kinds;
+}
+
 /// The texts of a column, those of labels from the left, numbers to the right.
 void align(std::vector<std::string>& cells, const char* pattern) {
   std::size_t width = 0;
@@ -48,9 +61,10 @@ std::string field_text(const std::string& title, const ValueField& field,
 
 /// "theta = 0.1, dot(theta) = 2.0": all that functions take, but parameters.
 std::string state_text(const ValueTable& table, const State& state) {
+  const LeafSet kinds = taken_by(table);
   std::vector<std::string> parts;
   const auto add = [&](Opcode kind, std::uint32_t number, const cln::cl_R& value) {
-    if (kind == Opcode::parameter || !takes(table, kind)) return;
+    if (kind == Opcode::parameter || !kinds.has_any(kind)) return;
     parts.push_back(fmt::format("{} = {}", leaf_text(table.model, kind, number),
                                 decimal_text(value, table.digits)));
   };
@@ -79,15 +93,6 @@ std::string record_json(const ValueTable& table, const ValueRecord& record) {
   if (!record.digits.empty())
     text += fmt::format(R"(, "digits": [{}])", fmt::join(record.digits, ", "));
   return text + "}";
-}
-
-/// The kinds that functions take, in their order.
-std::vector<Opcode> kinds_of(const ValueTable& table) {
-  std::vector<Opcode> kinds;
-  for (const LeafRow& row : leaf_table()) {
-    if (takes(table, row.id)) kinds.push_back(row.id);
-  }
-  return kinds;
 }
 
 /// The struct of a function: its arguments, its values, and their digits.
@@ -154,20 +159,21 @@ std::string to_json(const ValueTable& table) {
 }
 
 std::string to_csv(const ValueTable& table) {
-  const std::vector<Opcode> kinds = kinds_of(table);
+  const LeafSet kinds = taken_by(table);
   std::string text = "function,field,row,column,unit,value,digits,state";
-  for (const Opcode kind : kinds) {
-    text += fmt::format(",{}", fmt::join(leaf_texts(table.model, kind), ","));
+  for (const LeafRow& row : leaf_table()) {
+    if (!kinds.has_any(row.id)) continue;
+    text += fmt::format(",{}", fmt::join(leaf_texts(table.model, row.id), ","));
   }
   text += "\n";
   for (const ValueRecord& record : table.records) {
     const ValueFunction& function = table.functions[record.function];
+    const LeafSet taken = set_of(function.takes);
     std::string cells = record.place;
     for_each_leaf(
         [&](Opcode kind, std::uint32_t, const cln::cl_R& value) {
-          if (std::ranges::find(kinds, kind) == kinds.end()) return;
-          const bool is_taken = std::ranges::find(function.takes, kind) != function.takes.end();
-          cells += "," + (is_taken ? decimal_text(value, table.digits) : "");
+          if (!kinds.has_any(kind)) return;
+          cells += "," + (taken.has_any(kind) ? decimal_text(value, table.digits) : "");
         },
         record.state);
     std::size_t entry = 0;
