@@ -87,6 +87,11 @@ Function as_written(const Dialect& dialect, Function function) {
   return function;
 }
 
+/// Whether a body of so many statements is in parts.
+bool is_cut(const Dialect& dialect, std::size_t statements) {
+  return statements > longest_body && dialect.rules().has_parts && dialect.inner() == nullptr;
+}
+
 void use(const Instruction& instruction, UsedNames& used) {
   if (is_leaf(instruction.opcode)) used.variables.insert(leaf_row(instruction.opcode).symbol);
   if (instruction.opcode == Opcode::square_root) used.functions.insert("sqrt");
@@ -115,8 +120,7 @@ class DefinitionWriter {
   FunctionDefinition definition() {
     const Pairing pairing = dialect_.has_pairs() ? Pairing::joint : Pairing::separate;
     const std::vector<Statement> all = statements(ordered_, names_, pairing, loop_);
-    const bool has_parts = dialect_.rules().has_parts && dialect_.inner() == nullptr;
-    if (all.size() <= longest_body || !has_parts) return {short_text(all)};
+    if (!is_cut(dialect_, all.size())) return {short_text(all)};
     Sections cut = sections(all, section_length);
     if (loop_.count > 0) cut.crosses[loop_.first] = true;
     FunctionDefinition result;
