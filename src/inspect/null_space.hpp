@@ -13,8 +13,8 @@ using Vector = std::vector<cln::cl_R>;
 /// two inertias of one model differ so much.
 [[nodiscard]] const cln::cl_R& rounding_share();
 
-/// The largest magnitude in each row of a matrix of n columns, row-major; 0 where that is rounding beside
-/// the largest of all.
+/// The largest magnitude in each row of a matrix of n columns, row-major; 0 where that is rounding
+/// beside the largest of all.
 [[nodiscard]] Vector row_scales(const Vector& matrix, std::size_t n);
 
 /// A basis of {x : A x = 0}. Entries below 1e-50 of their row's scale are what cancellation left of
