@@ -27,8 +27,8 @@ using DriverFunction = void (*)(
 #undef ELGEN_LEAF
     Scalar* result);
 
-/// values[function][state]: all entries of all fields. Empty where the function raised an exception:
-/// interpreters raise one in the place of infinities and NaNs.
+/// values[function][state]: all entries of all fields. Empty where the function raised an
+/// exception: interpreters raise one in the place of infinities and NaNs.
 using ValuesOfFunctions = std::vector<std::vector<std::vector<double>>>;
 
 /// The functions of one emitted header, instantiated for one built-in scalar.

@@ -68,7 +68,8 @@ inline void add_language(CLI::App& command, std::optional<LanguageId>& language)
   const auto set = [&language](const std::string& name) {
     language = std::ranges::find(language_table, name, &LanguageRow::name)->id;
   };
-  command.add_option_function<std::string>("--language", set, "of the code, whatever the scene says")
+  command
+      .add_option_function<std::string>("--language", set, "of the code, whatever the scene says")
       ->check(CLI::IsMember(names))
       ->type_name("LANGUAGE");
 }

@@ -32,7 +32,8 @@ TEST_CASE("help starts with three examples and names what there is, and only tha
     ++examples;
   }
   CHECK(examples == 3);
-  for (const char* command : {"generate", "verify", "evaluate", "vectors", "simulate", "tradeoff", "import", "explain"}) {
+  for (const char* command :
+       {"generate", "verify", "evaluate", "vectors", "simulate", "tradeoff", "import", "explain"}) {
     CHECK(mentions(outcome.output, command));
   }
   for (const char* format : {"json", "github"}) {

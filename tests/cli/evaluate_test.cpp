@@ -9,7 +9,9 @@ namespace {
 
 const std::string one_pendulum = models + "/simple_pendulum.toml";
 
-Outcome evaluate(const std::string& rest) { return run("elgen evaluate " + one_pendulum + " " + rest); }
+Outcome evaluate(const std::string& rest) {
+  return run("elgen evaluate " + one_pendulum + " " + rest);
+}
 
 }  // namespace
 
@@ -25,8 +27,9 @@ TEST_CASE("settings may stand in one word, in several, or after one another") {
     CHECK(outcome.status == 0);
     CHECK(outcome.output == expected);
   }
-  const Outcome before = run(
-      "elgen evaluate --set m=0.2 --what momentum --state theta=0.1 'dot(theta)=2' " + one_pendulum);
+  const Outcome before =
+      run("elgen evaluate --set m=0.2 --what momentum --state theta=0.1 'dot(theta)=2' " +
+          one_pendulum);
   CHECK(before.output == expected);
 }
 
@@ -61,7 +64,8 @@ TEST_CASE("digits are between 1 and 60") {
 TEST_CASE("vectors are written as the ending says, and nothing is overwritten unasked") {
   const Workspace workspace;
   const auto vectors = [&](const std::string& rest) {
-    return workspace.run("elgen vectors --outputs gravity --samples 2 " + rest + " " + one_pendulum);
+    return workspace.run("elgen vectors --outputs gravity --samples 2 " + rest + " " +
+                         one_pendulum);
   };
   const Outcome printed = vectors("");
   INFO(printed.errors);

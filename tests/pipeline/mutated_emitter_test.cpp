@@ -128,10 +128,10 @@ TEST_CASE("verify catches a sign, a digit, an index and a term of the emitted co
 }
 
 TEST_CASE("verify catches a sign, a digit, an order and a default of a module in Python") {
-  const Inputs inputs = inputs_of(
-      model_file("two_link_arm"),
-      "[outputs]\ngravity = true\nbias = true\nforward_dynamics = true\n"
-      "[parameters]\nfixed = { g = 9.81 }\n[emit]\nlanguage = \"python\"\n");
+  const Inputs inputs =
+      inputs_of(model_file("two_link_arm"),
+                "[outputs]\ngravity = true\nbias = true\nforward_dynamics = true\n"
+                "[parameters]\nfixed = { g = 9.81 }\n[emit]\nlanguage = \"python\"\n");
   expect_all_caught(run_pipeline(inputs, {}), ".py", faults_of_python);
 }
 

@@ -38,8 +38,8 @@ void read_promise(Context& context, const FileSyntax* syntax, const SceneOptions
 /// Fills Model::approximation. E614.
 void read_approximation(Context& context, const FileSyntax* scene);
 
-/// --state: Coordinate::start_value, Velocity::start_rate and Model::stated. E606, E612, and what is said of
-/// expressions.
+/// --state: Coordinate::start_value, Velocity::start_rate and Model::stated. E606, E612, and what
+/// is said of expressions.
 void read_starts(Context& context, const SceneOptions& options);
 
 /// --input: Input::law, which is judged with what the model says. E201, E606.

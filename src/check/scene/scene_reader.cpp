@@ -118,7 +118,8 @@ std::string canonical_text(const FileSyntax* scene, const SceneOptions& options)
       text += fmt::format("--{} {}\n", name, word);
     }
   }
-  if (options.language) text += fmt::format("--language {}\n", language_row(*options.language).name);
+  if (options.language)
+    text += fmt::format("--language {}\n", language_row(*options.language).name);
   return text;
 }
 

@@ -81,7 +81,8 @@ Lines indexed_lines(const Field& field, const std::vector<std::string>& entries,
   return lines;
 }
 
-Lines listed_entries(const Field& field, const std::vector<std::string>& entries, std::size_t first) {
+Lines listed_entries(const Field& field, const std::vector<std::string>& entries,
+                     std::size_t first) {
   if (entries.size() == 1) return wrapped("= " + entries.front());
   const Lines matrix = matrix_lines(field, entries);
   return matrix.empty() ? indexed_lines(field, entries, first) : matrix;
