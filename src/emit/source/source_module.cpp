@@ -74,7 +74,8 @@ std::vector<Member> parameter_lines(const EmissionInput& input) {
     const std::string value =
         (array.is_array ? source_list(spelling.numbers, values) : values.front()) +
         std::string(spelling.end);
-    members.push_back({start + in_lines(spelling, margin + start, value), parameter_doc(array)});
+    const std::string lines = in_lines(spelling, fmt::format("{}{}", margin, start), value);
+    members.push_back({fmt::format("{}{}", start, lines), parameter_doc(array)});
   }
   return members;
 }
@@ -144,14 +145,18 @@ Texts called_functions(const Program& program, const SourceSpelling& spelling) {
   return names;
 }
 
+Texts quoted(Texts names) {
+  for (std::string& name : names) name = fmt::format("\"{}\"", name);
+  return names;
+}
+
 /// The function and its names in other libraries: arctan2, abs, Abs.
 std::string other_names(const SourceSpelling& spelling, const std::string& name) {
   Texts names{name};
   const bool is_inverse = name != "abs" && name.starts_with('a');
   if (is_inverse) names.push_back("arc" + name.substr(1));
   if (name == "fabs") names.insert(names.end(), {"abs", "Abs"});
-  for (std::string& each : names) each = '"' + each + '"';
-  return source_list(spelling.texts, names);
+  return source_list(spelling.texts, quoted(std::move(names)));
 }
 
 std::string library(const SourceSpelling& spelling, const Texts& names) {
@@ -209,9 +214,7 @@ void set_reflection(TemplateData& data, const EmissionInput& input) {
                       TemplateRow{{"names", fmt::format("{}", fmt::join(imported, ", "))}}));
   data.set("exact", exact_numbers(input));
   data.set("library", library(spelling, called));
-  Texts branching = branching_functions(input.program);
-  for (std::string& name : branching) name = '"' + name + '"';
-  data.set("branching", source_list(spelling.texts, branching));
+  data.set("branching", source_list(spelling.texts, quoted(branching_functions(input.program))));
   data.set(
       "all",
       in_lines(spelling, "_functions = ", source_list(spelling.texts, names_of_functions(input))));
