@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // An extended Kalman filter for the cart and its pole: the Jacobian of a step of Runge and Kutta's
 // method is that of Eigen's automatic differentiation.
 //

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: 0BSD
 # From which starts a regulator catches the pole: 10 201 carts at once, by NumPy.
 import numpy
 

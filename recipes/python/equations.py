@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: 0BSD
 # Equations as symbols of SymPy: the poles about the upright state, and M for a paper.
 import sympy
 

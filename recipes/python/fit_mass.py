@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: 0BSD
 # The mass of a bob from 200 measured accelerations, by the gradients of torch.
 import random
 

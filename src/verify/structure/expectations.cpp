@@ -170,7 +170,7 @@ std::optional<State> free_motion(const Model& model, State start) {
 /// The value f(a) of a function of the acceleration, with the scale of what it sums: `size`, |f(0)|
 /// and the part of each a_i, where a_i is as large as `sizes` says.
 template <class F>
-std::optional<Sample> sample_of_parts(const F& f, const State& motion, cl_R size,
+std::optional<Sample> sample_of_parts(const F& f, const State& motion, const cl_R& size,
                                       const std::vector<cl_R>& sizes) {
   State part = motion;
   part.a.assign(motion.a.size(), cl_R(0));
