@@ -2,6 +2,7 @@
 import ast
 import builtins
 import keyword
+import math
 import os
 import pathlib
 import subprocess
@@ -115,6 +116,9 @@ def check_imports():
         named = {alias.name for node in imports for alias in node.names}
         read = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
         assert named <= read, (path, named - read)
+    far = "*".join(["10^64"] * 5)
+    beyond = model().replace("range = [-1, 1]", f'range = [-1, 1]\nrate_range = ["-{far}", "{far}"]')
+    assert written(beyond).rate_ranges == ((-math.inf, math.inf),)
 
 
 def check_literals():

@@ -95,6 +95,10 @@ std::string without_repeated_blank_lines(const std::string& text) {
   return result;
 }
 
+bool is_beyond_double(const cln::cl_R& value) {
+  return fit(value, ScalarKind::double_precision) == Fit::too_large;
+}
+
 /// Whether a stumpff(x, k) has k < 0.
 bool has_negative_order(const Program& program) {
   return std::ranges::any_of(program.functions, [&program](const Function& function) {
@@ -150,9 +154,8 @@ TemplateData header_data(const EmissionInput& input, const Dialect& dialect) {
 std::vector<std::string> declared_elements(const DeclaredArray& array, std::string_view interval,
                                            std::string_view unbounded) {
   const auto bound = [&](const cln::cl_R& value, const char* sign) {
-    const bool is_finite = fit(value, ScalarKind::double_precision) != Fit::too_large;
-    return is_finite ? shortest_literal(value, ScalarKind::double_precision)
-                     : fmt::format("{}{}", sign, unbounded);
+    return is_beyond_double(value) ? fmt::format("{}{}", sign, unbounded)
+                                   : shortest_literal(value, ScalarKind::double_precision);
   };
   std::vector<std::string> elements;
   for (const std::string& text : array.texts) elements.push_back(string_literal(text));
@@ -163,6 +166,14 @@ std::vector<std::string> declared_elements(const DeclaredArray& array, std::stri
                                    range ? bound(range->high, "") : std::string(unbounded)));
   }
   return elements;
+}
+
+bool has_unbounded(const DeclaredArray& array) {
+  const auto is_open = [](const std::optional<Interval>& range) {
+    return !range || is_beyond_double(range->low) || is_beyond_double(range->high);
+  };
+  return std::ranges::any_of(array.numbers, is_beyond_double) ||
+         std::ranges::any_of(array.intervals, is_open);
 }
 
 std::string left_out_note(const Function& function) {

@@ -30,6 +30,9 @@ void set_regular(TemplateData& data, const EmissionInput& input);
                                                          std::string_view interval,
                                                          std::string_view unbounded);
 
+/// Whether an element has no bound, or one beyond double: `unbounded` stands there.
+[[nodiscard]] bool has_unbounded(const DeclaredArray& array);
+
 /// " step is left out: it has more than 4096 entries."
 [[nodiscard]] std::string left_out_note(const Function& function);
 

@@ -197,17 +197,13 @@ std::string trimmed(const std::string& text) {
   return result;
 }
 
-bool has_open_interval(const DeclaredArray& array) {
-  return std::ranges::any_of(array.intervals, [](const auto& interval) { return !interval; });
-}
-
 /// Sets imports and lists of functions, for which some templates have holes.
 void set_reflection(TemplateData& data, const EmissionInput& input) {
   const SourceSpelling& spelling = source_spelling(input.scene.emission.language);
   const Texts called = called_functions(input.program, spelling);
   Texts imported = called;
   const std::vector<DeclaredArray> arrays = all_arrays(input.model, input.program);
-  if (std::ranges::any_of(arrays, has_open_interval)) imported.emplace_back(spelling.unbounded);
+  if (std::ranges::any_of(arrays, has_unbounded)) imported.emplace_back(spelling.unbounded);
   std::sort(imported.begin(), imported.end());
   data.set("imports",
            section_if(!imported.empty(),
