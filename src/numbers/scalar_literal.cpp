@@ -160,6 +160,10 @@ std::string scalar_literal(const cln::cl_R& value, ScalarKind scalar) {
   return readable ? *readable : shortest_literal(value, scalar);
 }
 
+std::string signed_literal(const cln::cl_R& value, ScalarKind scalar) {
+  return (cln::minusp(value) ? "-" : "") + scalar_literal(cln::abs(value), scalar);
+}
+
 std::optional<std::string> exact_in_float(const cln::cl_R& value) {
   if (!is_rational(value) || fit(value, ScalarKind::single_precision) != Fit::fits) {
     return std::nullopt;

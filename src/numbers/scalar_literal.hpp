@@ -24,6 +24,9 @@ enum class Fit : std::uint8_t { fits, too_large, too_small };
 /// The same, but decimals of up to 17 digits stay as they are. Without a suffix.
 [[nodiscard]] std::string scalar_literal(const cln::cl_R& value, ScalarKind scalar);
 
+/// The same, behind the sign of the value.
+[[nodiscard]] std::string signed_literal(const cln::cl_R& value, ScalarKind scalar);
+
 /// The value itself where a float holds it exactly (0, 2, -1/2) and 17 digits write it.
 [[nodiscard]] std::optional<std::string> exact_in_float(const cln::cl_R& value);
 

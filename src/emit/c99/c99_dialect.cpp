@@ -208,9 +208,8 @@ Texts C99Dialect::declared_arguments(const Function& function) const {
 ScalarKind c99_scalar(const Scene& scene) { return scene.numerics.scalars.front(); }
 
 std::string c99_literal(const cln::cl_R& value, ScalarKind scalar) {
-  const std::string magnitude = scalar_literal(cln::abs(value), scalar);
   const bool is_float = scalar == ScalarKind::single_precision;
-  return (cln::minusp(value) ? "-" : "") + magnitude + (is_float ? "f" : "");
+  return signed_literal(value, scalar) + (is_float ? "f" : "");
 }
 
 std::unique_ptr<Dialect> c99_dialect(const Model& model, const Scene& scene,

@@ -84,13 +84,14 @@ void set_counts(TemplateData& data, const EmissionInput& input) {
   data.set("parameter_count", std::to_string(emitted_parameter_count(input.model, input.program)));
 }
 
-/// kainjow leaves an empty line where a section on lines of its own is not rendered.
-std::string without_repeated_blank_lines(const std::string& text) {
+/// Without blanks at the ends of lines, and with at most so many empty lines in a row: kainjow
+/// leaves one where a section on lines of its own is not rendered.
+std::string tidied(const std::string& text, std::size_t most_empty) {
+  const std::string ends(most_empty + 1, '\n');
   std::string result;
   for (const char c : text) {
-    const bool repeats = c == '\n' && result.size() > 1 && result.back() == '\n' &&
-                         result[result.size() - 2] == '\n';
-    if (!repeats) result += c;
+    while (c == '\n' && result.ends_with(' ')) result.pop_back();
+    if (c != '\n' || !result.ends_with(ends)) result += c;
   }
   return result;
 }
@@ -190,8 +191,8 @@ std::vector<std::string> wrapped_notes(const std::vector<std::string>& notes) {
   return lines;
 }
 
-std::string header_text(std::string_view path, const TemplateData& data) {
-  return stamped(without_repeated_blank_lines(fill_template(path, data)));
+std::string header_text(std::string_view path, const TemplateData& data, std::size_t most_empty) {
+  return stamped(tidied(fill_template(path, data), most_empty));
 }
 
 }  // namespace elgen

@@ -39,7 +39,8 @@ void set_regular(TemplateData& data, const EmissionInput& input);
 /// Notes as the lines of a comment.
 [[nodiscard]] std::vector<std::string> wrapped_notes(const std::vector<std::string>& notes);
 
-/// The filled template with its body hash; blank lines are never doubled.
-[[nodiscard]] std::string header_text(std::string_view path, const TemplateData& data);
+/// The filled template with its body hash, and with at most so many empty lines in a row.
+[[nodiscard]] std::string header_text(std::string_view path, const TemplateData& data,
+                                      std::size_t most_empty = 1);
 
 }  // namespace elgen

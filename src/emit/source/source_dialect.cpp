@@ -186,8 +186,7 @@ class SourceDialect final : public Dialect {
 }  // namespace
 
 std::string source_literal(const cln::cl_R& value) {
-  return (cln::minusp(value) ? "-" : "") +
-         scalar_literal(cln::abs(value), ScalarKind::double_precision);
+  return signed_literal(value, ScalarKind::double_precision);
 }
 
 std::string source_list(const ListSpelling& list, const Texts& values, std::size_t columns) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <utility>
@@ -84,7 +85,8 @@ std::vector<Member> parameter_lines(const EmissionInput& input) {
 std::optional<cln::cl_RA> factor_of_pi(const ConstantForm& form) {
   if (form.kind == ConstantKind::pi) return cln::cl_RA(1);
   if (form.kind != ConstantKind::product || form.parts.size() != 2) return std::nullopt;
-  const auto& [first, second] = std::pair(form.parts[0], form.parts[1]);
+  const ConstantPart& first = form.parts[0];
+  const ConstantPart& second = form.parts[1];
   const bool is_multiple = first.weight == 1 && second.weight == 1 &&
                            first.form.kind == ConstantKind::rational &&
                            second.form.kind == ConstantKind::pi;
@@ -167,34 +169,27 @@ std::string library(const SourceSpelling& spelling, const Texts& names) {
   return in_lines(spelling, "_library = ", fmt::format("{{{}}}", fmt::join(pairs, ", ")));
 }
 
-/// The functions of the module that branch on a number.
-Texts branching_functions(const Program& program) {
+/// The functions of the module that branch on a number; the template has all with kinks or none.
+Texts branching_functions(const EmissionInput& input) {
+  constexpr std::array kinks{FunctionId::sign, FunctionId::min, FunctionId::max};
+  const SourceSpelling& spelling = source_spelling(input.scene.emission.language);
+  const auto is_called = [&](FunctionId function) { return calls(input.program, function); };
   Texts names;
-  const auto has = [&program](FunctionId function) { return calls(program, function); };
-  if (has(FunctionId::sign) || has(FunctionId::min) || has(FunctionId::max)) {
-    names = {"_sign_of", "_smaller", "_larger"};
-  }
-  if (has(FunctionId::stumpff)) names.emplace_back("_stumpff");
+  const auto add = [&](FunctionId function) {
+    names.push_back(fmt::format(fmt::runtime(spelling.own_function),
+                                function_row(function).own_name, input.scene.base_name));
+  };
+  if (std::ranges::any_of(kinks, is_called)) std::ranges::for_each(kinks, add);
+  if (is_called(FunctionId::stumpff)) add(FunctionId::stumpff);
   return names;
 }
 
 Texts names_of_functions(const EmissionInput& input) {
-  Texts names = branching_functions(input.program);
+  Texts names = branching_functions(input);
   for (const Function& function : input.program.functions) {
     names.push_back(spelt_name(input.scene.emission.language, function.name));
   }
   return names;
-}
-
-/// The module, without blanks at the ends of lines, and with at most two empty lines in a row.
-std::string trimmed(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    while (c == '\n' && !result.empty() && result.back() == ' ') result.pop_back();
-    if (c == '\n' && result.ends_with("\n\n\n")) continue;
-    result += c;
-  }
-  return result;
 }
 
 /// Sets imports and lists of functions, for which some templates have holes.
@@ -210,7 +205,7 @@ void set_reflection(TemplateData& data, const EmissionInput& input) {
                       TemplateRow{{"names", fmt::format("{}", fmt::join(imported, ", "))}}));
   data.set("exact", exact_numbers(input));
   data.set("library", library(spelling, called));
-  data.set("branching", source_list(spelling.texts, quoted(branching_functions(input.program))));
+  data.set("branching", source_list(spelling.texts, quoted(branching_functions(input))));
   data.set(
       "all",
       in_lines(spelling, "_functions = ", source_list(spelling.texts, names_of_functions(input))));
@@ -253,8 +248,9 @@ std::string source_module(const EmissionInput& input) {
   data.set("count_of_pivots",
            std::to_string(input.model.velocities.size() + input.model.constraints.size()));
   set_reflection(data, input);
-  return stamped(trimmed(
-      fill_template(fmt::format("{}/module.{}.mustache", language.name, language.ending), data)));
+  constexpr std::size_t between_functions = 2;
+  return header_text(fmt::format("{}/module.{}.mustache", language.name, language.ending), data,
+                     between_functions);
 }
 
 Diagnostics source_check_names(const Model& model, const Scene& scene, const Program& program) {
