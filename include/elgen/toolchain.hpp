@@ -29,7 +29,8 @@ using DriverFunction = void (*)(
 
 /// values[function][state]: all entries of all fields. Empty where the function raised an
 /// exception: interpreters raise one in the place of infinities and NaNs.
-using ValuesOfFunctions = std::vector<std::vector<std::vector<double>>>;
+template <class Scalar>
+using ValuesOfFunctions = std::vector<std::vector<std::vector<Scalar>>>;
 
 /// The functions of one emitted header, instantiated for one built-in scalar.
 class CompiledModel {
@@ -44,9 +45,12 @@ class CompiledModel {
   [[nodiscard]] virtual std::vector<float> call(std::string_view function,
                                                 const Arguments<float>& arguments) const = 0;
   /// Each of these functions at each of these states. E709 where what runs them ends before.
-  [[nodiscard]] virtual Result<ValuesOfFunctions> call_all(
+  [[nodiscard]] virtual Result<ValuesOfFunctions<double>> call_all(
       const std::vector<std::string_view>& functions,
       const std::vector<Arguments<double>>& states) const;
+  [[nodiscard]] virtual Result<ValuesOfFunctions<float>> call_all(
+      const std::vector<std::string_view>& functions,
+      const std::vector<Arguments<float>>& states) const;
   /// Whether the code is there for double, for float.
   [[nodiscard]] virtual bool has(ScalarKind scalar) const = 0;
 };

@@ -139,14 +139,31 @@ std::vector<DriverUnit> all_units(const DriverInput& input, const std::vector<Bu
 
 }  // namespace
 
-Result<ValuesOfFunctions> CompiledModel::call_all(
-    const std::vector<std::string_view>& functions,
-    const std::vector<Arguments<double>>& states) const {
-  ValuesOfFunctions values(functions.size());
+namespace {
+
+template <class Scalar>
+ValuesOfFunctions<Scalar> called_one_by_one(const CompiledModel& code,
+                                            const std::vector<std::string_view>& functions,
+                                            const std::vector<Arguments<Scalar>>& states) {
+  ValuesOfFunctions<Scalar> values(functions.size());
   for (std::size_t i = 0; i < functions.size(); ++i) {
-    for (const Arguments<double>& state : states) values[i].push_back(call(functions[i], state));
+    for (const auto& state : states) values[i].push_back(code.call(functions[i], state));
   }
   return values;
+}
+
+}  // namespace
+
+Result<ValuesOfFunctions<double>> CompiledModel::call_all(
+    const std::vector<std::string_view>& functions,
+    const std::vector<Arguments<double>>& states) const {
+  return called_one_by_one(*this, functions, states);
+}
+
+Result<ValuesOfFunctions<float>> CompiledModel::call_all(
+    const std::vector<std::string_view>& functions,
+    const std::vector<Arguments<float>>& states) const {
+  return called_one_by_one(*this, functions, states);
 }
 
 Result<CompiledHeaders> compile(const EmittedFiles& files, const Model& model, const Scene& scene,

@@ -191,7 +191,8 @@ class InterpretedModel final : public CompiledModel {
     return scalar == ScalarKind::double_precision;
   }
 
-  [[nodiscard]] Result<ValuesOfFunctions> call_all(
+  using CompiledModel::call_all;
+  [[nodiscard]] Result<ValuesOfFunctions<double>> call_all(
       const std::vector<std::string_view>& functions,
       const std::vector<Arguments<double>>& states) const override {
     std::string questions;
@@ -207,7 +208,7 @@ class InterpretedModel final : public CompiledModel {
     if (answers.size() != functions.size() * states.size()) {
       return Diagnostic{Code::E709, {}, why_silent(process, answers.size())};
     }
-    ValuesOfFunctions values(functions.size());
+    ValuesOfFunctions<double> values(functions.size());
     for (std::size_t i = 0; i < answers.size(); ++i) {
       const auto numbers = answers[i].mark == "=" ? numbers_in(answers[i].text) : Numbers();
       values[i / states.size()].push_back(numbers.value_or(Numbers()));

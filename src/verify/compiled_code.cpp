@@ -10,7 +10,6 @@
 #include <cmath>
 #include <limits>
 #include <set>
-#include <type_traits>
 #include <utility>
 
 #include "base/ascii.hpp"
@@ -120,29 +119,6 @@ CertificateRow compiled_row(const Subject& subject, const CompiledHeader& compil
   row.tolerance = tolerance_of(compiled, most);
   row.verdict = wrong == 0 ? Verdict::holds : Verdict::fails;
   return row;
-}
-
-/// values[function][state] of those that are compared.
-template <class Scalar>
-Result<std::vector<std::vector<std::vector<Scalar>>>> all_values(
-    const CompiledHeader& compiled, const std::vector<const Function*>& functions,
-    const std::vector<SampledState<Scalar>>& states) {
-  if constexpr (std::is_same_v<Scalar, double>) {
-    std::vector<std::string_view> names;
-    for (const Function* const function : functions) names.push_back(function->name);
-    std::vector<Arguments<double>> arguments;
-    for (const SampledState<double>& sample : states) arguments.push_back(sample.values);
-    return compiled.functions->call_all(names, arguments);
-  } else {
-    std::vector<std::vector<std::vector<Scalar>>> values;
-    for (const Function* const function : functions) {
-      std::vector<std::vector<Scalar>>& of_states = values.emplace_back();
-      for (const SampledState<Scalar>& sample : states) {
-        of_states.push_back(compiled.functions->call(function->name, sample.values));
-      }
-    }
-    return values;
-  }
 }
 
 /// |s - sin x| or |c - cos x|, whichever is larger.
@@ -297,7 +273,11 @@ std::vector<CertificateRow> check_compiled(const Subject& subject, const Compile
   for (const Function& function : subject.program.functions) {
     if (!compiled.in_packs || is_returned(function)) functions.push_back(&function);
   }
-  const auto values = all_values(compiled, functions, states);
+  std::vector<std::string_view> names;
+  for (const Function* const function : functions) names.push_back(function->name);
+  std::vector<Arguments<Scalar>> arguments;
+  for (const SampledState<Scalar>& sample : states) arguments.push_back(sample.values);
+  const auto values = compiled.functions->call_all(names, arguments);
   if (!values) return {silent_code(values.diagnostics.front())};
   for (std::size_t i = 0; i < functions.size(); ++i) {
     rows.push_back(compiled_row(subject, compiled, *functions[i], states, (*values)[i]));

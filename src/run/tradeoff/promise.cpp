@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,15 +35,21 @@ std::vector<PromisedCode> codes_of(const CompiledHeaders& compiled) {
   return codes;
 }
 
-/// Empty where the code lacks the function.
+/// Empty where the code lacks the function; NaN at states where it raises an exception.
 template <class Scalar>
 std::vector<double> values_of(const CompiledModel& code, const Function& function,
                               const std::vector<Arguments<double>>& states) {
-  std::vector<double> values(entry_count(function) * states.size());
+  std::vector<Arguments<Scalar>> rounded;
+  for (const Arguments<double>& state : states) {
+    rounded.push_back(map_leaves([](double x) { return static_cast<Scalar>(x); }, state));
+  }
+  const auto all = code.call_all({function.name}, rounded);
+  const auto is_empty = [](const std::vector<Scalar>& entries) { return entries.empty(); };
+  if (!all || std::ranges::all_of(all->front(), is_empty)) return {};
+  std::vector<double> values(entry_count(function) * states.size(),
+                             std::numeric_limits<double>::quiet_NaN());
   for (std::size_t i = 0; i < states.size(); ++i) {
-    const auto rounded = map_leaves([](double x) { return static_cast<Scalar>(x); }, states[i]);
-    const std::vector<Scalar> entries = code.call(function.name, rounded);
-    if (entries.empty()) return {};
+    const std::vector<Scalar>& entries = all->front()[i];
     for (std::size_t k = 0; k < entries.size(); ++k) {
       values[k * states.size() + i] = static_cast<double>(entries[k]);
     }
