@@ -121,6 +121,17 @@ def check_imports():
     assert written(beyond).rate_ranges == ((-math.inf, math.inf),)
 
 
+def check_shapes():
+    """A matrix is a list of rows, with one column too; a vector is a list, a number a number."""
+    cart = module_of("cart_pole")
+    p, q, v = cart.Parameters(), [0.0, 0.1], [0.0, 0.0]
+    assert [len(row) for row in cart.mass_matrix(p, q)] == [2, 2]
+    assert cart.input_matrix(p, q) == [[1.0], [0.0]]
+    assert [type(x) for x in cart.gravity(p, q)] == [float, float]
+    assert isinstance(cart.potential_energy(p, q), float)
+    assert cart.forward_dynamics(p, q, v, [0.0])._fields == ("acceleration", "relative_pivots")
+
+
 def check_literals():
     """CPython folds no constant of a module: each stands in its text, so that on(sympy) finds it."""
     for path in map(path_of, models):
@@ -139,4 +150,5 @@ check_outputs()
 check_taken()
 check_called()
 check_imports()
+check_shapes()
 check_literals()
