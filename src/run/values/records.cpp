@@ -19,24 +19,25 @@ using cln::cl_R;
 
 /// Floats of a state get zeros behind their digits, more than the oracle computes with.
 cl_R lengthened(const cl_R& x) {
-  constexpr unsigned all_digits = 200;
+  constexpr unsigned all_digits = 260;
   if (is_rational(x)) return x;
   return cln::cl_float(x, cln::float_format(all_digits));
 }
 
-/// The oracle's values with 60 of its 95 digits more. One that these make 1e-20 of what it was is
-/// the rounding of terms that cancel: it is 0.
+/// The oracle's values with 120 digits more than its 95. One that is 1e-20 of what it was with 60
+/// more, or was 0 there, is the rounding of terms that cancel: 0 in 155 digits of these.
 OracleValues settled_values(const Model& model, const OutputRequest& output, const State& state) {
-  constexpr unsigned more_digits = 60;
   static const cl_R share_of_a_zero = power_of_ten(-20);
-  const OracleValues rough = oracle_values(model, output, state);
-  OracleValues values = with_digits(
-      more_digits, [&] { return oracle_values(model, output, map_leaves(lengthened, state)); });
-  if (!rough || !values) return std::nullopt;
+  const auto with_more = [&](unsigned digits) {
+    return with_digits(digits,
+                       [&] { return oracle_values(model, output, map_leaves(lengthened, state)); });
+  };
+  const OracleValues before = with_more(60);
+  OracleValues values = with_more(120);
+  if (!before || !values) return std::nullopt;
   for (std::size_t i = 0; i < values->size(); ++i) {
-    const cl_R size = cln::abs((*values)[i]);
-    if (size <= cln::abs((*rough)[i]) * share_of_a_zero) (*values)[i] = 0;
-    if (cln::zerop((*rough)[i])) (*values)[i] = 0;
+    const cl_R largest_zero = cln::abs((*before)[i]) * share_of_a_zero;
+    if (cln::abs((*values)[i]) <= largest_zero || cln::zerop((*before)[i])) (*values)[i] = 0;
   }
   return values;
 }
