@@ -23,7 +23,6 @@
 #include "elgen/model.hpp"
 #include "elgen/oracle.hpp"
 #include "elgen/program.hpp"
-#include "elgen/render.hpp"
 #include "elgen/scene.hpp"
 
 namespace elgen {
@@ -160,21 +159,6 @@ struct LinearMotions {
                                                                 const Equilibria& equilibria,
                                                                 bool stable);
 
-/// The motions as a page, in the model language, and as JSON.
-[[nodiscard]] Sheet modes_sheet(const CheckedModel& checked, const Equilibria& equilibria,
-                                const std::vector<LinearMotions>& all);
-[[nodiscard]] std::string modes_text(const CheckedModel& checked, const Equilibria& equilibria,
-                                     const std::vector<LinearMotions>& all);
-[[nodiscard]] std::string modes_json(const CheckedModel& checked, const Equilibria& equilibria,
-                                     const std::vector<LinearMotions>& all);
-
-/// The equilibria as a page, in the model language, and as JSON.
-[[nodiscard]] Sheet equilibria_sheet(const CheckedModel& checked, const Equilibria& equilibria);
-[[nodiscard]] std::string equilibria_text(const CheckedModel& checked,
-                                          const Equilibria& equilibria);
-[[nodiscard]] std::string equilibria_json(const CheckedModel& checked,
-                                          const Equilibria& equilibria);
-
 /// The sort of a symmetry.
 enum class SymmetryKind : std::uint8_t {
   coordinate,   ///< one coordinate moves alone
@@ -224,13 +208,6 @@ struct Symmetries {
 /// to four sets of parameters.
 [[nodiscard]] Result<Symmetries> find_symmetries(const CheckedModel& checked,
                                                  const Program& recursive);
-
-/// The symmetries as a page, in the model language, and as JSON.
-[[nodiscard]] Sheet symmetries_sheet(const CheckedModel& checked, const Symmetries& symmetries);
-[[nodiscard]] std::string symmetries_text(const CheckedModel& checked,
-                                          const Symmetries& symmetries);
-[[nodiscard]] std::string symmetries_json(const CheckedModel& checked,
-                                          const Symmetries& symmetries);
 
 /// The evidence for a claim.
 enum class ClaimStatus : std::uint8_t {

@@ -55,6 +55,17 @@ using SumZeros = std::vector<std::vector<double>>;
                                     const Domain& domain, const Scene& scene,
                                     const SumZeros* zeros = nullptr);
 
+/// The reader of a closed form.
+enum class Reader : std::uint8_t {
+  code,    ///< all entries together, the cheapest form
+  people,  ///< each entry by itself, the shortest form
+};
+
+/// A program with those functions in their closed forms that have one which can be read: for code
+/// among its functions, for people among the readable ones. Unlike choose(), it takes no notice of
+/// costs and digits of the recursive form.
+[[nodiscard]] Program written(Program program, Reader reader, const PresentBudget& budget = {});
+
 /// V and its derivatives (PotentialEquations) in one form each.
 struct RewrittenPotential {
   Program program = {};

@@ -8,7 +8,7 @@
 #include "elgen/diagnostic.hpp"
 #include "elgen/model.hpp"
 #include "elgen/program.hpp"
-#include "elgen/render.hpp"
+#include "elgen/page.hpp"
 #include "elgen/scene.hpp"
 
 namespace elgen {

@@ -68,7 +68,7 @@ struct LeafRow {
   int rank;                     ///< of a factor, among those of a product
   std::string_view text;        ///< "dot({})", of the owner's name
   std::string_view identifier;  ///< "{}_dot"
-  std::string_view latex;       ///< "\\dot{{{}}}{}", of the base and the scripts of its symbol
+  std::string_view latex;       ///< "\\dot{s}": s is the symbol of its entry
   std::string_view own_latex;   ///< of those of a velocity that has a symbol of its own
   Opcode id = {};
   std::string_view member = {};  ///< "parameters": of PerLeaf

@@ -18,7 +18,7 @@
 #include "elgen/limits.hpp"
 #include "elgen/model.hpp"
 #include "elgen/program.hpp"
-#include "elgen/render.hpp"
+#include "elgen/page.hpp"
 #include "elgen/scene.hpp"
 #include "elgen/syntax.hpp"
 

@@ -129,6 +129,8 @@ struct Program {
 
 /// Whether an instruction loads the number 0.
 [[nodiscard]] bool loads_zero(const Program& program, const Instruction& instruction);
+/// Whether every entry of the function does.
+[[nodiscard]] bool is_zero(const Program& program, const Function& function);
 
 /// The constants that functions load, in their order; those of `readable` alone are not among them.
 [[nodiscard]] std::vector<Constant> executed_constants(const Program& program);

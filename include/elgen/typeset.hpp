@@ -42,10 +42,9 @@ namespace elgen {
 /// + dD/dv.
 enum class BookLine : std::uint8_t { momentum, momentum_rate, partial, dissipation, force, left };
 
-/// One value, as the only entry of a function, over the leaves: definitions are filled in. Without
-/// fields where it is too long.
-[[nodiscard]] Function typeset_value(const Model& model, const FixedParameters& fixed,
-                                     const Algebra& algebra, const Fraction& form,
-                                     Program& program);
+/// One value, as the only entry of a function, over the leaves: definitions are filled in. In its
+/// shortest form where it is too long for a book, without fields where nobody reads that.
+[[nodiscard]] Function typeset_value(const Model& model, const Algebra& algebra,
+                                     const Fraction& form, Program& program);
 
 }  // namespace elgen

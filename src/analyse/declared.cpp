@@ -9,6 +9,7 @@
 #include "analyse/rest.hpp"
 #include "analyse/substitution.hpp"
 #include "elgen/analyse.hpp"
+#include "elgen/choose.hpp"
 #include "elgen/inspect.hpp"
 #include "numbers/echelon.hpp"
 #include "numbers/exact_number.hpp"
@@ -254,7 +255,7 @@ std::vector<JudgedEquilibrium> judge_equilibria(const CheckedModel& checked,
   std::vector<JudgedEquilibrium> result;
   const bool is_exact = !checked.model.approximation && checked.model.open_values.empty();
   if (checked.model.equilibria.empty() || !is_exact) return result;
-  const Program moving = closed_program(recursive);
+  const Program moving = written(recursive, Reader::code);  // holds no leaf that cancels
   ClosedForms forms = present(moving);
   for (const Equilibrium& declared : checked.model.equilibria) {
     result.push_back(DeclaredEquilibrium(checked, moving, forms, declared)());

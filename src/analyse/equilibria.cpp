@@ -11,6 +11,7 @@
 #include "analyse/newton_refinement.hpp"
 #include "analyse/searched_range.hpp"
 #include "analyse/stability.hpp"
+#include "elgen/choose.hpp"
 #include "elgen/fold.hpp"
 #include "elgen/references.hpp"
 #include "model/requests.hpp"
@@ -371,7 +372,7 @@ Result<State> state_at(const CheckedModel& checked, const std::string& name) {
 Result<EquilibriumSearch> search_of(const CheckedModel& checked, const Program& recursive,
                                     const Result<State>& state) {
   if (!state) return state.diagnostics;
-  Program moving = closed_program(recursive);
+  Program moving = written(recursive, Reader::code);  // holds no leaf that cancels
   Result<RestProgram> rest = rest_program(moving, state->u);
   if (!rest) return rest.diagnostics;
   return EquilibriumSearch(checked, std::move(moving), std::move(*rest), *state);

@@ -1,68 +1,14 @@
-// A closed form is treated like an entry of an output: written as in a book, or by its shortest
-// rewriting where it is long, turned into a function, and printed.
+// The divisors of a form are its negative powers and its denominator; its program is that of its
+// graph.
 #include "analyse/formulas.hpp"
 
 #include <algorithm>
-#include <map>
 
-#include "choose/entries.hpp"
-#include "elgen/typeset.hpp"
+#include "forms/present/polynomial.hpp"
 #include "forms/write/closed_graph.hpp"
-#include "numbers/exact_number.hpp"
 #include "program/network/linearise.hpp"
-#include "render/function_formulas.hpp"
 
 namespace elgen {
-namespace {
-
-Formula text_of(const Printed& formula) { return {formula.text, formula.binding}; }
-Formula latex_of(const Printed& formula) { return {formula.latex, formula.latex_binding}; }
-
-Printed printed(const Formula& text, const Formula& latex) {
-  return {text.text(), latex.text(), text.binding, latex.binding};
-}
-
-}  // namespace
-
-Printed at_least(const Printed& formula, Binding least) {
-  return printed(at_least(model_spelling, text_of(formula), least),
-                 at_least(latex_spelling, latex_of(formula), least));
-}
-
-Printed product_with_power(const Printed& x, const Printed& y, std::uint32_t exponent) {
-  const auto made = [exponent](const Spelling& spelling, const Formula& first,
-                               const Formula& base) {
-    return product(spelling, {first, power(spelling, base, number(spelling, exponent))});
-  };
-  return printed(made(model_spelling, text_of(x), text_of(y)),
-                 made(latex_spelling, latex_of(x), latex_of(y)));
-}
-
-Printed sum(const Printed& x, const Printed& y, bool is_subtracted) {
-  return printed(sum(model_spelling, {{text_of(x)}, {text_of(y), is_subtracted}}),
-                 sum(latex_spelling, {{latex_of(x)}, {latex_of(y), is_subtracted}}));
-}
-
-std::optional<Printed> printed(const Model& model, const Algebra& algebra,
-                               const std::optional<Fraction>& form) {
-  if (!form) return std::nullopt;
-  LeafNames leaves = leaf_names(model);
-  leaves.momenta = leaves.v;
-  leaves.E = energy_name(model);
-  Program program{leaves};
-  Function function = typeset_value(model, {}, algebra, *form, program);
-  if (function.fields.empty()) {
-    const std::optional<ReadableForm> readable =
-        shortest(rewritings_of(algebra, *form).collected, nullptr, mixed_points(leaves));
-    if (!readable) return std::nullopt;
-    const Function shape{.fields = {Field{"", 1, 1, {0}}}};
-    function = lowered_one_by_one({readable}, shape, program);
-  }
-  program.functions = {function};
-  program.readable = {std::move(function)};
-  const ReadFormula read = first_entry(model, program);
-  return printed(read.text, read.latex);
-}
 
 bool holds_leaves(const Algebra& algebra, const Fraction& form) {
   return std::ranges::any_of(form.numerator, [&algebra](const auto& term) {
@@ -73,18 +19,9 @@ bool holds_leaves(const Algebra& algebra, const Fraction& form) {
 }
 
 Monomial divisor_powers(const Fraction& form) {
-  std::map<AtomId, std::int32_t> lowest;
-  for (const auto& [monomial, coefficient] : form.numerator) {
-    for (const AtomPower& power : monomial) {
-      std::int32_t& least = lowest[power.atom];
-      least = std::min(least, power.exponent);
-    }
-  }
-  Monomial monomial;
-  for (const auto& [atom, exponent] : lowest) {
-    if (exponent < 0) monomial.push_back({atom, -exponent});
-  }
-  return monomial;
+  Monomial lowest = common_powers(form.numerator);
+  erase_if(lowest, [](const AtomPower& power) { return power.exponent > 0; });
+  return power(lowest, -1);
 }
 
 Value divisor_of(Algebra& algebra, const Fraction& form) {

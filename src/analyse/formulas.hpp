@@ -1,37 +1,16 @@
-// Formulas: closed forms as they are read, in the model language and in LaTeX.
+// Formulas: closed forms taken apart, and as programs and numbers.
 #pragma once
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "elgen/closed_forms.hpp"
 #include "elgen/evaluate.hpp"
 #include "elgen/model.hpp"
 #include "forms/present/arithmetic.hpp"
-#include "model/formula.hpp"
 
 namespace elgen {
-
-/// A formula in the model language and in LaTeX, and how tightly each holds together.
-struct Printed {
-  std::string text = {};
-  std::string latex = {};
-  Binding binding = Binding::atom;
-  Binding latex_binding = Binding::atom;
-};
-
-/// In brackets where it binds less tightly than `least`.
-[[nodiscard]] Printed at_least(const Printed& formula, Binding least);
-/// x y^exponent
-[[nodiscard]] Printed product_with_power(const Printed& x, const Printed& y,
-                                         std::uint32_t exponent);
-[[nodiscard]] Printed sum(const Printed& x, const Printed& y, bool is_subtracted);
-
-/// In its shortest form; none where there is none, or it is too long to be read.
-[[nodiscard]] std::optional<Printed> printed(const Model& model, const Algebra& algebra,
-                                             const std::optional<Fraction>& form);
 
 /// Whether a form is more than numbers and pi.
 [[nodiscard]] bool holds_leaves(const Algebra& algebra, const Fraction& form);

@@ -2,46 +2,39 @@
 #include "analyse/frequencies.hpp"
 
 #include <cln/integer.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
 
+#include "analyse/exact_roots.hpp"
+#include "analyse/formulas.hpp"
 #include "analyse/rest.hpp"
-#include "forms/present/arithmetic.hpp"
 #include "forms/present/polynomial.hpp"
 
 namespace elgen {
 namespace {
 
-class FrequencyFormulas {
+class FrequencyForms {
  public:
-  FrequencyFormulas(const Model& model, ClosedForms& forms, const std::vector<Fraction>& mass,
-                    const std::vector<Fraction>& stiffness)
-      : model_(model), forms_(forms), mass_(mass), stiffness_(stiffness) {}
+  FrequencyForms(ClosedForms& forms, const FormsAtRest& at_rest, std::size_t size)
+      : forms_(forms), at_rest_(at_rest), size_(size) {}
 
-  PagePart operator()() {
-    PagePart part;
+  std::vector<SquaredFrequency> operator()() {
+    std::vector<SquaredFrequency> all;
     for (const RestBlock& block : coupled()) {
       const std::vector<std::uint32_t>& joined = block.coordinates;
-      const auto formula = joined.size() == 1   ? of_one(joined[0])
-                           : joined.size() == 2 ? of_two(joined[0], joined[1])
-                                                : std::nullopt;
-      if (formula) part.matrices.push_back({{"w^2", "\\omega^{2}"}, 1, 1, {*formula}});
+      const auto square = joined.size() == 1   ? of_one(joined[0])
+                          : joined.size() == 2 ? of_two(joined[0], joined[1])
+                                               : std::nullopt;
+      if (square) all.push_back(*square);
     }
-    return part;
+    return all;
   }
 
  private:
-  [[nodiscard]] std::size_t size() const { return model_.velocities.size(); }
-
-  [[nodiscard]] std::optional<Printed> read(const std::optional<Fraction>& form) const {
-    return printed(model_, forms_.algebra, form);
-  }
-
   /// Coordinates that M and K join.
   [[nodiscard]] std::vector<RestBlock> coupled() const {
-    std::vector<Occurrence> rows(size());
+    std::vector<Occurrence> rows(size_);
     for (std::uint32_t i = 0; i < rows.size(); ++i) {
       rows[i].coordinates.insert(i);
       for (std::uint32_t j = 0; j < i; ++j) {
@@ -53,19 +46,20 @@ class FrequencyFormulas {
   }
 
   [[nodiscard]] const Fraction& m(std::size_t i, std::size_t k) const {
-    return mass_[i * size() + k];
+    return at_rest_.mass[i * size_ + k];
   }
   [[nodiscard]] const Fraction& k(std::size_t i, std::size_t j) const {
-    return stiffness_[i * size() + j];
+    return at_rest_.stiffness[i * size_ + j];
   }
 
   /// K/M
-  std::optional<Printed> of_one(std::size_t i) {
-    return read(Arithmetic(forms_.algebra).divide(k(i, i), m(i, i)));
+  std::optional<SquaredFrequency> of_one(std::size_t i) {
+    const Value square = Arithmetic(forms_.algebra).divide(k(i, i), m(i, i));
+    return square ? std::optional(SquaredFrequency{*square}) : std::nullopt;
   }
 
   /// The roots b/2a -+ sqrt((b/2a)^2 - c/a) of a x^2 - b x + c = det(K - x M).
-  std::optional<Printed> of_two(std::size_t i, std::size_t j) {
+  std::optional<SquaredFrequency> of_two(std::size_t i, std::size_t j) {
     Arithmetic at(forms_.algebra);
     const auto determinant = [&](const Fraction& x, const Fraction& y, const Fraction& z) {
       return at.subtract(at.multiply(x, y), at.multiply(z, z));
@@ -82,30 +76,18 @@ class FrequencyFormulas {
 
   /// middle -+ sqrt(square) over their common divisor d, with the factor s that both have:
   /// s (middle d/s -+ sqrt(square d^2/s^2))/d.
-  std::optional<Printed> pair_of_roots(const Fraction& middle, const Fraction& square) {
-    if (square.numerator.empty()) return read(middle);
+  std::optional<SquaredFrequency> pair_of_roots(const Fraction& middle, const Fraction& square) {
+    if (square.numerator.empty()) return SquaredFrequency{middle};
     Arithmetic at(forms_.algebra);
     const Fraction d = whole_divisor_of(middle);
     const Value left = at.multiply(middle, d);
     const Value right = at.multiply(square, at.multiply(d, d));
     if (!left || !right) return std::nullopt;
     const Fraction s = shared_factor(*left, *right);
-    const auto above = read(at.divide(left, s));
-    auto root = read(at.square_root(at.divide(right, at.multiply(s, s))));
-    const auto factor = read(s);
-    const auto below = read(d);
-    if (!above || !root || !factor || !below) return std::nullopt;
-    root = at_least(*root, Binding::product);
-    const bool is_centred = middle.numerator.empty();
-    Printed sum{fmt::format("{}-+ {}", is_centred ? "" : above->text + " ", root->text),
-                fmt::format("{}\\mp {}", is_centred ? "" : above->latex + " ", root->latex)};
-    if (factor->text != "1") {
-      sum = {fmt::format("{}*({})", factor->text, sum.text),
-             fmt::format("{} \\left( {} \\right)", factor->latex, sum.latex)};
-    }
-    if (below->text == "1") return sum;
-    return Printed{fmt::format("({})/({})", sum.text, below->text),
-                   fmt::format("\\frac{{{}}}{{{}}}", sum.latex, below->latex)};
+    const Value above = at.divide(left, s);
+    const Value root = at.square_root(at.divide(right, at.multiply(s, s)));
+    if (!above || !root) return std::nullopt;
+    return SquaredFrequency{*above, root, s, d};
   }
 
   /// The least form that makes a sum without divisors and with whole coefficients of x.
@@ -143,18 +125,48 @@ class FrequencyFormulas {
     return fraction_of(Polynomial{{shared, Gaussian{1, 0}}});
   }
 
-  const Model& model_;
   ClosedForms& forms_;
-  const std::vector<Fraction>& mass_;
-  const std::vector<Fraction>& stiffness_;
+  const FormsAtRest& at_rest_;
+  std::size_t size_;
 };
 
 }  // namespace
 
-PagePart frequency_formulas(const Model& model, ClosedForms& forms,
-                            const std::vector<Fraction>& mass,
-                            const std::vector<Fraction>& stiffness) {
-  return FrequencyFormulas(model, forms, mass, stiffness)();
+FormsAtRest forms_at_rest(const Model& model, ClosedForms& forms, const RestPoint& point) {
+  std::vector<std::uint32_t> coordinates;
+  std::vector<CoordinateAtRest> values;
+  for (std::uint32_t i = 0; i < point.coordinates.size(); ++i) {
+    if (!point.coordinates[i].form) continue;
+    coordinates.push_back(i);
+    values.push_back(point.coordinates[i]);
+  }
+  const Replacements place = replacements_of(coordinates, values);
+  const ClosedField rows = forms.functions[0].fields[0];
+  const ClosedField masses = forms.functions[1].fields[0];
+  FormsAtRest found;
+  const auto add = [&](std::vector<Fraction>& list, const Value& form) {
+    const Value value = substituted(forms.algebra, form, place);
+    if (value && !holds_coordinate(forms.algebra, *value)) list.push_back(*value);
+  };
+  const std::size_t n = model.velocities.size();
+  for (std::size_t i = 0; i < n * n; ++i) {
+    const auto& row = rows.entries[i / n];
+    const bool has_slope = row && model.rotations.empty();
+    add(found.stiffness, has_slope
+                             ? partial_derivative(forms, *row, model.velocities[i % n].coordinate,
+                                                  point.coordinates.size())
+                             : std::nullopt);
+    add(found.mass, masses.entries[i]);
+  }
+  if (found.mass.size() < n * n) found.mass.clear();
+  if (found.stiffness.size() < n * n) found.stiffness.clear();
+  return found;
+}
+
+std::vector<SquaredFrequency> squared_frequencies(ClosedForms& forms, const FormsAtRest& at_rest,
+                                                  std::size_t size) {
+  if (at_rest.mass.empty() || at_rest.stiffness.empty()) return {};
+  return FrequencyForms(forms, at_rest, size)();
 }
 
 }  // namespace elgen

@@ -1,18 +1,38 @@
-// Frequencies: w^2 of M x'' + K x = 0 by formulas, for coordinates that are coupled at most in
-// pairs.
+// Frequencies: M and K about a point of rest in closed form, and w^2 of M x'' + K x = 0 for
+// coordinates that are coupled at most in pairs.
 //
 //     one       K/M
 //     two       (b -+ sqrt(b^2 - 4 a c))/(2 a),   det(K - x M) = a x^2 - b x + c
 #pragma once
 
-#include "analyse/page.hpp"
+#include <optional>
+#include <vector>
+
+#include "elgen/analyse.hpp"
 
 namespace elgen {
 
-/// A line for each block of one or two coordinates; M and K are n x n, row-major, over the algebra
-/// of `forms`, which grows.
-[[nodiscard]] PagePart frequency_formulas(const Model& model, ClosedForms& forms,
-                                          const std::vector<Fraction>& mass,
-                                          const std::vector<Fraction>& stiffness);
+/// n x n, row-major; empty where one of the entries has no closed form.
+struct FormsAtRest {
+  std::vector<Fraction> mass = {};
+  std::vector<Fraction> stiffness = {};
+};
+
+/// Over the algebra of `forms`, those of equilibria, which grows.
+[[nodiscard]] FormsAtRest forms_at_rest(const Model& model, ClosedForms& forms,
+                                        const RestPoint& point);
+
+/// w^2 = middle, or factor (middle -+ root)/divisor.
+struct SquaredFrequency {
+  Fraction middle = {};
+  std::optional<Fraction> root = {};
+  Fraction factor = {};
+  Fraction divisor = {};
+};
+
+/// One for each block of one or two of `size` coordinates; none where M or K is not known.
+[[nodiscard]] std::vector<SquaredFrequency> squared_frequencies(ClosedForms& forms,
+                                                                const FormsAtRest& at_rest,
+                                                                std::size_t size);
 
 }  // namespace elgen

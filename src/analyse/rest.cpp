@@ -9,7 +9,6 @@
 #include <map>
 #include <numeric>
 
-#include "choose/entries.hpp"
 #include "elgen/fold.hpp"
 #include "elgen/oracle.hpp"
 #include "elgen/references.hpp"
@@ -183,20 +182,6 @@ Result<RestProgram> rest_program(const Program& moving, const std::vector<cln::c
     return Diagnostic{Code::E530, {}, "the equations of motion have no value at rest"};
   }
   return rest;
-}
-
-Program closed_program(const Program& recursive) {
-  const ClosedForms forms = present(recursive);
-  const Points points = mixed_points(recursive.leaves);
-  Program result = recursive;
-  for (std::size_t i = 0; i < recursive.functions.size(); ++i) {
-    const Function& function = recursive.functions[i];
-    const ReadableEntries entries =
-        read_entries({recursive, function, forms, forms.functions[i]}, points, nullptr);
-    if (!is_complete(entries)) continue;
-    result.functions[i] = lowered_together(entries, function, result, {}).function;
-  }
-  return result;
 }
 
 std::vector<Occurrence> occurrences(const Program& program, const Function& function) {

@@ -7,7 +7,6 @@
 #include <set>
 #include <vector>
 
-#include "elgen/closed_forms.hpp"
 #include "elgen/diagnostic.hpp"
 #include "elgen/model.hpp"
 #include "elgen/oracle.hpp"
@@ -26,9 +25,6 @@ struct RestProgram {
 /// which have the values `inputs`. E530 where an entry has no value at rest.
 [[nodiscard]] Result<RestProgram> rest_program(const Program& moving,
                                                const std::vector<cln::cl_R>& inputs);
-
-/// Uses closed forms of functions where they can be read, as these hold no leaf that cancels.
-[[nodiscard]] Program closed_program(const Program& recursive);
 
 /// The coordinates that a value depends on.
 struct Occurrence {

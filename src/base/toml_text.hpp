@@ -6,11 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include "base/text_table.hpp"
+
 namespace elgen {
 
 /// Rows of cells, each column as wide as its widest cell; the last cell of a row is as wide as it
 /// is.
-[[nodiscard]] std::vector<std::string> aligned(const std::vector<std::vector<std::string>>& rows);
+[[nodiscard]] std::vector<std::string> aligned(const TextRows& rows);
 
 /// In quotes, with what TOML escapes; hidden characters as their names.
 [[nodiscard]] std::string toml_string(std::string_view text);

@@ -34,16 +34,11 @@ bool has_float_alone(const Scene& scene) {
   return scalars.size() == 1 && scalars.front() == ScalarKind::single_precision;
 }
 
-/// The loss that a form may have, and what another may cost in its place.
-struct Aim {
-  double tolerated = most_lost;
-  std::size_t most_quarters = quarters_for_balance;
-};
-
 /// Where float is the only scalar, losses that double stands take most of its digits.
-Aim aim_of(const Scene& scene, bool has_zeros) {
-  if (has_zeros) return {tolerated_loss, quarters_for_digits};
-  return {has_float_alone(scene) ? tolerated_loss : most_lost};
+LoweringAim aim_of(const Scene& scene, bool has_zeros) {
+  if (has_zeros) return {.tolerated = tolerated_loss, .most_quarters = quarters_for_digits};
+  return {.tolerated = has_float_alone(scene) ? tolerated_loss : most_lost,
+          .most_quarters = quarters_for_balance};
 }
 
 /// In what solves, small differences of angles divide what they are made of: float has no digits
@@ -60,10 +55,7 @@ bool is_worth_lowering(const ReadableEntries& entries, const Function& recursive
 }
 
 /// The guards of pivots are not counted: whichever form is chosen gets them.
-std::size_t cost_of(const Function& form) {
-  const bool has_pivots = output_row(form.kind).gives_pivots;
-  return cost(count_operations(has_pivots ? without_diagonal(form) : form));
-}
+std::size_t cost_of(const Function& form) { return cost(count_operations(without_diagonal(form))); }
 
 void choose_by_cost(const Function& closed, const Function& recursive, FormCosts& costs) {
   const bool is_closed = !costs.inaccurate && cost_of(closed) <= cost_of(recursive);
@@ -76,7 +68,7 @@ struct Candidate {
 };
 
 /// Whether a rewriting of the closed form is free, or worth its cost.
-bool is_taken(const Aim& aim, const Function& recursive, const Candidate& closed,
+bool is_taken(const LoweringAim& aim, const Function& recursive, const Candidate& closed,
               const Candidate& rewriting) {
   const std::size_t cost = cost_of(rewriting.function);
   const double loss = *rewriting.costs.closed_loss;
@@ -137,16 +129,13 @@ Function finished(Function function, Program& program, std::string& normalized) 
   if (repeats || function.kind == OutputKind::normalized) {
     return with_scaled_lengths(std::move(function), normalized);
   }
-  if (!output_row(function.kind).gives_pivots) return function;
   return with_guarded_pivots(std::move(function), program.constants);
 }
 
 void fill_readable(Program& program, std::size_t index, const Function& function,
                    const ReadableEntries& entries) {
   if (output_row(function.kind).repeats) return;
-  Function readable = lowered_one_by_one(entries, function, program);
-  const bool has_pivots = output_row(function.kind).gives_pivots;
-  program.readable[index] = has_pivots ? without_diagonal(std::move(readable)) : readable;
+  program.readable[index] = without_diagonal(lowered_one_by_one(entries, function, program));
 }
 
 class Choosing {
@@ -180,8 +169,7 @@ class Choosing {
     if (!output_row(function.kind).repeats) {
       const bool is_judged = has_closed_form(forms_.functions[index]);
       TextErrors* const text = is_judged ? recursive_forms_.errors_of(index) : nullptr;
-      return entries = read_entries({recursive_, function, forms_, forms_.functions[index]},
-                                    points_, text);
+      return entries = read_entries(recursive_, forms_, index, points_, text);
     }
     for (const Field& field : function.fields) {
       const auto member = entries_.find(field.name);
@@ -243,8 +231,9 @@ class Choosing {
   /// Lowers the entries as one function; chooses by its cost and its inaccurate entries.
   Function lowered(std::size_t index, const Function& recursive, const ReadableEntries& entries,
                    FormCosts& costs) {
-    const LoweringAim aim{splits_for(scene_, recursive), recursive_forms_.errors_of(index),
-                          aim_.tolerated, aim_.most_quarters};
+    LoweringAim aim = aim_;
+    aim.splits = splits_for(scene_, recursive);
+    aim.text = recursive_forms_.errors_of(index);
     Lowered closed = lowered_together(entries, recursive, result_.program, aim);
     costs.inaccurate = closed.inaccurate;
     choose_by_cost(closed.function, recursive, costs);
@@ -291,7 +280,7 @@ class Choosing {
   const Program& recursive_;
   const ClosedForms& forms_;
   const Scene& scene_;
-  Aim aim_;
+  LoweringAim aim_;  ///< of every function
   Points points_;
   Choice result_ = {};
   RecursiveForms recursive_forms_;

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "elgen/choose.hpp"
 #include "forms/write/kept_digits.hpp"
 #include "program/network/cheapest.hpp"
 #include "program/network/linearise.hpp"
@@ -158,17 +159,6 @@ class Cheapest {
   std::size_t cost_ = 0;
 };
 
-void append_entry(Function& to, Field& field, const Function& one) {
-  const auto offset = static_cast<std::uint32_t>(to.instructions.size());
-  for (Instruction i : one.instructions) {
-    if (operand_count(i) > 0) i.a += offset;
-    if (operand_count(i) > 1) i.b += offset;
-    to.instructions.push_back(i);
-  }
-  to.names.resize(to.instructions.size());
-  field.entries.push_back(one.fields[0].entries[0] + offset);
-}
-
 }  // namespace
 
 bool is_affordable(std::size_t cost, std::size_t other, std::size_t quarters) {
@@ -183,8 +173,10 @@ bool has_closed_form(const ClosedFunction& closed) {
          });
 }
 
-ReadableEntries read_entries(const BothForms& both, const Points& points, TextErrors* text) {
-  const auto& [program, function, forms, closed] = both;
+ReadableEntries read_entries(const Program& program, const ClosedForms& forms, std::size_t index,
+                             const Points& points, TextErrors* text) {
+  const Function& function = program.functions[index];
+  const ClosedFunction& closed = forms.functions[index];
   ReadableEntries entries;
   if (term_count(closed) > most_terms_together) return entries;
   for (std::size_t f = 0; f < closed.fields.size(); ++f) {
@@ -198,7 +190,7 @@ ReadableEntries read_entries(const BothForms& both, const Points& points, TextEr
       if (!entry || text == nullptr) continue;
       Judging judging(*entry, entries.size() - 1, *text);
       judging([&] {
-        return all_rewritings(std::move(rewritings), precise_rewritings(both.forms.algebra, *form),
+        return all_rewritings(std::move(rewritings), precise_rewritings(forms.algebra, *form),
                               derived ? &*derived : nullptr);
       });
     }
@@ -269,23 +261,21 @@ Lowered lowered_together(const ReadableEntries& entries, const Function& shape, 
   return std::move(cheapest).form();
 }
 
-Function lowered_one_by_one(const ReadableEntries& entries, const Function& shape,
-                            Program& program) {
-  Function readable{
-      .kind = shape.kind, .user = shape.user, .name = shape.name, .form = Form::closed};
-  std::size_t next = 0;
-  for (const Field& field : shape.fields) {
-    Field& filled = readable.fields.emplace_back(Field{field.name, field.rows, field.columns, {}});
-    for (std::size_t i = 0; i < field.entries.size(); ++i) {
-      Function one;
-      one.fields = {Field{"", 1, 1, {0}}};
-      Network network = make_network(entries[next++]->readable);
-      turn_signs(network);
-      linearise(network, program, one);
-      append_entry(readable, filled, one);
+Program written(Program program, Reader reader, const PresentBudget& budget) {
+  const ClosedForms forms = present(program, budget);
+  const Points points = mixed_points(program.leaves);
+  program.readable.resize(program.functions.size());
+  for (std::size_t i = 0; i < program.functions.size(); ++i) {
+    const ReadableEntries entries = read_entries(program, forms, i, points);
+    if (!is_complete(entries)) continue;
+    Function& function = program.functions[i];
+    if (reader == Reader::code) {
+      function = lowered_together(entries, function, program, {}).function;
+    } else {
+      program.readable[i] = lowered_one_by_one(entries, function, program);
     }
   }
-  return readable;
+  return program;
 }
 
 }  // namespace elgen

@@ -10,26 +10,18 @@
 
 namespace elgen {
 
-using ReadableEntries = std::vector<std::optional<ReadableForm>>;  ///< of all fields
-
-/// One function in both forms.
-struct BothForms {
-  const Program& program;    ///< of the recursive form
-  const Function& function;  ///< the recursive form
-  const ClosedForms& forms;
-  const ClosedFunction& closed;
-};
-
 /// Whether one cost is at most so many quarters of another, or a division more.
 [[nodiscard]] bool is_affordable(std::size_t cost, std::size_t other, std::size_t quarters);
 
 /// Whether every entry has a closed form, and all together are not too long.
 [[nodiscard]] bool has_closed_form(const ClosedFunction& closed);
 
-/// None where the closed forms are too long together. With `text`, inaccurate entries get an
-/// accurate rewriting if there is one, and each entry has one that keeps its digits.
-[[nodiscard]] ReadableEntries read_entries(const BothForms& both, const Points& points,
-                                           TextErrors* text);
+/// The entries of functions[index] of the recursive program; none where the closed forms are too
+/// long together. With `text`, inaccurate entries get an accurate rewriting if there is one, and
+/// each entry has one that keeps its digits.
+[[nodiscard]] ReadableEntries read_entries(const Program& program, const ClosedForms& forms,
+                                           std::size_t index, const Points& points,
+                                           TextErrors* text = nullptr);
 
 /// Whether there are entries, and each has a form.
 [[nodiscard]] bool is_complete(const ReadableEntries& entries);
@@ -70,9 +62,5 @@ struct LoweringAim {
 /// are; `program` gets their constants.
 [[nodiscard]] Lowered lowered_together(const ReadableEntries& entries, const Function& shape,
                                        Program& program, const LoweringAim& aim);
-
-/// As they are read, entry by entry, so that nothing is taken apart for what another entry shares.
-[[nodiscard]] Function lowered_one_by_one(const ReadableEntries& entries, const Function& shape,
-                                          Program& program);
 
 }  // namespace elgen

@@ -17,7 +17,8 @@ namespace elgen {
 namespace {
 
 bool has_diagonal(const Function& function) {
-  return !function.fields.empty() && function.fields.back().name == diagonal_field;
+  return output_row(function.kind).gives_pivots && !function.fields.empty() &&
+         function.fields.back().name == diagonal_field;
 }
 
 /// Where a function computes 1 by a value, if it does.
@@ -137,13 +138,12 @@ class Order {
 
 }  // namespace
 
-Function without_diagonal(Function forward_dynamics) {
-  if (!has_diagonal(forward_dynamics)) return forward_dynamics;
-  forward_dynamics.fields.pop_back();
-  const auto count = static_cast<std::uint32_t>(entry_count(forward_dynamics));
-  std::erase_if(forward_dynamics.sampled_zeros,
-                [count](std::uint32_t entry) { return entry >= count; });
-  return pruned(forward_dynamics);
+Function without_diagonal(Function function) {
+  if (!has_diagonal(function)) return function;
+  function.fields.pop_back();
+  const auto count = static_cast<std::uint32_t>(entry_count(function));
+  std::erase_if(function.sampled_zeros, [count](std::uint32_t entry) { return entry >= count; });
+  return pruned(function);
 }
 
 Function with_guarded_pivots(Function forward_dynamics, std::vector<Constant>& constants) {

@@ -8,7 +8,8 @@ namespace elgen {
 /// The field of forward_dynamics that is consumed by with_guarded_pivots and never emitted.
 inline constexpr std::string_view diagonal_field = "diagonal";
 
-[[nodiscard]] Function without_diagonal(Function forward_dynamics);
+/// Others stay as they are.
+[[nodiscard]] Function without_diagonal(Function function);
 
 /// A relative pivot D_i/M_ii is not a number where M_ii is 0.
 ///

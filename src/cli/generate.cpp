@@ -17,7 +17,7 @@
 #include "cli/process/terminal.hpp"
 #include "cli/shown_pipeline.hpp"
 #include "elgen/artifacts.hpp"
-#include "elgen/render.hpp"
+#include "elgen/page.hpp"
 #include "elgen/wording.hpp"
 
 namespace elgen::cli {
@@ -267,7 +267,7 @@ void tell_what_became(const GlobalOptions& global, const GenerateOptions& option
                       const std::vector<std::string>& written) {
   const auto& [model, scene] = *job.products.checked;
   if (global.verbose) {
-    tell(global, overview(sheet(model, scene, job.products.book->program), screen_of(stderr)));
+    tell(global, overview(model_page(model, scene, job.products.book->program), screen_of(stderr)));
   }
   for (const OutputFile& file : files_in(options.output_directory, *job.products.files)) {
     const bool is_new = std::find(written.begin(), written.end(), file.path) != written.end();

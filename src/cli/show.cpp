@@ -6,13 +6,15 @@
 #include <optional>
 #include <string>
 
+#include "base/text_table.hpp"
 #include "check/expressions/values.hpp"
 #include "cli/commands.hpp"
 #include "cli/files/inputs.hpp"
 #include "cli/process/terminal.hpp"
 #include "cli/shown_pipeline.hpp"
+#include "elgen/analysis_pages.hpp"
+#include "elgen/page.hpp"
 #include "elgen/pipeline.hpp"
-#include "elgen/render.hpp"
 #include "program/evaluate/subject.hpp"
 
 namespace elgen::cli {
@@ -26,10 +28,10 @@ struct ShowOptions {
   SceneOptions scene = {};
 };
 
-/// Written from the `parts` that the stages of an analysis made.
-template <auto write, auto... parts>
+/// Made of the `parts` that the stages of an analysis gave.
+template <auto make, auto... parts>
 auto made(const Products& products, const PageOptions&) {
-  return write(*products.checked, *(products.*parts)...);
+  return make(*products.checked, *(products.*parts)...);
 }
 
 /// The sidecar, which has all outputs.
@@ -40,59 +42,50 @@ std::string json_of_outputs(const Products& products, const PageOptions&) {
   return {};
 }
 
+std::string text_of_outputs(const Products& products, const PageOptions& options) {
+  const auto& [model, scene] = *products.checked;
+  return text_page(model, scene, products.book->program, options);
+}
+
+Page page_of_outputs(const Products& products, const PageOptions& options) {
+  const auto& [model, scene] = *products.checked;
+  return model_page(model, scene, products.book->program, options);
+}
+
+template <const std::string_view& title>
+Page page_of_steps(const Products& products, const PageOptions&) {
+  const auto& [model, scene] = *products.checked;
+  return steps_page(model, scene, *products.steps, title);
+}
+
+constexpr std::string_view all_steps;
+
 template <class T>
 using Shown = T (*)(const Products& products, const PageOptions& options);
 
 /// A subject that --what may ask for beside outputs; each stands alone.
 struct SubjectRow {
-  std::string_view word;  ///< "": outputs
-  Goal goal;              ///< the stage whose product is shown
-  Shown<std::string> text;
-  Shown<Sheet> sheet;       ///< null: text alone
+  std::string_view word;    ///< "": outputs
+  Goal goal;                ///< the stage whose product is shown
+  Shown<Page> page;         ///< null: text alone
+  Shown<std::string> text;  ///< null: that of the page
   Shown<std::string> json;  ///< null: none
   bool is_of_rest = false;  ///< states of rest and motions about them
 };
 
 constexpr std::array subjects{
-    SubjectRow{"", Goal::emit,
-               [](const Products& all, const PageOptions& options) {
-                 const auto& [model, scene] = *all.checked;
-                 return text_page(model, scene, all.book->program, options);
-               },
-               [](const Products& all, const PageOptions& options) {
-                 const auto& [model, scene] = *all.checked;
-                 return sheet(model, scene, all.book->program, options);
-               },
-               &json_of_outputs},
-    SubjectRow{"lagrangian", Goal::steps,
-               [](const Products& all, const PageOptions&) {
-                 return steps_text(all.checked->model, *all.steps, energies_title);
-               },
-               [](const Products& all, const PageOptions&) {
-                 const auto& [model, scene] = *all.checked;
-                 return steps_sheet(model, scene, *all.steps, energies_title);
-               },
-               nullptr},
-    SubjectRow{"steps", Goal::steps,
-               [](const Products& all, const PageOptions&) {
-                 return steps_text(all.checked->model, *all.steps);
-               },
-               [](const Products& all, const PageOptions&) {
-                 return steps_sheet(all.checked->model, all.checked->scene, *all.steps);
-               },
-               nullptr},
-    SubjectRow{"cost", Goal::emit,
+    SubjectRow{"", Goal::emit, &page_of_outputs, &text_of_outputs, &json_of_outputs},
+    SubjectRow{"lagrangian", Goal::steps, &page_of_steps<energies_title>, nullptr, nullptr},
+    SubjectRow{"steps", Goal::steps, &page_of_steps<all_steps>, nullptr, nullptr},
+    SubjectRow{"cost", Goal::emit, nullptr,
                [](const Products& all, const PageOptions&) { return cost_page(all.costs); },
-               nullptr, nullptr},
-    SubjectRow{"equilibria", Goal::equilibria, &made<&equilibria_text, &Products::equilibria>,
-               &made<&equilibria_sheet, &Products::equilibria>,
-               &made<&equilibria_json, &Products::equilibria>, true},
-    SubjectRow{"modes", Goal::modes, &made<&modes_text, &Products::equilibria, &Products::motions>,
-               &made<&modes_sheet, &Products::equilibria, &Products::motions>,
-               &made<&modes_json, &Products::equilibria, &Products::motions>, true},
-    SubjectRow{"symmetries", Goal::symmetries, &made<&symmetries_text, &Products::symmetries>,
-               &made<&symmetries_sheet, &Products::symmetries>,
-               &made<&symmetries_json, &Products::symmetries>}};
+               nullptr},
+    SubjectRow{"equilibria", Goal::equilibria, &made<&equilibria_page, &Products::equilibria>,
+               nullptr, &made<&equilibria_json, &Products::equilibria>, true},
+    SubjectRow{"modes", Goal::modes, &made<&modes_page, &Products::equilibria, &Products::motions>,
+               nullptr, &made<&modes_json, &Products::equilibria, &Products::motions>, true},
+    SubjectRow{"symmetries", Goal::symmetries, &made<&symmetries_page, &Products::symmetries>,
+               nullptr, &made<&symmetries_json, &Products::symmetries>}};
 
 Result<const SubjectRow*> subject_of(const ShowOptions& options) {
   for (const SubjectRow& row : subjects) {
@@ -100,7 +93,7 @@ Result<const SubjectRow*> subject_of(const ShowOptions& options) {
     if (options.what == row.word) {
       const bool is_plain = options.as == "text" || options.as == "unicode";
       const bool is_printed =
-          options.as == "json" ? row.json != nullptr : row.sheet != nullptr || is_plain;
+          options.as == "json" ? row.json != nullptr : row.page != nullptr || is_plain;
       if (is_printed) return &row;
       return Diagnostic{
           Code::E913, {}, fmt::format("`{}` is not printed as {}", row.word, options.as)};
@@ -158,17 +151,20 @@ std::string percentage(double part, double whole) {
   return whole > 0 ? fmt::format("{:.0f} %", 100 * part / whole) : "";
 }
 
-/// The columns of the cost in the scene and in the full model.
-std::string compared(const OutputRequest& request, const Program& program, const Products* full) {
-  const std::size_t own =
-      cost(count_operations(*find_function(program, request.kind, request.user)));
-  if (full == nullptr) return fmt::format("{:>8}", own);
-  const Function* same =
-      full->program ? find_function(*full->program, request.kind, request.user) : nullptr;
-  if (same == nullptr) return fmt::format("{:>8}  {:>10}  {:>6}", own, "-", "");
-  const std::size_t whole = cost(count_operations(*same));
-  return fmt::format("{:>8}  {:>10}  {:>6}", own, whole,
-                     percentage(static_cast<double>(own), static_cast<double>(whole)));
+/// The costs in the scene, in the full model, and their share.
+std::vector<std::string> compared(const OutputRequest& request, const Program& program,
+                                  const Products* full) {
+  const auto cost_in = [&request](const std::optional<Program>& of) -> std::optional<std::size_t> {
+    const Function* const same = of ? find_function(*of, request.kind, request.user) : nullptr;
+    if (same == nullptr) return std::nullopt;
+    return cost(count_operations(*same));
+  };
+  const std::size_t own = *cost_in(program);
+  if (full == nullptr) return {std::to_string(own)};
+  const std::optional<std::size_t> whole = cost_in(full->program);
+  if (!whole) return {std::to_string(own), "-", ""};
+  return {std::to_string(own), std::to_string(*whole),
+          percentage(static_cast<double>(own), static_cast<double>(*whole))};
 }
 
 /// A table: for every output the cost of one call, that of the same output of the full model, and
@@ -181,19 +177,25 @@ std::string generation_costs(const Inputs& inputs, const PipelineOptions& option
   const bool has_scene = inputs.scene != nullptr || products.checked->scene.has_options;
   const Products whole = has_scene ? full_model(inputs, silent) : Products{};
   const Products* full = has_scene ? &whole : nullptr;
-  std::size_t width = std::string_view("output").size();
   const std::vector<OutputRequest>& requests = products.checked->scene.outputs;
-  for (const OutputRequest& request : requests) width = std::max(width, request.name.size());
-  std::string text = fmt::format(
-      "{:<{}}  {:>8}{}  {:>12}\n", "output", width, "cost",
-      full == nullptr ? "" : fmt::format("  {:>10}  {:>6}", "full model", "share"), "alone");
+  TextRows rows{{"output", "cost"}};
+  std::vector<TextColumn> columns{{false, 0, 0}, {true, 8}};
+  if (full != nullptr) {
+    rows[0].insert(rows[0].end(), {"full model", "share"});
+    columns.insert(columns.end(), {{true, 10}, {true, 6}});
+  }
+  rows[0].emplace_back("alone");
+  columns.push_back({true, 12});
   for (std::size_t i = 0; i < requests.size(); ++i) {
     if (!has_equations(output_row(requests[i].kind))) continue;  // made of the others
-    text += fmt::format(
-        "{:<{}}  {}  {:>9.1f} ms\n", requests[i].name, width,
-        compared(requests[i], *products.program, full),
-        1e3 * seconds(times_alone(*products.checked, i, options.limits), "formulate", "choose"));
+    std::vector<std::string>& row = rows.emplace_back(1, requests[i].name);
+    const std::vector<std::string> costs = compared(requests[i], *products.program, full);
+    row.insert(row.end(), costs.begin(), costs.end());
+    row.push_back(fmt::format(
+        "{:.1f} ms",
+        1e3 * seconds(times_alone(*products.checked, i, options.limits), "formulate", "choose")));
   }
+  std::string text = fmt::format("{}\n", fmt::join(table_lines(rows, columns), "\n"));
   text += fmt::format("\ngenerated in {:.1f} ms", 1e3 * generation(products));
   if (full != nullptr) {
     text += fmt::format(", the full model in {:.1f} ms: {}", 1e3 * generation(whole),
@@ -202,19 +204,22 @@ std::string generation_costs(const Inputs& inputs, const PipelineOptions& option
   return text + "\n";
 }
 
-std::string page(const Products& products, const SubjectRow& subject, const ShowOptions& wanted) {
+std::string printed(const Products& products, const SubjectRow& subject,
+                    const ShowOptions& wanted) {
   PageOptions options;
   options.zeros = !wanted.what.empty();  // what is asked for by name is shown
   if (options.zeros) options.most_entries = SIZE_MAX;
   const bool opens = wanted.what.empty() && products.book && products.book->steps;
   if (opens) options.opening = &*products.book->steps;
   if (wanted.as == "json") return subject.json(products, options);
-  const bool is_screen = wanted.as == "unicode" && subject.sheet != nullptr;
-  if (wanted.as == "text" || (wanted.as == "unicode" && !is_screen)) {
+  if (subject.text != nullptr && (wanted.as == "text" || subject.page == nullptr)) {
     return subject.text(products, options);
   }
-  const Sheet shown = subject.sheet(products, options);
-  if (is_screen) return screen_page(shown, {screen_of(stdout).columns, Alphabet::unicode});
+  const Page shown = subject.page(products, options);
+  if (wanted.as == "text") return text_of(shown);
+  if (wanted.as == "unicode") {
+    return screen_page(shown, {screen_of(stdout).columns, Alphabet::unicode});
+  }
   if (wanted.as == "latex") return latex_document(shown);
   return wanted.as == "mathml" ? html_page(shown) : markdown_page(shown);
 }
@@ -249,7 +254,7 @@ ExitCode show(const GlobalOptions& global, const ShowOptions& given) {
   const ExitCode derived = report_products(global, products);
   tell_times(global, products);
   if (derived != ExitCode::success || !global.stop_after.empty()) return derived;
-  std::string text = page(products, subject, options);
+  std::string text = printed(products, subject, options);
   if (subject.word == "cost") text += "\n" + generation_costs(*inputs, pipeline, products);
   return print(global, text);
 }

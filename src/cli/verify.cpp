@@ -15,7 +15,7 @@
 #include "cli/shown_pipeline.hpp"
 #include "elgen/certificate.hpp"
 #include "elgen/foreign.hpp"
-#include "elgen/render.hpp"
+#include "elgen/page.hpp"
 #include "elgen/tradeoff.hpp"
 
 namespace elgen::cli {
@@ -153,7 +153,7 @@ ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& opt
   }
   if (global.verbose && !is_foreign) {
     const auto& [model, scene] = *products.checked;
-    tell(global, overview(sheet(model, scene, products.book->program), screen_of(stderr)));
+    tell(global, overview(model_page(model, scene, products.book->program), screen_of(stderr)));
   }
   const auto verification = is_foreign
                                 ? judged(path, products, options, global.limits)

@@ -7,14 +7,13 @@
 #include <optional>
 #include <span>
 
-#include "choose/entries.hpp"
 #include "choose/finish.hpp"
 #include "diff/joint_program.hpp"
 #include "diff/renamed.hpp"
 #include "diff/zeros.hpp"
-#include "elgen/closed_forms.hpp"
+#include "elgen/choose.hpp"
 #include "elgen/diff.hpp"
-#include "elgen/render.hpp"
+#include "elgen/page.hpp"
 #include "numbers/exact_number.hpp"
 #include "program/evaluate/subject.hpp"
 #include "program/network/instructions.hpp"
@@ -26,11 +25,6 @@ namespace {
 const Function* find_named(const Program& program, const std::string& name) {
   const auto found = std::ranges::find(program.functions, name, &Function::name);
   return found == program.functions.end() ? nullptr : &*found;
-}
-
-/// The fields of a function that callers get.
-Function visible(const Function& function) {
-  return output_row(function.kind).gives_pivots ? without_diagonal(function) : function;
 }
 
 /// Longer ones are not printed.
@@ -58,19 +52,11 @@ std::vector<std::string> closed_texts(const Program& program, const Function& fu
   for (const std::uint32_t at : instructions) {
     each.functions.push_back(alone(function, at));
   }
-  const ClosedForms forms = present(each, texts_budget);
-  const Points points = mixed_points(each.leaves);
-  std::vector<bool> is_known;
-  for (std::size_t i = 0; i < each.functions.size(); ++i) {
-    const ReadableEntries entries =
-        read_entries({each, each.functions[i], forms, forms.functions[i]}, points, nullptr);
-    is_known.push_back(is_complete(entries));
-    each.readable.push_back(is_known.back() ? lowered_one_by_one(entries, each.functions[i], each)
-                                            : Function{});
-  }
+  const Program read = written(std::move(each), Reader::people, texts_budget);
   std::vector<std::string> texts;
-  for (std::size_t i = 0; i < each.functions.size(); ++i) {
-    std::string text = is_known[i] ? readable_equations(each, i).entries[0][0] : "";
+  for (std::size_t i = 0; i < read.functions.size(); ++i) {
+    const bool is_known = !read.readable[i].fields.empty();
+    std::string text = is_known ? text_of(equations(read, i).entries[0][0]) : "";
     texts.push_back(text.size() <= longest_read ? std::move(text) : "");
   }
   return texts;
@@ -226,13 +212,13 @@ class OutputComparison {
     for (const Function& after : after_.program.functions) {
       if (output_row(after.kind).repeats) continue;
       const Function* const before = find_named(before_.program, after.name);
-      all.push_back(before != nullptr ? compared(visible(*before), visible(after))
-                                      : whole(after_, {}, visible(after)));
+      all.push_back(before != nullptr ? compared(without_diagonal(*before), without_diagonal(after))
+                                      : whole(after_, {}, without_diagonal(after)));
     }
     for (const Function& before : before_.program.functions) {
       const bool is_gone = find_named(after_.program, before.name) == nullptr;
       if (!is_gone || output_row(before.kind).repeats) continue;
-      all.push_back(whole(before_, visible(before), {}));
+      all.push_back(whole(before_, without_diagonal(before), {}));
     }
     return all;
   }

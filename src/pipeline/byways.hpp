@@ -11,7 +11,7 @@
 #include "elgen/lagrangian.hpp"
 #include "elgen/limits.hpp"
 #include "elgen/program.hpp"
-#include "elgen/render.hpp"
+#include "elgen/page.hpp"
 #include "elgen/scene.hpp"
 
 namespace elgen {

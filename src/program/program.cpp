@@ -89,6 +89,12 @@ bool loads_zero(const Program& program, const Instruction& instruction) {
          cln::zerop(program.constants[instruction.a].value);
 }
 
+bool is_zero(const Program& program, const Function& function) {
+  return std::ranges::all_of(entries_of(function), [&](std::uint32_t entry) {
+    return loads_zero(program, function.instructions[entry]);
+  });
+}
+
 int order_at(const Program& program, const Function& function, std::uint32_t at) {
   const Instruction& i = function.instructions[at];
   if (i.opcode == Opcode::negate) return -order_at(program, function, i.a);

@@ -18,7 +18,7 @@
 #include "elgen/wording.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "numbers/exact_number.hpp"
-#include "render/fill_template.hpp"
+#include "base/fill_template.hpp"
 #include "toolchain/process.hpp"
 #include "toolchain/workshop.hpp"
 

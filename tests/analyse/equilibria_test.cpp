@@ -4,6 +4,8 @@
 
 #include "analyse/formulas.hpp"
 #include "analyse/found.hpp"
+#include "elgen/analysis_pages.hpp"
+#include "elgen/page.hpp"
 #include "program/evaluate/subject.hpp"
 
 using namespace elgen;
@@ -13,7 +15,7 @@ namespace {
 
 std::string page(const std::string& model, const AnalysisWords& words = {}) {
   const Analysed found = analysed(model_file(model), words);
-  return screen_page(equilibria_sheet(found.checked, found.equilibria), {100, Alphabet::unicode});
+  return screen_page(equilibria_page(found.checked, found.equilibria), {100, Alphabet::unicode});
 }
 
 double value(const RestPoint& point, std::size_t coordinate) {
@@ -89,7 +91,7 @@ b = 2
 T = "1/2*dot(x)^2"
 V = "(a + b)*(1 + sin(x))^2"
 )");
-  const std::string text = equilibria_text(well.checked, well.equilibria);
+  const std::string text = text_of(equilibria_page(well.checked, well.equilibria));
   INFO(text);
   CHECK(text.find("V0 = 1/4*(a + b)*(x + 1/2*pi)^4 + ... has a strict minimum") !=
         std::string::npos);
@@ -127,7 +129,7 @@ V = "m*g*z"
   const auto shown = [](const std::string& model) {
     const Analysed found = analysed(model);
     CHECK(found.equilibria.points.empty());
-    return equilibria_text(found.checked, found.equilibria);
+    return text_of(equilibria_page(found.checked, found.equilibria));
   };
   CHECK(shown(fall).ends_with(
       "  x is cyclic: with its momentum held (scene: [routh] x = true) there may be steady motions"
@@ -199,7 +201,7 @@ mass = "m"
   REQUIRE(found.equilibria.points.size() == 2);
   CHECK(value(found.equilibria.points[0], 1) == 0);
   CHECK(value(found.equilibria.points[1], 1) == 0);
-  const std::string text = equilibria_text(found.checked, found.equilibria);
+  const std::string text = text_of(equilibria_page(found.checked, found.equilibria));
   INFO(text);
   CHECK(text.find("beta in [-1, 1]; alpha and beta modulo 2*pi\n"
                   "  the chart breaks at beta = +-1/2*pi\n"
@@ -210,7 +212,7 @@ mass = "m"
       "[[coordinate]]\nname = \"phi\"\n[energy]\nT = \"1/2*r^2*dot(phi)^2\"\nV = \"r^2\"\n";
   const Analysed middle = analysed(polar);
   CHECK(middle.equilibria.points.empty());
-  CHECK(equilibria_text(middle.checked, middle.equilibria)
+  CHECK(text_of(equilibria_page(middle.checked, middle.equilibria))
             .find("none where M is regular for r in [-1, 1] at the parameters' values (proved)\n"
                   "  the chart breaks at r = 0\n") != std::string::npos);
   const Analysed half = analysed(potential_model(coordinate("x", "[2, 4]"), "cos(x)"));
@@ -241,7 +243,7 @@ TEST_CASE("a coordinate that cancels at these parameters alone is any at their v
     REQUIRE(found.equilibria.points.size() == 1);
     CHECK(found.equilibria.points[0].coordinates[0].is_any);
     CHECK_FALSE(found.equilibria.points[0].is_exact);
-    CHECK(equilibria_text(found.checked, found.equilibria)
+    CHECK(text_of(equilibria_page(found.checked, found.equilibria))
               .find("  any and stability at the parameters' values\n"
                     "  these are all at the parameters' values (proved)\n") != std::string::npos);
   }
@@ -254,7 +256,7 @@ TEST_CASE("a place is exact where the equations are 0 for all values of the para
   const Analysed found = analysed(spring);
   REQUIRE(found.equilibria.points.size() == 1);
   CHECK(found.equilibria.points[0].is_exact);
-  CHECK(equilibria_text(found.checked, found.equilibria)
+  CHECK(text_of(equilibria_page(found.checked, found.equilibria))
             .find("exact for all values of the parameters; stability at the parameters' values") !=
         std::string::npos);
   // 0 at these values, +-sqrt(c^2 - h^2) beside it at others.
@@ -324,7 +326,7 @@ on = "l"
         analysed(potential_model(both, "(x - y)^4 + (x - y)^2"), {.boxes = 5000})}) {
     CHECK(found.equilibria.completeness != Completeness::proved);
     REQUIRE(found.equilibria.undecided.size() == 1);
-    const std::string text = equilibria_text(found.checked, found.equilibria);
+    const std::string text = text_of(equilibria_page(found.checked, found.equilibria));
     INFO(text);
     CHECK(text.find("undecided near ") != std::string::npos);
     CHECK(text.find("none was found") == std::string::npos);

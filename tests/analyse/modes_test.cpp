@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "analyse/found.hpp"
+#include "elgen/analysis_pages.hpp"
+#include "elgen/page.hpp"
 
 using namespace elgen;
 using namespace elgen::test;
@@ -35,7 +37,7 @@ Motions motions(const std::string& text, const std::string& at = {},
 }
 
 std::string page(const Motions& found) {
-  return screen_page(modes_sheet(found.checked, found.equilibria, found.all),
+  return screen_page(modes_page(found.checked, found.equilibria, found.all),
                      {100, Alphabet::unicode});
 }
 
@@ -112,10 +114,10 @@ V = "1/2*(k + c)*x^2"
   const auto has = [](const std::string& text, const char* part) {
     return text.find(part) != std::string::npos;
   };
-  CHECK(has(modes_text(sum.checked, sum.equilibria, sum.all),
+  CHECK(has(text_of(modes_page(sum.checked, sum.equilibria, sum.all)),
             "  (m1 + m2) eta'' + K eta = 0,   K = k + c\n"));
   CHECK(has(page(sum), "  (m₁ + m₂) η̈ + K η = 0,   K = k + c\n"));
-  CHECK(has(latex_document(modes_sheet(sum.checked, sum.equilibria, sum.all)),
+  CHECK(has(latex_document(modes_page(sum.checked, sum.equilibria, sum.all)),
             "(m_{1} + m_{2}) \\ddot{\\eta} + K \\eta = 0"));
 }
 
@@ -148,7 +150,8 @@ TEST_CASE("equal pendulums: w^2 = g/l (2 -+ sqrt 2)") {
                          make_source("--fix", "l1=1"), make_source("--fix", "l2=1")};
   const Products products = run_pipeline(inputs_of(text), options);
   REQUIRE(products.motions);
-  const std::string page = modes_text(*products.checked, *products.equilibria, *products.motions);
+  const std::string page =
+      text_of(modes_page(*products.checked, *products.equilibria, *products.motions));
   CHECK(page.find("w^2 = g*(2 -+ sqrt(2))\n") != std::string::npos);
 }
 

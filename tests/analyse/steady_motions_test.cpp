@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "analyse/found.hpp"
+#include "elgen/analysis_pages.hpp"
+#include "elgen/page.hpp"
 
 using namespace elgen;
 using namespace elgen::test;
@@ -36,7 +38,7 @@ double rest_coordinate(const Products& products) {
 }
 
 std::string steady_page(const Products& products) {
-  return screen_page(modes_sheet(*products.checked, *products.equilibria, *products.motions),
+  return screen_page(modes_page(*products.checked, *products.equilibria, *products.motions),
                      {100, Alphabet::unicode});
 }
 

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "analyse/symmetries_testing.hpp"
+#include "elgen/analysis_pages.hpp"
+#include "elgen/page.hpp"
 
 using namespace elgen;
 using namespace elgen::test;
@@ -285,7 +287,7 @@ TEST_CASE("bodies turn in the axes of the world and in their own") {
 
 TEST_CASE("pages are read in the notations of books") {
   const FoundSymmetries found(model_file("cart_pole"));
-  const Sheet sheet = symmetries_sheet(found.checked(), found.found());
+  const Page sheet = symmetries_page(found.checked(), found.found());
   CHECK(starts_with(latex_document(sheet), "\\documentclass"));
   CHECK(mentions(latex_document(sheet), "${\\delta} x = t$"));
   CHECK(mentions(html_page(sheet), "<mi>δ</mi>"));

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "elgen/analysis_pages.hpp"
+#include "elgen/page.hpp"
 #include "pipeline/pipeline_testing.hpp"
 #include "support/models.hpp"
 
@@ -46,7 +48,7 @@ class FoundSymmetries {
   [[nodiscard]] const CheckedModel& checked() const { return checked_; }
   [[nodiscard]] const Symmetries& found() const { return found_; }
   [[nodiscard]] const std::vector<Symmetry>& all() const { return found_.all; }
-  [[nodiscard]] std::string page() const { return symmetries_text(checked_, found_); }
+  [[nodiscard]] std::string page() const { return text_of(symmetries_page(checked_, found_)); }
   [[nodiscard]] nlohmann::json json() const {
     return nlohmann::json::parse(symmetries_json(checked_, found_));
   }

@@ -8,7 +8,7 @@
 #include "elgen/compose.hpp"
 #include "elgen/equations_of_motion.hpp"
 #include "elgen/lower.hpp"
-#include "elgen/render.hpp"
+#include "elgen/page.hpp"
 #include "pipeline/byways.hpp"
 #include "support/models.hpp"
 
@@ -37,7 +37,7 @@ inline Chosen chosen(const std::string& text, const SceneOptions& options = {},
 inline std::vector<std::string> readable(const Chosen& chosen, const std::string& name) {
   const Program& program = chosen.choice.program;
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
-    if (program.functions[i].name == name) return readable_equations(program, i).entries.at(0);
+    if (program.functions[i].name == name) return texts_of(equations(program, i).entries.at(0));
   }
   return {};
 }

@@ -44,14 +44,14 @@ TEST_CASE("float has its own functions and literals") {
   CHECK(text_of(subject, 1).body.find("const float sin_theta = cart_pole_sine_of(q[1]);") !=
         std::string::npos);
   const auto dialect = c99_dialect(subject.model, subject.scene, subject.program);
-  CHECK(dialect->constant(rational_constant(cln::cl_RA(-1) / 3)).text() == "-0.33333334f");
+  CHECK(dialect->constant(rational_constant(cln::cl_RA(-1) / 3)).text == "-0.33333334f");
   CHECK(dialect->pair("s", "c", {"x"}, true) ==
         "  float s, c;\n  cart_pole_sine_cosine(x, &s, &c);\n");
   CHECK(dialect->pair("w->s", "w->c", {"x"}, false) ==
         "  cart_pole_sine_cosine(x, &w->s, &w->c);\n");
-  CHECK(dialect->square_root({"x"}).text() == "sqrtf(x)");
-  CHECK(dialect->call(FunctionId::abs, {{"x"}}).text() == "fabsf(x)");
-  CHECK(dialect->call(FunctionId::min, {{"x"}, {"y"}}).text() == "cart_pole_smaller(x, y)");
+  CHECK(dialect->square_root({"x"}).text == "sqrtf(x)");
+  CHECK(dialect->call(FunctionId::abs, {{"x"}}).text == "fabsf(x)");
+  CHECK(dialect->call(FunctionId::min, {{"x"}, {"y"}}).text == "cart_pole_smaller(x, y)");
 }
 
 TEST_CASE("sines of the library are called one by one") {
@@ -65,7 +65,7 @@ TEST_CASE("temporaries hide nothing, and those that parts share are members") {
   const Subject subject = in_c();
   const auto dialect = c99_dialect(subject.model, subject.scene, subject.program);
   CHECK(dialect->shared("sin_theta") == "w->sin_theta");
-  CHECK(dialect->call(FunctionId::abs, {{"x"}}).text() == "fabs(x)");
+  CHECK(dialect->call(FunctionId::abs, {{"x"}}).text == "fabs(x)");
   CHECK(dialect->temporary("sin_theta") == "sin_theta");
   for (const char* name : {"p", "result", "sinf", "cart_pole_bias"}) {
     CHECK(dialect->temporary(name) == std::string(name) + "_");

@@ -107,22 +107,22 @@ TEST_CASE("leaves") {
 TEST_CASE("constants stand where they are used when they are short") {
   const Subject subject = cart_pole();
   const auto dialect = cpp_dialect(subject.model, subject.program);
-  CHECK(dialect->constant(rational_constant(2)).text() == "constant<Scalar>(2.0)");
-  CHECK(dialect->constant(rational_constant(cln::cl_RA(1) / 3)).text() == "number_1_3<Scalar>()");
-  const Formula negative = dialect->constant(rational_constant(-1));
-  CHECK(negative.text() == "-constant<Scalar>(1.0)");
+  CHECK(dialect->constant(rational_constant(2)).text == "constant<Scalar>(2.0)");
+  CHECK(dialect->constant(rational_constant(cln::cl_RA(1) / 3)).text == "number_1_3<Scalar>()");
+  const FormulaText negative = dialect->constant(rational_constant(-1));
+  CHECK(negative.text == "-constant<Scalar>(1.0)");
   CHECK(negative.binding == Binding::negation);
 }
 
 TEST_CASE("calls") {
   const Subject subject = cart_pole();
   const auto dialect = cpp_dialect(subject.model, subject.program);
-  CHECK(dialect->call(FunctionId::atan2, {{"y"}, {"x"}}).text() == "atan2(y, x)");
-  CHECK(dialect->call(FunctionId::cos, {{"x"}}).text() == "detail::Cosine<Scalar>::of(x)");
-  CHECK(dialect->call(FunctionId::sign, {{"x"}}).text() == "detail::sign_of<Scalar>(x)");
-  CHECK(dialect->call(FunctionId::min, {{"x"}, {"y"}}).text() == "detail::smaller<Scalar>(x, y)");
-  CHECK(dialect->call(FunctionId::max, {{"x"}, {"y"}}).text() == "detail::larger<Scalar>(x, y)");
-  CHECK(dialect->square_root({"x"}).text() == "sqrt(x)");
+  CHECK(dialect->call(FunctionId::atan2, {{"y"}, {"x"}}).text == "atan2(y, x)");
+  CHECK(dialect->call(FunctionId::cos, {{"x"}}).text == "detail::Cosine<Scalar>::of(x)");
+  CHECK(dialect->call(FunctionId::sign, {{"x"}}).text == "detail::sign_of<Scalar>(x)");
+  CHECK(dialect->call(FunctionId::min, {{"x"}, {"y"}}).text == "detail::smaller<Scalar>(x, y)");
+  CHECK(dialect->call(FunctionId::max, {{"x"}, {"y"}}).text == "detail::larger<Scalar>(x, y)");
+  CHECK(dialect->square_root({"x"}).text == "sqrt(x)");
   CHECK(dialect->temporary("sin") == "sin_");
   CHECK(dialect->shared("sin_theta") == "w.sin_theta");
 }

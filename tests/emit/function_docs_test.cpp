@@ -14,7 +14,8 @@ namespace {
 
 Lines docs(const Subject& subject, std::size_t index) {
   const Function& function = subject.program.functions[index];
-  const FunctionEquations printed = equations(subject.program, function);
+  const FunctionEquations printed =
+      equations(subject.program, function, temporary_names(subject.program, function));
   return function_docs({subject.model, subject.program, function, printed, "a.equations.json", {}});
 }
 
@@ -103,13 +104,15 @@ TEST_CASE("long rows become indexed lines, long listings a pointer to the sideca
   Subject subject = cart_pole();
   FunctionEquations printed;
   const std::string wide = "some_long_name*another_long_name + a_third_long_name";
-  printed.entries = {{wide, wide, wide, wide}};
+  printed.entries = {Formulas(4, name_formula(wide))};
   const Function& mass_matrix = subject.program.functions[0];
   const auto lines = [&] {
     return function_docs({subject.model, subject.program, mass_matrix, printed, "a.json", {}});
   };
   CHECK(lines().back() == "     [1, 1] = " + wide);
-  for (int i = 0; i < 100; ++i) printed.definitions.push_back({"x" + std::to_string(i), "1"});
+  for (int i = 0; i < 100; ++i) {
+    printed.definitions.push_back({name_formula("x" + std::to_string(i)), number_formula(1)});
+  }
   CHECK(lines().back() == "     100 definitions and 4 entries: see a.json.");
 }
 

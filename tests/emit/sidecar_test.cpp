@@ -55,7 +55,9 @@ TEST_CASE("definitions are listed in order, before the entries that use them") {
   const Subject subject = cart_pole();
   EmissionInput input =
       emission_input(subject.model, subject.scene, subject.program, {subject.program});
-  input.equations[1] = {{{"sum", "x + y"}, {"square", "sum^2"}}, {{"square", "0"}}};
+  const auto formula = [](const char* text) { return name_formula(text); };
+  input.equations[1] = {{{formula("sum"), formula("x + y")}, {formula("square"), formula("sum^2")}},
+                        {{formula("square"), formula("0")}}};
   const Json json = Json::parse(sidecar(input));
   const Json& output = json["outputs"]["gravity"];
   CHECK(output["definitions"] == Json::parse(R"([{"name": "sum", "value": "x + y"},

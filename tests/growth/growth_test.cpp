@@ -9,7 +9,7 @@
 #include <cmath>
 #include <map>
 
-#include "elgen/analyse.hpp"
+#include "elgen/analysis_pages.hpp"
 #include "elgen/oracle.hpp"
 #include "elgen/pipeline.hpp"
 #include "growth/operations.hpp"
@@ -203,7 +203,8 @@ TEST_CASE("a page of modes reads the entries that are not 0") {
     const Products products = run_pipeline({make_source("small.toml", springs), nullptr}, options);
     REQUIRE(products.motions);
     const Operations start = operations();
-    CHECK_FALSE(modes_text(*products.checked, *products.equilibria, *products.motions).empty());
+    CHECK_FALSE(
+        text_of(modes_page(*products.checked, *products.equilibria, *products.motions)).empty());
     return operations().bytes - start.bytes;
   };
   bytes(4);

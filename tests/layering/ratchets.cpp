@@ -192,6 +192,13 @@ Places random_generators(const SourceTree& tree) {
                         R"(^(?! *//)(?!.*explicit).*\bRandom( \w+( =|[;({])|[({]))");
 }
 
+/// Formulas are trees; LaTeX is what tables of formulas are typed in.
+Places latex_commands(const SourceTree& tree) {
+  return matching_lines(
+      tree, "\\",
+      R"(^(?! *//).*\\(frac|sqrt|left|right|text|mathrm|mathbf|dot|ddot|partial|cdot)\b)");
+}
+
 Places noun_clauses(const SourceTree& tree) {
   return matching_lines(tree, "//", R"(//[/!]?<? (Of|That of|Those|What)\b)");
 }
@@ -207,6 +214,7 @@ constexpr std::array rules{
     Rule{"defaults", defaults_over_tables, "list the rows, so that the compiler asks for new ones"},
     Rule{"languages", language_comparisons, "let the row of the language say what differs"},
     Rule{"randoms", random_generators, "ask for points and states where they are drawn already"},
+    Rule{"latex", latex_commands, "build a formula, or type it in a table"},
     Rule{"long-classes", long_classes, "divide it into functions with named results"},
     Rule{"function-objects", function_objects, "write functions that pass results to each other"},
     Rule{"noun-clauses", noun_clauses, "write subject, verb, object"},

@@ -17,8 +17,8 @@ const std::string row_of_lines = "sum 2\nsrc/first 1\nsrc/second 1\n";
 /// The same with rows of all rules, each at 0 but one.
 std::string rows_with(const std::string& name, int number) {
   std::string rows = "# comment\n" + row_of_lines;
-  for (const std::string rule : {"reach-ins", "defaults", "languages", "randoms", "long-classes",
-                                 "function-objects", "noun-clauses"}) {
+  for (const std::string rule : {"reach-ins", "defaults", "languages", "randoms", "latex",
+                                 "long-classes", "function-objects", "noun-clauses"}) {
     rows += rule + (rule == name ? " " + std::to_string(number) : " 0") + "\n";
   }
   return rows;
@@ -73,6 +73,8 @@ TEST_CASE("comparisons with a language, generators and noun clauses are counted 
         std::vector<std::string>{"src/first/a.cpp:2: if (id != LanguageId::cpp) return;"});
   CHECK(places_of("randoms", "// Random points(3)\nvoid f(Random& r);\nRandom r(seed);\n") ==
         std::vector<std::string>{"src/first/a.cpp:3: Random r(seed);"});
+  CHECK(places_of("latex", "// \\frac{1}{2}\nread(\"\\\\dot{q}\");\nread(\"q\\n\");\n") ==
+        std::vector<std::string>{"src/first/a.cpp:2: read(\"\\\\dot{q}\");"});
   CHECK(
       places_of("noun-clauses", "// Whatever it is.\n/// What is left.\nint n;  ///< Of one.\n") ==
       std::vector<std::string>{"src/first/a.cpp:2: /// What is left.",

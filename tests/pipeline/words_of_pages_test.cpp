@@ -5,6 +5,7 @@
 #include <cctype>
 #include <filesystem>
 
+#include "elgen/analysis_pages.hpp"
 #include "pipeline/pipeline_testing.hpp"
 
 namespace elgen::test {
@@ -104,11 +105,11 @@ std::vector<std::string> found_on(const std::string& page) {
   return found;
 }
 
-std::string unicode_page(const Sheet& sheet) { return screen_page(sheet, {80, Alphabet::unicode}); }
+std::string unicode_page(const Page& page) { return screen_page(page, {80, Alphabet::unicode}); }
 
-void check_words(const Sheet& sheet) {
-  for (const auto page : {markdown_page, latex_document, html_page, unicode_page}) {
-    CHECK(found_on(page(sheet)) == std::vector<std::string>{});
+void check_words(const Page& page) {
+  for (const auto printed : {markdown_page, latex_document, html_page, unicode_page}) {
+    CHECK(found_on(printed(page)) == std::vector<std::string>{});
   }
 }
 
@@ -130,10 +131,10 @@ TEST_CASE("no page of any model has what no book prints") {
     PageOptions options;
     if (typeset.book->steps) options.opening = &*typeset.book->steps;
     check_words(
-        sheet(typeset.checked->model, typeset.checked->scene, typeset.book->program, options));
+        model_page(typeset.checked->model, typeset.checked->scene, typeset.book->program, options));
     const Products derived = products_for(model, Goal::steps);
     REQUIRE(derived.steps);
-    check_words(steps_sheet(derived.checked->model, derived.checked->scene, *derived.steps));
+    check_words(steps_page(derived.checked->model, derived.checked->scene, *derived.steps));
   }
 }
 
@@ -143,11 +144,11 @@ TEST_CASE("no page of an analysis has it either") {
     const SourcePointer model = make_source("model.toml", model_file(name));
     const Products motions = products_for(model, Goal::modes);
     REQUIRE(motions.motions);
-    check_words(equilibria_sheet(*motions.checked, *motions.equilibria));
-    check_words(modes_sheet(*motions.checked, *motions.equilibria, *motions.motions));
+    check_words(equilibria_page(*motions.checked, *motions.equilibria));
+    check_words(modes_page(*motions.checked, *motions.equilibria, *motions.motions));
     const Products found = products_for(model, Goal::symmetries);
     REQUIRE(found.symmetries);
-    check_words(symmetries_sheet(*found.checked, *found.symmetries));
+    check_words(symmetries_page(*found.checked, *found.symmetries));
   }
 }
 

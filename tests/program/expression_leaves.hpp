@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "elgen/evaluate.hpp"
+#include "elgen/page.hpp"
 #include "elgen/program.hpp"
-#include "elgen/render.hpp"
 #include "program/graph/graph_reader.hpp"
 #include "program/network/linearise.hpp"
 #include "program/network/network.hpp"
@@ -68,7 +68,8 @@ inline Program program_of(const Texts& texts) {
 
 inline Texts texts_of(const Network& network) {
   const Program program = program_of(network);
-  return equations(program, program.functions[0]).entries.at(0);
+  const Function& function = program.functions[0];
+  return texts_of(equations(program, function, temporary_names(program, function)).entries.at(0));
 }
 
 inline Texts texts_of(const Expressions& expressions) {

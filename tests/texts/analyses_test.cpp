@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "analyse/formulas.hpp"
+#include "elgen/analysis_pages.hpp"
 #include "elgen/pipeline.hpp"
 #include "numbers/random.hpp"
 #include "program/evaluate/subject.hpp"
@@ -221,18 +222,18 @@ std::size_t expect_formulas(const SourcePointer& source) {
   if (!products.equilibria) return 0;
   const Equilibria& found = *products.equilibria;
   FormulaReader reader(products.checked->model);
-  const std::string page = equilibria_text(*products.checked, found);
+  const std::string page = text_of(equilibria_page(*products.checked, found));
   INFO(page);
   reader.read_equilibria(page, found.points);
   for (const RestPoint& point : found.points) {
     if (point.stability.leading) {
       Equilibria alone = found;
       alone.points = {point};
-      reader.read_leading_term(equilibria_text(*products.checked, alone), point, found);
+      reader.read_leading_term(text_of(equilibria_page(*products.checked, alone)), point, found);
     }
   }
   if (!products.motions) return reader.count();
-  const std::string modes = modes_text(*products.checked, found, *products.motions);
+  const std::string modes = text_of(modes_page(*products.checked, found, *products.motions));
   INFO(modes);
   reader.read_modes(modes, *products.motions);
   return reader.count();

@@ -9,8 +9,8 @@
 #include <sstream>
 
 #include "elgen/oracle.hpp"
+#include "elgen/page.hpp"
 #include "elgen/pipeline.hpp"
-#include "elgen/render.hpp"
 #include "model/requests.hpp"
 #include "random/generator.hpp"
 #include "support/inputs.hpp"
@@ -182,7 +182,7 @@ bool expect_rows(const SourcePointer& source) {
   INFO(source->path << "\n" << source->text << "\n" << format(products.diagnostics));
   REQUIRE(products.steps);
   const Model& model = products.checked->model;
-  const std::string text = steps_text(model, *products.steps);
+  const std::string text = text_of(steps_sections(model, *products.steps));
   INFO(text);
   const std::vector<PrintedEquation> equations = motion_equations(text);
   const std::size_t count = model.velocities.size();
@@ -212,7 +212,7 @@ TEST_CASE("equations of motion of all committed models are read as their rows") 
   const std::set<std::string> large{"andrews.toml", "body_on_springs.toml", "panda7.toml",
                                     "ur5.toml"};
   const std::filesystem::path root(ELGEN_SOURCE_DIR);
-  for (const auto& folder : {root / "models", root / "tests/render/books"}) {
+  for (const auto& folder : {root / "models", root / "tests/print/books"}) {
     for (const std::filesystem::path& path : test::inputs_in(folder, ".toml")) {
       if (large.count(path.filename().string()) != 0) continue;
       CHECK(expect_rows(test::source_of(path)));
@@ -244,7 +244,7 @@ TEST_CASE("a definition below the equations is filled in, the last one first") {
 
 TEST_CASE("an equation of motion with a changed sign is seen") {
   const std::filesystem::path path =
-      std::filesystem::path(ELGEN_SOURCE_DIR) / "tests/render/books/cart_pole.toml";
+      std::filesystem::path(ELGEN_SOURCE_DIR) / "tests/print/books/cart_pole.toml";
   PipelineOptions options;
   options.goals = {Goal::steps};
   const Products products = run_pipeline({test::source_of(path), nullptr}, options);

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "elgen/pipeline.hpp"
-#include "elgen/render.hpp"
+#include "elgen/page.hpp"
 #include "random/generator.hpp"
 #include "support/inputs.hpp"
 #include "support/systems.hpp"

@@ -6,7 +6,7 @@
 
 #include "cli/help/command_list.hpp"
 #include "elgen/wording.hpp"
-#include "render/fill_template.hpp"
+#include "base/fill_template.hpp"
 
 namespace elgen::cli {
 

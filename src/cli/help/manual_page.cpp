@@ -5,7 +5,7 @@
 
 #include "cli/help/command_list.hpp"
 #include "elgen/diagnostic.hpp"
-#include "render/fill_template.hpp"
+#include "base/fill_template.hpp"
 
 namespace elgen::cli {
 

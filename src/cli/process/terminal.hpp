@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "elgen/render.hpp"
+#include "elgen/page.hpp"
 
 namespace elgen::cli {
 

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "elgen/lagrangian.hpp"
-#include "model/formula.hpp"
+#include "formula/formula_text.hpp"
 
 namespace elgen {
 
@@ -129,17 +129,17 @@ class ExpressionWriter {
     return {{plain(value)}};
   }
 
-  Formula whole(const ex& value) const { return sum(spelling_, {print(value)}); }
+  FormulaText whole(const ex& value) const { return sum({print(value)}); }
 
  private:
   std::vector<Summand> sorted(const ex& value, Binding least) const {
     std::vector<Summand> parts;
     for (const ex& part : value) {
       const auto [term, is_negative] = print(part);
-      parts.push_back({at_least(spelling_, term, least), is_negative});
+      parts.push_back({at_least(term, least), is_negative});
     }
     std::sort(parts.begin(), parts.end(), [](const Summand& left, const Summand& right) {
-      return left.term.text() < right.term.text();
+      return left.term.text < right.term.text;
     });
     return parts;
   }
@@ -149,43 +149,42 @@ class ExpressionWriter {
     std::vector<Summand> terms = sorted(value, Binding::sum);
     const bool is_negative = terms.front().is_subtracted;
     for (Summand& term : terms) term.is_subtracted = term.is_subtracted != is_negative;
-    return {sum(spelling_, terms), is_negative};
+    return {sum(terms), is_negative};
   }
 
   Summand product_of(const ex& value) const {
     bool is_negative = false;
-    std::vector<Formula> factors;
+    std::vector<FormulaText> factors;
     for (const Summand& part : sorted(value, Binding::product)) {
       is_negative = is_negative != part.is_subtracted;
-      if (part.term.text() != "1") factors.push_back(part.term);
+      if (part.term.text != "1") factors.push_back(part.term);
     }
-    return {product(spelling_, factors), is_negative};
+    return {product(model_spelling, factors), is_negative};
   }
 
   Summand raised(const ex& value) const {
     const ex exponent = value.op(1);
     Summand base = print(value.op(0));
     if (!exponent.info(GiNaC::info_flags::integer)) base = {whole(value.op(0))};
-    Formula above = whole(exponent);
+    FormulaText above = whole(exponent);
     if (!exponent.info(GiNaC::info_flags::posint)) above.binding = Binding::sum;
     const bool is_negative = base.is_subtracted && exponent.info(GiNaC::info_flags::odd);
-    return {power(spelling_, base.term, above), is_negative};
+    return {power(base.term, above), is_negative};
   }
 
-  Formula call_of(const ex& value) const {
-    std::vector<Formula> arguments;
+  FormulaText call_of(const ex& value) const {
+    std::vector<FormulaText> arguments;
     for (const ex& argument : value) arguments.push_back(whole(argument));
     return called(GiNaC::ex_to<GiNaC::function>(value).get_name(), arguments);
   }
 
   const Definitions& definitions_;
-  const Spelling& spelling_ = model_spelling;
 };
 
 }  // namespace
 
 std::string expression_text(const Definitions& definitions, const ex& value) {
-  return ExpressionWriter(definitions).whole(value).text();
+  return ExpressionWriter(definitions).whole(value).text;
 }
 
 std::string dump(const Definitions& definitions) {

@@ -56,7 +56,7 @@ class C99Dialect final : public Dialect {
         prefix_(name_space(scene) + "_"),
         has_pairs_(has_sines_in_line(scene, scalar_kind_)) {}
 
-  Formula constant(const Constant& constant) const override {
+  FormulaText constant(const Constant& constant) const override {
     const bool is_negative = cln::minusp(constant.value);
     return {c99_literal(constant.value, scalar_kind_),
             is_negative ? Binding::negation : Binding::atom};
@@ -64,9 +64,9 @@ class C99Dialect final : public Dialect {
 
   bool has_pairs() const override { return has_pairs_; }
 
-  std::string pair(const std::string& sine, const std::string& cosine, const Formula& angle,
+  std::string pair(const std::string& sine, const std::string& cosine, const FormulaText& angle,
                    bool is_declared) const override {
-    const std::string call = fmt::format("{}sine_cosine({}", prefix_, angle.text());
+    const std::string call = fmt::format("{}sine_cosine({}", prefix_, angle.text);
     return pair_text(is_declared ? scalar_ : "", call, sine, cosine);
   }
 

@@ -60,7 +60,7 @@ class LoopBody {
       inner_.push_back(place);
       if (name.empty()) continue;
       text += assignment(fmt::format("  {} {}", words_.value, name),
-                         formulas_.definition(place).text());
+                         formulas_.definition(place).text);
       if (!is_stored) continue;
       text += fmt::format("    {}({}, {}{} + at);\n", words_.store, name, arrays.solved,
                           start_of(row, loop_.count));

@@ -144,7 +144,7 @@ class DefinitionWriter {
     FieldTexts entries(ordered_.fields.size());
     for (const Statement& statement : all) {
       if (statement.is_entry && !is_given(statement)) {
-        entries[statement.field].push_back(formulas_.entry(statement.instruction).text());
+        entries[statement.field].push_back(formulas_.entry(statement.instruction).text);
       } else {
         lines += named_value(statement, true);
       }
@@ -162,7 +162,7 @@ class DefinitionWriter {
     for (const Statement& statement : cut.parts[part]) {
       if (statement.is_entry && !is_given(statement)) {
         lines += dialect_.assignment(dialect_.target(ordered_, statement.field, statement.index),
-                                     formulas_.entry(statement.instruction).text());
+                                     formulas_.entry(statement.instruction).text);
       } else {
         lines += named_value(statement, !cut.crosses[statement.instruction]);
       }
@@ -176,7 +176,7 @@ class DefinitionWriter {
     const std::uint32_t at = statement.instruction;
     if (is_given(statement)) {
       return dialect_.assignment(fmt::format("{}[{}]", in_loop_.given, statement.index),
-                                 formulas_.entry(at).text());
+                                 formulas_.entry(at).text);
     }
     if (is_loop(statement)) {
       return column_lines(dialect_, program_, ordered_, loop_, in_loop_);
@@ -186,9 +186,9 @@ class DefinitionWriter {
     const Dialect& dialect = is_inner ? *dialect_.inner() : dialect_;
     if (!statement.cosine) {
       return dialect.assignment(is_declared ? dialect.declaration(name) : name,
-                                formulas_.definition(at).text());
+                                formulas_.definition(at).text);
     }
-    const Formula angle = formulas_.operand(at, ordered_.instructions[at].a);
+    const FormulaText angle = formulas_.operand(at, ordered_.instructions[at].a);
     return dialect.pair(name, names_[*statement.cosine], angle, is_declared);
   }
 

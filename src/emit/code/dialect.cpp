@@ -17,8 +17,7 @@ constexpr std::array<std::string_view, 4> names_of_loops{"given", "solved", "fir
 }  // namespace
 
 Dialect::Dialect(const Model& model, const Program& program, std::string_view access)
-    : Vocabulary(code_spelling),
-      model_(model),
+    : model_(model),
       program_(program),
       access_(access),
       parameters_(parameter_members(model, program.leaves)) {}
@@ -29,11 +28,11 @@ std::string Dialect::leaf(Opcode kind, std::uint32_t number) const {
   return is_single(kind) ? std::string(name) : fmt::format("{}[{}]", name, number);
 }
 
-Formula Dialect::square_root(const Formula& radicand) const {
+FormulaText Dialect::square_root(const FormulaText& radicand) const {
   return called(library_function("sqrt"), {radicand});
 }
 
-Formula Dialect::call(FunctionId function, const std::vector<Formula>& arguments) const {
+FormulaText Dialect::call(FunctionId function, const std::vector<FormulaText>& arguments) const {
   const std::string_view own = function_row(function).own_name;
   return called(own.empty() ? library_function(function_row(function).name) : own_function(own),
                 arguments);

@@ -8,7 +8,7 @@
 
 #include "elgen/program.hpp"
 #include "emit/text/layout.hpp"
-#include "render/function_formulas.hpp"
+#include "emit/code/function_formulas.hpp"
 
 namespace elgen {
 
@@ -47,10 +47,10 @@ class Dialect : public Vocabulary {
   Dialect(const Model& model, const Program& program, std::string_view access);
 
   [[nodiscard]] std::string leaf(Opcode kind, std::uint32_t number) const override;
-  [[nodiscard]] Formula constant(const Constant& constant) const override = 0;
-  [[nodiscard]] Formula square_root(const Formula& radicand) const override;
-  [[nodiscard]] Formula call(FunctionId function,
-                             const std::vector<Formula>& arguments) const override;
+  [[nodiscard]] FormulaText constant(const Constant& constant) const override = 0;
+  [[nodiscard]] FormulaText square_root(const FormulaText& radicand) const override;
+  [[nodiscard]] FormulaText call(FunctionId function,
+                             const std::vector<FormulaText>& arguments) const override;
 
   [[nodiscard]] const Dialect* inner() const override { return nullptr; }
 
@@ -66,7 +66,7 @@ class Dialect : public Vocabulary {
   /// "const auto [sin_x, cos_x] = detail::SineCosine<Scalar>::of(x);", a line or more: both values,
   /// declared here or not.
   [[nodiscard]] virtual std::string pair(const std::string& sine, const std::string& cosine,
-                                         const Formula& angle, bool is_declared) const = 0;
+                                         const FormulaText& angle, bool is_declared) const = 0;
 
   /// "const Scalar x": the declaration of a temporary, without its value.
   [[nodiscard]] virtual std::string declaration(const std::string& name) const = 0;

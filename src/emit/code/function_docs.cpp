@@ -14,7 +14,7 @@
 #include "emit/text/layout.hpp"
 #include "model/output_units.hpp"
 #include "numbers/exact_number.hpp"
-#include "render/headings.hpp"
+#include "print/sections.hpp"
 
 namespace elgen {
 namespace {
@@ -93,15 +93,15 @@ Lines listing(const FunctionText& text) {
   const std::size_t first =
       language_row(language).is_interpreted ? source_spelling(language).first_index : 0;
   Lines lines;
-  for (const EquationLine& line : text.equations.definitions) {
-    append(lines, wrapped(line.name + " = " + line.value));
+  for (const auto& [name, value] : text.equations.definitions) {
+    append(lines, wrapped(text_of(name) + " = " + text_of(value)));
     if (lines.size() > longest_listing) return lines;
   }
   if (!lines.empty()) lines.emplace_back();
   for (std::size_t i = 0; i < text.function.fields.size(); ++i) {
     const Field& field = text.function.fields[i];
     if (!field.name.empty()) lines.push_back(field.name + ":");
-    append(lines, listed_entries(field, text.equations.entries[i], first));
+    append(lines, listed_entries(field, texts_of(text.equations.entries[i]), first));
   }
   return lines;
 }

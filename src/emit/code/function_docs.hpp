@@ -13,7 +13,7 @@
 
 #include "elgen/model.hpp"
 #include "elgen/program.hpp"
-#include "elgen/render.hpp"
+#include "elgen/page.hpp"
 #include "elgen/scene.hpp"
 
 namespace elgen {

@@ -9,7 +9,7 @@
 #include "emit/code/dialect.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "emit/text/emission_input.hpp"
-#include "render/fill_template.hpp"
+#include "base/fill_template.hpp"
 
 namespace elgen {
 

@@ -88,7 +88,7 @@ class CppDialect : public Dialect {
  public:
   CppDialect(const Model& model, const Program& program) : Dialect(model, program, ".") {}
 
-  Formula constant(const Constant& constant) const override {
+  FormulaText constant(const Constant& constant) const override {
     const bool is_negative = cln::minusp(constant.value);
     const std::string magnitude = is_short_constant(constant.value)
                                       ? cpp_magnitude(constant.value, scalar())
@@ -102,10 +102,10 @@ class CppDialect : public Dialect {
     return fmt::format("const {} {}", scalar(), name);
   }
 
-  std::string pair(const std::string& sine, const std::string& cosine, const Formula& angle,
+  std::string pair(const std::string& sine, const std::string& cosine, const FormulaText& angle,
                    bool is_declared) const override {
     const std::string name = fmt::format("{}detail::SineCosine<{}>::of", scope(), scalar());
-    return assignment(both(sine, cosine, is_declared), called(name, {angle}).text());
+    return assignment(both(sine, cosine, is_declared), called(name, {angle}).text);
   }
 
   ColumnWords columns(std::uint32_t count) const override { return column_words(scope(), count); }
@@ -283,8 +283,8 @@ class TypedDialect : public WideDialect {
                const std::string& name_space)
       : WideDialect(model, program), scalar_(scalar), scope_("::" + name_space + "::") {}
 
-  Formula converted(const Formula& value) const override {
-    return {fmt::format("static_cast<{}>({})", scalar_, value.text())};
+  FormulaText converted(const FormulaText& value) const override {
+    return {fmt::format("static_cast<{}>({})", scalar_, value.text)};
   }
 
  private:

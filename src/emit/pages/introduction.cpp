@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "elgen/render.hpp"
+#include "elgen/page.hpp"
 #include "emit/text/layout.hpp"
 
 namespace elgen {
@@ -28,7 +28,7 @@ std::vector<std::string> introduction(const Model& model, const Scene& scene,
   add_prose(lines, comment_text(model.description));
   add_prose(lines, comment_text(model.reference));
   if (!lines.empty()) lines.emplace_back();
-  lines.push_back("   " + equation_of_motion(model, program).text);
+  lines.push_back("   " + text_of(equation_of_motion(model, program)));
   lines.emplace_back();
   for (const std::string& line : variable_lines(model, program)) lines.push_back("   " + line);
   const Lines notes = scene_notes(model, scene);

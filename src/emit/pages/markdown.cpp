@@ -1,7 +1,7 @@
 // markdown: the page of the sheet under a comment that states what made it.
 #include <fmt/format.h>
 
-#include "elgen/render.hpp"
+#include "elgen/page.hpp"
 #include "emit/pages/introduction.hpp"
 #include "emit/text/emission_input.hpp"
 
@@ -23,8 +23,8 @@ std::string markdown(const EmissionInput& input) {
       fmt::format("<!-- {}\nmodel {} scene {} body {} -->\n\n", input.generated, input.model_hash,
                   input.scene_hash, blank_hash());
   const ReadableSteps* const opening = input.book.steps ? &*input.book.steps : nullptr;
-  const Sheet page =
-      sheet(input.model, input.scene, input.book.program, {false, most_entries, opening});
+  const Page page =
+      model_page(input.model, input.scene, input.book.program, {false, most_entries, opening});
   return stamped(stamp + markdown_page(page) + "\n" + operations(input.program));
 }
 

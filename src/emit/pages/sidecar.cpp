@@ -162,8 +162,8 @@ Json operations(const Function& function) {
 }
 
 Json definitions(const FunctionEquations& equations) {
-  return listed(equations.definitions, [](const EquationLine& line) {
-    return Json{{"name", line.name}, {"value", line.value}};
+  return listed(equations.definitions, [](const NamedFormula& line) {
+    return Json{{"name", text_of(line.name)}, {"value", text_of(line.value)}};
   });
 }
 
@@ -177,7 +177,7 @@ Json arguments(const Model& model, const Function& function) {
 Json field(const OutputRow& row, const Field& field, const FunctionEquations& equations,
            std::size_t at) {
   Json json{{"shape", {field.rows, field.columns}}};
-  if (has_equations(row)) json["entries"] = equations.entries[at];
+  if (has_equations(row)) json["entries"] = texts_of(equations.entries[at]);
   return json;
 }
 

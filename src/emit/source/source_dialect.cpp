@@ -53,7 +53,7 @@ class SourceDialect final : public Dialect {
     return place ? element(member, *place) : member;
   }
 
-  Formula constant(const Constant& constant) const override {
+  FormulaText constant(const Constant& constant) const override {
     const bool is_negative = cln::minusp(constant.value);
     return {source_literal(constant.value), is_negative ? Binding::negation : Binding::atom};
   }
@@ -130,7 +130,7 @@ class SourceDialect final : public Dialect {
   }
 
   // Bodies have no pairs, parts, loops and assigned entries.
-  std::string pair(const std::string&, const std::string&, const Formula&, bool) const override {
+  std::string pair(const std::string&, const std::string&, const FormulaText&, bool) const override {
     return "";
   }
   ColumnWords columns(std::uint32_t) const override { return {}; }

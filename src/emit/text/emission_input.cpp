@@ -73,7 +73,7 @@ EmissionInput emission_input(const Model& model, const Scene& scene, const Progr
                              const Book& book) {
   std::vector<FunctionEquations> printed;
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
-    printed.push_back(readable_equations(program, i));
+    printed.push_back(equations(program, i));
   }
   return {model,
           scene,

@@ -9,7 +9,7 @@
 #include "elgen/emitted_files.hpp"
 #include "elgen/model.hpp"
 #include "elgen/program.hpp"
-#include "elgen/render.hpp"
+#include "elgen/page.hpp"
 #include "elgen/scene.hpp"
 
 namespace elgen {

@@ -34,28 +34,6 @@ std::size_t hash_of(const Atom& atom) {
   return hash;
 }
 
-/// The common monomial (least exponents) of a sum, also those below 0.
-Monomial common_monomial(const Polynomial& x, bool only_positive, const Algebra& algebra) {
-  std::map<AtomId, std::pair<std::int32_t, std::size_t>> least;
-  for (const auto& [monomial, coefficient] : x) {
-    for (const AtomPower& factor : monomial) {
-      auto [at, is_new] = least.try_emplace(factor.atom, factor.exponent, 0);
-      at->second.first = std::min(at->second.first, factor.exponent);
-      ++at->second.second;
-    }
-  }
-  Monomial result;
-  for (const auto& [atom, found] : least) {
-    std::int32_t exponent = found.first;
-    if (found.second < x.size()) exponent = std::min(exponent, 0);
-    // Exponentials are left in the sum, so that the printed factors stay real.
-    const bool is_circular = algebra.atoms[atom].kind == AtomKind::circular;
-    if (only_positive && (exponent < 0 || is_circular)) continue;
-    if (exponent != 0) result.push_back({atom, exponent});
-  }
-  return result;
-}
-
 /// The angles of a sum's exponentials, and their halves where there are such.
 std::vector<Monomial> angles_of(const Polynomial& x, const Algebra& algebra) {
   std::vector<Monomial> angles;
@@ -210,13 +188,15 @@ Value Arithmetic::reduced_roots(Fraction x) {
 /// is known.
 std::uint32_t Arithmetic::factor_index(const Polynomial& polynomial, Polynomial& unit) {
   const auto inverse = [](const Monomial& x) { return elgen::power(x, -1); };
-  Polynomial normal =
-      scaled(polynomial, {1, 0}, inverse(common_monomial(polynomial, false, algebra_)));
+  const Monomial powers = common_powers(polynomial);
+  Polynomial normal = scaled(polynomial, {1, 0}, inverse(powers));
   normal = scaled(normal, elgen::reciprocal(normal.rbegin()->second));
   const auto known = std::ranges::find(algebra_.factors, normal, &Algebra::Factor::normal);
   const auto index = static_cast<std::uint32_t>(known - algebra_.factors.begin());
   if (known == algebra_.factors.end()) {
-    const Monomial common = common_monomial(polynomial, true, algebra_);
+    // Exponentials are left in the sum, so that the printed factors stay real.
+    Monomial common = split(algebra_, powers).powers;
+    erase_if(common, [](const AtomPower& power) { return power.exponent < 0; });
     algebra_.factors.push_back({scaled(polynomial, {1, 0}, inverse(common)), normal});
   }
   const Polynomial& shown = algebra_.factors[index].shown;

@@ -235,27 +235,25 @@ std::optional<Polynomial> square_root(const Polynomial& x) {
   return root;
 }
 
-Polynomial highest_coefficient(const Polynomial& x, AtomId atom) {
+std::int32_t exponent_of(const Monomial& monomial, AtomId atom) {
+  const auto own = std::ranges::find(monomial, atom, &AtomPower::atom);
+  return own == monomial.end() ? 0 : own->exponent;
+}
+
+std::map<std::int32_t, Polynomial> coefficients_of(const Polynomial& x, AtomId atom) {
   std::map<std::int32_t, Polynomial> by_powers;
   for (const auto& [monomial, coefficient] : x) {
-    const auto own = std::ranges::find(monomial, atom, &AtomPower::atom);
-    const std::int32_t exponent = own == monomial.end() ? 0 : own->exponent;
+    const std::int32_t exponent = exponent_of(monomial, atom);
     by_powers[exponent].try_emplace(product(monomial, power(Monomial{{atom, 1}}, -exponent)),
                                     coefficient);
   }
-  return by_powers.rbegin()->second;
+  return by_powers;
 }
 
 Monomial lowest_powers(const Algebra& algebra, const Polynomial& sum) {
-  std::map<AtomId, std::int32_t> lowest;
-  for (const auto& [monomial, coefficient] : sum) {
-    for (const AtomPower& power : split(algebra, monomial).powers) {
-      if (power.exponent < 0) lowest[power.atom] = std::min(lowest[power.atom], power.exponent);
-    }
-  }
-  Monomial result;
-  for (const auto& [atom, exponent] : lowest) result.push_back({atom, exponent});
-  return result;
+  Monomial lowest = split(algebra, common_powers(sum)).powers;
+  erase_if(lowest, [](const AtomPower& power) { return power.exponent > 0; });
+  return lowest;
 }
 
 bool is_real(const Algebra& algebra, const Polynomial& sum) {

@@ -57,8 +57,26 @@ void divide_out(Fraction& x, const Algebra& algebra, std::size_t& work);
 /// The sum whose square is x, by long division from the leading term, which has coefficient 1.
 [[nodiscard]] std::optional<Polynomial> square_root(const Polynomial& x);
 
-/// The factor of the highest power of an atom.
-[[nodiscard]] Polynomial highest_coefficient(const Polynomial& x, AtomId atom);
+/// 0 where the atom is not there.
+[[nodiscard]] std::int32_t exponent_of(const Monomial& monomial, AtomId atom);
+
+/// The factors of the powers of an atom, by exponent.
+[[nodiscard]] std::map<std::int32_t, Polynomial> coefficients_of(const Polynomial& x, AtomId atom);
+
+/// Least and greatest exponent of an atom in a sum; where it is absent its exponent is 0.
+struct AtomRange {
+  AtomId atom = 0;
+  std::int32_t least = 0;
+  std::int32_t greatest = 0;
+  std::size_t terms = 0;  ///< that hold the atom
+};
+
+/// Ascending atoms.
+[[nodiscard]] std::vector<AtomRange> exponents_of(const Polynomial& x);
+
+/// The least exponent of every atom, where that is not 0: what is left has no divisors, and no
+/// power that all terms have.
+[[nodiscard]] Monomial common_powers(const Polynomial& x);
 
 /// The negative powers of atoms other than exponentials, the lowest of each.
 [[nodiscard]] Monomial lowest_powers(const Algebra& algebra, const Polynomial& sum);

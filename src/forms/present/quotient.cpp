@@ -8,14 +8,6 @@
 namespace elgen {
 namespace {
 
-/// Least and greatest exponent of an atom in a polynomial; where it is absent its exponent is 0.
-struct AtomRange {
-  AtomId atom = 0;
-  std::int32_t least = 0;
-  std::int32_t greatest = 0;
-  std::size_t terms = 0;  ///< that hold the atom
-};
-
 /// Ascending atoms.
 using Box = std::vector<AtomRange>;
 
@@ -25,28 +17,10 @@ AtomRange& side_of(Box& box, AtomId atom) {
   return at != box.end() && at->atom == atom ? *at : *box.insert(at, AtomRange{.atom = atom});
 }
 
-Box box_of(const Polynomial& x) {
-  Box box;
-  for (const auto& [monomial, coefficient] : x) {
-    for (const AtomPower& factor : monomial) {
-      AtomRange& side = side_of(box, factor.atom);
-      const bool is_first = side.terms++ == 0;
-      side.least = is_first ? factor.exponent : std::min(side.least, factor.exponent);
-      side.greatest = is_first ? factor.exponent : std::max(side.greatest, factor.exponent);
-    }
-  }
-  for (AtomRange& side : box) {
-    if (side.terms == x.size()) continue;
-    side.least = std::min(side.least, 0);
-    side.greatest = std::max(side.greatest, 0);
-  }
-  return box;
-}
-
 /// The exponents that x / y can have; none where there are no such.
 std::optional<Box> quotient_box(const Polynomial& x, const Polynomial& y) {
-  Box box = box_of(x);
-  for (const AtomRange& divisor : box_of(y)) {
+  Box box = exponents_of(x);
+  for (const AtomRange& divisor : exponents_of(y)) {
     AtomRange& own = side_of(box, divisor.atom);
     own.least -= divisor.least;
     own.greatest -= divisor.greatest;
@@ -118,6 +92,32 @@ class ProductHeap {
 };
 
 }  // namespace
+
+std::vector<AtomRange> exponents_of(const Polynomial& x) {
+  Box box;
+  for (const auto& [monomial, coefficient] : x) {
+    for (const AtomPower& factor : monomial) {
+      AtomRange& side = side_of(box, factor.atom);
+      const bool is_first = side.terms++ == 0;
+      side.least = is_first ? factor.exponent : std::min(side.least, factor.exponent);
+      side.greatest = is_first ? factor.exponent : std::max(side.greatest, factor.exponent);
+    }
+  }
+  for (AtomRange& side : box) {
+    if (side.terms == x.size()) continue;
+    side.least = std::min(side.least, 0);
+    side.greatest = std::max(side.greatest, 0);
+  }
+  return box;
+}
+
+Monomial common_powers(const Polynomial& x) {
+  Monomial powers;
+  for (const AtomRange& range : exponents_of(x)) {
+    if (range.least != 0) powers.push_back({range.atom, range.least});
+  }
+  return powers;
+}
 
 std::optional<Polynomial> quotient(const Polynomial& x, const Polynomial& y, std::size_t& work) {
   const std::optional<Box> box = quotient_box(x, y);

@@ -77,19 +77,15 @@ bool hides_leading_factors(const BookProduct& product) {
 }  // namespace
 
 BookSum Arranger::terms_without_rates(const Polynomial& sum) {
-  Taken whole{{1, {}}, sum};
-  if (!take_typed(whole.rest, whole.front)) return collected(mixed(sum));
-  take_monomial(whole.rest, whole.front);
-  return {{product(whole)}};
+  BookSum typed = in_front_of_typed({sum, {}});
+  return typed.terms.empty() ? collected(mixed(sum)) : typed;
 }
 
 BookSum Arranger::terms(const Polynomial& sum, std::optional<std::uint32_t> own) {
   BookSum result;
   for (const auto& [rates, rest] : rate_groups(algebra_, sum, own)) {
     if (rates.empty()) {
-      for (BookProduct& term : terms_without_rates(rest).terms) {
-        result.terms.push_back(std::move(term));
-      }
+      append(result, terms_without_rates(rest));
       continue;
     }
     result.terms.push_back(product(rest));
@@ -134,6 +130,12 @@ BookSum Arranger::in_front_of_typed(const Fraction& form) {
   return {{product(whole)}};
 }
 
+BookSum Arranger::each_in_front(const std::vector<Fraction>& summands) {
+  BookSum result;
+  for (const Fraction& form : summands) append(result, in_front(form));
+  return result;
+}
+
 BookSum Arranger::in_front(const Fraction& form) {
   if (form.numerator.empty()) return {};
   Taken whole = taken(form.numerator);
@@ -145,11 +147,7 @@ BookSum Arranger::in_front(const Fraction& form) {
     return {{std::move(product)}};
   }
   const std::vector<Fraction> roots = by_roots(algebra_, form);
-  if (roots.size() > 1) {
-    BookSum result;
-    for (const Fraction& part : roots) append(result, in_front(part));
-    return result;
-  }
+  if (roots.size() > 1) return each_in_front(roots);
   BookSum sum = parts({whole.rest, form.denominator});
   const auto divided = std::ranges::count_if(sum.terms, [](const BookProduct& term) {
     return std::ranges::any_of(term.factors,
@@ -212,7 +210,6 @@ BookSum Arranger::quotient(const Fraction& above, const Fraction& below) {
   sort_terms(divisor);
   front.number = front.number / take_number(divisor);
   BookSum dividend = terms(numerator.rest);
-  BookSum result;
   if (divisor.terms.size() > 1) {
     BookFactor factor;
     factor.kind = BookFactorKind::sum;
@@ -223,15 +220,11 @@ BookSum Arranger::quotient(const Fraction& above, const Fraction& below) {
     sort_terms(dividend);
     front.number = front.number * take_number(dividend);
     multiply_once(front, std::move(dividend));
-    result.terms.push_back(std::move(front));
-    return result;
+    return {{std::move(front)}};
   }
   elgen::divide(front, {1, divisor.terms.front().factors});
-  for (BookProduct& term : dividend.terms) {
-    elgen::multiply(term, front);
-    result.terms.push_back(std::move(term));
-  }
-  return result;
+  for (BookProduct& term : dividend.terms) elgen::multiply(term, front);
+  return dividend;
 }
 
 }  // namespace elgen

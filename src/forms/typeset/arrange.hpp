@@ -39,6 +39,8 @@ class Arranger {
   Arranger(const Algebra& algebra, const TypedForms& typed) : algebra_(algebra), typed_(typed) {}
 
   [[nodiscard]] BookSum in_front(const Fraction& form);
+  /// Each summand for itself.
+  [[nodiscard]] BookSum each_in_front(const std::vector<Fraction>& summands);
   /// The same of the terms with rates or momenta, and of those without: T and V of one energy.
   [[nodiscard]] BookSum by_motion(const Fraction& form);
   /// `own` is the velocity whose acceleration comes first.

@@ -42,16 +42,6 @@ std::vector<Fraction> uncancelled(std::vector<Fraction> summands) {
 
 }  // namespace
 
-BookSum each_in_front(Arranger& arranger, const std::vector<Fraction>& summands) {
-  BookSum result;
-  for (const Fraction& form : summands) append(result, arranger.in_front(form));
-  return result;
-}
-
-BookSum Equations::each(const std::vector<Fraction>& summands) {
-  return each_in_front(arranger_, settled(summands));
-}
-
 /// None where all of them together are 0: V = a*x + b*x - (a + b)*x has no force either.
 std::vector<Fraction> Equations::settled(const std::vector<Fraction>& summands) {
   Value sum = Fraction{};

@@ -15,9 +15,6 @@
 
 namespace elgen {
 
-/// Each summand for itself, what its terms share in front.
-[[nodiscard]] BookSum each_in_front(Arranger& arranger, const std::vector<Fraction>& summands);
-
 /// The row of a velocity, from its function (elgen/steps.hpp).
 struct EquationRow {
   std::vector<Fraction> inertia = {};  ///< d/dt dL/dv - dL/dq, summand by summand
@@ -35,7 +32,9 @@ class Equations {
   [[nodiscard]] std::optional<EquationRow> row(const ClosedFunction& function);
 
   /// Each summand for itself; nothing where they are 0 together.
-  [[nodiscard]] BookSum each(const std::vector<Fraction>& summands);
+  [[nodiscard]] BookSum each(const std::vector<Fraction>& summands) {
+    return arranger_.each_in_front(settled(summands));
+  }
   /// In the order of a row; `own` is its velocity. Dissipation stands behind what moves.
   [[nodiscard]] BookSum arranged(std::vector<Fraction> summands, std::uint32_t own,
                                  const std::vector<Fraction>& dissipation = {});

@@ -77,23 +77,11 @@ void Arranger::multiply_once(BookProduct& product, BookSum sum) const {
 
 /// Powers that all terms have, of one sign; exponentials stay.
 void Arranger::take_monomial(Polynomial& sum, BookProduct& front) const {
-  if (sum.empty()) return;
   Monomial common;
-  for (const AtomPower& power : sum.begin()->first) {
-    if (algebra_.atoms[power.atom].kind != AtomKind::circular) common.push_back(power);
-  }
-  for (const auto& [monomial, coefficient] : sum) {
-    for (AtomPower& power : common) {
-      const auto own = std::ranges::find(monomial, power.atom, &AtomPower::atom);
-      const std::int32_t exponent = own == monomial.end() ? 0 : own->exponent;
-      const bool is_opposite = (exponent < 0) != (power.exponent < 0);
-      if (exponent == 0 || is_opposite) {
-        power.exponent = 0;
-      } else if (std::abs(exponent) < std::abs(power.exponent)) {
-        power.exponent = exponent;
-      }
-    }
-    erase_if(common, [](const AtomPower& power) { return power.exponent == 0; });
+  for (const AtomRange& range : exponents_of(sum)) {
+    const std::int32_t exponent = range.least > 0 ? range.least : std::min(range.greatest, 0);
+    const bool is_circular = algebra_.atoms[range.atom].kind == AtomKind::circular;
+    if (exponent != 0 && !is_circular) common.push_back({range.atom, exponent});
   }
   if (common.empty()) return;
   sum = scaled(sum, {1, 0}, power(common, -1));
@@ -185,7 +173,7 @@ bool Arranger::take_coefficient(Taken& taken) {
   if (taken.rest.size() < 4 || taken.rest.size() > longest_collected) return false;
   for (const AtomId id : atoms_of(taken.rest)) {
     if (atom_factor({id, 1}).place.group != FactorGroup::parameter) continue;
-    const Polynomial coefficient = highest_coefficient(taken.rest, id);
+    const Polynomial coefficient = coefficients_of(taken.rest, id).rbegin()->second;
     if (coefficient.size() < 2 || !is_of_parameters(algebra_, coefficient)) continue;
     if (!is_real(algebra_, coefficient)) continue;
     auto divided = elgen::quotient(taken.rest, coefficient, work_);

@@ -56,10 +56,6 @@ std::vector<ExpressionId> sums_of(const Model& model, const std::vector<Expressi
   return sums;
 }
 
-bool same_up_to_factor(const Polynomial& x, const Polynomial& y) {
-  return x.size() == y.size() && scaled(x, y.begin()->second) == scaled(y, x.begin()->second);
-}
-
 std::optional<TypedSum> typed_sum(ClosedForms& forms, const Model& model,
                                   const FixedParameters& fixed, ExpressionId id) {
   const std::optional<Fraction> whole = closed_form(forms, model, fixed, id);
@@ -205,20 +201,18 @@ TypedForms typed_forms(Algebra& algebra, const Model& model, const FixedParamete
   TypedForms result;
   result.are_accelerations = accelerations(model);
   ProductOrder order(declared_order(model, result.are_accelerations));
-  if (ids.size() > most_sums) {
-    result.places = order.places();
-    return result;
-  }
+  const bool is_robot = ids.size() > most_sums;
   for (const ExpressionId id : all) {
     const Expression& e = model.expressions[id];
-    if (e.kind == ExpressionKind::multiply) order.follow(factors_of(model, e));
+    if (!is_robot && e.kind == ExpressionKind::multiply) order.follow(factors_of(model, e));
   }
   result.places = order.places();
+  if (is_robot) return result;
   ClosedForms forms{std::move(algebra), {}};
   for (const ExpressionId id : ids) {
     std::optional<TypedSum> sum = typed_sum(forms, model, fixed, id);
     const auto is_same = [&](const TypedSum& known) {
-      return same_up_to_factor(known.value, sum->value);
+      return ratio_of(known.value, sum->value).has_value();
     };
     if (!sum) continue;
     const auto known = std::ranges::find_if(result.sums, is_same);

@@ -9,6 +9,7 @@
 #include "forms/present/arithmetic.hpp"
 #include "forms/typeset/equations.hpp"
 #include "forms/typeset/write.hpp"
+#include "forms/write/rewritings.hpp"
 
 namespace elgen {
 namespace {
@@ -96,14 +97,13 @@ class Typesetting {
         index < program_.readable.size() && !program_.readable[index].fields.empty();
     const std::vector<ClosedField>& fields = forms_.functions[index].fields;
     return written(function, [&](Function& result) {
-      Arranger arranger(algebra_, typed_);
-      BookWriter write(model_, algebra_, arranger, program_, result);
+      BookWriter write(model_, algebra_, typed_, program_, result);
       for (std::size_t f = 0; f < function.fields.size(); ++f) {
         Field& field = result.fields.emplace_back(function.fields[f]);
         const ClosedField& closed = closed_field(fields, f, field.name);
         for (std::uint32_t i = 0; i < field.entries.size(); ++i) {
           const std::optional<std::uint32_t> entry =
-              entry_of({arranger, write}, closed.entries[i], function.kind, i);
+              entry_of(write, closed.entries[i], function.kind, i);
           if (!entry && !is_read) throw TooLongForABook();
           field.entries[i] = entry ? *entry : copied(write, index, f, i);
         }
@@ -114,12 +114,11 @@ class Typesetting {
 
   Function energies(std::size_t index) {
     return written(program_.functions[index], [&](Function& result) {
-      Arranger arranger(algebra_, typed_);
-      BookWriter write(model_, algebra_, arranger, program_, result);
+      BookWriter write(model_, algebra_, typed_, program_, result);
       const std::vector<ClosedField>& fields = forms_.functions[index].fields;
       BookSum whole;
       for (const ClosedField& field : fields) {
-        BookSum sum = each_in_front(arranger, summands(field));
+        BookSum sum = write.arranger.each_in_front(summands(field));
         add_scalar(result, field.name, write(sum));
         for (BookProduct& term : sum.terms) {
           if (field.name == "V") term.number = -term.number;
@@ -133,9 +132,8 @@ class Typesetting {
   /// The lines of a velocity: see BookLine.
   Function equation(std::size_t index, std::uint32_t velocity) {
     return written(program_.functions[index], [&](Function& result) {
-      Arranger arranger(algebra_, typed_);
-      Equations equations(algebra_, arranger);
-      BookWriter write(model_, algebra_, arranger, program_, result);
+      BookWriter write(model_, algebra_, typed_, program_, result);
+      Equations equations(algebra_, write.arranger);
       for (const ClosedField& field : forms_.functions[index].fields) {
         add_scalar(result, field.name, write(equations.arranged(summands(field), velocity)));
       }
@@ -150,9 +148,8 @@ class Typesetting {
     like.kind = OutputKind::user_value;
     like.name = "accelerations";
     return written(like, [&](Function& result) {
-      Arranger arranger(algebra_, typed_);
-      Equations equations(algebra_, arranger);
-      BookWriter write(model_, algebra_, arranger, program_, result);
+      BookWriter write(model_, algebra_, typed_, program_, result);
+      Equations equations(algebra_, write.arranger);
       const auto rows = rows_around(equations, first);
       for (std::uint32_t i = 0; i < rows.size(); ++i) {
         Field& field = result.fields.emplace_back(Field{model_.velocities[i].name, 0, 1, {}});
@@ -169,9 +166,8 @@ class Typesetting {
 
   Function invariants(std::size_t index) {
     return written(program_.functions[index], [&](Function& result) {
-      Arranger arranger(algebra_, typed_);
-      Equations equations(algebra_, arranger);
-      BookWriter write(model_, algebra_, arranger, program_, result);
+      BookWriter write(model_, algebra_, typed_, program_, result);
+      Equations equations(algebra_, write.arranger);
       for (const ClosedField& field : forms_.functions[index].fields) {
         add_scalar(result, field.name, write(equations.each(summands(field))));
       }
@@ -185,19 +181,14 @@ class Typesetting {
     return write.copied(known, known.fields[field].entries[entry]);
   }
 
-  struct Typesetter {
-    Arranger& arranger;
-    BookWriter& write;
-  };
-
   /// None of an entry that is too long.
-  static std::optional<std::uint32_t> entry_of(const Typesetter& typesetter,
+  static std::optional<std::uint32_t> entry_of(BookWriter& write,
                                                const std::optional<Fraction>& form, OutputKind kind,
                                                std::uint32_t row) {
     if (!is_short(form)) return std::nullopt;
     try {
-      return typesetter.write(is_sum_of_forces(kind) ? typesetter.arranger.spread(*form, row)
-                                                     : typesetter.arranger.by_motion(*form));
+      return write(is_sum_of_forces(kind) ? write.arranger.spread(*form, row)
+                                          : write.arranger.by_motion(*form));
     } catch (const TooLongForABook&) {
       return std::nullopt;
     }
@@ -301,16 +292,20 @@ Program typeset_steps(const CheckedModel& checked, const ClosedForms& forms, Pro
   return derived;
 }
 
-Function typeset_value(const Model& model, const FixedParameters& fixed, const Algebra& algebra,
-                       const Fraction& form, Program& program) {
+Function typeset_value(const Model& model, const Algebra& algebra, const Fraction& form,
+                       Program& program) {
   Algebra own = algebra;
-  TypedForms typed = typed_forms(own, model, fixed);
+  TypedForms typed = typed_forms(own, model, {});
   for (TypedSum& sum : typed.sums) sum.definition.reset();
-  return written({}, [&](Function& result) {
-    Arranger arranger(own, typed);
-    BookWriter write(model, own, arranger, program, result);
-    result.fields = {Field{"", 1, 1, {write(arranger.by_motion(form))}}};
+  const Function shape{.fields = {Field{"", 1, 1, {0}}}};
+  Function book = written(shape, [&](Function& result) {
+    BookWriter write(model, own, typed, program, result);
+    add_scalar(result, "", write(write.arranger.by_motion(form)));
   });
+  if (!book.fields.empty()) return book;
+  const auto read =
+      shortest(rewritings_of(algebra, form).collected, nullptr, mixed_points(program.leaves));
+  return read ? lowered_one_by_one({read}, shape, program) : book;
 }
 
 }  // namespace elgen

@@ -175,7 +175,7 @@ std::uint32_t BookWriter::angle(const Monomial& parts) {
   BookSum sum;
   for (const AtomPower& part : parts) {
     const Atom& exponential = algebra_.atoms[part.atom];
-    for (BookProduct& term : arranger_.in_front(exponential.arguments[0]).terms) {
+    for (BookProduct& term : arranger.in_front(exponential.arguments[0]).terms) {
       term.number = term.number * part.exponent / exponential.divisor;
       sum.terms.push_back(std::move(term));
     }
@@ -198,7 +198,7 @@ std::uint32_t BookWriter::new_atom(AtomId id) {
   }
   std::vector<std::uint32_t> arguments;
   for (const Fraction& argument : atom.arguments) {
-    arguments.push_back((*this)(arranger_.in_front(argument)));
+    arguments.push_back((*this)(arranger.in_front(argument)));
   }
   if (atom.kind == AtomKind::root) return instructions_.add(Opcode::square_root, arguments[0]);
   Instruction call{.opcode = Opcode::call, .function = atom.function, .a = arguments[0]};

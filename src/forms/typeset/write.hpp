@@ -13,14 +13,16 @@ namespace elgen {
 /// among the names of the function.
 class BookWriter {
  public:
-  BookWriter(const Model& model, const Algebra& algebra, Arranger& arranger, Program& program,
+  BookWriter(const Model& model, const Algebra& algebra, const TypedForms& typed, Program& program,
              Function& function)
-      : model_(model),
+      : arranger(algebra, typed),
+        model_(model),
         algebra_(algebra),
-        arranger_(arranger),
         program_(program),
         function_(function),
         instructions_(function) {}
+
+  Arranger arranger;  ///< of the sums, and of what they hold
 
   [[nodiscard]] std::uint32_t operator()(const BookSum& sum);
   /// An instruction of another function of the program, with what it needs.
@@ -39,7 +41,6 @@ class BookWriter {
 
   const Model& model_;
   const Algebra& algebra_;
-  Arranger& arranger_;
   Program& program_;
   Function& function_;
   Instructions instructions_;

@@ -46,14 +46,6 @@ std::optional<AtomId> root_of(const Algebra& algebra, const Polynomial& radicand
   return std::nullopt;
 }
 
-bool divides(AtomId atom, const Polynomial& sum) {
-  return std::all_of(sum.begin(), sum.end(), [&](const auto& term) {
-    return std::any_of(term.first.begin(), term.first.end(), [&](const AtomPower& power) {
-      return power.atom == atom && power.exponent > 0;
-    });
-  });
-}
-
 std::vector<RealTerm> unless_too_long(std::optional<std::vector<RealTerm>> terms) {
   if (!terms) throw TooLong();
   return std::move(*terms);
@@ -112,7 +104,8 @@ class ClosedGraph {
   void take_root(Fraction& form, std::vector<Power>& factors) {
     for (auto& [factor, exponent] : form.denominator) {
       const std::optional<AtomId> root = root_of(algebra_, algebra_.factors[factor].shown);
-      if (!root || exponent == 0 || !divides(*root, form.numerator)) continue;
+      if (!root || exponent == 0) continue;
+      if (exponent_of(common_powers(form.numerator), *root) < 1) continue;
       form.numerator = scaled(form.numerator, {1, 0}, Monomial{{*root, -1}});
       --exponent;
       const Ref radicand = arguments_of(*root)[0];

@@ -68,9 +68,15 @@ struct ReadableForm {
   std::optional<Expressions> kept = {};  ///< a longer one that keeps the digits it loses
 };
 
+using ReadableEntries = std::vector<std::optional<ReadableForm>>;  ///< of all fields
+
 /// The shortest candidate; none where all are too long. `derived` may be null.
 [[nodiscard]] std::optional<ReadableForm> shortest(const std::vector<Collected>& rewritings,
                                                    const Collected* derived, const Points& points);
+
+/// As they are read, entry by entry, so that nothing is taken apart for what another entry shares.
+[[nodiscard]] Function lowered_one_by_one(const ReadableEntries& entries, const Function& shape,
+                                          Program& program);
 
 /// One entry of a function as it was derived, over the leaves; none where that is long.
 struct DerivedEntry {

@@ -19,11 +19,6 @@ constexpr std::size_t most_products = 50'000;
 /// Thrown where that is not enough.
 struct TooMuchWork {};
 
-std::int32_t exponent_of(const Monomial& monomial, AtomId atom) {
-  const auto own = std::ranges::find(monomial, atom, &AtomPower::atom);
-  return own == monomial.end() ? 0 : own->exponent;
-}
-
 std::int32_t degree_of(const Polynomial& x, AtomId atom) {
   std::int32_t degree = 0;
   for (const auto& [monomial, coefficient] : x) {
@@ -33,19 +28,6 @@ std::int32_t degree_of(const Polynomial& x, AtomId atom) {
 }
 
 Monomial single(AtomId atom, std::int32_t exponent) { return power({{atom, 1}}, exponent); }
-
-/// The product that divides all terms and leaves no divisors.
-Monomial common_powers(const Polynomial& x) {
-  Monomial common;
-  for (const AtomId atom : atoms_of(x)) {
-    std::int32_t lowest = exponent_of(x.begin()->first, atom);
-    for (const auto& [monomial, coefficient] : x) {
-      lowest = std::min(lowest, exponent_of(monomial, atom));
-    }
-    if (lowest != 0) common.push_back({atom, lowest});
-  }
-  return common;
-}
 
 Polynomial derivative(const Polynomial& x, AtomId atom) {
   Polynomial result;
@@ -97,13 +79,8 @@ class Divisors {
 
   /// The divisor that all coefficients of powers of the atom share.
   Polynomial content(const Polynomial& x, AtomId atom) {
-    std::map<std::int32_t, Polynomial> coefficients;
-    for (const auto& [monomial, coefficient] : x) {
-      const std::int32_t exponent = exponent_of(monomial, atom);
-      coefficients[exponent].try_emplace(product(monomial, single(atom, -exponent)), coefficient);
-    }
     Polynomial shared;
-    for (const auto& [exponent, coefficient] : coefficients) {
+    for (const auto& [exponent, coefficient] : coefficients_of(x, atom)) {
       shared = greatest(std::move(shared), coefficient);
     }
     return shared;
@@ -126,9 +103,9 @@ class Divisors {
 
   /// The remainder of x times a power of the leading coefficient of y.
   Polynomial remainder(Polynomial x, const Polynomial& y, AtomId atom) {
-    const Polynomial lead = highest_coefficient(y, atom);
+    const Polynomial lead = coefficients_of(y, atom).rbegin()->second;
     while (!x.empty() && degree_of(x, atom) >= degree_of(y, atom)) {
-      const Polynomial own = highest_coefficient(x, atom);
+      const Polynomial own = coefficients_of(x, atom).rbegin()->second;
       const std::size_t cost = x.size() * lead.size() + y.size() * own.size();
       if (cost > products_ || x.size() > most_terms_on_the_way) throw TooMuchWork();
       products_ -= cost;

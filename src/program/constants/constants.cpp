@@ -1,7 +1,7 @@
 // Constants as forms: equality and signs, values, formulas.
 //
 // Where digits cancel, or an angle is large, a form is evaluated again with more digits. In
-// formulas weights are signs, or exponents: those below zero stand below a stacked fraction.
+// formulas weights are signs, or exponents.
 #include "program/constants/constants.hpp"
 
 #include <cln/integer.h>
@@ -68,40 +68,27 @@ Enclosed value_with(const ConstantForm& form, int digits) {
   }
 }
 
-Formula sum_of(const Spelling& spelling, const std::vector<ConstantPart>& parts) {
-  std::vector<Summand> terms;
+Formula sum_formula(const std::vector<ConstantPart>& parts) {
+  Formulas terms;
   for (const ConstantPart& part : parts) {
-    terms.push_back({constant_formula(spelling, part.form), part.weight < 0});
+    Formula term = constant_formula(part.form);
+    terms.push_back(part.weight < 0 ? negative(std::move(term)) : std::move(term));
   }
-  return sum(spelling, terms);
+  return sum_of(std::move(terms));
 }
 
-/// The base with its exponent; a sum of one term keeps its sign in brackets.
-Formula raised(const Spelling& spelling, const ConstantPart& factor, std::int32_t exponent) {
-  Formula base = constant_formula(spelling, factor.form);
-  const bool is_signed = factor.form.kind == ConstantKind::sum && base.binding == Binding::negation;
-  if (is_signed) base = at_least(spelling, base, Binding::product);
-  return exponent == 1 ? base : power(spelling, base, number(spelling, exponent));
+/// The base with its exponent; a sum of one negative term keeps its sign in brackets.
+Formula raised(const ConstantPart& factor) {
+  const bool is_signed = factor.form.kind == ConstantKind::sum && factor.form.parts.size() == 1;
+  Formula base = constant_formula(factor.form);
+  if (is_signed) base = group(std::move(base));
+  return factor.weight == 1 ? base : power_of(std::move(base), number_formula(factor.weight));
 }
 
-Formula product_of(const Spelling& spelling, const std::vector<ConstantPart>& factors) {
-  std::vector<Formula> above;
-  std::vector<Formula> below;
-  for (const ConstantPart& factor : factors) {
-    const bool is_below = spelling.is_two_dimensional && factor.weight < 0;
-    (is_below ? below : above)
-        .push_back(raised(spelling, factor, is_below ? -factor.weight : factor.weight));
-  }
-  if (above.empty()) above.push_back({"1"});
-  const Formula numerator = product(spelling, above);
-  return below.empty() ? numerator : quotient(spelling, numerator, product(spelling, below));
-}
-
-std::vector<Formula> arguments_of(const Spelling& spelling, const ConstantForm& form) {
-  std::vector<Formula> arguments;
+Formulas arguments_of(const ConstantForm& form) {
+  Formulas arguments;
   for (const ConstantPart& part : form.parts) {
-    arguments.push_back(
-        constant_formula(spelling, part.weight < 0 ? negated(part.form) : part.form));
+    arguments.push_back(constant_formula(part.weight < 0 ? negated(part.form) : part.form));
   }
   return arguments;
 }
@@ -175,25 +162,26 @@ std::optional<EnclosedNumber> enclosure_of(const ConstantForm& form) {
   return is_negligible ? last : std::nullopt;
 }
 
-Formula constant_formula(const Spelling& spelling, const ConstantForm& form) {
+Formula constant_formula(const ConstantForm& form) {
   switch (form.kind) {
     case ConstantKind::rational:
-      return number(spelling, form.number);
+      return number_formula(form.number);
     case ConstantKind::pi:
-      return {spelling.is_two_dimensional ? "\\pi" : "pi"};
+      return pi_formula();
     case ConstantKind::sum:
-      return sum_of(spelling, form.parts);
-    case ConstantKind::product:
-      return product_of(spelling, form.parts);
+      return sum_formula(form.parts);
+    case ConstantKind::product: {
+      Formulas factors;
+      for (const ConstantPart& factor : form.parts) factors.push_back(raised(factor));
+      return product_of(std::move(factors));
+    }
     case ConstantKind::square_root:
-      return square_root(spelling, arguments_of(spelling, form).front());
+      return root_of(arguments_of(form).front());
     default:
-      return call(spelling, form.function, arguments_of(spelling, form));
+      return call_of(form.function, arguments_of(form));
   }
 }
 
-std::string text_of(const ConstantForm& form) {
-  return constant_formula(model_spelling, form).text();
-}
+std::string text_of(const ConstantForm& form) { return text_of(constant_formula(form)); }
 
 }  // namespace elgen

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "elgen/constant.hpp"
-#include "model/formula.hpp"
+#include "elgen/formula.hpp"
 #include "numbers/enclosed_number.hpp"
 
 namespace elgen {
@@ -18,6 +18,6 @@ namespace elgen {
 ///
 ///     model language    1/2*cos(3/10)     sqrt(3)^(-1)
 ///     LaTeX             \frac{1}{2} \cos \frac{3}{10}    \frac{1}{\sqrt{3}}
-[[nodiscard]] Formula constant_formula(const Spelling& spelling, const ConstantForm& form);
+[[nodiscard]] Formula constant_formula(const ConstantForm& form);
 
 }  // namespace elgen

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/text_table.hpp"
 #include "elgen/tradeoff.hpp"
 
 namespace elgen {
@@ -42,28 +43,6 @@ Cells cells_of(const TradeoffTable& table, const TradeoffRow& row) {
   cells.push_back(fmt::format("{:.1e}", row.error.worst));
   cells.push_back(fmt::format("{:.1e}", row.error.median));
   return cells;
-}
-
-/// A reason why there are no numbers needs no room in the columns after it.
-std::vector<std::size_t> widths_of(const Cells& titles, const std::vector<Cells>& lines) {
-  std::vector<std::size_t> widths;
-  for (std::size_t i = 0; i < titles.size(); ++i) {
-    std::size_t width = titles[i].size();
-    for (const Cells& line : lines) {
-      const bool is_reason = line.size() < titles.size() && i + 1 >= line.size();
-      if (!is_reason) width = std::max(width, line[i].size());
-    }
-    widths.push_back(width);
-  }
-  return widths;
-}
-
-std::string line_of(const Cells& cells, const std::vector<std::size_t>& widths, char mark) {
-  std::string text(1, mark);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    text += (i == 0 ? " " : "  ") + fmt::format("{:<{}}", cells[i], widths[i]);
-  }
-  return text.substr(0, text.find_last_not_of(' ') + 1) + '\n';
 }
 
 /// A line, or nothing where no row is picked.
@@ -115,15 +94,14 @@ std::string csv_cell(const std::string& text) {
 }  // namespace
 
 std::string to_text(const TradeoffTable& table) {
-  const Cells titles = titles_of(table);
-  std::vector<Cells> lines;
-  for (const TradeoffRow& row : table.rows) lines.push_back(cells_of(table, row));
-  const std::vector<std::size_t> widths = widths_of(titles, lines);
+  std::vector<Cells> rows{titles_of(table)};
+  for (const TradeoffRow& row : table.rows) rows.push_back(cells_of(table, row));
   std::string text = fmt::format("{}, {}: {}\n\n", table.model, table.subject, table.error);
-  text += line_of(titles, widths, ' ');
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    text += line_of(lines[i], widths, table.rows[i].is_on_pareto_front ? '*' : ' ');
+  std::vector<std::string> lines = table_lines(rows, {{}});
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    if (table.rows[i].is_on_pareto_front) lines[i + 1].front() = '*';
   }
+  text += fmt::format("{}\n", fmt::join(lines, "\n"));
   text += fmt::format(
       "\ndesigns of a rank cost the same: {0} times its cheapest at most, or their quartiles "
       "overlap\na star is more accurate than all stars above it, by {0} times and the noise of "

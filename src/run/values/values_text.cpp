@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/text_table.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "model/state_text.hpp"
 #include "run/values/records.hpp"
@@ -32,29 +33,21 @@ LeafSet taken_by(const ValueTable& table) {
   return kinds;
 }
 
-/// The texts of a column, those of labels from the left, numbers to the right.
-void align(std::vector<std::string>& cells, const char* pattern) {
-  std::size_t width = 0;
-  for (const std::string& cell : cells) width = std::max(width, cell.size());
-  for (std::string& cell : cells) cell = fmt::format(fmt::runtime(pattern), cell, width);
-}
-
 /// A table of one field; `texts` are its numbers with their units.
 std::string field_text(const std::string& title, const ValueField& field,
                        std::vector<std::string> texts) {
   const std::vector<std::string> no_name{""};
   const bool has_columns = field.columns != no_name;
   if (!has_columns && field.rows == no_name) return title + " = " + texts.front() + "\n";
-  std::vector<std::string> lines{""};
-  lines.insert(lines.end(), field.rows.begin(), field.rows.end());
-  align(lines, "  {:<{}}");
   const std::size_t width = field.columns.size();
-  for (std::size_t column = 0; column < width; ++column) {
-    std::vector<std::string> cells{field.columns[column]};
-    for (std::size_t i = column; i < texts.size(); i += width) cells.push_back(texts[i]);
-    align(cells, "  {:>{}}");
-    for (std::size_t i = 0; i < cells.size(); ++i) lines[i] += cells[i];
+  TextRows rows{{""}};
+  rows.front().insert(rows.front().end(), field.columns.begin(), field.columns.end());
+  for (std::size_t i = 0; i < field.rows.size(); ++i) {
+    rows.push_back({field.rows[i]});
+    const auto first = texts.begin() + static_cast<std::ptrdiff_t>(i * width);
+    rows.back().insert(rows.back().end(), first, first + static_cast<std::ptrdiff_t>(width));
   }
+  std::vector<std::string> lines = table_lines(rows, {{}, {.is_right = true}});
   if (!has_columns) lines.erase(lines.begin());
   return fmt::format("{}\n{}\n", title, fmt::join(lines, "\n"));
 }

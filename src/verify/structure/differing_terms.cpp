@@ -10,6 +10,7 @@
 #include "forms/present/arithmetic.hpp"
 #include "forms/present/polynomial.hpp"
 #include "numbers/exact_number.hpp"
+#include "print/analyses/read_form.hpp"
 
 namespace elgen {
 namespace {
@@ -85,8 +86,9 @@ std::optional<DifferingTerms> differing_terms(Algebra& algebra, const Fraction& 
 }
 
 std::string short_form(const Model& model, const Algebra& algebra, const Fraction& form) {
-  const std::optional<Printed> text = printed(model, algebra, form);
-  return text && text->text.size() <= longest_form ? text->text : "";
+  const std::optional<Formula> formula = read_form(model, algebra, form);
+  std::string text = formula ? text_of(*formula) : "";
+  return text.size() <= longest_form ? text : "";
 }
 
 std::string text_of(const Model& model, const Algebra& algebra, const DifferingTerms& terms) {

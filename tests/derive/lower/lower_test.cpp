@@ -4,7 +4,7 @@
 
 #include "derive/lower/equations_from.hpp"
 #include "elgen/evaluate.hpp"
-#include "elgen/render.hpp"
+#include "elgen/page.hpp"
 
 using namespace elgen;
 using GiNaC::ex;
@@ -68,7 +68,9 @@ TEST_CASE("GiNaC expressions become canonical programs, whatever GiNaC's order")
   for (const LoweredRow& row : rows) {
     INFO(row.what);
     const Program program = lowered(row.entries);
-    CHECK(equations(program, program.functions.at(0)).entries.at(0) == row.expected);
+    const Function& function = program.functions.at(0);
+    const std::vector<std::string> names = temporary_names(program, function);
+    CHECK(texts_of(equations(program, function, names).entries.at(0)) == row.expected);
     for (std::size_t rotation = 1; rotation < 10; ++rotation) {
       CHECK(dump(lowered(row.entries, rotation)) == dump(program));
     }

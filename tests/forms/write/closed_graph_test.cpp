@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "elgen/render.hpp"
+#include "elgen/page.hpp"
 #include "program/network/linearise.hpp"
 #include "program/network/network.hpp"
 #include "program/read_program.hpp"
@@ -27,7 +27,8 @@ std::string written(const std::string& function, Layout layout) {
   filled.names.clear();
   filled.fields[0].entries = {0};
   linearise(make_network(expressions), result, filled);
-  return equations(result, filled).entries.at(0).at(0);
+  const std::vector<std::string> names = temporary_names(result, filled);
+  return text_of(equations(result, filled, names).entries.at(0).at(0));
 }
 
 const std::string two_rates =

@@ -1,0 +1,66 @@
+// fill_template: strict Mustache. kainjow's own context answers an unknown name with nothing; this
+// one throws, so that a misspelt hole fails the first test that renders it.
+#include "base/fill_template.hpp"
+
+#include <stdexcept>
+
+#include "elgen/templates.hpp"
+
+namespace elgen {
+namespace {
+
+class StrictContext final : public kainjow::mustache::context<std::string> {
+ public:
+  using Base = kainjow::mustache::context<std::string>;
+  StrictContext(const TemplateData* data, std::string_view path) : Base(data), path_(path) {}
+
+  [[nodiscard]] const TemplateData* get(const std::string& name) const override {
+    return known(Base::get(name), name);
+  }
+  [[nodiscard]] const TemplateData* get_partial(const std::string& name) const override {
+    std::string text(template_at(template_beside(path_, name)));
+    text.pop_back();  // the line it stands on ends in the other template
+    return &partials_.insert_or_assign(name, TemplateData(text)).first->second;
+  }
+
+ private:
+  static const TemplateData* known(const TemplateData* value, const std::string& name) {
+    if (value == nullptr) throw std::logic_error("template hole without a value: " + name);
+    return value;
+  }
+
+  std::string_view path_;
+  mutable std::map<std::string, TemplateData> partials_ = {};
+};
+
+}  // namespace
+
+TemplateData section_if(bool present, const TemplateData& values) {
+  TemplateData list(TemplateData::type::list);
+  if (present) list.push_back(values);
+  return list;
+}
+
+TemplateData lines_data(const std::vector<std::string>& lines) {
+  return rows_data(lines, [](const std::string& line) { return TemplateData("line", line); });
+}
+
+std::string fill_template(std::string_view path, const TemplateData& data) {
+  kainjow::mustache::mustache parsed{std::string(template_at(path))};
+  parsed.set_custom_escape([](const std::string& value) { return value; });
+  StrictContext context(&data, path);
+  std::string result = parsed.render(context);
+  if (!parsed.is_valid()) throw std::logic_error(parsed.error_message());
+  return result;
+}
+
+std::string escaped(const std::string& text, const Escapes& escapes) {
+  std::string result;
+  for (const char c : text) {
+    const auto found = escapes.find(c);
+    result += found == escapes.end() ? std::string_view(&c, 1) : found->second;
+  }
+  return result;
+}
+
+}  // namespace elgen

@@ -1,0 +1,84 @@
+// function_formulas: a fold over one instruction, whose operands stand as formulas or by their
+// names.
+#include "emit/code/function_formulas.hpp"
+
+#include <algorithm>
+
+#include "elgen/fold.hpp"
+#include "program/constants/constants.hpp"
+
+namespace elgen {
+
+/// The rules of fold.hpp, on operands by their numbers.
+class FunctionFormulas::Rules {
+ public:
+  Rules(const FunctionFormulas& all, std::uint32_t at)
+      : all_(all), at_(at), vocabulary_(all.vocabulary_of(at)) {}
+
+  [[nodiscard]] std::uint32_t operator[](std::uint32_t operand) const { return operand; }
+
+  [[nodiscard]] FormulaText constant(const Constant& constant) const {
+    return vocabulary_.constant(constant);
+  }
+  [[nodiscard]] FormulaText leaf(Opcode kind, std::uint32_t number) const {
+    return {vocabulary_.leaf(kind, number)};
+  }
+  [[nodiscard]] FormulaText add(std::uint32_t x, std::uint32_t y) const {
+    return sum({{entry(x)}, {entry(y)}});
+  }
+  [[nodiscard]] FormulaText subtract(std::uint32_t x, std::uint32_t y) const {
+    return sum({{entry(x)}, {entry(y), true}});
+  }
+  [[nodiscard]] FormulaText multiply(std::uint32_t x, std::uint32_t y) const {
+    return product(code_spelling, {entry(x), entry(y)});
+  }
+  [[nodiscard]] FormulaText divide(std::uint32_t x, std::uint32_t y) const {
+    return quotient(code_spelling, entry(x), entry(y));
+  }
+  [[nodiscard]] FormulaText negate(std::uint32_t x) const { return negated(entry(x)); }
+  [[nodiscard]] FormulaText square_root(std::uint32_t x) const {
+    return vocabulary_.square_root(entry(x));
+  }
+  /// The k of stumpff(x, k) is a whole number in all languages.
+  [[nodiscard]] FormulaText call(FunctionId function, std::uint32_t x, std::uint32_t y) const {
+    std::vector<FormulaText> arguments = {entry(x)};
+    if (function == FunctionId::stumpff) {
+      arguments.push_back({std::to_string(order_at(all_.program_, all_.function_, y))});
+    } else if (function_row(function).arity > 1) {
+      arguments.push_back(entry(y));
+    }
+    return vocabulary_.call(function, arguments);
+  }
+
+ private:
+  [[nodiscard]] FormulaText entry(std::uint32_t at) const { return all_.operand(at_, at); }
+
+  const FunctionFormulas& all_;
+  std::uint32_t at_;
+  const Vocabulary& vocabulary_;
+};
+
+FormulaText FunctionFormulas::entry(std::uint32_t at) const {
+  return names_[at].empty() ? definition(at) : FormulaText{names_[at]};
+}
+
+FormulaText FunctionFormulas::operand(std::uint32_t user, std::uint32_t at) const {
+  const Vocabulary& words = vocabulary_of(user);
+  const Instruction& i = function_.instructions[at];
+  if (i.opcode == Opcode::constant && names_[at].empty()) {
+    return words.constant(program_.constants[i.a]);
+  }
+  return &words == &vocabulary_of(at) ? entry(at) : words.converted(entry(at));
+}
+
+const Vocabulary& FunctionFormulas::vocabulary_of(std::uint32_t at) const {
+  const bool is_inner = function_.instructions[at].is_inner && vocabulary_.inner() != nullptr;
+  return is_inner ? *vocabulary_.inner() : vocabulary_;
+}
+
+FormulaText FunctionFormulas::definition(std::uint32_t at) const {
+  const Rules rules(*this, at);
+  return folded(rules, program_, function_.instructions[at], rules);
+}
+
+}  // namespace elgen

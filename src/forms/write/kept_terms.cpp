@@ -1,0 +1,196 @@
+// kept_terms: see kept_terms.hpp; sums of powers are in square_free.cpp. Rows of digit_rows.def are
+// looked for between cranks and quotients.
+#include "forms/write/kept_terms.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+
+#include "forms/write/digit_rows.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_RA;
+
+class Triangles : GraphTerms {
+ public:
+  Triangles(Graph& graph, Keeping keeping) : GraphTerms(graph), keeping_(keeping) {}
+
+  /// Puts three such terms together as one; false where there are none.
+  bool replace_one(std::vector<Ref>& terms) {
+    std::vector<ScaledTerm> parts;
+    for (const Ref term : terms) parts.push_back(scaled(term));
+    for (std::size_t k = 0; k < terms.size(); ++k) {
+      ScaledTerm mixed = parts[k];
+      const auto cosine = std::ranges::find_if(mixed.factors, [&](const Operand& factor) {
+        return factor.weight == 1 && is_call(graph_.node(factor.node), FunctionId::cos);
+      });
+      if (cosine == mixed.factors.end()) continue;
+      const Ref angle = argument_of(graph_.node(cosine->node));
+      mixed.factors.erase(cosine);
+      for (std::size_t i = 0; i < terms.size(); ++i) {
+        for (std::size_t j = i + 1; j < terms.size(); ++j) {
+          if (i == k || j == k || !may_be_triangle(parts[i], parts[j], mixed)) continue;
+          const std::optional<Ref> triangle = of_triangle(parts[i], parts[j], mixed, angle);
+          if (!triangle) continue;
+          terms[k] = *triangle;
+          terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(j));
+          terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(i));
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+ private:
+  /// The coefficients of C a^2, C b^2 and 2 C a b.
+  static bool may_be_triangle(const ScaledTerm& first, const ScaledTerm& second,
+                              const ScaledTerm& mixed) {
+    return first.coefficient * second.coefficient * 4 == mixed.coefficient * mixed.coefficient;
+  }
+
+  /// `mixed` is -+2 C a b: with + it is the cosine of c/2.
+  std::optional<Ref> of_triangle(ScaledTerm first, ScaledTerm second, const ScaledTerm& mixed,
+                                 Ref angle) {
+    const cl_RA common = first.coefficient;
+    const cl_RA ratio = second.coefficient / common;
+    const std::vector<Operand> shared = take_shared(first, second);
+    const std::optional<Ref> a = exact_root({1, first.factors}, 2);
+    const std::optional<Ref> b = exact_root({ratio, second.factors}, 2);
+    if (!a || !b) return std::nullopt;
+    const Ref scale = product(common, shared);
+    const Ref both = times(*a, *b);
+    const Ref twice = times(scale, doubled(both));
+    const Ref own = product(mixed);
+    if (own.node != twice.node) return std::nullopt;
+    const bool is_difference = own.negative != twice.negative;
+    const Ref sine = square(call(FunctionId::sin, half(angle)));
+    const Ref cosine = square(call(FunctionId::cos, half(angle)));
+    const Ref less = square(graph_.sum({*a, -*b}));
+    if (keeping_.squares == Squares::apart) {
+      const Ref more = square(graph_.sum({*a, *b}));
+      const Ref near = is_difference ? less : more;
+      const Ref far = is_difference ? more : less;
+      return times(scale, graph_.sum({times(near, cosine), times(far, sine)}));
+    }
+    const Ref turn = times(times(graph_.rational(4), both), is_difference ? sine : cosine);
+    return times(scale, graph_.sum({less, turn}));
+  }
+
+  Keeping keeping_;
+};
+
+/// A term as a quotient.
+struct Ratio {
+  ScaledTerm top = {};
+  ScaledTerm bottom = {};
+};
+
+/// One pair, in the graph that it stands in.
+class KeptPair : GraphTerms {
+ public:
+  KeptPair(Graph& graph, Keeping keeping, bool is_alone)
+      : GraphTerms(graph), keeping_(keeping), is_alone_(is_alone) {}
+
+  std::optional<Ref> operator()(ScaledTerm x, ScaledTerm y) {
+    std::vector<Operand> shared = take_shared(x, y);
+    take_divisors(x, y, shared);
+    take_divisors(y, x, shared);
+    const Ref common = product(x.coefficient, shared);
+    y.coefficient = y.coefficient / x.coefficient;
+    x.coefficient = 1;
+    std::optional<Ref> better;
+    const bool may_be_crank = is_alone_ && keeping_.squares == Squares::apart;
+    if (may_be_crank) better = crank(x, y);
+    if (!better && may_be_crank) better = crank(y, x);
+    if (!better) better = pair_by_row(graph_, keeping_, x, y);
+    if (!better) better = quotients(x, y);
+    return better ? std::optional(times(common, *better)) : std::nullopt;
+  }
+
+ private:
+  /// a^2 - b^2 sin(c)^2 = (a - b) (a + b) + b^2 cos(c)^2, of a crank b and a rod a, and with sine
+  /// and cosine exchanged.
+  std::optional<Ref> crank(const ScaledTerm& x, ScaledTerm y) {
+    const auto sinusoid = std::ranges::find_if(y.factors, [&](const Operand& factor) {
+      return factor.weight == 2 && is_sine_or_cosine(graph_.node(factor.node));
+    });
+    if (sinusoid == y.factors.end()) return std::nullopt;
+    const Node call = graph_.node(sinusoid->node);
+    y.factors.erase(sinusoid);
+    y.coefficient = -y.coefficient;
+    const std::optional<Ref> a = exact_root(x, 2);
+    const std::optional<Ref> b = exact_root(y, 2);
+    if (!a || !b) return std::nullopt;
+    const bool is_sine = call.function == FunctionId::sin;
+    const Ref other = graph_.call(is_sine ? FunctionId::cos : FunctionId::sin, {argument_of(call)});
+    const Ref less = times(graph_.sum({*a, -*b}), graph_.sum({*a, *b}));
+    return graph_.sum({less, times(square(*b), square(other))});
+  }
+
+  /// The divisors of a term that the other multiplies by: a - b/a^2 = (a^3 - b)/a^2.
+  static void take_divisors(ScaledTerm& x, ScaledTerm& y, std::vector<Operand>& shared) {
+    for (Operand& divisor : x.factors) {
+      const auto factor = std::ranges::find(y.factors, divisor.node, &Operand::node);
+      if (divisor.weight > 0 || factor == y.factors.end()) continue;
+      shared.push_back(divisor);
+      factor->weight -= divisor.weight;
+      divisor.weight = 0;
+    }
+    std::erase_if(x.factors, [](const Operand& factor) { return factor.weight == 0; });
+  }
+
+  /// a/b - c/d = (a d - b c)/(b d) where that is shorter, and 1/b - 1/d and 1 - a/b; the numerator
+  /// is kept in its turn.
+  std::optional<Ref> quotients(const ScaledTerm& x, const ScaledTerm& y) {
+    const Ratio first = ratio_of(x);
+    const Ratio second = ratio_of(y);
+    const bool is_first_whole = first.bottom.factors.empty();
+    const bool is_second_whole = second.bottom.factors.empty();
+    if (is_first_whole && is_second_whole) return std::nullopt;
+    const bool has_one = x.factors.empty() || y.factors.empty();
+    const bool are_inverses = first.top.factors.empty() && second.top.factors.empty();
+    const bool is_known =
+        has_one ? cln::minusp(y.coefficient) : are_inverses && y.coefficient == -1;
+    const bool may_meet =
+        !is_first_whole && !is_second_whole &&
+        (has_bracket(product(first.bottom)) || has_bracket(product(second.bottom)));
+    if (!is_known && !may_meet) return std::nullopt;
+    const Ref left = short_sum({times(product(first.top), product(second.bottom))});
+    const Ref right = short_sum({times(product(second.top), product(first.bottom))});
+    const Ref top = short_sum({left, right});
+    if (!is_known && term_count(top) >= term_count(left) + term_count(right)) return std::nullopt;
+    ScaledTerm divisors = first.bottom;
+    divisors.factors.insert(divisors.factors.end(), second.bottom.factors.begin(),
+                            second.bottom.factors.end());
+    for (Operand& divisor : divisors.factors) divisor.weight = -divisor.weight;
+    return times(kept_sum(graph_, keeping_, top).value_or(top), product(divisors));
+  }
+
+  static Ratio ratio_of(const ScaledTerm& term) {
+    Ratio ratio{{term.coefficient, {}}, {}};
+    for (const auto& [id, weight] : term.factors) {
+      ScaledTerm& side = weight > 0 ? ratio.top : ratio.bottom;
+      side.factors.push_back({id, std::abs(weight)});
+    }
+    return ratio;
+  }
+
+  Keeping keeping_;
+  bool is_alone_;
+};
+
+}  // namespace
+
+bool replace_triangle(Graph& graph, Keeping keeping, std::vector<Ref>& terms) {
+  return Triangles(graph, keeping).replace_one(terms);
+}
+
+std::optional<Ref> kept_pair(Graph& graph, Keeping keeping, const std::vector<ScaledTerm>& terms,
+                             std::size_t first, std::size_t second) {
+  return KeptPair(graph, keeping, terms.size() == 2)(terms[first], terms[second]);
+}
+
+}  // namespace elgen

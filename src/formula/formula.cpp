@@ -1,0 +1,124 @@
+// formula: trees are put together; what holds one part is that part.
+#include "elgen/formula.hpp"
+
+#include <utility>
+
+#include "formula/drawing.hpp"
+#include "formula/glyphs.hpp"
+
+namespace elgen {
+namespace {
+
+Formula with_parts(FormulaKind kind, Formulas parts) { return {kind, std::move(parts)}; }
+
+template <class... Parts>
+Formula with(FormulaKind kind, Parts... parts) {
+  Formula formula{kind};
+  (formula.parts.push_back(std::move(parts)), ...);
+  return formula;
+}
+
+Formula single_or(FormulaKind kind, Formulas parts) {
+  if (parts.size() == 1) return std::move(parts.front());
+  return with_parts(kind, std::move(parts));
+}
+
+/// Rows in rows are one, and so are words behind words.
+void append_part(Formulas& row, Formula part) {
+  if (part.kind == FormulaKind::row) {
+    for (Formula& inner : part.parts) append_part(row, std::move(inner));
+  } else if (part.kind != FormulaKind::prose) {
+    row.push_back(std::move(part));
+  } else if (row.empty() || row.back().kind != FormulaKind::prose) {
+    if (!part.text.empty()) row.push_back(std::move(part));
+  } else if (!part.text.empty()) {
+    row.back().text += (stands_close(part.text) ? "" : " ") + part.text;
+  }
+}
+
+}  // namespace
+
+bool stands_close(std::string_view words) { return words.find_first_of(";:,") == 0; }
+
+Formula number_formula(const cln::cl_RA& value) {
+  Formula formula{FormulaKind::number};
+  formula.number = value;
+  return formula;
+}
+
+Formula digits_formula(std::string digits) {
+  if (digits.starts_with('-')) return negative(digits_formula(digits.substr(1)));
+  return {FormulaKind::number, {}, std::move(digits)};
+}
+
+Formula name_formula(std::string name) { return symbol_formula(std::move(name), {}); }
+
+Formula symbol_formula(std::string name, Glyphs glyphs, bool is_long) {
+  Formula formula{FormulaKind::symbol};
+  formula.symbol =
+      std::make_shared<const Symbol>(Symbol{std::move(name), std::move(glyphs), is_long});
+  return formula;
+}
+
+Formula typed_formula(std::string_view latex) {
+  Glyphs glyphs = read_latex(latex);
+  const Block drawn = drawing(glyphs, Alphabet::ascii, Fractions::in_line);
+  return symbol_formula(drawn.lines[drawn.base], std::move(glyphs));
+}
+
+Formula pi_formula() { return symbol_formula("pi", read_latex("\\pi")); }
+
+Formula negative(Formula x) { return with(FormulaKind::negative, std::move(x)); }
+
+Formula sum_of(Formulas terms) { return single_or(FormulaKind::sum, std::move(terms)); }
+
+Formula product_of(Formulas factors) { return single_or(FormulaKind::product, std::move(factors)); }
+
+Formula quotient_of(Formula above, Formula below) {
+  return with(FormulaKind::quotient, std::move(above), std::move(below));
+}
+
+Formula power_of(Formula base, Formula exponent) {
+  return with(FormulaKind::power, std::move(base), std::move(exponent));
+}
+
+Formula root_of(Formula radicand) { return with(FormulaKind::root, std::move(radicand)); }
+
+Formula call_of(FunctionId function, Formulas arguments) {
+  Formula formula = with_parts(FormulaKind::call, std::move(arguments));
+  formula.function = function;
+  return formula;
+}
+
+Formula either_sign(Formula x) { return with(FormulaKind::either, std::move(x)); }
+
+Formula bars(Formula x) { return with(FormulaKind::bars, std::move(x)); }
+
+Formula group(Formula x) { return with(FormulaKind::group, std::move(x)); }
+
+Formula relation(Formula left, Formula right, std::string sign) {
+  Formula formula = with(FormulaKind::relation, std::move(left), std::move(right));
+  formula.text = std::move(sign);
+  return formula;
+}
+
+Formula list_of(Formulas items) { return single_or(FormulaKind::list, std::move(items)); }
+
+Formula tuple_of(Formulas items) { return with_parts(FormulaKind::tuple, std::move(items)); }
+
+Formula prose(std::string words) { return {FormulaKind::prose, {}, std::move(words)}; }
+
+Formula row_of(Formulas parts) {
+  Formulas row;
+  for (Formula& part : parts) append_part(row, std::move(part));
+  return single_or(FormulaKind::row, std::move(row));
+}
+
+Formula enumeration(Formulas items) {
+  if (items.size() < 2) return list_of(std::move(items));
+  Formula last = std::move(items.back());
+  items.pop_back();
+  return row_of({list_of(std::move(items)), prose("and"), std::move(last)});
+}
+
+}  // namespace elgen

@@ -1,0 +1,333 @@
+// formula_glyphs: trees as they are set: factors stand side by side, fractions are stacked, and
+// brackets grow with their content.
+#include <cln/integer.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "base/ascii.hpp"
+#include "formula/formula_text.hpp"
+#include "formula/glyphs.hpp"
+#include "numbers/exact_number.hpp"
+
+namespace elgen {
+namespace {
+
+/// Pieces in a row. An exponent of a call stands behind its first piece: sin^2 x.
+struct SetFormula {
+  Glyphs row = {};
+  Binding binding = Binding::atom;
+  bool is_call = false;
+};
+
+SetFormula set(const Formula& formula);
+
+Glyphs digits(const std::string& text) { return row_with({GlyphKind::number, text}); }
+
+Glyphs integer(const cln::cl_I& value) { return digits(integer_text(value)); }
+
+bool is_tall(const Glyphs& glyphs) {
+  return glyphs.kind == GlyphKind::fraction || glyphs.kind == GlyphKind::root ||
+         std::ranges::any_of(glyphs.parts, is_tall);
+}
+
+bool has_exponent(const Glyphs& glyphs) {
+  const bool has = glyphs.kind == GlyphKind::scripts && !glyphs.parts[2].parts.empty();
+  return has || std::ranges::any_of(glyphs.parts, has_exponent);
+}
+
+Glyphs in_brackets(Glyphs content) {
+  const bool grows = is_tall(content);
+  return enclosed(std::move(content), "(", ")", grows);
+}
+
+Glyphs at_least(SetFormula formula, Binding least) {
+  return formula.binding < least ? in_brackets(std::move(formula.row)) : std::move(formula.row);
+}
+
+SetFormula with_minus(SetFormula operand) {
+  Glyphs row;
+  append_sign(row, "-", false);
+  append(row, at_least(std::move(operand), Binding::product), false);
+  return {std::move(row), Binding::negation};
+}
+
+SetFormula stacked(Glyphs above, Glyphs below) {
+  return {fraction_row(std::move(above), std::move(below)), Binding::power};
+}
+
+/// 9.81, but not 1/2 and 2/5: numbers too long for a fraction, of which the denominator has the
+/// factor 5 of a decimal number.
+bool is_decimal(const cln::cl_RA& value) {
+  constexpr int longest = 16;
+  const cln::cl_I denominator = cln::denominator(value);
+  const bool is_short = cln::numerator(value) <= longest && denominator <= longest;
+  return !is_short && cln::zerop(cln::mod(denominator, 5)) && exact_decimal(value) &&
+         exact_text(value).find('e') == std::string::npos;
+}
+
+SetFormula set_number(const cln::cl_RA& value) {
+  if (cln::minusp(value)) return with_minus(set_number(-value));
+  const cln::cl_I denominator = cln::denominator(value);
+  if (denominator == 1) return {integer(cln::numerator(value))};
+  if (is_decimal(value)) return {digits(exact_text(value))};
+  return stacked(integer(cln::numerator(value)), integer(denominator));
+}
+
+/// 1.5e-07 as 1.5 10^-7
+SetFormula set_digits(const std::string& text) {
+  const std::size_t e = text.find('e');
+  Glyphs row = digits(text.substr(0, e));
+  if (e == std::string::npos) return {std::move(row)};
+  append_sign(row, "⋅", true);
+  append(row, digits("10"), true);
+  const int exponent = std::stoi(text.substr(e + 1));
+  Glyphs above = digits(std::to_string(std::abs(exponent)));
+  if (exponent < 0) above.parts.insert(above.parts.begin(), {GlyphKind::sign, "-"});
+  add_script(row, 2, std::move(above));
+  return {std::move(row), Binding::product};
+}
+
+/// Numbers below 0 and negative terms are subtracted.
+void append_term(Glyphs& row, const Formula& term) {
+  const bool is_number =
+      term.kind == FormulaKind::number && term.text.empty() && cln::minusp(term.number);
+  const bool is_negative = is_number || term.kind == FormulaKind::negative;
+  append_sign(row, is_negative ? "-" : "+", true);
+  append(row,
+         at_least(is_number     ? set_number(-term.number)
+                  : is_negative ? set(term.parts[0])
+                                : set(term),
+                  Binding::product),
+         true);
+}
+
+SetFormula set_sum(const Formula& formula) {
+  SetFormula first = set(formula.parts.front());
+  Glyphs row = std::move(first.row);
+  for (std::size_t i = 1; i < formula.parts.size(); ++i) append_term(row, formula.parts[i]);
+  return {std::move(row), Binding::sum};
+}
+
+bool begins_with_word(const Glyphs& row) {
+  return !row.parts.empty() && base_of(row.parts.front()).kind == GlyphKind::word;
+}
+
+/// c \sin x: factors behind it would be read as parts of the argument.
+bool has_open_argument(const Glyphs& row) {
+  return std::ranges::adjacent_find(row.parts, [](const Glyphs& head, const Glyphs& argument) {
+           return base_of(head).kind == GlyphKind::function && argument.is_apart;
+         }) != row.parts.end();
+}
+
+/// Factors keep apart by a dot where one could be read into the other.
+SetFormula product_of_set(std::vector<SetFormula> factors) {
+  if (factors.size() == 1) return std::move(factors.front());
+  // So that no factor is read as a part of their arguments.
+  std::ranges::stable_partition(factors, [](const SetFormula& x) { return !x.is_call; });
+  const bool is_negation = factors.front().binding == Binding::negation;
+  bool last_is_word = begins_with_word(factors.front().row);
+  const bool is_open = !factors.front().is_call && has_open_argument(factors.front().row);
+  Glyphs row = at_least(std::move(factors.front()), is_open ? Binding::power : Binding::negation);
+  for (std::size_t i = 1; i < factors.size(); ++i) {
+    const bool is_word = begins_with_word(factors[i].row);
+    Glyphs next = at_least(std::move(factors[i]), Binding::power);
+    const Glyphs& head = base_of(next.parts.front());
+    if (last_is_word || begins_with_word(next) || head.kind == GlyphKind::number) {
+      append_sign(row, "⋅", true);
+    }
+    append(row, std::move(next), true);
+    last_is_word = is_word;
+  }
+  return {std::move(row), is_negation ? Binding::negation : Binding::product};
+}
+
+/// Whether a factor is 1/x^n, and stands below.
+bool is_reciprocal(const Formula& factor) {
+  if (factor.kind != FormulaKind::power) return false;
+  const Formula& exponent = factor.parts[1];
+  return exponent.kind == FormulaKind::number && exponent.text.empty() &&
+         cln::minusp(exponent.number) && cln::denominator(exponent.number) == 1;
+}
+
+SetFormula set_power(const Formula& base, SetFormula exponent) {
+  SetFormula below = set(base);
+  if (below.is_call && below.row.parts.front().kind != GlyphKind::scripts) {
+    Glyphs head = row_with(std::move(below.row.parts.front()));
+    add_script(head, 2, std::move(exponent.row));
+    below.row.parts.front() = std::move(head.parts.front());
+    return {std::move(below.row), Binding::power, true};
+  }
+  const bool is_grouped = below.binding == Binding::atom && has_exponent(below.row);
+  const bool is_long = base.kind == FormulaKind::symbol && base.symbol->is_long;
+  Glyphs row =
+      is_long ? in_brackets(std::move(below.row)) : at_least(std::move(below), Binding::atom);
+  if (is_grouped) row = row_with(std::move(row));
+  add_script(row, 2, std::move(exponent.row));
+  return {std::move(row), Binding::power};
+}
+
+SetFormula set_factor(const Formula& factor) {
+  if (!is_reciprocal(factor)) return set(factor);
+  const cln::cl_RA exponent = -factor.parts[1].number;
+  return exponent == 1 ? set(factor.parts[0]) : set_power(factor.parts[0], set_number(exponent));
+}
+
+SetFormula set_product(const Formulas& factors) {
+  std::vector<SetFormula> above;
+  std::vector<SetFormula> below;
+  for (const Formula& factor : factors) {
+    (is_reciprocal(factor) ? below : above).push_back(set_factor(factor));
+  }
+  if (above.empty()) above.push_back({digits("1")});
+  SetFormula numerator = product_of_set(std::move(above));
+  if (below.empty()) return numerator;
+  return stacked(std::move(numerator.row), product_of_set(std::move(below)).row);
+}
+
+/// A fraction of integers stands in front: 3/4 g/l.
+SetFormula set_quotient(const Formula& formula) {
+  const Formula& above = formula.parts[0];
+  SetFormula below = set(formula.parts[1]);
+  const bool has_fraction = above.kind == FormulaKind::product &&
+                            above.parts[0].kind == FormulaKind::number &&
+                            cln::denominator(above.parts[0].number) != 1;
+  if (!has_fraction) return stacked(set(above).row, std::move(below.row));
+  SetFormula rest = set_product({above.parts.begin() + 1, above.parts.end()});
+  std::vector<SetFormula> factors;
+  factors.push_back(set(above.parts[0]));
+  factors.push_back(stacked(std::move(rest.row), std::move(below.row)));
+  return product_of_set(std::move(factors));
+}
+
+Glyphs listed(const Formulas& items) {
+  Glyphs row;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (i > 0) append_sign(row, ",", false);
+    append(row, set(items[i]).row, true);
+  }
+  return row;
+}
+
+SetFormula set_root(Glyphs radicand) {
+  return {row_with({GlyphKind::root, "", {std::move(radicand)}}), Binding::power};
+}
+
+SetFormula function_of(Glyphs head, Glyphs argument, bool is_apart) {
+  append(head, std::move(argument), is_apart);
+  return {std::move(head), Binding::power, true};
+}
+
+/// log1p(x), expm1(x) and hypot(x, y) as they are read: log(1 + x), e^x - 1, the root of a sum of
+/// squares.
+std::optional<Formula> written_out(const Formula& call) {
+  const Formula& x = call.parts.front();
+  const Formula one = number_formula(1);
+  if (call.function == FunctionId::log1p) return call_of(FunctionId::log, {sum_of({one, x})});
+  if (call.function == FunctionId::expm1) {
+    return sum_of({call_of(FunctionId::exp, {x}), negative(one)});
+  }
+  if (call.function != FunctionId::hypot) return std::nullopt;
+  const Formula two = number_formula(2);
+  return root_of(sum_of({power_of(x, two), power_of(call.parts.back(), two)}));
+}
+
+SetFormula set_call(const Formula& formula) {
+  if (const std::optional<Formula> other = written_out(formula)) return set(*other);
+  const FunctionId function = formula.function;
+  if (function == FunctionId::abs) return {enclosed(listed(formula.parts), "|", "|", true)};
+  if (function == FunctionId::stumpff) {
+    const std::string_view own = name_of_order(text_of(formula.parts.back()));
+    if (!own.empty()) {
+      return function_of(row_with({GlyphKind::word, std::string(own)}),
+                         in_brackets(set(formula.parts.front()).row), false);
+    }
+  }
+  Glyphs head = read_latex(function_row(function).latex);
+  SetFormula first = set(formula.parts.front());
+  const bool is_alone = first.binding == Binding::atom && !first.is_call;
+  const bool is_fraction = first.row.parts.front().kind == GlyphKind::fraction;
+  const bool stands_free = function != FunctionId::sign && formula.parts.size() == 1 &&
+                           (is_alone || (is_fraction && first.binding == Binding::power));
+  if (stands_free) return function_of(std::move(head), std::move(first.row), true);
+  return function_of(std::move(head), in_brackets(listed(formula.parts)), false);
+}
+
+/// Words have blanks at their ends where formulas stand beside them.
+SetFormula set_row(const Formula& formula) {
+  Glyphs row;
+  for (std::size_t i = 0; i < formula.parts.size(); ++i) {
+    const Formula& part = formula.parts[i];
+    if (part.kind != FormulaKind::prose) {
+      append(row, set(part).row, true);
+      continue;
+    }
+    const bool is_behind = i > 0 && !stands_close(part.text);
+    const bool is_before = i + 1 < formula.parts.size();
+    const std::string words = (is_behind ? " " : "") + part.text + (is_before ? " " : "");
+    append(row, {GlyphKind::prose, words}, true);
+  }
+  return {std::move(row), Binding::sum};
+}
+
+SetFormula set_relation(const Formula& formula) {
+  Glyphs row = set(formula.parts[0]).row;
+  append_sign(row, formula.text, true);
+  append(row, set(formula.parts[1]).row, true);
+  return {std::move(row), Binding::sum};
+}
+
+SetFormula set_either(SetFormula x) {
+  Glyphs row = row_with({GlyphKind::letter, "±"});
+  append(row, at_least(std::move(x), Binding::product), true);
+  return {std::move(row), Binding::negation};
+}
+
+SetFormula set(const Formula& formula) {
+  const Formulas& parts = formula.parts;
+  switch (formula.kind) {
+    case FormulaKind::number:
+      return formula.text.empty() ? set_number(formula.number) : set_digits(formula.text);
+    case FormulaKind::symbol:
+      return {formula.symbol->glyphs};
+    case FormulaKind::negative:
+      return with_minus(set(parts[0]));
+    case FormulaKind::either:
+      return set_either(set(parts[0]));
+    case FormulaKind::sum:
+      return set_sum(formula);
+    case FormulaKind::product:
+      return set_product(parts);
+    case FormulaKind::quotient:
+      return set_quotient(formula);
+    case FormulaKind::power:
+      return is_reciprocal(formula) ? set_product({formula}) : set_power(parts[0], set(parts[1]));
+    case FormulaKind::root:
+      return set_root(set(parts[0]).row);
+    case FormulaKind::call:
+      return set_call(formula);
+    case FormulaKind::bars:
+      return {enclosed(set(parts[0]).row, "|", "|", false)};
+    case FormulaKind::group:
+      return {at_least(set(parts[0]), Binding::power), Binding::power};
+    case FormulaKind::relation:
+      return set_relation(formula);
+    case FormulaKind::list:
+      return {listed(parts), Binding::sum};
+    case FormulaKind::tuple:
+      return {enclosed(listed(parts), "(", ")", false)};
+    case FormulaKind::prose:
+      return {row_with({GlyphKind::prose, formula.text}), Binding::sum};
+    case FormulaKind::row:
+      return set_row(formula);
+  }
+  return {};
+}
+
+}  // namespace
+
+Glyphs glyphs_of(const Formula& formula) { return set(formula).row; }
+
+}  // namespace elgen

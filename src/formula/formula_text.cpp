@@ -1,0 +1,174 @@
+// formula_text: where brackets stand on one line; trees in the model language, part by part.
+#include "formula/formula_text.hpp"
+
+#include <cln/integer.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "formula/glyphs.hpp"
+#include "numbers/exact_number.hpp"
+
+namespace elgen {
+namespace {
+
+std::string joined(const std::vector<FormulaText>& items) {
+  std::string list;
+  for (const FormulaText& item : items) list += (list.empty() ? "" : ", ") + item.text;
+  return list;
+}
+
+/// How a product holds together, by its first operand.
+Binding signed_as(const FormulaText& first) {
+  return first.binding == Binding::negation ? Binding::negation : Binding::product;
+}
+
+FormulaText printed(const Formula& formula);
+
+std::vector<FormulaText> printed_parts(const Formula& formula) {
+  std::vector<FormulaText> all;
+  for (const Formula& part : formula.parts) all.push_back(printed(part));
+  return all;
+}
+
+FormulaText number_text(const cln::cl_RA& value) {
+  if (cln::minusp(value)) return negated(number_text(-value));
+  const cln::cl_I denominator = cln::denominator(value);
+  const FormulaText above{integer_text(cln::numerator(value))};
+  return denominator == 1 ? above : quotient(model_spelling, above, {integer_text(denominator)});
+}
+
+/// Negative terms are subtracted.
+Summand summand(const Formula& term, bool is_first) {
+  const bool is_number = term.kind == FormulaKind::number && cln::minusp(term.number);
+  if (is_first) return {at_least(printed(term), Binding::negation)};
+  if (is_number) return {number_text(-term.number), true};
+  if (term.kind == FormulaKind::negative) return {printed(term.parts[0]), true};
+  return {printed(term)};
+}
+
+FormulaText sum_text(const Formula& formula) {
+  std::vector<Summand> terms;
+  for (const Formula& term : formula.parts) terms.push_back(summand(term, terms.empty()));
+  return sum(terms);
+}
+
+FormulaText call_text(const Formula& formula) {
+  const std::vector<FormulaText> arguments = printed_parts(formula);
+  const std::string_view own = formula.function == FunctionId::stumpff
+                                   ? name_of_order(arguments.back().text)
+                                   : std::string_view();
+  return own.empty() ? called(function_row(formula.function).name, arguments)
+                     : called(own, {arguments.front()});
+}
+
+/// A blank between parts, none in front of a sign of punctuation.
+std::string row_text(const Formula& formula) {
+  std::string text;
+  for (const Formula& part : formula.parts) {
+    const std::string next = printed(part).text;
+    const bool is_close = next.empty() || stands_close(next);
+    text += (text.empty() || is_close ? "" : " ") + next;
+  }
+  return text;
+}
+
+FormulaText printed(const Formula& formula) {
+  const Formulas& parts = formula.parts;
+  switch (formula.kind) {
+    case FormulaKind::number:
+      return formula.text.empty() ? number_text(formula.number) : FormulaText{formula.text};
+    case FormulaKind::symbol:
+      return {formula.symbol->name};
+    case FormulaKind::negative:
+      return negated(at_least(printed(parts[0]), Binding::product));
+    case FormulaKind::either:
+      return {"+-" + at_least(printed(parts[0]), Binding::product).text, Binding::negation};
+    case FormulaKind::sum:
+      return sum_text(formula);
+    case FormulaKind::product:
+      return product(model_spelling, printed_parts(formula));
+    case FormulaKind::quotient:
+      return quotient(model_spelling, printed(parts[0]), printed(parts[1]));
+    case FormulaKind::power:
+      return power(printed(parts[0]), printed(parts[1]));
+    case FormulaKind::root:
+      return called("sqrt", printed_parts(formula));
+    case FormulaKind::call:
+      return call_text(formula);
+    case FormulaKind::bars:
+      return {fmt::format("|{}|", printed(parts[0]).text)};
+    case FormulaKind::group:
+      return at_least(printed(parts[0]), Binding::power);
+    case FormulaKind::relation:
+      return {fmt::format("{} {} {}", printed(parts[0]).text, formula.text, printed(parts[1]).text),
+              Binding::sum};
+    case FormulaKind::list:
+      return {joined(printed_parts(formula)), Binding::sum};
+    case FormulaKind::tuple:
+      return {fmt::format("({})", joined(printed_parts(formula)))};
+    case FormulaKind::prose:
+      return {formula.text, Binding::sum};
+    case FormulaKind::row:
+      return {row_text(formula), Binding::sum};
+  }
+  return {};
+}
+
+}  // namespace
+
+FormulaText at_least(const FormulaText& formula, Binding least) {
+  return formula.binding < least ? FormulaText{fmt::format("({})", formula.text)} : formula;
+}
+
+FormulaText negated(const FormulaText& operand) {
+  return {"-" + at_least(operand, Binding::product).text, Binding::negation};
+}
+
+FormulaText sum(const std::vector<Summand>& terms) {
+  const auto& [first, is_subtracted] = terms.front();
+  const FormulaText start = is_subtracted ? negated(first) : first;
+  if (terms.size() == 1) return start;
+  std::string text = start.text;
+  for (std::size_t i = 1; i < terms.size(); ++i) {
+    text += terms[i].is_subtracted ? " - " : " + ";
+    text += at_least(terms[i].term, Binding::product).text;
+  }
+  return {text, Binding::sum};
+}
+
+FormulaText product(const Spelling& spelling, const std::vector<FormulaText>& factors) {
+  if (factors.size() == 1) return factors.front();
+  // Only the first factor may be a quotient, or carry a sign, without brackets.
+  std::string text = at_least(factors.front(), Binding::negation).text;
+  for (std::size_t i = 1; i < factors.size(); ++i) {
+    text += std::string(spelling.times) + at_least(factors[i], Binding::power).text;
+  }
+  return {text, signed_as(factors.front())};
+}
+
+FormulaText quotient(const Spelling& spelling, const FormulaText& above, const FormulaText& below) {
+  return {at_least(above, Binding::negation).text + std::string(spelling.over) +
+              at_least(below, Binding::power).text,
+          signed_as(above)};
+}
+
+FormulaText power(const FormulaText& base, const FormulaText& exponent) {
+  return {fmt::format("{}^{}", at_least(base, Binding::atom).text,
+                      at_least(exponent, Binding::atom).text),
+          Binding::power};
+}
+
+FormulaText called(std::string_view name, const std::vector<FormulaText>& arguments) {
+  return {fmt::format("{}({})", name, joined(arguments))};
+}
+
+std::string text_of(const Formula& formula) { return printed(formula).text; }
+
+std::vector<std::string> texts_of(const Formulas& formulas) {
+  std::vector<std::string> texts;
+  for (const Formula& formula : formulas) texts.push_back(text_of(formula));
+  return texts;
+}
+
+}  // namespace elgen

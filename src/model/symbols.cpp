@@ -1,0 +1,385 @@
+// symbols: letters first, digits and what follows an underscore below the line.
+#include "model/symbols.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/ascii.hpp"
+#include "formula/drawing.hpp"
+#include "formula/glyphs.hpp"
+
+namespace elgen {
+namespace {
+
+/// "theta" -> \theta, "x" -> x, "12" -> 12, "cart" -> \mathrm{cart}
+Glyphs word(std::string_view text) {
+  const bool is_number = std::all_of(text.begin(), text.end(), is_digit);
+  const std::string_view greek = greek_letter(text);
+  if (is_number && !text.empty()) return {GlyphKind::number, std::string(text)};
+  if (!greek.empty()) return {GlyphKind::letter, std::string(greek)};
+  return {text.size() == 1 ? GlyphKind::letter : GlyphKind::word, std::string(text)};
+}
+
+/// "xx" of I_{xx}: axes.
+bool is_axes(std::string_view text) {
+  return !text.empty() && text.size() <= 2 && text.find_first_not_of("xyz") == std::string::npos;
+}
+
+/// A word below the line, where axes are slanted: xx and 3xx.
+Glyphs script(std::string_view text) {
+  const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
+  return is_axes(text.substr(digits)) ? read_latex(text) : word(text);
+}
+
+/// The pieces below the line of the last piece of a symbol.
+void add_below(Glyphs& symbol, Glyphs piece) {
+  const bool has_scripts = !symbol.parts.empty() && symbol.parts.back().kind == GlyphKind::scripts;
+  Glyphs below = has_scripts ? std::move(symbol.parts.back().parts[1]) : Glyphs{};
+  if (!below.parts.empty()) append_sign(below, ",", false);
+  append(below, std::move(piece), true);
+  add_script(symbol, 1, std::move(below));
+}
+
+/// Axes behind one letter stand below the line, as what follows an underscore: Ixx is I_{xx}.
+Glyphs named_symbol(std::string_view name) {
+  const std::size_t letters = static_cast<std::size_t>(
+      std::find_if_not(name.begin(), name.end(), is_letter) - name.begin());
+  const bool has_axes =
+      letters > 1 && !is_axes(name.substr(0, 1)) && is_axes(name.substr(1, letters - 1));
+  const std::size_t base = has_axes ? 1 : letters;
+  Glyphs symbol = row_with(word(name.substr(0, base)));
+  if (has_axes) add_below(symbol, script(name.substr(base, letters - base)));
+  for (std::size_t at = letters; at < name.size();) {
+    const std::size_t stop = std::min(name.find('_', at), name.size());
+    if (stop > at) add_below(symbol, script(name.substr(at, stop - at)));
+    at = stop + 1;
+  }
+  return symbol;
+}
+
+/// "e_{w}" of a rotation with `latex = "e"`; empty where it has no key.
+std::string component_key(const Model& model, const Coordinate& component) {
+  const std::string& latex = model.rotations[*component.rotation].latex;
+  return latex.empty() ? "" : fmt::format("{}_{{{}}}", latex, component.name.back());
+}
+
+Glyphs symbol_of(const Model& model, const Coordinate& c) {
+  return symbol_of_name(c.name, c.rotation ? component_key(model, c) : c.latex);
+}
+
+/// "\\omega_{2}", with the name of the rotation where there are several.
+Glyphs spin_symbol(const Model& model, const Velocity& velocity) {
+  const char axis = velocity.name[velocity.name.size() - 2];
+  Glyphs symbol = row_with(word("omega"));
+  if (model.rotations.size() > 1) {
+    const Rotation& rotation = model.rotations[*velocity.rotation];
+    add_below(symbol, symbol_of_name(rotation.name, rotation.latex));
+  }
+  add_below(symbol, word(std::string(1, axis)));
+  return symbol;
+}
+
+/// `tau_elbow` on the coordinate `elbow` with `latex = "q_2"`: \tau_2.
+Glyphs input_symbol(const Model& model, const Input& input) {
+  Glyphs symbol = symbol_of_name(input.name);
+  if (!input.on || model.velocities[*input.on].rotation) return symbol;
+  const Coordinate& on = model.coordinates[model.velocities[*input.on].coordinate];
+  const auto end = std::find_if_not(input.name.begin(), input.name.end(), is_letter);
+  const bool is_called_so = std::string(end, input.name.end()) == "_" + on.name;
+  const Glyphs of_coordinate = symbol_of(model, on);
+  const Glyphs& last = of_coordinate.parts.back();
+  if (!is_called_so || on.latex.empty() || last.kind != GlyphKind::scripts) return symbol;
+  symbol.parts.back() = base_of(symbol.parts.back());
+  for (const std::size_t place : {1U, 2U}) {
+    if (!last.parts[place].parts.empty()) add_script(symbol, place, last.parts[place]);
+  }
+  return symbol;
+}
+
+/// Without the marks of upright letters, which are hard to tell from slanted ones.
+std::string seen(const Glyphs& symbol) {
+  std::string text = latex(symbol);
+  for (std::size_t at = 0; (at = text.find("\\mathrm", at)) != std::string::npos;) {
+    text.erase(at, std::string_view("\\mathrm").size());
+  }
+  std::erase_if(text, [](char c) { return c == '{' || c == '}' || c == ' '; });
+  return text;
+}
+
+Glyphs with_primes(Glyphs symbol, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) append(symbol, {GlyphKind::letter, "′"}, false);
+  return symbol;
+}
+
+/// The symbol of an argument that is a name; empty for other expressions.
+Glyphs argument_symbol(const Model& model, const LeafValues<Formula>& leaves,
+                       ExpressionId argument) {
+  const Expression& e = model.expressions[argument];
+  if (e.kind == ExpressionKind::leaf) return glyphs_of(leaf_of(leaves, e.leaf, e.index));
+  if (e.kind != ExpressionKind::definition) return {};
+  const NamedExpression& definition = model.definitions[e.index];
+  return symbol_of_name(definition.name, definition.latex);
+}
+
+Glyphs partial(const Glyphs& of, const char* order) {
+  Glyphs row = read_latex(fmt::format("\\partial{}", order));
+  append(row, of, true);
+  return row;
+}
+
+/// V(r), V'(r); of several arguments \frac{\partial V}{\partial x}, or \partial_{1} V where some
+/// have no names.
+Glyphs open_symbol(const Glyphs& function, const std::vector<Glyphs>& arguments,
+                   const std::vector<std::uint32_t>& by) {
+  const bool have_names =
+      std::ranges::none_of(arguments, [](const Glyphs& x) { return x.parts.empty(); });
+  if (arguments.size() == 1 || by.empty()) {
+    Glyphs symbol = with_primes(function, by.size());
+    if (!have_names) return symbol;
+    Glyphs list;
+    for (const Glyphs& argument : arguments) {
+      if (!list.parts.empty()) append_sign(list, ",", false);
+      append(list, argument, true);
+    }
+    append(symbol, enclosed(std::move(list), "(", ")", false), false);
+    return symbol;
+  }
+  if (!have_names) {
+    Glyphs symbol = row_with({GlyphKind::letter, "∂"});
+    for (const std::uint32_t argument : by) add_below(symbol, word(std::to_string(argument + 1)));
+    append(symbol, function, true);
+    return symbol;
+  }
+  const Glyphs& x = arguments[by.front()];
+  const Glyphs& y = arguments[by.back()];
+  if (by.size() == 1) return fraction_row(partial(function, ""), partial(x, ""));
+  Glyphs below = partial(x, "");
+  if (by.front() == by.back()) {
+    add_script(below, 2, {GlyphKind::number, "2"});
+  } else {
+    append(below, partial(y, ""), true);
+  }
+  return fraction_row(partial(function, "^{2}"), std::move(below));
+}
+
+/// The pattern with the symbol in the place of its letter s. Dots stand over the base alone.
+Glyphs filled(const Glyphs& pattern, const Glyphs& symbol) {
+  Glyphs result;
+  for (const Glyphs& piece : pattern.parts) {
+    const bool is_hole = piece.kind == GlyphKind::letter && piece.text == "s";
+    if (is_hole) {
+      append(result, symbol, piece.is_apart);
+    } else if (piece.kind == GlyphKind::accent) {
+      append(result, accented(symbol, piece.text), piece.is_apart);
+    } else {
+      result.parts.push_back(piece);
+      for (Glyphs& part : result.parts.back().parts) {
+        if (part.kind == GlyphKind::row) part = filled(part, symbol);
+      }
+    }
+  }
+  return result;
+}
+
+Formula written(Opcode kind, std::string name, const Glyphs& symbol, bool has_own_symbol) {
+  const LeafRow& row = leaf_row(kind);
+  const Glyphs pattern = read_latex(has_own_symbol ? row.own_latex : row.latex);
+  return symbol_formula(std::move(name), filled(pattern, symbol));
+}
+
+/// A key such as `{}` or `\mathrm{}`.
+bool draws_nothing(const Glyphs& symbol) {
+  const Block block = drawing(symbol, Alphabet::unicode, Fractions::in_line);
+  return std::ranges::all_of(block.lines, [](const std::string& line) {
+    return line.find_first_not_of(' ') == std::string::npos;
+  });
+}
+
+}  // namespace
+
+Glyphs accented(Glyphs symbol, std::string_view dots) {
+  std::size_t primes = 0;
+  for (; symbol.parts.back().text == "′"; ++primes) symbol.parts.pop_back();
+  Glyphs last = symbol.parts.back();
+  symbol.parts.back() = base_of(last);
+  Glyphs accent{GlyphKind::accent, std::string(dots), {std::move(symbol)}};
+  if (last.kind != GlyphKind::scripts) return with_primes(row_with(std::move(accent)), primes);
+  last.parts[0] = std::move(accent);
+  last.is_apart = false;
+  return with_primes(row_with(std::move(last)), primes);
+}
+
+Glyphs symbol_of_name(std::string_view name, const std::string& key) {
+  const std::size_t bracket = std::min(name.find('['), name.size());
+  Glyphs symbol = key.empty() ? Glyphs{} : read_latex(key);
+  if (key.empty() || draws_nothing(symbol)) symbol = named_symbol(name.substr(0, bracket));
+  if (bracket == name.size()) return symbol;
+  std::string_view index = name.substr(bracket + 1, name.size() - bracket - 2);
+  for (std::size_t at = 0; at < index.size();) {
+    const std::size_t stop = std::min(index.find(',', at), index.size());
+    add_below(symbol, read_latex(index.substr(at, stop - at)));
+    at = stop + 1;
+  }
+  return symbol;
+}
+
+std::size_t ModelSymbols::primes_for(const std::vector<Glyphs>& symbols) {
+  std::size_t primes = 0;
+  const auto text = [&primes](const Glyphs& symbol) { return seen(with_primes(symbol, primes)); };
+  const auto is_taken = [&](const Glyphs& symbol) { return taken_.count(text(symbol)) > 0; };
+  while (std::ranges::any_of(symbols, is_taken)) ++primes;
+  for (const Glyphs& symbol : symbols) taken_.insert(text(symbol));
+  return primes;
+}
+
+Glyphs ModelSymbols::distinct(Glyphs symbol) {
+  const std::size_t primes = primes_for({symbol});
+  return with_primes(std::move(symbol), primes);
+}
+
+ModelSymbols::ModelSymbols(const Model& model, const LeafNames& names) {
+  for (const Coordinate& c : model.coordinates) {
+    coordinates_.push_back(distinct(symbol_of(model, c)));
+    leaves_.q.push_back(symbol_formula(c.name, coordinates_.back()));
+  }
+  for (std::uint32_t i = 0; i < model.velocities.size(); ++i) {
+    const Velocity& velocity = model.velocities[i];
+    // Components of angular velocities are not written as rates of something.
+    const bool has_own = velocity.rotation.has_value();
+    const Glyphs symbol =
+        has_own ? distinct(spin_symbol(model, velocity)) : coordinates_[velocity.coordinate];
+    const auto add = [&](Formulas& list, Opcode kind, std::string name) {
+      list.push_back(written(kind, std::move(name), symbol, has_own));
+    };
+    add(leaves_.v, Opcode::velocity, leaf_text(model, Opcode::velocity, i));
+    const bool is_named = i < names.momenta.size();
+    add(leaves_.momenta, Opcode::momentum,
+        is_named ? leaf_text(names, Opcode::momentum, i) : leaf_text(model, Opcode::momentum, i));
+    add(leaves_.a, Opcode::acceleration, leaf_text(model, Opcode::acceleration, i));
+  }
+  leaves_.parameters.resize(model.parameters.size());
+  for (const ParameterArray& array : model.parameter_arrays) {
+    std::vector<Glyphs> all;
+    for (std::uint32_t i = array.first; i < array.first + array.count; ++i) {
+      all.push_back(symbol_of_name(model.parameters[i].name, array.latex));
+    }
+    const std::size_t primes = primes_for(all);
+    const std::string name = array.is_array ? array.name + "[i]" : array.name;
+    arrays_.push_back(symbol_formula(name, with_primes(symbol_of_name(name, array.latex), primes)));
+    for (std::uint32_t i = 0; i < array.count; ++i) {
+      leaves_.parameters[array.first + i] = symbol_formula(model.parameters[array.first + i].name,
+                                                           with_primes(std::move(all[i]), primes));
+    }
+  }
+  for (const Input& input : model.inputs) {
+    leaves_.u.push_back(symbol_formula(input.name, distinct(input_symbol(model, input))));
+  }
+  for (std::uint32_t i = 0; i < model.constraints.size(); ++i) {
+    std::string name = leaf_text(model, Opcode::multiplier, i);
+    Glyphs symbol = distinct(symbol_of_name(name));
+    leaves_.multipliers.push_back(symbol_formula(std::move(name), std::move(symbol)));
+  }
+  const auto single = [](Opcode kind, const std::string& name) {
+    const std::string_view letter = leaf_row(kind).symbol;
+    return symbol_formula(name.empty() ? std::string(letter) : name, read_latex(letter));
+  };
+  leaves_.t = single(Opcode::time, names.t);
+  leaves_.h = single(Opcode::step, names.h);
+  leaves_.E = single(Opcode::energy, names.E);
+  add_open_values(model);
+}
+
+void ModelSymbols::add_open_values(const Model& model) {
+  std::vector<Glyphs> functions;
+  for (const OpenFunction& function : model.functions) {
+    functions.push_back(distinct(symbol_of_name(function.name, function.latex)));
+  }
+  for (const OpenValue& value : model.open_values) {
+    std::vector<Glyphs> arguments;
+    for (const ExpressionId id : model.functions[value.function].arguments) {
+      arguments.push_back(argument_symbol(model, leaves_, id));
+    }
+    constexpr bool is_long = true;
+    leaves_.f.push_back(symbol_formula(
+        value.name, open_symbol(functions[value.function], arguments, value.by), is_long));
+  }
+}
+
+Glyphs replaced(Glyphs glyphs, std::string_view vector, const Glyphs& by) {
+  if (glyphs.kind == GlyphKind::bold && glyphs.text == vector) {
+    const bool is_apart = glyphs.is_apart;
+    const bool is_single = by.parts.size() == 1;
+    glyphs = is_single ? by.parts[0] : by;
+    glyphs.is_apart = is_apart;
+    return glyphs;
+  }
+  for (Glyphs& part : glyphs.parts) part = replaced(std::move(part), vector, by);
+  return glyphs;
+}
+
+namespace {
+
+Glyphs without(Glyphs glyphs, std::string_view vector) {
+  std::erase_if(glyphs.parts, [vector](const Glyphs& part) {
+    return part.kind == GlyphKind::bold && part.text == vector;
+  });
+  for (Glyphs& part : glyphs.parts) part = without(std::move(part), vector);
+  return glyphs;
+}
+
+}  // namespace
+
+Glyphs typed_glyphs(const Model& model, std::string_view latex) {
+  Glyphs glyphs = read_latex(latex);
+  if (!model.rotations.empty()) return replaced(std::move(glyphs), "N", read_latex("N"));
+  glyphs = replaced(std::move(glyphs), "v", read_latex("\\dot{<q>}"));
+  glyphs = replaced(std::move(glyphs), "a", read_latex("\\ddot{<q>}"));
+  return without(std::move(glyphs), "N");
+}
+
+Formula typed_formula(const Model& model, std::string_view latex) {
+  return symbol_formula(text_of(typed_formula(latex)), typed_glyphs(model, latex));
+}
+
+Formula partial_derivative(std::string_view function, const Formula& x) {
+  const std::string name = text_of(x);
+  const bool is_call = name.find('(') != std::string::npos;
+  return symbol_formula(
+      fmt::format("d{}/d{}", function, is_call ? fmt::format("({})", name) : name),
+      fraction_row(partial(read_latex(function), ""), partial(glyphs_of(x), "")));
+}
+
+std::string unit_text(std::string unit, std::string_view times,
+                      std::string (*exponent_text)(const std::string& exponent)) {
+  std::erase(unit, ' ');
+  std::string text;
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    const std::size_t begin = i + 1;
+    if (unit[i] == '*') {
+      text += times;
+    } else if (unit[i] == '^' && unit[std::min(begin, unit.size() - 1)] == '(') {
+      i = std::min(unit.find(')', begin), unit.size());
+      text += exponent_text(unit.substr(begin + 1, i - begin - 1));
+    } else if (unit[i] == '^') {
+      i = std::min(unit.find_first_not_of("-0123456789", begin), unit.size());
+      text += exponent_text(unit.substr(begin, i - begin));
+      --i;
+    } else {
+      text += unit[i];
+    }
+  }
+  return text;
+}
+
+std::string as_title(std::string name) {
+  std::ranges::replace(name, '_', ' ');
+  if (!name.empty()) name[0] = in_upper_case(name[0]);
+  return name;
+}
+
+std::string page_title(const Model& model) {
+  return model.title.empty() ? as_title(model.name) : model.title;
+}
+
+}  // namespace elgen

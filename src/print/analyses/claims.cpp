@@ -1,0 +1,187 @@
+// An angle acos(n/d) or asin(n/d) exists where |n| <= |d|.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <iterator>
+
+#include "analyse/formulas.hpp"
+#include "numbers/exact_number.hpp"
+#include "print/analyses/page_parts.hpp"
+#include "program/evaluate/subject.hpp"
+
+namespace elgen {
+namespace {
+
+std::string words(std::size_t count) {
+  constexpr std::array names{"no", "one", "two", "three", "four", "five", "six"};
+  return count < names.size() ? names[count] : std::to_string(count);
+}
+
+/// "= 0" of boxes that six digits do not show.
+std::string side_text(const Interval& sides) {
+  static const cln::cl_R shown = power_of_ten(-6);
+  const cln::cl_R middle = (sides.low + sides.high) / 2;
+  const bool holds_zero = !cln::plusp(sides.low) && !cln::minusp(sides.high);
+  if (sides.high - sides.low < shown * cln::max(cln::cl_R(1), cln::abs(middle))) {
+    return "= " + (holds_zero ? "0" : short_text(middle));
+  }
+  return fmt::format("in [{}, {}]", short_text(sides.low), short_text(sides.high));
+}
+
+/// "l in [0.5, 5], theta = 0; l = 2, theta = 1"
+std::string undecided_places(const Model& model, const Equilibria& equilibria) {
+  constexpr std::size_t most_shown = 4;
+  std::string places;
+  for (std::size_t k = 0; k < std::min(most_shown, equilibria.undecided.size()); ++k) {
+    std::string place;
+    for (const auto& [coordinate, sides] : equilibria.undecided[k]) {
+      place += fmt::format("{}{} {}", place.empty() ? "" : ", ", model.coordinates[coordinate].name,
+                           side_text(sides));
+    }
+    places += (places.empty() ? "" : "; ") + place;
+  }
+  if (equilibria.undecided.size() > most_shown) places += "; and other places";
+  return places;
+}
+
+/// Whether a coordinate is so at a point that is one at these parameters alone.
+template <class Wanted>
+bool has_inexact(const Equilibria& equilibria, const Wanted& wanted) {
+  return std::ranges::any_of(equilibria.points, [&wanted](const RestPoint& point) {
+    return !point.is_exact && std::ranges::any_of(point.coordinates, wanted);
+  });
+}
+
+bool has_sinusoid(const RestPoint& point) {
+  return std::ranges::any_of(point.coordinates, [](const CoordinateAtRest& coordinate) {
+    return coordinate.sinusoid.has_value();
+  });
+}
+
+std::size_t count_with_sinusoids(const Equilibria& equilibria) {
+  return static_cast<std::size_t>(std::ranges::count_if(equilibria.points, has_sinusoid));
+}
+
+/// A product of even powers and of parameters that are assumed to be positive.
+bool is_positive(const PageForms& known, const Fraction& product) {
+  if (product.numerator.size() != 1 || !product.denominator.empty()) return false;
+  const auto& [monomial, coefficient] = *product.numerator.begin();
+  return cln::plusp(coefficient.real) &&
+         std::ranges::all_of(monomial, [&known](const AtomPower& power) {
+           const Atom& atom = known.forms.algebra.atoms[power.atom];
+           const bool is_parameter = atom.kind == AtomKind::leaf && atom.leaf == Opcode::parameter;
+           return power.exponent % 2 == 0 ||
+                  (is_parameter &&
+                   known.model.parameters[atom.index].assumption == Assumption::positive);
+         });
+}
+
+/// |numerator| <= |denominator|, without bars where the sign is known.
+std::optional<Formula> condition_of(PageForms& known, const Fraction& sinusoid) {
+  const Value below = divisor_of(known.forms.algebra, sinusoid);
+  if (!below) return std::nullopt;
+  std::optional<Formula> above =
+      known.read(Arithmetic(known.forms.algebra).multiply(sinusoid, below));
+  std::optional<Formula> bound = known.read(below);
+  if (!above || !bound) return std::nullopt;
+  if (!is_positive(known, *below)) bound = bars(std::move(*bound));
+  return relation(bars(std::move(*above)), std::move(*bound), "<=");
+}
+
+/// The cosine or sine of all angles at rest, where they have only one.
+std::optional<Fraction> only_sinusoid(ClosedForms& forms, const Equilibria& equilibria) {
+  std::optional<Fraction> only;
+  for (const RestPoint& point : equilibria.points) {
+    for (const CoordinateAtRest& coordinate : point.coordinates) {
+      if (!coordinate.sinusoid) continue;
+      if (only && !proved_equal(forms, *only, *coordinate.sinusoid)) return std::nullopt;
+      only = coordinate.sinusoid;
+    }
+  }
+  return only;
+}
+
+/// "the last two exist where |g| <= R*Omega^2"
+Formula existence(PageForms& known, const Equilibria& equilibria) {
+  const std::size_t count = count_with_sinusoids(equilibria);
+  const bool are_last = std::ranges::is_partitioned(equilibria.points, std::not_fn(has_sinusoid));
+  const std::string subject = count == equilibria.points.size() ? "they exist"
+                              : !are_last                       ? "angles exist"
+                              : count == 1                      ? "the last one exists"
+                                           : fmt::format("the last {} exist", words(count));
+  const std::optional<Fraction> sinusoid = only_sinusoid(known.forms, equilibria);
+  const std::optional<Formula> condition = sinusoid ? condition_of(known, *sinusoid) : std::nullopt;
+  return row_of({prose(subject + " where"),
+                 condition ? *condition : prose("the arguments of acos and asin are in [-1, 1]")});
+}
+
+/// "numbers and stability at the parameters' values"
+Formula special_to_values(Formulas special) {
+  special.push_back(prose("stability"));
+  return row_of({enumeration(std::move(special)), prose("at the parameters' values")});
+}
+
+/// "r in [0.3, 3]; theta modulo 2*pi": where was searched, and what was not.
+void add_search(Formulas& clauses, const PageForms& known, const Equilibria& equilibria) {
+  std::ranges::move(searched_ranges(known, equilibria), std::back_inserter(clauses));
+  Formulas turns;
+  Formulas starts;
+  for (std::size_t i = 0; i < known.symbols.q.size(); ++i) {
+    if (equilibria.kinds[i] == SearchKind::turn) turns.push_back(known.symbols.q[i]);
+    if (equilibria.kinds[i] == SearchKind::start) starts.push_back(known.symbols.q[i]);
+  }
+  if (!turns.empty()) {
+    clauses.push_back(row_of({enumeration(std::move(turns)), prose("modulo"),
+                              product_of({number_formula(2), pi_formula()})}));
+  }
+  if (!starts.empty()) {
+    clauses.push_back(row_of({enumeration(std::move(starts)), prose("from the start alone")}));
+  }
+}
+
+}  // namespace
+
+Formula scope_of(PageForms& known, const Equilibria& equilibria) {
+  Formulas special;
+  if (has_inexact(equilibria, [](const CoordinateAtRest& x) { return !x.is_any && !x.form; })) {
+    special.push_back(prose("numbers"));
+  }
+  if (has_inexact(equilibria, &CoordinateAtRest::is_any)) special.push_back(prose("any"));
+  Formulas clauses;
+  if (count_with_sinusoids(equilibria) > 0) {
+    clauses.push_back(existence(known, equilibria));
+  } else if (special.empty()) {
+    clauses.push_back(prose("exact for all values of the parameters"));
+  }
+  clauses.push_back(special_to_values(std::move(special)));
+  add_search(clauses, known, equilibria);
+  Formulas row;
+  for (Formula& clause : clauses) {
+    if (!row.empty()) row.push_back(prose(";"));
+    row.push_back(std::move(clause));
+  }
+  return row_of(std::move(row));
+}
+
+Formula claim_of(const Model& model, const Equilibria& equilibria) {
+  const std::string places = undecided_places(model, equilibria);
+  switch (equilibria.completeness) {
+    case Completeness::proved:
+      return prose("these are all at the parameters' values (proved)");
+    case Completeness::searched:
+      if (equilibria.points.empty() && !places.empty()) break;
+      return prose(fmt::format("found from {} start{}{}, there may be more{}{}",
+                               std::max<std::uint64_t>(equilibria.starts, 1),
+                               equilibria.starts > 1 ? "s" : "",
+                               equilibria.is_cut ? " at the limit of enclosures" : "",
+                               places.empty() ? "" : ": undecided near ", places));
+    case Completeness::undecided:
+      if (places.empty()) return prose("undecided: 64 digits do not tell bias - B u from 0");
+      break;
+  }
+  return prose("undecided near " + places);
+}
+
+}  // namespace elgen

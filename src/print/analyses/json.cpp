@@ -1,0 +1,174 @@
+// Results of the analysis as JSON, for programs: numbers in the digits that tell doubles apart.
+#include <nlohmann/json.hpp>
+
+#include "elgen/analysis_pages.hpp"
+#include "elgen/real.hpp"
+#include "print/analyses/page_parts.hpp"
+
+namespace elgen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double double_of(const cln::cl_R& value) { return ScalarTraits<double>::from_real(value); }
+
+double double_of(double value) { return value; }
+
+template <class Number>
+Json matrix_json(const std::vector<Number>& values, std::size_t columns) {
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i % columns == 0) rows.push_back(Json::array());
+    rows.back().push_back(double_of(values[i]));
+  }
+  return rows;
+}
+
+const char* name_of(Stability stability) {
+  if (is_stable(stability)) return "stable";
+  return stability == Stability::unstable ? "unstable" : "undecided";
+}
+
+const char* name_of(Completeness completeness) {
+  switch (completeness) {
+    case Completeness::proved:
+      return "proved";
+    case Completeness::undecided:
+      return "undecided";
+    case Completeness::searched:
+      return "searched";
+  }
+  return "";
+}
+
+/// null where there is none to read
+Json form_json(const PageForms& known, const Value& form) {
+  const std::optional<Formula> formula = known.read(form);
+  return formula ? Json(text_of(*formula)) : Json(nullptr);
+}
+
+Json coordinates_json(const PageForms& known, const RestPoint& point) {
+  Json object = Json::object();
+  for (std::size_t i = 0; i < point.coordinates.size(); ++i) {
+    const CoordinateAtRest& coordinate = point.coordinates[i];
+    Json& entry = object[known.model.coordinates[i].name];
+    if (coordinate.is_any) entry["any"] = true;
+    entry["value"] = double_of(coordinate.value);
+    Json form = form_json(known, coordinate.form);
+    if (!form.is_null()) entry["form"] = std::move(form);
+  }
+  return object;
+}
+
+Json point_json(const PageForms& known, const RestPoint& point) {
+  const std::size_t n = known.model.velocities.size();
+  Json object{{"coordinates", coordinates_json(known, point)},
+              {"M", matrix_json(point.mass, n)},
+              {"D", matrix_json(point.damping, n)},
+              {"K", matrix_json(point.stiffness, n)}};
+  object["stability"] = name_of(point.stability.kind);
+  object["growth_rates"] = point.stability.growth_rates;
+  return object;
+}
+
+Json symmetry_json(const PageForms& known, const Symmetry& symmetry) {
+  Json displacement = Json::array();
+  for (const Fraction& along : symmetry.displacement) {
+    displacement.push_back(form_json(known, along));
+  }
+  return {{"kind", name_of(symmetry.kind)},
+          {"displacement", displacement},
+          {"time", form_json(known, symmetry.generator.back())},
+          {"integral", form_json(known, symmetry.by_names)},
+          {"closed_form", form_json(known, symmetry.closed)},
+          {"F", form_json(known, symmetry.total)},
+          {"rate", form_json(known, symmetry.rate)},
+          {"proved", symmetry.is_proved},
+          {"generic", !symmetry.is_special}};
+}
+
+}  // namespace
+
+std::string equilibria_json(const CheckedModel& checked, const Equilibria& equilibria) {
+  const Model& model = checked.model;
+  const PageForms known(model, equilibria.forms);
+  Json inputs = Json::object();
+  for (std::size_t i = 0; i < model.inputs.size(); ++i) {
+    inputs[model.inputs[i].name] = double_of(equilibria.inputs[i]);
+  }
+  Json points = Json::array();
+  for (const RestPoint& point : equilibria.points) {
+    points.push_back(point_json(known, point));
+    points.back()["exact"] = point.is_exact;
+  }
+  Json undecided = Json::array();
+  for (const UndecidedBox& box : equilibria.undecided) {
+    Json& place = undecided.emplace_back(Json::object());
+    for (const auto& [coordinate, sides] : box) {
+      place[model.coordinates[coordinate].name] = {double_of(sides.low), double_of(sides.high)};
+    }
+  }
+  Json breaks = Json::array();
+  for (const ChartBreak& here : equilibria.breaks) {
+    Json& place = breaks.emplace_back(Json::object());
+    place[model.coordinates[here.coordinate].name] = double_of(here.at.value);
+  }
+  const Json object{{"model", model.name},
+                    {"inputs", inputs},
+                    {"points", points},
+                    {"completeness", name_of(equilibria.completeness)},
+                    {"undecided", undecided},
+                    {"boxes", equilibria.boxes},
+                    {"starts", equilibria.starts},
+                    {"chart_breaks", breaks}};
+  return object.dump(1) + "\n";
+}
+
+std::string modes_json(const CheckedModel& checked, const Equilibria& equilibria,
+                       const std::vector<LinearMotions>& all) {
+  const Model& model = checked.model;
+  const PageForms known(model, equilibria.forms);
+  Json points = Json::array();
+  for (const LinearMotions& motions : all) {
+    Json point = point_json(known, motions.point);
+    const std::size_t states = 2 * model.velocities.size();
+    Json squares = Json::array();
+    Json shapes = Json::array();
+    for (const NormalMode& mode : motions.modes) {
+      squares.push_back(double_of(mode.omega_squared));
+      shapes.push_back(mode.shape);
+    }
+    Json poles = Json::array();
+    for (const std::complex<double>& pole : motions.poles) {
+      poles.push_back(Json{pole.real(), pole.imag()});
+    }
+    point["omega_squared"] = squares;
+    point["shapes"] = shapes;
+    point["A"] = matrix_json(motions.a, states);
+    if (!model.inputs.empty()) {
+      point["B"] = matrix_json(motions.b, model.inputs.size());
+      point["controllable_rank"] = motions.controllable;
+    }
+    point["poles"] = poles;
+    points.push_back(std::move(point));
+  }
+  const Json object{{"model", model.name}, {"points", points}};
+  return object.dump(1) + "\n";
+}
+
+std::string symmetries_json(const CheckedModel& checked, const Symmetries& symmetries) {
+  PageForms known(checked.model, symmetries.forms);
+  Json list = Json::array();
+  for (const Symmetry& symmetry : symmetries.all) list.push_back(symmetry_json(known, symmetry));
+  const Json object{{"model", checked.model.name},
+                    {"unknowns", symmetries.unknowns},
+                    {"exact", symmetries.is_exact},
+                    {"complete", symmetries.is_complete},
+                    {"sampled", symmetries.sampled},
+                    {"states", symmetries.states},
+                    {"symmetries", list},
+                    {"conserved", stated_integrals(checked, known, symmetries)}};
+  return object.dump(1) + "\n";
+}
+
+}  // namespace elgen

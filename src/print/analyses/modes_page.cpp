@@ -1,0 +1,271 @@
+// The page of small motions: M and K in closed form where the point has one, w^2 by formulas for
+// blocks of one or two coordinates, then numbers.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "analyse/formulas.hpp"
+#include "analyse/frequencies.hpp"
+#include "elgen/analysis_pages.hpp"
+#include "elgen/leaf_names.hpp"
+#include "model/output_units.hpp"
+#include "model/symbols.hpp"
+#include "print/analyses/page_parts.hpp"
+
+namespace elgen {
+namespace {
+
+const char* verdict(Stability kind) {
+  if (is_stable(kind)) return "(stable)";
+  return kind == Stability::unstable ? "(unstable)" : "(not decided by the linear part)";
+}
+
+/// "pi", "l + m*g/k = 0.7", "+-0.697569"
+Formula value_of_coordinate(const PageForms& known, const CoordinateAtRest& at, bool is_pair) {
+  if (at.sinusoid && is_pair) return either_sign(six_digits(cln::abs(at.value)));
+  std::optional<Formula> form = at.sinusoid ? std::nullopt : known.read(at.form);
+  if (!form) return six_digits(at.value);
+  if (cln::zerop(at.value) || !holds_leaves(known.forms.algebra, *at.form)) return *form;
+  return relation(std::move(*form), six_digits(at.value));
+}
+
+/// "theta1 = 0, theta2 = 0 (stable)"
+Formula place(const PageForms& known, const std::vector<cln::cl_R>& inputs, const RestPoint& point,
+              bool is_pair) {
+  Formulas values;
+  for (std::size_t i = 0; i < point.coordinates.size(); ++i) {
+    values.push_back(
+        relation(known.symbols.q[i], value_of_coordinate(known, point.coordinates[i], is_pair)));
+  }
+  for (std::size_t i = 0; i < known.symbols.u.size(); ++i) {
+    values.push_back(relation(known.symbols.u[i], six_digits(inputs[i])));
+  }
+  return row_of({list_of(std::move(values)), prose(verdict(point.stability.kind))});
+}
+
+/// Forms where there are some to read, else numbers.
+PageEquation closed_matrix(const PageForms& known, std::string_view left,
+                           const std::vector<Fraction>& forms,
+                           const std::vector<cln::cl_R>& numbers) {
+  PageEquation matrix = matrix_equation(left, numbers, known.model.velocities.size());
+  for (std::size_t i = 0; i < forms.size(); ++i) {
+    // Most entries of a long chain are 0, and a form takes the longer to read the more there are.
+    if (forms[i].numerator.empty()) continue;
+    if (auto form = known.read(forms[i])) matrix.entries[i] = std::move(*form);
+  }
+  return matrix;
+}
+
+/// "M eta'' + D eta' + K eta = B du"
+Formula linear_equation(Formula mass, bool is_damped, bool has_inputs) {
+  return relation(row_of({as_factor(std::move(mass)),
+                          is_damped ? symbol("eta'' + D eta' + K eta",
+                                             "\\ddot{\\eta} + D \\dot{\\eta} + K \\eta")
+                                    : symbol("eta'' + K eta", "\\ddot{\\eta} + K \\eta")}),
+                  has_inputs ? symbol("B du", "B {\\delta} u") : number_formula(0));
+}
+
+PageSection equations_section(const PageForms& known, const FormsAtRest& forms,
+                              const RestPoint& point) {
+  const std::size_t inputs = known.model.inputs.size();
+  const bool is_damped =
+      std::ranges::any_of(point.damping, [](const cln::cl_R& entry) { return !cln::zerop(entry); });
+  PageEquation mass = closed_matrix(known, "M", forms.mass, point.mass);
+  PageEquation stiffness = closed_matrix(known, "K", forms.stiffness, point.stiffness);
+  PageSection section{.is_row = true};
+  if (mass.entries.size() == 1 && !is_damped && inputs == 0) {
+    section.lines = {row_of({linear_equation(mass.entries[0], false, false), prose(","),
+                             wide_blank(), relation(stiffness.left, stiffness.entries[0])})};
+    return section;
+  }
+  section.lines = {linear_equation(mass.left, is_damped, inputs > 0)};
+  section.equations.push_back(std::move(mass));
+  if (is_damped) section.equations.push_back(closed_matrix(known, "D", {}, point.damping));
+  section.equations.push_back(std::move(stiffness));
+  if (inputs > 0) section.equations.push_back(matrix_equation("B", point.input_matrix, inputs));
+  return section;
+}
+
+// Poles and state matrices.
+
+Formula complex_number(double real, double imaginary) {
+  if (imaginary == 0) return six_digits(real);
+  const Formula size = six_digits(imaginary);
+  const Formula unit = typed_formula("i");
+  if (real == 0) return row_of({either_sign(size), unit});
+  return row_of({six_digits(real), symbol("+-", "\\pm"), size, unit});
+}
+
+/// In one line where nothing is damped, else each with its damping ratio and time constant.
+void add_poles(Page& page, const PageForms& known, const LinearMotions& motions) {
+  double largest = 0;
+  for (const auto& pole : motions.poles) largest = std::max(largest, std::abs(pole));
+  PageTable table{{prose("pole [1/s]"), prose("damping ratio"), prose("time constant [s]")}};
+  PageTable lines{Formulas(2)};
+  Formulas list;
+  for (const std::complex<double>& pole : motions.poles) {
+    // Poles come from doubles: real and imaginary parts below 1e-9 of the largest are rounding.
+    const auto shown = [&](double x) { return std::abs(x) < 1e-9 * largest ? 0.0 : x; };
+    const double real = shown(pole.real());
+    const double imaginary = shown(pole.imag());
+    if (imaginary < 0) continue;
+    list.push_back(complex_number(real, imaginary));
+    table.cells.push_back(list.back());
+    table.cells.push_back(imaginary > 0 ? six_digits(-real / std::hypot(real, imaginary))
+                                        : Formula{});
+    table.cells.push_back(real != 0 ? six_digits(1 / std::abs(real)) : Formula{});
+  }
+  if (!motions.modes.empty()) {
+    lines.cells = {prose("poles [1/s]"), list_of(std::move(list))};
+  } else {
+    page.sections.push_back({.table = std::move(table)});
+  }
+  if (!known.symbols.u.empty()) {
+    const std::size_t states = 2 * known.symbols.v.size();
+    lines.cells.push_back(prose("inputs"));
+    lines.cells.push_back(row_of({enumeration(known.symbols.u),
+                                  prose(fmt::format(": {}controllable (rank {} of {})",
+                                                    motions.controllable == states ? "" : "not ",
+                                                    motions.controllable, states))}));
+  }
+  if (!lines.cells.empty()) page.sections.push_back({.table = std::move(lines)});
+}
+
+/// Numbers of d(dx)/dt = A dx + B du, x = (q, v).
+PageSection state_matrices(const Model& model, const LinearMotions& motions) {
+  PageSection section{.is_row = true};
+  section.equations.push_back(matrix_equation("A", motions.a, 2 * model.velocities.size()));
+  if (model.inputs.empty()) {
+    section.lines = {symbol("dx/dt = A x, x = (q, v)", "\\dot{x} = A x \\text{, } x = (q, v)")};
+    return section;
+  }
+  section.lines = {symbol("dx/dt = A x + B du, x = (q, v)",
+                          "\\dot{x} = A x + B {\\delta} u \\text{, } x = (q, v)")};
+  section.equations.push_back(matrix_equation("B", motions.b, model.inputs.size()));
+  return section;
+}
+
+// Frequencies and modes.
+
+std::optional<Formula> read(const PageForms& known, const SquaredFrequency& square) {
+  std::optional<Formula> middle = known.read(square.middle);
+  if (!square.root) return middle;
+  std::optional<Formula> root = known.read(square.root);
+  std::optional<Formula> factor = known.read(square.factor);
+  std::optional<Formula> divisor = known.read(square.divisor);
+  if (!middle || !root || !factor || !divisor) return std::nullopt;
+  const auto is_one = [](const Formula& x) { return text_of(x) == "1"; };
+  Formula pair = row_of({square.middle.numerator.empty() ? Formula{} : std::move(*middle),
+                         symbol("-+", "\\mp"), as_factor(std::move(*root))});
+  if (!is_one(*factor)) pair = product_of({std::move(*factor), std::move(pair)});
+  return is_one(*divisor) ? pair : quotient_of(std::move(pair), std::move(*divisor));
+}
+
+void add_frequencies(Page& page, PageForms& known, const FormsAtRest& forms) {
+  PageSection section;
+  for (const SquaredFrequency& square :
+       squared_frequencies(known.forms, forms, known.model.velocities.size())) {
+    std::optional<Formula> formula = read(known, square);
+    if (!formula) continue;
+    section.equations.push_back({symbol("w^2", "\\omega^2"), 1, 1, {std::move(*formula)}});
+  }
+  if (!section.equations.empty()) page.sections.push_back(std::move(section));
+}
+
+void add_modes(Page& page, const PageForms& known, const std::vector<NormalMode>& modes) {
+  PageTable table{
+      {prose("mode"), symbol("w^2 [1/s^2]", "\\omega^2 \\text{ [1/s²]}"), prose("f [Hz]")}};
+  for (const Velocity& velocity : known.model.velocities) {
+    const bool turns = velocity.rotation.has_value();
+    table.heads.push_back(turns ? prose(velocity.name) : known.symbols.q[velocity.coordinate]);
+  }
+  std::vector<std::size_t> equal;
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    const double square = ScalarTraits<double>::from_real(modes[i].omega_squared);
+    const double rate = std::sqrt(std::abs(square));
+    table.cells.push_back(six_digits(static_cast<double>(i + 1)));
+    table.cells.push_back(six_digits(square));
+    table.cells.push_back(square < 0 ? prose(fmt::format("grows at {:.6g} 1/s", rate))
+                                     : six_digits(rate / (2 * std::numbers::pi)));
+    for (const double component : modes[i].shape) table.cells.push_back(six_digits(component));
+    if (modes[i].multiplicity > 1) equal.push_back(i + 1);
+  }
+  page.sections.push_back({.table = std::move(table)});
+  if (equal.empty()) return;
+  page.sections.push_back(
+      {.lines = {prose(fmt::format(
+           "the shapes of modes {} of one frequency span a space: any of their sums is one",
+           fmt::join(equal, ", ")))}});
+}
+
+/// In 64 digits.
+bool have_one_period(const std::vector<NormalMode>& modes, const std::vector<cln::cl_R>& rates) {
+  if (modes.size() != 1 || rates.size() != 1) return false;
+  const cln::cl_R& square = modes[0].omega_squared;
+  return square > 0 && is_near(Real(rates[0] * rates[0] / square), Real(1));
+}
+
+/// "steady motion: dot(phi) = 0.578704 rad/s": the rates of what the scene took out.
+void add_steady_motion(Page& page, const Model& model, const LinearMotions& motions) {
+  const Model& whole = whole_of(model);
+  const OracleValues rates =
+      oracle_values(model, {.kind = OutputKind::cyclic_rates}, motions.point.state);
+  if (!rates) return;
+  const LeafValues<Formula> symbols = ModelSymbols(whole).leaves();
+  Formulas values;
+  for (std::size_t i = 0; i < rates->size(); ++i) {
+    const std::uint32_t velocity = model.variant.cyclic[i].velocity;
+    Formula unit = prose(velocity_unit(whole, whole.velocities[velocity]));
+    values.push_back(
+        relation(symbols.v[velocity], row_of({six_digits((*rates)[i]), std::move(unit)})));
+  }
+  const bool turns = is_angle(whole.coordinates[model.variant.cyclic[0].coordinate]);
+  const bool closes = turns && have_one_period(motions.modes, *rates);
+  page.sections.push_back(
+      {.lines = {row_of({prose("steady motion:"), list_of(std::move(values)),
+                         prose(closes ? ", of the same period: orbits close" : "")})}});
+}
+
+bool is_free(const Model& model, const LinearMotions& motions) {
+  return !motions.modes.empty() && model.inputs.empty();
+}
+
+void add_motions(Page& page, const Model& model, PageForms& known, const LinearMotions& motions) {
+  const FormsAtRest forms = forms_at_rest(model, known.forms, motions.point);
+  if (!is_free(model, motions)) add_poles(page, known, motions);
+  page.sections.push_back(equations_section(known, forms, motions.point));
+  if (!motions.modes.empty()) {
+    add_frequencies(page, known, forms);
+    add_modes(page, known, motions.modes);
+  }
+  if (!is_free(model, motions)) page.sections.push_back(state_matrices(model, motions));
+  if (has_routhian(model)) add_steady_motion(page, model, motions);
+}
+
+}  // namespace
+
+Page modes_page(const CheckedModel& checked, const Equilibria& equilibria,
+                const std::vector<LinearMotions>& all) {
+  PageForms known(checked.model, equilibria.forms);
+  Page page;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool is_pair =
+        i + 1 < all.size() && is_mirrored(known.forms, all[i].point, all[i + 1].point);
+    const char* const subject =
+        is_free(checked.model, all[i]) ? "normal modes at" : "linear equations at";
+    Formula title =
+        row_of({titled(checked, subject), place(known, equilibria.inputs, all[i].point, is_pair)});
+    if (page.sections.empty()) {
+      page.title = std::move(title);
+    } else {
+      page.sections.push_back({.lines = {std::move(title)}});
+    }
+    add_motions(page, checked.model, known, all[i]);
+    if (is_pair) ++i;
+  }
+  return page;
+}
+
+}  // namespace elgen

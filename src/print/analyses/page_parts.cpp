@@ -1,0 +1,98 @@
+// The titles of scenes with held momenta name these, with units of forces times s.
+#include "print/analyses/page_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analyse/searched_range.hpp"
+#include "model/symbols.hpp"
+#include "numbers/exact_number.hpp"
+#include "program/evaluate/subject.hpp"
+
+namespace elgen {
+namespace {
+
+/// "N m s", "N s": the unit of a force, times s.
+std::string unit_of_momentum(const Parameter& momentum) {
+  if (!momentum.unit) return {};
+  std::string text = force_unit_text(*momentum.unit / *find_unit("s")) + " s";
+  if (text.find('/') != std::string::npos) text = to_string(*momentum.unit);
+  std::ranges::replace(text, '*', ' ');
+  return text;
+}
+
+Formula held_momenta(const CheckedModel& checked) {
+  const LeafValues<Formula> symbols = ModelSymbols(checked.model).leaves();
+  const State nominal = nominal_state(checked.model, checked.scene);
+  Formulas momenta;
+  for (const Cyclic& cyclic : checked.model.variant.cyclic) {
+    Formula unit = prose(unit_of_momentum(checked.model.parameters[cyclic.parameter]));
+    momenta.push_back(
+        relation(symbols.parameters[cyclic.parameter],
+                 row_of({six_digits(nominal.parameters[cyclic.parameter]), std::move(unit)})));
+  }
+  return list_of(std::move(momenta));
+}
+
+}  // namespace
+
+PageForms::PageForms(const Model& page_model, const ClosedForms& found)
+    : model(page_model), forms(found), symbols(ModelSymbols(page_model).leaves()) {}
+
+Formula symbol(std::string text, std::string_view latex) {
+  return symbol_formula(std::move(text), read_latex(latex));
+}
+
+Formula wide_blank() { return symbol(" ", "\\quad"); }
+
+Formula as_factor(Formula x) {
+  return x.kind == FormulaKind::sum ? group(std::move(x)) : std::move(x);
+}
+
+Formula six_digits(const cln::cl_R& value) {
+  // Newton's method ends at 58 digits of the largest coordinate.
+  static const cln::cl_R noise = power_of_ten(-40);
+  return digits_formula(cln::abs(value) < noise ? "0" : short_text(value));
+}
+
+Formula six_digits(double value) {
+  return digits_formula(value == 0 ? "0" : fmt::format("{:.6g}", value));
+}
+
+Formula titled(const CheckedModel& checked, const std::string& subject) {
+  const std::string title = page_title(checked.model);
+  if (!has_routhian(checked.model)) return prose(fmt::format("{}: {}", title, subject));
+  return row_of({prose(title + ","), held_momenta(checked), prose(": " + subject)});
+}
+
+Formulas searched_ranges(const PageForms& known, const Equilibria& equilibria) {
+  Formulas ranges;
+  for (std::size_t i = 0; i < known.model.coordinates.size(); ++i) {
+    const Interval* const range = searched_range(known.model.coordinates[i], equilibria.kinds[i]);
+    if (range == nullptr) continue;
+    ranges.push_back(row_of(
+        {known.symbols.q[i],
+         prose(fmt::format("in [{}, {}]", short_text(range->low), short_text(range->high)))}));
+  }
+  return ranges;
+}
+
+bool is_mirrored(ClosedForms& forms, const RestPoint& here, const RestPoint& next) {
+  if (here.stability.kind != next.stability.kind) return false;
+  bool differs = false;
+  Arithmetic arithmetic(forms.algebra);
+  for (std::size_t k = 0; k < here.coordinates.size(); ++k) {
+    const CoordinateAtRest& x = here.coordinates[k];
+    const CoordinateAtRest& y = next.coordinates[k];
+    if (x.is_any && y.is_any) continue;
+    if (!x.form || !y.form) return false;
+    if (proved_equal(forms, *x.form, *y.form)) continue;
+    const Value turned = arithmetic.negate(*y.form);
+    if (!x.sinusoid || !proved_equal(forms, *x.form, *turned)) return false;
+    differs = true;
+  }
+  return differs;
+}
+
+}  // namespace elgen

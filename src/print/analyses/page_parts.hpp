@@ -1,0 +1,78 @@
+// Page parts: closed forms, numbers, titles and claims as the pages of all analyses have them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "elgen/analyse.hpp"
+#include "elgen/formula.hpp"
+#include "elgen/page.hpp"
+#include "forms/present/arithmetic.hpp"
+#include "print/analyses/read_form.hpp"
+
+namespace elgen {
+
+/// The symbols of a model, and closed forms over its leaves as formulas.
+struct PageForms {
+  PageForms(const Model& page_model, const ClosedForms& found);
+
+  [[nodiscard]] std::optional<Formula> read(const Value& form) const {
+    return read_form(model, forms.algebra, form);
+  }
+
+  const Model& model;
+  ClosedForms forms;  ///< a copy: computing with forms adds to their algebra
+  LeafValues<Formula> symbols;
+};
+
+/// A symbol whose text is not that of its LaTeX: "w^2".
+[[nodiscard]] Formula symbol(std::string text, std::string_view latex);
+/// Three blanks, between neighbours in a row.
+[[nodiscard]] Formula wide_blank();
+/// A sum is in brackets.
+[[nodiscard]] Formula as_factor(Formula x);
+[[nodiscard]] Formula six_digits(const cln::cl_R& value);
+[[nodiscard]] Formula six_digits(double value);
+
+/// A row-major matrix with so many columns.
+template <class Number>
+[[nodiscard]] PageEquation matrix_equation(std::string_view left,
+                                           const std::vector<Number>& numbers,
+                                           std::size_t columns) {
+  PageEquation equation{typed_formula(left), static_cast<std::uint32_t>(numbers.size() / columns),
+                        static_cast<std::uint32_t>(columns)};
+  for (const Number& number : numbers) equation.entries.push_back(six_digits(number));
+  return equation;
+}
+
+/// "TITLE, p_phi = 0.6 N m s: SUBJECT": the model with the momenta that its scene holds.
+[[nodiscard]] Formula titled(const CheckedModel& checked, const std::string& subject);
+
+/// "r in [0.3, 3]", for each coordinate that was looked for in a range.
+[[nodiscard]] Formulas searched_ranges(const PageForms& known, const Equilibria& equilibria);
+
+/// Whether a point is the other one with the signs of all angles acos(c) turned.
+[[nodiscard]] bool is_mirrored(ClosedForms& forms, const RestPoint& here, const RestPoint& next);
+
+/// "exact for all values of the parameters; stability at the parameters' values; theta modulo 2*pi"
+[[nodiscard]] Formula scope_of(PageForms& known, const Equilibria& equilibria);
+
+/// "these are all at the parameters' values (proved)"
+[[nodiscard]] Formula claim_of(const Model& model, const Equilibria& equilibria);
+
+[[nodiscard]] const char* name_of(SymmetryKind kind);
+
+[[nodiscard]] inline bool is_nothing(const Value& form) { return form && form->numerator.empty(); }
+
+/// "conserved: proved; these are all of this form (9 unknowns, exactly)"
+[[nodiscard]] std::string claim_of(const Symmetries& symmetries);
+
+/// The integrals that forces leave alone, as an [[expect]] of the model states them: it has no
+/// names for quaternions, and knows nothing of what a scene changes.
+[[nodiscard]] std::vector<std::string> stated_integrals(const CheckedModel& checked,
+                                                        PageForms& known,
+                                                        const Symmetries& symmetries);
+
+}  // namespace elgen

@@ -1,0 +1,251 @@
+// The page of symmetries: a row for each with its change and its integral, the claim, and the
+// integrals as a model states them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <span>
+
+#include "analyse/generators.hpp"
+#include "elgen/analysis_pages.hpp"
+#include "formula/glyphs.hpp"
+#include "print/analyses/page_parts.hpp"
+
+namespace elgen {
+namespace {
+
+Formula read_or_words(const PageForms& known, const Value& form) {
+  return known.read(form).value_or(typed_formula("\\text{a long form}"));
+}
+
+Formula subject_of(const CheckedModel& checked, const Symmetries& symmetries) {
+  return row_of({titled(checked, "symmetries of L,"),
+                 symbol("dq = A q + b + c t", "{\\delta} q = A q + b + c t"),
+                 checked.model.rotations.empty()
+                     ? Formula{}
+                     : row_of({prose(", turns"), symbol("R^T s + b", "R^{\\top} s + b")}),
+                 prose(","), symbol("dt", "{\\delta} t"),
+                 prose(fmt::format("constant: {}", symmetries.all.size()))});
+}
+
+/// The coordinate that moves alone, or the kind in words.
+Formula name_of(const PageForms& known, const Symmetry& symmetry) {
+  if (symmetry.kind != SymmetryKind::coordinate) return prose(name_of(symmetry.kind));
+  const auto moved = std::ranges::find_if(symmetry.displacement,
+                                          [](const Fraction& x) { return !x.numerator.empty(); });
+  const auto velocity = static_cast<std::size_t>(moved - symmetry.displacement.begin());
+  return known.symbols.q[known.model.velocities[velocity].coordinate];
+}
+
+// Changes: "dx = -y, dy = x", "dt = 1"
+
+void add_displacement(Formulas& changes, const PageForms& known, const Formula& symbol,
+                      const Fraction& along) {
+  if (along.numerator.empty()) return;
+  Glyphs glyphs = read_latex("{\\delta}");
+  append(glyphs, glyphs_of(symbol), true);
+  changes.push_back(relation(symbol_formula("d" + text_of(symbol), std::move(glyphs)),
+                             read_or_words(known, along)));
+}
+
+/// "(0, 0, 1)"; empty where all are 0.
+Formula triple(const PageForms& known, const Symmetry& symmetry, std::size_t first) {
+  const std::span entries = std::span(symmetry.generator).subspan(first, axis_count);
+  const auto is_zero = [](const Fraction& entry) { return entry.numerator.empty(); };
+  if (std::ranges::all_of(entries, is_zero)) return {};
+  Formulas parts;
+  for (const Fraction& entry : entries) {
+    parts.push_back(known.read(entry).value_or(typed_formula("?")));
+  }
+  return tuple_of(std::move(parts));
+}
+
+/// "attitude turned by R^T (0, 0, 1)"
+void add_turn(Formulas& changes, const PageForms& known, const Symmetry& symmetry,
+              std::size_t rotation) {
+  const GeneratorClass all(known.model);
+  Formula world = triple(known, symmetry, all.world_turn(rotation, 0));
+  Formula body = triple(known, symmetry, all.body_turn(rotation, 0));
+  if (world.is_empty() && body.is_empty()) return;
+  Formulas parts{prose(known.model.rotations[rotation].name + " turned by")};
+  if (!world.is_empty()) {
+    parts.push_back(symbol("R^T", "R^{\\top}"));
+    parts.push_back(std::move(world));
+    if (!body.is_empty()) parts.push_back(typed_formula("+"));
+  }
+  parts.push_back(std::move(body));
+  changes.push_back(row_of(std::move(parts)));
+}
+
+Formula change_of(const PageForms& known, const Symmetry& symmetry) {
+  const GeneratorClass all(known.model);
+  Formulas changes;
+  for (std::size_t i = 0; i < all.scalars(); ++i) {
+    add_displacement(changes, known, known.symbols.q[all.coordinates[i]],
+                     symmetry.displacement[all.velocities[i]]);
+  }
+  for (std::size_t r = 0; r < all.rotations.size(); ++r) add_turn(changes, known, symmetry, r);
+  add_displacement(changes, known, known.symbols.t, symmetry.generator.back());
+  return list_of(std::move(changes));
+}
+
+// Integrals
+
+/// "p(x)" = "m*dot(x)"; "p(x)*t - F", "F" = "m*x"; "E" = "…" with a note.
+struct IntegralLine {
+  Formula left = {};
+  std::optional<PageEquation> equation = {};
+  Formula note = {};
+};
+
+PageEquation equation(Formula left, Formula right) {
+  return {std::move(left), 1, 1, {std::move(right)}};
+}
+
+Formula in_one_line(const PageEquation& equation) {
+  return relation(equation.left, equation.entries[0]);
+}
+
+Formula in_one_line(const IntegralLine& integral) {
+  Formulas parts{integral.left};
+  if (integral.equation) {
+    if (!integral.left.is_empty()) parts.insert(parts.end(), {prose(","), wide_blank()});
+    parts.push_back(in_one_line(*integral.equation));
+  }
+  if (!integral.note.is_empty()) parts.insert(parts.end(), {wide_blank(), integral.note});
+  return row_of(std::move(parts));
+}
+
+/// Whether a rotation turns about axes of the world.
+bool turns(const Model& model, const Symmetry& symmetry) {
+  const GeneratorClass all(model);
+  return std::any_of(symmetry.generator.begin() + static_cast<std::ptrdiff_t>(all.world_turn(0, 0)),
+                     symmetry.generator.begin() + static_cast<std::ptrdiff_t>(all.time()),
+                     [](const Fraction& unknown) { return !unknown.numerator.empty(); });
+}
+
+Formula note_on(const Symmetry& symmetry, bool loses_energy) {
+  if (symmetry.is_rounded) return prose("(six digits, at these values of the parameters)");
+  if (symmetry.is_special) return prose("(at these values of the parameters)");
+  if (symmetry.kind != SymmetryKind::time || !loses_energy) return {};
+  return symbol("(T + V is not conserved)", "(T + V \\text{ is not conserved})");
+}
+
+IntegralLine integral_of(const PageForms& known, const Symmetry& symmetry, bool loses_energy) {
+  Formula names = read_or_words(known, symmetry.by_names);
+  IntegralLine result{.note = note_on(symmetry, loses_energy)};
+  if (!is_nothing(symmetry.total)) {
+    const Formula total = typed_formula("F");
+    Formulas terms = names.kind == FormulaKind::sum ? names.parts : Formulas{names};
+    terms.push_back(negative(total));
+    result.left = sum_of(std::move(terms));
+    if (symmetry.total) {
+      result.equation = equation(total, read_or_words(known, symmetry.total));
+    } else {
+      result.left =
+          row_of({std::move(result.left), prose(","), total, prose("has no closed form")});
+    }
+  } else if (turns(known.model, symmetry)) {  // written out, as long again as the components
+    result.equation = equation(typed_formula("I"), std::move(names));
+  } else if (std::optional<Formula> closed = known.read(symmetry.closed)) {
+    result.equation = equation(std::move(names), std::move(*closed));
+  } else {
+    result.left = std::move(names);
+  }
+  return result;
+}
+
+/// "d/dt" = "u*t"; none where nothing acts.
+std::optional<PageEquation> rate_of(const PageForms& known, const Symmetry& symmetry) {
+  if (is_nothing(symmetry.rate)) return std::nullopt;
+  const Formula otherwise =
+      symbol("(dq - v dt).(B u + Q - dD/dv)",
+             "({\\delta} q - v {\\delta} t) \\cdot (B u + Q - \\partial D/\\partial v)");
+  return equation(symbol("d/dt", "\\text{d/dt}"), known.read(symmetry.rate).value_or(otherwise));
+}
+
+// Rows
+
+/// All that stands in a row, or in lines.
+struct SymmetryRow {
+  Formula name = {};
+  Formula change = {};
+  IntegralLine integral = {};
+  std::optional<PageEquation> rate = {};
+};
+
+/// "rotation: dx = -y, dy = x", and the equations below.
+PageSection block_of(const SymmetryRow& row) {
+  PageSection block{.lines = {row_of({row.name, prose(":"), row.change})}};
+  for (const Formula& line : {row.integral.left, row.integral.note}) {
+    if (!line.is_empty()) block.lines.push_back(line);
+  }
+  for (const std::optional<PageEquation>& equation : {row.integral.equation, row.rate}) {
+    if (equation) block.equations.push_back(*equation);
+  }
+  return block;
+}
+
+PageTable table_of(const std::vector<SymmetryRow>& rows, const Symmetries& symmetries) {
+  const bool has_change = !std::ranges::all_of(
+      symmetries.all, [](const Symmetry& symmetry) { return symmetry.kind == SymmetryKind::time; });
+  const bool has_rate =
+      std::ranges::any_of(rows, [](const SymmetryRow& row) { return row.rate.has_value(); });
+  PageTable table;
+  table.heads.resize(2U + (has_change ? 1U : 0U) + (has_rate ? 1U : 0U));
+  for (const SymmetryRow& row : rows) {
+    table.cells.push_back(row.name);
+    if (has_change) table.cells.push_back(row.change);
+    table.cells.push_back(in_one_line(row.integral));
+    if (has_rate) table.cells.push_back(row.rate ? in_one_line(*row.rate) : Formula{});
+  }
+  return table;
+}
+
+std::size_t width_of(const PageTable& table) {
+  std::vector<std::size_t> widths(table.heads.size(), 0);
+  for (std::size_t i = 0; i < table.cells.size(); ++i) {
+    std::size_t& width = widths[i % widths.size()];
+    width = std::max(width, text_of(table.cells[i]).size());
+  }
+  return std::accumulate(widths.begin(), widths.end(), std::size_t{0});
+}
+
+/// A row each; where one of them is too wide to be read, lines.
+std::vector<PageSection> sections_of(const PageForms& known, const Symmetries& symmetries) {
+  constexpr std::size_t widest = 120;
+  std::vector<SymmetryRow> rows;
+  for (const Symmetry& symmetry : symmetries.all) {
+    rows.push_back({name_of(known, symmetry), change_of(known, symmetry),
+                    integral_of(known, symmetry, symmetries.loses_energy),
+                    rate_of(known, symmetry)});
+  }
+  PageTable table = table_of(rows, symmetries);
+  std::vector<PageSection> sections;
+  if (width_of(table) <= widest) {
+    sections.push_back({.table = std::move(table)});
+  } else {
+    std::ranges::transform(rows, std::back_inserter(sections), block_of);
+  }
+  return sections;
+}
+
+}  // namespace
+
+Page symmetries_page(const CheckedModel& checked, const Symmetries& symmetries) {
+  PageForms known(checked.model, symmetries.forms);
+  Page page{.title = subject_of(checked, symmetries)};
+  if (!symmetries.all.empty()) page.sections = sections_of(known, symmetries);
+  page.sections.push_back({.doc = claim_of(symmetries)});
+  std::string list;
+  for (const std::string& name : stated_integrals(checked, known, symmetries)) {
+    list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", name);
+  }
+  if (list.empty()) return page;
+  page.sections.push_back(
+      {.title = prose("[[expect]]"), .doc = fmt::format("conserved = [{}]", list)});
+  return page;
+}
+
+}  // namespace elgen

@@ -1,0 +1,343 @@
+// display: measured in letters, which pages of LaTeX, of GitHub and of HTML have in common.
+#include "print/display.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace elgen {
+namespace {
+
+constexpr double indent = 4;
+constexpr std::size_t largest_matrix = 7;  ///< columns of a pmatrix
+
+/// With its sign.
+double left_width(const Glyphs& left, const PageShape& shape) {
+  return std::max(shape.left, shape.left_measured(left)) + 3;
+}
+
+double columns_width(const GlyphRows& entries, std::uint32_t columns, const PageShape& shape) {
+  std::vector<double> widths(columns, shape.between_columns);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    double& column = widths[i % columns];
+    column = std::max(column, shape.measured(entries[i]) + shape.between_columns);
+  }
+  double sum = 2;
+  for (const double column : widths) sum += column;
+  return sum;
+}
+
+double matrix_width(const SetEquation& equation, const PageShape& shape) {
+  return left_width(equation.left, shape) +
+         columns_width(equation.entries, equation.columns, shape);
+}
+
+Glyphs equated(Glyphs left, Glyphs right) {
+  append_sign(left, "=", true);
+  append(left, std::move(right), true);
+  return left;
+}
+
+/// A left side that takes most of a line is broken, too.
+Display lines_display(const Glyphs& left, const Glyphs& right, const PageShape& shape) {
+  const double first = left_width(left, shape);
+  if (first > shape.width / 2 && first + shape.measured(right) > shape.width) {
+    return {{}, 0, broken_lines(equated(left, right), shape.width - indent, shape.measured)};
+  }
+  return {left, 0, broken_lines(right, shape.width - std::max(first, indent), shape.measured)};
+}
+
+/// X of \sqrt{X}; none of anything else.
+const Glyphs* radicand(const Glyphs& row) {
+  const bool is_root = row.parts.size() == 1 && row.parts[0].kind == GlyphKind::root;
+  return is_root ? &row.parts[0].parts[0] : nullptr;
+}
+
+bool is_one(const Glyphs& row) { return row.parts.size() == 1 && row.parts[0].text == "1"; }
+
+/// The first fraction that is, with its sign, wider than `widest` and can be taken apart.
+std::optional<std::size_t> wide_fraction(const Glyphs& row, double widest, const PageShape& shape) {
+  for (std::size_t i = 0; i < row.parts.size(); ++i) {
+    const Glyphs& fraction = row.parts[i];
+    if (fraction.kind != GlyphKind::fraction) continue;
+    const Glyphs* const square = radicand(fraction.parts[1]);
+    const bool has_terms =
+        !is_one(fraction.parts[0]) || is_sum(square != nullptr ? *square : fraction.parts[1]);
+    Glyphs with_sign;
+    if (i > 0) append_sign(with_sign, "-", false);
+    append(with_sign, fraction, false);
+    if (has_terms && shape.measured(with_sign) > widest) return i;
+  }
+  return std::nullopt;
+}
+
+Glyphs in_brackets(Glyphs content) { return enclosed(std::move(content), "(", ")", true); }
+
+/// The parts [first, last) of a row.
+Glyphs part_of(const Glyphs& row, std::size_t first, std::size_t last) {
+  const auto begin = row.parts.begin();
+  return {GlyphKind::row,
+          "",
+          {begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last)}};
+}
+
+/// Where the last factor of a product begins, if it stands in brackets; else 0.
+std::size_t last_bracket(const Glyphs& product) {
+  if (bracket_step(product.parts.back()) >= 0) return 0;
+  int depth = 0;
+  for (std::size_t i = product.parts.size(); i-- > 0;) {
+    depth -= bracket_step(product.parts[i]);
+    if (depth == 0) return product.parts[i].is_apart ? i : 0;
+  }
+  return 0;
+}
+
+/// N/D -> 1/D (N), of which lines can be made; g (N)/D -> g/D (N); 1/D -> D^-1.
+Glyphs taken_apart(const Glyphs& fraction) {
+  const Glyphs& above = fraction.parts[0];
+  const Glyphs& below = fraction.parts[1];
+  if (is_one(above)) {
+    const Glyphs* const square = radicand(below);
+    Glyphs row = in_brackets(square != nullptr ? *square : below);
+    add_script(row, 2, read_latex(square != nullptr ? "-1/2" : "-1"));
+    return row;
+  }
+  const std::size_t bracket = is_sum(above) ? 0 : last_bracket(above);
+  Glyphs row = fraction_row(bracket == 0 ? read_latex("1") : part_of(above, 0, bracket), below);
+  append(row, is_sum(above) ? in_brackets(above) : part_of(above, bracket, above.parts.size()),
+         true);
+  return row;
+}
+
+/// Fractions too wide for a line stand in front of their numerators, or become powers.
+Display number_display(const Glyphs& left, const Glyphs& right, const PageShape& shape) {
+  const double widest = std::max(shape.width / 2, shape.width - left_width(left, shape));
+  Glyphs row = right;
+  for (auto wide = wide_fraction(row, widest, shape); wide;
+       wide = wide_fraction(row, widest, shape)) {
+    Glyphs apart = taken_apart(row.parts[*wide]);
+    apart.parts.front().is_apart = row.parts[*wide].is_apart;
+    const auto place = row.parts.begin() + static_cast<std::ptrdiff_t>(*wide);
+    row.parts.insert(row.parts.erase(place), apart.parts.begin(), apart.parts.end());
+  }
+  return lines_display(left, row, shape);
+}
+
+bool needs_brackets(const Glyphs& symbol) {
+  return std::ranges::any_of(symbol.parts, [](const Glyphs& part) {
+    return part.is_apart || part.kind == GlyphKind::fraction;
+  });
+}
+
+/// M_{1, 2}; g_{1} of \mathbf{g}; "(C \dot{q})_{1}"; the name of a fraction D_i/M_ii is not indexed
+/// again.
+Glyphs indexed(const SetEquation& equation, std::size_t entry) {
+  const std::size_t row = entry / equation.columns + 1;
+  const Glyphs index =
+      read_latex(equation.columns > 1 ? fmt::format("{}, {}", row, entry % equation.columns + 1)
+                                      : std::to_string(row));
+  const Glyphs& last = equation.left.parts.back();
+  const bool has_index = last.kind == GlyphKind::scripts && !last.parts[1].parts.empty();
+  Glyphs symbol = needs_brackets(equation.left) || has_index ? in_brackets(equation.left)
+                                                             : without_bold(equation.left);
+  add_script(symbol, 1, index);
+  return symbol;
+}
+
+bool is_zero_entry(const Glyphs& row) { return row.parts.size() == 1 && row.parts[0].text == "0"; }
+
+bool is_symmetric(const SetEquation& equation) {
+  if (equation.rows != equation.columns) return false;
+  const std::uint32_t n = equation.rows;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    for (std::uint32_t j = 0; j < i; ++j) {
+      if (equation.entries[i * n + j] != equation.entries[j * n + i]) return false;
+    }
+  }
+  return true;
+}
+
+std::vector<Display> entry_displays(const SetEquation& equation, const PageShape& shape) {
+  std::vector<Display> all;
+  const bool is_half = equation.columns > 1 && is_symmetric(equation);
+  for (std::size_t i = 0; i < equation.entries.size(); ++i) {
+    const std::size_t row = i / equation.columns;
+    const std::size_t column = i % equation.columns;
+    if (is_zero_entry(equation.entries[i]) || (is_half && row > column)) continue;
+    Glyphs left = indexed(equation, i);
+    if (is_half && row < column) {
+      left = equated(std::move(left), indexed(equation, column * equation.columns + row));
+    }
+    all.push_back(number_display(left, equation.entries[i], shape));
+  }
+  return all;
+}
+
+/// The widths of both sides of displays.
+struct Sides {
+  double left = 0;
+  double right = 0;
+};
+
+Sides wider_of(const Sides& x, const Sides& y) {
+  return {std::max(x.left, y.left), std::max(x.right, y.right)};
+}
+
+/// Lines that are continued take the whole page, and so does a left side that is broken.
+Sides sides_of(const SetEquation& equation, const PageShape& shape) {
+  Sides sides;
+  for (const Display& display : displays(equation, shape)) {
+    Sides own{shape.width, shape.width};
+    if (!display.left.parts.empty()) own.left = left_width(display.left, shape);
+    if (display.columns > 0) {
+      own.right = columns_width(display.rows, display.columns, shape);
+    } else if (display.rows.size() == 1) {
+      own.right = shape.measured(display.rows.front());
+    }
+    sides = wider_of(sides, own);
+  }
+  return sides;
+}
+
+/// The right sides of a display, line by line.
+std::vector<std::string> latex_right_sides(const Display& display) {
+  std::vector<std::string> texts;
+  for (const Glyphs& row : display.rows) texts.push_back(latex(row));
+  if (display.columns == 0) return texts;
+  std::string text = "\\begin{pmatrix}\n";
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const bool ends_row = (i + 1) % display.columns == 0;
+    const char* end = i + 1 == texts.size() ? "\n" : ends_row ? " \\\\\n" : " & ";
+    text += texts[i] + end;
+  }
+  return {text + "\\end{pmatrix}"};
+}
+
+/// "S = int L dt": both sides, where no words stand on the left.
+std::optional<SetEquation> equation_in(const Glyphs& row) {
+  for (std::size_t i = 0; i < row.parts.size(); ++i) {
+    if (row.parts[i].kind == GlyphKind::prose) break;
+    if (row.parts[i].text != "=") continue;
+    Glyphs right = part_of(row, i + 1, row.parts.size());
+    right.parts.front().is_apart = false;
+    return SetEquation{part_of(row, 0, i), 1, 1, {std::move(right)}};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+SetEquation set_equation(const PageEquation& equation) {
+  SetEquation set{glyphs_of(equation.left), equation.rows, equation.columns, {}};
+  for (const Formula& entry : equation.entries) set.entries.push_back(glyphs_of(entry));
+  return set;
+}
+
+SetSection set_section(const PageSection& section) {
+  SetSection set;
+  for (const Formula& line : section.lines) {
+    Glyphs row = glyphs_of(line);
+    std::optional<SetEquation> equation = section.is_aligned ? equation_in(row) : std::nullopt;
+    if (equation) {
+      set.equations.push_back(std::move(*equation));
+    } else {
+      set.lines.push_back(std::move(row));
+    }
+  }
+  for (const PageEquation& equation : section.equations) {
+    set.equations.push_back(set_equation(equation));
+  }
+  return set;
+}
+
+bool fits_as_matrix(const SetEquation& equation, const PageShape& shape) {
+  return equation.columns <= largest_matrix && matrix_width(equation, shape) <= shape.width;
+}
+
+bool is_listed(const SetEquation& equation, const PageShape& shape) {
+  return equation.entries.size() > 1 && !fits_as_matrix(equation, shape);
+}
+
+bool leaves_out_zeros(const SetEquation& equation, const PageShape& shape) {
+  return is_listed(equation, shape) && std::ranges::any_of(equation.entries, is_zero_entry);
+}
+
+std::vector<Display> displays(const SetEquation& equation, const PageShape& shape) {
+  if (equation.entries.size() == 1) {
+    // A definition of its own keeps its vectors; the symbol of one number is none.
+    const bool is_defined = std::ranges::count(equation.left.parts, "=", &Glyphs::text) > 0;
+    return {number_display(is_defined ? equation.left : without_bold(equation.left),
+                           equation.entries.front(), shape)};
+  }
+  if (fits_as_matrix(equation, shape)) {
+    return {{equation.left, equation.columns, equation.entries}};
+  }
+  return entry_displays(equation, shape);
+}
+
+NamedEntries named_entries(const SetEquation& equation, const PageShape& shape) {
+  NamedEntries result{equation, equation};
+  const bool is_half = equation.columns > 1 && is_symmetric(equation);
+  for (std::size_t i = 0; i < equation.entries.size(); ++i) {
+    const std::size_t row = i / equation.columns;
+    const std::size_t column = i % equation.columns;
+    const bool is_below = is_half && row > column;
+    Glyphs name = indexed(equation, is_below ? column * equation.columns + row : i);
+    const bool is_wider = shape.measured(equation.entries[i]) > shape.measured(name);
+    if (is_wider) {
+      result.matrix.entries[i] = std::move(name);
+    } else {
+      result.named.entries[i] = read_latex("0");
+    }
+  }
+  return result;
+}
+
+std::vector<DisplayBlock> aligned_blocks(const std::vector<SetEquation>& equations,
+                                         const PageShape& shape) {
+  std::vector<DisplayBlock> blocks;
+  const auto stand_together = [&shape](const Sides& sides) {
+    return sides.left <= shape.width / 3 || sides.left + sides.right <= shape.width;
+  };
+  for (auto first = equations.begin(); first != equations.end();) {
+    Sides sides = sides_of(*first, shape);
+    auto end = first + 1;
+    for (; end != equations.end(); ++end) {
+      const Sides wider = wider_of(sides, sides_of(*end, shape));
+      if (!stand_together(wider)) break;
+      sides = wider;
+    }
+    PageShape aligned = shape;
+    if (end - first > 1) aligned.left = sides.left - 3;
+    DisplayBlock& block = blocks.emplace_back();
+    for (; first != end; ++first) {
+      for (Display& display : displays(*first, aligned)) block.push_back(std::move(display));
+    }
+  }
+  return blocks;
+}
+
+std::size_t line_count(const DisplayBlock& block) {
+  std::size_t count = 0;
+  for (const Display& display : block) count += display.columns > 0 ? 1 : display.rows.size();
+  return count;
+}
+
+std::string latex_block(const DisplayBlock& block) {
+  const bool is_one_line = line_count(block) == 1;
+  std::string text;
+  for (const Display& display : block) {
+    const std::vector<std::string> rights = latex_right_sides(display);
+    const bool is_whole = display.left.parts.empty();
+    const std::string left = latex(display.left);
+    if (is_one_line && !is_whole) return fmt::format("{} = {}", left, rights.front());
+    text += text.empty() ? "" : " \\\\\n";
+    text += is_whole ? "& " : left + " &= ";
+    text += fmt::format("{}", fmt::join(rights, " \\\\\n&\\quad "));
+  }
+  return fmt::format("\\begin{{aligned}}\n{}\n\\end{{aligned}}", text);
+}
+
+}  // namespace elgen

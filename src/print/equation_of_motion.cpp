@@ -1,0 +1,189 @@
+// equation_of_motion: the terms a model has. It is that of the whole model, also where a scene asks
+// for some of its terms only; where none of them knows of motion it is the one at rest. The
+// variables stand on a few lines; rates are named where some function knows of them. Conserved
+// quantities follow from the entries that are 0. Where constraints hold, multipliers act beside the
+// inputs.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "elgen/page.hpp"
+#include "model/output_units.hpp"
+#include "model/symbols.hpp"
+#include "print/sections.hpp"
+#include "program/evaluate/conservation.hpp"
+#include "program/evaluate/subject.hpp"
+
+namespace elgen {
+namespace {
+
+/// A term; `{}` is where `,t` stands in models with explicit time.
+using Term = std::string_view;
+
+constexpr Term mass = "M(<q>{}) <a>";
+constexpr Term mass_of_rates = "M(<q>,<v>{}) <a>";
+constexpr Term rest = "<bias>(<q>,<v>{})";
+constexpr Term coriolis = "C(<q>,<v>{}) <v>";
+constexpr Term drift = "<drift>(<q>,<v>{})";
+constexpr Term gravity = "<g>(<q>{})";
+constexpr Term dissipation = "\\frac{{\\partial D}}{{\\partial <v>}}";
+constexpr Term input = "B(<q>{}) <u>";
+constexpr Term force = "<Q>(<q>,<v>{})";
+constexpr Term multipliers = "A(<q>{})^{{\\top}} <lambda>";
+constexpr Term nothing = "<0>";
+
+constexpr Term drift_at_rest = "<drift>(<q>,<0>{})";
+constexpr Term dissipation_at_rest = "\\frac{{\\partial D}}{{\\partial <v>}}(<q>,<0>{})";
+constexpr Term force_at_rest = "<Q>(<q>,<0>{})";
+
+/// False where the program has the output and every entry of it is 0.
+bool may_be_nonzero(const Program& program, OutputKind kind) {
+  for (const Function& function : program.functions) {
+    if (function.kind == kind) return !is_zero(program, function);
+  }
+  return true;
+}
+
+std::vector<Term> left_side(const Model& model, const Program& program, bool is_at_rest) {
+  if (!model.quadratic) return {mass_of_rates, rest};
+  std::vector<Term> terms;
+  const auto add = [&](bool may_exist, OutputKind kind, const Term& term) {
+    if (may_exist && may_be_nonzero(program, kind)) terms.push_back(term);
+  };
+  if (!is_at_rest) terms.push_back(mass);
+  add(!is_at_rest, OutputKind::velocity_force, coriolis);
+  add(model.may_drift, OutputKind::drift, is_at_rest ? drift_at_rest : drift);
+  add(true, OutputKind::gravity, gravity);
+  add(model.energies.D.has_value(), OutputKind::dissipation,
+      is_at_rest ? dissipation_at_rest : dissipation);
+  return terms;
+}
+
+std::vector<Term> right_side(const Model& model, const Program& program, bool is_at_rest) {
+  std::vector<Term> terms;
+  if (!model.inputs.empty()) terms.push_back(input);
+  const bool has_force = !model.forces.empty() && model.quadratic;
+  if (has_force && may_be_nonzero(program, OutputKind::applied_force)) {
+    terms.push_back(is_at_rest ? force_at_rest : force);
+  }
+  if (!model.constraints.empty()) terms.push_back(multipliers);
+  if (terms.empty()) terms.push_back(nothing);
+  return terms;
+}
+
+std::string joined(const std::vector<Term>& terms, std::string_view time) {
+  std::string text;
+  for (const Term term : terms) {
+    text += (text.empty() ? "" : " + ") + fmt::format(fmt::runtime(term), time);
+  }
+  return text;
+}
+
+using Lines = std::vector<std::string>;
+
+std::string with_unit(const std::string& name, const std::string& unit) {
+  return unit.empty() ? name : fmt::format("{} [{}]", name, unit);
+}
+
+/// "(x [m], theta [rad])"; where that is more than a line the first two and the last.
+std::string tuple(const Lines& names) {
+  constexpr std::size_t longest = 80;  // with "v = ", ", a = dv/dt" and indentation a line of 100
+  const std::string all = fmt::format("({})", fmt::join(names, ", "));
+  if (names.size() <= 3 || all.size() <= longest) return all;
+  return fmt::format("({}, {}, ..., {})", names[0], names[1], names.back());
+}
+
+/// "dot(x) [m/s]", "attitude[1] [rad/s]"
+Lines rates(const Model& model) {
+  Lines names;
+  for (const Velocity& velocity : model.velocities) {
+    const std::string name = velocity.rotation ? velocity.name : "dot(" + velocity.name + ")";
+    names.push_back(with_unit(name, velocity_unit(model, velocity)));
+  }
+  return names;
+}
+
+/// "lambda_rod [N]"
+Lines multiplier_names(const Model& model) {
+  Lines names;
+  for (std::uint32_t i = 0; i < model.constraints.size(); ++i) {
+    names.push_back(with_unit(leaf_text(model, Opcode::multiplier, i), multiplier_unit(model, i)));
+  }
+  return names;
+}
+
+/// Whether multipliers do no work along the motion: equations of positions that stand still.
+bool constraints_stand_still(const Model& model, const Program& program) {
+  if (model.constraints.empty()) return true;
+  const Function* const function = find_function(program, OutputKind::constraint_residual);
+  return function != nullptr && !contains_time(model, *function) &&
+         std::ranges::all_of(model.constraints, &Constraint::is_position);
+}
+
+}  // namespace
+
+std::vector<ConservedQuantity> conserved_quantities(const Model& model, const Program& program) {
+  const Function* const energy = find_function(program, OutputKind::energy_function);
+  const bool has_momentum = find_function(program, OutputKind::momentum) != nullptr;
+  if (energy == nullptr || !has_momentum || model.approximation) return {};
+  const Conservation found = find_conservation(model, program, !model.inputs.empty(), true);
+  const LeafValues<Formula> symbols = ModelSymbols(model).leaves();
+  std::vector<ConservedQuantity> result;
+  if (!found.is_forced && !found.has_time && constraints_stand_still(model, program)) {
+    result.push_back({"E", heading(model, *energy).definition});
+  }
+  for (const std::uint32_t i : found.momenta) {
+    result.push_back({leaf_text(model, Opcode::momentum, i),
+                      relation(symbols.momenta[i], partial_derivative("L", symbols.v[i]))});
+  }
+  return result;
+}
+
+bool knows_motion(const Model& model, const Program& program) {
+  const auto knows = [](const Function& function) {
+    const LeafSet takes = output_row(function.kind).takes;
+    return function.kind == OutputKind::mass_matrix ||
+           takes.has_any(Opcode::velocity | Opcode::momentum | Opcode::acceleration);
+  };
+  return !model.quadratic || std::any_of(program.functions.begin(), program.functions.end(), knows);
+}
+
+Formula equation_of_motion(const Model& model, const Program& program) {
+  const bool is_at_rest = !knows_motion(model, program);
+  const char* const time = model.uses_time ? ",t" : "";
+  return typed_formula(model,
+                       fmt::format("{} = {}", joined(left_side(model, program, is_at_rest), time),
+                                   joined(right_side(model, program, is_at_rest), time)));
+}
+
+Lines variable_lines(const Model& model, const Program& program) {
+  Lines coordinates;
+  Lines inputs;
+  for (const Coordinate& c : model.coordinates) {
+    coordinates.push_back(with_unit(c.name, c.unit_text));
+  }
+  for (const Input& each : model.inputs) inputs.push_back(with_unit(each.name, each.unit_text));
+  Lines lines = {"q = " + tuple(coordinates)};
+  if (!knows_motion(model, program)) {
+    lines.emplace_back("at rest");
+  } else if (model.rotations.empty()) {
+    lines.push_back("v = dq/dt, a = dv/dt");
+  } else {
+    lines.push_back("v = " + tuple(rates(model)) + ", a = dv/dt");
+    lines.push_back("dq/dt = N(q) v: coordinate_rates");
+  }
+  if (is_passed(program.leaves, Opcode::momentum)) lines.emplace_back("p = dL/dv: momenta");
+  if (!inputs.empty()) lines.push_back("u = " + tuple(inputs));
+  if (!model.constraints.empty()) lines.push_back("lambda = " + tuple(multiplier_names(model)));
+  if (!model.constraints.empty() && knows_motion(model, program)) {
+    lines.push_back(text_of(constraint_equation(model)) + ", (f, r) = constraint_residual");
+  }
+  Lines open_values;
+  for (const OpenValue& f : model.open_values) {
+    open_values.push_back(with_unit(f.name, f.unit_text));
+  }
+  if (!open_values.empty()) lines.push_back("f = " + tuple(open_values));
+  return lines;
+}
+
+}  // namespace elgen

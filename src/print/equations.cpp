@@ -1,0 +1,275 @@
+// equations: instructions of a function -> formulas as they are read: products of many factors with
+// powers, definitions by their names.
+//
+//     2 = multiply 0 0; 3 = multiply 1 2; 4 = cos 3        cos(m*x^2)
+//
+// An entry of at most 12 operations is written out over the leaves alone; definitions are those the
+// others need.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "elgen/fold.hpp"
+#include "elgen/page.hpp"
+#include "model/symbols.hpp"
+#include "print/sections.hpp"
+#include "program/constants/constants.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr std::size_t longest_entry = 12;
+
+bool is_negation(const Formula& formula) {
+  switch (formula.kind) {
+    case FormulaKind::negative:
+      return true;
+    case FormulaKind::number:
+      return cln::minusp(formula.number);
+    case FormulaKind::product:
+    case FormulaKind::quotient:
+      return is_negation(formula.parts.front());
+    default:
+      return false;
+  }
+}
+
+/// A function over the leaves and the names that some of its instructions have.
+class ReadFunction {
+ public:
+  ReadFunction(const Program& program, const Function& function, const LeafValues<Formula>& leaves,
+               const Formulas& names)
+      : program_(program), function_(function), leaves_(leaves), names_(names) {}
+
+  /// The instruction itself, even where it has a name.
+  [[nodiscard]] Formula definition(std::uint32_t at) const {
+    return folded(*this, program_, function_.instructions[at], *this);
+  }
+  /// Its name, where it has one.
+  [[nodiscard]] Formula entry(std::uint32_t at) const {
+    return is_named(at) ? names_[at] : definition(at);
+  }
+
+  // The rules of fold.hpp, on operands by their numbers.
+
+  [[nodiscard]] std::uint32_t operator[](std::uint32_t operand) const { return operand; }
+  [[nodiscard]] Formula constant(const Constant& constant) const {
+    return constant_formula(constant.form);
+  }
+  [[nodiscard]] Formula leaf(Opcode kind, std::uint32_t number) const {
+    return leaf_of(leaves_, kind, number);
+  }
+  [[nodiscard]] Formula add(std::uint32_t x, std::uint32_t y) const {
+    return with_term(entry(x), entry(y));
+  }
+  [[nodiscard]] Formula subtract(std::uint32_t x, std::uint32_t y) const {
+    return with_term(entry(x), negative(entry(y)));
+  }
+  [[nodiscard]] Formula divide(std::uint32_t x, std::uint32_t y) const {
+    return quotient_of(entry(x), entry(y));
+  }
+  [[nodiscard]] Formula square_root(std::uint32_t x) const { return root_of(entry(x)); }
+  [[nodiscard]] Formula call(FunctionId function, std::uint32_t x, std::uint32_t y) const {
+    Formulas arguments = {entry(x)};
+    if (function == FunctionId::stumpff) {
+      arguments.push_back(number_formula(order_at(program_, function_, y)));
+    } else if (function_row(function).arity > 1) {
+      arguments.push_back(entry(y));
+    }
+    return call_of(function, std::move(arguments));
+  }
+  /// The sign of a constant is its own.
+  [[nodiscard]] Formula negate(std::uint32_t x) const {
+    const Instruction& i = function_.instructions[x];
+    if (i.opcode != Opcode::constant) return negative(entry(x));
+    return constant_formula(negated(program_.constants[i.a].form));
+  }
+  [[nodiscard]] Formula multiply(std::uint32_t x, std::uint32_t y) const {
+    std::vector<std::uint32_t> factors;
+    collect_factors(x, factors);
+    collect_factors(y, factors);
+    return product_of_powers(factors);
+  }
+
+ private:
+  [[nodiscard]] bool is_named(std::uint32_t at) const { return !names_[at].is_empty(); }
+
+  static Formula with_term(Formula sum, Formula term) {
+    if (sum.kind != FormulaKind::sum) return sum_of({std::move(sum), std::move(term)});
+    sum.parts.push_back(std::move(term));
+    return sum;
+  }
+
+  /// The factors of nested products that are written out, left to right.
+  void collect_factors(std::uint32_t at, std::vector<std::uint32_t>& factors) const {
+    const Instruction& i = function_.instructions[at];
+    if (i.opcode != Opcode::multiply || is_named(at)) {
+      factors.push_back(at);
+      return;
+    }
+    collect_factors(i.a, factors);
+    collect_factors(i.b, factors);
+  }
+
+  [[nodiscard]] Formula product_of_powers(const std::vector<std::uint32_t>& all) const {
+    Formulas different;
+    for (auto factor = all.begin(); factor != all.end(); ++factor) {
+      if (std::find(all.begin(), factor, *factor) != factor) continue;
+      Formula base = entry(*factor);
+      if (is_negation(base)) base = group(std::move(base));
+      const long exponent = std::count(all.begin(), all.end(), *factor);
+      different.push_back(exponent == 1 ? std::move(base)
+                                        : power_of(std::move(base), number_formula(exponent)));
+    }
+    return product_of(std::move(different));
+  }
+
+  const Program& program_;
+  const Function& function_;
+  const LeafValues<Formula>& leaves_;
+  const Formulas& names_;
+};
+
+/// Entries that are too long to be written out.
+std::vector<std::uint32_t> long_entries(const Function& function,
+                                        const std::vector<std::size_t>& sizes) {
+  std::vector<std::uint32_t> entries = entries_of(function);
+  std::erase_if(entries, [&](std::uint32_t entry) { return sizes[entry] <= longest_entry; });
+  return entries;
+}
+
+/// Definitions of no more operations are easier to read where they are used than where they are
+/// made.
+constexpr std::size_t short_definition = 3;
+
+Formulas name_formulas(const std::vector<std::string>& names) {
+  Formulas formulas;
+  for (const std::string& name : names) {
+    formulas.push_back(name.empty() ? Formula{} : name_formula(name));
+  }
+  return formulas;
+}
+
+LeafValues<Formula> leaf_formulas(const LeafNames& leaves) {
+  const auto nothing = [](const std::string&) { return Formula{}; };
+  LeafValues<Formula> formulas = map_leaves(nothing, leaves);
+  for_each_leaf([&](Opcode kind, std::uint32_t i, const std::string&,
+                    Formula& formula) { formula = name_formula(leaf_text(leaves, kind, i)); },
+                leaves, formulas);
+  return formulas;
+}
+
+/// The symbols of names, unlike those of the model.
+Formulas symbols_of(const std::vector<std::string>& names, ModelSymbols symbols) {
+  Formulas formulas;
+  for (const std::string& name : names) {
+    formulas.push_back(name.empty() ? Formula{}
+                                    : symbol_formula(name, symbols.distinct(symbol_of_name(name))));
+  }
+  return formulas;
+}
+
+/// Definitions and entries by their names. `sizes`: of what is written out over the leaves alone
+/// where it is short; empty where nothing is.
+FunctionEquations by_names(const Program& program, const Function& function,
+                           const LeafValues<Formula>& leaves, const Formulas& names,
+                           const std::vector<std::size_t>& sizes) {
+  const Formulas no_names(names.size());
+  const ReadFunction with_names(program, function, leaves, names);
+  const ReadFunction over_leaves(program, function, leaves, no_names);
+  FunctionEquations result;
+  for (std::uint32_t at = 0; at < names.size(); ++at) {
+    if (names[at].is_empty()) continue;
+    result.definitions.push_back({names[at], with_names.definition(at)});
+  }
+  for (const Field& field : function.fields) {
+    Formulas& formulas = result.entries.emplace_back();
+    for (const std::uint32_t entry : field.entries) {
+      const bool is_short = !sizes.empty() && sizes[entry] <= longest_entry;
+      formulas.push_back((is_short ? over_leaves : with_names).entry(entry));
+    }
+  }
+  return result;
+}
+
+FunctionEquations with_needed(const Program& program, const Function& function,
+                              const LeafValues<Formula>& leaves, Formulas names,
+                              const std::vector<std::size_t>& sizes) {
+  const std::vector<bool> needed = needed_for(function, long_entries(function, sizes));
+  for (std::size_t at = 0; at < names.size(); ++at) {
+    if (!needed[at]) names[at] = {};
+  }
+  return by_names(program, function, leaves, names, sizes);
+}
+
+/// Short definitions have no names; the others that have none of their own are xi_1, xi_2, ….
+std::vector<std::string> read_names(const Program& program, const Function& function,
+                                    const std::vector<std::size_t>& sizes) {
+  std::vector<std::string> names = temporary_names(program, function);
+  const std::vector<std::string> own = own_names(program, function);
+  std::size_t number = 0;
+  for (std::size_t at = 0; at < names.size(); ++at) {
+    if (sizes[at] <= short_definition) names[at].clear();
+    if (!names[at].empty() && own[at].empty()) names[at] = fmt::format("xi_{}", ++number);
+  }
+  return names;
+}
+
+/// Entries as they are read: x of x + 0/y and of x + 0*y, by which pivots are no numbers where M_ii
+/// is 0. Instructions stay: their names are those of the whole function, as in code.
+Function without_guards(const Program& program, Function function) {
+  const std::vector<Instruction>& all = function.instructions;
+  for (Field& field : function.fields) {
+    for (std::uint32_t& entry : field.entries) {
+      const Instruction& sum = all[entry];
+      if (sum.opcode != Opcode::add) continue;
+      const Instruction& guard = all[sum.b];
+      const bool scales = guard.opcode == Opcode::divide || guard.opcode == Opcode::multiply;
+      if (scales && loads_zero(program, all[guard.a])) entry = sum.a;
+    }
+  }
+  return function;
+}
+
+}  // namespace
+
+bool has_readable_form(const Program& program, std::size_t index) {
+  return index < program.readable.size() && !program.readable[index].fields.empty();
+}
+
+FunctionEquations equations(const Program& program, const Function& function,
+                            const std::vector<std::string>& names) {
+  return with_needed(program, function, leaf_formulas(program.leaves), name_formulas(names),
+                     written_out_sizes(function, longest_entry));
+}
+
+FunctionEquations equations(const Program& program, std::size_t index) {
+  const Function& function = program.functions[index];
+  if (!has_readable_form(program, index)) {
+    return equations(program, without_guards(program, function),
+                     temporary_names(program, function));
+  }
+  const Function& book = program.readable[index];
+  return by_names(program, book, leaf_formulas(program.leaves), name_formulas(book.names), {});
+}
+
+FunctionEquations equations(const Model& model, const Program& program, std::size_t index) {
+  const ModelSymbols symbols(model, program.leaves);
+  if (has_readable_form(program, index)) {
+    const Function& book = program.readable[index];
+    return by_names(program, book, symbols.leaves(), symbols_of(book.names, symbols), {});
+  }
+  const Function& function = program.functions[index];
+  const std::vector<std::size_t> sizes = written_out_sizes(function, longest_entry);
+  return with_needed(program, without_guards(program, function), symbols.leaves(),
+                     symbols_of(read_names(program, function, sizes), symbols), sizes);
+}
+
+Formula first_entry(const Model& model, const Program& program) {
+  const ModelSymbols symbols(model, program.leaves);
+  const Function& function = program.readable.front();
+  return ReadFunction(program, function, symbols.leaves(), symbols_of(function.names, symbols))
+      .entry(function.fields.front().entries.front());
+}
+
+}  // namespace elgen

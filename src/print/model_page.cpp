@@ -1,0 +1,187 @@
+// model_page: the variables of a model and the equations of its outputs.
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "elgen/page.hpp"
+#include "model/symbols.hpp"
+#include "numbers/exact_number.hpp"
+#include "print/sections.hpp"
+
+namespace elgen {
+namespace {
+
+std::vector<PageVariable> coordinates(const Model& model) {
+  std::vector<PageVariable> list;
+  const LeafValues<Formula> symbols = ModelSymbols(model).leaves();
+  for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
+    const Coordinate& c = model.coordinates[i];
+    const std::string& doc = c.rotation ? model.rotations[*c.rotation].doc : c.doc;
+    list.push_back({symbols.q[i], c.name, c.unit_text, "", doc});
+  }
+  for (std::size_t i = 0; i < model.velocities.size(); ++i) {
+    const Velocity& v = model.velocities[i];
+    if (!v.rotation) continue;
+    list.push_back({symbols.v[i], "dot(" + v.name + ")", "rad/s", "",
+                    "angular velocity in the axes of the body"});
+  }
+  return list;
+}
+
+std::vector<PageVariable> inputs(const Model& model) {
+  std::vector<PageVariable> list;
+  const Formulas symbols = ModelSymbols(model).leaves().u;
+  for (std::size_t i = 0; i < model.inputs.size(); ++i) {
+    const Input& input = model.inputs[i];
+    list.push_back({symbols[i], input.name, input.unit_text, "", input.doc});
+  }
+  return list;
+}
+
+std::vector<PageVariable> functions(const Model& model) {
+  std::vector<PageVariable> list;
+  const Formulas symbols = ModelSymbols(model).leaves().f;
+  for (std::size_t i = 0; i < symbols.size(); ++i) {
+    const OpenValue& value = model.open_values[i];
+    if (!value.by.empty()) continue;
+    const OpenFunction& function = model.functions[value.function];
+    list.push_back({symbols[i], function.name, function.unit_text, "", function.doc});
+  }
+  return list;
+}
+
+/// "0.5"; "0.3, 0.4"; "0.3 each"; with "(fixed)" where it is a number in the code.
+std::string value_text(const Model& model, const Scene& scene, const ParameterArray& array) {
+  std::string text;
+  bool is_uniform = true;
+  bool is_fixed = true;
+  std::string first;
+  for (std::uint32_t i = array.first; i < array.first + array.count; ++i) {
+    const auto fixed = scene.specialisation.fixed.find(i);
+    const bool has_value = fixed == scene.specialisation.fixed.end();
+    const std::string value =
+        exact_text(has_value ? model.parameters[i].value : fixed->second.number);
+    if (i == array.first) first = value;
+    is_uniform = is_uniform && value == first;
+    is_fixed = is_fixed && !has_value;
+    text += (text.empty() ? "" : ", ") + value;
+  }
+  if (is_uniform) text = first + (array.count > 1 ? " each" : "");
+  return text + (is_fixed ? " (fixed)" : "");
+}
+
+std::vector<PageVariable> parameters(const Model& model, const Scene& scene) {
+  std::vector<PageVariable> list;
+  const Formulas symbols = ModelSymbols(model).arrays();
+  for (std::size_t i = 0; i < symbols.size(); ++i) {
+    const ParameterArray& array = model.parameter_arrays[i];
+    const std::string name =
+        array.is_array ? fmt::format("{}[1..{}]", array.name, array.count) : array.name;
+    list.push_back({symbols[i], name, array.unit_text, value_text(model, scene, array), array.doc});
+  }
+  return list;
+}
+
+/// "Mass matrix"; the names of a user's own outputs are left as they are.
+std::string title_of(const Function& function) {
+  return output_row(function.kind).of_user ? function.name : as_title(function.name);
+}
+
+PageSection by_definition(const Model& model, const Function& function) {
+  return {prose(title_of(function)), function.name, function.kind, output_doc(model, function),
+          definition_by_others(model, function)};
+}
+
+PageSection with_equations(const Model& model, const Program& program, std::size_t index) {
+  const Function& function = program.functions[index];
+  const Heading heading = elgen::heading(model, function);
+  PageSection result = by_definition(model, function);
+  result.definition = heading.definition;
+  const FunctionEquations read = equations(model, program, index);
+  for (const auto& [name, value] : read.definitions) {
+    result.equations.push_back({name, 1, 1, {value}});
+  }
+  for (std::size_t f = 0; f < function.fields.size(); ++f) {
+    const Field& field = function.fields[f];
+    const Formula symbol =
+        field.name.empty() ? heading.symbol : field_symbol(model, function.kind, field);
+    if (field.name != "multipliers") {
+      result.equations.push_back({symbol, field.rows, field.columns, read.entries[f]});
+      continue;
+    }
+    const Formulas symbols = ModelSymbols(model).leaves().multipliers;
+    for (std::uint32_t i = 0; i < field.rows; ++i) {
+      result.equations.push_back({symbols[i], 1, 1, {read.entries[f][i]}});
+    }
+  }
+  return result;
+}
+
+/// Whether all of it is about half a page, or more: nobody reads that.
+bool fills_page(const PageSection& section) {
+  constexpr std::size_t longest = 3000;
+  std::size_t letters = 0;
+  for (const PageEquation& equation : section.equations) {
+    for (const Formula& entry : equation.entries) letters += latex(glyphs_of(entry)).size();
+  }
+  return letters > longest;
+}
+
+/// By its definition where that says more than equations would, which then has none.
+PageSection readable_output(const Model& model, const Program& program, std::size_t index,
+                            bool is_asked_for) {
+  PageSection defined = by_definition(model, program.functions[index]);
+  const bool is_defined = !defined.definition.is_empty();
+  if (is_defined && !has_readable_form(program, index)) return defined;
+  PageSection result = with_equations(model, program, index);
+  return is_defined && !is_asked_for && fills_page(result) ? defined : result;
+}
+
+}  // namespace
+
+Page model_page(const Model& model, const Scene& scene, const Program& program,
+                const PageOptions& options) {
+  Page result{prose(page_title(model)), model.description, model.reference};
+  result.notes = scene_notes(model, scene);
+  result.equation_of_motion = equation_of_motion(model, program);
+  result.coordinates = coordinates(model);
+  result.inputs = inputs(model);
+  result.functions = functions(model);
+  result.parameters = parameters(model, scene);
+  if (options.opening != nullptr) {
+    result.sections = steps_sections(model, *options.opening, equations_title);
+  }
+  if (!model.constraints.empty()) result.sections.push_back(constraint_section(model));
+  bool needs_parts = false;
+  for (std::size_t i = 0; i < program.functions.size(); ++i) {
+    const Function& function = program.functions[i];
+    const OutputRow& row = output_row(function.kind);
+    if (row.steps) {
+      result.sections.push_back(
+          {prose(title_of(function)), function.name, function.kind, output_doc(model, function)});
+    }
+    if (!has_equations(row)) continue;
+    if (!options.zeros && is_zero(program, function)) continue;
+    if (entry_count(function) <= options.most_entries) {
+      const bool is_asked_for = options.most_entries == SIZE_MAX;
+      result.sections.push_back(readable_output(model, program, i, is_asked_for));
+      const bool is_basic = !divides_by_mass(row) && !row.differentiates && !row.of_user;
+      needs_parts = needs_parts || (is_basic && result.sections.back().equations.empty());
+    } else {
+      result.sections.push_back(by_definition(model, function));
+      result.sections.back().doc += fmt::format(" {} entries.", entry_count(function));
+    }
+  }
+  if (needs_parts && moves_in_frames(model)) {
+    const std::vector<PageSection> parts = named_parts(model);
+    result.sections.insert(result.sections.begin(), parts.begin(), parts.end());
+  }
+  PageSection conserved{.title = prose("Conserved"), .doc = "Constant along every motion."};
+  for (const ConservedQuantity& quantity : conserved_quantities(model, program)) {
+    conserved.lines.push_back(quantity.definition);
+  }
+  if (!conserved.lines.empty()) result.sections.push_back(std::move(conserved));
+  return result;
+}
+
+}  // namespace elgen

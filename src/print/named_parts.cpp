@@ -1,0 +1,267 @@
+// named_parts: the recursions of src/derive/tree/ as a book has them: motions from the world to the
+// last frames, forces and composite inertias back to the world. Featherstone, Rigid Body Dynamics
+// Algorithms (2008), chapters 5 and 6. With V the twist of a frame, S its own part of that, and G
+// the inertia of all that it carries, 2 T = sum V.G V - (V - S).G (V - S): hence M.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "elgen/references.hpp"
+#include "model/formula.hpp"
+#include "model/symbols.hpp"
+#include "print/sections.hpp"
+
+namespace elgen {
+namespace {
+
+/// Both sides, where `<v>` stands for the velocities.
+struct PartRow {
+  std::string_view left;
+  std::string_view right;
+};
+
+constexpr std::array motion_rows{
+    PartRow{R"(\omega_{i})", R"(R_{i}^{\top} \omega_{p} + s_{i})"},
+    PartRow{R"(\nu_{i})", R"(R_{i}^{\top} (\nu_{p} + \omega_{p} \times o_{i} + \dot{o}_{i}))"},
+    PartRow{R"(\dot{\omega}_{i})", R"(R_{i}^{\top} \dot{\omega}_{p} + )"
+                                   R"((R_{i}^{\top} \omega_{p}) \times s_{i} + \dot{s}_{i})"},
+    PartRow{R"(\gamma_{i})", R"(R_{i}^{\top} (\gamma_{p} + \dot{\omega}_{p} \times o_{i} + )"
+                             R"(\omega_{p} \times (\omega_{p} \times o_{i}) + )"
+                             R"(2 \omega_{p} \times \dot{o}_{i} + \ddot{o}_{i}))"}};
+
+constexpr std::array force_rows{
+    PartRow{R"(F_{b})", R"(m_{b} (\gamma_{i} + \dot{\omega}_{i} \times c_{b} + )"
+                        R"(\omega_{i} \times (\omega_{i} \times c_{b})))"},
+    PartRow{R"(f_{i})", R"(\sum_{b} F_{b} + \sum_{j} R_{j} f_{j})"},
+    PartRow{R"(n_{i})", R"(\sum_{b} (I_{b} \dot{\omega}_{i} + \omega_{i} \times I_{b} \omega_{i} )"
+                        R"(+ c_{b} \times F_{b}) + )"
+                        R"(\sum_{j} (R_{j} n_{j} + o_{j} \times R_{j} f_{j}))"}};
+
+constexpr std::array inertia_rows{
+    PartRow{R"(m^{c}_{i})", R"(\sum_{b} m_{b} + \sum_{j} m^{c}_{j})"},
+    PartRow{R"(h^{c}_{i})", R"(\sum_{b} m_{b} c_{b} + )"
+                            R"(\sum_{j} (R_{j} h^{c}_{j} + m^{c}_{j} o_{j}))"},
+    PartRow{R"(I^{c}_{i})", R"(\sum_{b} (I_{b} - m_{b} [c_{b}]_{\times}^{2}) + )"
+                            R"(\sum_{j} (R_{j} I^{c}_{j} R_{j}^{\top} - )"
+                            R"([o_{j}]_{\times} [R_{j} h^{c}_{j}]_{\times} - )"
+                            R"([R_{j} h^{c}_{j} + m^{c}_{j} o_{j}]_{\times} [o_{j}]_{\times}))"},
+    PartRow{R"(G_{i}(x, y))", R"((I^{c}_{i} x + h^{c}_{i} \times y, )"
+                              R"(m^{c}_{i} y + x \times h^{c}_{i}))"}};
+
+constexpr std::array twist_rows{
+    PartRow{R"(S_{ik})", R"(\left( \frac{\partial s_{i}}{\partial <v>_{k}}, )"
+                         R"(R_{i}^{\top} \frac{\partial \dot{o}_{i}}{\partial <v>_{k}} \right))"},
+    PartRow{R"(V_{ik})", R"(\left( \frac{\partial \omega_{i}}{\partial <v>_{k}}, )"
+                         R"(\frac{\partial \nu_{i}}{\partial <v>_{k}} \right))"}};
+
+constexpr std::string_view mass_entry =
+    R"(\sum_{i} (S_{ik} \cdot G_{i}(V_{il}) + V_{ik} \cdot G_{i}(S_{il}) - )"
+    R"(S_{ik} \cdot G_{i}(S_{il})))";
+
+class FramesWriter {
+ public:
+  explicit FramesWriter(const Model& model)
+      : model_(model), symbols_(ModelSymbols(model).leaves()) {}
+
+  [[nodiscard]] PageTable frames() const {
+    PageTable table{{typed_formula("i"), {}, typed_formula("p"), typed_formula("H_{i}")}};
+    for (const Frame& frame : model_.frames) {
+      const std::size_t number = table.cells.size() / table.heads.size() + 1;
+      const std::uint32_t carrier = frame.parent ? *frame.parent + 1 : 0;
+      table.cells.insert(table.cells.end(), {number_formula(number),
+                                             symbol_formula(frame.name, symbol_of_name(frame.name)),
+                                             number_formula(carrier), pose(frame)});
+    }
+    return table;
+  }
+
+  [[nodiscard]] PageTable bodies() const {
+    PageTable table{{typed_formula("i"), typed_formula("m_{b}"), typed_formula("c_{b}"),
+                     typed_formula("I_{b}")}};
+    for (const Body& body : model_.bodies) {
+      add(table, body.local->com, body.mass);
+      const Formulas x = formulas(body.local->inertia);
+      const Formula zero = number_formula(0);
+      if (x.size() == 1) table.cells.back() = tuple_of({zero, zero, x[0]});
+      if (x.size() == 6) table.cells.back() = tuple_of({x[0], x[1], x[2]});
+      const bool has_products = x.size() == 6 && std::count_if(x.begin() + 3, x.end(), is_zero) < 3;
+      if (has_products) {
+        table.cells.insert(table.cells.end(), {{}, {}, {}, tuple_of({x[3], x[4], x[5]})});
+      }
+      if (!body.local->about_origin) continue;
+      table.cells.back() =
+          sum_of({table.cells.back(), typed_formula("m_{b} [c_{b}]_{\\times}^{2}")});
+    }
+    for (const Point& point : model_.points) {
+      if (point.mass) add(table, *point.local, point.mass);
+    }
+    return table;
+  }
+
+  template <class List>
+  [[nodiscard]] Formula vector(const List& ids) const {
+    return tuple_of(formulas(ids));
+  }
+
+  [[nodiscard]] Formula formula(ExpressionId id) const {
+    return formula_of(model_, id, [this](ExpressionId named) -> Formula {
+      const Expression& e = model_.expressions[named];
+      if (e.kind == ExpressionKind::pi) return pi_formula();
+      if (e.kind == ExpressionKind::leaf) return leaf_of(symbols_, e.leaf, e.index);
+      return formula(references(model_, named).front());
+    });
+  }
+
+ private:
+  static bool is_zero(const Formula& formula) {
+    return formula.kind == FormulaKind::number && formula.text.empty() && formula.number == 0;
+  }
+
+  void add(PageTable& table, const PlaceInFrame& place,
+           const std::optional<ExpressionId>& mass) const {
+    table.cells.insert(table.cells.end(),
+                       {number_formula(place.frame + 1), mass ? formula(*mass) : number_formula(0),
+                        vector(place.at), number_formula(0)});
+  }
+
+  template <class List>
+  [[nodiscard]] Formulas formulas(const List& ids) const {
+    Formulas result;
+    for (const ExpressionId id : ids) result.push_back(formula(id));
+    return result;
+  }
+
+  [[nodiscard]] Formula pose(const Frame& frame) const {
+    Formulas motions;
+    for (const FrameStep& step : frame.steps) motions.push_back(motion(step));
+    Formula product = row_of(std::move(motions));
+    return product.is_empty() ? number_formula(1) : product;
+  }
+
+  /// Empty where nothing moves.
+  [[nodiscard]] Formula motion(const FrameStep& step) const {
+    if (step.kind == FrameStepKind::translation) {
+      Formula by = vector(step.vector);
+      return std::ranges::all_of(by.parts, is_zero) ? Formula{} : applied("\\mathrm{Trans}", by);
+    }
+    if (step.kind == FrameStepKind::turn) {
+      const Formula angle = formula(step.angle);
+      if (is_zero(angle)) return {};
+      Glyphs turn = read_latex("\\mathrm{Rot}");
+      add_script(turn, 1, axis(step));
+      return applied(turn, tuple_of({angle}));
+    }
+    if (!step.rotation) return applied("\\mathrm{Rot}", vector(step.quaternion));
+    const Rotation& rotation = model_.rotations[*step.rotation];
+    const Glyphs symbol = symbol_of_name(rotation.name, rotation.latex);
+    return applied("\\mathrm{Rot}", tuple_of({symbol_formula(rotation.name, symbol)}));
+  }
+
+  /// "Rot(theta)"
+  [[nodiscard]] static Formula applied(Glyphs name, const Formula& arguments) {
+    append(name, glyphs_of(arguments), false);
+    return symbol_formula("", std::move(name));
+  }
+  [[nodiscard]] static Formula applied(std::string_view name, const Formula& arguments) {
+    return applied(read_latex(name), arguments);
+  }
+
+  /// "z", or its components where it lies between the axes.
+  [[nodiscard]] Glyphs axis(const FrameStep& turn) const {
+    const std::string unit = text_of(vector(turn.vector));
+    if (unit == "(1, 0, 0)") return read_latex("x");
+    if (unit == "(0, 1, 0)") return read_latex("y");
+    return unit == "(0, 0, 1)" ? read_latex("z") : glyphs_of(vector(turn.vector));
+  }
+
+  const Model& model_;
+  const LeafValues<Formula> symbols_;
+};
+
+PageEquation part(const Model& model, std::string_view left, std::string_view right) {
+  return {typed_formula(model, left), 1, 1, {typed_formula(model, right)}};
+}
+
+template <class Rows>
+PageSection part_section(const Model& model, const std::string& doc, const Rows& rows) {
+  PageSection result{.doc = doc};
+  for (const PartRow& row : rows) result.equations.push_back(part(model, row.left, row.right));
+  return result;
+}
+
+/// M and the left side of the equations of motion; potential energies beside weights are left to g.
+std::vector<PageEquation> part_results(const Model& model, const FramesWriter& writer,
+                                       bool has_weights) {
+  std::vector<PageEquation> result;
+  const bool has_armature = std::ranges::any_of(
+      model.coordinates, [](const Coordinate& c) { return c.armature.has_value(); });
+  result.push_back(
+      part(model, "M_{kl}", std::string(mass_entry) + (has_armature ? " + A_{kl}" : "")));
+  for (const Coordinate& c : model.coordinates) {
+    if (!c.armature) continue;
+    result.push_back({typed_formula(fmt::format("A_{{{0}, {0}}}", c.velocity + 1)),
+                      1,
+                      1,
+                      {writer.formula(*c.armature)}});
+  }
+  result.push_back(
+      part(model,
+           fmt::format("(M <a> + C <v>{}{})_{{k}}", model.may_drift ? " + \\mathrm{drift}" : "",
+                       has_weights ? " + g" : ""),
+           fmt::format("\\sum_{{i}} S_{{ik}} \\cdot (n_{{i}}, f_{{i}}){}",
+                       has_armature ? " + (A <a>)_{k}" : "")));
+  if (has_weights) result.push_back(part(model, "V_{0}", "\\gamma_{0} \\cdot h^{c}_{0}"));
+  return result;
+}
+
+}  // namespace
+
+bool moves_in_frames(const Model& model) {
+  const auto is_carried = [](const Point& p) { return !p.mass || p.local; };
+  return !model.frames.empty() && std::ranges::all_of(model.points, is_carried) &&
+         std::ranges::all_of(model.bodies, [](const Body& b) { return b.local.has_value(); }) &&
+         model.quadratic && !model.energies.T && !has_whole_lagrangian(model) &&
+         !model.approximation;
+}
+
+std::vector<PageSection> named_parts(const Model& model) {
+  const FramesWriter writer(model);
+  const bool has_weights = model.gravity && !model.energies.V;
+  PageSection opening{.title = prose("Named parts")};
+  opening.doc =
+      "Formulas that are too long stand by their definition; elgen show --as text has all.";
+  PageSection frames{.doc = "Frame i stands in frame p (0: the world): pose H, axes R, origin o."};
+  frames.table = writer.frames();
+  PageSection bodies{
+      .doc = "Body b in the axes of frame i: mass, centre, inertia (xx, yy, zz; xy, xz, yz)."};
+  bodies.table = writer.bodies();
+  PageSection motions = part_section(
+      model, "Motion of frame i in its own axes, rates less gravity; s is its spin in p.",
+      motion_rows);
+  Formula weight = has_weights ? negative(writer.vector(*model.gravity)) : number_formula(0);
+  motions.equations.push_back({typed_formula("\\gamma_{0}"), 1, 1, {std::move(weight)}});
+  PageSection results = part_section(
+      model, "By the velocities k and l: motion V of frame i, its own part S, then M.", twist_rows);
+  const std::vector<PageEquation> last = part_results(model, writer, has_weights);
+  results.equations.insert(results.equations.end(), last.begin(), last.end());
+  return {
+      opening,
+      frames,
+      bodies,
+      motions,
+      part_section(model, "Force and moment on what i carries: bodies b, frames j.", force_rows),
+      part_section(model, "Composite mass, first moment and inertia of the same.", inertia_rows),
+      results};
+}
+
+Formula definition_by_others(const Model& model, const Function& function) {
+  if (function.kind == OutputKind::velocity_force) {
+    return typed_formula(model, "(C <v>)_{i} = \\sum_{j} C_{ij} <v>_{j}");
+  }
+  const bool is_square = function.kind == OutputKind::kinetic_energy && !model.may_drift;
+  if (is_square) return typed_formula(model, "T = \\frac{1}{2} <v>^{\\top} M <v>");
+  return heading(model, function).definition;
+}
+
+}  // namespace elgen

@@ -1,0 +1,121 @@
+// scene_notes: what a reader must know of a scene to read its equations.
+#include <fmt/format.h>
+
+#include "elgen/page.hpp"
+#include "numbers/exact_number.hpp"
+#include "program/evaluate/subject.hpp"
+
+namespace elgen {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+Lines fixed_parameters(const Model& model, const Scene& scene) {
+  Lines values;
+  for (const auto& [index, value] : scene.specialisation.fixed) {
+    values.push_back(
+        fmt::format("{} = {}", model.parameters[index].name, exact_text(value.number)));
+  }
+  return values;
+}
+
+/// "q1 = 1/6*pi"; of a rotation its components.
+Lines locked_coordinates(const Model& model) {
+  const Model& whole = whole_of(model);
+  Lines values;
+  for (const Lock& lock : model.variant.locks) {
+    for (std::uint32_t i = 0; i < lock.values.size(); ++i) {
+      values.push_back(fmt::format("{} = {}", whole.coordinates[lock.coordinate + i].name,
+                                   to_string(whole, lock.values[i])));
+    }
+  }
+  return values;
+}
+
+/// "phi at p_phi = 0.6"
+Lines cyclic_coordinates(const Model& model) {
+  Lines values;
+  for (const Cyclic& cyclic : model.variant.cyclic) {
+    const Parameter& momentum = model.parameters[cyclic.parameter];
+    values.push_back(fmt::format("{} at {} = {}",
+                                 whole_of(model).coordinates[cyclic.coordinate].name, momentum.name,
+                                 short_text(momentum.value)));
+  }
+  return values;
+}
+
+/// "Left out, with more than 4096 entries: mass_matrix, linearization. …"
+std::string left_out_text(const LeftOut& left_out) {
+  const std::string names = fmt::format("{}", fmt::join(left_out.outputs, ", "));
+  if (left_out.reason == LeftOutReason::too_many_entries) {
+    return fmt::format(
+        "Left out, with more than {} entries: {}. A scene or --outputs that names an output gets "
+        "it.",
+        entries_in_full, names);
+  }
+  return fmt::format("Left out, as forces with abs, sign, min or max have no derivatives: {}.",
+                     names);
+}
+
+/// Values of small coordinates, and of inputs where they are small.
+Lines point(const Model& model) {
+  const Approximation& approximation = *model.approximation;
+  Lines values;
+  for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
+    if (!approximation.small[i]) continue;
+    values.push_back(fmt::format("{} = {}", model.coordinates[i].name,
+                                 to_string(model, *approximation.coordinates[i])));
+  }
+  for (std::size_t i = 0; approximation.small_inputs && i < model.inputs.size(); ++i) {
+    const std::optional<ExpressionId>& value = approximation.inputs[i];
+    values.push_back(
+        fmt::format("{} = {}", model.inputs[i].name, value ? to_string(model, *value) : "0"));
+  }
+  return values;
+}
+
+Lines small_coordinates(const Model& model) {
+  Lines names;
+  for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
+    if (model.approximation->small[i]) names.push_back(model.coordinates[i].name);
+  }
+  return names;
+}
+
+}  // namespace
+
+/// "Expanded about x = 0, theta = 0, u = 0: right to order 1 in the deviations from there, the
+/// rates and the accelerations together."
+std::string expansion_text(const Model& model) {
+  if (!model.approximation) return {};
+  const Approximation& approximation = *model.approximation;
+  const std::string about = fmt::format("Expanded about {}: ", fmt::join(point(model), ", "));
+  if (approximation.small_inputs) {
+    return about + fmt::format(
+                       "right to order {} in the deviations from there, the rates and the "
+                       "accelerations together.",
+                       approximation.order);
+  }
+  return about + fmt::format(
+                     "right in the equations of {} to order {} (in others to order {}) in "
+                     "the deviations from there, their rates and their accelerations "
+                     "together; exact in all else.",
+                     fmt::join(small_coordinates(model), ", "), approximation.order,
+                     approximation.order + 1);
+}
+
+std::vector<std::string> scene_notes(const Model& model, const Scene& scene) {
+  Lines notes;
+  if (!scene.doc.empty()) notes.push_back(scene.doc);
+  const auto add = [&notes](const char* what, const Lines& values) {
+    if (!values.empty()) notes.push_back(fmt::format("{}: {}.", what, fmt::join(values, ", ")));
+  };
+  add("Fixed", fixed_parameters(model, scene));
+  add("Locked", locked_coordinates(model));
+  add("Taken out, with its momentum held", cyclic_coordinates(model));
+  if (model.approximation) notes.push_back(expansion_text(model));
+  for (const LeftOut& left_out : scene.left_out) notes.push_back(left_out_text(left_out));
+  return notes;
+}
+
+}  // namespace elgen

@@ -1,0 +1,337 @@
+// steps: the functions of a derivation -> sections of a page, in the order of a textbook: the
+// action and what makes it stationary, positions, velocities, energies, constraints, then
+// Lagrange's equation of one coordinate after the other.
+#include "print/steps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "elgen/page.hpp"
+#include "elgen/typeset.hpp"
+#include "model/symbols.hpp"
+
+namespace elgen {
+namespace {
+
+/// Sections grow equation by equation; the definitions that their functions refer to stand behind
+/// them.
+class Outline {
+ public:
+  Outline(const Model& model, const ReadableSteps& steps)
+      : model_(model), steps_(steps), symbols_(model) {
+    for (const std::string& name : steps.masses) {
+      Glyphs place = read_latex("<r>");
+      add_script(place, 1, symbol_of_name(name));
+      places_.push_back(symbols_.distinct(std::move(place)));
+    }
+    for (std::size_t i = 0; i < steps.program.functions.size(); ++i) {
+      read_.push_back(equations(model, steps.program, i));
+    }
+  }
+
+  std::vector<PageSection> operator()() {
+    add_action();
+    std::size_t function = 0;
+    if (!steps_.masses.empty()) {
+      add_motions(function, "Positions",
+                  "Where the masses are, in the coordinates." + positions_left_out(), false);
+      add_motions(function + 1, "Velocities", "Their rates, by the chain rule.", true);
+      function += 2;
+    }
+    const std::size_t constraints = function;
+    if (is_constrained()) ++function;
+    add_energies(function++);
+    if (is_constrained()) add_constraints(constraints);
+    const std::size_t first = function;
+    for (const Velocity& velocity : model_.velocities) add_velocity(function++, velocity);
+    add_invariants(function);
+    add_equations(first, constraints);
+    for (PageSection& section : outline_) section.is_aligned = true;
+    return std::move(outline_);
+  }
+
+ private:
+  [[nodiscard]] bool is_zero(std::size_t function, std::size_t field) const {
+    const Function& read = read_form(function);
+    return loads_zero(steps_.program, read.instructions[read.fields[field].entries.front()]);
+  }
+  [[nodiscard]] bool is_zero(std::size_t function, BookLine line) const {
+    return is_zero(function, field_of(line));
+  }
+
+  /// Whether a multiplier acts along the velocity of the function.
+  [[nodiscard]] bool has_multiplier(std::size_t function) const {
+    const Function& read = read_form(function);
+    const std::vector<bool> needed =
+        needed_for(read, read.fields[field_of(BookLine::force)].entries);
+    for (std::size_t at = 0; at < needed.size(); ++at) {
+      if (needed[at] && read.instructions[at].opcode == Opcode::multiplier) return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] const Function& read_form(std::size_t function) const {
+    return has_book_form(function) ? steps_.program.readable[function]
+                                   : steps_.program.functions[function];
+  }
+
+  [[nodiscard]] bool has_book_form(std::size_t function) const {
+    return !steps_.program.readable[function].fields.empty();
+  }
+
+  /// Models in a plane are written with two components.
+  [[nodiscard]] std::uint32_t dimension() const {
+    for (const Point& point : model_.points) {
+      if (point.dimension == 3) return 3;
+    }
+    for (const Body& body : model_.bodies) {
+      if (body.dimension == 3) return 3;
+    }
+    return 2;
+  }
+
+  PageSection& add_section(Formula title, std::string doc) {
+    functions_.clear();
+    return outline_.emplace_back(PageSection{.title = std::move(title), .doc = std::move(doc)});
+  }
+
+  /// `left` = one field of one function.
+  void add(Formula left, std::size_t function, std::size_t field, std::uint32_t rows = 1) {
+    Formulas entries = read_[function].entries[field];
+    entries.resize(rows);
+    outline_.back().equations.push_back({std::move(left), rows, 1, std::move(entries)});
+    if (std::ranges::count(functions_, function) == 0) functions_.push_back(function);
+  }
+
+  /// The definitions of the functions of a section. Those of several derivations may have one name.
+  void end_section() {
+    std::vector<std::string> known;
+    for (const std::size_t function : functions_) {
+      for (const auto& [name, value] : read_[function].definitions) {
+        if (std::ranges::count(known, text_of(name)) > 0) continue;
+        known.push_back(text_of(name));
+        outline_.back().equations.push_back({name, 1, 1, {value}, true});
+      }
+    }
+  }
+
+  void add_line(std::string_view latex) {
+    outline_.back().lines.push_back(typed_formula(model_, latex));
+  }
+
+  void add_action() {
+    PageSection& section = add_section(prose("Action"), std::string(action_doc));
+    if (!model_.rotations.empty()) section.doc += turning_variation;
+    std::ranges::for_each(variation_lines, [this](std::string_view line) { add_line(line); });
+    if (!is_free()) add_line(is_constrained() ? constrained_work : virtual_work);
+    add_line(is_free() ? std::string(stationary)
+                       : fmt::format("{}{}{}", balanced_forces, lagrange,
+                                     is_constrained() ? constraint_forces : ""));
+  }
+
+  [[nodiscard]] std::string positions_left_out() const {
+    if (steps_.left_out.empty()) return {};
+    return fmt::format(" Positions left out, as the energies have them {}: {}.",
+                       model_.approximation ? "expanded" : "by the motion of frames",
+                       fmt::join(steps_.left_out, ", "));
+  }
+
+  void add_motions(std::size_t function, const char* title, std::string doc, bool are_rates) {
+    add_section(prose(title), std::move(doc));
+    for (std::size_t i = 0; i < steps_.masses.size(); ++i) {
+      const std::string& name = steps_.masses[i];
+      Glyphs place = are_rates ? read_latex("\\frac{d}{dt}") : Glyphs{};
+      append(place, places_[i], true);
+      add(symbol_formula(are_rates ? fmt::format("d({})/dt", name) : name, std::move(place)),
+          function, i, dimension());
+    }
+    end_section();
+  }
+
+  void add_energies(std::size_t function) {
+    const bool is_whole = has_whole_lagrangian(model_);
+    const char* doc = has_routhian(model_)
+                          ? "Routh's function, with the momenta of cyclic coordinates."
+                      : is_whole ? "The Lagrangian as given."
+                                 : "Kinetic and potential energy, L = T - V.";
+    PageSection& section = add_section(prose(std::string(energies_title)), doc);
+    if (steps_.masses.empty()) section.doc += positions_left_out();
+    const std::string_view names = is_whole ? "L" : "TVL";
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      add(typed_formula(names.substr(i, 1)), function, i);
+    }
+    end_section();
+  }
+
+  /// L + lambda f of positions, what velocities have instead, and f and phi.
+  void add_constraints(std::size_t function) {
+    PageSection& section = add_section(prose("Constraints"), std::string(constraints_doc));
+    Formulas sum = {typed_formula("L")};
+    bool has_velocities = false;
+    for (std::uint32_t i = 0; i < model_.constraints.size(); ++i) {
+      const Constraint& constraint = model_.constraints[i];
+      const std::string name = (constraint.is_position ? "f_" : "phi_") + constraint.name;
+      const Formula symbol = symbol_formula(name, symbol_of_name(name));
+      add(symbol, function, i);
+      has_velocities = has_velocities || !constraint.is_position;
+      if (!constraint.is_position) continue;
+      sum.push_back(product_of({symbols_.leaves().multipliers[i], symbol}));
+    }
+    if (sum.size() > 1) {
+      section.lines.push_back(
+          row_of({sum_of(std::move(sum)), prose("in the place of"), typed_formula("L"),
+                  prose("gives the same"), typed_formula(model_, "A^{\\top} <lambda>")}));
+    }
+    if (has_velocities) add_line(of_velocities);
+    end_section();
+  }
+
+  [[nodiscard]] static std::size_t field_of(BookLine line) {
+    return static_cast<std::size_t>(line);
+  }
+
+  void add_velocity(std::size_t function, const Velocity& velocity) {
+    const std::string& q = velocity.name;
+    const bool is_angular = velocity.rotation.has_value();
+    const Glyphs glyphs =
+        is_angular ? symbol_of_name(q) : symbols_.coordinates()[velocity.coordinate];
+    const Formula symbol = symbol_formula(q, glyphs);
+    const Formula rate = symbol_formula(fmt::format("dot({})", q), accented(glyphs, "˙"));
+    const Formula slope = partial_derivative("L", rate);
+    PageSection& section = add_section(row_of({prose("Equation of"), symbol}),
+                                       is_angular ? std::string(turning_doc) : "");
+    const bool is_held = has_multiplier(function);
+    if (!is_angular && !is_held && is_zero(function, BookLine::partial)) {
+      section.lines.push_back(conservation(function, slope, symbol));
+    }
+    add(slope, function, field_of(BookLine::momentum));
+    add(row_of({typed_formula("\\frac{d}{dt}"), slope}), function,
+        field_of(BookLine::momentum_rate));
+    add(partial_derivative("L", symbol), function, field_of(BookLine::partial));
+    if (!is_zero(function, BookLine::dissipation)) {
+      add(partial_derivative("D", rate), function, field_of(BookLine::dissipation));
+    }
+    if (!is_zero(function, BookLine::force)) {
+      Glyphs force = read_latex("Q");
+      add_script(force, 1, glyphs);
+      Glyphs held = typed_glyphs(model_, "(A^{\\top} <lambda>)");
+      add_script(held, 1, glyphs);
+      Formulas terms = {symbol_formula("Q_" + q, std::move(force))};
+      if (is_held) terms.push_back(symbol_formula("(A^T lambda)_" + q, std::move(held)));
+      add(sum_of(std::move(terms)), function, field_of(BookLine::force));
+    }
+    add_row(function);
+    end_section();
+  }
+
+  /// d/dt dL/dv - dL/dq + dD/dv = Q + A^T lambda, written out.
+  void add_row(std::size_t function) {
+    add(read_[function].entries[field_of(BookLine::left)].front(), function,
+        field_of(BookLine::force));
+  }
+
+  /// The rows of all velocities, and what they are solved for, or the constraints.
+  void add_equations(std::size_t first, std::size_t constraints) {
+    PageSection& section = add_section(prose(std::string(equations_title)), "");
+    const std::size_t count = model_.velocities.size();
+    std::vector<std::string> long_rows;
+    for (std::size_t i = 0; i < count; ++i) {
+      // Definitions of several derivations may have one name: such a row stands in its own section.
+      if (has_book_form(first + i)) {
+        add_row(first + i);
+      } else {
+        long_rows.push_back(model_.velocities[i].name);
+      }
+    }
+    if (!long_rows.empty()) {
+      section.doc = fmt::format(
+          "Rows left out, as too long to be read at once: {}. elgen show --what steps has each in "
+          "parts.",
+          fmt::join(long_rows, ", "));
+    }
+    for (std::size_t i = 0; i < model_.constraints.size() && has_book_form(constraints); ++i) {
+      add(read_[constraints].entries[i].front(), constraints, model_.constraints.size());
+    }
+    const std::size_t accelerations = first + count + 1;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if (read_[accelerations].entries[i].empty()) continue;
+      add(symbols_.leaves().a[i], accelerations, i);
+    }
+    end_section();
+    if (section.equations.empty() && section.doc.empty()) outline_.pop_back();
+  }
+
+  /// Noether's line of a cyclic coordinate.
+  [[nodiscard]] Formula conservation(std::size_t function, const Formula& slope,
+                                     const Formula& q) const {
+    const bool is_free =
+        is_zero(function, BookLine::force) && is_zero(function, BookLine::dissipation);
+    const char* condition = is_free ? "" : " wherever no force and no dissipation act on it";
+    Glyphs momentum = read_latex("p");
+    add_script(momentum, 1, glyphs_of(q));
+    return row_of({typed_formula("L"), prose("does not contain"), q, prose(", so"),
+                   relation(symbol_formula("p_" + text_of(q), std::move(momentum)), slope),
+                   prose(fmt::format("is conserved{}", condition))});
+  }
+
+  [[nodiscard]] bool is_free() const {
+    return model_.forces.empty() && model_.inputs.empty() && !model_.energies.D &&
+           !is_constrained();
+  }
+  [[nodiscard]] bool is_constrained() const { return !model_.constraints.empty(); }
+
+  void add_invariants(std::size_t function) {
+    const bool is_autonomous = is_zero(function, 1);
+    const char* doc = is_free()          ? energy_of_free
+                      : is_constrained() ? energy_of_constrained
+                                         : energy_of_driven;
+    PageSection& section = add_section(prose("Energy function"), doc);
+    const char* contains = is_autonomous ? "does not contain" : "contains";
+    const char* verdict = !is_autonomous     ? "is not conserved"
+                          : is_free()        ? "is conserved"
+                          : is_constrained() ? conserved_unless_constrained
+                                             : conserved_unless_driven;
+    section.lines = {row_of({typed_formula("L"), prose(contains), typed_formula("t"), prose(", so"),
+                             typed_formula("E"), prose(verdict)})};
+    const Glyphs definition =
+        typed_glyphs(model_, R"(E = <v>^{\top} \frac{\partial L}{\partial <v>} - L)");
+    add(symbol_formula("E = sum of v dL/dv - L", definition), function, 0);
+    if (!is_autonomous) {
+      add(symbol_formula("dL/dt at fixed q and v", read_latex("\\frac{\\partial L}{\\partial t}")),
+          function, 1);
+    }
+    end_section();
+  }
+
+  const Model& model_;
+  const ReadableSteps& steps_;
+  ModelSymbols symbols_;
+  std::vector<Glyphs> places_ = {};           ///< of masses
+  std::vector<FunctionEquations> read_ = {};  ///< of each function
+  std::vector<std::size_t> functions_ = {};   ///< of the section
+  std::vector<PageSection> outline_ = {};
+};
+
+}  // namespace
+
+std::vector<PageSection> steps_sections(const Model& model, const ReadableSteps& steps,
+                                        std::string_view title) {
+  std::vector<PageSection> sections = Outline(model, steps)();
+  if (!title.empty()) {
+    std::erase_if(sections,
+                  [title](const PageSection& section) { return text_of(section.title) != title; });
+  }
+  return sections;
+}
+
+Page steps_page(const Model& model, const Scene& scene, const ReadableSteps& steps,
+                std::string_view title) {
+  Page result = model_page(model, scene, {});
+  result.equation_of_motion = typed_formula(
+      model, fmt::format("{}{}", lagrange, model.constraints.empty() ? "" : constraint_forces));
+  result.sections = steps_sections(model, steps, title);
+  return result;
+}
+
+}  // namespace elgen

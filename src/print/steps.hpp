@@ -1,0 +1,69 @@
+// steps: the sentences of a derivation that are the same for every model. `<q>` is a vector.
+//
+// Hamilton's principle, with d'Alembert's where forces work or constraints hold: Goldstein, Poole,
+// Safko, Classical Mechanics, 3rd ed., sections 1.4, 2.3 and 2.4.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace elgen {
+
+inline constexpr std::string_view action_doc =
+    "Hamilton's principle: the motion between two fixed ends makes S stationary.";
+inline constexpr std::string_view turning_variation =
+    " Of an angular velocity delta q is a turn about the axes of the body, and d/dt is the rate "
+    "seen from the world.";
+
+/// S, its variation, the integration by parts, and its boundary terms.
+inline constexpr std::array<std::string_view, 4> variation_lines{
+    R"(S = \int L dt)",
+    R"({\delta} S = \int \left( \frac{\partial L}{\partial <q>} \cdot {\delta} <q> + )"
+    R"(\frac{\partial L}{\partial <v>} \cdot \frac{d}{dt} {\delta} <q> \right) dt)",
+    R"({\delta} S = \int \left( \frac{\partial L}{\partial <q>} - )"
+    R"(\frac{d}{dt} \frac{\partial L}{\partial <v>} \right) \cdot {\delta} <q> dt + )"
+    R"(\left[ \frac{\partial L}{\partial <v>} \cdot {\delta} <q> \right] \text{ by parts})",
+    R"(\left[ \frac{\partial L}{\partial <v>} \cdot {\delta} <q> \right] = 0 )"
+    R"(\text{, as } {\delta} <q> = <0> \text{ at both ends})"};
+
+/// Hamilton's principle, and d'Alembert's where forces work.
+inline constexpr std::string_view stationary =
+    R"({\delta} S = 0 \text{ for every } {\delta} <q> \text{, so } )"
+    R"(\frac{d}{dt} \frac{\partial L}{\partial <v>} - \frac{\partial L}{\partial <q>} = <0>)";
+inline constexpr std::string_view virtual_work =
+    R"({\delta} W = \left( <Q> - \frac{\partial D}{\partial <v>} \right) \cdot {\delta} <q> )"
+    R"(\text{ is the virtual work of forces (d'Alembert)})";
+inline constexpr std::string_view balanced_forces =
+    R"({\delta} S + \int {\delta} W dt = 0 \text{ for every } {\delta} <q> \text{, so } )";
+inline constexpr std::string_view lagrange =
+    R"(\frac{d}{dt} \frac{\partial L}{\partial <v>} - \frac{\partial L}{\partial <q>} + )"
+    R"(\frac{\partial D}{\partial <v>} = <Q>)";
+
+/// The same with constraints.
+inline constexpr std::string_view constrained_work =
+    R"({\delta} W = \left( <Q> - \frac{\partial D}{\partial <v>} + A^{\top} <lambda> )"
+    R"(\right) \cdot {\delta} <q> )"
+    R"(\text{ is the virtual work of forces and constraints (d'Alembert)})";
+inline constexpr std::string_view constraint_forces = R"( + A^{\top} <lambda>)";
+inline constexpr std::string_view constraints_doc =
+    "Each has an unknown multiplier; A = df/dq of positions, dphi/dv of velocities.";
+inline constexpr std::string_view of_velocities =
+    R"(\text{nothing is added to } L \text{ for velocities: } {\delta} <q> \cdot A^{\top} )"
+    R"(<lambda> \text{ is virtual work (d'Alembert)})";
+
+inline constexpr std::string_view turning_doc =
+    "An angular velocity: d/dt is the rate seen from the world, with [w]x dL/dw, and the slope of "
+    "L "
+    "is along a turn about the axis of the body.";
+
+inline constexpr const char* energy_of_free = "dE/dt = -dL/dt at fixed q and v.";
+inline constexpr const char* energy_of_driven =
+    "dE/dt = v (Q - dD/dv) - dL/dt, the last at fixed q and v.";
+inline constexpr const char* energy_of_constrained =
+    "dE/dt = v (Q - dD/dv + A^T lambda) - dL/dt, the last at fixed q and v.";
+inline constexpr const char* conserved_unless_driven =
+    "is conserved wherever no force and no dissipation work";
+inline constexpr const char* conserved_unless_constrained =
+    "is conserved wherever no force, no dissipation and no constraint works";
+
+}  // namespace elgen

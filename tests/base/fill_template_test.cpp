@@ -1,0 +1,73 @@
+// fill_template: strict holes, no escaping; and every template is known by
+// its path.
+#include "base/fill_template.hpp"
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <stdexcept>
+
+#include "elgen/templates.hpp"
+#include "support/shell.hpp"
+
+using namespace elgen;
+
+TEST_CASE("a template without holes is its own text without the comment that opens it") {
+  const std::string text(embedded_template("cpp/kinked.hpp.mustache"));
+  const std::string comment = "{{! SPDX-License-Identifier: 0BSD\n}}";
+  REQUIRE(test::starts_with(text, comment));
+  CHECK(fill_template("cpp/kinked.hpp.mustache", TemplateData()) == text.substr(comment.size()));
+}
+
+TEST_CASE("every template says its licence, in what it emits or before it") {
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(ELGEN_SOURCE_DIR "/templates")) {
+    if (entry.path().extension() != ".mustache") continue;
+    INFO(entry.path());
+    CHECK(test::mentions(test::read_text(entry.path()), " SPDX-License-Identifier: 0BSD\n"));
+  }
+}
+
+TEST_CASE("text is not escaped") {
+  CHECK(fill_template("cpp/kinked.hpp.mustache", TemplateData()).find("&lt;") == std::string::npos);
+}
+
+TEST_CASE("a hole without a value and a template that is not there are mistakes of elgen") {
+  CHECK_THROWS_AS(fill_template("cpp/constant.hpp.mustache", TemplateData()), std::logic_error);
+  CHECK_THROWS_AS(fill_template("cpp/none.mustache", TemplateData()), std::logic_error);
+}
+
+TEST_CASE("a template stands in another one of its folder, without its line end") {
+  TemplateData data;
+  for (const char* const name :
+       {"header", "namespace", "storage", "order", "generated", "model_hash", "scene_hash",
+        "body_hash", "function", "workspace"}) {
+    data.set(name, name);
+  }
+  const TemplateData none = section_if(false);
+  for (const char* const name : {"struct", "values", "part", "regular"}) data.set(name, none);
+  TemplateData function;
+  for (const char* const name : {"summary", "signature", "body"}) function.set(name, name);
+  function.set("parts", section_if(true));
+  data.set("functions", section_if(true, function));
+  const std::string text = fill_template("cpp/eigen.hpp.mustache", data);
+  CHECK(text.find("/// Values that several parts of function use.\n") != std::string::npos);
+  CHECK(text.find("}  // namespace detail\n\n/// summary\n") != std::string::npos);
+}
+
+TEST_CASE("lines and optional sections") {
+  CHECK(lines_data({"a", "b"}).list_value().size() == 2);
+  CHECK(lines_data({"a"}).list_value()[0].get("line")->string_value() == "a");
+  CHECK(section_if(false).is_empty_list());
+  CHECK(section_if(true).is_non_empty_list());
+}
+
+TEST_CASE("a template that is not there is empty, or a mistake of elgen") {
+  CHECK(template_at("cpp/kinked.hpp.mustache") == embedded_template("cpp/kinked.hpp.mustache"));
+  CHECK(embedded_template("cpp/none.mustache").empty());
+  CHECK_THROWS_AS(template_at("cpp/none.mustache"), std::logic_error);
+}
+
+TEST_CASE("a template names others of its folder and language") {
+  CHECK(template_beside("cpp/header.hpp.mustache", "kinked") == "cpp/kinked.hpp.mustache");
+  CHECK(template_beside("c99/header.h.mustache", "function") == "c99/function.h.mustache");
+}

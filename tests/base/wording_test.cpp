@@ -1,0 +1,105 @@
+// Texts: TOML and user text on one line.
+#include "elgen/wording.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "base/toml_text.hpp"
+#include "elgen/diagnostic.hpp"
+
+using namespace elgen;
+
+TEST_CASE("a string is escaped") {
+  CHECK(toml_string("a") == "\"a\"");
+  CHECK(toml_string("a\"\\\n") == R"("a\"\\\u000A")");
+  CHECK(toml_string("a\u202eb\x01") == R"("aU+202EbU+0001")");
+}
+
+TEST_CASE("an integer wider than TOML's is a string") {
+  CHECK(toml_number("123") == "123");
+  CHECK(toml_number("1234567890123456789") == "\"1234567890123456789\"");
+  CHECK(toml_number("0.1234567890123456789") == "0.1234567890123456789");
+}
+
+TEST_CASE("a key is bare where it is a word") {
+  CHECK(toml_key("theta_1") == "theta_1");
+  CHECK(toml_key("dot(theta)") == "\"dot(theta)\"");
+  CHECK(toml_key("") == "\"\"");
+}
+
+TEST_CASE("lists and inline tables") {
+  CHECK(toml_list({"1", "2"}) == "[1, 2]");
+  CHECK(toml_inline_table({"a = 1", "b = 2"}) == "{ a = 1, b = 2 }");
+}
+
+TEST_CASE("a comment is one line") {
+  CHECK(toml_comment("a\nb") == "# a?b\n");
+  CHECK(toml_comment("") == "#\n");
+}
+
+TEST_CASE("equals signs stand in a column") {
+  TomlTable table("[[frame]]");
+  table.add("name", "\"a\"");
+  table.add("parent", "\"b\"");
+  CHECK(table.text() == "[[frame]]\nname   = \"a\"\nparent = \"b\"\n");
+}
+
+TEST_CASE("a column is as wide as its widest cell, and no line ends with blanks") {
+  CHECK(aligned({{"a", " 1"}, {"bcd", " 2"}, {"e", ""}}) ==
+        std::vector<std::string>{"a   1", "bcd 2", "e"});
+}
+
+TEST_CASE("the last cell of a row may be longer than its column") {
+  CHECK(aligned({{"a  ", "b  ", "c"}, {"d  ", "long enough"}}) ==
+        std::vector<std::string>{"a  b  c", "d  long enough"});
+}
+
+TEST_CASE("user text is made fit for a message") {
+  CHECK(in_backticks("m") == "`m`");
+  CHECK(in_backticks(std::string_view("\0", 1)) == "`U+0000`");
+  CHECK(in_backticks("\x7F") == "`U+007F`");
+  CHECK(in_backticks("a\u202Eb\u2028") == "`aU+202EbU+2028`");
+  CHECK(in_backticks("a\n\t  + b") == "`a + b`");
+  CHECK(in_backticks("a\r\nb") == "`a b`");
+}
+
+TEST_CASE("long text is cut between characters, and where it is no UTF-8") {
+  CHECK(in_backticks(std::string(60, 'a')) == "`" + std::string(60, 'a') + "`");
+  CHECK(in_backticks(std::string(61, 'a')) == "`" + std::string(60, 'a') + "…`");
+  CHECK(in_backticks(std::string(59, 'a') + "éé") == "`" + std::string(59, 'a') + "é…`");
+  CHECK(in_backticks("a\xFF") == "`a…`");
+}
+
+TEST_CASE("a span is quoted with the text it covers") {
+  const SourcePointer source = make_source("m.toml", "a +\n b");
+  CHECK(in_backticks(Span{source.get(), 0, 6}) == "`a + b`");
+}
+
+TEST_CASE("nouns are counted") {
+  CHECK(counted(1, "component") == "1 component");
+  CHECK(counted(0, "component") == "0 components");
+}
+
+TEST_CASE("suggestions are questions or nothing") {
+  CHECK(suggestion("mas", {"mass", "force"}) == "did you mean `mass`?");
+  CHECK(suggestion("zzz", {"mass"}).empty());
+}
+
+TEST_CASE("the nearest candidate is suggested") {
+  const std::vector<std::string> names{"theta", "mass_matrix", "m", "omega", "coordinate"};
+  CHECK(nearest("thta", names) == "theta");
+  CHECK(nearest("theat", names) == "theta");  // a transposition is one slip
+  CHECK(nearest("mas_matrx", names) == "mass_matrix");
+  CHECK(nearest("mq", names) == "m");
+  CHECK(nearest("coordinates", names) == "coordinate");
+}
+
+TEST_CASE("nothing is suggested where nothing is near") {
+  CHECK(nearest("velocity", {"theta", "m"}).empty());
+  CHECK(nearest("q", {"x", "y"}).empty());
+  CHECK(nearest("", {"a"}).empty());
+  CHECK(nearest(std::string(100, 'a'), {std::string(99, 'a')}).empty());
+}
+
+TEST_CASE("of equally near candidates the first is taken") {
+  CHECK(nearest("ac", {"ab", "ad"}) == "ab");
+}

@@ -1,0 +1,193 @@
+// The equation of motion with its variables, and the headings of outputs.
+#include <catch2/catch.hpp>
+
+#include "choose/chosen.hpp"
+#include "emit/fixture.hpp"
+#include "model/symbols.hpp"
+#include "print/constrained.hpp"
+#include "print/sections.hpp"
+#include "print/small_page.hpp"
+#include "support/frame_systems.hpp"
+#include "support/systems.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+using elgen::testing::cart_pole;
+using elgen::testing::has;
+using elgen::testing::latex_of;
+
+namespace {
+
+std::string equation(const elgen::testing::Subject& subject) {
+  return text_of(equation_of_motion(subject.model, subject.program));
+}
+
+using Lines = std::vector<std::string>;
+
+Lines lines_of(const std::string& text, const SceneOptions& options = {}) {
+  const Chosen c = chosen(text, options);
+  return variable_lines(c.checked.model, c.choice.program);
+}
+
+}  // namespace
+
+TEST_CASE("terms that are zero, or that a model cannot have, are left out") {
+  const Chosen c = chosen(cart_pole_text());
+  const Formula equation = equation_of_motion(c.checked.model, c.choice.program);
+  CHECK(text_of(equation) == "M(q) a + C(q,v) v + g(q) = B(q) u");
+  CHECK(latex_of(equation) ==
+        "M(\\mathbf{q}) \\ddot{\\mathbf{q}} + C(\\mathbf{q},\\dot{\\mathbf{q}}) "
+        "\\dot{\\mathbf{q}} + "
+        "\\mathbf{g}(\\mathbf{q}) = B(\\mathbf{q}) \\mathbf{u}");
+}
+
+TEST_CASE("where nothing moves, the equation is that at rest") {
+  Chosen c = chosen(cart_pole_text());
+  auto& functions = c.choice.program.functions;
+  const auto moves = [](const Function& f) { return f.kind != OutputKind::gravity; };
+  functions.erase(std::remove_if(functions.begin(), functions.end(), moves), functions.end());
+  const auto at_rest = [&c] {
+    return text_of(equation_of_motion(c.checked.model, c.choice.program));
+  };
+  CHECK(at_rest() == "g(q) = B(q) u");
+  c.checked.model.may_drift = true;
+  CHECK(at_rest() == "drift(q,0) + g(q) = B(q) u");
+}
+
+TEST_CASE("where rotations turn the rates are v") {
+  const Chosen c = chosen(tumbler_text());
+  CHECK(latex_of(equation_of_motion(c.checked.model, c.choice.program)) ==
+        "M(\\mathbf{q}) \\mathbf{a} + C(\\mathbf{q},\\mathbf{v}) \\mathbf{v} = B(\\mathbf{q}) "
+        "\\mathbf{u}");
+}
+
+TEST_CASE("a term nothing is known of stays") {
+  elgen::testing::Subject subject = cart_pole();
+  CHECK(equation(subject) == "M(q) a + C(q,v) v + g(q) = B(q) u");
+  subject.model.may_drift = true;
+  CHECK(equation(subject) == "M(q) a + C(q,v) v + drift(q,v) + g(q) = B(q) u");
+}
+
+TEST_CASE("what is zero in the program is left out, and a side without terms is 0") {
+  elgen::testing::Subject subject = cart_pole();
+  subject.program = elgen::testing::read_program(
+      "coordinates x theta\nfunction gravity\n  0 = constant 0\n  result 2 1 = 0 0\n"
+      "function drift\n  0 = constant 0\n  result 2 1 = 0 0\n");
+  subject.model.inputs.clear();
+  subject.model.may_drift = true;
+  CHECK(equation(subject) == "M(q) a + C(q,v) v = 0");
+}
+
+TEST_CASE("dissipation, other forces and time") {
+  elgen::testing::Subject subject = cart_pole();
+  subject.model.energies.D = 0;
+  subject.model.forces.emplace_back();
+  subject.model.uses_time = subject.model.may_drift = true;
+  CHECK(equation(subject) ==
+        "M(q,t) a + C(q,v,t) v + drift(q,v,t) + g(q,t) + dD/dv = B(q,t) u + Q(q,v,t)");
+}
+
+TEST_CASE("an L that is not quadratic has a bias only") {
+  elgen::testing::Subject subject = cart_pole();
+  subject.model.quadratic = false;
+  CHECK(equation(subject) == "M(q,v) a + bias(q,v) = B(q) u");
+}
+
+TEST_CASE("multipliers act beside the inputs") {
+  const Chosen rod = chosen(rod_text());
+  const Formula equation = equation_of_motion(rod.checked.model, rod.choice.program);
+  CHECK(text_of(equation) == "M(q) a + g(q) = A(q)^T lambda");
+  CHECK(has(latex_of(equation), "= A(\\mathbf{q})^{\\top} \\boldsymbol{\\lambda}"));
+  const Chosen disc = chosen(disc_text());
+  CHECK(text_of(equation_of_motion(disc.checked.model, disc.choice.program)) ==
+        "M(q) a = B(q) u + A(q)^T lambda");
+  CHECK(lines_of(disc_text()) == Lines{"q = (x, y, phi, psi)", "v = dq/dt, a = dv/dt", "u = (tau)",
+                                       "lambda = (lambda_roll_1, lambda_roll_2)",
+                                       "A a = -gamma, (f, r) = constraint_residual"});
+}
+
+TEST_CASE("constraints that stand still keep E, and momenta along which none acts") {
+  const auto conserved = [](const std::string& text) {
+    const Chosen c = chosen(text);
+    Lines names;
+    for (const auto& each : conserved_quantities(c.checked.model, c.choice.program)) {
+      names.push_back(each.name);
+    }
+    return names;
+  };
+  const std::string rod = rod_text();
+  CHECK(conserved(rod) == Lines{"E"});
+  const auto with_equation = [&rod](const std::string& equation) {
+    const std::string typed = "(x^2 + y^2)/2 = l^2/2";
+    return std::string(rod).replace(rod.find(typed), typed.size(), equation);
+  };
+  CHECK(conserved(with_equation("y = l")) == Lines{"E", "p(x)"});
+  CHECK(conserved(with_equation("y = omega*l*t")) == Lines{"p(x)"});
+  const std::string disc = disc_text();
+  const std::string input = "[[input]]\nname = \"tau\"\non = \"phi\"\n";
+  CHECK(conserved(std::string(disc).erase(disc.find(input), input.size())) == Lines{"p(psi)"});
+}
+
+TEST_CASE("coordinates, velocities as their rates, inputs") {
+  CHECK(lines_of(cart_pole_text()) == Lines{"q = (x, theta)", "v = dq/dt, a = dv/dt", "u = (u)"});
+}
+
+TEST_CASE("many names are the first two and the last") {
+  const Chosen c = chosen(cart_pole_text());
+  Model model = c.checked.model;
+  for (int i = 0; i < 20; ++i) model.coordinates.push_back(model.coordinates[1]);
+  CHECK(variable_lines(model, c.choice.program).front() == "q = (x, theta, ..., theta)");
+}
+
+TEST_CASE("where no function knows of motion all is at rest") {
+  SceneOptions options;
+  options.outputs = {make_source("command line", "gravity")};
+  CHECK(lines_of(cart_pole_text(), options).at(1) == "at rest");
+}
+
+TEST_CASE("velocities that are no rates have names") {
+  const Lines lines = lines_of(tumbler_text());
+  REQUIRE(lines.size() >= 3);
+  CHECK(lines[1].rfind("v = (", 0) == 0);
+  CHECK(lines[2] == "dq/dt = N(q) v: coordinate_rates");
+}
+
+TEST_CASE("every output of the table has a symbol and a sentence") {
+  const Chosen c = chosen(everything_text());
+  for (const Function& function : c.choice.program.functions) {
+    INFO(function.name);
+    CHECK_FALSE(latex_of(elgen::heading(c.checked.model, function).symbol).empty());
+    CHECK(output_doc(c.checked.model, function).back() == '.');
+  }
+}
+
+TEST_CASE("a model without a title has its name as one") {
+  Model model;
+  model.name = "double_pendulum";
+  CHECK(page_title(model) == "Double pendulum");
+  model.title = "two rods";
+  CHECK(page_title(model) == "two rods");
+}
+
+TEST_CASE("where rotations turn the rates are v, and the equations those of v") {
+  const auto definition_of = [](const std::string& text, OutputKind kind) {
+    const Chosen c = chosen(text);
+    for (const Function& function : c.choice.program.functions) {
+      if (function.kind != kind) continue;
+      return latex_of(elgen::heading(c.checked.model, function).definition);
+    }
+    FAIL("no such output");
+    return std::string();
+  };
+  const std::string plain = everything_text();
+  CHECK(definition_of(plain, OutputKind::gravity) ==
+        "\\mathbf{g} = \\frac{\\partial V_{0}}{\\partial \\mathbf{q}}");
+  CHECK(definition_of(plain, OutputKind::inverse_dynamics) ==
+        "\\boldsymbol{\\tau} = M \\ddot{\\mathbf{q}} + \\mathbf{bias}");
+  const std::string body = tumbler_text();
+  CHECK(definition_of(body, OutputKind::gravity) ==
+        "\\mathbf{g} = N^{\\top} \\frac{\\partial V_{0}}{\\partial \\mathbf{q}}");
+  CHECK(definition_of(body, OutputKind::inverse_dynamics) ==
+        "\\boldsymbol{\\tau} = M \\mathbf{a} + \\mathbf{bias}");
+  CHECK(has(definition_of(body, OutputKind::coriolis_matrix), "[\\boldsymbol{\\omega}]_{\\times}"));
+}

@@ -1,0 +1,240 @@
+// Pages and sentences: what they hold; each language escapes what is its markup.
+#include <catch2/catch.hpp>
+#include <limits>
+
+#include "choose/chosen.hpp"
+#include "elgen/page.hpp"
+#include "print/small_page.hpp"
+#include "support/systems.hpp"
+
+using namespace elgen;
+using namespace elgen::testing;
+using namespace elgen::test;
+using elgen::testing::has;
+
+namespace {
+
+std::vector<std::string> notes(const std::string& scene) {
+  const CheckedModel checked = checked_scene(cart_pole_text(), scene);
+  return scene_notes(checked.model, checked.scene);
+}
+
+}  // namespace
+
+TEST_CASE("text is escaped in every language, vectors are columns") {
+  struct PageRow {
+    std::string (*page)(const Page& page);
+    std::string part;
+  };
+  const PageRow row = GENERATE(values<PageRow>({
+      {html_page, "<title>A &amp; B_1</title>"},
+      {html_page, "100 % of x &lt; y"},
+      {html_page, "<mtr><mtd><mrow><mn>0</mn></mrow></mtd></mtr>"},
+      {latex_document, "A \\& B\\_1"},
+      {latex_document, "100 \\% of x \\textless{} y"},
+      {latex_document,
+       "$m_{1}$ & \\texttt{m1} & 0.5 & $\\mathrm{kg}$ & mass \\textbar{} of *one* \\\\\n"},
+      {latex_document, "\\end{document}\n"},
+      {markdown_page, "# A \\& B\\_1\n"},
+      {markdown_page, "100 % of x \\< y\n"},
+      {markdown_page, "| $m_{1}$ | `m1` | 0.5 | kg | mass \\| of \\*one\\* |"},
+      {markdown_page, "$$\ng = \\begin{pmatrix}\n0 \\\\\nm_{1} g\n\\end{pmatrix}\n$$"},
+  }));
+  INFO(row.part);
+  CHECK(has(row.page(small_page()), row.part));
+}
+
+TEST_CASE("sections of what is empty are absent") {
+  const std::string page = markdown_page(small_page());
+  CHECK(has(page, "\n## Gravity\n"));
+  CHECK(has(page, "M \\ddot{q} = 0"));
+  Page without = small_page();
+  without.parameters.clear();
+  CHECK_FALSE(has(markdown_page(without), "| "));
+}
+
+TEST_CASE("text of several lines, with dollars and back-ticks, stays in its row") {
+  Page page = small_page();
+  page.parameters.front().doc = "one\ntwo for $5 and `six`";
+  CHECK(has(markdown_page(page), "| kg | one two for \\$5 and \\`six\\` |\n"));
+}
+
+TEST_CASE("units, titles with formulas and lines of prose and formulas") {
+  Page mixed = small_page();
+  mixed.parameters.front().unit = "kg*m^2/s^(1/2)";
+  const PageSection equation{
+      .title = row_of({prose("Equation of"), typed_formula("\\theta_1")}),
+      .lines = {row_of({typed_formula("L"), prose("lacks"), typed_formula("x_1")})}};
+  const PageSection of_user{.title = prose("tip"), .function = "tip"};
+  mixed.sections = {equation, of_user};
+  mixed.title = row_of({prose("A & B at"), typed_formula("x = 1")});
+  struct PageParts {
+    std::string (*page)(const Page& page);
+    std::vector<std::string> parts;
+  };
+  const std::vector<PageParts> rows{
+      {markdown_page,
+       {"# A \\& B at $x = 1$\n", "| kg m²/s^(1/2) |", "\n## Equation of $\\theta_{1}$\n",
+        "\n$L$ lacks $x_{1}$\n", "\n## `tip`\n"}},
+      {latex_document,
+       {"A \\& B at $x = 1$}", "& $\\mathrm{kg\\,m^{2}/s^{1/2}}$ &",
+        "\\subsection*{Equation of $\\theta_{1}$}", "\n$L$ lacks $x_{1}$\n",
+        "\\subsection*{\\normalfont\\texttt{tip}}"}},
+      {html_page,
+       {"<title>A &amp; B at x = 1</title>", "<td>kg m<sup>2</sup>/s<sup>1/2</sup></td>",
+        "<h2>Equation of <math>", "</math> lacks <math>", "<h2><code>tip</code></h2>"}}};
+  for (const PageParts& row : rows) {
+    const std::string page = row.page(mixed);
+    INFO(page);
+    for (const std::string& part : row.parts) CHECK(has(page, part));
+  }
+}
+
+TEST_CASE("aligned equations and lines that are some are one block in every language") {
+  Page page = small_page();
+  PageSection section{.title = prose("Action"), .is_aligned = true};
+  section.equations.push_back({typed_formula("T"), 1, 1, {typed_formula("b")}});
+  section.lines = {typed_formula("S = \\int L dt"),
+                   row_of({typed_formula("L"), prose("lacks"), typed_formula("t")})};
+  page.sections = {section};
+  const std::string aligned = "S &= \\int L dt \\\\\nT &= b\n\\end{aligned}\n";
+  CHECK(has(markdown_page(page), "$$\n\\begin{aligned}\n" + aligned + "$$"));
+  CHECK(has(latex_document(page), "\\[\n\\begin{aligned}\n" + aligned + "\\]"));
+  const std::string html = html_page(page);
+  CHECK(has(html,
+            "<mtable class=\"lines\" displaystyle=\"true\">\n<mtr><mtd><mrow><mrow><mi>S</mi>"));
+  CHECK(has(html, "<mi>T</mi></mrow><mo>=</mo></mrow></mtd><mtd><mrow><mrow><mi>b</mi>"));
+}
+
+TEST_CASE("blocks of many lines break across pages") {
+  Page page = small_page();
+  PageSection section{.title = prose("Many"), .is_aligned = true};
+  for (int i = 0; i < 12; ++i) {
+    section.equations.push_back({typed_formula("a"), 1, 1, {typed_formula("b")}});
+  }
+  page.sections = {section};
+  CHECK(has(latex_document(page), "\\begin{align*}\na &= b \\\\\na &= b"));
+}
+
+TEST_CASE("links and images of titles are text") {
+  Page page = small_page();
+  page.title = prose("[here](http://a) ![](http://b/c.png) <img src=x> &#33;");
+  CHECK(has(markdown_page(page),
+            "# \\[here\\](http://a) !\\[\\](http://b/c.png) \\<img src=x> \\&#33;\n"));
+}
+
+TEST_CASE("a page holds what is worth reading") {
+  const Chosen c = chosen(cart_pole_text());
+  const Page page = model_page(c.checked.model, c.checked.scene, c.choice.program);
+  CHECK(page.coordinates.size() == 2);
+  CHECK(latex_of(page.coordinates[1].symbol) == "\\theta");
+  CHECK(page.parameters.size() == 4);
+  for (const PageSection& output : page.sections) {
+    CHECK(output.function != "drift");
+    CHECK(output.function != "dynamics");
+  }
+}
+
+TEST_CASE("zeros are shown, and long outputs left out, where that is asked for") {
+  const Chosen c = chosen(cart_pole_text());
+  const auto count = [&](const PageOptions& options) {
+    const Page page = model_page(c.checked.model, c.checked.scene, c.choice.program, options);
+    std::size_t equations = 0;
+    for (const PageSection& output : page.sections) equations += output.equations.empty() ? 0 : 1;
+    return equations;
+  };
+  CHECK(count({true}) > count({}));
+  CHECK(count({false, 2}) < count({}));
+}
+
+TEST_CASE("the page in the model language") {
+  const Chosen c = chosen(cart_pole_text());
+  const std::string page = text_page(c.checked.model, c.checked.scene, c.choice.program);
+  CHECK(has(page, "  q = (x, theta)\n  v = dq/dt, a = dv/dt\n"));
+  CHECK(has(page, "\nmass_matrix\n  mass_matrix[1,1] = M + m\n"));
+  CHECK(has(page, "  potential_energy = m*l*g*cos(theta)\n"));
+  CHECK_FALSE(has(page, "drift"));
+  CHECK(has(text_page(c.checked.model, c.checked.scene, c.choice.program, {true}),
+            "  drift[2] = 0\n"));
+}
+
+TEST_CASE("a page ends with what is conserved, where nothing acts") {
+  const auto orbit = [](const std::string& more) {
+    return chosen(model_text("orbit", R"toml([[coordinate]]
+name = "r"
+range = [1, 2]
+[[coordinate]]
+name = "phi"
+[energy]
+T = "1/2*(dot(r)^2 + r^2*dot(phi)^2)"
+)toml" + more));
+  };
+  const auto text = [](const Chosen& c) {
+    return text_page(c.checked.model, c.checked.scene, c.choice.program);
+  };
+  const Chosen free = orbit("V = \"-1/r\"\n");
+  CHECK(text(free).ends_with("\n\nconserved: E, p(phi)\n"));
+  const PageSection last =
+      model_page(free.checked.model, free.checked.scene, free.choice.program).sections.back();
+  CHECK(text_of(last.title) == "Conserved");
+  REQUIRE(last.lines.size() == 2);
+  CHECK(latex_of(last.lines[1]) == "p_{\\phi} = \\frac{\\partial L}{\\partial \\dot{\\phi}}");
+  CHECK(text(orbit("V = \"-t/r\"\n")).ends_with("\n\nconserved: p(phi)\n"));
+  const std::string push =
+      "V = \"f*r\"\n[[function]]\nname = \"f\"\nof = [\"t\"]\nsample = \"cos(t)\"\n";
+  CHECK(text(orbit(push)).ends_with("\n\nconserved: p(phi)\n"));
+  CHECK(text(orbit("D = \"dot(r)^2\"\n")).ends_with("\n\nconserved: p(phi)\n"));
+  CHECK_FALSE(has(text(orbit("D = \"dot(phi)^2\"\n")), "conserved"));
+  CHECK_FALSE(has(text(orbit("V = \"sin(phi - t)\"\n")), "conserved"));
+}
+
+TEST_CASE("costs of both forms, the emitted one marked") {
+  FormCosts row{.function = "bias", .recursive = {.add = 2}, .closed = OperationCounts{.mul = 1}};
+  row.chosen = Form::closed;
+  row.closed_loss = 0;
+  row.recursive_loss = 1e3;
+  CHECK(has(cost_page({row}),
+            "bias      closed          0      1     0     0      0     0       1       0  emitted\n"
+            "bias      recursive       2      0     0     0      0     0       2     3.0\n"));
+  row.recursive_loss = std::numeric_limits<double>::infinity();
+  CHECK(has(cost_page({row}), "     all\n"));
+  row.is_asked_for = true;
+  CHECK(has(cost_page({row}), "  asked for\n"));
+}
+
+TEST_CASE("what a model leaves out, and whether it can be had") {
+  Scene scene;
+  scene.left_out = {{LeftOutReason::too_many_entries, {"mass_matrix", "linearization"}},
+                    {LeftOutReason::kinked_force, {"forward_dynamics_derivatives"}}};
+  CHECK(scene_notes(Model{}, scene) ==
+        std::vector<std::string>{
+            "Left out, with more than 4096 entries: mass_matrix, linearization. A scene or "
+            "--outputs that names an output gets it.",
+            "Left out, as forces with abs, sign, min or max have no derivatives: "
+            "forward_dynamics_derivatives."});
+}
+
+TEST_CASE("what a scene fixes and locks") {
+  CHECK(notes("") == std::vector<std::string>{});
+  CHECK(notes("doc = \"Upright.\"\n[parameters]\nfixed = { l = \"1/2\", g = 9.81 }\n"
+              "[lock]\nx = { value = \"sin(2*t)\" }\n") ==
+        std::vector<std::string>{"Upright.", "Fixed: l = 0.5, g = 9.81.", "Locked: x = sin(2*t)."});
+}
+
+TEST_CASE("exact equations say nothing") {
+  CHECK(expansion_text(checked_model(cart_pole_text()).model).empty());
+}
+
+TEST_CASE("the point and the order are named, inputs where they are small") {
+  const CheckedModel all =
+      approximated(cart_pole_text(), "order = 1\nabout = { x = 0, theta = \"pi/2\" }");
+  CHECK(scene_notes(all.model, all.scene) == std::vector<std::string>{expansion_text(all.model)});
+  CHECK(expansion_text(all.model) ==
+        "Expanded about x = 0, theta = pi/2, u = 0: right to order 1 in the deviations from "
+        "there, the rates and the accelerations together.");
+  const CheckedModel some = approximated(cart_pole_text(), "order = 2\nabout = { theta = 0 }");
+  CHECK(expansion_text(some.model) ==
+        "Expanded about theta = 0: right in the equations of theta to order 2 (in others to order "
+        "3) in the deviations from there, their rates and their accelerations together; exact in "
+        "all else.");
+}

@@ -1,0 +1,38 @@
+// A page with what needs care in every notation.
+#pragma once
+
+#include <string>
+
+#include "elgen/page.hpp"
+#include "formula/glyphs.hpp"
+
+namespace elgen::testing {
+
+inline Page small_page() {
+  Page page;
+  page.title = prose("A & B_1");
+  page.description = "100 % of x < y";
+  page.equation_of_motion = typed_formula("M \\ddot{q} = 0");
+  page.parameters = {{typed_formula("m_{1}"), "m1", "kg", "0.5", "mass | of *one*"}};
+  page.sections = {
+      {.title = prose("Gravity"),
+       .function = "gravity",
+       .kind = OutputKind::gravity,
+       .doc = "Slope.",
+       .equations = {{typed_formula("g"), 2, 1, {number_formula(0), typed_formula("m_{1} g")}}}}};
+  return page;
+}
+
+inline std::string latex_of(const Formula& formula) { return latex(glyphs_of(formula)); }
+
+inline std::vector<std::string> latex_of(const Formulas& formulas) {
+  std::vector<std::string> all;
+  for (const Formula& formula : formulas) all.push_back(latex_of(formula));
+  return all;
+}
+
+inline bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace elgen::testing

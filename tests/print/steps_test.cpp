@@ -1,0 +1,167 @@
+// A derivation as text and as a page.
+#include "print/steps.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "choose/chosen.hpp"
+#include "elgen/steps.hpp"
+#include "elgen/typeset.hpp"
+#include "print/constrained.hpp"
+#include "print/small_page.hpp"
+#include "support/systems.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+using elgen::testing::has;
+using elgen::testing::latex_of;
+
+namespace {
+
+struct Derivation {
+  explicit Derivation(const std::string& text) : checked(checked_model(text)) {
+    const auto derived = derive_steps(*formulate(checked.model));
+    const auto recursive = lower(derived->equations, derived->requests, {});
+    steps.program = typeset_steps(checked, present(*recursive), *recursive);
+    steps.masses.assign(derived->masses.size(), "mass");
+  }
+
+  [[nodiscard]] std::string text(std::string_view title = {}) const {
+    return text_of(steps_sections(checked.model, steps, title));
+  }
+  [[nodiscard]] Page page() const { return steps_page(checked.model, checked.scene, steps); }
+
+  CheckedModel checked;
+  ReadableSteps steps;
+};
+
+}  // namespace
+
+TEST_CASE("the order of a textbook") {
+  const Derivation d(cart_pole_text());
+  const std::string text = d.text();
+  std::size_t last = 0;
+  for (const char* title :
+       {"\nAction\n", "\nPositions\n", "\nVelocities\n", "\nEnergies\n", "\nEquation of x\n",
+        "\nEquation of theta\n", "\nEnergy function\n", "\nEquations of motion\n"}) {
+    INFO(title);
+    const std::size_t at = text.find(title, last);
+    REQUIRE(at != std::string::npos);
+    last = at;
+  }
+  CHECK(has(text, " = (x, 0)\n"));
+  CHECK(has(text, " = (x + l*sin(theta), l*cos(theta))\n"));
+  CHECK(has(text, "  dL/dtheta = -m*l*dot(x)*dot(theta)*sin(theta) + m*g*l*sin(theta)\n"));
+  CHECK(has(d.text(energies_title), "  V = m*g*l*cos(theta)\n"));
+}
+
+TEST_CASE("dissipation, forces and explicit time are steps of their own") {
+  const Derivation d(everything_text());
+  const std::string text = d.text();
+  CHECK(has(text, "  dD/d(dot(r)) = "));
+  CHECK(has(text, "L contains t, so E is not conserved\n"));
+  CHECK(has(text, "  dL/dt at fixed q and v = "));
+}
+
+TEST_CASE("the page has one section per step") {
+  const std::vector<PageSection> sections = Derivation(cart_pole_text()).page().sections;
+  REQUIRE(sections.size() == 8);
+  CHECK(text_of(sections[0].title) == "Action");
+  CHECK(latex_of(sections[5].title) == "\\text{Equation of } \\theta");
+  CHECK(sections[1].equations.at(0).rows == 2);
+  CHECK(latex_of(sections[5].equations.at(0).left) ==
+        "\\frac{\\partial L}{\\partial \\dot{\\theta}}");
+}
+
+TEST_CASE("it begins with the action, its variation by parts and its ends") {
+  const Derivation free(
+      model_text("block", "[[coordinate]]\nname = \"x\"\n[energy]\nT = \"dot(x)^2\"\n"));
+  CHECK(free.text().find(R"(
+Action
+  Hamilton's principle: the motion between two fixed ends makes S stationary.
+  S = int L dt
+  delta S = int (dL/dq * delta q + dL/dv * d/dt delta q) dt
+  delta S = int (dL/dq - d/dt dL/dv) * delta q dt + [dL/dv * delta q] by parts
+  [dL/dv * delta q] = 0, as delta q = 0 at both ends
+  delta S = 0 for every delta q, so d/dt dL/dv - dL/dq = 0
+
+Energies
+)") == 0);
+  const Derivation driven(cart_pole_text());
+  const std::string text = driven.text();
+  CHECK(
+      has(text, "  delta W = (Q - dD/dv) * delta q is the virtual work of forces (d'Alembert)\n"));
+  CHECK(has(text, "for every delta q, so d/dt dL/dv - dL/dq + dD/dv = Q\n"));
+}
+
+TEST_CASE("what L does not contain has a line of Noether's, in symbols on a page") {
+  const Derivation d(cart_pole_text());
+  CHECK(has(d.text(),
+            "  L does not contain x, so p_x = dL/d(dot(x)) is conserved wherever no force and no "
+            "dissipation act on it\n"));
+  const Page page = d.page();
+  CHECK(latex_of(page.sections[4].lines) ==
+        std::vector<std::string>{
+            "L \\text{ does not contain } x \\text{, so } p_{x} = \\frac{\\partial L}{\\partial "
+            "\\dot{x}} \\text{ is conserved wherever no force and no dissipation act on it}"});
+  CHECK(page.sections[5].lines.empty());
+  const std::string screen = screen_page(page, {120, Alphabet::unicode});
+  CHECK(has(screen, "  S = ∫ L dt\n"));
+  CHECK(has(screen, "  δS = ∫ (∂L/∂q - d/dt ∂L/∂q̇) ⋅ δq dt + [∂L/∂q̇ ⋅ δq] by parts\n"));
+  CHECK(has(screen, "  L does not contain x, so pₓ = ∂L/∂ẋ is conserved wherever"));
+  CHECK(has(screen, "  L does not contain t, so E is conserved wherever no force"));
+}
+
+TEST_CASE("a multiplier joins L, and acts where the slope of its equation is") {
+  const Derivation d(rod_text());
+  const std::string text = d.text();
+  INFO(text);
+  CHECK(has(text, "so d/dt dL/dv - dL/dq + dD/dv = Q + A^T lambda\n"));
+  CHECK(has(text, "\nConstraints\n"));
+  CHECK(has(text, "  L + lambda_rod*f_rod in the place of L gives the same A^T lambda\n"));
+  CHECK(has(text, "  f_rod = 1/2*(x^2 + y^2) - 1/2*l^2\n"));
+  CHECK(has(text, "  Q_x + (A^T lambda)_x = lambda_rod*x\n  m*dot(dot(x)) = lambda_rod*x\n"));
+  CHECK_FALSE(has(text, "p_x = dL/d(dot(x)) is conserved"));
+  CHECK(has(text, "E is conserved wherever no force, no dissipation and no constraint works\n"));
+  CHECK(has(text,
+            "\nEquations of motion\n"
+            "  m*dot(dot(x)) = lambda_rod*x\n"
+            "  m*dot(dot(y)) + m*g = lambda_rod*y\n"
+            "  1/2*(x^2 + y^2) - 1/2*l^2 = 0\n"));
+  CHECK_FALSE(has(text, "  dot(dot(x)) = "));
+}
+
+TEST_CASE("constraints on velocities do virtual work, and leave L as it is") {
+  const Derivation d(disc_text());
+  const std::string text = d.text();
+  INFO(text);
+  CHECK(has(text, "  nothing is added to L for velocities: delta q * A^T lambda is virtual work"));
+  CHECK_FALSE(has(text, "in the place of L"));
+  CHECK(has(text, "  phi_roll_2 = dot(y) - R*dot(phi)*sin(psi)\n"));
+  CHECK(has(text, "L does not contain psi, so p_psi = dL/d(dot(psi)) is conserved\n"));
+  CHECK_FALSE(has(text, "L does not contain phi, so"));
+  CHECK(has(text,
+            "\nEquations of motion\n"
+            "  m*dot(dot(x)) = lambda_roll_1\n"
+            "  m*dot(dot(y)) = lambda_roll_2\n"
+            "  A*dot(dot(phi)) = tau - lambda_roll_1*R*cos(psi) - lambda_roll_2*R*sin(psi)\n"
+            "  J*dot(dot(psi)) = 0\n"
+            "  dot(x) - R*dot(phi)*cos(psi) = 0\n"));
+}
+
+TEST_CASE("multipliers have their symbols on a page of steps, and its heading has them") {
+  const Derivation d(rod_text());
+  const Page page = d.page();
+  CHECK(has(latex_of(page.equation_of_motion), "= \\mathbf{Q} + A^{\\top} \\boldsymbol{\\lambda}"));
+  CHECK(latex_of(page.sections.back().equations.at(0).entries.at(0)) ==
+        "\\lambda_{\\mathrm{rod}} x");
+}
+
+TEST_CASE("the lines of every derivation are printed as they are read") {
+  for (const std::string_view line :
+       {variation_lines[0], variation_lines[1], variation_lines[2], variation_lines[3], stationary,
+        virtual_work, balanced_forces, lagrange, constrained_work, constraint_forces,
+        of_velocities}) {
+    const Glyphs glyphs = read_latex(line);
+    CHECK(read_latex(latex(glyphs)) == glyphs);
+  }
+}
