@@ -126,7 +126,8 @@ bool has_open_argument(const Glyphs& row) {
 SetFormula product_of_set(std::vector<SetFormula> factors) {
   if (factors.size() == 1) return std::move(factors.front());
   // So that no factor is read as a part of their arguments.
-  std::ranges::stable_partition(factors, [](const SetFormula& x) { return !x.is_call; });
+  std::stable_partition(factors.begin(), factors.end(),
+                        [](const SetFormula& x) { return !x.is_call; });
   const bool is_negation = factors.front().binding == Binding::negation;
   bool last_is_word = begins_with_word(factors.front().row);
   const bool is_open = !factors.front().is_call && has_open_argument(factors.front().row);
@@ -202,13 +203,15 @@ SetFormula set_quotient(const Formula& formula) {
   return product_of_set(std::move(factors));
 }
 
+void append_item(Glyphs& list, const Formula& item) {
+  if (!list.parts.empty()) append_sign(list, ",", false);
+  append(list, set(item).row, true);
+}
+
 Glyphs listed(const Formulas& items) {
-  Glyphs row;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    if (i > 0) append_sign(row, ",", false);
-    append(row, set(items[i]).row, true);
-  }
-  return row;
+  Glyphs list;
+  for (const Formula& item : items) append_item(list, item);
+  return list;
 }
 
 SetFormula set_root(Glyphs radicand) {
@@ -252,7 +255,9 @@ SetFormula set_call(const Formula& formula) {
   const bool stands_free = function != FunctionId::sign && formula.parts.size() == 1 &&
                            (is_alone || (is_fraction && first.binding == Binding::power));
   if (stands_free) return function_of(std::move(head), std::move(first.row), true);
-  return function_of(std::move(head), in_brackets(listed(formula.parts)), false);
+  Glyphs arguments = std::move(first.row);  // set once, as calls may be nested deeply
+  if (formula.parts.size() > 1) append_item(arguments, formula.parts[1]);
+  return function_of(std::move(head), in_brackets(std::move(arguments)), false);
 }
 
 /// Words have blanks at their ends where formulas stand beside them.
@@ -309,7 +314,7 @@ SetFormula set(const Formula& formula) {
     case FormulaKind::call:
       return set_call(formula);
     case FormulaKind::bars:
-      return {enclosed(set(parts[0]).row, "|", "|", false)};
+      return {enclosed(set(parts[0]).row, "|", "|", true)};
     case FormulaKind::group:
       return {at_least(set(parts[0]), Binding::power), Binding::power};
     case FormulaKind::relation:

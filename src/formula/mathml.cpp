@@ -17,7 +17,9 @@ std::string element(const Glyphs& glyphs) {
   return is_single ? mathml(glyphs) : fmt::format("<mrow>{}</mrow>", mathml(glyphs));
 }
 
-bool is_absent(const Glyphs& glyphs) { return glyphs.kind == GlyphKind::row && glyphs.parts.empty(); }
+bool is_absent(const Glyphs& glyphs) {
+  return glyphs.kind == GlyphKind::row && glyphs.parts.empty();
+}
 
 std::string scripts(const Glyphs& glyphs) {
   const std::string base = element(glyphs.parts[0]);
@@ -94,7 +96,16 @@ std::string bold(const std::string& text) {
 }
 
 std::string sign(const std::string& text) {
-  return fmt::format("<mo>{}</mo>", text == "-" ? "−" : xml_text(text));
+  return fmt::format("<mo>{}</mo>", text == "-" ? "−" : text == "<=" ? "≤" : xml_text(text));
+}
+
+/// A bar says on which side it stands.
+std::string fence(const Glyphs& glyphs) {
+  if (glyphs.text.empty()) return "";
+  const char* const form = glyphs.text != "|"               ? ""
+                           : glyphs.kind == GlyphKind::left ? R"( form="prefix")"
+                                                            : R"( form="postfix")";
+  return fmt::format(R"(<mo stretchy="true"{}>{}</mo>)", form, glyphs.text);
 }
 
 }  // namespace
@@ -127,7 +138,7 @@ std::string mathml(const Glyphs& glyphs) {
       return fmt::format(R"(<mo stretchy="false">{}</mo>)", glyphs.text);
     case GlyphKind::left:
     case GlyphKind::right:
-      return glyphs.text.empty() ? "" : fmt::format(R"(<mo stretchy="true">{}</mo>)", glyphs.text);
+      return fence(glyphs);
     case GlyphKind::space:
       return fmt::format(R"(<mspace width="{}em"/>)", glyphs.text);
     case GlyphKind::fraction:

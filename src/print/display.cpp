@@ -266,8 +266,10 @@ bool leaves_out_zeros(const SetEquation& equation, const PageShape& shape) {
 
 std::vector<Display> displays(const SetEquation& equation, const PageShape& shape) {
   if (equation.entries.size() == 1) {
-    // A definition of its own keeps its vectors; the symbol of one number is none.
-    const bool is_defined = std::ranges::count(equation.left.parts, "=", &Glyphs::text) > 0;
+    // A formula of its own keeps its vectors; the symbol of one number is none.
+    const bool is_defined = std::ranges::any_of(equation.left.parts, [](const Glyphs& part) {
+      return part.text == "=" || bracket_step(part) != 0;
+    });
     return {number_display(is_defined ? equation.left : without_bold(equation.left),
                            equation.entries.front(), shape)};
   }

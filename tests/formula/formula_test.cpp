@@ -202,7 +202,7 @@ TEST_CASE("relations, lists, words and signs") {
       {row_of({a, prose("; then"), b}), "a; then b", "a \\text{; then } b"},
       {row_of({prose("at"), {}, a, prose("")}), "at a", "\\text{at } a"},
       {either_sign(sum_of({a, b})), "+-(a + b)", "\\pm (a + b)"},
-      {bars(sum_of({a, b})), "|a + b|", "|a + b|"},
+      {bars(sum_of({a, b})), "|a + b|", "\\left| a + b \\right|"},
       {product_of({group(negative(a)), b}), "(-a)*b", "(-a) b"},
       {digits_formula("-1.5e-07"), "-1.5e-07", "-1.5 \\cdot 10^{-7}"},
       {typed_formula("\\ddot{<q>}_{1}"), "ddot(q1)", "\\ddot{\\mathbf{q}}_{1}"},
