@@ -7,8 +7,8 @@
 
 #include "elgen/diagnostic.hpp"
 #include "elgen/model.hpp"
-#include "elgen/program.hpp"
 #include "elgen/page.hpp"
+#include "elgen/program.hpp"
 #include "elgen/scene.hpp"
 
 namespace elgen {

@@ -17,8 +17,8 @@
 #include "elgen/emitted_files.hpp"
 #include "elgen/limits.hpp"
 #include "elgen/model.hpp"
-#include "elgen/program.hpp"
 #include "elgen/page.hpp"
+#include "elgen/program.hpp"
 #include "elgen/scene.hpp"
 #include "elgen/syntax.hpp"
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/ascii.hpp"
+#include "elgen/formula.hpp"
 #include "formula/formula_text.hpp"
 #include "formula/glyphs.hpp"
 #include "numbers/exact_number.hpp"
@@ -92,8 +93,7 @@ SetFormula set_digits(const std::string& text) {
 
 /// Numbers below 0 and negative terms are subtracted.
 void append_term(Glyphs& row, const Formula& term) {
-  const bool is_number =
-      term.kind == FormulaKind::number && term.text.empty() && cln::minusp(term.number);
+  const bool is_number = term.kind == FormulaKind::number && cln::minusp(term.number);
   const bool is_negative = is_number || term.kind == FormulaKind::negative;
   append_sign(row, is_negative ? "-" : "+", true);
   append(row,
@@ -149,8 +149,8 @@ SetFormula product_of_set(std::vector<SetFormula> factors) {
 bool is_reciprocal(const Formula& factor) {
   if (factor.kind != FormulaKind::power) return false;
   const Formula& exponent = factor.parts[1];
-  return exponent.kind == FormulaKind::number && exponent.text.empty() &&
-         cln::minusp(exponent.number) && cln::denominator(exponent.number) == 1;
+  return exponent.kind == FormulaKind::number && cln::minusp(exponent.number) &&
+         cln::denominator(exponent.number) == 1;
 }
 
 SetFormula set_power(const Formula& base, SetFormula exponent) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "elgen/formula.hpp"
 #include "formula/glyphs.hpp"
 #include "numbers/exact_number.hpp"
 

@@ -92,7 +92,8 @@ double width(const Glyphs& glyphs) {
     case GlyphKind::root:
       return 1.8 + width(glyphs.parts[0]);
     case GlyphKind::scripts:
-      return width(glyphs.parts[0]) + smaller * std::max(width(glyphs.parts[1]), width(glyphs.parts[2]));
+      return width(glyphs.parts[0]) +
+             smaller * std::max(width(glyphs.parts[1]), width(glyphs.parts[2]));
     case GlyphKind::row:
     case GlyphKind::accent:
       return width_of_parts(glyphs);

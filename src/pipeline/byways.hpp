@@ -10,8 +10,8 @@
 #include "elgen/equations_of_motion.hpp"
 #include "elgen/lagrangian.hpp"
 #include "elgen/limits.hpp"
-#include "elgen/program.hpp"
 #include "elgen/page.hpp"
+#include "elgen/program.hpp"
 #include "elgen/scene.hpp"
 
 namespace elgen {

@@ -252,8 +252,7 @@ std::string html_equations(const DisplayBlock& block) {
 
 /// GitHub Markdown, formulas in blocks of $$.
 std::string markdown_page(const Page& page) {
-  const PageWords words{markdown_text, unchanged,  markdown_unit,
-                        latex,         in_dollars, latex_block};
+  const PageWords words{markdown_text, unchanged, markdown_unit, latex, in_dollars, latex_block};
   std::string text = fill_template("pages/markdown.md.mustache", page_data(page, words));
   while (text.ends_with("\n\n")) text.pop_back();
   return text;

@@ -52,15 +52,13 @@ class ScreenDrawing {
     return static_cast<double>(drawn.width()) <= shape_.width && drawn.lines.size() <= most_lines;
   }
 
-  [[nodiscard]] Block equated(const Glyphs& left, const Block& right,
-                              std::size_t least = 0) const {
+  [[nodiscard]] Block equated(const Glyphs& left, const Block& right, std::size_t least = 0) const {
     const Block drawn = draw(left, Fractions::in_line);
     const std::size_t missing = least - std::min(least, drawn.width());
     return beside(beside({{std::string(missing, ' ')}, 0}, beside(drawn, {{" = "}, 0})), right);
   }
 
-  [[nodiscard]] Block draw(const Glyphs& glyphs,
-                           Fractions fractions = Fractions::stacked) const {
+  [[nodiscard]] Block draw(const Glyphs& glyphs, Fractions fractions = Fractions::stacked) const {
     return drawing(glyphs, alphabet_, fractions);
   }
 

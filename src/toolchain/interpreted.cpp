@@ -13,12 +13,12 @@
 #include <set>
 #include <utility>
 
+#include "base/fill_template.hpp"
 #include "elgen/artifacts.hpp"
 #include "elgen/spellings.hpp"
 #include "elgen/wording.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "numbers/exact_number.hpp"
-#include "base/fill_template.hpp"
 #include "toolchain/process.hpp"
 #include "toolchain/workshop.hpp"
 

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <functional>
 
-#include "elgen/pipeline.hpp"
 #include "elgen/page.hpp"
+#include "elgen/pipeline.hpp"
 #include "random/generator.hpp"
 #include "support/inputs.hpp"
 #include "support/systems.hpp"

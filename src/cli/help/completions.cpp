@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 
+#include "base/fill_template.hpp"
 #include "cli/help/command_list.hpp"
 #include "elgen/wording.hpp"
-#include "base/fill_template.hpp"
 
 namespace elgen::cli {
 

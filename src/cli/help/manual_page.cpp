@@ -3,9 +3,9 @@
 
 #include <array>
 
+#include "base/fill_template.hpp"
 #include "cli/help/command_list.hpp"
 #include "elgen/diagnostic.hpp"
-#include "base/fill_template.hpp"
 
 namespace elgen::cli {
 

@@ -59,8 +59,8 @@ class LoopBody {
       const std::uint32_t place = add(in_body(at, arrays), name);
       inner_.push_back(place);
       if (name.empty()) continue;
-      text += assignment(fmt::format("  {} {}", words_.value, name),
-                         formulas_.definition(place).text);
+      text +=
+          assignment(fmt::format("  {} {}", words_.value, name), formulas_.definition(place).text);
       if (!is_stored) continue;
       text += fmt::format("    {}({}, {}{} + at);\n", words_.store, name, arrays.solved,
                           start_of(row, loop_.count));

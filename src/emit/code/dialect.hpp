@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "elgen/program.hpp"
-#include "emit/text/layout.hpp"
 #include "emit/code/function_formulas.hpp"
+#include "emit/text/layout.hpp"
 
 namespace elgen {
 
@@ -50,7 +50,7 @@ class Dialect : public Vocabulary {
   [[nodiscard]] FormulaText constant(const Constant& constant) const override = 0;
   [[nodiscard]] FormulaText square_root(const FormulaText& radicand) const override;
   [[nodiscard]] FormulaText call(FunctionId function,
-                             const std::vector<FormulaText>& arguments) const override;
+                                 const std::vector<FormulaText>& arguments) const override;
 
   [[nodiscard]] const Dialect* inner() const override { return nullptr; }
 

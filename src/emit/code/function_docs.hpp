@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "elgen/model.hpp"
-#include "elgen/program.hpp"
 #include "elgen/page.hpp"
+#include "elgen/program.hpp"
 #include "elgen/scene.hpp"
 
 namespace elgen {

@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include "base/fill_template.hpp"
 #include "emit/code/dialect.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "emit/text/emission_input.hpp"
-#include "base/fill_template.hpp"
 
 namespace elgen {
 

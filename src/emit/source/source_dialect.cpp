@@ -130,7 +130,8 @@ class SourceDialect final : public Dialect {
   }
 
   // Bodies have no pairs, parts, loops and assigned entries.
-  std::string pair(const std::string&, const std::string&, const FormulaText&, bool) const override {
+  std::string pair(const std::string&, const std::string&, const FormulaText&,
+                   bool) const override {
     return "";
   }
   ColumnWords columns(std::uint32_t) const override { return {}; }

@@ -8,8 +8,8 @@
 
 #include "elgen/emitted_files.hpp"
 #include "elgen/model.hpp"
-#include "elgen/program.hpp"
 #include "elgen/page.hpp"
+#include "elgen/program.hpp"
 #include "elgen/scene.hpp"
 
 namespace elgen {
