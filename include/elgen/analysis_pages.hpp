@@ -23,4 +23,9 @@ namespace elgen {
 [[nodiscard]] std::string symmetries_json(const CheckedModel& checked,
                                           const Symmetries& symmetries);
 
+/// A closed form in the symbols of a model, in its shortest form; none where there is none, or it
+/// is too long to be read.
+[[nodiscard]] std::optional<Formula> read_form(const Model& model, const Algebra& algebra,
+                                               const std::optional<Fraction>& form);
+
 }  // namespace elgen

@@ -28,7 +28,7 @@ enum class Alphabet : std::uint8_t {
 };
 
 enum class FormulaKind : std::uint8_t {
-  number,    ///< number, or the decimal digits of text
+  number,    ///< number, or the decimal digits of text, where number is 0
   symbol,    ///< symbol
   negative,  ///< -x; subtracted where it is a term of a sum
   either,    ///< +-x

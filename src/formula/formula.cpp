@@ -1,4 +1,4 @@
-// formula: trees are put together; what holds one part is that part.
+// formula: puts trees together. A sum, product, list or row of one part is that part.
 #include "elgen/formula.hpp"
 
 #include <utility>

@@ -1,4 +1,4 @@
-// glyphs: what all notations ask of rows of glyphs.
+// glyphs: operations on rows that all notations need.
 #include "formula/glyphs.hpp"
 
 #include <algorithm>

@@ -1,8 +1,7 @@
 // formula: the operations of expressions are those of formulas, with as few brackets as keep the
 // tree; names are those of the model.
-#include "model/formula.hpp"
-
 #include "elgen/leaf_names.hpp"
+#include "model/symbols.hpp"
 
 namespace elgen {
 namespace {

@@ -4,6 +4,7 @@
 //     \theta  \theta_{1}   l_{2}   x_{\mathrm{cart}}   \mathrm{mass}   I_{xx, \mathrm{arm}}
 #pragma once
 
+#include <functional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -18,6 +19,11 @@ namespace elgen {
 
 /// The glyphs of one symbol: a base, with scripts on its last piece.
 [[nodiscard]] Glyphs accented(Glyphs symbol, std::string_view dots);
+
+/// An expression of a model, operand by operand: multiply(1/2, add(a, negate(b))) is 1/2*(a - b).
+/// `name` gives what has a name: leaves, pi, definitions, components of points and frames, rates.
+[[nodiscard]] Formula formula_of(const Model& model, ExpressionId expression,
+                                 const std::function<Formula(ExpressionId)>& name);
 
 /// "mass_matrix" -> "Mass matrix"
 [[nodiscard]] std::string as_title(std::string name);

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "formula/drawing.hpp"
-#include "model/formula.hpp"
 #include "model/output_units.hpp"
 #include "model/symbols.hpp"
 #include "print/sections.hpp"

@@ -11,9 +11,8 @@
 namespace elgen {
 namespace {
 
-std::vector<PageVariable> coordinates(const Model& model) {
+std::vector<PageVariable> coordinates(const Model& model, const LeafValues<Formula>& symbols) {
   std::vector<PageVariable> list;
-  const LeafValues<Formula> symbols = ModelSymbols(model).leaves();
   for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
     const Coordinate& c = model.coordinates[i];
     const std::string& doc = c.rotation ? model.rotations[*c.rotation].doc : c.doc;
@@ -28,9 +27,8 @@ std::vector<PageVariable> coordinates(const Model& model) {
   return list;
 }
 
-std::vector<PageVariable> inputs(const Model& model) {
+std::vector<PageVariable> inputs(const Model& model, const Formulas& symbols) {
   std::vector<PageVariable> list;
-  const Formulas symbols = ModelSymbols(model).leaves().u;
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
     const Input& input = model.inputs[i];
     list.push_back({symbols[i], input.name, input.unit_text, "", input.doc});
@@ -38,9 +36,8 @@ std::vector<PageVariable> inputs(const Model& model) {
   return list;
 }
 
-std::vector<PageVariable> functions(const Model& model) {
+std::vector<PageVariable> functions(const Model& model, const Formulas& symbols) {
   std::vector<PageVariable> list;
-  const Formulas symbols = ModelSymbols(model).leaves().f;
   for (std::size_t i = 0; i < symbols.size(); ++i) {
     const OpenValue& value = model.open_values[i];
     if (!value.by.empty()) continue;
@@ -70,9 +67,9 @@ std::string value_text(const Model& model, const Scene& scene, const ParameterAr
   return text + (is_fixed ? " (fixed)" : "");
 }
 
-std::vector<PageVariable> parameters(const Model& model, const Scene& scene) {
+std::vector<PageVariable> parameters(const Model& model, const Scene& scene,
+                                     const Formulas& symbols) {
   std::vector<PageVariable> list;
-  const Formulas symbols = ModelSymbols(model).arrays();
   for (std::size_t i = 0; i < symbols.size(); ++i) {
     const ParameterArray& array = model.parameter_arrays[i];
     const std::string name =
@@ -144,10 +141,11 @@ Page model_page(const Model& model, const Scene& scene, const Program& program,
   Page result{prose(page_title(model)), model.description, model.reference};
   result.notes = scene_notes(model, scene);
   result.equation_of_motion = equation_of_motion(model, program);
-  result.coordinates = coordinates(model);
-  result.inputs = inputs(model);
-  result.functions = functions(model);
-  result.parameters = parameters(model, scene);
+  const ModelSymbols symbols(model);
+  result.coordinates = coordinates(model, symbols.leaves());
+  result.inputs = inputs(model, symbols.leaves().u);
+  result.functions = functions(model, symbols.leaves().f);
+  result.parameters = parameters(model, scene, symbols.arrays());
   if (options.opening != nullptr) {
     result.sections = steps_sections(model, *options.opening, equations_title);
   }

@@ -8,7 +8,6 @@
 #include <array>
 
 #include "elgen/references.hpp"
-#include "model/formula.hpp"
 #include "model/symbols.hpp"
 #include "print/sections.hpp"
 
@@ -114,8 +113,9 @@ class FramesWriter {
   }
 
  private:
-  static bool is_zero(const Formula& formula) {
-    return formula.kind == FormulaKind::number && formula.text.empty() && formula.number == 0;
+  static bool is_zero(const Formula& formula) { return is_number(formula, 0); }
+  static bool is_number(const Formula& formula, int value) {
+    return formula.kind == FormulaKind::number && formula.text.empty() && formula.number == value;
   }
 
   void add(PageTable& table, const PlaceInFrame& place,
@@ -169,10 +169,11 @@ class FramesWriter {
 
   /// "z", or its components where it lies between the axes.
   [[nodiscard]] Glyphs axis(const FrameStep& turn) const {
-    const std::string unit = text_of(vector(turn.vector));
-    if (unit == "(1, 0, 0)") return read_latex("x");
-    if (unit == "(0, 1, 0)") return read_latex("y");
-    return unit == "(0, 0, 1)" ? read_latex("z") : glyphs_of(vector(turn.vector));
+    const Formula unit = vector(turn.vector);
+    const auto one =
+        std::ranges::find_if(unit.parts, [](const Formula& part) { return is_number(part, 1); });
+    const bool is_axis = one != unit.parts.end() && std::ranges::count_if(unit.parts, is_zero) == 2;
+    return is_axis ? read_latex(std::string(1, "xyz"[one - unit.parts.begin()])) : glyphs_of(unit);
   }
 
   const Model& model_;

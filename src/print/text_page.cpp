@@ -8,6 +8,7 @@
 #include "base/text_table.hpp"
 #include "elgen/page.hpp"
 #include "elgen/scalars.hpp"
+#include "model/symbols.hpp"
 #include "print/sections.hpp"
 #include "program/network/instructions.hpp"
 

@@ -36,7 +36,7 @@ bool is_near(const Value& x, const Value& y) {
   return std::abs(x - y) <= 1e-8 * std::max(1.0, std::abs(x));
 }
 
-/// What is printed of the tree and means something else; empty where nothing is.
+/// The text or the LaTeX of the formula, if it has another value than the tree; else empty.
 std::string mistake_in(const Formula& read) {
   const Formula formula = simplified(read);
   const Value value = testing::value_of_tree(formula);

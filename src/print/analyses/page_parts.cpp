@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "analyse/searched_range.hpp"
+#include "elgen/typeset.hpp"
 #include "model/symbols.hpp"
 #include "numbers/exact_number.hpp"
 #include "program/evaluate/subject.hpp"
@@ -36,6 +37,21 @@ Formula held_momenta(const CheckedModel& checked) {
 }
 
 }  // namespace
+
+/// The form is treated like an entry of an output: it is turned into a function and read from that.
+std::optional<Formula> read_form(const Model& model, const Algebra& algebra,
+                                 const std::optional<Fraction>& form) {
+  if (!form) return std::nullopt;
+  LeafNames leaves = leaf_names(model);
+  leaves.momenta = leaves.v;
+  leaves.E = energy_name(model);
+  Program program{leaves};
+  Function function = typeset_value(model, algebra, *form, program);
+  if (function.fields.empty()) return std::nullopt;
+  program.functions = {function};
+  program.readable = {std::move(function)};
+  return first_entry(model, program);
+}
 
 PageForms::PageForms(const Model& page_model, const ClosedForms& found)
     : model(page_model), forms(found), symbols(ModelSymbols(page_model).leaves()) {}

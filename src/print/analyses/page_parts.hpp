@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "elgen/analyse.hpp"
+#include "elgen/analysis_pages.hpp"
 #include "elgen/formula.hpp"
 #include "elgen/page.hpp"
 #include "forms/present/arithmetic.hpp"
-#include "print/analyses/read_form.hpp"
 
 namespace elgen {
 
@@ -31,7 +31,7 @@ struct PageForms {
 [[nodiscard]] Formula symbol(std::string text, std::string_view latex);
 /// Three blanks, between neighbours in a row.
 [[nodiscard]] Formula wide_blank();
-/// A sum is in brackets.
+/// In brackets where it is a sum.
 [[nodiscard]] Formula as_factor(Formula x);
 [[nodiscard]] Formula six_digits(const cln::cl_R& value);
 [[nodiscard]] Formula six_digits(double value);

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "analyse/formulas.hpp"
+#include "elgen/analysis_pages.hpp"
 #include "forms/present/arithmetic.hpp"
 #include "forms/present/polynomial.hpp"
 #include "numbers/exact_number.hpp"
-#include "print/analyses/read_form.hpp"
 
 namespace elgen {
 namespace {
