@@ -16,6 +16,9 @@
 
 namespace elgen {
 
+struct EnclosedNumber;
+struct Formula;
+
 enum class ConstantKind : std::uint8_t { rational, pi, sum, product, square_root, call };
 
 struct ConstantPart;
@@ -42,6 +45,17 @@ struct ConstantPart {
 
 /// -x, its sign moved inside where a number, a sum or an odd factor takes it.
 [[nodiscard]] ConstantForm negated(ConstantForm x);
+
+/// The value with a bound of the error: a float of at least 220 digits unless exact, its error at
+/// most 1e-200 |value|, or 1e-200 where 1760 digits cancelled. None where the form has no real
+/// value, or where 1760 digits do not tell whether it has one.
+[[nodiscard]] std::optional<EnclosedNumber> enclosure_of(const ConstantForm& form);
+
+/// As a formula:
+///
+///     model language    1/2*cos(3/10)     sqrt(3)^(-1)
+///     LaTeX             \frac{1}{2} \cos \frac{3}{10}    \frac{1}{\sqrt{3}}
+[[nodiscard]] Formula constant_formula(const ConstantForm& form);
 
 /// In the model language: `1/2*pi`, `1 - cos(3/10)`.
 [[nodiscard]] std::string text_of(const ConstantForm& form);

@@ -25,6 +25,9 @@ struct EmittedFiles {
 [[nodiscard]] Result<EmittedFiles> emit(const Model& model, const Scene& scene,
                                         const Program& program, const Book& book);
 
+/// Whether no number of the emitted code is lost (E702) in this scalar.
+[[nodiscard]] bool fits(const Model& model, const Program& program, ScalarKind scalar);
+
 /// The body hash a generated text states, and the one its content has: they differ after a hand
 /// edit.
 struct BodyHash {

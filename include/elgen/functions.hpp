@@ -1,6 +1,8 @@
 // The functions of the model language (functions.def), and the table of their laws.
 #pragma once
 
+#include <cln/rational.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -71,8 +73,8 @@ struct FunctionRow {
 }
 
 /// The name of stumpff(x, k) where k has one of its own.
-[[nodiscard]] constexpr std::string_view name_of_order(std::string_view k) {
-  return k == "1" ? "sinc" : k == "2" ? "cosc" : "";
+[[nodiscard]] inline std::string_view name_of_order(const cln::cl_RA& k) {
+  return k == 1 ? "sinc" : k == 2 ? "cosc" : "";
 }
 
 }  // namespace elgen

@@ -34,4 +34,7 @@ namespace elgen {
 /// it, and no input, no force and no D acts on it or contains it. Cost: as of find_momenta().
 [[nodiscard]] bool is_cyclic(const CheckedModel& checked, std::uint32_t coordinate);
 
+/// "0.5 m of `loop_x`, 0.1 m of `loop_y`": what f is, or where that is 0 what r is.
+[[nodiscard]] std::string what_is_left(const Model& model, const Assembly& at);
+
 }  // namespace elgen

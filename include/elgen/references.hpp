@@ -10,6 +10,13 @@ namespace elgen {
 /// The references of an expression: its operands, or the expression that its name stands for.
 [[nodiscard]] std::vector<ExpressionId> references(const Model& model, ExpressionId expression);
 
+/// Roots of the equations of motion: energies, masses, points, bodies, frames, forces and
+/// constraints. Names in them are not followed.
+[[nodiscard]] std::vector<ExpressionId> equation_roots(const Model& model);
+
+/// Roots of an [[output]].
+[[nodiscard]] std::vector<ExpressionId> output_roots(const UserOutput& output);
+
 /// The roots and everything below them, each once, operands before their users, in a model
 /// without cycles. Cost: one visit per
 /// expression.

@@ -78,10 +78,18 @@ struct EntrySyntax {
   [[nodiscard]] const KeySyntax* find(std::string_view key) const;
 };
 
+enum class FileKind : std::uint8_t { model, scene };
+
 struct FileSyntax {
   SourcePointer source = {};
   std::vector<EntrySyntax> entries = {};  ///< in file order
 };
+
+/// An entry that is not repeated, and a key of it, or null; its keys, or none. `file` may be null.
+[[nodiscard]] const EntrySyntax* find_entry(const FileSyntax* file, std::string_view name);
+[[nodiscard]] const KeySyntax* find_key(const FileSyntax* file, std::string_view entry,
+                                        std::string_view key);
+[[nodiscard]] const std::vector<KeySyntax>& keys_of(const FileSyntax* file, std::string_view entry);
 
 /// The type that a key's value must have, and the ValueSyntax it is read as.
 enum class KeyType : std::uint8_t {
@@ -146,6 +154,18 @@ struct EntryRow {
 [[nodiscard]] std::vector<std::string_view> choice_words(const KeyRow& row);
 /// What stands in the place of a word that was one once; empty for any other.
 [[nodiscard]] std::string_view hint_of_former_choice(const KeyRow& row, std::string_view word);
+
+/// The key table for editors, as JSON Schema: TOML files are checked as JSON of the same keys.
+/// Every file that the reader takes satisfies it. Rules beyond a schema, such as the grammar of
+/// expressions, which keys exclude each other and what names refer to, are left to elgen.
+[[nodiscard]] std::string file_schema(FileKind kind);
+
+/// The value of `model = "…"`, where the text is TOML that has it: in a model file `model` is a
+/// table.
+[[nodiscard]] std::optional<Span> named_model(const SourceText& source);
+
+/// Whether the text is TOML with a table [model].
+[[nodiscard]] bool declares_model(const SourceText& source);
 
 /// Reads a model or a scene file. Errors: E1xx (TOML, keys, types), E3xx (expressions), E9xx
 /// (limits).

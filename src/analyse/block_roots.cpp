@@ -333,10 +333,10 @@ class BlockSearch {
     const auto order =
         exact ? root_order(system_, block_.rows[0], coordinate, exact->front()) : std::nullopt;
     const auto derivative =
-        order ? form_program(system_.program.leaves, system_.forms.algebra, {order->derivative})
+        order ? form_program(system_.program.leaves, system_.forms.algebra, order->derivative)
               : std::nullopt;
     if (!derivative) return false;
-    const BoxedEquations slope{derivative->program, derivative->function(), equations.unknowns,
+    const BoxedEquations slope{derivative->program, derivative->function, equations.unknowns,
                                equations.leaves};
     const Enclosure over_place = values_on(slope, place)[0];
     return over_place.defined == Definedness::everywhere && !may_be(over_place, 0);

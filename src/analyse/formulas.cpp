@@ -6,7 +6,6 @@
 
 #include "forms/present/polynomial.hpp"
 #include "forms/write/closed_graph.hpp"
-#include "program/network/linearise.hpp"
 
 namespace elgen {
 
@@ -34,28 +33,21 @@ Value divisor_of(Algebra& algebra, const Fraction& form) {
   return result;
 }
 
-std::optional<FormProgram> form_program(const LeafNames& leaves, const Algebra& algebra,
-                                        const std::vector<Fraction>& forms) {
+std::optional<Linearised> form_program(const LeafNames& leaves, const Algebra& algebra,
+                                       const Fraction& form) {
   Expressions expressions;
-  for (const Fraction& form : forms) {
-    const std::optional<Ref> value =
-        closed_graph(expressions.graph, algebra, form, {}, PresentBudget{}.terms);
-    if (!value) return std::nullopt;
-    expressions.values.push_back(*value);
-  }
-  FormProgram result{Program{leaves}};
-  Function function;
-  Field& field = function.fields.emplace_back();
-  field.rows = static_cast<std::uint32_t>(forms.size());
-  for (std::uint32_t i = 0; i < forms.size(); ++i) field.entries.push_back(i);
-  linearise(make_network(expressions), result.program, function);
-  result.program.functions.push_back(std::move(function));
+  const std::optional<Ref> value =
+      closed_graph(expressions.graph, algebra, form, {}, PresentBudget{}.terms);
+  if (!value) return std::nullopt;
+  expressions.values = {*value};
+  Linearised result(make_network(expressions));
+  result.program.leaves = leaves;
   return result;
 }
 
 Real value_of(const Algebra& algebra, const Fraction& form, const Arguments<Real>& at) {
-  const std::optional<FormProgram> program = form_program({}, algebra, {form});
-  return program ? evaluate(program->program, program->function(), at)[0] : Real::undefined();
+  const std::optional<Linearised> program = form_program({}, algebra, form);
+  return program ? evaluate(program->program, program->function, at)[0] : Real::undefined();
 }
 
 }  // namespace elgen

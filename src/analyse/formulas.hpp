@@ -9,6 +9,7 @@
 #include "elgen/evaluate.hpp"
 #include "elgen/model.hpp"
 #include "forms/present/arithmetic.hpp"
+#include "program/network/linearise.hpp"
 
 namespace elgen {
 
@@ -22,14 +23,9 @@ namespace elgen {
 /// and its denominator.
 [[nodiscard]] Value divisor_of(Algebra& algebra, const Fraction& form);
 
-/// Forms as one column of values of a program; none where one is too long.
-struct FormProgram {
-  Program program = {};
-  [[nodiscard]] const Function& function() const { return program.functions[0]; }
-};
-[[nodiscard]] std::optional<FormProgram> form_program(const LeafNames& leaves,
-                                                      const Algebra& algebra,
-                                                      const std::vector<Fraction>& forms);
+/// A form as a program of one value; none where it is too long.
+[[nodiscard]] std::optional<Linearised> form_program(const LeafNames& leaves,
+                                                     const Algebra& algebra, const Fraction& form);
 
 /// Its number in 64 digits; undefined where it has none, or is too long.
 [[nodiscard]] Real value_of(const Algebra& algebra, const Fraction& form,

@@ -1,6 +1,6 @@
 // elgen schema NAME: the JSON Schema of what elgen reads.
 #include "cli/commands.hpp"
-#include "parse/file_schema.hpp"
+#include "elgen/syntax.hpp"
 
 namespace elgen::cli {
 

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "base/text_table.hpp"
-#include "check/expressions/values.hpp"
 #include "cli/commands.hpp"
 #include "cli/files/inputs.hpp"
 #include "cli/process/terminal.hpp"
@@ -15,6 +14,7 @@
 #include "elgen/analysis_pages.hpp"
 #include "elgen/page.hpp"
 #include "elgen/pipeline.hpp"
+#include "elgen/syntax.hpp"
 #include "program/evaluate/subject.hpp"
 
 namespace elgen::cli {

@@ -242,7 +242,7 @@ SetFormula set_call(const Formula& formula) {
   const FunctionId function = formula.function;
   if (function == FunctionId::abs) return {enclosed(listed(formula.parts), "|", "|", true)};
   if (function == FunctionId::stumpff) {
-    const std::string_view own = name_of_order(text_of(formula.parts.back()));
+    const std::string_view own = name_of_order(formula.parts.back().number);
     if (!own.empty()) {
       return function_of(row_with({GlyphKind::word, std::string(own)}),
                          in_brackets(set(formula.parts.front()).row), false);

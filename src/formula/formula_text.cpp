@@ -57,7 +57,7 @@ FormulaText sum_text(const Formula& formula) {
 FormulaText call_text(const Formula& formula) {
   const std::vector<FormulaText> arguments = printed_parts(formula);
   const std::string_view own = formula.function == FunctionId::stumpff
-                                   ? name_of_order(arguments.back().text)
+                                   ? name_of_order(formula.parts.back().number)
                                    : std::string_view();
   return own.empty() ? called(function_row(formula.function).name, arguments)
                      : called(own, {arguments.front()});

@@ -4,6 +4,7 @@
 // Only the commands of our tables and of what a symbol of a model may reasonably be are known.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -57,11 +58,12 @@ using GlyphRows = std::vector<Glyphs>;
 /// About the number of letters that fit its width.
 [[nodiscard]] double width(const Glyphs& glyphs);
 
-/// A command of LaTeX that stands for one character, a sign or a space.
+/// A command of LaTeX: one character, a sign or a space, or what it makes of its arguments.
 struct CommandRow {
   std::string_view command;
-  std::string_view letter;
+  std::string_view letter;  ///< the text of its glyph
   GlyphKind kind = GlyphKind::letter;
+  std::size_t parts = 0;  ///< so many arguments are its parts
 };
 /// All but the Greek letters.
 [[nodiscard]] std::span<const CommandRow> commands();

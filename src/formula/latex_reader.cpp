@@ -4,7 +4,6 @@
 
 #include "base/ascii.hpp"
 #include "base/utf8.hpp"
-#include "elgen/functions.hpp"
 #include "formula/glyphs.hpp"
 
 namespace elgen {
@@ -20,22 +19,25 @@ std::string letters_of(const Glyphs& glyphs) {
 /// Formulas are never deeper; the content of deeper ones is left out.
 constexpr int deepest = 200;
 
+bool continues_number(char c) { return is_digit(c) || c == '.'; }
+bool continues_character(char c) { return !starts_code_point(c); }
+
 class LatexReader {
  public:
   explicit LatexReader(std::string_view text) : text_(text) {}
 
-  Glyphs row(char end) {
+  Glyphs row(char end, int depth = 0) {
     Glyphs result;
     bool is_apart = false;
     while (at_ < text_.size() && text_[at_] != end) {
-      if (text_[at_] == ' ' || text_[at_] == '}') {
-        is_apart = is_apart || text_[at_] == ' ';
+      const char c = text_[at_];
+      if (c == '_' || c == '^') {
         ++at_;
-      } else if (text_[at_] == '_' || text_[at_] == '^') {
-        const std::size_t place = text_[at_++] == '_' ? 1 : 2;
-        add_script(result, place, argument());
+        add_script(result, c == '_' ? 1 : 2, argument(depth));
+      } else if (c == ' ' || c == '}') {
+        is_apart = text_[at_++] == ' ' || is_apart;
       } else {
-        result.parts.push_back(piece());
+        result.parts.push_back(piece(depth));
         result.parts.back().is_apart = std::exchange(is_apart, false);
       }
     }
@@ -44,116 +46,71 @@ class LatexReader {
   }
 
  private:
-  Glyphs argument() {
+  Glyphs argument(int depth) {
     while (at_ < text_.size() && text_[at_] == ' ') ++at_;
+    return piece(depth);
+  }
+
+  Glyphs piece(int depth) {
+    if (depth == deepest) at_ = text_.size();
     if (at_ == text_.size()) return {};
-    return piece();
-  }
-
-  Glyphs piece() {
-    if (depth_ == deepest) {
-      at_ = text_.size();
-      return {};
-    }
-    ++depth_;
-    Glyphs read = piece_of_depth();
-    --depth_;
-    return read;
-  }
-
-  Glyphs piece_of_depth() {
     const char c = text_[at_];
-    const std::size_t vector_end = c == '<' ? text_.find('>', at_) : std::string_view::npos;
-    if (c == '\\') return command();
-    if (is_digit(c))
-      return {GlyphKind::number, taken([](char d) { return is_digit(d) || d == '.'; })};
-    if (static_cast<unsigned char>(c) >= 0x80) return {GlyphKind::letter, characters(bytes_here())};
-    if (vector_end != std::string_view::npos) {
-      const std::string name = characters(vector_end + 1 - at_).substr(1);
-      const std::string_view greek = greek_letter(name.substr(0, name.size() - 1));
-      return {GlyphKind::bold,
-              greek.empty() ? name.substr(0, name.size() - 1) : std::string(greek)};
+    if (c == '\\') return command(depth + 1);
+    if (is_digit(c)) return {GlyphKind::number, taken(continues_number)};
+    if (c == '<' && text_.find('>', at_) != std::string_view::npos) {
+      std::string name = enclosed_text('>');
+      const std::string_view greek = greek_letter(name);
+      return {GlyphKind::bold, greek.empty() ? std::move(name) : std::string(greek)};
     }
+    const bool is_ascii = static_cast<unsigned char>(c) < 0x80;
+    if (is_letter(c) || !is_ascii) return {GlyphKind::letter, taken(continues_character)};
     ++at_;
-    if (c == '{') return row('}');
+    if (c == '{') return row('}', depth + 1);
     if (c == '\'') return {GlyphKind::letter, "′"};
     const bool is_bracket = std::string_view("()[]|").find(c) != std::string_view::npos;
-    return {is_letter(c) ? GlyphKind::letter
-            : is_bracket ? GlyphKind::bracket
-                         : GlyphKind::sign,
-            std::string(1, c)};
+    return {is_bracket ? GlyphKind::bracket : GlyphKind::sign, std::string(1, c)};
   }
 
-  std::string characters(std::size_t count) {
-    at_ += count;
-    return std::string(text_.substr(at_ - count, count));
+  /// The character here, and those behind it that go on with it.
+  std::string taken(const auto& continues) {
+    const std::size_t begin = at_++;
+    while (at_ < text_.size() && continues(text_[at_])) ++at_;
+    return std::string(text_.substr(begin, at_ - begin));
   }
 
-  template <class Holds>
-  std::string taken(const Holds& holds) {
-    const auto* const begin = text_.begin() + at_;
-    return characters(
-        static_cast<std::size_t>(std::find_if_not(begin, text_.end(), holds) - begin));
+  /// The text behind the bracket here, up to the next `end`.
+  std::string enclosed_text(char end) {
+    const std::string text = taken([end](char c) { return c != end; });
+    at_ = std::min(at_ + 1, text_.size());
+    return text.substr(1);
   }
 
-  [[nodiscard]] std::size_t bytes_here() const {
-    return std::max<std::size_t>(1, code_point_at(text_, at_).bytes);
-  }
-
-  Glyphs command() {
-    ++at_;
-    std::string name = taken(is_letter);
-    if (name.empty() && at_ < text_.size()) name = characters(bytes_here());
-    if (name == "left" || name == "right") {
-      const std::string bracket = argument().text;
-      return {name == "left" ? GlyphKind::left : GlyphKind::right, bracket == "." ? "" : bracket};
-    }
-    if (name == "frac") {
-      Glyphs above = argument();
-      return with_parts(GlyphKind::fraction, "", std::move(above), argument());
-    }
-    if (name == "sqrt") return with_parts(GlyphKind::root, "", argument());
-    if (name == "dot") return with_parts(GlyphKind::accent, "˙", argument());
-    if (name == "ddot") return with_parts(GlyphKind::accent, "¨", argument());
-    if (name == "mathbf" || name == "boldsymbol" || name == "bm") {
-      return {GlyphKind::bold, letters_of(argument())};
-    }
-    if (name == "text") return {GlyphKind::prose, raw_argument()};
-    if (name == "mathrm") return {GlyphKind::word, raw_argument()};
-    if (name == "operatorname") return {GlyphKind::function, raw_argument()};
-    return single(std::move(name));
+  Glyphs command(int depth) {
+    std::string name = taken(is_letter).substr(1);
+    if (name.empty() && at_ < text_.size()) name = taken(continues_character);
+    const auto row = std::ranges::find(commands(), name, &CommandRow::command);
+    if (row != commands().end()) return with_arguments(*row, depth);
+    const std::string_view greek = greek_letter(name);
+    if (!greek.empty()) return {GlyphKind::letter, std::string(greek)};
+    return {is_function_command(name) ? GlyphKind::function : GlyphKind::command, std::move(name)};
   }
 
   /// Parts are moved: copies on every level would cost the square of the depth.
-  template <class... Parts>
-  static Glyphs with_parts(GlyphKind kind, std::string text, Parts... parts) {
-    Glyphs glyphs{kind, std::move(text), {}};
-    (glyphs.parts.push_back(std::move(parts)), ...);
+  Glyphs with_arguments(const CommandRow& row, int depth) {
+    Glyphs glyphs{row.kind, std::string(row.letter)};
+    for (std::size_t i = 0; i < row.parts; ++i) glyphs.parts.push_back(argument(depth));
+    if (row.parts > 0 || !row.letter.empty()) return glyphs;
+    const bool grows = row.kind == GlyphKind::left || row.kind == GlyphKind::right;
+    const bool is_group = !grows && at_ < text_.size() && text_[at_] == '{';
+    glyphs.text = row.kind == GlyphKind::bold ? letters_of(argument(depth))
+                  : is_group                  ? enclosed_text('}')
+                                              : argument(depth).text;
+    if (grows && glyphs.text == ".") glyphs.text.clear();
     return glyphs;
-  }
-
-  static Glyphs single(std::string name) {
-    const std::string_view greek = greek_letter(name);
-    if (!greek.empty()) return {GlyphKind::letter, std::string(greek)};
-    if (is_function_command(name)) return {GlyphKind::function, std::move(name)};
-    for (const CommandRow& row : commands()) {
-      if (row.command == name) return {row.kind, std::string(row.letter)};
-    }
-    return {GlyphKind::command, std::move(name)};
-  }
-
-  /// The text of a group, as it stands.
-  std::string raw_argument() {
-    if (at_ == text_.size() || text_[at_] != '{') return argument().text;
-    const std::size_t end = std::min(text_.find('}', at_), text_.size());
-    const std::string text(text_.substr(at_ + 1, end - at_ - 1));
-    at_ = std::min(end + 1, text_.size());
-    return text;
   }
 
   std::string_view text_;
   std::size_t at_ = 0;
-  int depth_ = 0;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// letters: the commands that stand for one character.
+// letters: the commands that stand for one character, and those with arguments.
 #include <algorithm>
 #include <array>
 
@@ -37,6 +37,18 @@ constexpr std::array command_table{
     CommandRow{"ell", "ℓ", GlyphKind::letter},
     CommandRow{"quad", "1", GlyphKind::space},
     CommandRow{"thinspace", "0.17", GlyphKind::space},
+    CommandRow{"left", "", GlyphKind::left},
+    CommandRow{"right", "", GlyphKind::right},
+    CommandRow{"frac", "", GlyphKind::fraction, 2},
+    CommandRow{"sqrt", "", GlyphKind::root, 1},
+    CommandRow{"dot", "˙", GlyphKind::accent, 1},
+    CommandRow{"ddot", "¨", GlyphKind::accent, 1},
+    CommandRow{"mathbf", "", GlyphKind::bold},
+    CommandRow{"boldsymbol", "", GlyphKind::bold},
+    CommandRow{"bm", "", GlyphKind::bold},
+    CommandRow{"text", "", GlyphKind::prose},
+    CommandRow{"mathrm", "", GlyphKind::word},
+    CommandRow{"operatorname", "", GlyphKind::function},
 };
 
 }  // namespace

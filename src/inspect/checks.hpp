@@ -34,9 +34,6 @@ inline constexpr std::size_t most_coordinates_searched = 3;
 /// E538: no pose near the start.
 [[nodiscard]] Diagnostics inspect_constraints(const Inspected& subject);
 
-/// "0.5 m of `loop_x`, 0.1 m of `loop_y`": what f is, or where that is 0 what r is.
-[[nodiscard]] std::string what_is_left(const Model& model, const Assembly& at);
-
 /// E507: a planar spin that is not the rate of an angle(q, t).
 [[nodiscard]] Diagnostics inspect_spins(const Inspected& subject);
 

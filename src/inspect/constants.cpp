@@ -19,7 +19,6 @@
 #include "elgen/wording.hpp"
 #include "inspect/checks.hpp"
 #include "inspect/readable.hpp"
-#include "inspect/roots.hpp"
 #include "numbers/exact_number.hpp"
 
 namespace elgen {

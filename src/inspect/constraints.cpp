@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "elgen/inspect.hpp"
 #include "inspect/checks.hpp"
 #include "inspect/null_space.hpp"
 #include "inspect/readable.hpp"

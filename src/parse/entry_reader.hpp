@@ -5,15 +5,6 @@
 
 namespace elgen {
 
-enum class FileKind : std::uint8_t { model, scene };
-
-/// The value of `model = "…"`, where the text is TOML that has it: in a model file `model` is a
-/// table.
-[[nodiscard]] std::optional<Span> named_model(const SourceText& source);
-
-/// Whether the text is TOML with a table [model].
-[[nodiscard]] bool declares_model(const SourceText& source);
-
 /// The rows of one kind of file, by the names the file uses.
 [[nodiscard]] std::vector<EntryRow> entry_rows_of(FileKind kind);
 

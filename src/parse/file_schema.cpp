@@ -1,7 +1,5 @@
 // Each row of the key table becomes a key of an object, each of the entry table an object or a list
 // of such. Rows that are not supported yet are left out, as the reader refuses them.
-#include "parse/file_schema.hpp"
-
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -11,7 +9,7 @@
 #include <vector>
 
 #include "elgen/outputs.hpp"
-#include "elgen/syntax.hpp"
+#include "parse/entry_reader.hpp"
 
 namespace elgen {
 namespace {

@@ -77,6 +77,23 @@ const KeySyntax* EntrySyntax::find(std::string_view key) const { return find_key
 
 const KeySyntax* ValueSyntax::find(std::string_view key) const { return find_key(entries, key); }
 
+const EntrySyntax* find_entry(const FileSyntax* file, std::string_view name) {
+  if (file == nullptr) return nullptr;
+  const auto found = std::ranges::find(file->entries, name, &EntrySyntax::name);
+  return found == file->entries.end() ? nullptr : &*found;
+}
+
+const KeySyntax* find_key(const FileSyntax* file, std::string_view entry, std::string_view key) {
+  const EntrySyntax* found = find_entry(file, entry);
+  return found == nullptr ? nullptr : found->find(key);
+}
+
+const std::vector<KeySyntax>& keys_of(const FileSyntax* file, std::string_view entry) {
+  static const std::vector<KeySyntax> none;
+  const EntrySyntax* found = find_entry(file, entry);
+  return found == nullptr ? none : found->keys;
+}
+
 Result<FileSyntax> parse_model(SourcePointer source, const Limits& limits) {
   return read_file(std::move(source), FileKind::model, limits);
 }

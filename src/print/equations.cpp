@@ -13,7 +13,6 @@
 #include "elgen/page.hpp"
 #include "model/symbols.hpp"
 #include "print/sections.hpp"
-#include "program/constants/constants.hpp"
 
 namespace elgen {
 namespace {

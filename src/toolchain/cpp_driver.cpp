@@ -4,7 +4,6 @@
 
 #include "elgen/artifacts.hpp"
 #include "emit/interface/code_interface.hpp"
-#include "emit/text/layout.hpp"
 #include "toolchain/driver.hpp"
 
 namespace elgen {

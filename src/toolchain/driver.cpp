@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "elgen/artifacts.hpp"
+#include "elgen/emitted_files.hpp"
 #include "emit/interface/code_interface.hpp"
-#include "emit/text/emission_checks.hpp"
 
 namespace elgen {
 namespace {

@@ -10,7 +10,6 @@
 #include "elgen/references.hpp"
 #include "elgen/scalars.hpp"
 #include "elgen/wording.hpp"
-#include "inspect/roots.hpp"
 #include "verify/bounds/visit.hpp"
 
 namespace elgen {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "elgen/certificate.hpp"
-#include "emit/text/emission_checks.hpp"
+#include "elgen/emitted_files.hpp"
 #include "sample/states.hpp"
 #include "verify/bounds/accuracy.hpp"
 #include "verify/bounds/visit.hpp"

@@ -27,6 +27,11 @@ std::string names(const Model& model, const Function& function) {
 
 }  // namespace
 
+TEST_CASE("struct names") {
+  CHECK(camel_case("forward_dynamics") == "ForwardDynamics");
+  CHECK(camel_case("x2") == "X2");
+}
+
 TEST_CASE("what no function reads is no parameter, and one element brings its array") {
   Subject subject = cart_pole();
   elgen::testing::add_parameter_array(subject.model, "k", {1, 2});

@@ -2,6 +2,7 @@
 // no others.
 #include "emit/text/emission_checks.hpp"
 
+#include "elgen/emitted_files.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;

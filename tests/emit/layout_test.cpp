@@ -59,11 +59,6 @@ TEST_CASE("documentation of members stands in one column") {
         Lines{"int a;  ///< one", "/// a doc that has no place", wide});
 }
 
-TEST_CASE("struct names") {
-  CHECK(camel_case("forward_dynamics") == "ForwardDynamics");
-  CHECK(camel_case("x2") == "X2");
-}
-
 TEST_CASE("a short signature is one line") {
   CHECK(signature("void f", {"const A&", "const B& b"}, " noexcept") ==
         "void f(const A&, const B& b) noexcept");

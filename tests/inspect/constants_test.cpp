@@ -5,7 +5,6 @@
 #include "elgen/references.hpp"
 #include "inspect/checks.hpp"
 #include "inspect/found.hpp"
-#include "inspect/roots.hpp"
 #include "support/frame_systems.hpp"
 
 using namespace elgen;

@@ -1,8 +1,8 @@
 // The key table as JSON Schema.
-#include "parse/file_schema.hpp"
-
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+
+#include "elgen/syntax.hpp"
 
 using namespace elgen;
 

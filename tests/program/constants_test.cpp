@@ -1,11 +1,12 @@
 // Constants: their forms, as formulas and read again, and their values.
-#include "program/constants/constants.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "elgen/constant.hpp"
 #include "elgen/evaluate.hpp"
+#include "elgen/formula.hpp"
 #include "formula/glyphs.hpp"
+#include "numbers/enclosed_number.hpp"
 #include "support/graph_reader.hpp"
 
 using namespace elgen;

@@ -242,7 +242,7 @@ class UnitInference {
   [[nodiscard]] std::string_view name_of_call(const Expression& node) const {
     const bool is_stumpff = node.function == FunctionId::stumpff;
     const std::string_view own =
-        is_stumpff ? name_of_order(to_string(model_, node.operands[1])) : "";
+        is_stumpff ? name_of_order(model_.expressions[node.operands[1]].number) : "";
     return own.empty() ? function_row(node.function).name : own;
   }
 

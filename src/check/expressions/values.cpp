@@ -229,23 +229,6 @@ std::optional<ExpressionSyntax> residual(const ValueSyntax& equation) {
   return difference(left->value.expression, other, equation.span);
 }
 
-const EntrySyntax* find_entry(const FileSyntax* file, std::string_view name) {
-  if (file == nullptr) return nullptr;
-  const auto found = std::ranges::find(file->entries, name, &EntrySyntax::name);
-  return found == file->entries.end() ? nullptr : &*found;
-}
-
-const KeySyntax* find_key(const FileSyntax* file, std::string_view entry, std::string_view key) {
-  const EntrySyntax* found = find_entry(file, entry);
-  return found == nullptr ? nullptr : found->find(key);
-}
-
-const std::vector<KeySyntax>& keys_of(const FileSyntax* file, std::string_view entry) {
-  static const std::vector<KeySyntax> none;
-  const EntrySyntax* found = find_entry(file, entry);
-  return found == nullptr ? none : found->keys;
-}
-
 std::vector<KeySyntax> keys_of(Context& context, const std::vector<SourcePointer>& options,
                                KeyType type) {
   Result<std::vector<KeySyntax>> keys = parse_options(options, type, context.limits);

@@ -136,12 +136,6 @@ std::uint32_t append_row(Model& model, const EntrySyntax& entry, const NewName& 
 /// left - right of an equation, or left where the right side is 0; none where it could not be read.
 [[nodiscard]] std::optional<ExpressionSyntax> residual(const ValueSyntax& equation);
 
-/// An entry that is not repeated, and a key of it, or null; its keys, or none. `file` may be null.
-[[nodiscard]] const EntrySyntax* find_entry(const FileSyntax* file, std::string_view name);
-[[nodiscard]] const KeySyntax* find_key(const FileSyntax* file, std::string_view entry,
-                                        std::string_view key);
-[[nodiscard]] const std::vector<KeySyntax>& keys_of(const FileSyntax* file, std::string_view entry);
-
 /// Options as keys; what parse_options says of the others is reported.
 [[nodiscard]] std::vector<KeySyntax> keys_of(Context& context,
                                              const std::vector<SourcePointer>& options,

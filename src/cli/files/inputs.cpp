@@ -13,10 +13,9 @@
 #include <vector>
 
 #include "base/descriptor.hpp"
-#include "check/expressions/values.hpp"
 #include "cli/process/resources.hpp"
+#include "elgen/syntax.hpp"
 #include "elgen/wording.hpp"
-#include "parse/entry_reader.hpp"
 
 namespace elgen::cli {
 namespace {

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "elgen/fold.hpp"
-#include "program/constants/constants.hpp"
 
 namespace elgen {
 

@@ -69,6 +69,16 @@ std::string capitals(std::string_view name) {
   return text;
 }
 
+std::string camel_case(std::string_view name) {
+  std::string result;
+  bool starts_word = true;
+  for (const char c : name) {
+    if (c != '_') result += starts_word ? in_upper_case(c) : c;
+    starts_word = c == '_';
+  }
+  return result;
+}
+
 std::vector<ParameterArray> emitted_parameters(const Model& model, const Program& program) {
   std::set<std::string> names;
   for (const Function& function : program.functions) {

@@ -20,6 +20,10 @@ namespace elgen {
 /// "CART_POLE": of names that stand for the preprocessor.
 [[nodiscard]] std::string capitals(std::string_view name);
 
+/// "forward_dynamics" -> "ForwardDynamics": the struct that a function of several fields returns in
+/// C++.
+[[nodiscard]] std::string camel_case(std::string_view name);
+
 /// The parameters that a function of the program reads, whole arrays of them: a parameter that the
 /// scene has fixed, or whose terms are not asked for, is no argument.
 [[nodiscard]] std::vector<ParameterArray> emitted_parameters(const Model& model,

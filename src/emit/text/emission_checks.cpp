@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "elgen/emitted_files.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "numbers/exact_number.hpp"
 #include "numbers/scalar_literal.hpp"

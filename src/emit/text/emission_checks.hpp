@@ -22,7 +22,4 @@ namespace elgen {
 [[nodiscard]] Diagnostics check_scalar_range(const Model& model, const Scene& scene,
                                              const Program& program);
 
-/// Whether none of them is lost in this scalar.
-[[nodiscard]] bool fits(const Model& model, const Program& program, ScalarKind scalar);
-
 }  // namespace elgen

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "base/ascii.hpp"
 #include "base/utf8.hpp"
 
 namespace elgen {
@@ -171,16 +170,6 @@ std::string signature(const std::string& start, const std::vector<std::string>& 
     text += piece;
   }
   return text;
-}
-
-std::string camel_case(std::string_view name) {
-  std::string result;
-  bool starts_word = true;
-  for (const char c : name) {
-    if (c != '_') result += starts_word ? in_upper_case(c) : c;
-    starts_word = c == '_';
-  }
-  return result;
 }
 
 }  // namespace elgen

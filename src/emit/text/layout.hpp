@@ -66,8 +66,4 @@ struct CommentMarks {
                                     const std::vector<std::string>& arguments,
                                     const std::string& end);
 
-/// "forward_dynamics" -> "ForwardDynamics": the struct that a function of several fields returns in
-/// C++.
-[[nodiscard]] std::string camel_case(std::string_view name);
-
 }  // namespace elgen

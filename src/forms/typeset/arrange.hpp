@@ -6,18 +6,43 @@
 //
 // Sums stay together as the model has them: k (r - l0)^2. What multiplies one product of parameters
 // has its sines and cosines in their own shortest form, so that A sin^2 + C cos^2 is not C + (A -
-// C) sin^2.
+// C) sin^2. TypedForms are what closed forms do not keep of a model: which sums were typed, in
+// which order and with which signs, and the order of the parameters of a product.
 #pragma once
 
 #include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
+#include "elgen/closed_forms.hpp"
+#include "elgen/model.hpp"
 #include "forms/typeset/book_sum.hpp"
-#include "forms/typeset/typed.hpp"
 
 namespace elgen {
+
+/// A sum of the energies, forces, points or definitions: r - l0.
+struct TypedSum {
+  Polynomial value = {};
+  std::vector<AtomId> atoms = {};    ///< of the value, ascending
+  Polynomial square = {};            ///< where roots disappear from it: of sqrt(x^2 + y^2) - l
+  std::vector<Fraction> terms = {};  ///< as typed, with their signs
+  /// The definition whose value it is, in Model::definitions.
+  std::optional<std::uint32_t> definition = {};
+};
+
+struct TypedForms {
+  std::vector<TypedSum> sums = {};  ///< those of more terms first; each once
+  /// The place of each parameter among the factors of a product: as typed in products of the model,
+  /// else as declared, gravity behind the masses (m g l).
+  std::vector<std::uint32_t> places = {};
+  std::vector<bool> are_accelerations = {};  ///< of the parameters; g
+};
+
+/// Cost: one closed form per typed sum; models of more than 200 sums, which are robots, have none.
+[[nodiscard]] TypedForms typed_forms(Algebra& algebra, const Model& model,
+                                     const FixedParameters& fixed);
 
 /// Thrown where a sum has more terms than anybody reads.
 struct TooLongForABook : std::length_error {

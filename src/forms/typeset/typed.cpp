@@ -1,13 +1,12 @@
-// typed: see typed.hpp. Expectations are no part of what is typed: they say how it should come out.
-#include "forms/typeset/typed.hpp"
-
+// typed: the sums that the author of a model wrote, their order and signs, and the order of the
+// parameters of products. Expectations are not typed: they say how it should come out.
 #include <algorithm>
 #include <utility>
 
 #include "elgen/references.hpp"
 #include "forms/present/arithmetic.hpp"
 #include "forms/present/polynomial.hpp"
-#include "forms/typeset/book_sum.hpp"
+#include "forms/typeset/arrange.hpp"
 
 namespace elgen {
 namespace {

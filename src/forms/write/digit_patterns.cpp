@@ -1,10 +1,9 @@
-// digit_patterns: see digit_patterns.hpp.
-#include "forms/write/digit_patterns.hpp"
-
+// digit_patterns: the rows of digit_rows.def as terms of a graph of their own.
 #include <algorithm>
 #include <array>
 #include <string>
 
+#include "forms/write/digit_rows.hpp"
 #include "program/graph/graph_reader.hpp"
 
 namespace elgen {

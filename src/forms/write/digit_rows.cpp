@@ -7,8 +7,6 @@
 #include <array>
 #include <functional>
 
-#include "forms/write/digit_patterns.hpp"
-
 namespace elgen {
 namespace {
 

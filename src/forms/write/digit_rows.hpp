@@ -26,6 +26,33 @@ struct DigitRow {
 
 [[nodiscard]] std::span<const DigitRow> digit_rows();
 
+/// A row as terms of a graph, whose coordinates are the letters.
+struct DigitPattern {
+  std::vector<ScaledTerm> terms = {};  ///< first the one that is looked for first
+  std::uint64_t functions = 0;         ///< that it calls, as bits
+  Ref to = {};
+  RowCondition condition = RowCondition::always;
+
+  /// One call, and a constant.
+  [[nodiscard]] bool is_unit() const {
+    return functions != 0 && terms.size() == 2 && terms[0].factors.size() == 1 &&
+           terms[1].factors.empty();
+  }
+};
+
+struct DigitPatterns {
+  Graph graph = {};
+  std::vector<DigitPattern> rows = {};
+};
+
+[[nodiscard]] const DigitPatterns& digit_patterns();
+
+/// The letter itself, or that of a call or root of one; none of numbers.
+[[nodiscard]] std::optional<std::size_t> letter_of(NodeId pattern);
+
+/// The functions that a term calls, as bits.
+[[nodiscard]] std::uint64_t functions_of(const Graph& graph, const ScaledTerm& term);
+
 /// Puts the terms together that a row with calls stands for, or those that share one constant;
 /// false where there are none.
 [[nodiscard]] bool replace_by_row(Graph& graph, Keeping keeping, std::vector<Ref>& terms);

@@ -2,14 +2,15 @@
 //
 // Where digits cancel, or an angle is large, a form is evaluated again with more digits. In
 // formulas weights are signs, or exponents.
-#include "program/constants/constants.hpp"
-
 #include <cln/integer.h>
 #include <cln/rational.h>
 
 #include <algorithm>
 #include <array>
 
+#include "elgen/constant.hpp"
+#include "elgen/formula.hpp"
+#include "numbers/enclosed_number.hpp"
 #include "numbers/exact_number.hpp"
 
 namespace elgen {

@@ -6,7 +6,8 @@
 
 #include <algorithm>
 
-#include "program/constants/constants.hpp"
+#include "elgen/constant.hpp"
+#include "numbers/enclosed_number.hpp"
 
 namespace elgen {
 namespace {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "elgen/inspect.hpp"
 #include "elgen/oracle.hpp"
-#include "inspect/checks.hpp"
 
 namespace elgen {
 namespace {

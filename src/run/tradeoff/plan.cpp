@@ -11,11 +11,11 @@
 #include <array>
 #include <string_view>
 
-#include "check/expressions/values.hpp"
+#include "elgen/emitted_files.hpp"
+#include "elgen/syntax.hpp"
 #include "elgen/tradeoff.hpp"
 #include "elgen/wording.hpp"
 #include "emit/interface/code_interface.hpp"
-#include "emit/text/emission_checks.hpp"
 
 namespace elgen {
 namespace {

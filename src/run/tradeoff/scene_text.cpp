@@ -6,7 +6,7 @@
 
 #include "base/ascii.hpp"
 #include "base/toml_text.hpp"
-#include "check/expressions/values.hpp"
+#include "elgen/syntax.hpp"
 #include "elgen/tradeoff.hpp"
 #include "numbers/exact_number.hpp"
 

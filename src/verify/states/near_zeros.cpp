@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "elgen/references.hpp"
-#include "inspect/roots.hpp"
 
 namespace elgen {
 namespace {
