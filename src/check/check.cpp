@@ -11,7 +11,7 @@
 #include "check/expressions/places.hpp"
 #include "check/expressions/rotations.hpp"
 #include "check/expressions/traits.hpp"
-#include "check/expressions/unit_inference.hpp"
+#include "check/expressions/units.hpp"
 #include "check/judge/judge.hpp"
 #include "check/names/context.hpp"
 #include "check/scene/scene.hpp"
@@ -52,9 +52,7 @@ void read_entries(Context& context, const std::vector<Instance>& instances,
 /// Each entry after those that it takes units or axes from.
 void resolve_entries(Context& context, const FileSyntax& syntax) {
   const std::vector<Instance> instances = expand_entries(context, syntax);
-  if (context.beyond_limits) {
-    return;
-  }
+  if (context.beyond_limits) return;
   read_parameters(context, syntax);
   read_entries(context, instances, {{"function", read_arguments}});
   read_entries(context, instances,
@@ -112,20 +110,14 @@ Result<CheckedModel> check(const FileSyntax& model, const FileSyntax* scene,
   read_sizes(context, model, scene, options);
   read_closures(context, model, scene, options);
   resolve_entries(context, model);
-  if (context.beyond_limits) {
-    return context.report.sorted();
-  }
+  if (context.beyond_limits) return context.report.sorted();
   read_held(context, scene);
   judge(context, model, scene, options);
-  if (context.report.errors() == 0) {
-    reduce_model(context);
-  }
+  if (context.report.errors() == 0) reduce_model(context);
   if (context.report.errors() == 0) check_constraints(context);
   Scene checked_scene = read_scene(context, scene, options);
   read_values(context, checked_scene, options);
-  if (context.report.errors() > 0) {
-    return context.report.sorted();
-  }
+  if (context.report.errors() > 0) return context.report.sorted();
   return {CheckedModel{std::move(context.model), std::move(checked_scene)},
           context.report.sorted()};
 }

@@ -12,6 +12,7 @@
 #include <system_error>
 #include <vector>
 
+#include "cli/files/output_files.hpp"
 #include "cli/options.hpp"
 
 namespace elgen::cli {
@@ -52,6 +53,39 @@ inline std::string refused_number(const std::string& word) {
   const auto [stop, error] = std::from_chars(word.data(), end, number);
   const bool is_read = error == std::errc() && stop == end;
   return is_read ? "" : "`" + word + "` is not a whole number below 2^64";
+}
+
+/// A number that may be left out.
+inline CLI::Option* add_number(CLI::App& command, const char* name, std::optional<double>& value,
+                               const char* doc) {
+  return command.add_option_function<double>(
+      name, [&value](double given) { value = given; }, doc);
+}
+
+/// A file that its owner edits, so that nothing in it makes it ours again.
+struct OutputOption {
+  std::string file = {};  ///< empty: none
+  bool force = false;
+};
+
+/// -o and --force
+inline void add_output(CLI::App& command, OutputOption& output, const std::string& doc) {
+  command.add_option("-o,--output", output.file, doc)->type_name("FILE");
+  command.add_flag("--force", output.force, "overwrite FILE");
+}
+
+/// The E703 and E708 of write_output alone, for a command that takes long.
+[[nodiscard]] inline Diagnostics refuse_place(const OutputOption& output) {
+  if (output.file.empty()) return {};
+  return refuse_places({{output.file, "", Replaces::nothing}}, output.force);
+}
+
+/// As write_files; in the place of any other file with --force alone.
+inline Result<std::vector<std::string>> write_output(const GlobalOptions& global,
+                                                     const OutputOption& output,
+                                                     const std::string& text) {
+  return write_files({{output.file, text, Replaces::nothing}},
+                     {output.force, global.limits.seconds});
 }
 
 /// --fix and --size

@@ -13,9 +13,8 @@
 #include <utility>
 
 #include "cli/files/inputs.hpp"
-#include "cli/process/progress.hpp"
-#include "cli/versions/loaded_version.hpp"
-#include "cli/versions/revision.hpp"
+#include "cli/process/terminal.hpp"
+#include "cli/versions/versions.hpp"
 #include "elgen/wording.hpp"
 #include "parse/toml_document.hpp"
 

@@ -9,7 +9,6 @@
 
 #include "cli/commands.hpp"
 #include "cli/files/inputs.hpp"
-#include "cli/files/output_files.hpp"
 #include "elgen/diagnostic.hpp"
 #include "elgen/urdf.hpp"
 #include "elgen/wording.hpp"
@@ -20,8 +19,7 @@ namespace {
 
 struct ImportCommand {
   std::string input = {};
-  std::string output = {};  ///< empty: stdout
-  bool force = false;
+  OutputOption output = {};  ///< none: stdout
   ImportOptions model = {};
 };
 
@@ -87,13 +85,13 @@ std::string written_json(const std::string& path, bool is_new) {
 }
 
 ExitCode import_file(const GlobalOptions& global, const ImportCommand& options) {
-  if (options.output.empty() && wants_json(global)) {
+  if (options.output.file.empty() && wants_json(global)) {
     return report(global, {{Code::E913, {}, "a model is not printed as json", "give `-o FILE`"}});
   }
   const Result<SourcePointer> source = read_source(options.input, global.limits);
   if (!source) return report(global, source.diagnostics);
   ImportOptions wanted = options.model;
-  wanted.name = model_name(options.output);
+  wanted.name = model_name(options.output.file);
   const Result<ImportedModel> model = import_urdf(*source, global.limits, wanted);
   if (model && is_taken_outside(model->name)) {
     return report(global,
@@ -104,14 +102,12 @@ ExitCode import_file(const GlobalOptions& global, const ImportCommand& options) 
   }
   const ExitCode imported = report_import(global, model.diagnostics);
   if (!model) return imported;
-  if (options.output.empty()) return std::max(imported, print(global, model->text));
-  // An imported model is edited by its owner, so no mark in it makes it ours again.
-  const auto written = write_files({{options.output, model->text, Replaces::nothing}},
-                                   {options.force, global.limits.seconds});
+  if (options.output.file.empty()) return std::max(imported, print(global, model->text));
+  const auto written = write_output(global, options.output, model->text);
   if (!written) return report(global, written.diagnostics);
-  tell(global, "wrote " + shown_path(options.output));
+  tell(global, "wrote " + shown_path(options.output.file));
   if (!wants_json(global)) return imported;
-  return std::max(imported, print(global, written_json(options.output, !written->empty())));
+  return std::max(imported, print(global, written_json(options.output.file, !written->empty())));
 }
 
 }  // namespace
@@ -120,10 +116,7 @@ void add_import(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("import", "print a robot description as a model file");
   const auto options = std::make_shared<ImportCommand>();
   command->add_option("input", options->input, "NAME.urdf or - (stdin)")->required();
-  command
-      ->add_option("-o,--output", options->output, "write the model here instead, and name it so")
-      ->type_name("FILE");
-  command->add_flag("--force", options->force, "overwrite FILE");
+  add_output(*command, options->output, "write the model here instead, and name it so");
   ImportOptions& model = options->model;
   command->add_flag("--floating-base", model.floating_base, "the root link moves freely");
   add_sources(*command, "--joints", "A,B", model.joints,

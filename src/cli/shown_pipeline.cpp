@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "cli/files/inputs.hpp"
-#include "cli/process/progress.hpp"
 #include "cli/process/resources.hpp"
+#include "cli/process/terminal.hpp"
 
 namespace elgen::cli {
 

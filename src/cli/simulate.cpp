@@ -13,8 +13,6 @@
 #include "cli/commands.hpp"
 #include "cli/files/data_formats.hpp"
 #include "cli/files/inputs.hpp"
-#include "cli/files/output_files.hpp"
-#include "cli/process/progress.hpp"
 #include "cli/process/resources.hpp"
 #include "cli/process/terminal.hpp"
 #include "cli/shown_pipeline.hpp"
@@ -28,8 +26,7 @@ struct SimulateOptions {
   std::string input = {};
   SceneOptions scene = {};
   SimulationOptions run = {};
-  std::string file = {};  ///< of the rows; empty: none
-  bool force = false;
+  OutputOption output = {};  ///< of the rows
 };
 
 /// Rows of a file whose distance is not given.
@@ -77,7 +74,7 @@ Result<Trajectory> trajectory_of(const GlobalOptions& global, const SimulateOpti
   progress.stage("simulate");
   renew_time_limit(global.limits);
   SimulationOptions run = options.run;
-  const bool has_rows = !options.file.empty() || wants_json(global);
+  const bool has_rows = !options.output.file.empty() || wants_json(global);
   if (has_rows && !run.every) run.every = run.time / default_rows;
   run.watch = estimate_of_run(global, progress, run.from, run.time);
   return simulate(*products.checked, *products.program, compiled, run);
@@ -85,15 +82,15 @@ Result<Trajectory> trajectory_of(const GlobalOptions& global, const SimulateOpti
 
 ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& options) {
   Diagnostics refused = refuse_run(options.run);
-  if (options.run.every && options.file.empty() && !wants_json(global)) {
+  if (options.run.every && options.output.file.empty() && !wants_json(global)) {
     refused.push_back({Code::E913, {}, "`--every` is of rows: `-o FILE` or `--format json`"});
   }
   if (!refused.empty()) return report(global, refused);
   Result<DataFormat<Trajectory>> format;
-  if (!options.file.empty()) {
-    format = format_of<Trajectory>(options.file);
+  if (!options.output.file.empty()) {
+    format = format_of<Trajectory>(options.output.file);
     if (!format) return report(global, format.diagnostics);
-    refused = refuse_places({{options.file, "", Replaces::nothing}}, options.force);
+    refused = refuse_place(options.output);
     if (!refused.empty()) return report(global, refused);
   }
   const Result<Inputs> inputs = read_inputs(options.input, global.limits);
@@ -110,9 +107,8 @@ ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& opti
   if (!trajectory) return told;
   const ExitCode printed =
       print(global, wants_json(global) ? to_json(*trajectory) : to_text(*trajectory));
-  if (options.file.empty()) return printed;
-  const auto written = write_files({{options.file, (*format).text(*trajectory), Replaces::nothing}},
-                                   {options.force, global.limits.seconds});
+  if (options.output.file.empty()) return printed;
+  const auto written = write_output(global, options.output, (*format).text(*trajectory));
   return std::max(printed, report(global, written.diagnostics));
 }
 
@@ -124,14 +120,11 @@ void add_numbers(CLI::App& command, SimulationOptions& run) {
   command.add_option_function<std::uint32_t>(
       "--order", [&run](std::uint32_t given) { run.order = given; },
       "of verlet and midpoint: 2 (unless given), 4 or 8");
-  const auto number = [&command](const char* name, std::optional<double>& value, const char* doc) {
-    return command.add_option_function<double>(
-        name, [&value](double given) { value = given; }, doc);
-  };
-  number("--step", run.step, "length of a step, at most");
-  number("--tolerance", run.tolerance, "error of a step that chooses its length (1e-9)");
-  number("--every", run.every, "time between rows (a thousandth of --time)");
-  number("--hold", run.hold, "inputs keep their values so long");
+  add_number(command, "--step", run.step, "length of a step, at most");
+  add_number(command, "--tolerance", run.tolerance,
+             "error of a step that chooses its length (1e-9)");
+  add_number(command, "--every", run.every, "time between rows (a thousandth of --time)");
+  add_number(command, "--hold", run.hold, "inputs keep their values so long");
   command
       .add_option_function<std::string>(
           "--project", [&run](const std::string& given) { run.project = given == "on"; },
@@ -157,9 +150,7 @@ void add_simulate(CLI::App& app, Action& action) {
   add_sources(*command, "--set", "NAME=VALUE", options->scene.values, "value of a parameter");
   add_sources(*command, "--input", "NAME=LAW", options->scene.laws,
               "what an input is: u=-3*theta - dot(theta)");
-  command->add_option("-o,--output", options->file, "write the rows: .csv, .json or .svg")
-      ->type_name("FILE");
-  command->add_flag("--force", options->force, "overwrite FILE");
+  add_output(*command, options->output, "write the rows: .csv, .json or .svg");
   add_specialisation(*command, options->scene);
   set_action(*command, action, options, &simulate_input);
 }

@@ -11,10 +11,9 @@
 #include "cli/commands.hpp"
 #include "cli/files/data_formats.hpp"
 #include "cli/files/inputs.hpp"
-#include "cli/files/output_files.hpp"
 #include "cli/options.hpp"
-#include "cli/process/progress.hpp"
 #include "cli/process/resources.hpp"
+#include "cli/process/terminal.hpp"
 #include "elgen/bench.hpp"
 
 namespace elgen::cli {
@@ -22,11 +21,10 @@ namespace {
 
 /// The uses of a table: it is printed, written, and chosen from.
 struct TradeoffOutput {
-  std::string as = {};                   ///< what is printed; empty: as --format says
-  std::string file = {};                 ///< of the table; empty: none
+  std::string as = {};  ///< what is printed; empty: as --format says
+  OutputOption table = {};
   std::optional<double> max_error = {};  ///< of the row that is named
   std::string scene_file = {};           ///< of that row; empty: none
-  bool force = false;
 };
 
 struct TradeoffOptions {
@@ -78,15 +76,15 @@ ExitCode choose_row(const GlobalOptions& global, const TradeoffOptions& options,
 
 /// E913: an ending that says nothing; E703, E708: what stands in the place of a file.
 Diagnostics refuse_output(const TradeoffOutput& output) {
-  if (!output.file.empty()) {
-    const auto format = format_of<TradeoffTable>(output.file);
+  if (!output.table.file.empty()) {
+    const auto format = format_of<TradeoffTable>(output.table.file);
     if (!format) return format.diagnostics;
   }
   std::vector<OutputFile> files;
-  for (const std::string& path : {output.file, output.scene_file}) {
+  for (const std::string& path : {output.table.file, output.scene_file}) {
     if (!path.empty()) files.push_back({path, "", Replaces::nothing});
   }
-  return refuse_places(files, output.force);
+  return refuse_places(files, output.table.force);
 }
 
 /// Writes a judged table, and a scene of the design that was picked where one is wanted. E632 where
@@ -98,14 +96,14 @@ ExitCode deliver(const GlobalOptions& global, const TradeoffOptions& options, co
   const auto printed = format_of<TradeoffTable>("." + as);
   ExitCode worst = print(global, printed ? printed->text(table) : to_text(table));
   std::vector<OutputFile> files;
-  if (!output.file.empty()) {
-    const auto format = format_of<TradeoffTable>(output.file);
-    files.push_back({output.file, format->text(table), Replaces::nothing});
+  if (!output.table.file.empty()) {
+    const auto format = format_of<TradeoffTable>(output.table.file);
+    files.push_back({output.table.file, format->text(table), Replaces::nothing});
   }
   if (output.max_error) {
     worst = std::max(worst, choose_row(global, options, inputs, table, files));
   }
-  const auto written = write_files(files, {output.force, global.limits.seconds});
+  const auto written = write_files(files, {output.table.force, global.limits.seconds});
   return std::max(worst, report(global, written.diagnostics));
 }
 
@@ -146,12 +144,6 @@ ExitCode measure_input(const GlobalOptions& global, const TradeoffOptions& optio
 ExitCode run_tradeoff(const GlobalOptions& global, const TradeoffOptions& options) {
   const Diagnostics wrong = refuse_output(options.output);
   return wrong.empty() ? measure_input(global, options) : report(global, wrong);
-}
-
-CLI::Option* add_number(CLI::App& command, const char* name, std::optional<double>& value,
-                        const char* doc) {
-  return command.add_option_function<double>(
-      name, [&value](double given) { value = given; }, doc);
 }
 
 /// An option for each dimension of designs.
@@ -195,7 +187,7 @@ void add_subject(CLI::App& command, TradeoffOptions& options) {
 }
 
 /// The options for the uses of the table.
-void add_output(CLI::App& command, TradeoffOutput& output) {
+void add_uses(CLI::App& command, TradeoffOutput& output) {
   CLI::Option* const max_error =
       add_number(command, "--max-error", output.max_error,
                  "pick the cheapest design whose worst error is at most this");
@@ -204,9 +196,7 @@ void add_output(CLI::App& command, TradeoffOutput& output) {
       ->needs(max_error);
   command.add_option("--as", output.as, "of the table: text (unless given), json or csv")
       ->check(CLI::IsMember({"text", "json", "csv"}));
-  command.add_option("-o,--output", output.file, "write the table (.svg, .json or .csv)")
-      ->type_name("FILE");
-  command.add_flag("--force", output.force, "overwrite FILE");
+  add_output(command, output.table, "write the table (.svg, .json or .csv)");
 }
 
 }  // namespace
@@ -217,7 +207,7 @@ void add_tradeoff(CLI::App& app, Action& action) {
   command->add_option("input", options->input, "NAME.toml, NAME.scene.toml or - (stdin)")
       ->required();
   add_subject(*command, *options);
-  add_output(*command, options->output);
+  add_uses(*command, options->output);
   set_action(*command, action, options, &run_tradeoff);
 }
 

@@ -4,9 +4,8 @@
 #include "cli/commands.hpp"
 #include "cli/files/data_formats.hpp"
 #include "cli/files/inputs.hpp"
-#include "cli/files/output_files.hpp"
-#include "cli/process/progress.hpp"
 #include "cli/process/resources.hpp"
+#include "cli/process/terminal.hpp"
 #include "cli/shown_pipeline.hpp"
 #include "elgen/values.hpp"
 
@@ -18,8 +17,7 @@ struct VectorsOptions {
   std::string input = {};
   SceneOptions scene = {};
   VectorOptions vectors = {};
-  std::string file = {};  ///< empty: JSON is printed
-  bool force = false;
+  OutputOption output = {};  ///< none: JSON is printed
 };
 
 constexpr std::array vector_formats{DataFormat<ValueTable>{"csv", &to_csv},
@@ -36,12 +34,11 @@ Result<ValueTable> vectors_of(const GlobalOptions& global, const VectorsOptions&
 }
 
 ExitCode make_vectors(const GlobalOptions& global, const VectorsOptions& options) {
-  const std::string file = options.file.empty() ? ".json" : options.file;
+  const bool is_printed = options.output.file.empty();
+  const std::string file = is_printed ? ".json" : options.output.file;
   const auto format = format_of<ValueTable>(file, vector_formats);
   if (!format) return report(global, format.diagnostics);
-  std::vector<OutputFile> files;
-  if (!options.file.empty()) files.push_back({options.file, "", Replaces::nothing});
-  const Diagnostics refused = refuse_places(files, options.force);
+  const Diagnostics refused = refuse_place(options.output);
   if (!refused.empty()) return report(global, refused);
   const Result<Inputs> inputs = read_inputs(options.input, global.limits);
   if (!inputs) return report(global, inputs.diagnostics);
@@ -54,9 +51,8 @@ ExitCode make_vectors(const GlobalOptions& global, const VectorsOptions& options
   const Result<ValueTable> vectors = vectors_of(global, options, products);
   if (!vectors) return report(global, vectors.diagnostics);
   const std::string text = format->text(*vectors);
-  if (files.empty()) return print(global, text);
-  files.front().text = text;
-  return report(global, write_files(files, {options.force, global.limits.seconds}).diagnostics);
+  if (is_printed) return print(global, text);
+  return report(global, write_output(global, options.output, text).diagnostics);
 }
 
 }  // namespace
@@ -72,9 +68,7 @@ void add_vectors(CLI::App& app, Action& action) {
       ->check(refused_number)
       ->check(CLI::PositiveNumber);
   command->add_option("--seed", options->vectors.seed, "of the states (1)")->check(refused_number);
-  command->add_option("-o,--output", options->file, "write .json, .csv or .h (JSON on stdout)")
-      ->type_name("FILE");
-  command->add_flag("--force", options->force, "overwrite FILE");
+  add_output(*command, options->output, "write .json, .csv or .h (JSON on stdout)");
   add_specialisation(*command, options->scene);
   set_action(*command, action, options, &make_vectors);
 }

@@ -7,9 +7,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/files/inputs.hpp"
-#include "cli/files/output_files.hpp"
 #include "cli/options.hpp"
-#include "cli/process/progress.hpp"
 #include "cli/process/resources.hpp"
 #include "cli/process/terminal.hpp"
 #include "cli/shown_pipeline.hpp"
@@ -23,10 +21,9 @@ namespace {
 
 struct VerifyCommandOptions {
   std::vector<std::string> inputs = {};
-  VerifyOptions verify = {};     ///< but for what is compiled and derived
-  bool strict = false;           ///< skipped checks count as failed
-  std::string output_file = {};  ///< of certificates; empty: none
-  bool force = false;
+  VerifyOptions verify = {};  ///< but for what is compiled and derived
+  bool strict = false;        ///< skipped checks count as failed
+  OutputOption output = {};   ///< of certificates
   std::optional<LanguageId> language = {};
   ForeignOptions foreign = {};  ///< without claims: none is judged
 };
@@ -169,13 +166,6 @@ ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& opt
   return std::max(found, exit_code(certificate, options.strict));
 }
 
-ExitCode write_output(const GlobalOptions& global, const VerifyCommandOptions& options,
-                      const std::string& text) {
-  const auto written = write_files({{options.output_file, text, Replaces::nothing}},
-                                   {options.force, global.limits.seconds});
-  return report(global, written.diagnostics);
-}
-
 ExitCode verify_each(const GlobalOptions& global, const VerifyCommandOptions& options) {
   ExitCode worst = ExitCode::success;
   std::vector<std::string> certificates;
@@ -187,16 +177,14 @@ ExitCode verify_each(const GlobalOptions& global, const VerifyCommandOptions& op
     worst = std::max(worst, found);
   }
   // A file with some certificates missing would look like all of them.
-  if (options.output_file.empty() || certificates.size() != options.inputs.size()) return worst;
+  if (options.output.file.empty() || certificates.size() != options.inputs.size()) return worst;
   std::string all;
   for (const std::string& certificate : certificates) all += certificate;
-  return std::max(worst, write_output(global, options, all));
+  return std::max(worst, report(global, write_output(global, options.output, all).diagnostics));
 }
 
 ExitCode run_verify(const GlobalOptions& global, const VerifyCommandOptions& options) {
-  const std::string& file = options.output_file;
-  Diagnostics refused;
-  if (!file.empty()) refused = refuse_places({{file, "", Replaces::nothing}}, options.force);
+  const Diagnostics refused = refuse_place(options.output);
   return refused.empty() ? verify_each(global, options) : report(global, refused);
 }
 
@@ -254,9 +242,7 @@ void add_verify(CLI::App& app, Action& action) {
   add_language(*command, options->language);
   add_foreign(*command, options->foreign);
   command->add_flag("--strict", options->strict, "exit with 1 where a check is skipped");
-  command->add_option("-o,--output", options->output_file, "write the certificates here too")
-      ->type_name("FILE");
-  command->add_flag("--force", options->force, "overwrite FILE");
+  add_output(*command, options->output, "write the certificates here too");
   set_action(*command, action, options, &run_verify);
 }
 

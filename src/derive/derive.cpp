@@ -46,6 +46,11 @@ void leave_out_pivots(Parts& solution) {
   solution.resize(solution[2].empty() ? 1 : 3);
 }
 
+FieldEquations field_of(std::string_view name, const Vector& entries, std::size_t rows) {
+  return {std::string(name), static_cast<std::uint32_t>(rows),
+          static_cast<std::uint32_t>(entries.size() / rows), entries};
+}
+
 /// One of several without entries is left out: a model without inputs has none by them. The table
 /// does not have the diagonal beside the pivots.
 Fields fields(const Derivation& derivation, const OutputRequest& request, Parts all) {
@@ -60,8 +65,7 @@ Fields fields(const Derivation& derivation, const OutputRequest& request, Parts 
     const std::size_t states = row.rows == Extent::states ? 2 : 1;
     const std::size_t height =
         row.columns == Extent::one ? entries.size() : states * derivation.size();
-    result.push_back({std::string(row.name), static_cast<std::uint32_t>(height),
-                      static_cast<std::uint32_t>(entries.size() / height), entries});
+    result.push_back(field_of(row.name, entries, height));
   }
   return result;
 }
@@ -91,11 +95,6 @@ constexpr Fields (*derivations[])(Derivation&, const OutputRequest&) = {
 #include "elgen/outputs.def"
 };
 
-FieldEquations part_field(std::string_view name, const Vector& entries, std::size_t rows) {
-  return {std::string(name), static_cast<std::uint32_t>(rows),
-          static_cast<std::uint32_t>(entries.size() / rows), entries};
-}
-
 /// The parts of an output that is composed, if it is.
 std::optional<OutputEquations> in_parts(Derivation& derivation, const OutputRequest& request) {
   const bool is_linearization = request.kind == OutputKind::linearization;
@@ -104,11 +103,10 @@ std::optional<OutputEquations> in_parts(Derivation& derivation, const OutputRequ
   if (!parts) return std::nullopt;
   const std::size_t n = derivation.size();
   const auto& [by_position, by_velocity, by_input] = parts->forces;
-  Fields fields{part_field(mass_part, parts->mass, n), part_field(force_part, parts->force, n),
-                part_field(position_part, by_position, n),
-                part_field(velocity_part, by_velocity, n)};
-  if (!by_input.empty()) fields.push_back(part_field(input_part, by_input, n));
-  if (is_linearization) fields.push_back(part_field(rate_part, parts->rates, n));
+  Fields fields{field_of(mass_part, parts->mass, n), field_of(force_part, parts->force, n),
+                field_of(position_part, by_position, n), field_of(velocity_part, by_velocity, n)};
+  if (!by_input.empty()) fields.push_back(field_of(input_part, by_input, n));
+  if (is_linearization) fields.push_back(field_of(rate_part, parts->rates, n));
   OutputEquations output{request, std::move(fields)};
   for (const std::size_t velocity : order_of_velocities(derivation)) {
     output.elimination.push_back(static_cast<std::uint32_t>(velocity));

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "check/expressions/unit_expression.hpp"
+#include "check/expressions/units.hpp"
 #include "check_testing.hpp"
 
 namespace elgen::test {

@@ -1,13 +1,12 @@
 // Exact runs along a program: regimes, and errors in roundoffs. Solutions lose digits in the norm
 // of D^1/2, under constraints too.
-#include "verify/bounds/solved_columns.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
 
+#include "verify/bounds/loss.hpp"
 #include "verify/bounds/visit.hpp"
 #include "verify/systems.hpp"
 

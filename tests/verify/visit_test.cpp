@@ -9,7 +9,6 @@
 #include <csignal>
 
 #include "verify/bounds/accuracy.hpp"
-#include "verify/bounds/visits.hpp"
 #include "verify/changed_code.hpp"
 #include "verify/systems.hpp"
 

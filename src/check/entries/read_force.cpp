@@ -97,9 +97,7 @@ void read_frame_output(ValueReader& values, const EntrySyntax& entry, UserOutput
   Context& context = values.context();
   output.frame = values.reference(entry.find("frame")->value, SymbolKind::frame);
   output.columns = 4;
-  if (!output.frame) {
-    return;
-  }
+  if (!output.frame) return;
   const std::optional<std::uint32_t> axes = axes_of(values, entry, "axes", std::nullopt);
   if (axes && axes != output.frame) {
     context.report.add(Code::E112, entry.find("axes")->value.span,
@@ -116,13 +114,9 @@ void read_force(ValueReader& values, const EntrySyntax& entry, std::uint32_t tar
   Context& context = values.context();
   Force& force = context.model.forces[target];
   const KeySyntax* value = entry.find("value");
-  if (value == nullptr) {
-    return;
-  }
+  if (value == nullptr) return;
   const KeySyntax* place = place_of(entry, context.report);
-  if (place == nullptr) {
-    return;
-  }
+  if (place == nullptr) return;
   if (place->key == "on") {
     read_generalized_force(values, *place, *value, force);
   } else if (place->key == "at") {

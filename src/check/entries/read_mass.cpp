@@ -52,9 +52,7 @@ class BodyReader {
 
   void read_com() {
     const KeySyntax* com = entry_.find("com");
-    if (com == nullptr || !values_.is_vector(com->value)) {
-      return;
-    }
+    if (com == nullptr || !values_.is_vector(com->value)) return;
     const bool in_frame = entry_.find("frame") != nullptr;
     const Place place = in_frame ? Place{"a centre of mass", place::parameters_only, Code::E506}
                                  : Place{"a position", place::of_configuration};
@@ -64,9 +62,7 @@ class BodyReader {
 
   void read_spin() {
     const KeySyntax* spin = entry_.find("spin");
-    if (spin == nullptr) {
-      return;
-    }
+    if (spin == nullptr) return;
     const Place place{"a spin", place::of_state};
     body_.spin = values_.roots(spin->value, {place, find_unit("Hz")});
     const std::size_t count = body_.spin.size();
@@ -84,9 +80,7 @@ class BodyReader {
 
   void read_inertia() {
     const KeySyntax* inertia = entry_.find("inertia");
-    if (inertia == nullptr) {
-      return;
-    }
+    if (inertia == nullptr) return;
     const Place place{"an inertia", place::parameters_only, Code::E506};
     const Unit unit = *find_unit("kg") * power(*find_unit("m"), {2, 1});
     body_.inertia = values_.roots(inertia->value, {place, unit});
@@ -98,9 +92,7 @@ class BodyReader {
                       (body_.spin.size() == 1 ? "planar" : "spatial") + " body",
                   "planar bodies have 1, spatial ones 3 or 6: xx yy zz xy xz yz");
     }
-    if (count == 3) {
-      body_.inertia.resize(6, no_expression);
-    }
+    if (count == 3) body_.inertia.resize(6, no_expression);
   }
 
   /// A spin says how a body turns, not about which point of it.
@@ -115,12 +107,8 @@ class BodyReader {
     if (body_.mass && entry_.find("com") == nullptr && entry_.find("frame") == nullptr) {
       missing("com", "mass");
     }
-    if (!body_.inertia.empty() && body_.spin.empty()) {
-      missing("spin", "inertia");
-    }
-    if (entry_.find("spin") != nullptr && body_.inertia.empty()) {
-      missing("inertia", "spin");
-    }
+    if (!body_.inertia.empty() && body_.spin.empty()) missing("spin", "inertia");
+    if (entry_.find("spin") != nullptr && body_.inertia.empty()) missing("inertia", "spin");
   }
 
   void missing(const std::string& key, const std::string& other) {

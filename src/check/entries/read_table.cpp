@@ -24,9 +24,7 @@ void read_header(Context& context, const EntrySyntax& entry) {
   model.description = text_of(entry, "description");
   model.reference = text_of(entry, "reference");
   const KeySyntax* name = entry.find("name");
-  if (name == nullptr) {
-    return;
-  }
+  if (name == nullptr) return;
   model.name_span = name->value.span;
   if (!is_model_name(model.name)) {
     context.report.add(
@@ -42,9 +40,7 @@ void read_definitions(ValueReader& values, const EntrySyntax& entry) {
   constexpr Place place{"a definition", place::of_force};
   for (const KeySyntax& key : entry.keys) {
     const DeclaredName* symbol = context.symbols.find(key.key);
-    if (symbol == nullptr || symbol->kind != SymbolKind::definition) {
-      continue;
-    }
+    if (symbol == nullptr || symbol->kind != SymbolKind::definition) continue;
     const std::uint32_t target = symbol->elements.begin()->second;
     context.model.definitions[target].value = values.root(key.value, {place});
   }
@@ -52,9 +48,7 @@ void read_definitions(ValueReader& values, const EntrySyntax& entry) {
 
 void read_gravity(ValueReader& values, const EntrySyntax& entry) {
   const KeySyntax* vector = entry.find("vector");
-  if (vector == nullptr) {
-    return;
-  }
+  if (vector == nullptr) return;
   const Unit acceleration = *find_unit("m") / power(*find_unit("s"), {2, 1});
   const Place place{"gravity", place::of_time};
   values.context().model.gravity = padded(values.roots(vector->value, {place, acceleration}));

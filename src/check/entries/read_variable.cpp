@@ -7,7 +7,7 @@
 #include "check/expressions/open_functions.hpp"
 #include "check/expressions/places.hpp"
 #include "check/expressions/rotations.hpp"
-#include "check/expressions/unit_expression.hpp"
+#include "check/expressions/units.hpp"
 #include "check/expressions/values.hpp"
 #include "numbers/exact_number.hpp"
 
@@ -72,16 +72,12 @@ void check_start(Context& context, const ValueSyntax& table, const Coordinate& c
 void read_rate(ValueReader& values, const EntrySyntax& entry, const Coordinate& coordinate) {
   Velocity& velocity = values.context().model.velocities[coordinate.velocity];
   velocity.rate_range = values.interval(entry, "rate_range");
-  if (coordinate.unit) {
-    velocity.unit = *coordinate.unit / *find_unit("s");
-  }
+  if (coordinate.unit) velocity.unit = *coordinate.unit / *find_unit("s");
 }
 
 /// 1/2 J v^2 is an energy.
 std::optional<Unit> armature_unit(const Coordinate& coordinate) {
-  if (!coordinate.unit) {
-    return std::nullopt;
-  }
+  if (!coordinate.unit) return std::nullopt;
   const Unit rate = *coordinate.unit / *find_unit("s");
   return *find_unit("J") / power(rate, {2, 1});
 }
@@ -132,9 +128,7 @@ void read_input(ValueReader& values, const EntrySyntax& entry, std::uint32_t tar
   Input& input = context.model.inputs[target];
   input.unit = unit_of(entry, context);
   input.limits = values.interval(entry, "limits");
-  if (const KeySyntax* on = entry.find("on")) {
-    input.on = values.velocity(on->value);
-  }
+  if (const KeySyntax* on = entry.find("on")) input.on = values.velocity(on->value);
   if (const KeySyntax* unit = entry.find("unit"); unit != nullptr && input.on) {
     check_input_unit(context, input, unit->value);
   }

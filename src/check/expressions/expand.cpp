@@ -52,9 +52,7 @@ DeclaredNames& namesakes(Context& context, SymbolKind kind) {
 /// The number of components decides the dimension; it is known before any expression is.
 void note_dimension(Model& model, const EntrySyntax& entry, std::uint32_t point) {
   const KeySyntax* at = entry.find("at");
-  if (at != nullptr && at->value.items.size() == 2) {
-    model.points[point].dimension = 2;
-  }
+  if (at != nullptr && at->value.items.size() == 2) model.points[point].dimension = 2;
 }
 
 /// E906, E907; false where the limit is reached.
@@ -63,9 +61,7 @@ bool within_limits(Context& context, SymbolKind kind, const Span& span) {
   std::uint64_t& count = is_coordinate ? context.coordinate_count : context.definition_count;
   const std::uint64_t limit =
       is_coordinate ? context.limits.coordinates : context.limits.definitions;
-  if (++count <= limit) {
-    return true;
-  }
+  if (++count <= limit) return true;
   if (!std::exchange(context.beyond_limits, true)) {
     context.report.add(is_coordinate ? Code::E906 : Code::E907, span,
                        "more than " + std::to_string(limit) +
@@ -75,9 +71,7 @@ bool within_limits(Context& context, SymbolKind kind, const Span& span) {
 }
 
 void declare_definition(Context& context, const KeySyntax& key) {
-  if (!within_limits(context, SymbolKind::definition, key.key_span)) {
-    return;
-  }
+  if (!within_limits(context, SymbolKind::definition, key.key_span)) return;
   std::vector<NamedExpression>& definitions = context.model.definitions;
   const auto target = static_cast<std::uint32_t>(definitions.size());
   const NewName name{key.key, {}, key.key_span};
@@ -92,9 +86,7 @@ class Expander {
 
   void expand(const EntrySyntax& entry) {
     const EntryKind* kind = find_kind(entry.name);
-    if (kind == nullptr) {
-      return;
-    }
+    if (kind == nullptr) return;
     const KeySyntax* repetition = entry.find("for");
     Scope scope(context_.sizes);
     if (repetition == nullptr) {
@@ -119,12 +111,8 @@ class Expander {
     NewName name;
     name.span = entry.span;
     const KeySyntax* key = entry.find("name");
-    if (key != nullptr && !read_new_name(key->value, scope, name)) {
-      return false;
-    }
-    if (!within_limits(context_, kind.kind, name.span)) {
-      return false;
-    }
+    if (key != nullptr && !read_new_name(key->value, scope, name)) return false;
+    if (!within_limits(context_, kind.kind, name.span)) return false;
     if (is_rotation(entry)) {
       return add_declared(entry, scope, declare_rotation(context_, entry, name));
     }
@@ -132,9 +120,7 @@ class Expander {
       return add_declared(entry, scope, declare_function(context_, entry, name));
     }
     const std::uint32_t target = kind.add(context_.model, entry, name);
-    if (kind.kind == SymbolKind::point) {
-      note_dimension(context_.model, entry, target);
-    }
+    if (kind.kind == SymbolKind::point) note_dimension(context_.model, entry, target);
     instances_.push_back({&entry, scope, target});
     return key == nullptr ||
            namesakes(context_, kind.kind).declare(name, kind.kind, target, context_.report);
@@ -152,9 +138,7 @@ class Expander {
   bool read_new_name(const ValueSyntax& value, const Scope& scope, NewName& name) {
     name.base = value.expression.text;
     name.span = value.span;
-    if (value.expression.operands.empty()) {
-      return true;
-    }
+    if (value.expression.operands.empty()) return true;
     name.index = integer_value(value.expression.operands.front(), scope, context_.report);
     return name.index.has_value();
   }
@@ -166,9 +150,7 @@ class Expander {
 /// A running index that is also a name of the model would hide it.
 void check_indices(Context& context, const EntrySyntax& entry) {
   const KeySyntax* repetition = entry.find("for");
-  if (repetition == nullptr) {
-    return;
-  }
+  if (repetition == nullptr) return;
   for (const RangeSyntax& range : read_repetition(repetition->value)) {
     if (const DeclaredName* symbol = context.symbols.find(range.index)) {
       context.report.add({Code::E203, range.index_span,
@@ -194,9 +176,7 @@ std::vector<Instance> expand_entries(Context& context, const FileSyntax& syntax)
     expander.expand(entry);
   }
   // All names are known only now.
-  for (const EntrySyntax& entry : syntax.entries) {
-    check_indices(context, entry);
-  }
+  for (const EntrySyntax& entry : syntax.entries) check_indices(context, entry);
   return expander.take();
 }
 

@@ -2,7 +2,7 @@
 // `size` the value is one number for all elements or a list.
 #include "check/expressions/parameters.hpp"
 
-#include "check/expressions/unit_expression.hpp"
+#include "check/expressions/units.hpp"
 #include "check/expressions/values.hpp"
 
 namespace elgen {
@@ -34,9 +34,7 @@ void override_size(Context& context, const KeySyntax& key) {
 
 Assumption assumption_of(const ValueSyntax& table) {
   const std::string assumption = text_of(table, "assume");
-  if (assumption == "positive") {
-    return Assumption::positive;
-  }
+  if (assumption == "positive") return Assumption::positive;
   return assumption == "nonnegative" ? Assumption::nonnegative : Assumption::none;
 }
 
@@ -54,13 +52,9 @@ class ParameterReader {
     array_.doc = text_of(value, "doc");
     read_unit_of(value);
     const Assumption assumption = assumption_of(value);
-    for (std::uint32_t i = 0; i < array_.count; ++i) {
-      element(i).assumption = assumption;
-    }
+    for (std::uint32_t i = 0; i < array_.count; ++i) element(i).assumption = assumption;
     read_range(value);
-    if (const KeySyntax* key = value.find("value")) {
-      read_values(key->value);
-    }
+    if (const KeySyntax* key = value.find("value")) read_values(key->value);
   }
 
  private:
@@ -68,9 +62,7 @@ class ParameterReader {
 
   void read_unit_of(const ValueSyntax& table) {
     const KeySyntax* key = table.find("unit");
-    if (key == nullptr) {
-      return;
-    }
+    if (key == nullptr) return;
     array_.unit_text = key->value.text;
     const KeySyntax* value = table.find("value");
     const std::optional<Unit> unit =
@@ -90,9 +82,7 @@ class ParameterReader {
     const auto minimum = end(low);
     const auto maximum = end(high);
     context_.bounds[element(0).array] = {minimum, maximum};
-    if (!minimum || !maximum) {
-      return;
-    }
+    if (!minimum || !maximum) return;
     if (*minimum > *maximum) {
       context_.report.add(Code::E112, high->value.span,
                           in_backticks(high->value.span) + " is below `min`");
@@ -104,9 +94,7 @@ class ParameterReader {
   void read_values(const ValueSyntax& value) {
     if (value.kind != ValueKind::list) {
       if (const auto number = values_.constant_with_form(value)) {
-        for (std::uint32_t i = 0; i < array_.count; ++i) {
-          set(i, *number, value.span);
-        }
+        for (std::uint32_t i = 0; i < array_.count; ++i) set(i, *number, value.span);
       }
       return;
     }
@@ -175,9 +163,7 @@ bool add_elements(Context& context, const NewName& array, std::int64_t count, bo
     element.array = static_cast<std::uint32_t>(model.parameter_arrays.size() - 1);
     element.element = static_cast<std::uint32_t>(i);
     model.parameters.push_back(std::move(element));
-    if (!context.symbols.declare(name, SymbolKind::parameter, target, context.report)) {
-      return false;
-    }
+    if (!context.symbols.declare(name, SymbolKind::parameter, target, context.report)) return false;
   }
   return true;
 }

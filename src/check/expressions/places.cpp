@@ -37,25 +37,17 @@ constexpr const char* kind_of_rates = "equations of rates have `kind = \"velocit
 constexpr const char* varying_mass = "what varies is written out in `[energy] T`";
 
 Code code_of(Ingredient ingredient, const Place& place) {
-  if (place.otherwise == Code::E319 && ingredient == uses_acceleration) {
-    return Code::E502;
-  }
-  if (place.otherwise == Code::E319 && ingredient == uses_kink) {
-    return Code::E315;
-  }
+  if (place.otherwise == Code::E319 && ingredient == uses_acceleration) return Code::E502;
+  if (place.otherwise == Code::E319 && ingredient == uses_kink) return Code::E315;
   return place.otherwise;
 }
 
 /// Whether the node itself, not one of its operands, brings the ingredient in.
 bool brings_in(const Expression& node, const std::vector<Traits>& traits, ExpressionId id,
                Ingredient ingredient) {
-  if ((traits[id].ingredients & ingredient) == 0) {
-    return false;
-  }
+  if ((traits[id].ingredients & ingredient) == 0) return false;
   for (const ExpressionId operand : node.operands) {
-    if ((traits[operand].ingredients & ingredient) != 0) {
-      return false;
-    }
+    if ((traits[operand].ingredients & ingredient) != 0) return false;
   }
   return true;
 }
@@ -80,9 +72,7 @@ void report(Context& context, const WrittenExpression& root, const Expression& n
 void check_root(Context& context, const std::vector<Traits>& traits, WrittenExpression& root) {
   const auto excess =
       static_cast<Ingredients>(traits[root.value].ingredients & ~unsigned{root.place.allowed});
-  if (excess == 0) {
-    return;
-  }
+  if (excess == 0) return;
   root.misplaced = true;
   for (ExpressionId id = root.first; id <= root.value; ++id) {
     const Expression& node = context.model.expressions[id];

@@ -75,9 +75,7 @@ std::optional<ExpressionId> Resolver::resolve_call(const ExpressionSyntax& call)
 }
 
 bool Resolver::has_arity(const ExpressionSyntax& call, std::size_t arity) {
-  if (call.operands.size() == arity) {
-    return true;
-  }
+  if (call.operands.size() == arity) return true;
   const std::size_t count = call.operands.size();
   context_.report.add(Code::E309, call.span,
                       counted(count, "argument") + ", but " + in_backticks(call.text) + " takes " +
@@ -87,13 +85,9 @@ bool Resolver::has_arity(const ExpressionSyntax& call, std::size_t arity) {
 
 std::optional<ExpressionId> Resolver::resolve_function(const ExpressionSyntax& call,
                                                        FunctionId function) {
-  if (!has_arity(call, function_row(function).arity)) {
-    return std::nullopt;
-  }
+  if (!has_arity(call, function_row(function).arity)) return std::nullopt;
   std::optional<Operands> operands = resolve_all(call.operands);
-  if (!operands) {
-    return std::nullopt;
-  }
+  if (!operands) return std::nullopt;
   return push({.kind = ExpressionKind::function,
                .function = function,
                .operands = std::move(*operands),
@@ -154,9 +148,7 @@ std::optional<std::uint32_t> Resolver::common_dimension(const ExpressionSyntax& 
 }
 
 std::optional<ExpressionId> Resolver::resolve_dot(const ExpressionSyntax& call) {
-  if (!has_arity(call, 1)) {
-    return std::nullopt;
-  }
+  if (!has_arity(call, 1)) return std::nullopt;
   const ExpressionSyntax& operand = call.operands[0];
   const DeclaredName* symbol = context_.symbols.find(operand.text);
   if (operand.kind == SyntaxKind::name && symbol != nullptr &&
@@ -165,9 +157,7 @@ std::optional<ExpressionId> Resolver::resolve_dot(const ExpressionSyntax& call) 
     return velocity ? push_leaf(Opcode::velocity, *velocity, call.span) : std::nullopt;
   }
   const std::optional<ExpressionId> argument = resolve(operand);
-  if (!argument) {
-    return std::nullopt;
-  }
+  if (!argument) return std::nullopt;
   const Expression& inner = context_.model.expressions[*argument];
   if (is_leaf(inner, Opcode::coordinate)) {
     return push_leaf(Opcode::velocity, context_.model.coordinates[inner.index].velocity, call.span);
@@ -175,9 +165,7 @@ std::optional<ExpressionId> Resolver::resolve_dot(const ExpressionSyntax& call) 
   if (is_leaf(inner, Opcode::velocity)) {
     return push_leaf(Opcode::acceleration, inner.index, call.span);
   }
-  if (context_.constants[*argument]) {
-    return push_number(0, call.span);
-  }
+  if (context_.constants[*argument]) return push_number(0, call.span);
   return push(
       {.kind = ExpressionKind::time_derivative, .operands = {*argument}, .span = call.span});
 }
@@ -203,9 +191,7 @@ std::optional<ExpressionId> Resolver::resolve_momentum(const ExpressionSyntax& c
 }
 
 std::optional<ExpressionId> Resolver::resolve_sum(const ExpressionSyntax& call) {
-  if (!has_arity(call, 4)) {
-    return std::nullopt;
-  }
+  if (!has_arity(call, 4)) return std::nullopt;
   const ExpressionSyntax& index = call.operands[0];
   if (index.kind != SyntaxKind::name || !index.operands.empty()) {
     context_.report.add(Code::E210, index.span,
@@ -215,9 +201,7 @@ std::optional<ExpressionId> Resolver::resolve_sum(const ExpressionSyntax& call) 
   }
   const auto low = integer_value(call.operands[1], scope_, context_.report);
   const auto high = integer_value(call.operands[2], scope_, context_.report);
-  if (!low || !high) {
-    return std::nullopt;
-  }
+  if (!low || !high) return std::nullopt;
   Expression sum{.kind = ExpressionKind::add, .span = call.span};
   for (std::int64_t i = *low; i <= *high; ++i) {
     scope_.push(index.text, i);
@@ -231,9 +215,7 @@ std::optional<ExpressionId> Resolver::resolve_sum(const ExpressionSyntax& call) 
 }
 
 std::optional<ExpressionId> Resolver::resolve_delta(const ExpressionSyntax& call) {
-  if (!has_arity(call, 2)) {
-    return std::nullopt;
-  }
+  if (!has_arity(call, 2)) return std::nullopt;
   const auto i = integer_value(call.operands[0], scope_, context_.report);
   const auto j = integer_value(call.operands[1], scope_, context_.report);
   return i && j ? push_number(*i == *j ? 1 : 0, call.span) : std::nullopt;
@@ -246,13 +228,9 @@ std::optional<std::uint32_t> Resolver::resolve_point(const ExpressionSyntax& nam
 }
 
 std::optional<ExpressionId> Resolver::resolve_component(const ExpressionSyntax& call) {
-  if (!has_arity(call, 1)) {
-    return std::nullopt;
-  }
+  if (!has_arity(call, 1)) return std::nullopt;
   const std::optional<std::uint32_t> point = resolve_point(call.operands[0]);
-  if (!point) {
-    return std::nullopt;
-  }
+  if (!point) return std::nullopt;
   const auto axis = static_cast<std::uint32_t>(std::ranges::find(axes, call.text) - axes.begin());
   if (axis >= context_.model.points[*point].dimension) {
     context_.report.add(

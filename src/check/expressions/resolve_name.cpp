@@ -96,12 +96,8 @@ std::string way_to_write(const ExpressionSyntax& name, const DeclaredNames& symb
 
 std::optional<ExpressionId> Resolver::resolve_name(const ExpressionSyntax& name) {
   const bool indexed = !name.operands.empty();
-  if (!indexed && name.text == "t") {
-    return push_leaf(Opcode::time, 0, name.span);
-  }
-  if (!indexed && name.text == "pi") {
-    return push({.kind = ExpressionKind::pi, .span = name.span});
-  }
+  if (!indexed && name.text == "t") return push_leaf(Opcode::time, 0, name.span);
+  if (!indexed && name.text == "pi") return push({.kind = ExpressionKind::pi, .span = name.span});
   if (const auto value = scope_.find(name.text); value && !indexed) {
     return push_number(cln::cl_I(static_cast<long>(*value)), name.span);
   }
@@ -176,13 +172,9 @@ std::optional<std::uint32_t> Resolver::element(const ExpressionSyntax& name,
                                         : in_backticks(name.text) + " takes no index");
     return std::nullopt;
   }
-  if (!symbol.is_array) {
-    return symbol.elements.begin()->second;
-  }
+  if (!symbol.is_array) return symbol.elements.begin()->second;
   const auto index = integer_value(name.operands.front(), scope_, context_.report);
-  if (!index) {
-    return std::nullopt;
-  }
+  if (!index) return std::nullopt;
   const auto found = symbol.elements.find(*index);
   if (found == symbol.elements.end()) {
     const std::string element = name.text + "[" + std::to_string(*index) + "]";

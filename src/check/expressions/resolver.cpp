@@ -35,9 +35,7 @@ cln::cl_RA exponent_of(const Model& model, ExpressionId id) {
 }  // namespace
 
 std::optional<ExpressionId> Resolver::resolve(const ExpressionSyntax& expression) {
-  if (!within_limits(expression.span)) {
-    return std::nullopt;
-  }
+  if (!within_limits(expression.span)) return std::nullopt;
   switch (expression.kind) {
     case SyntaxKind::number:
       return push_number(expression.value, expression.span);
@@ -57,9 +55,7 @@ bool Resolver::within_limits(const Span& span) {
   if (++steps_ <= limit && context_.model.expressions.size() < limit && !context_.beyond_limits) {
     return true;
   }
-  if (std::exchange(context_.beyond_limits, true)) {
-    return false;
-  }
+  if (std::exchange(context_.beyond_limits, true)) return false;
   context_.report.add(
       Code::E908, span,
       "the expressions have more than " + std::to_string(limit) + " nodes after repetition");
@@ -104,9 +100,7 @@ std::optional<ExpressionId> Resolver::push_leaf(Opcode kind, std::uint32_t index
 
 std::optional<ExpressionId> Resolver::resolve_operation(const ExpressionSyntax& operation) {
   std::optional<Operands> operands = resolve_all(operation.operands);
-  if (!operands) {
-    return std::nullopt;
-  }
+  if (!operands) return std::nullopt;
   return push(
       {.kind = kind_of(operation.kind), .operands = std::move(*operands), .span = operation.span});
 }
@@ -114,14 +108,10 @@ std::optional<ExpressionId> Resolver::resolve_operation(const ExpressionSyntax& 
 std::optional<ExpressionId> Resolver::resolve_power(const ExpressionSyntax& power) {
   const std::optional<ExpressionId> base = resolve(power.operands[0]);
   const std::optional<cln::cl_RA> exponent = resolve_exponent(power.operands[1]);
-  if (!base || !exponent || !check_exponent(*exponent, power.operands[1].span)) {
-    return std::nullopt;
-  }
+  if (!base || !exponent || !check_exponent(*exponent, power.operands[1].span)) return std::nullopt;
   // A power of a power is one power, of the product of the exponents.
   const cln::cl_RA product = *exponent * exponent_of(context_.model, *base);
-  if (product != *exponent && !check_exponent(product, power.span)) {
-    return std::nullopt;
-  }
+  if (product != *exponent && !check_exponent(product, power.span)) return std::nullopt;
   return push({.kind = ExpressionKind::power,
                .number = *exponent,
                .operands = {*base},
@@ -137,9 +127,7 @@ std::optional<cln::cl_RA> Resolver::resolve_exponent(const ExpressionSyntax& exp
   const std::optional<ExpressionId> id = resolve(exponent);
   const Report inner = std::exchange(context_.report, std::move(outer));
   std::optional<cln::cl_RA> value;
-  if (id && arena[*id].kind == ExpressionKind::number) {
-    value = arena[*id].number;
-  }
+  if (id && arena[*id].kind == ExpressionKind::number) value = arena[*id].number;
   context_.truncate(size);
 
   const Diagnostics errors = inner.sorted();
@@ -150,9 +138,7 @@ std::optional<cln::cl_RA> Resolver::resolve_exponent(const ExpressionSyntax& exp
                         "write exp(y*log(x)) for x^y");
     return std::nullopt;
   }
-  for (const Diagnostic& error : errors) {
-    context_.report.add(error);
-  }
+  for (const Diagnostic& error : errors) context_.report.add(error);
   return value;
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "check/expressions/unit_expression.hpp"
+#include "check/expressions/units.hpp"
 #include "numbers/exact_number.hpp"
 
 namespace elgen {
@@ -51,9 +51,7 @@ std::optional<std::vector<cln::cl_R>> constants(ValueReader& values, const Value
   std::vector<cln::cl_R> result;
   for (const ValueSyntax& item : value.items) {
     const std::optional<cln::cl_R> constant = values.constant(item);
-    if (!constant) {
-      return std::nullopt;
-    }
+    if (!constant) return std::nullopt;
     result.push_back(*constant);
   }
   return result;
@@ -61,9 +59,7 @@ std::optional<std::vector<cln::cl_R>> constants(ValueReader& values, const Value
 
 void read_start_value(ValueReader& values, const ValueSyntax& value, const Rotation& rotation) {
   const auto quaternion = constants(values, value, quaternion_size);
-  if (!quaternion) {
-    return;
-  }
+  if (!quaternion) return;
   cln::cl_R square = 0;
   for (std::uint32_t i = 0; i < quaternion_size; ++i) {
     const cln::cl_R& component = (*quaternion)[i];
@@ -133,9 +129,7 @@ void read_rotation(ValueReader& values, const EntrySyntax& entry, std::uint32_t 
   for (std::uint32_t i = 0; i < axis_count; ++i) {
     context.model.velocities[rotation.first_velocity + i].rate_range = rates;
   }
-  if (const KeySyntax* start = entry.find("start")) {
-    read_start(values, start->value, rotation);
-  }
+  if (const KeySyntax* start = entry.find("start")) read_start(values, start->value, rotation);
 }
 
 void check_rotations(Context& context) {

@@ -54,15 +54,11 @@ Traits opaque(Traits argument) {
 }
 
 Traits power(const Traits& base, const cln::cl_RA& exponent) {
-  if (cln::denominator(exponent) != 1 || cln::minusp(exponent)) {
-    return opaque(base);
-  }
+  if (cln::denominator(exponent) != 1 || cln::minusp(exponent)) return opaque(base);
   Traits result;
   // Degrees saturate, so a few factors tell as much as all of them.
   const long factors = cln::cl_I_to_long(cln::min(cln::numerator(exponent), cln::cl_I(4)));
-  for (long i = 0; i < factors; ++i) {
-    result = product(result, base);
-  }
+  for (long i = 0; i < factors; ++i) result = product(result, base);
   return result;
 }
 
@@ -76,12 +72,8 @@ Traits time_derivative(const Traits& argument) {
     const bool moves_by_itself = (argument.ingredients & uses_time) != 0;
     result.lowest_rate_degree = moves_by_itself ? 0 : saturated(argument.lowest_rate_degree + 1U);
   }
-  if ((argument.ingredients & uses_rate) != 0) {
-    result.ingredients |= uses_acceleration;
-  }
-  if ((argument.ingredients & uses_open_function) != 0) {
-    result.ingredients |= uses_open_derivative;
-  }
+  if ((argument.ingredients & uses_rate) != 0) result.ingredients |= uses_acceleration;
+  if ((argument.ingredients & uses_open_function) != 0) result.ingredients |= uses_open_derivative;
   return result;
 }
 

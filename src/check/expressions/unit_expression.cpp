@@ -4,13 +4,12 @@
 //     power    = primary [ "^" exponent ]
 //     primary  = name | "1" | "(" product ")"
 //     exponent = integer | "(" integer [ "/" integer ] ")"
-#include "check/expressions/unit_expression.hpp"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
 
 #include "base/ascii.hpp"
+#include "check/expressions/units.hpp"
 
 namespace elgen {
 namespace {
@@ -96,13 +95,9 @@ class UnitReader {
     std::optional<Unit> result = power_of(depth);
     while (result) {
       const bool times = take('*');
-      if (!times && !take('/')) {
-        break;
-      }
+      if (!times && !take('/')) break;
       const std::optional<Unit> factor = power_of(depth);
-      if (!factor) {
-        return std::nullopt;
-      }
+      if (!factor) return std::nullopt;
       result = times ? *result * *factor : *result / *factor;
     }
     return result;
@@ -110,9 +105,7 @@ class UnitReader {
 
   std::optional<Unit> power_of(int depth) {
     const std::optional<Unit> base = primary(depth);
-    if (!base || !take('^')) {
-      return base;
-    }
+    if (!base || !take('^')) return base;
     const std::optional<Exponent> exponent = read_exponent();
     return exponent ? std::optional(power(*base, *exponent)) : std::nullopt;
   }
@@ -120,9 +113,7 @@ class UnitReader {
   std::optional<Unit> primary(int depth) {
     if (depth < deepest && take('(')) {
       const std::optional<Unit> inner = product(depth + 1);
-      if (inner && !take(')')) {
-        return fail(position_, position_ + 1, "missing `)`");
-      }
+      if (inner && !take(')')) return fail(position_, position_ + 1, "missing `)`");
       return inner;
     }
     skip_spaces();
@@ -132,9 +123,7 @@ class UnitReader {
       ++position_;
     }
     const std::string_view name = text_.substr(begin, position_ - begin);
-    if (name.empty()) {
-      return fail(begin, begin + 1, "a unit is missing");
-    }
+    if (name.empty()) return fail(begin, begin + 1, "a unit is missing");
     const std::optional<Unit> unit = find_unit(name);
     return unit ? unit : unknown(name, begin);
   }
@@ -144,9 +133,7 @@ class UnitReader {
     const bool bracket = take('(');
     const std::optional<std::int32_t> numerator = integer();
     std::optional<std::int32_t> denominator = 1;
-    if (bracket && take('/')) {
-      denominator = integer();
-    }
+    if (bracket && take('/')) denominator = integer();
     if (!numerator || !denominator || *denominator <= 0 || (bracket && !take(')'))) {
       fail(begin, std::max(position_, begin + 1), "an exponent is an integer, or `(p/q)`");
       return std::nullopt;
@@ -160,9 +147,7 @@ class UnitReader {
     std::int32_t value = 0;
     const char* end = text_.data() + text_.size();
     const auto [stop, error] = std::from_chars(text_.data() + position_, end, value);
-    if (error != std::errc{} || value > largest || value < -largest) {
-      return std::nullopt;
-    }
+    if (error != std::errc{} || value > largest || value < -largest) return std::nullopt;
     position_ = static_cast<std::size_t>(stop - text_.data());
     return value;
   }

@@ -4,14 +4,11 @@
 // compared, and a model without any unit is not judged at all. After an error the node counts as
 // not known, so that one mistake is reported once. A value that names nothing is in the unit of its
 // place.
-#include "check/expressions/unit_inference.hpp"
-
 #include <cln/integer.h>
 
 #include <algorithm>
 
-#include "check/expressions/unit_expression.hpp"
-#include "check/expressions/unit_messages.hpp"
+#include "check/expressions/units.hpp"
 #include "elgen/references.hpp"
 
 namespace elgen {
@@ -183,9 +180,7 @@ class UnitInference {
     InferredUnit result = known(Unit{});
     for (const ExpressionId operand : node.operands) {
       const InferredUnit& factor = units_[operand];
-      if (factor.known == Known::any) {
-        return factor;
-      }
+      if (factor.known == Known::any) return factor;
       const bool both = factor.known == Known::yes && result.known == Known::yes;
       result = both ? known(result.unit * factor.unit) : InferredUnit{};
     }

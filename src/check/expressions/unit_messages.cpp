@@ -1,9 +1,8 @@
 // Hints and notes about units.
-#include "check/expressions/unit_messages.hpp"
-
 #include <algorithm>
 #include <vector>
 
+#include "check/expressions/units.hpp"
 #include "elgen/wording.hpp"
 
 namespace elgen {
@@ -118,9 +117,7 @@ void note_missing_units(Context& context) {
   std::optional<Span> first;
   const auto note = [&](const std::string& name, const Span& span) {
     names.push_back(name);
-    if (!first || span.begin < first->begin) {
-      first = span;
-    }
+    if (!first || span.begin < first->begin) first = span;
   };
   const auto note_rows = [&](const auto& rows) {
     for (const auto& row : rows) {
@@ -135,9 +132,7 @@ void note_missing_units(Context& context) {
   }
   note_rows(model.inputs);
   note_rows(model.functions);
-  if (names.empty()) {
-    return;
-  }
+  if (names.empty()) return;
   std::string list;
   for (std::size_t i = 0; i < std::min<std::size_t>(names.size(), 8); ++i) {
     list += (i == 0 ? "" : ", ") + in_backticks(names[i]);

@@ -55,9 +55,7 @@ ExpressionId ValueReader::root(const ExpressionSyntax& expression, const RootReq
   const auto first = static_cast<ExpressionId>(context_.model.expressions.size());
   const std::optional<ExpressionId> id =
       Resolver(context_, scope_, request.place.allowed).resolve(expression);
-  if (!id) {
-    return no_expression;
-  }
+  if (!id) return no_expression;
   const bool plain = request.unit && names_nothing(context_.model.expressions, first, *id);
   context_.roots.push_back({first, *id, request.place, request.unit, false, plain});
   return *id;
@@ -81,13 +79,9 @@ ExpressionId ValueReader::scene_value(const ValueSyntax& value, const RootReques
 }
 
 std::vector<ExpressionId> ValueReader::roots(const ValueSyntax& value, const RootRequest& request) {
-  if (value.kind != ValueKind::list) {
-    return {root(value, request)};
-  }
+  if (value.kind != ValueKind::list) return {root(value, request)};
   std::vector<ExpressionId> result;
-  for (const ValueSyntax& item : value.items) {
-    result.push_back(root(item, request));
-  }
+  for (const ValueSyntax& item : value.items) result.push_back(root(item, request));
   return result;
 }
 
@@ -119,9 +113,7 @@ std::optional<Interval> ValueReader::interval(const EntrySyntax& entry, std::str
   const ValueSyntax& value = given->value;
   const std::optional<cln::cl_R> low = constant(value.items[0]);
   const std::optional<cln::cl_R> high = constant(value.items[1]);
-  if (!low || !high) {
-    return std::nullopt;
-  }
+  if (!low || !high) return std::nullopt;
   if (*low >= *high) {
     context_.report.add(
         Code::E112, value.span,

@@ -48,17 +48,11 @@ using Rows = std::vector<std::vector<const ValueSyntax*>>;
 /// The rows of a value: a list of lists, a list (a column), or one expression.
 Rows rows_of(const ValueSyntax& value) {
   Rows rows;
-  if (value.kind != ValueKind::list) {
-    return {{&value}};
-  }
+  if (value.kind != ValueKind::list) return {{&value}};
   for (const ValueSyntax& item : value.items) {
     rows.emplace_back();
-    if (item.kind != ValueKind::list) {
-      rows.back().push_back(&item);
-    }
-    for (const ValueSyntax& entry : item.items) {
-      rows.back().push_back(&entry);
-    }
+    if (item.kind != ValueKind::list) rows.back().push_back(&item);
+    for (const ValueSyntax& entry : item.items) rows.back().push_back(&entry);
   }
   return rows;
 }
@@ -202,9 +196,7 @@ class ExpectationReader {
 
   void keep(Expectation expectation) {
     if (!expectation.is_conserved() && !expectation.are_equations()) expectation.at = at_;
-    if (!context_.beyond_limits) {
-      context_.model.expectations.push_back(std::move(expectation));
-    }
+    if (!context_.beyond_limits) context_.model.expectations.push_back(std::move(expectation));
   }
 
   /// The place and the unit of an entry of the output.
@@ -231,9 +223,7 @@ class ExpectationReader {
     const auto expected = require(context_, output, key.key_span);
     const KeySyntax* repetition = key.value.find("for");
     const KeySyntax* value = key.value.find("value");
-    if (!expected || repetition == nullptr || value == nullptr) {
-      return;
-    }
+    if (!expected || repetition == nullptr || value == nullptr) return;
     const OutputRequest& request = expected->request;
     const std::vector<RangeSyntax> ranges = read_repetition(repetition->value);
     const std::size_t indices = is_matrix(request) ? 2 : 1;
@@ -290,9 +280,7 @@ void read_small(Context& context, const std::optional<StatedState>& at, const Ke
     context.roots.resize(roots);
   }
   for (const Diagnostic& diagnostic : inner.sorted()) {
-    if (diagnostic.code != Code::E908) {
-      context.report.add(diagnostic);
-    }
+    if (diagnostic.code != Code::E908) context.report.add(diagnostic);
   }
 }
 
@@ -321,9 +309,7 @@ void check_equations(Context& context, const std::vector<Traits>& traits) {
 
 void read_expectations(Context& context, const FileSyntax& syntax, bool large) {
   for (const EntrySyntax& entry : syntax.entries) {
-    if (entry.name != "expect") {
-      continue;
-    }
+    if (entry.name != "expect") continue;
     const std::optional<StatedState> at = read_stated_state(context, entry);
     for (const KeySyntax& key : entry.keys) {
       const bool is_of_state = key.key == "at" || key.key == "within";

@@ -84,9 +84,7 @@ class MechanicsCheck {
         check_degree(component, 1, Code::E504, "at most linear");
       }
     }
-    if (model_.energies.L) {
-      model_.quadratic = traits_[*model_.energies.L].rate_degree <= 2;
-    }
+    if (model_.energies.L) model_.quadratic = traits_[*model_.energies.L].rate_degree <= 2;
     for (const Force& force : model_.forces) {
       for (const ExpressionId value : force.value) {
         check_affine(value);

@@ -154,9 +154,7 @@ std::optional<ConstantFailure> Constants::append(const std::vector<Expression>& 
     return ConstantFailure{Code::E312, "is zero", 1};
   }
   const bool is_last = node.operands.empty() || node.kind == ExpressionKind::leaf;
-  if (!all || (is_last && !is_constant_leaf(node.kind))) {
-    return std::nullopt;
-  }
+  if (!all || (is_last && !is_constant_leaf(node.kind))) return std::nullopt;
   ConstantOutcome outcome;
   for (int digits = first_digits; digits < most_digits; digits *= 2) {
     outcome = at(arena, node, digits);

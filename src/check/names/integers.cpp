@@ -20,9 +20,7 @@ std::optional<std::int64_t> not_an_integer(const ExpressionSyntax& expression, R
 std::optional<std::int64_t> name_value(const ExpressionSyntax& name, const Scope& scope,
                                        Report& report) {
   const std::optional<std::int64_t> value = scope.find(name.text);
-  if (!name.operands.empty()) {
-    return not_an_integer(name, report);
-  }
+  if (!name.operands.empty()) return not_an_integer(name, report);
   if (!value) {
     report.add(Code::E201, name.span, "unknown index " + in_backticks(name.text),
                suggestion(name.text, scope.names()));
@@ -33,9 +31,7 @@ std::optional<std::int64_t> name_value(const ExpressionSyntax& name, const Scope
 std::optional<std::int64_t> literal_value(const ExpressionSyntax& literal, Report& report) {
   const bool in_range = cln::denominator(literal.value) == 1 &&
                         cln::abs(literal.value) <= cln::cl_I(static_cast<long>(largest_integer));
-  if (!in_range) {
-    return not_an_integer(literal, report);
-  }
+  if (!in_range) return not_an_integer(literal, report);
   return cln::cl_I_to_long(cln::numerator(literal.value));
 }
 
@@ -60,12 +56,8 @@ std::optional<std::int64_t> combined(const ExpressionSyntax& expression,
     case SyntaxKind::multiply:
       return folded(values, std::multiplies<>());
     case SyntaxKind::call:
-      if (values.size() == 2 && expression.text == "min") {
-        return std::min(values[0], values[1]);
-      }
-      if (values.size() == 2 && expression.text == "max") {
-        return std::max(values[0], values[1]);
-      }
+      if (values.size() == 2 && expression.text == "min") return std::min(values[0], values[1]);
+      if (values.size() == 2 && expression.text == "max") return std::max(values[0], values[1]);
       return std::nullopt;
     default:
       return std::nullopt;
@@ -77,38 +69,26 @@ std::optional<std::int64_t> combined(const ExpressionSyntax& expression,
 std::optional<std::int64_t> Scope::find(std::string_view name) const {
   const auto innermost = std::find_if(indices_.rbegin(), indices_.rend(),
                                       [&](const auto& index) { return index.first == name; });
-  if (innermost != indices_.rend()) {
-    return innermost->second;
-  }
+  if (innermost != indices_.rend()) return innermost->second;
   const auto size = sizes_->find(name);
   return size == sizes_->end() ? std::nullopt : std::optional(size->second);
 }
 
 std::vector<std::string> Scope::names() const {
   std::vector<std::string> result;
-  for (const auto& [name, value] : indices_) {
-    result.push_back(name);
-  }
-  for (const auto& [name, value] : *sizes_) {
-    result.push_back(name);
-  }
+  for (const auto& [name, value] : indices_) result.push_back(name);
+  for (const auto& [name, value] : *sizes_) result.push_back(name);
   return result;
 }
 
 std::optional<std::int64_t> integer_value(const ExpressionSyntax& expression, const Scope& scope,
                                           Report& report) {
-  if (expression.kind == SyntaxKind::number) {
-    return literal_value(expression, report);
-  }
-  if (expression.kind == SyntaxKind::name) {
-    return name_value(expression, scope, report);
-  }
+  if (expression.kind == SyntaxKind::number) return literal_value(expression, report);
+  if (expression.kind == SyntaxKind::name) return name_value(expression, scope, report);
   std::vector<std::int64_t> values;
   for (const ExpressionSyntax& operand : expression.operands) {
     const std::optional<std::int64_t> value = integer_value(operand, scope, report);
-    if (!value) {
-      return std::nullopt;
-    }
+    if (!value) return std::nullopt;
     values.push_back(*value);
   }
   const std::optional<std::int64_t> result =

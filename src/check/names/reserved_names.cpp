@@ -67,21 +67,11 @@ const std::vector<std::string>& function_names() {
 }
 
 std::string_view reserved_reason(std::string_view name) {
-  if (name == "t") {
-    return "it is time";
-  }
-  if (name == "pi") {
-    return "it is the number pi";
-  }
-  if (is_function(name)) {
-    return "it is a function of expressions";
-  }
-  if (contains(keywords, name)) {
-    return "it is a keyword of C++";
-  }
-  if (is_macro(name)) {
-    return "it is a macro of C or C++";
-  }
+  if (name == "t") return "it is time";
+  if (name == "pi") return "it is the number pi";
+  if (is_function(name)) return "it is a function of expressions";
+  if (contains(keywords, name)) return "it is a keyword of C++";
+  if (is_macro(name)) return "it is a macro of C or C++";
   if (name.find("__") != std::string_view::npos) {
     return "names with two underscores in a row belong to C++";
   }

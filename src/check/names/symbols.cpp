@@ -31,16 +31,12 @@ constexpr std::array<std::string_view, 18> nouns{"coordinate",
 static_assert(nouns[static_cast<std::size_t>(SymbolKind::size)] == "size");
 
 std::string at_line(const Span& span) {
-  if (span.source == nullptr) {
-    return "";
-  }
+  if (span.source == nullptr) return "";
   return "line " + std::to_string(line_column(*span.source, span.begin).line);
 }
 
 bool check_spelling(const NewName& name, Report& report) {
-  if (!check_name(name.base, name.span, report)) {
-    return false;
-  }
+  if (!check_name(name.base, name.span, report)) return false;
   if (name.index.value_or(0) < 0) {
     report.add(Code::E205, name.span, in_backticks(name.text()) + " has a negative index");
     return false;
@@ -83,13 +79,9 @@ bool DeclaredNames::declare(const NewName& name, SymbolKind kind, std::uint32_t 
     const DeclaredName& first = found->second;
     const bool joins = first.is_array && name.index && first.kind == kind &&
                        first.elements.count(*name.index) == 0;
-    if (!joins) {
-      return report_duplicate(name, first, report);
-    }
+    if (!joins) return report_duplicate(name, first, report);
   }
-  if (!claim_identifier(name, report)) {
-    return false;
-  }
+  if (!claim_identifier(name, report)) return false;
   DeclaredName& symbol = found == symbols_.end() ? symbols_[name.base] : found->second;
   if (found == symbols_.end()) {
     symbol = {kind, name.index.has_value(), {}, name.span};
@@ -114,9 +106,7 @@ bool DeclaredNames::report_duplicate(const NewName& name, const DeclaredName& fi
 
 bool DeclaredNames::claim_identifier(const NewName& name, Report& report) {
   const auto [first, is_new] = identifiers_.emplace(name.identifier(), name);
-  if (is_new) {
-    return true;
-  }
+  if (is_new) return true;
   report.add({Code::E211, name.span,
               in_backticks(name.text()) + " and " + in_backticks(first->second.text()) +
                   " both become " + in_backticks(first->first) + " in code",
@@ -131,9 +121,7 @@ const DeclaredName* DeclaredNames::find(std::string_view base) const {
 
 std::vector<std::string> DeclaredNames::names() const {
   std::vector<std::string> result;
-  for (const auto& [name, symbol] : symbols_) {
-    result.push_back(name);
-  }
+  for (const auto& [name, symbol] : symbols_) result.push_back(name);
   return result;
 }
 
@@ -151,13 +139,9 @@ std::string DeclaredNames::suggest(std::string_view word,
                                    const std::vector<std::string>& among) const {
   const std::string near = nearest(word, among);
   const DeclaredName* symbol = near.empty() ? nullptr : find(near);
-  if (symbol == nullptr) {
-    return suggestion(word, among);
-  }
+  if (symbol == nullptr) return suggestion(word, among);
   std::string where(noun(symbol->kind));
-  if (symbol->span.source != nullptr) {
-    where += ", " + at_line(symbol->span);
-  }
+  if (symbol->span.source != nullptr) where += ", " + at_line(symbol->span);
   return "did you mean `" + near + "`? (" + where + ")";
 }
 

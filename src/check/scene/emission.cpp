@@ -218,9 +218,7 @@ void read_inner(Context& context, const FileSyntax* syntax, const SceneOptions& 
   const auto other = std::ranges::find_if(scene.outputs, [](const OutputRequest& output) {
     return !lacks_accelerations(output).empty();
   });
-  if (is_for_step && other != scene.outputs.end()) {
-    refuse(other->span, lacks_accelerations(*other));
-  }
+  if (is_for_step && other != scene.outputs.end()) refuse(other->span, lacks_accelerations(*other));
   for (const char* const header : {"eigen", "batch"}) {
     const KeySyntax* const key = find_key(syntax, "emit", header);
     if (is_set(key)) refuse(key->key_span, in_backticks(header) + " computes in its own scalars");

@@ -114,9 +114,7 @@ class HeldReader {
     }
     NodeBuilder nodes(context_, value.span);
     std::vector<ExpressionId> squares;
-    for (const ExpressionId component : components) {
-      squares.push_back(nodes.power(component, 2));
-    }
+    for (const ExpressionId component : components) squares.push_back(nodes.power(component, 2));
     const ExpressionId length = nodes.power(nodes.add(squares), cln::cl_RA(1) / 2);
     for (ExpressionId& component : components) component = nodes.divide(component, length);
     return components;

@@ -167,9 +167,7 @@ class SceneReader {
       }
       if (options_.step) request_step(*options_.step);
     } else if (outputs != nullptr) {
-      for (const KeySyntax& key : outputs->keys) {
-        read_output(key);
-      }
+      for (const KeySyntax& key : outputs->keys) read_output(key);
     } else {
       scene_.outputs = full_requests(model_);
       scene_.left_out = left_out_of_full(model_);
@@ -202,9 +200,7 @@ class SceneReader {
   /// `dynamics` has no equations of its own.
   void check_dynamics() {
     const auto is_member = [](const OutputRequest& output) { return is_repeated(output.kind); };
-    if (std::ranges::any_of(scene_.outputs, is_member)) {
-      return;
-    }
+    if (std::ranges::any_of(scene_.outputs, is_member)) return;
     for (const OutputRequest& output : scene_.outputs) {
       if (output_row(output.kind).repeats) {
         context_.report.add(Code::E603, output.span,
@@ -230,13 +226,9 @@ class SceneReader {
 
   OutputRequest* request(const std::string& name, const Span& span) {
     auto found = require_request(model_, name, span, context_.report);
-    if (!found) {
-      return nullptr;
-    }
+    if (!found) return nullptr;
     for (OutputRequest& other : scene_.outputs) {
-      if (!precedes(other, *found) && !precedes(*found, other)) {
-        return &other;
-      }
+      if (!precedes(other, *found) && !precedes(*found, other)) return &other;
     }
     if (options_.keeps_pivots) found->without_pivots = false;
     scene_.outputs.push_back(std::move(*found));
@@ -244,9 +236,7 @@ class SceneReader {
   }
 
   static std::optional<Form> form_in(const KeySyntax* key) {
-    if (key == nullptr) {
-      return std::nullopt;
-    }
+    if (key == nullptr) return std::nullopt;
     return key->value.text == name_of(Form::closed) ? Form::closed : Form::recursive;
   }
 
@@ -310,9 +300,7 @@ class SceneReader {
     }
     if (targets.empty()) return;
     std::optional<FixedValue> own;
-    if (value != nullptr) {
-      own = ValueReader(context_).constant_with_form(*value);
-    }
+    if (value != nullptr) own = ValueReader(context_).constant_with_form(*value);
     for (const std::uint32_t target : targets) {
       if (own) check_value(context_, target, own->number, value->expression.span);
       if (own) context_.model.parameters[target].is_computed = false;
@@ -324,18 +312,14 @@ class SceneReader {
 
   void read_numerics() {
     if (const auto form = form_in(find_key(syntax_, "numeric", "form"))) {
-      for (OutputRequest& output : scene_.outputs) {
-        output.form = output.form.value_or(*form);
-      }
+      for (OutputRequest& output : scene_.outputs) output.form = output.form.value_or(*form);
     }
     if (const KeySyntax* prefer = find_key(syntax_, "numeric", "prefer")) {
       const bool is_speed = prefer->value.text == "speed";
       scene_.numerics.prefer = is_speed ? Preference::speed : Preference::balanced;
     }
     const KeySyntax* scalars = find_key(syntax_, "numeric", "scalar");
-    if (scalars == nullptr) {
-      return;
-    }
+    if (scalars == nullptr) return;
     scene_.numerics.scalars.clear();
     for (const ScalarRow& row : scalar_table) {
       const auto& items = scalars->value.items;

@@ -1,16 +1,23 @@
-// terminal: asked of the system where the stream is one, else of the environment.
+// terminal: asked of the system where the stream is one, else of the environment. For progress a
+// watching thread rewrites one line, and clears it at the end.
 #include "cli/process/terminal.hpp"
 
+#include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <string_view>
 
-namespace elgen::cli {
+#include "base/ascii.hpp"
+#include "base/no_interrupts.hpp"
+#include "elgen/wording.hpp"
 
+namespace elgen::cli {
 namespace {
 
 constexpr std::size_t usual_columns = 80;
@@ -26,12 +33,14 @@ bool is_utf8() {
   for (const char* const name : {"LC_ALL", "LC_CTYPE", "LANG"}) {
     std::string value = variable(name);
     if (value.empty()) continue;
-    std::ranges::transform(value, value.begin(),
-                           [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+    std::ranges::transform(value, value.begin(), in_lower_case);
     return value.find("utf-8") != std::string::npos || value.find("utf8") != std::string::npos;
   }
   return false;
 }
+
+constexpr std::chrono::milliseconds patience{500};
+constexpr std::chrono::milliseconds refresh{200};
 
 }  // namespace
 
@@ -46,6 +55,38 @@ Screen screen_of(std::FILE* stream) {
   const std::string kind = variable("TERM");
   if (is_utf8() && kind != "dumb" && kind != "linux") screen.alphabet = Alphabet::unicode;
   return screen;
+}
+
+Progress::Progress(const std::string& subject) : subject_(shown_path(subject)) {
+  if (!is_terminal(stderr)) return;
+  const NoInterrupts inherited;  // signals are the affair of the thread that works
+  watcher_ = std::thread([this] { watch(); });
+}
+
+Progress::~Progress() {
+  {
+    const std::lock_guard lock(mutex_);
+    done_ = true;
+  }
+  changed_.notify_all();
+  if (watcher_.joinable()) watcher_.join();
+}
+
+void Progress::stage(const std::string& name) const {
+  const std::lock_guard lock(mutex_);
+  stage_ = name;
+}
+
+void Progress::watch() {
+  std::unique_lock lock(mutex_);
+  const auto is_done = [this] { return done_; };
+  if (changed_.wait_for(lock, patience, is_done)) return;
+  do {
+    fmt::print(stderr, "\r\x1b[K{}: {} …", subject_, stage_);
+    std::fflush(stderr);
+  } while (!changed_.wait_for(lock, refresh, is_done));
+  fmt::print(stderr, "\r\x1b[K");
+  std::fflush(stderr);
 }
 
 }  // namespace elgen::cli

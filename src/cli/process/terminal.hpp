@@ -1,7 +1,11 @@
-// terminal: what a stream can show.
+// terminal: what a stream can show, and the progress of long work on it.
 #pragma once
 
+#include <condition_variable>
 #include <cstdio>
+#include <mutex>
+#include <string>
+#include <thread>
 
 #include "elgen/page.hpp"
 
@@ -12,5 +16,26 @@ namespace elgen::cli {
 /// As wide as the terminal, 80 columns elsewhere. Unicode on a terminal whose locale is UTF-8
 /// (LC_ALL, LC_CTYPE, LANG) and which is neither `dumb` nor that of the Linux console.
 [[nodiscard]] Screen screen_of(std::FILE* stream);
+
+/// On stderr, only on a terminal, only after half a second, naming the stage.
+class Progress {
+ public:
+  explicit Progress(const std::string& subject);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void stage(const std::string& name) const;
+
+ private:
+  void watch();
+
+  std::string subject_;
+  mutable std::mutex mutex_;
+  mutable std::condition_variable changed_;
+  mutable std::string stage_;
+  bool done_ = false;
+  std::thread watcher_;
+};
 
 }  // namespace elgen::cli

@@ -6,10 +6,13 @@
 // Equations of order k need T - V and D to order k + 1, counting deviations and rates jointly, and
 // forces to order k: one derivative is still to be taken of the energies. Those of coordinates that
 // are not small lose no order by that derivative: right to order k + 1, with forces to that order.
-#include <algorithm>
+#include "derive/specialise/expand.hpp"
 
+#include <algorithm>
+#include <string>
+
+#include "derive/formulate/chain_rule.hpp"
 #include "derive/specialise/passes.hpp"
-#include "derive/specialise/taylor_series.hpp"
 
 namespace elgen {
 
@@ -23,6 +26,71 @@ bool is_small(const Expansion& expansion, const ex& leaf) {
 }
 
 }  // namespace
+
+TaylorSeries::TaylorSeries(Definitions& definitions, const std::vector<SmallLeaf>& small,
+                           unsigned order)
+    : definitions_(definitions), order_(order) {
+  for (const SmallLeaf& leaf : small) {
+    Coefficients coefficients(order + 1, 0);
+    coefficients[0] = leaf.value;
+    coefficients[1] = leaf.leaf - leaf.value;
+    coefficients_.emplace(leaf.leaf, std::move(coefficients));
+    mask_ |= definitions.places.at(leaf.leaf).depends;
+  }
+}
+
+/// Coefficients of one term, by d/ds of the term with x0 + s x1 + s^2 x2 + … for each x.
+TaylorSeries::Coefficients TaylorSeries::coefficients_of(const ex& term) const {
+  GiNaC::exmap curves;
+  for (const ex& symbol : symbols_of(definitions_, term)) {
+    const auto found = coefficients_.find(symbol);
+    if (found == coefficients_.end()) continue;
+    ex curve = 0;
+    for (unsigned j = order_ + 1; j-- > 0;) curve = curve * s_ + found->second[j];
+    curves.emplace(symbol, curve.expand());
+  }
+  Coefficients result(order_ + 1, 0);
+  result[0] = term;
+  if (curves.empty()) return result;
+  ex along = term.subs(curves, GiNaC::subs_options::no_pattern);
+  GiNaC::numeric factorial = 1;
+  for (unsigned j = 0; j <= order_; ++j) {
+    if (j > 0) factorial *= j;
+    result[j] = along.subs(s_ == 0, GiNaC::subs_options::no_pattern) / factorial;
+    along = along.diff(s_);
+  }
+  return result;
+}
+
+TaylorSeries::Coefficients TaylorSeries::from_known(const ex& value) const {
+  if (!GiNaC::is_a<GiNaC::add>(value)) return coefficients_of(value);
+  std::vector<GiNaC::exvector> terms(order_ + 1);
+  for (std::size_t i = 0; i < value.nops(); ++i) {
+    const Coefficients of_term = coefficients_of(value.op(i));
+    for (unsigned j = 0; j <= order_; ++j) terms[j].push_back(of_term[j]);
+  }
+  Coefficients result;
+  for (const GiNaC::exvector& of_order : terms) result.emplace_back(GiNaC::add(of_order));
+  return result;
+}
+
+void TaylorSeries::expand(std::uint32_t definition) {
+  const Definition old = definitions_.list[definition];
+  Coefficients coefficients = from_known(old.value);
+  // A definition without small parts keeps its symbol.
+  if (coefficients[0].is_equal(old.value)) return;
+  for (unsigned j = 0; j <= order_; ++j) {
+    const std::string name = old.name.empty() ? "" : old.name + "_" + std::to_string(j);
+    coefficients[j] = define(definitions_, coefficients[j], {name, old.origin});
+  }
+  coefficients_.emplace(old.symbol, std::move(coefficients));
+}
+
+ex TaylorSeries::operator()(const ex& value) {
+  visit_needed(definitions_, value, mask_, known_,
+               [this](std::uint32_t definition) { expand(definition); });
+  return GiNaC::add(from_known(value));
+}
 
 Lagrangian expanded(Lagrangian lagrangian) {
   const Expansion expansion = *lagrangian.expansion;

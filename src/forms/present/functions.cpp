@@ -102,9 +102,7 @@ Value Arithmetic::exponential_of_term(const Monomial& monomial, const cl_RA& coe
   const cl_I exponent = cln::numerator(twelfths);
   if (cln::abs(exponent) > 1'000'000) return std::nullopt;
   const long power = cln::cl_I_to_long(exponent);
-  if (is_pi(algebra_, monomial) && divisor == 1) {
-    return circle_twelfths(power);
-  }
+  if (is_pi(algebra_, monomial) && divisor == 1) return circle_twelfths(power);
   const Fraction unit = atom({.kind = AtomKind::circular,
                               .divisor = cl_RA(divisor) * angle_parts,
                               .arguments = {fraction_of(Polynomial{{monomial, Gaussian{1, 0}}})}});

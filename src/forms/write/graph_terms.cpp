@@ -21,12 +21,14 @@ Ref GraphTerms::times(Ref x, Ref y) {
   return product(term.coefficient * other.coefficient, term.factors);
 }
 
-Ref GraphTerms::sum(const std::vector<Ref>& values) {
-  std::vector<Ref> terms;
+Ref GraphTerms::sum(const std::vector<Ref>& values) { return graph_.sum(parts_of(values)); }
+
+std::vector<Ref> GraphTerms::parts_of(const std::vector<Ref>& values) {
+  std::vector<Ref> parts;
   for (const Ref value : values) {
-    for (const Ref part : parts_of(value)) terms.push_back(part);
+    for (const Ref part : parts_of(value)) parts.push_back(part);
   }
-  return graph_.sum(terms);
+  return parts;
 }
 
 /// A sum is one factor.

@@ -37,6 +37,8 @@ class GraphTerms {
   Ref times(Ref x, Ref y);
   /// Sums in it, and sums that are multiplied by something, are written out.
   Ref sum(const std::vector<Ref>& values);
+  /// The terms that this sum is written with.
+  std::vector<Ref> parts_of(const std::vector<Ref>& values);
   /// With squares of sums written out where that is no longer: (R + x)^2 - R^2 = 2 R x + x^2.
   Ref short_sum(const std::vector<Ref>& values);
   /// The terms of their sum, every sum and square of a sum in it written out; none where these are

@@ -148,20 +148,7 @@ class KeptSum : GraphTerms {
 
   /// a (a - 2 b cos(c)) + b^2, where b may be a sum.
   std::optional<Ref> triangle_in(const std::vector<Ref>& terms) {
-    std::vector<Ref> all;
-    for (const Ref term : terms) {
-      ScaledTerm factors = scaled(term);
-      const auto bracket = std::ranges::find_if(factors.factors, [&](const Operand& factor) {
-        return factor.weight == 1 && graph_.node(factor.node).kind == NodeKind::sum;
-      });
-      if (bracket == factors.factors.end()) {
-        all.push_back(term);
-        continue;
-      }
-      const std::vector<Ref> parts = terms_of(bracket->node);
-      factors.factors.erase(bracket);
-      for (const Ref part : parts) all.push_back(times(product(factors), part));
-    }
+    std::vector<Ref> all = parts_of(terms);
     const bool is_found = replace_triangle(graph_, keeping_, all);
     return is_found ? std::optional(graph_.sum(all)) : std::nullopt;
   }

@@ -37,13 +37,7 @@ class ReferenceSystem {
         at_(arguments_at<Scalar>(nominal_state(checked.model, checked.scene))) {}
 
   [[nodiscard]] Values start() {
-    Values state;
-    for (const Coordinate& coordinate : system_.model().coordinates) {
-      state.push_back(ScalarTraits<Scalar>::from_real(coordinate.start_value));
-    }
-    for (const Velocity& velocity : system_.model().velocities) {
-      state.push_back(ScalarTraits<Scalar>::from_real(velocity.start_rate));
-    }
+    Values state = stated_start<Scalar>(system_.model());
     restore(state, 0);
     return state;
   }

@@ -114,17 +114,6 @@ std::vector<System::Callee> System::callees() const {
   return all;
 }
 
-Numbers stated_start(const Model& model) {
-  Numbers start;
-  for (const Coordinate& coordinate : model.coordinates) {
-    start.push_back(ScalarTraits<double>::from_real(coordinate.start_value));
-  }
-  for (const Velocity& velocity : model.velocities) {
-    start.push_back(ScalarTraits<double>::from_real(velocity.start_rate));
-  }
-  return start;
-}
-
 std::string System::text_of(const Numbers& state) const {
   std::vector<std::string> parts;
   const auto add = [&](Opcode kind, std::size_t count) {

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "elgen/program.hpp"
+#include "elgen/real.hpp"
 #include "elgen/scene.hpp"
 #include "elgen/simulate.hpp"
 #include "elgen/toolchain.hpp"
@@ -28,7 +29,17 @@ namespace elgen {
 using Numbers = std::vector<double>;
 
 /// q and v of a model's own start.
-[[nodiscard]] Numbers stated_start(const Model& model);
+template <class Scalar = double>
+[[nodiscard]] std::vector<Scalar> stated_start(const Model& model) {
+  std::vector<Scalar> start;
+  for (const Coordinate& coordinate : model.coordinates) {
+    start.push_back(ScalarTraits<Scalar>::from_real(coordinate.start_value));
+  }
+  for (const Velocity& velocity : model.velocities) {
+    start.push_back(ScalarTraits<Scalar>::from_real(velocity.start_rate));
+  }
+  return start;
+}
 
 /// Whether a law is one number along a run, and so is not cut off at limits.
 [[nodiscard]] bool is_one_number(const Model& model, ExpressionId law);

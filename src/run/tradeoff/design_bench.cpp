@@ -91,11 +91,9 @@ class DesignRuns {
  private:
   Products run(const Design& design, Goal goal) {
     process_.renew_time_limit();
-    PipelineOptions options;
-    options.limits = process_.limits;
-    options.goals = {goal};
     const SourcePointer scene = make_kept_source("design.scene.toml", text_of(design));
-    Products products = run_pipeline({request_.inputs.model, scene}, options);
+    Products products =
+        run_pipeline({request_.inputs.model, scene}, {.limits = process_.limits, .goals = {goal}});
     if (products.checked) keep_only({base_.checked.scene.outputs.front().name}, products);
     return products;
   }
@@ -274,9 +272,7 @@ void keep_only(const std::vector<std::string>& outputs, Products& products) {
 
 Result<OutputBase> output_base(const Inputs& inputs, const std::string& output,
                                const std::vector<SourcePointer>& ranges, const Limits& limits) {
-  PipelineOptions options;
-  options.limits = limits;
-  options.goals = {Goal::check};
+  PipelineOptions options{.limits = limits, .goals = {Goal::check}};
   Diagnostics found;
   std::string name = output;
   if (name.empty()) {

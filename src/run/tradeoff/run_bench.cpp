@@ -104,10 +104,8 @@ class RunBench {
  private:
   Products derived(const std::optional<ChosenStep>& step) {
     process_.renew_time_limit();
-    PipelineOptions options;
-    options.limits = process_.limits;
-    options.goals = {Goal::choose};
-    options.on_stage = process_.on_stage;
+    const PipelineOptions options{
+        .limits = process_.limits, .goals = {Goal::choose}, .on_stage = process_.on_stage};
     return derived_for_run(request_.inputs, options, step);
   }
 

@@ -1,7 +1,5 @@
 // Visits by several processes: each writes its findings to a file without a name, which this
 // process reads when all have ended.
-#include "verify/bounds/visits.hpp"
-
 #include <fmt/format.h>
 #include <sys/mman.h>
 
@@ -15,6 +13,7 @@
 
 #include "elgen/outputs.hpp"
 #include "toolchain/forked.hpp"
+#include "verify/bounds/accuracy.hpp"
 
 namespace elgen {
 namespace {

@@ -15,8 +15,7 @@
 #include "verify/states/tally.hpp"
 #include "verify/structure/differing_terms.hpp"
 #include "verify/structure/proofs.hpp"
-#include "verify/structure/stated_equations.hpp"
-#include "verify/structure/stated_numbers.hpp"
+#include "verify/structure/stated.hpp"
 
 namespace elgen {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "derive/formulate/written_out.hpp"
 #include "derive/specialise/passes.hpp"
-#include "derive/specialise/taylor_series.hpp"
+#include "derive/specialise/expand.hpp"
 #include "elgen/specialise.hpp"
 #include "support/systems.hpp"
 

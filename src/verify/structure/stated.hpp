@@ -1,5 +1,6 @@
 // Stated equations of motion: how a wrong one differs from the right ones, and whether all of them
-// determine the accelerations.
+// determine the accelerations. Stated numbers: an [[expect]] `at` a state, such as a published
+// table, judged by the oracle.
 #pragma once
 
 #include <string>
@@ -21,5 +22,10 @@ namespace elgen {
 /// velocities at these states, which have the accelerations of the motion; E540 where it has not.
 void check_rank(ExpectationReport& report, const Expectation& equations, const Subject& subject,
                 const std::vector<State>& motions);
+
+/// A row for each entry, which may be off by `within` of the largest one of its field; E510 at each
+/// that is farther off, or has no value.
+void check_numbers(ExpectationReport& report, const Expectation& expectation,
+                   const Subject& subject);
 
 }  // namespace elgen

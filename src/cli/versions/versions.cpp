@@ -1,6 +1,9 @@
-// Revision: `git ls-tree` lists the objects, `git cat-file` gives their bytes. Both take what is
+// Revisions: `git ls-tree` lists the objects, `git cat-file` gives their bytes. Both take what is
 // committed as it is: attributes, path specifications and the working tree mean nothing to them.
-#include "cli/versions/revision.hpp"
+//
+// Equations are lowered, which is enough to compare them; forms are chosen where what is emitted is
+// not what is lowered, and where that takes little.
+#include "cli/versions/versions.hpp"
 
 #include <fmt/format.h>
 
@@ -9,11 +12,11 @@
 #include <filesystem>
 #include <system_error>
 
+#include "cli/process/resources.hpp"
 #include "elgen/wording.hpp"
 #include "toolchain/process.hpp"
 
 namespace elgen::cli {
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -71,6 +74,34 @@ Result<std::string> root_of_tree() {
         "set $GIT_WORK_TREE, too"};
   }
   return root;
+}
+
+/// So many instructions take about as long in their forms as without them; panda7 has 29 000.
+constexpr std::size_t most_chosen = 2'000;
+
+/// Steps are made of functions in their forms.
+bool needs_forms(const Scene& scene) {
+  return std::ranges::any_of(
+      scene.outputs, [](const OutputRequest& output) { return output_row(output.kind).steps; });
+}
+
+bool is_small(const Program& program) {
+  std::size_t instructions = 0;
+  for (const Function& function : program.functions) instructions += function.instructions.size();
+  return instructions <= most_chosen;
+}
+
+Products products(const Inputs& inputs, const Limits& limits, Goal goal) {
+  renew_time_limit(limits);
+  return run_pipeline(inputs, {.limits = limits, .goals = {goal}});
+}
+
+OperationsByName operations_of(const Program& program) {
+  OperationsByName operations;
+  for (const Function& function : program.functions) {
+    operations.emplace(function.name, count_operations(function));
+  }
+  return operations;
 }
 
 }  // namespace
@@ -173,6 +204,41 @@ Result<SourcePointer> Revision::read(const std::string& path, const Limits& limi
   Result<std::string> text = bytes(**object, path, std::size_t{limits.file_bytes} + 1);
   if (!text) return text.diagnostics;
   return kept_source(shown, *std::move(text), limits);
+}
+
+Version LoadedVersion::version() const {
+  return {model,
+          scene ? &*scene : nullptr,
+          *products.checked,
+          products.program ? *products.program : *products.lowered,
+          products.diagnostics,
+          operations.empty() ? nullptr : &operations};
+}
+
+std::string system_name(const Inputs& inputs, const Limits& limits) {
+  const Products checked = products(inputs, limits, Goal::check);
+  return checked.checked ? checked.checked->scene.base_name : std::string();
+}
+
+Diagnostics mistakes(const Inputs& inputs, const Limits& limits) {
+  return products(inputs, limits, Goal::inspect).diagnostics;
+}
+
+Result<LoadedVersion> load_version(const Inputs& inputs, const Limits& limits) {
+  LoadedVersion loaded{inputs};
+  loaded.products = products(inputs, limits, Goal::lower);
+  if (!loaded.products.lowered) return loaded.products.diagnostics;
+  const bool is_emitted_otherwise = needs_forms(loaded.products.checked->scene);
+  if (is_emitted_otherwise || is_small(*loaded.products.lowered)) {
+    Products chosen = products(inputs, limits, Goal::choose);
+    if (chosen.program) loaded.operations = operations_of(*chosen.program);
+    if (is_emitted_otherwise) loaded.products = std::move(chosen);
+  }
+  Diagnostics found = loaded.products.diagnostics;
+  if (!loaded.products.lowered && !loaded.products.program) return found;
+  loaded.model = *parse_model(inputs.model, limits);
+  if (inputs.scene != nullptr) loaded.scene = *parse_scene(inputs.scene, limits);
+  return {std::move(loaded), std::move(found)};
 }
 
 }  // namespace elgen::cli
