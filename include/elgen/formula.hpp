@@ -78,8 +78,11 @@ using Formulas = std::vector<Formula>;
 [[nodiscard]] Formula pi_formula();
 
 [[nodiscard]] Formula negative(Formula x);
-/// The parts that are `negative` are subtracted. One term stands for itself.
+/// The parts that are `negative` are subtracted, and numbers below 0 behind the first become such.
+/// One term stands for itself.
 [[nodiscard]] Formula sum_of(Formulas terms);
+/// A sum with one more term.
+[[nodiscard]] Formula with_term(Formula sum, Formula term);
 [[nodiscard]] Formula product_of(Formulas factors);
 [[nodiscard]] Formula quotient_of(Formula above, Formula below);
 [[nodiscard]] Formula power_of(Formula base, Formula exponent);

@@ -69,9 +69,6 @@ struct ConservedQuantity {
 [[nodiscard]] std::vector<ConservedQuantity> conserved_quantities(const Model& model,
                                                                   const Program& program);
 
-/// Whether some function is about more than positions and forces at rest.
-[[nodiscard]] bool knows_motion(const Model& model, const Program& program);
-
 /// A coordinate, an input, an open function or a parameter.
 struct PageVariable {
   Formula symbol = {};

@@ -17,9 +17,8 @@ namespace elgen {
 /// Roots of an [[output]].
 [[nodiscard]] std::vector<ExpressionId> output_roots(const UserOutput& output);
 
-/// The roots and everything below them, each once, operands before their users, in a model
-/// without cycles. Cost: one visit per
-/// expression.
+/// The roots and everything below them, each once, operands before their users, in a model without
+/// cycles. Cost: one visit per expression.
 [[nodiscard]] std::vector<ExpressionId> reached(const Model& model,
                                                 const std::vector<ExpressionId>& roots);
 

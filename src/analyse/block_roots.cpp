@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "analyse/formulas.hpp"
-#include "analyse/linear_solution.hpp"
 #include "analyse/newton_refinement.hpp"
 #include "analyse/searched_range.hpp"
 #include "numbers/exact_number.hpp"

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
+#include "analyse/formulas.hpp"
 #include "analyse/newton_refinement.hpp"
 #include "analyse/rest.hpp"
-#include "analyse/substitution.hpp"
 #include "elgen/analyse.hpp"
 #include "elgen/choose.hpp"
 #include "elgen/inspect.hpp"

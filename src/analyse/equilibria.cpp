@@ -6,7 +6,6 @@
 
 #include "analyse/block_roots.hpp"
 #include "analyse/chart_breaks.hpp"
-#include "analyse/conservation.hpp"
 #include "analyse/formulas.hpp"
 #include "analyse/newton_refinement.hpp"
 #include "analyse/searched_range.hpp"
@@ -197,15 +196,10 @@ class EquilibriumSearch {
     Program both{rest_.program.leaves, moving_.constants, {*potential}};
     ClosedForms known = present(both);
     const auto& v0 = known.functions[0].fields[0].entries[0];
-    const auto w = form_of_rest_energy(known.algebra);
+    Arithmetic arithmetic(known.algebra);
+    const Function& rest_energy = rest_.program.functions[2];
+    const Value w = entries_of(rest_energy, fold<Value>(arithmetic, rest_.program, rest_energy))[0];
     result_.has_rest_kinetic_energy = !v0 || !w || !proved_equal(known, *v0, *w);
-  }
-
-  /// V0 - T0 over the atoms of another algebra.
-  [[nodiscard]] std::optional<Fraction> form_of_rest_energy(Algebra& algebra) const {
-    Arithmetic arithmetic(algebra);
-    const Function& w = rest_.program.functions[2];
-    return entries_of(w, fold<Value>(arithmetic, rest_.program, w))[0];
   }
 
   void join(const BlockRoots& roots) {
@@ -325,17 +319,6 @@ class EquilibriumSearch {
   Equilibria result_ = {};
 };
 
-}  // namespace
-
-std::vector<OutputRequest> outputs_of_analysis(const Model& model) {
-  return available_requests(
-      model, {OutputKind::mass_matrix, OutputKind::potential_energy, OutputKind::dissipation,
-              OutputKind::applied_force, OutputKind::bias, OutputKind::energy_function,
-              OutputKind::input_matrix});
-}
-
-namespace {
-
 /// At the start; inputs at their laws, or 0.
 Result<State> start_of(const CheckedModel& checked) {
   const Model& model = checked.model;
@@ -379,6 +362,13 @@ Result<EquilibriumSearch> search_of(const CheckedModel& checked, const Program& 
 }
 
 }  // namespace
+
+std::vector<OutputRequest> outputs_of_analysis(const Model& model) {
+  return available_requests(
+      model, {OutputKind::mass_matrix, OutputKind::potential_energy, OutputKind::dissipation,
+              OutputKind::applied_force, OutputKind::bias, OutputKind::energy_function,
+              OutputKind::input_matrix});
+}
 
 Result<Equilibria> find_equilibria(const CheckedModel& checked, const Program& recursive,
                                    const Limits& limits) {

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "analyse/leaf_search.hpp"
+#include "analyse/formulas.hpp"
 #include "forms/present/polynomial.hpp"
 
 namespace elgen {

@@ -14,38 +14,26 @@ namespace elgen {
 
 /// Closed forms as the numbers of generators.hpp and of Echelon; none beyond the budget. The best
 /// pivot stands in the shortest row.
-class FormField {
+class FormField : public Arithmetic {
  public:
   using Number = Value;
   using Candidates = std::vector<PivotCandidate<Value>>;
   static constexpr EchelonForm form = EchelonForm::reduced;
 
-  explicit FormField(Algebra& algebra, std::size_t most_work = work, std::size_t most_terms = terms)
-      : arithmetic_(algebra, most_work, most_terms) {}
+  /// 4e6 term products take less than two seconds.
+  explicit FormField(Algebra& algebra, std::size_t work = 4'000'000, std::size_t terms = 60'000)
+      : Arithmetic(algebra, work, terms) {}
 
-  [[nodiscard]] Value integer(int value) const { return fraction_of(cln::cl_RA(value)); }
-  [[nodiscard]] Value add(const Value& x, const Value& y) { return arithmetic_.add(x, y); }
-  [[nodiscard]] Value multiply(const Value& x, const Value& y) {
-    return arithmetic_.multiply(x, y);
-  }
-  [[nodiscard]] Value negate(const Value& x) const { return arithmetic_.negate(x); }
-  [[nodiscard]] Value divide(const Value& x, const Value& y) { return arithmetic_.divide(x, y); }
+  [[nodiscard]] static Value integer(int value) { return fraction_of(cln::cl_RA(value)); }
   [[nodiscard]] Value reduce(const Value& x, const Value& factor, const Value& y) {
-    return add(x, negate(multiply(factor, y)));
+    return subtract(x, multiply(factor, y));
   }
-  [[nodiscard]] bool is_zero(const Value& x) const { return x && x->numerator.empty(); }
-  [[nodiscard]] bool is_defined(const Value& x) const { return x.has_value(); }
-  [[nodiscard]] const PivotCandidate<Value>* best(const Candidates& candidates, std::size_t) const {
+  [[nodiscard]] static bool is_zero(const Value& x) { return x && x->numerator.empty(); }
+  [[nodiscard]] static bool is_defined(const Value& x) { return x.has_value(); }
+  [[nodiscard]] static const PivotCandidate<Value>* best(const Candidates& candidates,
+                                                         std::size_t) {
     return &*std::ranges::min_element(candidates, {}, &PivotCandidate<Value>::length);
   }
-  [[nodiscard]] Value leaf(Opcode kind, std::uint32_t index) {
-    return arithmetic_.leaf(kind, index);
-  }
-
- private:
-  static constexpr std::size_t work = 4'000'000;  ///< term products: below two seconds
-  static constexpr std::size_t terms = 60'000;
-  Arithmetic arithmetic_;
 };
 
 /// The leaves as they are, with R.

@@ -5,12 +5,14 @@
 //     +-acos(c), asin(c), pi - asin(c)     of one angle, where the equation is a multiple of
 //                                          cos(q) - c or sin(q) - c after the above are divided out
 //     -b/a                                 of one coordinate, where the equation is a q + b
+//
+// Equations that are linear in all unknowns, as those of masses on springs, are solved at once.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "analyse/substitution.hpp"
+#include "analyse/formulas.hpp"
 #include "elgen/analyse.hpp"
 #include "elgen/evaluate.hpp"
 
@@ -26,6 +28,20 @@ struct Unknowns {
 [[nodiscard]] std::optional<std::vector<CoordinateAtRest>> exact_root(
     ClosedForms& forms, const std::vector<Fraction>& rows, const Unknowns& unknowns,
     const Arguments<Real>& root);
+
+/// The general solution of equations that are linear in the unknowns, perhaps times powers of them
+/// as those of orbits are (p^2/(m r^3) = m mu/r^2): some of these are any, the
+/// others expressions of them. `is_solvable` is false where there is none; the whole is none where
+/// the equations are not linear, or a form is beyond the budget, or 0 in 64 digits though it is not
+/// the empty sum.
+struct LinearSolution {
+  bool is_solvable = true;
+  std::vector<CoordinateAtRest> values = {};
+};
+[[nodiscard]] std::optional<LinearSolution> linear_solution(ClosedForms& forms,
+                                                            const std::vector<Fraction>& rows,
+                                                            const Unknowns& unknowns,
+                                                            const Arguments<Real>& at);
 
 /// The values that replace the unknowns; unknowns that may be anything stay.
 [[nodiscard]] Replacements replacements_of(const std::vector<std::uint32_t>& coordinates,

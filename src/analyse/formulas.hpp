@@ -1,10 +1,18 @@
-// Formulas: closed forms taken apart, and as programs and numbers.
+// Formulas: closed forms taken apart, with values in the place of leaves, and as programs and
+// numbers.
+//
+//     m R (g cos(theta) - R W^2 cos(2 theta))   at theta = pi   ->   -m R (g + R W^2)
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "elgen/analyse.hpp"
 #include "elgen/closed_forms.hpp"
 #include "elgen/evaluate.hpp"
 #include "elgen/model.hpp"
@@ -30,5 +38,62 @@ namespace elgen {
 /// Its number in 64 digits; undefined where it has none, or is too long.
 [[nodiscard]] Real value_of(const Algebra& algebra, const Fraction& form,
                             const Arguments<Real>& at);
+
+/// Which atoms of an algebra hold leaves of one sort.
+class LeafSearch {
+ public:
+  /// `is_wanted` is asked of leaves.
+  LeafSearch(const Algebra& algebra, std::function<bool(const Atom&)> is_wanted)
+      : algebra_(algebra), is_wanted_(std::move(is_wanted)) {}
+
+  [[nodiscard]] bool holds(AtomId id) {
+    if (const auto known = known_.find(id); known != known_.end()) return known->second;
+    const Atom& atom = algebra_.atoms[id];
+    const bool found = atom.kind == AtomKind::leaf
+                           ? is_wanted_(atom)
+                           : std::ranges::any_of(atom.arguments, [this](const Fraction& argument) {
+                               return holds(argument);
+                             });
+    known_[id] = found;
+    return found;
+  }
+  [[nodiscard]] bool holds(const Polynomial& sum) {
+    return std::ranges::any_of(sum, [this](const auto& term) {
+      return std::ranges::any_of(term.first,
+                                 [this](const AtomPower& power) { return holds(power.atom); });
+    });
+  }
+  [[nodiscard]] bool holds(const Fraction& form) {
+    return holds(form.numerator) ||
+           std::ranges::any_of(form.denominator, [this](const auto& factor) {
+             return holds(algebra_.factors[factor.first].shown);
+           });
+  }
+
+ private:
+  const Algebra& algebra_;
+  std::function<bool(const Atom&)> is_wanted_;
+  std::map<AtomId, bool> known_ = {};
+};
+
+/// The value that takes the place of a leaf. The cosine and sine of an angle such as acos(c) keep
+/// its cosine and sine free of functions of functions.
+struct Replacement {
+  Fraction value = {};
+  std::optional<CosineAndSine> sinusoids = {};
+};
+/// By kind and number.
+using Replacements = std::map<std::pair<Opcode, std::uint32_t>, Replacement>;
+
+/// The form with these values; none of none, where it has no value there (a denominator becomes 0),
+/// and beyond the budget.
+[[nodiscard]] Value substituted(Algebra& algebra, const Value& form,
+                                const Replacements& replacements);
+
+/// The leaf that the argument of a function is a multiple of; null where it is none.
+[[nodiscard]] const Atom* leaf_within(const Algebra& algebra, const Atom& function);
+
+/// All parameters at their values; none where one of them is no rational number.
+[[nodiscard]] std::optional<Replacements> parameter_values(const std::vector<cln::cl_R>& values);
 
 }  // namespace elgen

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 #include "analyse/exact_roots.hpp"
 #include "analyse/formulas.hpp"
@@ -133,14 +134,9 @@ class FrequencyForms {
 }  // namespace
 
 FormsAtRest forms_at_rest(const Model& model, ClosedForms& forms, const RestPoint& point) {
-  std::vector<std::uint32_t> coordinates;
-  std::vector<CoordinateAtRest> values;
-  for (std::uint32_t i = 0; i < point.coordinates.size(); ++i) {
-    if (!point.coordinates[i].form) continue;
-    coordinates.push_back(i);
-    values.push_back(point.coordinates[i]);
-  }
-  const Replacements place = replacements_of(coordinates, values);
+  std::vector<std::uint32_t> coordinates(point.coordinates.size());
+  std::iota(coordinates.begin(), coordinates.end(), 0);
+  const Replacements place = replacements_of(coordinates, point.coordinates);
   const ClosedField rows = forms.functions[0].fields[0];
   const ClosedField masses = forms.functions[1].fields[0];
   FormsAtRest found;

@@ -24,7 +24,16 @@ namespace elgen {
 
 /// The unknowns in their order: A by rows, c, b, then s and b of each rotation, then dt.
 struct GeneratorClass {
-  explicit GeneratorClass(const Model& model);
+  explicit GeneratorClass(const Model& model) : velocity_count(model.velocities.size()) {
+    for (std::uint32_t i = 0; i < model.coordinates.size(); ++i) {
+      if (model.coordinates[i].rotation) continue;
+      coordinates.push_back(i);
+      velocities.push_back(model.coordinates[i].velocity);
+    }
+    for (const Rotation& rotation : model.rotations) {
+      rotations.push_back({rotation.first_coordinate, rotation.first_velocity});
+    }
+  }
 
   std::vector<std::uint32_t> coordinates = {};  ///< that are no rotation, by their numbers in q
   std::vector<std::uint32_t> velocities = {};   ///< of these

@@ -8,6 +8,7 @@
 #include "numbers/dual.hpp"
 #include "numbers/echelon.hpp"
 #include "numbers/exact_number.hpp"
+#include "program/evaluate/subject.hpp"
 #include "sample/states.hpp"
 
 namespace elgen {
@@ -29,6 +30,21 @@ std::vector<Real> rate_of_unit(const Model& model, const Arguments<Real>& at,
       oracle_values(model, request_of(model, OutputKind::coordinate_rates, 0), state);
   for (std::size_t i = 0; values && i < rates.size(); ++i) rates[i] = Real((*values)[i]);
   return rates;
+}
+
+/// df/dx of the entries of a function, row-major, along each of so many directions, of which
+/// `point` sets the k-th, all 0 before.
+template <class Point>
+std::vector<Real> slopes_along(const Program& program, const Function& function,
+                               const Arguments<Real>& at, std::size_t columns, const Point& point) {
+  std::vector<Real> slopes(entry_count(function) * columns);
+  for (std::size_t k = 0; k < columns; ++k) {
+    Arguments<Real> direction = map_leaves([](const Real&) { return Real(); }, at);
+    point(k, direction);
+    const auto entries = evaluate(program, function, moving(at, direction));
+    for (std::size_t i = 0; i < entries.size(); ++i) slopes[i * columns + k] = entries[i].slope;
+  }
+  return slopes;
 }
 
 constexpr int most_steps = 200;
@@ -53,15 +69,16 @@ std::optional<std::vector<Real>> solved(const std::vector<Real>& matrix,
 std::vector<Real> position_slopes(const Model& model, const Program& program,
                                   const Function& function, const Arguments<Real>& at,
                                   const std::vector<std::uint32_t>& along) {
-  const std::size_t columns = along.size();
-  std::vector<Real> slopes(entry_count(function) * columns);
-  for (std::size_t k = 0; k < columns; ++k) {
-    Arguments<Real> direction = map_leaves([](const Real&) { return Real(); }, at);
-    direction.q = rate_of_unit(model, at, along[k]);
-    const auto entries = evaluate(program, function, moving(at, direction));
-    for (std::size_t i = 0; i < entries.size(); ++i) slopes[i * columns + k] = entries[i].slope;
-  }
-  return slopes;
+  return slopes_along(program, function, at, along.size(),
+                      [&](std::size_t k, Arguments<Real>& direction) {
+                        direction.q = rate_of_unit(model, at, along[k]);
+                      });
+}
+
+std::vector<Real> velocity_slopes(const Program& program, OutputKind kind,
+                                  const Arguments<Real>& at) {
+  return slopes_along(program, *find_function(program, kind), at, at.v.size(),
+                      [](std::size_t k, Arguments<Real>& direction) { direction.v[k] = Real(1); });
 }
 
 std::optional<Arguments<Real>> refined(const Model& model, const Program& program,

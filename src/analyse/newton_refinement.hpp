@@ -15,6 +15,10 @@ namespace elgen {
                                                 const Function& function, const Arguments<Real>& at,
                                                 const std::vector<std::uint32_t>& along);
 
+/// d f/d v of the entries of a function, row-major, one column for each velocity.
+[[nodiscard]] std::vector<Real> velocity_slopes(const Program& program, OutputKind kind,
+                                                const Arguments<Real>& at);
+
 /// The solution f = 0 near the arguments, where only the coordinates of these velocities move; as
 /// many entries as velocities, else none. None also where it is not reached in 200 steps.
 [[nodiscard]] std::optional<Arguments<Real>> refined(const Model& model, const Program& program,

@@ -108,10 +108,6 @@ Tracked scaled(Tracked x, const cl_RA& factor) {
   return x;
 }
 
-bool is_trigonometric(FunctionId function) {
-  return is_circular(function) || function == FunctionId::tan;
-}
-
 /// The rules of fold.hpp.
 struct OccurrenceRules {
   [[nodiscard]] Tracked constant(const Constant& constant) const {
@@ -155,8 +151,8 @@ struct OccurrenceRules {
   }
   [[nodiscard]] Tracked square_root(const Tracked& x) const { return used(x); }
   [[nodiscard]] Tracked call(FunctionId function, const Tracked& x, const Tracked& y) const {
-    if (!is_trigonometric(function))
-      return function_row(function).arity == 2 ? used_together(x, y) : used(x);
+    const bool is_trigonometric = is_circular(function) || function == FunctionId::tan;
+    if (!is_trigonometric) return function_row(function).arity == 2 ? used_together(x, y) : used(x);
     Tracked result;
     result.all = x.all;
     for (const auto& [coordinate, multiple] : x.multiples) {

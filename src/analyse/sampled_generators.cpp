@@ -129,12 +129,6 @@ std::vector<std::vector<cl_R>> null_vectors(const std::vector<std::vector<cl_R>>
   return basis;
 }
 
-State at_random_parameters(const CheckedModel& checked, std::size_t turn) {
-  Sampler draw(seed + turn);
-  // Odd turns reach all of the ranges that parameters declare.
-  return drawn_state(checked.model, checked.scene, draw, 2 * turn + 1);
-}
-
 /// The conditions at a state, scaled; those without a value are left out.
 std::vector<std::vector<cl_R>> rows_at(const CheckedModel& checked, const Program& moving,
                                        const GeneratorClass& all, const State& state) {
@@ -200,7 +194,10 @@ std::vector<SampledGenerators> generators_elsewhere(const CheckedModel& checked,
   constexpr std::size_t sets = 3;
   std::vector<SampledGenerators> found;
   for (std::size_t turn = 0; turn < draws_per_state && found.size() < sets; ++turn) {
-    auto here = sampled_generators(checked, moving, at_random_parameters(checked, turn));
+    Sampler draw(seed + turn);
+    // Odd turns of states reach all of the ranges that parameters declare.
+    const State state = drawn_state(checked.model, checked.scene, draw, 2 * turn + 1);
+    auto here = sampled_generators(checked, moving, state);
     if (here) found.push_back(std::move(*here));
   }
   return found;

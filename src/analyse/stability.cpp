@@ -1,28 +1,201 @@
-// Growth rates of natural systems are those of their modes, known to 64 digits.
+// Natural systems have normal modes, by Eigen's self-adjoint solver in doubles; of each w^2 the
+// Rayleigh quotient in 64 digits, whose error is the square of that of the shape. Others have
+// poles. D is taken for dissipative where its second derivatives at v = 0 are constants and make a
+// positive semidefinite matrix.
 #include "analyse/stability.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/SVD>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
+#include <functional>
 #include <tuple>
 
-#include "analyse/linear_equations.hpp"
-#include "analyse/modes.hpp"
+#include "analyse/chart_breaks.hpp"
+#include "analyse/newton_refinement.hpp"
+#include "analyse/rest.hpp"
 #include "elgen/evaluate.hpp"
 #include "numbers/echelon.hpp"
 #include "numbers/exact_number.hpp"
+#include "program/evaluate/subject.hpp"
 
 namespace elgen {
 namespace {
 
 using cln::cl_R;
+using Matrix = Eigen::MatrixXd;
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using Poles = std::vector<std::complex<double>>;
+
+/// Values of w^2 that differ by this share of the largest are one; smaller ones are 0.
+constexpr double equal_share = 1e-9;
 
 /// Real parts below this share of the largest pole may be rounding of doubles: a triple pole is
 /// known to the third root of their spacing.
 constexpr double pole_noise = 1e-5;
 
+// The linear equations in doubles.
+
+/// Row-major numbers in so many rows, nearest doubles.
+Matrix matrix_of(const std::vector<cl_R>& values, std::size_t rows) {
+  std::vector<double> numbers;
+  for (const cl_R& value : values) numbers.push_back(ScalarTraits<double>::from_real(value));
+  const auto r = static_cast<Eigen::Index>(rows);
+  const Eigen::Index c = rows == 0 ? 0 : static_cast<Eigen::Index>(numbers.size() / rows);
+  return Eigen::Map<const RowMajor>(numbers.data(), r, c);
+}
+
+std::vector<double> numbers_of(const Matrix& matrix) {
+  const RowMajor rows = matrix;
+  return {rows.data(), rows.data() + rows.size()};
+}
+
+/// [0 1; -K/M -D/M]; not finite where M is singular.
+Matrix state_matrix(const RestPoint& point) {
+  const std::size_t n = point.state.v.size();
+  const auto size = static_cast<Eigen::Index>(n);
+  const Eigen::PartialPivLU<Matrix> mass(matrix_of(point.mass, n));
+  Matrix a = Matrix::Zero(2 * size, 2 * size);
+  a.topRightCorner(size, size).setIdentity();
+  a.bottomLeftCorner(size, size) = -mass.solve(matrix_of(point.stiffness, n));
+  a.bottomRightCorner(size, size) = -mass.solve(matrix_of(point.damping, n));
+  return a;
+}
+
+// Normal modes.
+
+bool is_zero_matrix(const std::vector<cl_R>& values) {
+  return std::ranges::all_of(values, [](const cl_R& value) { return cln::zerop(value); });
+}
+
+bool is_symmetric(const std::vector<cl_R>& matrix, std::size_t n) {
+  static const cl_R noise = power_of_ten(-30);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      const cl_R& x = matrix[i * n + k];
+      const cl_R& y = matrix[k * n + i];
+      if (cln::abs(x - y) > noise * (cln::abs(x) + cln::abs(y))) return false;
+    }
+  }
+  return true;
+}
+
+/// x.A x
+cl_R quadratic_form(const std::vector<cl_R>& matrix, const std::vector<cl_R>& x) {
+  cl_R sum = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    for (std::size_t k = 0; k < x.size(); ++k) sum = sum + x[i] * matrix[i * x.size() + k] * x[k];
+  }
+  return sum;
+}
+
+/// The largest component becomes 1, the first of those that are as large.
+void scale_shape(std::vector<double>& shape) {
+  double largest = 0;
+  for (const double x : shape) largest = std::max(largest, std::abs(x));
+  const auto first = std::ranges::find_if(
+      shape, [&](double x) { return std::abs(x) > largest * (1 - equal_share); });
+  const double scale = *first;
+  for (double& x : shape) {
+    x /= scale;
+    if (std::abs(x) < equal_share) x = 0;
+  }
+}
+
+/// Shapes of one w^2 are a basis of a space: the one in which every shape has a component that no
+/// other has.
+void reduce_shapes(std::vector<NormalMode>& modes, std::size_t first, std::size_t count) {
+  const std::size_t n = modes[first].shape.size();
+  std::vector<double> shapes;
+  for (std::size_t i = first; i < first + count; ++i) {
+    shapes.insert(shapes.end(), modes[i].shape.begin(), modes[i].shape.end());
+  }
+  using Shapes = LargestPivot<double, EchelonForm::reduced>;
+  Shapes field(1e-6);  // what the rounding of the solver leaves of 0 is smaller by far
+  const Echelon<Shapes> echelon(field, shapes, n, n);
+  for (std::size_t i = 0; i < echelon.rank(); ++i) {
+    std::vector<double>& shape = modes[first + i].shape;
+    shape.assign(n, 0.0);
+    shape[echelon.pivots()[i].column] = 1;
+    for (const auto& entry : echelon.rest(echelon.pivots()[i])) shape[entry.column] = entry.value;
+  }
+}
+
+/// Whether the linear equations have no terms in x' and a symmetric K.
+bool is_natural(const RestPoint& point) {
+  return is_zero_matrix(point.damping) && is_symmetric(point.stiffness, point.state.v.size());
+}
+
+/// Modes of a natural system with a positive definite M, w^2 ascending. Each w^2 is right in 64
+/// digits up to the squared error of its shape in doubles; below 1e-20 of the largest it is 0.
+std::vector<NormalMode> normal_modes(const RestPoint& point) {
+  const std::size_t n = point.state.v.size();
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix> solver(matrix_of(point.stiffness, n),
+                                                                matrix_of(point.mass, n));
+  std::vector<NormalMode> modes;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Eigen::VectorXd x = solver.eigenvectors().col(static_cast<Eigen::Index>(i));
+    NormalMode& mode = modes.emplace_back();
+    mode.shape.assign(x.data(), x.data() + x.size());
+    std::vector<cl_R> exact;
+    for (const double component : mode.shape) exact.emplace_back(exact_value(component));
+    mode.omega_squared = quadratic_form(point.stiffness, exact) / quadratic_form(point.mass, exact);
+  }
+  cl_R largest = 0;
+  for (const NormalMode& mode : modes) largest = cln::max(largest, cln::abs(mode.omega_squared));
+  const cl_R noise = largest * exact_value(equal_share);
+  for (NormalMode& mode : modes) {
+    if (cln::abs(mode.omega_squared) < largest * power_of_ten(-20)) mode.omega_squared = 0;
+  }
+  for (std::size_t first = 0; first < n;) {
+    std::size_t end = first + 1;
+    while (end < n && cln::abs(modes[end].omega_squared - modes[first].omega_squared) <= noise) {
+      ++end;
+    }
+    if (end - first > 1) reduce_shapes(modes, first, end - first);
+    for (std::size_t i = first; i < end; ++i) {
+      modes[i].multiplicity = end - first;
+      scale_shape(modes[i].shape);
+    }
+    first = end;
+  }
+  return modes;
+}
+
+// Poles.
+
+/// +-sqrt(-w^2) of every mode.
+Poles poles_of(const std::vector<NormalMode>& modes) {
+  Poles poles;
+  for (const NormalMode& mode : modes) {
+    const double square = ScalarTraits<double>::from_real(mode.omega_squared);
+    const std::complex<double> pole = std::sqrt(std::complex<double>(-square, 0));
+    poles.push_back(pole);
+    poles.push_back(-pole);
+  }
+  std::ranges::stable_sort(poles, std::greater{}, [](const auto& pole) { return std::abs(pole); });
+  return poles;
+}
+
+/// The eigenvalues of the state matrix, the fastest first; empty where M is singular.
+Poles poles_of(const RestPoint& point) {
+  const Matrix a = state_matrix(point);
+  if (!a.allFinite()) return {};
+  const Eigen::EigenSolver<Matrix> solver(a, false);
+  Poles poles;
+  for (Eigen::Index i = 0; i < a.rows(); ++i) poles.push_back(solver.eigenvalues()[i]);
+  std::ranges::sort(poles, [](const auto& x, const auto& y) {
+    return std::tuple(std::abs(x), x.real(), x.imag()) >
+           std::tuple(std::abs(y), y.real(), y.imag());
+  });
+  return poles;
+}
+
 /// By the signs of real parts; growth rates are those of conjugate poles once.
-void judge_by_poles(const std::vector<std::complex<double>>& poles, StabilityVerdict& verdict) {
+void judge_by_poles(const Poles& poles, StabilityVerdict& verdict) {
   double largest = 0;
   for (const auto& pole : poles) largest = std::max(largest, std::abs(pole));
   const double noise = pole_noise * largest;
@@ -33,6 +206,80 @@ void judge_by_poles(const std::vector<std::complex<double>>& poles, StabilityVer
     all_decay = all_decay && pole.real() < -noise;
   }
   if (all_decay) verdict.kind = Stability::decaying;
+}
+
+/// The least rank of [A - pole 1, B] over all poles (Popov, Belevitch, Hautus).
+std::size_t controllable_rank(const Matrix& a, const Matrix& b, const Poles& poles) {
+  std::size_t least = static_cast<std::size_t>(a.rows());
+  for (const std::complex<double>& pole : poles) {
+    Eigen::MatrixXcd both(a.rows(), a.cols() + b.cols());
+    both << a - pole * Eigen::MatrixXcd::Identity(a.rows(), a.cols()),
+        b.cast<std::complex<double>>();
+    Eigen::JacobiSVD<Eigen::MatrixXcd> parts(both);
+    parts.setThreshold(equal_share);
+    least = std::min(least, static_cast<std::size_t>(parts.rank()));
+  }
+  return least;
+}
+
+LinearMotions motions_about(const RestPoint& point) {
+  LinearMotions result{point};
+  const std::size_t n = point.state.v.size();
+  const Matrix a = state_matrix(point);
+  result.a = numbers_of(a);
+  if (is_natural(point)) {
+    result.modes = normal_modes(point);
+    result.poles = poles_of(result.modes);
+  } else {
+    result.poles = poles_of(point);
+  }
+  if (!point.input_matrix.empty()) {
+    const Matrix forces = matrix_of(point.input_matrix, n);
+    Matrix b = Matrix::Zero(a.rows(), forces.cols());
+    b.bottomRows(forces.rows()) = matrix_of(point.mass, n).partialPivLu().solve(forces);
+    result.b = numbers_of(b);
+    result.controllable = controllable_rank(a, b, result.poles);
+  }
+  return result;
+}
+
+// Energy.
+
+bool is_absent(const Program& moving, OutputKind kind) {
+  const Function* const function = find_function(moving, kind);
+  return function == nullptr || is_zero(moving, *function);
+}
+
+template <class Holds>
+bool none_holds(const Program& moving, OutputKind kind, const Holds& holds) {
+  return std::ranges::none_of(occurrences(moving, *find_function(moving, kind)), holds);
+}
+
+bool holds_coordinates(const Occurrence& entry) { return !entry.coordinates.empty(); }
+
+/// By elimination in 64 digits: a pivot that is 0 has to stand alone.
+bool is_positive_semidefinite(std::vector<cl_R> a, std::size_t n) {
+  const cl_R noise = largest_of(a) * power_of_ten(-40);
+  for (std::size_t k = 0; k < n; ++k) {
+    const cl_R pivot = a[k * n + k];
+    if (pivot < -noise) return false;
+    const bool is_flat = pivot <= noise;
+    for (std::size_t i = k + 1; i < n; ++i) {
+      if (is_flat && cln::abs(a[i * n + k]) > noise) return false;
+      if (is_flat) continue;
+      const cl_R factor = a[i * n + k] / pivot;
+      for (std::size_t j = k; j < n; ++j) a[i * n + j] = a[i * n + j] - factor * a[k * n + j];
+    }
+  }
+  return true;
+}
+
+bool dissipates(const Program& moving, const State& state) {
+  if (is_absent(moving, OutputKind::dissipation)) return true;
+  if (!none_holds(moving, OutputKind::dissipation, holds_coordinates)) return false;
+  const std::vector<Real> slopes =
+      velocity_slopes(moving, OutputKind::dissipation, arguments_at<Real>(state));
+  return is_positive_semidefinite(numbers_of(slopes), state.v.size());
 }
 
 }  // namespace
@@ -59,17 +306,18 @@ bool is_positive_definite(const std::vector<cl_R>& matrix,
          });
 }
 
-std::vector<std::complex<double>> poles_of(const RestPoint& point) {
-  const Eigen::MatrixXd a = state_matrix(point);
-  if (!a.allFinite()) return {};
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(a, false);
-  std::vector<std::complex<double>> poles;
-  for (Eigen::Index i = 0; i < a.rows(); ++i) poles.push_back(solver.eigenvalues()[i]);
-  std::ranges::sort(poles, [](const auto& x, const auto& y) {
-    return std::tuple(std::abs(x), x.real(), x.imag()) >
-           std::tuple(std::abs(y), y.real(), y.imag());
-  });
-  return poles;
+bool is_conservative(const Program& moving, const State& state) {
+  // A point that moves with t may have an energy that does not.
+  const bool is_free_of_time = std::ranges::all_of(
+      std::array{OutputKind::bias, OutputKind::mass_matrix, OutputKind::energy_function},
+      [&](OutputKind kind) {
+        return none_holds(moving, kind, [](const Occurrence& entry) { return entry.has_time; });
+      });
+  const bool is_driven =
+      std::ranges::any_of(state.u, [](const cl_R& u) { return !cln::zerop(u); }) &&
+      !none_holds(moving, OutputKind::input_matrix, holds_coordinates);
+  return is_free_of_time && !is_driven && is_absent(moving, OutputKind::applied_force) &&
+         dissipates(moving, state);
 }
 
 StabilityVerdict stability_of(const RestPoint& point, const RestConditions& conditions) {
@@ -103,6 +351,24 @@ StabilityVerdict stability_of(const RestPoint& point, const RestConditions& cond
   }
   if (!verdict.growth_rates.empty()) verdict.kind = Stability::unstable;
   return verdict;
+}
+
+Result<std::vector<LinearMotions>> linear_motions(const CheckedModel& checked,
+                                                  const Equilibria& equilibria, bool stable) {
+  std::vector<LinearMotions> result;
+  for (const RestPoint& point : equilibria.points) {
+    if (stable && !is_stable(point.stability.kind)) continue;
+    if (!is_positive_definite(point.mass)) {
+      return Diagnostic{Code::E533, checked.model.name_span,
+                        "the mass matrix is singular at this equilibrium"};
+    }
+    result.push_back(motions_about(point));
+  }
+  if (result.empty()) {
+    return Diagnostic{
+        Code::E532, {}, "no equilibrium is known to be stable", "say at which one: `--at theta=0`"};
+  }
+  return result;
 }
 
 }  // namespace elgen

@@ -1,7 +1,6 @@
 // Stability of a state of rest: by Lagrange and Dirichlet where energy decides, else by the poles.
 #pragma once
 
-#include <complex>
 #include <vector>
 
 #include "elgen/analyse.hpp"
@@ -18,12 +17,12 @@ struct RestConditions {
   std::vector<bool> is_positive = {};  ///< of the coefficients of `degenerate`
 };
 
+/// Whether W = V0 - T0 decides by Lagrange and Dirichlet: L is free of t, no force acts but D >= 0
+/// and inputs whose B does not depend on q. `state`: parameters and inputs as they are.
+[[nodiscard]] bool is_conservative(const Program& moving, const State& state);
+
 [[nodiscard]] StabilityVerdict stability_of(const RestPoint& point,
                                             const RestConditions& conditions);
-
-/// The eigenvalues of [0 1; -K/M -D/M], the fastest first;
-/// empty where M is singular.
-[[nodiscard]] std::vector<std::complex<double>> poles_of(const RestPoint& point);
 
 /// Whether a symmetric matrix without the rows and columns of `left_out` is positive definite: each
 /// pivot in 64 digits is above 1e-25 of its diagonal entry, or of the entry in `usual`.

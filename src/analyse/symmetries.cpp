@@ -8,9 +8,7 @@
 
 #include "analyse/exact_generators.hpp"
 #include "analyse/formulas.hpp"
-#include "analyse/leaf_search.hpp"
 #include "analyse/sampled_generators.hpp"
-#include "analyse/substitution.hpp"
 #include "analyse/symmetry_basis.hpp"
 #include "analyse/total_integral.hpp"
 #include "elgen/analyse.hpp"
@@ -81,7 +79,7 @@ Value reduced(FormField& field, const Algebra& algebra, const GeneratorClass& al
     Value rest = field.integer(1);
     for (std::uint32_t i = 1; i <= axis_count; ++i) {
       const Value x = field.leaf(Opcode::coordinate, first + i);
-      rest = field.add(rest, field.negate(field.multiply(x, x)));
+      rest = field.subtract(rest, field.multiply(x, x));
     }
     result = field.multiply(result, rest);
   }
@@ -169,9 +167,9 @@ void add_rates(FormField& field, const MotionForms& motion, const Entries& displ
   Value work = Fraction{};
   for (std::uint32_t i = 0; i < n; ++i) {
     const Value passed = field.multiply(symmetry.generator.back(), field.leaf(Opcode::velocity, i));
-    const Value along = field.add(displacement[i], field.negate(passed));
+    const Value along = field.subtract(displacement[i], passed);
     if (field.is_zero(along)) continue;
-    const Value own = field.add(force[i], field.negate(dissipation[i]));
+    const Value own = field.subtract(force[i], dissipation[i]);
     loss = field.add(loss, field.multiply(along, own));
     for (std::uint32_t k = 0; k < inputs; ++k) {
       const Value input = field.multiply(by_input[i * inputs + k], field.leaf(Opcode::input, k));
@@ -199,8 +197,8 @@ bool loses_energy(Symmetries& found, const MotionForms& motion) {
       found.all, [](const Symmetry& symmetry) { return symmetry.kind == SymmetryKind::time; });
   if (!has_time || find_function(motion.program, OutputKind::total_energy) == nullptr) return false;
   FormField field(found.forms.algebra);
-  const Value difference = field.add(motion.entries(OutputKind::total_energy)[0],
-                                     field.negate(motion.entries(OutputKind::energy_function)[0]));
+  const Value difference = field.subtract(motion.entries(OutputKind::total_energy)[0],
+                                          motion.entries(OutputKind::energy_function)[0]);
   if (!difference) return false;
   const auto holds = [&](bool (*wanted)(const Atom&)) {
     return LeafSearch(found.forms.algebra, wanted).holds(*difference);
@@ -243,7 +241,7 @@ class SymmetrySearch {
     const Entries dissipation = motion_.of_velocities(OutputKind::dissipation);
     const Entries force = motion_.of_velocities(OutputKind::applied_force);
     for (std::size_t i = 0; i < residual.size(); ++i) {
-      residual[i] = field.add(residual[i], field.add(force[i], field.negate(dissipation[i])));
+      residual[i] = field.add(residual[i], field.subtract(force[i], dissipation[i]));
     }
     const auto exact = exact_generators(result_.forms, model_, open_values_, residual);
     // The root of a square hides symmetries, which samples find.

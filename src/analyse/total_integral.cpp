@@ -2,7 +2,7 @@
 // more.
 #include "analyse/total_integral.hpp"
 
-#include "analyse/leaf_search.hpp"
+#include "analyse/formulas.hpp"
 #include "forms/present/arithmetic.hpp"
 #include "forms/present/polynomial.hpp"
 

@@ -184,8 +184,6 @@ std::string number_fraction(const std::string& above, const std::string& below, 
   return above + "/" + below;
 }
 
-bool is_there(const Glyphs& script) { return !script.parts.empty() || !script.text.empty(); }
-
 /// "₁₂" of "1, 2"; "_cart"; "_left_hip" of "left, hip", as in names
 std::string index_of(std::string text, bool is_unicode) {
   std::erase(text, ' ');
@@ -224,8 +222,6 @@ class Drawer {
     switch (glyphs.kind) {
       case GlyphKind::row:
         return row(glyphs.parts);
-      case GlyphKind::letter:
-        return line_of(letter(glyphs.text, is_unicode()));
       case GlyphKind::fraction:
         return fraction(glyphs);
       case GlyphKind::root:

@@ -36,6 +36,13 @@ void append_part(Formulas& row, Formula part) {
   }
 }
 
+/// Behind other terms numbers below 0 are subtracted.
+Formula as_term(Formula x) {
+  const bool is_below = x.kind == FormulaKind::number && cln::minusp(x.number);
+  if (is_below) return negative(number_formula(-x.number));
+  return x;
+}
+
 }  // namespace
 
 bool stands_close(std::string_view words) { return words.find_first_of(";:,") == 0; }
@@ -70,7 +77,16 @@ Formula pi_formula() { return symbol_formula("pi", read_latex("\\pi")); }
 
 Formula negative(Formula x) { return with(FormulaKind::negative, std::move(x)); }
 
-Formula sum_of(Formulas terms) { return single_or(FormulaKind::sum, std::move(terms)); }
+Formula sum_of(Formulas terms) {
+  for (std::size_t i = 1; i < terms.size(); ++i) terms[i] = as_term(std::move(terms[i]));
+  return single_or(FormulaKind::sum, std::move(terms));
+}
+
+Formula with_term(Formula sum, Formula term) {
+  if (sum.kind != FormulaKind::sum) return sum_of({std::move(sum), std::move(term)});
+  sum.parts.push_back(as_term(std::move(term)));
+  return sum;
+}
 
 Formula product_of(Formulas factors) { return single_or(FormulaKind::product, std::move(factors)); }
 

@@ -91,17 +91,11 @@ SetFormula set_digits(const std::string& text) {
   return {std::move(row), Binding::product};
 }
 
-/// Numbers below 0 and negative terms are subtracted.
+/// Negative terms are subtracted.
 void append_term(Glyphs& row, const Formula& term) {
-  const bool is_number = term.kind == FormulaKind::number && cln::minusp(term.number);
-  const bool is_negative = is_number || term.kind == FormulaKind::negative;
+  const bool is_negative = term.kind == FormulaKind::negative;
   append_sign(row, is_negative ? "-" : "+", true);
-  append(row,
-         at_least(is_number     ? set_number(-term.number)
-                  : is_negative ? set(term.parts[0])
-                                : set(term),
-                  Binding::product),
-         true);
+  append(row, at_least(set(is_negative ? term.parts[0] : term), Binding::product), true);
 }
 
 SetFormula set_sum(const Formula& formula) {

@@ -41,9 +41,7 @@ FormulaText number_text(const cln::cl_RA& value) {
 
 /// Negative terms are subtracted.
 Summand summand(const Formula& term, bool is_first) {
-  const bool is_number = term.kind == FormulaKind::number && cln::minusp(term.number);
   if (is_first) return {at_least(printed(term), Binding::negation)};
-  if (is_number) return {number_text(-term.number), true};
   if (term.kind == FormulaKind::negative) return {printed(term.parts[0]), true};
   return {printed(term)};
 }

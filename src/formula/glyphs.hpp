@@ -4,9 +4,7 @@
 // Only the commands of our tables and of what a symbol of a model may reasonably be are known.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -58,18 +56,6 @@ using GlyphRows = std::vector<Glyphs>;
 /// About the number of letters that fit its width.
 [[nodiscard]] double width(const Glyphs& glyphs);
 
-/// A command of LaTeX: one character, a sign or a space, or what it makes of its arguments.
-struct CommandRow {
-  std::string_view command;
-  std::string_view letter;  ///< the text of its glyph
-  GlyphKind kind = GlyphKind::letter;
-  std::size_t parts = 0;  ///< so many arguments are its parts
-};
-/// All but the Greek letters.
-[[nodiscard]] std::span<const CommandRow> commands();
-/// \sin, \arctan, \ln
-[[nodiscard]] bool is_function_command(std::string_view name);
-
 /// The character of a Greek letter's command ("theta"); empty for other words.
 [[nodiscard]] std::string_view greek_letter(std::string_view command);
 /// The command of a Greek letter; empty for other characters.
@@ -83,6 +69,9 @@ struct CommandRow {
 
 /// The base of scripts, or the piece itself.
 [[nodiscard]] const Glyphs& base_of(const Glyphs& piece);
+
+/// Whether scripts have this one.
+[[nodiscard]] bool is_there(const Glyphs& script);
 
 /// Puts a script below (place 1) or above (2) the last piece of the row.
 void add_script(Glyphs& row, std::size_t place, Glyphs script);

@@ -17,17 +17,13 @@ std::string element(const Glyphs& glyphs) {
   return is_single ? mathml(glyphs) : fmt::format("<mrow>{}</mrow>", mathml(glyphs));
 }
 
-bool is_absent(const Glyphs& glyphs) {
-  return glyphs.kind == GlyphKind::row && glyphs.parts.empty();
-}
-
 std::string scripts(const Glyphs& glyphs) {
   const std::string base = element(glyphs.parts[0]);
   const std::string below = element(glyphs.parts[1]);
   const std::string above = element(glyphs.parts[2]);
   if (glyphs.parts[0].text == "∑") return fmt::format("<munder>{}{}</munder>", base, below);
-  if (is_absent(glyphs.parts[2])) return fmt::format("<msub>{}{}</msub>", base, below);
-  if (is_absent(glyphs.parts[1])) return fmt::format("<msup>{}{}</msup>", base, above);
+  if (!is_there(glyphs.parts[2])) return fmt::format("<msub>{}{}</msub>", base, below);
+  if (!is_there(glyphs.parts[1])) return fmt::format("<msup>{}{}</msup>", base, above);
   return fmt::format("<msubsup>{}{}{}</msubsup>", base, below, above);
 }
 

@@ -49,11 +49,6 @@ inline constexpr std::size_t most_coordinates_searched = 3;
 /// E523, E525: a mass or a dissipation that is negative.
 [[nodiscard]] Diagnostics inspect_signs(const Inspected& subject);
 
-struct MassSample;
-/// E524 where M is neither positive definite nor singular there; nothing where a mass is negative.
-[[nodiscard]] Diagnostics negative_kinetic_energy(const Inspected& subject,
-                                                  const MassSample& sample);
-
 /// E526: the written potential holds a weight that [gravity] gives.
 [[nodiscard]] Diagnostics inspect_weights(const Inspected& subject);
 

@@ -1,9 +1,15 @@
-// E524 where M is regular, but not positive definite. E501: a direction x with M x = 0 at every
-// sampled state is a motion without kinetic energy.
+// Signs that no system has: E523 a negative mass, E524 an M that is regular, but not positive
+// definite, and E525 a dissipation below 0. Masses are read at the parameters' values, M and D at
+// sampled states. E501: a direction x with M x = 0 at every one of these is a motion without
+// kinetic energy.
 //
 // One non-singular sample acquits, but for outputs that solve a diagonal entry that is zero at
 // every sample is an error, too. Otherwise the null space is named: by its vectors where they are
 // the same at every sample, by its dimension where they turn with the configuration.
+//
+// E511: configurations at which M loses rank though it is regular elsewhere: the chart breaks
+// there. A coordinate's `singular` factor says so itself. Otherwise angles are tried at the
+// multiples of a right angle and every coordinate at 0, the others being random.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,10 +21,12 @@
 #include "inspect/readable.hpp"
 #include "inspect/samples.hpp"
 #include "inspect/singular_mass.hpp"
+#include "numbers/echelon.hpp"
 
 namespace elgen {
 namespace {
 
+using cln::cl_R;
 using Basis = std::vector<Vector>;
 
 /// Entry by entry, as they are read.
@@ -65,7 +73,7 @@ Diagnostic motion_without_energy(const Model& model, const Vector& x) {
 Diagnostic rank_deficit(const Model& model, const Basis& basis, const State& state) {
   const std::size_t n = model.velocities.size();
   std::string at;
-  for (const cln::cl_R& q : state.q) at += (at.empty() ? "" : ", ") + readable(q);
+  for (const cl_R& q : state.q) at += (at.empty() ? "" : ", ") + readable(q);
   return {
       Code::E501, model.velocities.front().span,
       fmt::format("rank {} of {} at every sampled configuration: the motion `{}` has no kinetic "
@@ -117,6 +125,108 @@ Diagnostics without_rank(const Model& model, const std::vector<Basis>& found, co
   return diagnostics;
 }
 
+void check_mass(const Model& model, const State& state, const std::string& name,
+                const std::optional<ExpressionId>& mass, Diagnostics& found) {
+  if (!mass) return;
+  const auto value = oracle_expression(model, *mass, state);
+  if (!value || *value >= 0) return;
+  found.push_back({Code::E523, model.expressions[*mass].span,
+                   fmt::format("the mass of `{}` is {}", name, as_typed(*value)), "sign mistake?"});
+}
+
+/// Each value takes a walk through the model: of long chains none is asked for.
+Diagnostics negative_masses(const Inspected& subject) {
+  const Model& model = subject.model;
+  if (model.velocities.size() > most_coordinates_sampled) return {};
+  const State state = nominal_state(model, subject.scene);
+  Diagnostics found;
+  for (const Point& point : model.points) check_mass(model, state, point.name, point.mass, found);
+  for (const Body& body : model.bodies) check_mass(model, state, body.name, body.mass, found);
+  return found;
+}
+
+/// The first velocity, in the order of elimination, whose pivot of M = L D L^T is negative beyond
+/// rounding; none where M is singular before.
+std::optional<std::size_t> negative_pivot(const MassSample& sample) {
+  const std::size_t n = sample.state.v.size();
+  const Vector scales = row_scales(sample.matrix, n);
+  DiagonalPivot<cl_R> field;
+  const Echelon<DiagonalPivot<cl_R>> echelon(field, sample.matrix, n, n);
+  std::size_t k = 0;
+  for (const auto& pivot : echelon.pivots()) {
+    const cl_R least = rounding_share() * scales[k];
+    if (pivot.column != k || cln::abs(pivot.value) <= least) return std::nullopt;
+    if (cln::minusp(pivot.value)) return k;
+    ++k;
+  }
+  return std::nullopt;
+}
+
+/// E524 where M is neither positive definite nor singular there; nothing where a mass is negative.
+Diagnostics negative_kinetic_energy(const Inspected& subject, const MassSample& sample) {
+  const Model& model = subject.model;
+  const auto at = negative_pivot(sample);
+  // A negative mass is named as such.
+  if (!at || !negative_masses(subject).empty()) return {};
+  const auto& written = model.energies.L ? model.energies.L : model.energies.T;
+  const Span& span = written ? model.expressions[*written].span : model.velocities[*at].span;
+  return {{Code::E524, span,
+           fmt::format("M is not positive definite: motions of `{}` have negative kinetic energy",
+                       model.velocities[*at].name),
+           "sign mistake, or a square is missing?"}};
+}
+
+// Charts.
+
+struct SpecialValue {
+  const char* name;
+  cl_R value;
+};
+
+bool contains(const std::optional<Interval>& range, const cl_R& value) {
+  return !range || (range->low <= value && value <= range->high);
+}
+
+std::vector<SpecialValue> special_values(const Coordinate& coordinate) {
+  std::vector<SpecialValue> values{{"0", 0}};
+  if (is_angle(coordinate)) {
+    // The digits of pi leave sin(pi) below 1e-50, as null_space() asks.
+    const cl_R pi = cln::pi(cln::float_format(80));
+    values.insert(values.end(), {{"pi/2", pi / 2}, {"-pi/2", -pi / 2}, {"pi", pi}});
+  }
+  return values;
+}
+
+Diagnostic declared_break(const Model& model, const Coordinate& coordinate) {
+  const std::string_view factor = covered_text(model.expressions[*coordinate.singular].span);
+  return {Code::E511, coordinate.span,
+          fmt::format("the chart of `{}` breaks where `{}` is zero", coordinate.name, factor)};
+}
+
+/// "0, pi": the special values of coordinate i at which M is singular.
+std::string breaking_values(const Inspected& subject, const MassSample& regular, std::size_t i) {
+  const Vector scales = row_scales(regular.matrix, regular.state.v.size());
+  std::string names;
+  for (const SpecialValue& special : special_values(subject.model.coordinates[i])) {
+    // Nothing holds an angle in its range as a motion turns it.
+    const Coordinate& coordinate = subject.model.coordinates[i];
+    if (!is_angle(coordinate) && !contains(coordinate.range, special.value)) continue;
+    State state = regular.state;
+    state.q[i] = special.value;
+    const OracleValues matrix =
+        oracle_values(subject.model, {.kind = OutputKind::mass_matrix}, state);
+    if (!matrix || null_space(*matrix, scales).empty()) continue;
+    names += (names.empty() ? "" : ", ") + std::string(special.name);
+  }
+  return names;
+}
+
+Diagnostic found_break(const Coordinate& coordinate, const std::string& values) {
+  return {Code::E511, coordinate.span,
+          fmt::format("the mass matrix loses rank at `{}` = {}", coordinate.name, values),
+          "state it as `singular`, or choose other coordinates if the motion passes there"};
+}
+
 }  // namespace
 
 Diagnostics inspect_mass_matrix(const Inspected& subject) {
@@ -137,6 +247,36 @@ Diagnostics inspect_mass_matrix(const Inspected& subject) {
     last = sample->state;
   }
   return is_regular ? not_definite(subject, rates) : without_rank(subject.model, found, last);
+}
+
+Diagnostics inspect_signs(const Inspected& subject) {
+  const Model& model = subject.model;
+  Diagnostics found = negative_masses(subject);
+  for (unsigned seed = 0; model.energies.D && seed < zero_samples; ++seed) {
+    const auto value = oracle_expression(model, *model.energies.D, sampled_state(subject, seed));
+    if (!value || *value >= 0) continue;
+    found.push_back({Code::E525, model.expressions[*model.energies.D].span,
+                     "D is negative, so that it drives the motion",
+                     "a damper is `1/2*d*v^2` with a positive d: sign mistake?"});
+    break;
+  }
+  return found;
+}
+
+Diagnostics inspect_charts(const Inspected& subject) {
+  const auto& coordinates = subject.model.coordinates;
+  Diagnostics diagnostics;
+  for (const Coordinate& coordinate : coordinates) {
+    if (coordinate.singular) diagnostics.push_back(declared_break(subject.model, coordinate));
+  }
+  if (coordinates.size() > most_coordinates_searched) return diagnostics;
+  const auto regular = sampled_mass_matrix(subject, 0);
+  for (std::size_t i = 0; regular && i < coordinates.size(); ++i) {
+    if (coordinates[i].singular || coordinates[i].rotation) continue;
+    const std::string values = breaking_values(subject, *regular, i);
+    if (!values.empty()) diagnostics.push_back(found_break(coordinates[i], values));
+  }
+  return diagnostics;
 }
 
 }  // namespace elgen

@@ -22,8 +22,7 @@ std::vector<bool> used(const Model& model, Opcode kind) {
   return marks;
 }
 
-Diagnostics unused_parameters(const Model& model) {
-  Diagnostics found;
+void add_unused_parameters(const Model& model, Diagnostics& found) {
   const auto marks = used(model, Opcode::parameter);
   for (const ParameterArray& array : model.parameter_arrays) {
     const auto first = marks.begin() + array.first;
@@ -32,11 +31,9 @@ Diagnostics unused_parameters(const Model& model) {
     found.push_back(
         {Code::E522, array.span, fmt::format("parameter `{}` is used nowhere", array.name)});
   }
-  return found;
 }
 
-Diagnostics unused_inputs(const Model& model) {
-  Diagnostics found;
+void add_unused_inputs(const Model& model, Diagnostics& found) {
   const auto marks = used(model, Opcode::input);
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
     const Input& input = model.inputs[i];
@@ -44,7 +41,6 @@ Diagnostics unused_inputs(const Model& model) {
     found.push_back({Code::E522, input.span, fmt::format("input `{}` acts on nothing", input.name),
                      "give it `on`, or name it in a force"});
   }
-  return found;
 }
 
 /// "`mass_matrix`, `linearization`"
@@ -82,9 +78,9 @@ std::optional<Span> smoothed_friction(const Model& model) {
 
 Diagnostics inspect_unused(const Inspected& subject) {
   const Model& model = whole_of(subject.model);
-  Diagnostics found = unused_parameters(model);
-  const Diagnostics inputs = unused_inputs(model);
-  found.insert(found.end(), inputs.begin(), inputs.end());
+  Diagnostics found;
+  add_unused_parameters(model, found);
+  add_unused_inputs(model, found);
   return found;
 }
 

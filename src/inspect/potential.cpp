@@ -5,9 +5,23 @@
 // `Up` is against [gravity], else along the last component of the points. The point is raised by a
 // coordinate of its own, and dV/d(height) is sampled: negative and the same everywhere is a weight
 // with the wrong sign.
+//
+// E526: `[energy] V` holds the weight that [gravity] gives a mass already. E527: `[energy] T` holds
+// the kinetic energy that a mass has already.
+//
+//     W = -sum m gravity.p of the points and bodies       V as it is written
+//     K = sum 1/2 m v^2 of the points                     T as it is written
+//
+// Only the part of each that a mass brings in is kept, with and without gravity: their values at
+// the parameters' own less those with the mass, and with the parameters of gravity, at 0. Where V
+// has the same part as W, up to a constant, the weight stands in both; K and T alike. A mass
+// without a parameter takes V whole.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <functional>
+#include <set>
 
 #include "elgen/references.hpp"
 #include "inspect/checks.hpp"
@@ -19,6 +33,7 @@ namespace {
 
 using cln::cl_R;
 using Direction = std::array<cl_R, 3>;
+using Parameters = std::set<std::uint32_t>;
 
 /// The points whose components an expression refers to, directly or through names.
 std::vector<std::uint32_t> points_in(const Model& model, ExpressionId root) {
@@ -129,6 +144,153 @@ Diagnostics gravity_along_last_axis(const Inspected& subject) {
            "a weight that pulls down is negative where the axis points up: sign mistake?"}};
 }
 
+// Energies that masses have already.
+
+Parameters weight_parameters(const Model& model, const std::vector<ExpressionId>& roots) {
+  Parameters found;
+  for (const ExpressionId id : reached(model, roots)) {
+    const Expression& node = model.expressions[id];
+    if (is_leaf(node, Opcode::parameter)) found.insert(node.index);
+  }
+  return found;
+}
+
+/// A mass, and where it is.
+struct Weight {
+  std::string name;
+  ExpressionId mass = 0;
+  std::array<ExpressionId, 3> at = {};
+};
+
+std::vector<Weight> weights_of(const Model& model) {
+  std::vector<Weight> weights;
+  for (const Point& point : model.points) {
+    if (point.mass) weights.push_back({point.name, *point.mass, point.at});
+  }
+  for (const Body& body : model.bodies) {
+    if (body.mass) weights.push_back({body.name, *body.mass, body.com});
+  }
+  return weights;
+}
+
+/// -m gravity.p; nothing where it has no value.
+std::optional<cl_R> energy_of(const Model& model, const Weight& weight, const State& state) {
+  const auto mass = oracle_expression(model, weight.mass, state);
+  if (!mass) return std::nullopt;
+  cl_R energy = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto pull = oracle_expression(model, (*model.gravity)[c], state);
+    const auto place = oracle_expression(model, weight.at[c], state);
+    if (!pull || !place) return std::nullopt;
+    energy = energy - *mass * *pull * *place;
+  }
+  return energy;
+}
+
+using Energy = std::function<std::optional<cl_R>(const State&)>;
+
+/// The part of an energy that vanishes when the parameters of any one of these sets become 0.
+std::optional<cl_R> part_of(const Energy& energy, const std::vector<Parameters>& sets,
+                            std::size_t count, const State& state) {
+  if (count == 0) return energy(state);
+  State without = state;
+  for (const std::uint32_t index : sets[count - 1]) without.parameters[index] = 0;
+  const auto with_all = part_of(energy, sets, count - 1, state);
+  const auto with_none = part_of(energy, sets, count - 1, without);
+  return with_all && with_none ? std::optional(*with_all - *with_none) : std::nullopt;
+}
+
+/// At each of the sampled states, less that at the first: a constant is no force.
+std::vector<cl_R> differences(const Inspected& subject, const Energy& energy,
+                              const std::vector<Parameters>& sets) {
+  std::vector<cl_R> values;
+  State state = sampled_state(subject, 0);
+  const std::vector<cl_R> parameters = state.parameters;
+  for (unsigned seed = 0; seed <= zero_samples; ++seed) {
+    state = sampled_state(subject, seed);
+    state.parameters = parameters;
+    const auto value = part_of(energy, sets, sets.size(), state);
+    if (!value) return {};
+    values.push_back(*value);
+  }
+  for (std::size_t i = 1; i < values.size(); ++i) values[i] = values[i] - values[0];
+  values.erase(values.begin());
+  return values;
+}
+
+bool are_equal(const std::vector<cl_R>& a, const std::vector<cl_R>& b) {
+  if (a.empty() || b.empty()) return false;
+  bool is_zero = true;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (cln::abs(a[i] - b[i]) > cln::abs(b[i]) * power_of_ten(-40)) return false;
+    is_zero = is_zero && cln::abs(b[i]) < power_of_ten(-40);
+  }
+  return !is_zero;
+}
+
+/// Sums over all entries; none where `of_entry` has no value for one.
+template <class Entry, class Of>
+Energy sum_of(const std::vector<Entry>& entries, const Of& of_entry) {
+  return [&entries, of_entry](const State& state) -> std::optional<cl_R> {
+    cl_R sum = 0;
+    for (const Entry& entry : entries) {
+      const auto energy = of_entry(entry, state);
+      if (!energy) return std::nullopt;
+      sum = sum + *energy;
+    }
+    return sum;
+  };
+}
+
+Energy written_as(const Model& model, ExpressionId expression) {
+  return [&model, expression](const State& state) {
+    return oracle_expression(model, expression, state);
+  };
+}
+
+/// Compares the shares of V that depend on gravity and on this mass, where these have parameters.
+bool is_given_twice(const Inspected& subject, const std::vector<Weight>& weights,
+                    const Weight& weight) {
+  const Model& model = subject.model;
+  const auto& gravity = *model.gravity;
+  std::vector<Parameters> sets;
+  for (const Parameters& set : {weight_parameters(model, {weight.mass}),
+                                weight_parameters(model, {gravity.begin(), gravity.end()})}) {
+    if (!set.empty()) sets.push_back(set);
+  }
+  const Energy written = written_as(model, *model.energies.V);
+  const Energy given = sum_of(weights, [&model](const Weight& each, const State& state) {
+    return energy_of(model, each, state);
+  });
+  return are_equal(differences(subject, written, sets), differences(subject, given, sets));
+}
+
+/// 1/2 m v^2, 0 without a mass; nothing where it has no value.
+std::optional<cl_R> kinetic_energy_of(const Model& model, const Point& point, const State& state) {
+  if (!point.mass) return cl_R(0);
+  const auto mass = oracle_expression(model, *point.mass, state);
+  if (!mass) return std::nullopt;
+  cl_R square = 0;
+  for (std::size_t c = 0; c < point.dimension; ++c) {
+    const auto rate = oracle_rate(model, point.at[c], state);
+    if (!rate) return std::nullopt;
+    square = square + *rate * *rate;
+  }
+  return *mass * square / 2;
+}
+
+/// Compares the shares of T that depend on the parameters of this mass.
+bool is_given_twice(const Inspected& subject, const Point& point) {
+  const Model& model = subject.model;
+  const Parameters mass = weight_parameters(model, {*point.mass});
+  if (mass.empty()) return false;
+  const Energy written = written_as(model, *model.energies.T);
+  const Energy given = sum_of(model.points, [&model](const Point& each, const State& state) {
+    return kinetic_energy_of(model, each, state);
+  });
+  return are_equal(differences(subject, written, {mass}), differences(subject, given, {mass}));
+}
+
 }  // namespace
 
 Diagnostics inspect_potential(const Inspected& subject) {
@@ -146,6 +308,33 @@ Diagnostics inspect_potential(const Inspected& subject) {
                            "a weight is `m*g*height`: sign mistake?"});
   }
   return diagnostics;
+}
+
+Diagnostics inspect_kinetic_energies(const Inspected& subject) {
+  const Model& model = subject.model;
+  if (!model.energies.T || model.velocities.size() > most_coordinates_sampled) return {};
+  for (const Point& point : model.points) {
+    if (!point.mass || !is_given_twice(subject, point)) continue;
+    return {
+        {Code::E527, model.expressions[*model.energies.T].span,
+         fmt::format("T holds the kinetic energy of `{}`, which its mass gives it too", point.name),
+         "leave one of them out"}};
+  }
+  return {};
+}
+
+Diagnostics inspect_weights(const Inspected& subject) {
+  const Model& model = subject.model;
+  if (!model.gravity || !model.energies.V) return {};
+  if (model.velocities.size() > most_coordinates_sampled) return {};
+  const std::vector<Weight> weights = weights_of(model);
+  for (const Weight& weight : weights) {
+    if (!is_given_twice(subject, weights, weight)) continue;
+    return {{Code::E526, model.expressions[*model.energies.V].span,
+             fmt::format("V holds the weight of `{}`, which [gravity] gives it too", weight.name),
+             "leave one of them out"}};
+  }
+  return {};
 }
 
 }  // namespace elgen

@@ -22,8 +22,7 @@ Lack lacking(std::string reason) { return {Code::E603, std::move(reason)}; }
 /// The coordinate of [routh] that an [[output]] of the whole model is made of; null where there is
 /// none.
 const Cyclic* taken_out_of(const Model& whole, std::uint32_t user) {
-  std::vector<ExpressionId> roots = whole.outputs[user].values;
-  roots.insert(roots.end(), whole.outputs[user].twist.begin(), whole.outputs[user].twist.end());
+  const std::vector<ExpressionId> roots = output_roots(whole.outputs[user]);
   const std::vector<Cyclic>& all = whole.variant.cyclic;
   const auto found = std::ranges::find_if(
       all, [&](const Cyclic& cyclic) { return is_reached(whole, roots, cyclic); });
@@ -148,10 +147,6 @@ bool fits_in_full(const OutputRequest& request) {
   return std::uint64_t{request.rows} * request.columns <= entries_in_full;
 }
 
-bool is_kink(const Expression& node) {
-  return node.kind == ExpressionKind::function && is_kinked(node.function);
-}
-
 }  // namespace
 
 std::string_view name_of(LeftOutReason reason) {
@@ -204,10 +199,9 @@ std::vector<LineLabel> line_labels(const Model& model, Extent extent, std::uint3
   if (extent == Extent::velocities || has_states || has_pivots) add(model.velocities);
   if (has_states) add(model.velocities, true);
   if (extent == Extent::constraints || has_pivots) add(model.constraints);
-  if (extent == Extent::positions) {
-    std::vector<Constraint> positions = model.constraints;
-    std::erase_if(positions, [](const Constraint& c) { return !c.is_position; });
-    add(positions);
+  for (const Constraint& constraint : model.constraints) {
+    const bool is_row = extent == Extent::positions && constraint.is_position;
+    if (is_row) labels.push_back({constraint.name});
   }
   while (labels.size() < count) labels.push_back({std::to_string(labels.size() + 1)});
   return labels;
@@ -247,7 +241,8 @@ const Expression* find_kink(const Model& model) {
     if (!is_held(model, force)) values.insert(values.end(), force.value.begin(), force.value.end());
   }
   for (const ExpressionId id : reached(model, values)) {
-    if (is_kink(model.expressions[id])) return &model.expressions[id];
+    const Expression& node = model.expressions[id];
+    if (node.kind == ExpressionKind::function && is_kinked(node.function)) return &node;
   }
   return nullptr;
 }

@@ -58,14 +58,11 @@ Glyphs named_symbol(std::string_view name) {
   return symbol;
 }
 
-/// "e_{w}" of a rotation with `latex = "e"`; empty where it has no key.
-std::string component_key(const Model& model, const Coordinate& component) {
-  const std::string& latex = model.rotations[*component.rotation].latex;
-  return latex.empty() ? "" : fmt::format("{}_{{{}}}", latex, component.name.back());
-}
-
+/// e_{w} of a component of a rotation with `latex = "e"`.
 Glyphs symbol_of(const Model& model, const Coordinate& c) {
-  return symbol_of_name(c.name, c.rotation ? component_key(model, c) : c.latex);
+  if (!c.rotation) return symbol_of_name(c.name, c.latex);
+  const std::string& key = model.rotations[*c.rotation].latex;
+  return symbol_of_name(c.name, key.empty() ? "" : fmt::format("{}_{{{}}}", key, c.name.back()));
 }
 
 /// "\\omega_{2}", with the name of the rotation where there are several.
@@ -196,6 +193,14 @@ bool draws_nothing(const Glyphs& symbol) {
   });
 }
 
+Glyphs without(Glyphs glyphs, std::string_view vector) {
+  std::erase_if(glyphs.parts, [vector](const Glyphs& part) {
+    return part.kind == GlyphKind::bold && part.text == vector;
+  });
+  for (Glyphs& part : glyphs.parts) part = without(std::move(part), vector);
+  return glyphs;
+}
+
 }  // namespace
 
 Glyphs accented(Glyphs symbol, std::string_view dots) {
@@ -240,15 +245,14 @@ Glyphs ModelSymbols::distinct(Glyphs symbol) {
 
 ModelSymbols::ModelSymbols(const Model& model, const LeafNames& names) {
   for (const Coordinate& c : model.coordinates) {
-    coordinates_.push_back(distinct(symbol_of(model, c)));
-    leaves_.q.push_back(symbol_formula(c.name, coordinates_.back()));
+    leaves_.q.push_back(symbol_formula(c.name, distinct(symbol_of(model, c))));
   }
   for (std::uint32_t i = 0; i < model.velocities.size(); ++i) {
     const Velocity& velocity = model.velocities[i];
     // Components of angular velocities are not written as rates of something.
     const bool has_own = velocity.rotation.has_value();
-    const Glyphs symbol =
-        has_own ? distinct(spin_symbol(model, velocity)) : coordinates_[velocity.coordinate];
+    const Glyphs symbol = has_own ? distinct(spin_symbol(model, velocity))
+                                  : glyphs_of(leaves_.q[velocity.coordinate]);
     const auto add = [&](Formulas& list, Opcode kind, std::string name) {
       list.push_back(written(kind, std::move(name), symbol, has_own));
     };
@@ -317,18 +321,6 @@ Glyphs replaced(Glyphs glyphs, std::string_view vector, const Glyphs& by) {
   for (Glyphs& part : glyphs.parts) part = replaced(std::move(part), vector, by);
   return glyphs;
 }
-
-namespace {
-
-Glyphs without(Glyphs glyphs, std::string_view vector) {
-  std::erase_if(glyphs.parts, [vector](const Glyphs& part) {
-    return part.kind == GlyphKind::bold && part.text == vector;
-  });
-  for (Glyphs& part : glyphs.parts) part = without(std::move(part), vector);
-  return glyphs;
-}
-
-}  // namespace
 
 Glyphs typed_glyphs(const Model& model, std::string_view latex) {
   Glyphs glyphs = read_latex(latex);

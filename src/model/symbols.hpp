@@ -40,7 +40,6 @@ class ModelSymbols {
 
   /// Leaves as symbols of formulas.
   [[nodiscard]] const LeafValues<Formula>& leaves() const { return leaves_; }
-  [[nodiscard]] const std::vector<Glyphs>& coordinates() const { return coordinates_; }
   /// Symbols of parameters as they are declared: "l_{i}" for an array.
   [[nodiscard]] const std::vector<Formula>& arrays() const { return arrays_; }
   /// A symbol for something else in formulas, unlike all others so far.
@@ -53,7 +52,6 @@ class ModelSymbols {
   std::size_t primes_for(const std::vector<Glyphs>& symbols);
 
   std::set<std::string> taken_ = {};
-  std::vector<Glyphs> coordinates_ = {};
   std::vector<Formula> arrays_ = {};
   LeafValues<Formula> leaves_ = {};
 };

@@ -93,12 +93,6 @@ class ReadFunction {
  private:
   [[nodiscard]] bool is_named(std::uint32_t at) const { return !names_[at].is_empty(); }
 
-  static Formula with_term(Formula sum, Formula term) {
-    if (sum.kind != FormulaKind::sum) return sum_of({std::move(sum), std::move(term)});
-    sum.parts.push_back(std::move(term));
-    return sum;
-  }
-
   /// The factors of nested products that are written out, left to right.
   void collect_factors(std::uint32_t at, std::vector<std::uint32_t>& factors) const {
     const Instruction& i = function_.instructions[at];
@@ -141,10 +135,12 @@ std::vector<std::uint32_t> long_entries(const Function& function,
 /// made.
 constexpr std::size_t short_definition = 3;
 
-Formulas name_formulas(const std::vector<std::string>& names) {
+/// The formula of each name, where there is one.
+template <class F>
+Formulas formulas_of(const std::vector<std::string>& names, const F& formula_of) {
   Formulas formulas;
   for (const std::string& name : names) {
-    formulas.push_back(name.empty() ? Formula{} : name_formula(name));
+    formulas.push_back(name.empty() ? Formula{} : formula_of(name));
   }
   return formulas;
 }
@@ -160,12 +156,9 @@ LeafValues<Formula> leaf_formulas(const LeafNames& leaves) {
 
 /// The symbols of names, unlike those of the model.
 Formulas symbols_of(const std::vector<std::string>& names, ModelSymbols symbols) {
-  Formulas formulas;
-  for (const std::string& name : names) {
-    formulas.push_back(name.empty() ? Formula{}
-                                    : symbol_formula(name, symbols.distinct(symbol_of_name(name))));
-  }
-  return formulas;
+  return formulas_of(names, [&symbols](const std::string& name) {
+    return symbol_formula(name, symbols.distinct(symbol_of_name(name)));
+  });
 }
 
 /// Definitions and entries by their names. `sizes`: of what is written out over the leaves alone
@@ -238,8 +231,8 @@ bool has_readable_form(const Program& program, std::size_t index) {
 
 FunctionEquations equations(const Program& program, const Function& function,
                             const std::vector<std::string>& names) {
-  return with_needed(program, function, leaf_formulas(program.leaves), name_formulas(names),
-                     written_out_sizes(function, longest_entry));
+  return with_needed(program, function, leaf_formulas(program.leaves),
+                     formulas_of(names, name_formula), written_out_sizes(function, longest_entry));
 }
 
 FunctionEquations equations(const Program& program, std::size_t index) {
@@ -249,7 +242,8 @@ FunctionEquations equations(const Program& program, std::size_t index) {
                      temporary_names(program, function));
   }
   const Function& book = program.readable[index];
-  return by_names(program, book, leaf_formulas(program.leaves), name_formulas(book.names), {});
+  return by_names(program, book, leaf_formulas(program.leaves),
+                  formulas_of(book.names, name_formula), {});
 }
 
 FunctionEquations equations(const Model& model, const Program& program, std::size_t index) {

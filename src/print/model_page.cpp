@@ -1,9 +1,11 @@
-// model_page: the variables of a model and the equations of its outputs.
+// model_page: the variables of a model and the equations of its outputs, under the symbols and
+// definitions of the output table.
 #include <fmt/format.h>
 
 #include <utility>
 
 #include "elgen/page.hpp"
+#include "elgen/step_methods.hpp"
 #include "model/symbols.hpp"
 #include "numbers/exact_number.hpp"
 #include "print/sections.hpp"
@@ -84,6 +86,16 @@ std::string title_of(const Function& function) {
   return output_row(function.kind).of_user ? function.name : as_title(function.name);
 }
 
+/// The output by those that its definition names; empty where there is no such.
+Formula definition_by_others(const Model& model, const Function& function) {
+  if (function.kind == OutputKind::velocity_force) {
+    return typed_formula(model, "(C <v>)_{i} = \\sum_{j} C_{ij} <v>_{j}");
+  }
+  const bool is_square = function.kind == OutputKind::kinetic_energy && !model.may_drift;
+  if (is_square) return typed_formula(model, "T = \\frac{1}{2} <v>^{\\top} M <v>");
+  return heading(model, function).definition;
+}
+
 PageSection by_definition(const Model& model, const Function& function) {
   return {prose(title_of(function)), function.name, function.kind, output_doc(model, function),
           definition_by_others(model, function)};
@@ -100,8 +112,10 @@ PageSection with_equations(const Model& model, const Program& program, std::size
   }
   for (std::size_t f = 0; f < function.fields.size(); ++f) {
     const Field& field = function.fields[f];
-    const Formula symbol =
-        field.name.empty() ? heading.symbol : field_symbol(model, function.kind, field);
+    const std::string_view latex = field_row(function.kind, field.name).latex;
+    const Formula symbol = field.name.empty()
+                               ? heading.symbol
+                               : symbol_formula(field.name, typed_glyphs(model, latex));
     if (field.name != "multipliers") {
       result.equations.push_back({symbol, field.rows, field.columns, read.entries[f]});
       continue;
@@ -134,7 +148,52 @@ PageSection readable_output(const Model& model, const Program& program, std::siz
   return is_defined && !is_asked_for && fills_page(result) ? defined : result;
 }
 
+std::string sentence(const std::string& text) {
+  const bool has_end = !text.empty() && (text.back() == '.' || text.back() == '!');
+  return has_end ? text : text + ".";
+}
+
 }  // namespace
+
+Heading heading(const Model& model, const Function& function) {
+  const OutputRow& row = output_row(function.kind);
+  Glyphs symbol = typed_glyphs(model, row.symbol.latex);
+  Glyphs definition = typed_glyphs(model, equation_of(row, setting_of(model)).latex);
+  if (row.of_user) {
+    ModelSymbols symbols(model);
+    Glyphs y;
+    for (std::uint32_t i = 0; i <= function.user; ++i) {
+      y = symbols.distinct(symbol_of_name(model.outputs[i].name));
+    }
+    symbol = replaced(std::move(symbol), "y", y);
+    definition = replaced(std::move(definition), "y", y);
+    definition = replaced(std::move(definition), "y''", accented(std::move(y), "¨"));
+  }
+  Heading result{symbol_formula(function.name, std::move(symbol))};
+  if (!definition.parts.empty()) result.definition = symbol_formula("", std::move(definition));
+  return result;
+}
+
+std::string output_doc(const Model& model, const Function& function) {
+  const OutputRow& row = output_row(function.kind);
+  if (row.steps) {
+    const StepMethodRow& method = step_methods[function.user];
+    const bool is_composed = function.composed_order > 0;
+    return fmt::format("{} {}.", row.doc,
+                       fmt::format(fmt::runtime(method.doc),
+                                   is_composed ? function.composed_order : method.order));
+  }
+  if (!row.of_user) {
+    const bool is_without = row.gives_pivots && !has_pivots(function);
+    const std::string_view doc = is_without ? row.doc_without_pivots : row.doc;
+    const std::string_view constrained =
+        is_without ? row.constrained_doc_without_pivots : row.constrained_doc;
+    return std::string(model.constraints.empty() || constrained.empty() ? doc : constrained);
+  }
+  const UserOutput& output = model.outputs[function.user];
+  return sentence(
+      fmt::format("{} `{}`{}{}", row.doc, output.name, output.doc.empty() ? "" : ": ", output.doc));
+}
 
 Page model_page(const Model& model, const Scene& scene, const Program& program,
                 const PageOptions& options) {

@@ -256,13 +256,4 @@ std::vector<PageSection> named_parts(const Model& model) {
       results};
 }
 
-Formula definition_by_others(const Model& model, const Function& function) {
-  if (function.kind == OutputKind::velocity_force) {
-    return typed_formula(model, "(C <v>)_{i} = \\sum_{j} C_{ij} <v>_{j}");
-  }
-  const bool is_square = function.kind == OutputKind::kinetic_energy && !model.may_drift;
-  if (is_square) return typed_formula(model, "T = \\frac{1}{2} <v>^{\\top} M <v>");
-  return heading(model, function).definition;
-}
-
 }  // namespace elgen

@@ -20,18 +20,12 @@ struct Heading {
 
 [[nodiscard]] Heading heading(const Model& model, const Function& function);
 
-/// The symbol of one field of a struct.
-[[nodiscard]] Formula field_symbol(const Model& model, OutputKind kind, const Field& field);
-
 /// One sentence: the table's, or the model's own about its outputs.
 [[nodiscard]] std::string output_doc(const Model& model, const Function& function);
 
 /// The second rates of positions and the rates of velocities: gains stand there where the model has
 /// some.
 [[nodiscard]] Formula constraint_equation(const Model& model);
-
-/// "N", of the i-th multiplier; empty where it is not known.
-[[nodiscard]] std::string multiplier_unit(const Model& model, std::size_t i);
 
 /// One line of text for each constraint.
 [[nodiscard]] std::vector<std::string> constraint_lines(const Model& model);
@@ -48,8 +42,5 @@ struct Heading {
 
 /// That recursion, from the poses of the frames to M.
 [[nodiscard]] std::vector<PageSection> named_parts(const Model& model);
-
-/// The output by those that its definition names; empty where there is no such.
-[[nodiscard]] Formula definition_by_others(const Model& model, const Function& function);
 
 }  // namespace elgen

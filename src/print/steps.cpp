@@ -10,6 +10,7 @@
 #include "elgen/page.hpp"
 #include "elgen/typeset.hpp"
 #include "model/symbols.hpp"
+#include "print/sections.hpp"
 
 namespace elgen {
 namespace {
@@ -72,12 +73,8 @@ class Outline {
   }
 
   [[nodiscard]] const Function& read_form(std::size_t function) const {
-    return has_book_form(function) ? steps_.program.readable[function]
-                                   : steps_.program.functions[function];
-  }
-
-  [[nodiscard]] bool has_book_form(std::size_t function) const {
-    return !steps_.program.readable[function].fields.empty();
+    return has_readable_form(steps_.program, function) ? steps_.program.readable[function]
+                                                       : steps_.program.functions[function];
   }
 
   /// Models in a plane are written with two components.
@@ -195,7 +192,7 @@ class Outline {
     const std::string& q = velocity.name;
     const bool is_angular = velocity.rotation.has_value();
     const Glyphs glyphs =
-        is_angular ? symbol_of_name(q) : symbols_.coordinates()[velocity.coordinate];
+        is_angular ? symbol_of_name(q) : glyphs_of(symbols_.leaves().q[velocity.coordinate]);
     const Formula symbol = symbol_formula(q, glyphs);
     const Formula rate = symbol_formula(fmt::format("dot({})", q), accented(glyphs, "˙"));
     const Formula slope = partial_derivative("L", rate);
@@ -238,7 +235,7 @@ class Outline {
     std::vector<std::string> long_rows;
     for (std::size_t i = 0; i < count; ++i) {
       // Definitions of several derivations may have one name: such a row stands in its own section.
-      if (has_book_form(first + i)) {
+      if (has_readable_form(steps_.program, first + i)) {
         add_row(first + i);
       } else {
         long_rows.push_back(model_.velocities[i].name);
@@ -250,7 +247,8 @@ class Outline {
           "parts.",
           fmt::join(long_rows, ", "));
     }
-    for (std::size_t i = 0; i < model_.constraints.size() && has_book_form(constraints); ++i) {
+    const bool are_read = has_readable_form(steps_.program, constraints);
+    for (std::size_t i = 0; are_read && i < model_.constraints.size(); ++i) {
       add(read_[constraints].entries[i].front(), constraints, model_.constraints.size());
     }
     const std::size_t accelerations = first + count + 1;

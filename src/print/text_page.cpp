@@ -91,6 +91,14 @@ bool is_shown(const Program& program, const Function& function, const PageOption
   return has_equations(output_row(function.kind)) && (options.zeros || !is_zero(program, function));
 }
 
+/// "3.1", of 16 digits at most; "0" where nothing is lost, nothing where it was not asked.
+std::string digits_text(const std::optional<double>& loss) {
+  if (!loss) return {};
+  const double digits = digits_lost(*loss, ScalarKind::double_precision);
+  if (digits >= decimal_digits(ScalarKind::double_precision)) return "all";
+  return digits > 0 ? fmt::format("{:.1f}", digits) : "0";
+}
+
 }  // namespace
 
 std::string text_of(const std::vector<PageSection>& sections) {
@@ -156,18 +164,6 @@ std::string text_page(const Model& model, const Scene& scene, const Program& pro
   if (!conserved.empty()) text += fmt::format("\nconserved: {}\n", conserved);
   return text;
 }
-
-namespace {
-
-/// "3.1", of 16 digits at most; "0" where nothing is lost, nothing where it was not asked.
-std::string digits_text(const std::optional<double>& loss) {
-  if (!loss) return {};
-  const double digits = digits_lost(*loss, ScalarKind::double_precision);
-  if (digits >= decimal_digits(ScalarKind::double_precision)) return "all";
-  return digits > 0 ? fmt::format("{:.1f}", digits) : "0";
-}
-
-}  // namespace
 
 std::string cost_page(const std::vector<FormCosts>& costs) {
   TextRows rows{

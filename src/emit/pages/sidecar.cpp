@@ -14,20 +14,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string printed(const Json& json, std::size_t column, std::size_t indent);
-
-/// "\"key\": value", or the value alone in a list.
-std::string printed_element(const std::string& key, const Json& value, std::size_t indent) {
-  const std::string start = key.empty() ? "" : Json(key).dump() + ": ";
-  return start + printed(value, indent + start.size(), indent);
+/// "\"key\": " in front of a value; nothing in a list.
+std::string start_of(const Json& list, const std::string& key) {
+  return list.is_object() ? Json(key).dump() + ": " : "";
 }
 
 std::string on_one_line(const Json& json) {
   if (!json.is_structured()) return json.dump();
   std::string text;
   for (const auto& [key, value] : json.items()) {
-    const std::string start = json.is_object() ? Json(key).dump() + ": " : "";
-    text += (text.empty() ? "" : ", ") + start + on_one_line(value);
+    text += (text.empty() ? "" : ", ") + start_of(json, key) + on_one_line(value);
   }
   return json.is_object() ? "{" + text + "}" : "[" + text + "]";
 }
@@ -40,7 +36,8 @@ std::string printed(const Json& json, std::size_t column, std::size_t indent) {
   std::string text;
   for (const auto& [key, value] : json.items()) {
     text += text.empty() ? "\n" : ",\n";
-    text += margin + printed_element(json.is_object() ? key : "", value, indent + 2);
+    const std::string start = margin + start_of(json, key);
+    text += start + printed(value, start.size(), indent + 2);
   }
   const char* const brackets = json.is_object() ? "{}" : "[]";
   return brackets[0] + text + "\n" + std::string(indent, ' ') + brackets[1];

@@ -45,6 +45,21 @@ Formula place(const PageForms& known, const std::vector<cln::cl_R>& inputs, cons
   return row_of({list_of(std::move(values)), prose(verdict(point.stability.kind))});
 }
 
+/// In brackets where it is a sum.
+Formula as_factor(Formula x) {
+  return x.kind == FormulaKind::sum ? group(std::move(x)) : std::move(x);
+}
+
+/// A row-major matrix with so many columns.
+template <class Number>
+PageEquation matrix_equation(std::string_view left, const std::vector<Number>& numbers,
+                             std::size_t columns) {
+  PageEquation equation{typed_formula(left), static_cast<std::uint32_t>(numbers.size() / columns),
+                        static_cast<std::uint32_t>(columns)};
+  for (const Number& number : numbers) equation.entries.push_back(six_digits(number));
+  return equation;
+}
+
 /// Forms where there are some to read, else numbers.
 PageEquation closed_matrix(const PageForms& known, std::string_view left,
                            const std::vector<Fraction>& forms,

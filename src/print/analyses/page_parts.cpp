@@ -62,10 +62,6 @@ Formula symbol(std::string text, std::string_view latex) {
 
 Formula wide_blank() { return symbol(" ", "\\quad"); }
 
-Formula as_factor(Formula x) {
-  return x.kind == FormulaKind::sum ? group(std::move(x)) : std::move(x);
-}
-
 Formula six_digits(const cln::cl_R& value) {
   // Newton's method ends at 58 digits of the largest coordinate.
   static const cln::cl_R noise = power_of_ten(-40);

@@ -31,21 +31,8 @@ struct PageForms {
 [[nodiscard]] Formula symbol(std::string text, std::string_view latex);
 /// Three blanks, between neighbours in a row.
 [[nodiscard]] Formula wide_blank();
-/// In brackets where it is a sum.
-[[nodiscard]] Formula as_factor(Formula x);
 [[nodiscard]] Formula six_digits(const cln::cl_R& value);
 [[nodiscard]] Formula six_digits(double value);
-
-/// A row-major matrix with so many columns.
-template <class Number>
-[[nodiscard]] PageEquation matrix_equation(std::string_view left,
-                                           const std::vector<Number>& numbers,
-                                           std::size_t columns) {
-  PageEquation equation{typed_formula(left), static_cast<std::uint32_t>(numbers.size() / columns),
-                        static_cast<std::uint32_t>(columns)};
-  for (const Number& number : numbers) equation.entries.push_back(six_digits(number));
-  return equation;
-}
 
 /// "TITLE, p_phi = 0.6 N m s: SUBJECT": the model with the momenta that its scene holds.
 [[nodiscard]] Formula titled(const CheckedModel& checked, const std::string& subject);
@@ -65,9 +52,6 @@ template <class Number>
 [[nodiscard]] const char* name_of(SymmetryKind kind);
 
 [[nodiscard]] inline bool is_nothing(const Value& form) { return form && form->numerator.empty(); }
-
-/// "conserved: proved; these are all of this form (9 unknowns, exactly)"
-[[nodiscard]] std::string claim_of(const Symmetries& symmetries);
 
 /// The integrals that forces leave alone, as an [[expect]] of the model states them: it has no
 /// names for quaternions, and knows nothing of what a scene changes.

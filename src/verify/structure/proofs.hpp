@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analyse/substitution.hpp"
+#include "analyse/formulas.hpp"
 #include "elgen/closed_forms.hpp"
 #include "program/evaluate/subject.hpp"
 

@@ -1,3 +1,4 @@
+// E508: an inertia that no body has; a planar one is a number that is not negative.
 // E507: in the plane w = s(q, t).v + s0(q, t) must be d/dt of an angle(q, t).
 //
 // A function linear in the rates is a total time derivative iff its Euler-Lagrange expression
@@ -8,7 +9,10 @@
 // of motion of the Lagrangian L = w.
 #include <fmt/format.h>
 
+#include "elgen/inertia.hpp"
+#include "elgen/oracle.hpp"
 #include "inspect/checks.hpp"
+#include "inspect/readable.hpp"
 #include "inspect/samples.hpp"
 #include "numbers/exact_number.hpp"
 
@@ -16,6 +20,28 @@ namespace elgen {
 namespace {
 
 using cln::cl_R;
+
+std::optional<std::vector<cl_R>> values_of(const Inspected& subject, const Body& body) {
+  const State state = nominal_state(subject.model, subject.scene);
+  std::vector<cl_R> values;
+  for (const ExpressionId id : body.inertia) {
+    const auto value = oracle_expression(subject.model, id, state);
+    if (!value) return std::nullopt;
+    values.push_back(*value);
+  }
+  return values;
+}
+
+bool is_possible(const std::vector<cl_R>& inertia) {
+  if (inertia.size() < 6) return inertia[0] >= 0;
+  return is_of_a_body({inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5]});
+}
+
+std::string listed(const std::vector<cl_R>& values) {
+  std::string text;
+  for (const cl_R& value : values) text += (text.empty() ? "" : ", ") + as_typed(value);
+  return text;
+}
 
 Model with_lagrangian(const Model& model, ExpressionId lagrangian) {
   Model bare;
@@ -53,6 +79,21 @@ bool has_curl(const Inspected& subject, ExpressionId spin) {
 }
 
 }  // namespace
+
+Diagnostics inspect_inertias(const Inspected& subject) {
+  Diagnostics diagnostics;
+  for (const Body& body : subject.model.bodies) {
+    if (body.inertia.empty()) continue;
+    const auto inertia = values_of(subject, body);
+    if (!inertia || is_possible(*inertia)) continue;
+    diagnostics.push_back(
+        {Code::E508, body.span,
+         fmt::format("inertia {} of `{}` belongs to no body", listed(*inertia), body.name),
+         body.inertia.size() < 6 ? "it is negative"
+                                 : "a principal inertia exceeds the sum of the other two"});
+  }
+  return diagnostics;
+}
 
 Diagnostics inspect_spins(const Inspected& subject) {
   if (subject.model.velocities.size() > most_coordinates_sampled) return {};

@@ -1,0 +1,272 @@
+// latex: LaTeX -> glyphs and back: commands, groups and scripts, `<q>` as bold q, printed in the
+// one way in which this project writes it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "base/ascii.hpp"
+#include "base/utf8.hpp"
+#include "elgen/functions.hpp"
+#include "formula/glyphs.hpp"
+
+namespace elgen {
+namespace {
+
+/// A command of LaTeX: one character, a sign or a space, or what it makes of its arguments.
+struct CommandRow {
+  std::string_view command;
+  std::string_view letter;  ///< the text of its glyph
+  GlyphKind kind = GlyphKind::letter;
+  std::size_t parts = 0;  ///< so many arguments are its parts
+};
+
+constexpr std::array greek_table{
+    CommandRow{"alpha", "α"},    CommandRow{"beta", "β"},    CommandRow{"gamma", "γ"},
+    CommandRow{"delta", "δ"},    CommandRow{"epsilon", "ϵ"}, CommandRow{"varepsilon", "ε"},
+    CommandRow{"zeta", "ζ"},     CommandRow{"eta", "η"},     CommandRow{"theta", "θ"},
+    CommandRow{"vartheta", "ϑ"}, CommandRow{"iota", "ι"},    CommandRow{"kappa", "κ"},
+    CommandRow{"lambda", "λ"},   CommandRow{"mu", "μ"},      CommandRow{"nu", "ν"},
+    CommandRow{"xi", "ξ"},       CommandRow{"pi", "π"},      CommandRow{"rho", "ρ"},
+    CommandRow{"varrho", "ϱ"},   CommandRow{"sigma", "σ"},   CommandRow{"tau", "τ"},
+    CommandRow{"upsilon", "υ"},  CommandRow{"phi", "ϕ"},     CommandRow{"varphi", "φ"},
+    CommandRow{"chi", "χ"},      CommandRow{"psi", "ψ"},     CommandRow{"omega", "ω"},
+    CommandRow{"Gamma", "Γ"},    CommandRow{"Delta", "Δ"},   CommandRow{"Theta", "Θ"},
+    CommandRow{"Lambda", "Λ"},   CommandRow{"Xi", "Ξ"},      CommandRow{"Pi", "Π"},
+    CommandRow{"Sigma", "Σ"},    CommandRow{"Upsilon", "Υ"}, CommandRow{"Phi", "Φ"},
+    CommandRow{"Psi", "Ψ"},      CommandRow{"Omega", "Ω"},
+};
+
+/// All but the Greek letters.
+constexpr std::array command_table{
+    CommandRow{"cdot", "⋅", GlyphKind::sign},
+    CommandRow{"partial", "∂", GlyphKind::letter},
+    CommandRow{"top", "⊤", GlyphKind::letter},
+    CommandRow{"sum", "∑", GlyphKind::sign},
+    CommandRow{"int", "∫", GlyphKind::sign},
+    CommandRow{"prime", "′", GlyphKind::letter},
+    CommandRow{"pm", "±", GlyphKind::letter},
+    CommandRow{"mp", "∓", GlyphKind::sign},
+    CommandRow{"le", "<=", GlyphKind::sign},
+    CommandRow{"times", "×", GlyphKind::sign},
+    CommandRow{"ell", "ℓ", GlyphKind::letter},
+    CommandRow{"quad", "1", GlyphKind::space},
+    CommandRow{"thinspace", "0.17", GlyphKind::space},
+    CommandRow{"left", "", GlyphKind::left},
+    CommandRow{"right", "", GlyphKind::right},
+    CommandRow{"frac", "", GlyphKind::fraction, 2},
+    CommandRow{"sqrt", "", GlyphKind::root, 1},
+    CommandRow{"dot", "˙", GlyphKind::accent, 1},
+    CommandRow{"ddot", "¨", GlyphKind::accent, 1},
+    CommandRow{"mathbf", "", GlyphKind::bold},
+    CommandRow{"boldsymbol", "", GlyphKind::bold},
+    CommandRow{"bm", "", GlyphKind::bold},
+    CommandRow{"text", "", GlyphKind::prose},
+    CommandRow{"mathrm", "", GlyphKind::word},
+    CommandRow{"operatorname", "", GlyphKind::function},
+};
+
+/// \sin, \arctan, \ln
+bool is_function_command(std::string_view name) {
+  return name == "ln" || name.starts_with("arc") || find_function(name) != nullptr;
+}
+
+/// The letters of all parts, one after the other.
+std::string letters_of(const Glyphs& glyphs) {
+  std::string text = glyphs.text;
+  for (const Glyphs& part : glyphs.parts) text += letters_of(part);
+  return text;
+}
+
+/// Formulas are never deeper; the content of deeper ones is left out.
+constexpr int deepest = 200;
+
+bool continues_number(char c) { return is_digit(c) || c == '.'; }
+bool continues_character(char c) { return !starts_code_point(c); }
+
+class LatexReader {
+ public:
+  explicit LatexReader(std::string_view text) : text_(text) {}
+
+  Glyphs row(char end, int depth = 0) {
+    Glyphs result;
+    bool is_apart = false;
+    while (at_ < text_.size() && text_[at_] != end) {
+      const char c = text_[at_];
+      if (c == '_' || c == '^') {
+        ++at_;
+        add_script(result, c == '_' ? 1 : 2, argument(depth));
+      } else if (c == ' ' || c == '}') {
+        is_apart = text_[at_++] == ' ' || is_apart;
+      } else {
+        result.parts.push_back(piece(depth));
+        result.parts.back().is_apart = std::exchange(is_apart, false);
+      }
+    }
+    at_ = std::min(at_ + 1, text_.size());
+    return result;
+  }
+
+ private:
+  Glyphs argument(int depth) {
+    while (at_ < text_.size() && text_[at_] == ' ') ++at_;
+    return piece(depth);
+  }
+
+  Glyphs piece(int depth) {
+    if (depth == deepest) at_ = text_.size();
+    if (at_ == text_.size()) return {};
+    const char c = text_[at_];
+    if (c == '\\') return command(depth + 1);
+    if (is_digit(c)) return {GlyphKind::number, taken(continues_number)};
+    if (c == '<' && text_.find('>', at_) != std::string_view::npos) {
+      std::string name = enclosed_text('>');
+      const std::string_view greek = greek_letter(name);
+      return {GlyphKind::bold, greek.empty() ? std::move(name) : std::string(greek)};
+    }
+    const bool is_ascii = static_cast<unsigned char>(c) < 0x80;
+    if (is_letter(c) || !is_ascii) return {GlyphKind::letter, taken(continues_character)};
+    ++at_;
+    if (c == '{') return row('}', depth + 1);
+    if (c == '\'') return {GlyphKind::letter, "′"};
+    const bool is_bracket = std::string_view("()[]|").find(c) != std::string_view::npos;
+    return {is_bracket ? GlyphKind::bracket : GlyphKind::sign, std::string(1, c)};
+  }
+
+  /// The character here, and those behind it that go on with it.
+  std::string taken(const auto& continues) {
+    const std::size_t begin = at_++;
+    while (at_ < text_.size() && continues(text_[at_])) ++at_;
+    return std::string(text_.substr(begin, at_ - begin));
+  }
+
+  /// The text behind the bracket here, up to the next `end`.
+  std::string enclosed_text(char end) {
+    const std::string text = taken([end](char c) { return c != end; });
+    at_ = std::min(at_ + 1, text_.size());
+    return text.substr(1);
+  }
+
+  Glyphs command(int depth) {
+    std::string name = taken(is_letter).substr(1);
+    if (name.empty() && at_ < text_.size()) name = taken(continues_character);
+    const auto row = std::ranges::find(command_table, name, &CommandRow::command);
+    if (row != command_table.end()) return with_arguments(*row, depth);
+    const std::string_view greek = greek_letter(name);
+    if (!greek.empty()) return {GlyphKind::letter, std::string(greek)};
+    return {is_function_command(name) ? GlyphKind::function : GlyphKind::command, std::move(name)};
+  }
+
+  /// Parts are moved: copies on every level would cost the square of the depth.
+  Glyphs with_arguments(const CommandRow& row, int depth) {
+    Glyphs glyphs{row.kind, std::string(row.letter)};
+    for (std::size_t i = 0; i < row.parts; ++i) glyphs.parts.push_back(argument(depth));
+    if (row.parts > 0 || !row.letter.empty()) return glyphs;
+    const bool grows = row.kind == GlyphKind::left || row.kind == GlyphKind::right;
+    const bool is_group = !grows && at_ < text_.size() && text_[at_] == '{';
+    glyphs.text = row.kind == GlyphKind::bold ? letters_of(argument(depth))
+                  : is_group                  ? enclosed_text('}')
+                                              : argument(depth).text;
+    if (grows && glyphs.text == ".") glyphs.text.clear();
+    return glyphs;
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+};
+
+std::string group(const Glyphs& glyphs) { return fmt::format("{{{}}}", latex(glyphs)); }
+
+/// Whether a letter behind the text would be one of a command.
+bool ends_with_command(std::string_view text) {
+  const auto end = std::find_if_not(text.rbegin(), text.rend(), is_letter);
+  return end != text.rbegin() && end != text.rend() && *end == '\\';
+}
+
+/// \theta, \partial, \quad; the character itself where it has no command.
+std::string letter(const Glyphs& glyphs) {
+  if (glyphs.text == "′") return "'";
+  const std::string_view greek = greek_command(glyphs.text);
+  if (!greek.empty()) return fmt::format("\\{}", greek);
+  for (const CommandRow& row : command_table) {
+    if (row.kind == glyphs.kind && row.letter == glyphs.text) {
+      return fmt::format("\\{}", row.command);
+    }
+  }
+  return glyphs.text;
+}
+
+std::string bracket(const std::string& text) { return text.empty() ? "." : text; }
+
+std::string piece_latex(const Glyphs& glyphs) {
+  const std::string& text = glyphs.text;
+  switch (glyphs.kind) {
+    case GlyphKind::row:
+      return group(glyphs);
+    case GlyphKind::letter:
+    case GlyphKind::sign:
+    case GlyphKind::space:
+      return letter(glyphs);
+    case GlyphKind::command:
+      return "\\" + text;
+    case GlyphKind::word:
+      return fmt::format("\\mathrm{{{}}}", text);
+    case GlyphKind::bold: {
+      const std::string_view greek = greek_command(text);
+      return greek.empty() ? fmt::format("\\mathbf{{{}}}", text)
+                           : fmt::format("\\boldsymbol{{\\{}}}", greek);
+    }
+    case GlyphKind::prose:
+      return fmt::format("\\text{{{}}}", text);
+    case GlyphKind::function:
+      return is_function_command(text) ? "\\" + text : fmt::format("\\operatorname{{{}}}", text);
+    case GlyphKind::number:
+    case GlyphKind::bracket:
+      return text;
+    case GlyphKind::left:
+      return "\\left" + bracket(text);
+    case GlyphKind::right:
+      return "\\right" + bracket(text);
+    case GlyphKind::fraction:
+      return "\\frac" + group(glyphs.parts[0]) + group(glyphs.parts[1]);
+    case GlyphKind::root:
+      return "\\sqrt" + group(glyphs.parts[0]);
+    case GlyphKind::accent:
+      return (text == "¨" ? "\\ddot" : "\\dot") + group(glyphs.parts[0]);
+    case GlyphKind::scripts: {
+      std::string all = piece_latex(glyphs.parts[0]);
+      if (is_there(glyphs.parts[1])) all += "_" + group(glyphs.parts[1]);
+      if (is_there(glyphs.parts[2])) all += "^" + group(glyphs.parts[2]);
+      return all;
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string_view greek_letter(std::string_view command) {
+  const auto row = std::ranges::find(greek_table, command, &CommandRow::command);
+  return row == greek_table.end() ? std::string_view() : row->letter;
+}
+
+std::string_view greek_command(std::string_view letter) {
+  const auto row = std::ranges::find(greek_table, letter, &CommandRow::letter);
+  return row == greek_table.end() ? std::string_view() : row->command;
+}
+
+Glyphs read_latex(std::string_view latex) { return LatexReader(latex).row('\0'); }
+
+std::string latex(const Glyphs& glyphs) {
+  if (glyphs.kind != GlyphKind::row) return piece_latex(glyphs);
+  std::string text;
+  for (const Glyphs& part : glyphs.parts) {
+    const std::string next = piece_latex(part);
+    const bool is_needed = !next.empty() && is_letter(next.front()) && ends_with_command(text);
+    text += (part.is_apart || is_needed ? " " : "") + next;
+  }
+  return text;
+}
+
+}  // namespace elgen
