@@ -46,15 +46,28 @@ std::string mixed(const Formula& formula, const PageWords& words) {
   return mixed(glyphs_of(formula), words);
 }
 
-TemplateData table(const std::vector<PageVariable>& variables, const PageWords& words) {
-  const TemplateData rows = rows_data(variables, [&words](const PageVariable& variable) {
-    return TemplateRow{{"symbol", words.in_line(glyphs_of(variable.symbol))},
-                       {"name", words.name(variable.name)},
-                       {"value", words.plain(variable.value)},
-                       {"unit", words.unit(variable.unit)},
-                       {"doc", words.plain(variable.doc)}};
-  });
-  return section_if(!variables.empty(), {"rows", rows});
+/// A table for each kind of variables that the page has; parameters have values.
+TemplateData variables_data(const Page& page, const PageWords& words) {
+  TemplateData tables(List::list);
+  const auto add = [&](const std::vector<PageVariable>& variables, const std::string& word) {
+    if (variables.empty()) return;
+    const TemplateData rows = rows_data(variables, [&words](const PageVariable& variable) {
+      return TemplateRow{{"symbol", words.in_line(glyphs_of(variable.symbol))},
+                         {"name", words.name(variable.name)},
+                         {"value", words.plain(variable.value)},
+                         {"unit", words.unit(variable.unit)},
+                         {"doc", words.plain(variable.doc)}};
+    });
+    tables << TemplateRow{{"title", as_title(word) + "s"},
+                          {"word", word},
+                          {"has_value", section_if(word == "parameter")},
+                          {"rows", rows}};
+  };
+  add(page.coordinates, "coordinate");
+  add(page.inputs, "input");
+  add(page.functions, "function");
+  add(page.parameters, "parameter");
+  return tables;
 }
 
 /// Rows of cells, heads first; absent where there are no heads.
@@ -137,10 +150,7 @@ TemplateData page_data(const Page& page, const PageWords& words) {
   data.set("reference", section_of(words.plain(page.reference)));
   data.set("notes", notes);
   data.set("equation_of_motion", formula_section(page.equation_of_motion, words));
-  data.set("coordinates", table(page.coordinates, words));
-  data.set("inputs", table(page.inputs, words));
-  data.set("functions", table(page.functions, words));
-  data.set("parameters", table(page.parameters, words));
+  data.set("variables", variables_data(page, words));
   data.set("outputs", outputs);
   return data;
 }
