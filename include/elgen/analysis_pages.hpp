@@ -1,5 +1,4 @@
-// Pages of analyses: equilibria, small motions about them, and symmetries; the same as JSON, for
-// programs.
+// Pages of analyses: equilibria, small motions about them, and symmetries; and their JSON.
 #pragma once
 
 #include <string>
@@ -15,7 +14,7 @@ namespace elgen {
                               const std::vector<LinearMotions>& all);
 [[nodiscard]] Page symmetries_page(const CheckedModel& checked, const Symmetries& symmetries);
 
-/// Numbers have the digits that tell doubles apart.
+/// Numbers have all digits that distinguish doubles.
 [[nodiscard]] std::string equilibria_json(const CheckedModel& checked,
                                           const Equilibria& equilibria);
 [[nodiscard]] std::string modes_json(const CheckedModel& checked, const Equilibria& equilibria,
@@ -23,8 +22,8 @@ namespace elgen {
 [[nodiscard]] std::string symmetries_json(const CheckedModel& checked,
                                           const Symmetries& symmetries);
 
-/// A closed form in the symbols of a model, in its shortest form; none where there is none, or it
-/// is too long to be read.
+/// The shortest form in the symbols of a model; none if there is no closed form, or it is too long
+/// to be read.
 [[nodiscard]] std::optional<Formula> read_form(const Model& model, const Algebra& algebra,
                                                const std::optional<Fraction>& form);
 

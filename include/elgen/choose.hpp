@@ -1,15 +1,14 @@
-// choose: which of its two forms each function is emitted in, and how its entries are written for a
-// reader.
+// choose: selects the form in which each function is emitted, and how its entries are written for
+// readers.
 //
-// The recursive form keeps the definitions of the derivation: linear cost along a chain. The closed
-// form is the cancelled, collected equation: for small models fewer operations, and more accurate,
-// since what cancels on paper is gone. Both are lowered and counted after sharing, and the cheaper
-// is kept, the closed one on a tie, unless the scene asks for one. A closed form that loses digits
-// which the recursive one keeps is not taken, whatever it costs. Where sums cancel entries are
-// rewritten, and the other form is taken, if digits are lost (choose/text_errors.hpp): many, and
-// for a little more, where the scene wants balance; any where it prefers accuracy; never for speed.
-// Guards that make either hold at states that algebra passes over come last, and then the order in
-// which all is evaluated (choose/finish.hpp).
+// The recursive form keeps the definitions of the derivation: its cost is linear along a chain. The
+// closed form is the cancelled, collected equation: for small models it is cheaper and more
+// accurate, since cancelling terms are gone. Both are lowered and counted after sharing. The
+// cheaper one is kept, the closed one on a tie, unless the scene asks for one. A closed form that
+// loses digits which the recursive one keeps is never taken. If digits are lost where sums cancel,
+// entries are rewritten and the other form is considered (choose/text_errors.hpp): with balance if
+// many are lost and the cost is little higher, with accuracy if any are, never with speed. Guards
+// against states that algebra ignores, and the order of evaluation, come last (choose/finish.hpp).
 #pragma once
 
 #include <optional>
@@ -23,21 +22,21 @@
 
 namespace elgen {
 
-/// The cost of one call of a function in either form.
+/// The cost of one call of a function in both forms.
 struct FormCosts {
   std::string function = {};
   OperationCounts recursive = {};
   std::optional<OperationCounts> closed = {};  ///< none: given up, or far beyond the recursive form
-  /// The largest error of either form at points where sums cancel, as a multiple of |x| and of the
-  /// least error of all known rewritings (choose/text_errors.hpp): x is the entry where the scene
-  /// prefers accuracy, else the largest one of its field. None where it did not matter.
+  /// The largest error of a form at points where sums cancel, relative to |x| and to the least
+  /// error of all known rewritings (choose/text_errors.hpp). x is the entry if the scene prefers
+  /// accuracy, else the largest entry of its field. None if it was not needed.
   std::optional<double> recursive_loss = {};
   std::optional<double> closed_loss = {};
-  /// The first entry, by its number among all, that is inaccurate in every closed form tried, while
-  /// the recursive form keeps its digits (choose/text_errors.hpp).
+  /// The number of the first entry that is inaccurate in every closed form tried, while the
+  /// recursive form keeps its digits (choose/text_errors.hpp).
   std::optional<std::size_t> inaccurate = {};
   Form chosen = Form::recursive;
-  bool is_asked_for = false;  ///< by the scene, whatever it costs
+  bool is_asked_for = false;  ///< the scene asks for this form at any cost
 };
 
 struct Choice {
@@ -45,12 +44,12 @@ struct Choice {
   std::vector<FormCosts> costs = {};  ///< parallel to program.functions
 };
 
-/// Coordinates of states, one list each, where typed sums vanish.
+/// States, as lists of coordinates, where typed sums vanish.
 using SumZeros = std::vector<std::vector<double>>;
 
-/// `recursive` is the program the closed forms were made of. A loss of a quarter of the digits is
-/// worth a quarter of the cost; with `zeros`, near which forms are judged too, a loss of any digits
-/// is worth four times the cost. E608: a closed form is asked for that was given up.
+/// `recursive` is the program of the closed forms. A loss of a quarter of the digits is worth a
+/// quarter of the cost. With `zeros`, near which forms are compared too, any loss is worth four
+/// times the cost. E608: the requested closed form was given up.
 [[nodiscard]] Result<Choice> choose(const Program& recursive, const ClosedForms& forms,
                                     const Domain& domain, const Scene& scene,
                                     const SumZeros* zeros = nullptr);
@@ -61,33 +60,31 @@ enum class Reader : std::uint8_t {
   people,  ///< each entry by itself, the shortest form
 };
 
-/// A program with those functions in their closed forms that have one which can be read: for code
-/// among its functions, for people among the readable ones. Unlike choose(), it takes no notice of
-/// costs and digits of the recursive form.
+/// A program with closed forms in place of the functions that have a readable one: for code among
+/// its functions, for people among the readable ones. Unlike choose(), it ignores costs and digits
+/// of the recursive form.
 [[nodiscard]] Program written(Program program, Reader reader, const PresentBudget& budget = {});
 
 /// V and its derivatives (PotentialEquations) in one form each.
 struct RewrittenPotential {
   Program program = {};
-  bool has_slopes = true;  ///< a derivative differs from its text and its closed form, not V alone
+  bool has_slopes = true;  ///< a derivative, not V alone, differs from its text and its closed form
 };
 
-/// For all functions that have V: with the typed sums whole that keep digits at the zeros of sums,
-/// else that cost less. None where neither V nor a derivative differs from the text and from the
-/// closed form, or the scene wants speed alone.
-/// Cost: that of choose() up to eighteen times where typed sums lose digits.
+/// Rewrites V for all functions that contain it: typed sums stay whole if that keeps digits at the
+/// zeros of sums, or costs less. None if neither V nor a derivative differs from the text and the
+/// closed form, or the scene prefers speed.
+/// Cost: that of choose() up to eighteen times if typed sums lose digits.
 [[nodiscard]] std::optional<RewrittenPotential> rewritten_potential(const Program& potential,
                                                                     const Domain& domain,
                                                                     const Scene& scene);
 
-/// The domain of functions that take V and its derivatives as open values behind those of the
-/// model.
+/// The domain of functions that take V and its derivatives as open values after those of the model.
 [[nodiscard]] Domain with_open_potential(Domain domain, const Program& potential);
 
-/// Puts V and its derivatives in the place of the open values behind those of `choice`: the
-/// functions of `open` that take any of these replace those of `choice`, which are read as they
-/// were. All stay where one would lose digits that it has now, as where V cancels the weight of
-/// bodies.
+/// Replaces the open values after those of `choice` by V and its derivatives: functions of `open`
+/// that take any of these replace those of `choice`, whose readable forms stay. Nothing changes if
+/// one would lose digits that it has now, for example where V cancels the weight of bodies.
 void put_potential(const RewrittenPotential& potential, const Choice& open, const Domain& domain,
                    Choice& choice);
 

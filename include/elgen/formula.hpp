@@ -1,10 +1,9 @@
-// Formula: a formula as a tree, which is printed as text of the model language, on a screen, in
-// LaTeX and in MathML.
+// Formula: a formula as a tree, printed in the model language, on screens, as LaTeX and as MathML.
 //
 //     sum(product(m, power(l, 2)), negative(u))     m*l^2 - u      m l^{2} - u
 //
-// The tree has the order of terms and factors. Its printers place brackets, write a fraction on one
-// line or on two, and put functions behind the other factors where factors stand side by side.
+// The tree keeps the order of terms and factors. Printers add brackets, write fractions on one line
+// or two, and put functions after the other factors where factors stand side by side.
 #pragma once
 
 #include <cln/rational.h>
@@ -21,16 +20,16 @@ namespace elgen {
 
 struct Glyphs;
 
-/// The characters that a terminal can show.
+/// The characters that a terminal shows.
 enum class Alphabet : std::uint8_t {
   unicode,  ///< θ̇₁², √, ½
   ascii     ///< dot(theta1)^2, sqrt, 1/2
 };
 
 enum class FormulaKind : std::uint8_t {
-  number,    ///< number, or the decimal digits of text, where number is 0
+  number,    ///< number, or the decimal digits of text if number is 0
   symbol,    ///< symbol
-  negative,  ///< -x; subtracted where it is a term of a sum
+  negative,  ///< -x; subtracted as a term of a sum
   either,    ///< +-x
   sum,       ///< x + y
   product,   ///< x y
@@ -39,17 +38,17 @@ enum class FormulaKind : std::uint8_t {
   root,      ///< sqrt(x)
   call,      ///< function(x, y)
   bars,      ///< |x|
-  group,     ///< (x), where x is a sum or a product: brackets that were typed
-  relation,  ///< x = y, where text is the sign
+  group,     ///< (x) of a sum or product x: brackets that the author typed
+  relation,  ///< x = y; text is the sign
   list,      ///< x, y
   tuple,     ///< (x, y)
   prose,     ///< text: words
-  row,       ///< formulas and prose side by side, a blank between them
+  row,       ///< formulas and prose, separated by blanks
 };
 
 struct Symbol;
 
-/// Parts are moved into trees: see the functions below.
+/// A node. Parts are moved into trees by the functions below.
 struct Formula {
   FormulaKind kind = FormulaKind::row;
   std::vector<Formula> parts = {};
@@ -58,21 +57,21 @@ struct Formula {
   FunctionId function = {};
   std::shared_ptr<const Symbol> symbol = {};
 
-  /// A row of nothing: the cell of a table that has no content.
+  /// Whether this is a row without parts: an empty cell of a table.
   [[nodiscard]] bool is_empty() const { return kind == FormulaKind::row && parts.empty(); }
 };
 
 using Formulas = std::vector<Formula>;
 
 [[nodiscard]] Formula number_formula(const cln::cl_RA& value);
-/// Decimal digits, perhaps with an exponent: "1.5e-07".
+/// Decimal digits, with or without an exponent: "1.5e-07".
 [[nodiscard]] Formula digits_formula(std::string digits);
 
-/// A name of the model language. Formulas of it have no other notation.
+/// A name of the model language, without another notation.
 [[nodiscard]] Formula name_formula(std::string name);
-/// A symbol with its name. Where `is_long`, it has brackets in powers: V'(r).
+/// A symbol with its name. `is_long`: it needs brackets in powers, as V'(r) does.
 [[nodiscard]] Formula symbol_formula(std::string name, Glyphs glyphs, bool is_long = false);
-/// A formula that tables have in LaTeX. As text it is drawn on one line in ASCII.
+/// A formula that tables have in LaTeX. Its text is an ASCII drawing on one line.
 [[nodiscard]] Formula typed_formula(std::string_view latex);
 
 [[nodiscard]] Formula pi_formula();
@@ -95,16 +94,16 @@ using Formulas = std::vector<Formula>;
 [[nodiscard]] Formula list_of(Formulas items);
 [[nodiscard]] Formula tuple_of(Formulas items);
 [[nodiscard]] Formula prose(std::string words);
-/// Parts that are empty are left out; one part stands for itself.
+/// Makes a row without its empty parts. A single part is returned as it is.
 [[nodiscard]] Formula row_of(Formulas parts);
 /// "x", "x and y", "x, y and z"
 [[nodiscard]] Formula enumeration(Formulas items);
 
-/// In the model language, with as few brackets as keep the tree. Prose is as it is.
+/// Prints in the model language with as few brackets as keep the tree. Prose is unchanged.
 [[nodiscard]] std::string text_of(const Formula& formula);
 [[nodiscard]] std::vector<std::string> texts_of(const Formulas& formulas);
 
-/// As it is set. Equal trees give equal glyphs.
+/// Typesets a formula. Equal trees give equal glyphs.
 [[nodiscard]] Glyphs glyphs_of(const Formula& formula);
 
 }  // namespace elgen

@@ -1,5 +1,5 @@
-// Solves linear equations in closed form, and searches roots of others in boxes. Where boxes stay
-// undecided, Newton's method starts at their middles.
+// Solves linear equations in closed form, and searches roots of others in boxes. Newton's method
+// starts at the middles of undecided boxes.
 #include "analyse/block_roots.hpp"
 
 #include <fmt/format.h>
@@ -18,21 +18,21 @@ namespace {
 
 using cln::cl_R;
 
-/// The searched turn begins here, so that no half of it ends at a multiple of a quarter turn.
+/// The start of the searched turn, so that halving it never splits at a multiple of a quarter turn.
 constexpr double first_angle = -2.6;
 constexpr double turn_above = 0x1.921fb54442d19p2;  // more than 2 pi
 
-/// Undecided boxes this many of their lengths apart are one place.
+/// Undecided boxes closer than this many of their lengths are joined.
 constexpr double neighbourhood = 10;
 
-/// The most starts of a search, and the most undecided boxes that are named.
+/// The limits of Newton starts in a search, and of reported undecided boxes.
 constexpr std::size_t most_starts = 64;
 constexpr std::size_t most_places = 16;
 
-/// The highest order of a zero that is looked for.
+/// The highest order of zeros that is tried.
 constexpr std::uint32_t most_order = 8;
 
-/// In (-pi, pi].
+/// The angle in (-pi, pi].
 Real reduced(const Real& angle) { return -turned_above(-angle, -whole_turn() / Real(2)); }
 
 class BlockSearch {
@@ -88,8 +88,8 @@ class BlockSearch {
     return with_entries(system_.residual(), entries);
   }
 
-  /// An equation without coordinates: its one root has no values. 64 digits do not prove that it
-  /// is 0, rational values of the parameters do.
+  /// Solves an equation without coordinates, whose only root has no values. It is proved to be 0 by
+  /// rational values of the parameters, not by 64 digits.
   BlockRoots constant_equation() {
     const Real value = evaluate(system_.program, rows_, start())[0];
     if (value.is_defined() && !is_near(value, Real(), root_digits)) return std::move(result_);
@@ -138,8 +138,8 @@ class BlockSearch {
                       system_.state);
   }
 
-  /// Operations that a box may take: f twice, its slopes along every unknown with their values, and
-  /// the products of Krawczyk's test.
+  /// The operations per box: f twice, its values and slopes for every unknown, and the products of
+  /// Krawczyk's test.
   [[nodiscard]] std::uint64_t enclosures_of_box() const {
     const std::uint64_t n = unknowns_.coordinates.size();
     return 1 + square_.instructions.size() * (2 * n + 2) + 2 * n * n * n;
@@ -172,7 +172,7 @@ class BlockSearch {
     return at;
   }
 
-  /// As many equations as unknowns where there are enough: those of the velocities of these first.
+  /// Chooses at most as many equations as unknowns, first those of the velocities of the unknowns.
   void choose_rows() {
     chosen_rows_ = block_.rows;
     std::stable_partition(chosen_rows_.begin(), chosen_rows_.end(), [this](std::uint32_t row) {
@@ -181,7 +181,7 @@ class BlockSearch {
     if (chosen_rows_.size() > along_.size()) chosen_rows_.resize(along_.size());
   }
 
-  /// The root that iterations from there reach.
+  /// The root to which iterations from there converge.
   [[nodiscard]] std::optional<Arguments<Real>> reached_from(const Arguments<Real>& first) const {
     return refined(system_.model, system_.program, square_, first, along_);
   }
@@ -190,7 +190,7 @@ class BlockSearch {
     if (const auto root = reached_from(first)) add(*root);
   }
 
-  /// The one root of a box; a place without a verdict where iterations lead elsewhere.
+  /// Adds the root of a box, or an undecided place if iterations lead elsewhere.
   void add_root_of(const Box& box) {
     const auto root = reached_from(middle_of(box));
     if (root && is_in_box(box, *root)) {
@@ -202,7 +202,7 @@ class BlockSearch {
 
   [[nodiscard]] bool is_in_box(const Box& box, const Arguments<Real>& root) const {
     for (std::size_t i = 0; i < box.size(); ++i) {
-      // The root has 58 digits.
+      // Roots have 58 digits.
       static const cl_R slack = power_of_ten(-40);
       const cl_R value = root.q[unknowns_.coordinates[i]].value();
       if (value < exact_value(box[i].low) - slack || value > exact_value(box[i].high) + slack)
@@ -214,7 +214,7 @@ class BlockSearch {
   void add(Arguments<Real> root) {
     for (std::size_t i = 0; i < unknowns_.coordinates.size(); ++i) {
       Real& q = root.q[unknowns_.coordinates[i]];
-      // Turns are searched beyond their range, for the places where the chart breaks.
+      // A turn is searched beyond the range to find chart breaks.
       if (unknowns_.kinds[i] == SearchKind::turn) q = reduced(q);
       if (unknowns_.kinds[i] == SearchKind::range && !lives_at(i, q)) return;
     }
@@ -243,8 +243,7 @@ class BlockSearch {
     });
   }
 
-  /// Boxes without a verdict that touch each other, as one; those inside of a box with one root are
-  /// gone.
+  /// Joins undecided boxes that touch each other. Boxes within a box with one root are dropped.
   [[nodiscard]] std::vector<Box> together(const BoxSearch& found) const {
     std::vector<Box> places;
     for (const Box& box : found.undecided) {
@@ -256,7 +255,7 @@ class BlockSearch {
     return places;
   }
 
-  /// Where there would be too many places to name, all are one.
+  /// Joins a box to those that it touches, or to all if there are too many places to report.
   static void join(std::vector<Box>& places, Box whole) {
     const bool is_crowded = places.size() >= most_places;
     const auto joins = [&](const Box& place) {
@@ -271,7 +270,7 @@ class BlockSearch {
     places.push_back(std::move(whole));
   }
 
-  /// Whether one box is inside of another, or (with slack) meets it.
+  /// Whether one box contains another or, with slack, meets it.
   static bool holds(const Box& outer, const Box& inner, int slack) {
     for (std::size_t i = 0; i < outer.size(); ++i) {
       const double length = neighbourhood * (inner[i].high - inner[i].low);
@@ -283,8 +282,8 @@ class BlockSearch {
     return true;
   }
 
-  /// Adds the plain root of a place, if there is one. The place is decided where this is a zero of
-  /// one coordinate, of some order, and the only one there.
+  /// Adds the plain root of a place if there is one. The place is decided if this root is a zero of
+  /// one coordinate, of any order, and no other root is there.
   void judge(const BoxedEquations& equations, const Box& place) {
     if (const auto root = plain_root(place)) {
       add(*root);
@@ -310,7 +309,7 @@ class BlockSearch {
     }
   }
 
-  /// The quarters of a turn, or zeros, inside of a place, where they solve the equations.
+  /// The multiples of a quarter turn, or zeros, in a place, if they solve the equations.
   [[nodiscard]] std::optional<Arguments<Real>> plain_root(const Box& place) const {
     Arguments<Real> root = start();
     for (std::size_t i = 0; i < place.size(); ++i) {
@@ -345,8 +344,8 @@ class BlockSearch {
   const RestBlock& block_;
   Unknowns unknowns_ = {};
   std::vector<std::uint32_t> along_ = {};        ///< velocities of the unknowns
-  std::vector<std::uint32_t> chosen_rows_ = {};  ///< as many equations
-  std::vector<Fraction> forms_ = {};             ///< of the rows, where all have one
+  std::vector<std::uint32_t> chosen_rows_ = {};  ///< at most one per unknown
+  std::vector<Fraction> forms_ = {};             ///< of the rows, if all have one
   Function rows_ = {};
   Function square_ = {};  ///< the chosen rows
   BlockRoots result_ = {};

@@ -11,24 +11,24 @@
 
 namespace elgen {
 
-/// The system at rest and its closed forms, at the values of the parameters.
+/// The system at rest, its closed forms, and the values of its parameters.
 struct RestSystem {
   const Model& model;
   const Program& program;  ///< r, M and W of RestProgram
-  ClosedForms& forms;      ///< of these
+  ClosedForms& forms;      ///< of these functions
   const std::vector<SearchKind>& kinds;
-  State state = {};  ///< parameters and inputs as they are, coordinates at their starts
+  State state = {};  ///< values of parameters and inputs, start values of coordinates
 
   [[nodiscard]] const Function& residual() const { return program.functions[0]; }
-  /// The form of one equation; none beyond the budget.
+  /// The form of one equation; none if it exceeds the budget.
   [[nodiscard]] const std::optional<Fraction>& row(std::uint32_t velocity) const {
     return forms.functions[0].fields[0].entries[velocity];
   }
 };
 
-/// Roots of one block: values of its coordinates, in their order.
+/// Roots of one block: values of its coordinates in order.
 struct BlockRoots {
-  bool is_identity = false;  ///< of an equation without coordinates: 0 = 0 for all parameters
+  bool is_identity = false;  ///< an equation without coordinates is 0 = 0 for all parameters
   std::vector<std::vector<CoordinateAtRest>> roots = {};
   Completeness completeness = Completeness::proved;
   std::vector<UndecidedBox> undecided = {};
@@ -38,12 +38,12 @@ struct BlockRoots {
   bool is_cut = false;  ///< by the limit of enclosures
 };
 
-/// E531 where a coordinate has no range. The search ends at the limits of boxes and enclosures.
+/// E531: a coordinate has no range. The search stops at the limits of boxes and enclosures.
 [[nodiscard]] Result<BlockRoots> block_roots(RestSystem& system, const RestBlock& block,
                                              const Limits& most);
 
-/// The first derivative of a row that is not 0 at a root of one coordinate, where all before it are
-/// exactly 0 at the values of the parameters.
+/// The first nonzero derivative of a row at a root in one coordinate. Lower ones are exactly 0 at
+/// the values of the parameters.
 struct RootOrder {
   std::uint32_t order = 1;  ///< of the zero
   Fraction derivative = {};

@@ -1,5 +1,5 @@
-// The test is made on a box a little larger than the one that is looked at, so that a solution on
-// the border of two boxes is inside of both.
+// Tests a box slightly larger than the searched one, so that a solution on the border of two boxes
+// is inside of both.
 #include "analyse/boxes.hpp"
 
 #include <Eigen/LU>
@@ -16,11 +16,11 @@ namespace {
 double middle(const Enclosure& x) { return x.low + (x.high - x.low) / 2; }
 double length(const Enclosure& x) { return x.high - x.low; }
 
-/// The fraction by which a tested box is longer than the searched one, on either side.
+/// The relative enlargement of a tested box on each side.
 constexpr double margin = 0.05;
 
-/// All undecided boxes are refined by this factor before one is refined by more, so that they
-/// enclose a line of solutions closely where the limit is reached.
+/// All undecided boxes are refined by this factor before any is refined further, so that they
+/// enclose a line of solutions closely when the limit is reached.
 constexpr double refinement = 16;
 
 Box enlarged(const Box& box) {
@@ -38,7 +38,7 @@ Box middle_of(const Box& box) {
   return result;
 }
 
-/// None where they do not meet.
+/// None if the boxes do not meet.
 std::optional<Box> intersection(const Box& x, const Box& y) {
   Box result;
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -114,7 +114,7 @@ class Search {
     open.push_back(std::move(half));
   }
 
-  /// Relative to the domain.
+  /// The longest side relative to that of the domain.
   [[nodiscard]] std::size_t longest_side(const Box& box) const {
     std::size_t longest = 0;
     for (std::size_t i = 1; i < size_; ++i) {
@@ -125,8 +125,8 @@ class Search {
     return longest;
   }
 
-  /// K(box), of the first equations, as many as there are unknowns; none where J has no inverse, or
-  /// not all is defined.
+  /// K(box) for the first equations, as many as unknowns; none if J has no inverse or a value is
+  /// undefined.
   [[nodiscard]] std::optional<Box> krawczyk(const Box& box) const {
     if (rows_ < size_) return std::nullopt;
     const std::optional<std::vector<Enclosure>> slopes = slopes_on(box);
@@ -162,7 +162,7 @@ class Search {
     return image;
   }
 
-  /// df/dq, row-major; none where not all is defined.
+  /// df/dq, row-major; none if an entry is undefined.
   [[nodiscard]] std::optional<std::vector<Enclosure>> slopes_on(const Box& box) const {
     LeafValues<Dual<Enclosure>> leaves = map_leaves(
         [](const Enclosure& x) {

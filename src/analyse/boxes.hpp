@@ -2,9 +2,9 @@
 //
 //     K(X) = m - Y f(m) + (1 - Y J(X)) (X - m),    m the middle of X,  Y about J(m)^-1
 //
-// A box where an equation cannot be 0, or that K(X) does not meet, holds no solution; where K(X) is
-// inside of X it holds exactly one, which is a simple zero. Other boxes are halved until they are
-// smaller than the resolution, or all that may be looked at are used up.
+// A box holds no solution if an equation cannot be 0 in it, or if K(X) does not meet X. It holds
+// exactly one, a simple zero, if K(X) is inside of X. Other boxes are halved until they are smaller
+// than the resolution or the limit of boxes is reached.
 //
 // Source: R. Krawczyk, Computing 4 (1969) 187; R. E. Moore, SIAM J. Numer. Anal. 14 (1977) 611.
 #pragma once
@@ -18,8 +18,8 @@
 
 namespace elgen {
 
-/// As many equations as unknowns, or more: entries of the only field of `function`, over unknown
-/// coordinates; all other leaves are known.
+/// At least as many equations as unknown coordinates: entries of the only field of `function`. All
+/// other leaves are known.
 struct BoxedEquations {
   const Program& program;
   const Function& function;
@@ -31,17 +31,17 @@ struct BoxedEquations {
 using Box = std::vector<Enclosure>;
 
 struct BoxSearch {
-  std::vector<Box> single = {};     ///< one simple solution in each; neighbours may share theirs
+  std::vector<Box> single = {};     ///< one simple solution each, maybe a shared one
   std::vector<Box> undecided = {};  ///< smaller than the resolution
-  std::vector<Box> left = {};       ///< not decided when the limit was reached
+  std::vector<Box> left = {};       ///< undecided when the limit was reached
   std::uint64_t looked_at = 0;
 };
 
-/// A box is undecided where its sides are shorter than this part of those of the domain.
+/// A box is undecided if its sides are shorter than this fraction of the domain.
 inline constexpr double box_resolution = 1e-7;
 
-/// `most`: the boxes that may be looked at. Cost of each: one evaluation of f and one of its slopes
-/// for every unknown.
+/// `most` limits the number of boxes. Cost per box: one evaluation of f, and one of its slopes per
+/// unknown.
 [[nodiscard]] BoxSearch search_boxes(const BoxedEquations& equations, const Box& domain,
                                      std::uint64_t most);
 

@@ -1,4 +1,4 @@
-// M is judged by its pivots, beside those that it has where all coordinates are moved.
+// Compares the pivots of M with those at a state where all coordinates are shifted.
 #include "analyse/chart_breaks.hpp"
 
 #include <algorithm>
@@ -14,14 +14,14 @@ namespace {
 
 using cln::cl_R;
 
-/// One coordinate is moved by 1/8, which no quarter turn is near.
+/// Shifts one coordinate by 1/8, which is far from multiples of a quarter turn.
 State beside(State state, std::size_t coordinate) {
   state.q[coordinate] = state.q[coordinate] + cln::cl_RA(1) / 8;
   return state;
 }
 
-/// Whether M loses a pivot there that it has where all coordinates are moved: a root of 58 digits
-/// leaves less than 1e-50 of it.
+/// Whether M loses a pivot that it has after a shift of all coordinates. At a root of 58 digits
+/// less than 1e-50 of a lost pivot remains.
 bool is_chart_broken(const RestProgram& rest, const State& state) {
   State moved = state;
   for (std::size_t i = 0; i < moved.q.size(); ++i) moved = beside(std::move(moved), i);

@@ -1,4 +1,4 @@
-// Chart breaks: places of rest at which M is singular, and no equation of motion says more.
+// Chart breaks: points of rest with a singular M, where equations of motion fail.
 #pragma once
 
 #include <vector>
@@ -9,14 +9,14 @@
 
 namespace elgen {
 
-/// 0 where there is no number.
+/// The numbers of values, 0 for undefined ones.
 [[nodiscard]] std::vector<cln::cl_R> numbers_of(const std::vector<Real>& values);
 
-/// M at a state of rest, row by row.
+/// M at a state of rest, row-major.
 [[nodiscard]] std::vector<cln::cl_R> mass_at(const RestProgram& rest, const State& state);
 
-/// Whether M is singular at a point; the coordinates to blame are added to `breaks`, each place
-/// once: those whose move alone makes M regular, else all that the equations at rest hold.
+/// Whether M is singular at a point. Adds the coordinates that cause it to `breaks`, once each:
+/// those whose shift alone makes M regular, else all in the equations at rest.
 [[nodiscard]] bool breaks_chart(const RestProgram& rest, const RestPoint& point,
                                 std::vector<ChartBreak>& breaks);
 

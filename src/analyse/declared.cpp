@@ -1,6 +1,6 @@
-// [[equilibrium]]: closed forms of the residual and of det(x M - K) at the point. Where they do not
-// decide, the balance is as inspect() judged it at sampled states, and frequencies are judged there
-// in 64 digits.
+// Judges [[equilibrium]] entries by closed forms of the residual and of det(x M - K) at the point.
+// If these do not decide, the balance is taken from inspect() at sampled states, where frequencies
+// are compared in 64 digits.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,11 +20,11 @@ namespace {
 
 using cln::cl_R;
 
-/// The larger determinants of closed forms outgrow their budget.
+/// Larger determinants of closed forms exceed their budget.
 constexpr std::size_t most_rows = 8;
 
-/// Expands by the first row; minors are known by the columns that they leave. Elimination divides
-/// forms, which would outgrow the budget sooner.
+/// Expands by the first row, with minors stored by their sets of columns. Elimination divides
+/// forms, and would exceed the budget sooner.
 Value determinant(Arithmetic& at, const std::vector<Value>& matrix, std::size_t n) {
   std::vector<Value> minors(std::size_t{1} << n);
   minors[0] = fraction_of(cln::cl_RA(1));
@@ -44,14 +44,14 @@ Value determinant(Arithmetic& at, const std::vector<Value>& matrix, std::size_t 
   return minors.back();
 }
 
-/// In 64 digits; undefined where an entry is.
+/// The determinant in 64 digits; undefined if an entry is.
 Real determinant(const std::vector<Real>& matrix, std::size_t n) {
   LargestPivot<Real> field;
   const Echelon<LargestPivot<Real>> echelon(field, matrix, n, n);
   return echelon.is_defined() ? echelon.determinant() : Real::undefined();
 }
 
-/// The angle k pi +- acos(c) or asin(c) has its cosine and sine; others have their value alone.
+/// The cosine and sine are known for an angle k pi +- acos(c) or asin(c), but not for others.
 Replacement replacement_of(Arithmetic& at, const Algebra& algebra, const Fraction& value) {
   Replacement result{value};
   if (!value.denominator.empty()) return result;
@@ -70,7 +70,7 @@ Replacement replacement_of(Arithmetic& at, const Algebra& algebra, const Fractio
     const Value cosine = is_cosine ? known : other;
     const Value own = is_cosine ? other : known;
     const Value sine = cln::minusp(coefficient.real) ? at.negate(own) : own;
-    // cos and sin of rest + angle
+    // cosine and sine of rest + angle
     const Value c = at.call(FunctionId::cos, rest, {});
     const Value s = at.call(FunctionId::sin, rest, {});
     const Value both_c = at.subtract(at.multiply(c, cosine), at.multiply(s, sine));
@@ -81,7 +81,7 @@ Replacement replacement_of(Arithmetic& at, const Algebra& algebra, const Fractio
   return result;
 }
 
-/// d(bias - B u)/dq
+/// d(bias - B u)/dq.
 std::vector<Real> slopes_at(const Model& model, const Program& moving, const Arguments<Real>& at) {
   const std::size_t n = at.v.size();
   std::vector<std::uint32_t> velocities(n);
@@ -100,7 +100,7 @@ std::vector<Real> slopes_at(const Model& model, const Program& moving, const Arg
   return slopes;
 }
 
-/// Both polynomials at n + 1 places, to 30 digits of the larger one.
+/// Compares both polynomials at n + 1 values of x, to 30 digits of the larger one.
 std::optional<bool> has_frequencies_at(const Model& model, const Program& moving,
                                        const Equilibrium& declared, const State& state) {
   static const cl_R noise = power_of_ten(-30);
@@ -169,7 +169,7 @@ class DeclaredEquilibrium {
     return closed_form(forms_, model_, checked_.scene.specialisation.fixed, expression);
   }
 
-  /// The residual at the point, and K there; empty where a form is not known.
+  /// Finds the residual and K at the point; empty if a form is unknown.
   void find_forms() {
     const ClosedFunction* const bias = closed(OutputKind::bias);
     const ClosedFunction* const inputs = closed(OutputKind::input_matrix);
@@ -207,11 +207,11 @@ class DeclaredEquilibrium {
     }
   }
 
-  /// det(x M - K) = det M (x - w1^2) (x - w2^2) ...
+  /// Compares det(x M - K) with det M (x - w1^2) (x - w2^2) ...
   bool has_frequencies() {
     const std::size_t n = size();
     if (stiffness_.size() != n * n || n > most_rows) return false;
-    const Value x = at_.leaf(Opcode::acceleration, 0);  // no equation at rest holds it
+    const Value x = at_.leaf(Opcode::acceleration, 0);  // a leaf that is in no equation at rest
     std::vector<Value> pencil;
     for (std::size_t i = 0; i < n * n; ++i) {
       pencil.push_back(at_.subtract(at_.multiply(x, mass_[i]), stiffness_[i]));
@@ -224,7 +224,7 @@ class DeclaredEquilibrium {
     return difference && difference->numerator.empty();
   }
 
-  /// By numbers; the first wrong state is kept.
+  /// Judges by numbers, and keeps the first wrong state.
   void judge_frequencies(const std::vector<State>& points, JudgedEquilibrium& result) const {
     result.frequencies = ClaimStatus::open;
     for (const State& point : points) {
@@ -255,7 +255,7 @@ std::vector<JudgedEquilibrium> judge_equilibria(const CheckedModel& checked,
   std::vector<JudgedEquilibrium> result;
   const bool is_exact = !checked.model.approximation && checked.model.open_values.empty();
   if (checked.model.equilibria.empty() || !is_exact) return result;
-  const Program moving = written(recursive, Reader::code);  // holds no leaf that cancels
+  const Program moving = written(recursive, Reader::code);  // contains no cancelled leaf
   ClosedForms forms = present(moving);
   for (const Equilibrium& declared : checked.model.equilibria) {
     result.push_back(DeclaredEquilibrium(checked, moving, forms, declared)());

@@ -1,4 +1,4 @@
-// Equilibria of the whole are all combinations of those of the blocks.
+// Equilibria of a system are all combinations of equilibria of its blocks.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 
 using cln::cl_R;
 
-/// More points are not listed: their number is that of all combinations.
+/// The limit of listed points. Their number is the product over all blocks.
 constexpr std::size_t most_points = 256;
 
 class EquilibriumSearch {
@@ -59,7 +59,7 @@ class EquilibriumSearch {
     return std::move(result_);
   }
 
-  /// The start alone.
+  /// Judges the start alone.
   Result<Equilibria> at_start() {
     if (Diagnostics errors = prepare(); !errors.empty()) return errors;
     if (Diagnostics errors = unbalanced(); !errors.empty()) return errors;
@@ -74,8 +74,8 @@ class EquilibriumSearch {
   }
 
  private:
-  /// Coordinates that no equation at rest holds stand where they were given: a multiple of a
-  /// quarter turn in closed form.
+  /// Gives closed forms to coordinates in no equation at rest: they stay at their start, and those
+  /// at multiples of a quarter turn get a form.
   void name_free_coordinates(RestPoint& point) {
     for (std::uint32_t i = 0; i < point.coordinates.size(); ++i) {
       CoordinateAtRest& coordinate = point.coordinates[i];
@@ -104,8 +104,8 @@ class EquilibriumSearch {
     return {};
   }
 
-  /// Takes a coordinate off the rows that do not hold it at the values of the parameters, as
-  /// (m1 a - m2 b) g cos(theta) does not where m1 a = m2 b.
+  /// Drops coordinates from rows that do not contain them at the values of the parameters, as
+  /// cos(theta) vanishes from (m1 a - m2 b) g cos(theta) if m1 a = m2 b.
   void leave_out_coordinates() {
     const std::optional<Replacements> values = parameter_values(state_.parameters);
     for (std::uint32_t row = 0; values && row < rows_.size(); ++row) {
@@ -119,7 +119,7 @@ class EquilibriumSearch {
   }
 
   [[nodiscard]] Diagnostics unbalanced() const {
-    // Starts have 60 digits or more; sums of forces lose a few.
+    // Starts have 60 digits or more. Sums of forces lose a few.
     static const cl_R tolerance = power_of_ten(-40);
     const std::vector<Real> residual =
         evaluate(rest_.program, rest_.residual(), arguments_at<Real>(state_));
@@ -152,7 +152,7 @@ class EquilibriumSearch {
     return exact_root(system.forms, rows, unknowns, arguments_at<Real>(state_)).value_or(numbers);
   }
 
-  /// Plain values in their order, then others by their size.
+  /// Orders plain values by value, then others by magnitude.
   static bool comes_before(const std::vector<CoordinateAtRest>& x,
                            const std::vector<CoordinateAtRest>& y) {
     static const cl_R noise = power_of_ten(-40);
@@ -176,7 +176,7 @@ class EquilibriumSearch {
         return model_.coordinates[coordinate].rotation.has_value();
       });
       for (const std::uint32_t coordinate : block.coordinates) {
-        // Where the chart breaks somewhere in the turn, the range is the part that counts.
+        // If the chart breaks somewhere in the turn, only the range counts.
         const Coordinate& searched = model_.coordinates[coordinate];
         const bool is_periodic = !(searched.singular && searched.range) &&
                                  std::ranges::none_of(rows_, [&](const Occurrence& row) {
@@ -192,7 +192,7 @@ class EquilibriumSearch {
   void describe() {
     const Function* const potential = find_function(moving_, OutputKind::potential_energy);
     if (potential == nullptr) return;
-    // At rest W is V0 unless the kinetic energy has a part without rates.
+    // At rest W is V0 unless the kinetic energy has a term without rates.
     Program both{rest_.program.leaves, moving_.constants, {*potential}};
     ClosedForms known = present(both);
     const auto& v0 = known.functions[0].fields[0].entries[0];
@@ -211,7 +211,7 @@ class EquilibriumSearch {
                              roots.undecided.end());
   }
 
-  /// All combinations, the last block first.
+  /// Makes all combinations. The last block varies fastest.
   Diagnostics make_points(RestSystem& system) {
     std::size_t count = 1;
     for (const BlockRoots& block : roots_) {
@@ -288,7 +288,7 @@ class EquilibriumSearch {
     }
   }
 
-  /// K = 0 along a coordinate, exact at the values of the parameters.
+  /// Notes that K = 0 along a coordinate, exactly at the values of the parameters.
   void note_degenerate(RestSystem& system, const RestBlock& block, const CoordinateAtRest& root,
                        const RestPoint& point, RestConditions& here) {
     const std::uint32_t coordinate = block.coordinates[0];
@@ -319,7 +319,7 @@ class EquilibriumSearch {
   Equilibria result_ = {};
 };
 
-/// At the start; inputs at their laws, or 0.
+/// The start, with inputs given by their laws, or 0.
 Result<State> start_of(const CheckedModel& checked) {
   const Model& model = checked.model;
   State state = nominal_state(model, checked.scene);
@@ -332,7 +332,7 @@ Result<State> start_of(const CheckedModel& checked) {
   return state;
 }
 
-/// At an [[equilibrium]]; coordinates that it leaves open at their start.
+/// The state of an [[equilibrium]]; its open coordinates are at their start.
 Result<State> state_at(const CheckedModel& checked, const std::string& name) {
   Result<State> state = start_of(checked);
   if (!state || name.empty()) return state;
@@ -355,7 +355,7 @@ Result<State> state_at(const CheckedModel& checked, const std::string& name) {
 Result<EquilibriumSearch> search_of(const CheckedModel& checked, const Program& recursive,
                                     const Result<State>& state) {
   if (!state) return state.diagnostics;
-  Program moving = written(recursive, Reader::code);  // holds no leaf that cancels
+  Program moving = written(recursive, Reader::code);  // contains no cancelled leaf
   Result<RestProgram> rest = rest_program(moving, state->u);
   if (!rest) return rest.diagnostics;
   return EquilibriumSearch(checked, std::move(moving), std::move(*rest), *state);

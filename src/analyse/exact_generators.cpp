@@ -1,5 +1,5 @@
-// With denominators cleared an equation is a sum of monomials in q, v, a and t. It holds for all
-// motions where the coefficient of each, which is made of parameters, is 0.
+// Without denominators an equation is a sum of monomials in q, v, a and t, with coefficients in the
+// parameters. It holds for all motions if each coefficient is 0.
 #include "analyse/exact_generators.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ class Conditions {
         field_(field),
         motions_(forms.algebra, [](const Atom& leaf) { return leaf.leaf != Opcode::parameter; }) {}
 
-  /// The equations of one row; false beyond the budget.
+  /// Adds the equations of one row; false if the budget is exceeded.
   bool add(std::vector<Value> row) {
     if (!clear_denominators(row)) return false;
     std::map<Monomial, std::map<std::size_t, Polynomial>, MonomialLess> sums;
@@ -54,8 +54,8 @@ class Conditions {
   [[nodiscard]] std::vector<Equation> equations() && { return std::move(equations_); }
 
  private:
-  /// One root is held in its powers 0 and 1, which no relation joins; of two, sqrt(a) sqrt(b) may
-  /// be a third, one of sines and cosines a sine, and the root of a square is none.
+  /// Notes whether atoms are independent. Powers 0 and 1 of one root are, but sqrt(a) sqrt(b) may
+  /// be a third root, a root of sines and cosines a sine, and the root of a square no root.
   void note(AtomId id) {
     if (algebra_.atoms[id].kind != AtomKind::root) {
       is_complete_ = is_complete_ && is_independent(algebra_, id);
@@ -78,7 +78,7 @@ class Conditions {
 
   using Denominator = std::map<std::uint32_t, std::int32_t>;
 
-  /// Squares of roots may bring denominators of their own.
+  /// Repeats, as squares of roots may have denominators of their own.
   bool clear_denominators(std::vector<Value>& row) {
     for (;;) {
       Denominator common;
@@ -93,7 +93,7 @@ class Conditions {
     }
   }
 
-  /// The entry times the common denominator.
+  /// Multiplies an entry by the common denominator.
   Value numerator_over(Denominator common, const Fraction& entry) {
     for (const auto& [factor, exponent] : entry.denominator) common[factor] -= exponent;
     Value result = Fraction{entry.numerator, {}};
@@ -113,7 +113,7 @@ class Conditions {
   std::vector<Equation> equations_ = {};
 };
 
-/// An unknown that stands alone in an equation is 0, and leaves all others.
+/// Sets unknowns that stand alone in an equation to 0, and removes them from the others.
 std::vector<Equation> with_zeros_apart(FormField& field, std::vector<Equation> equations) {
   std::set<std::size_t> zeros;
   for (bool is_done = false; !is_done;) {
@@ -130,7 +130,7 @@ std::vector<Equation> with_zeros_apart(FormField& field, std::vector<Equation> e
   return equations;
 }
 
-/// The slopes of R; none where one is not known.
+/// The slopes of R; none if one is unknown.
 std::optional<ResidualSlopes<Value>> slopes_of(ClosedForms& forms, const GeneratorClass& all,
                                                const OpenTerms& open_values,
                                                const std::vector<Value>& residual) {

@@ -1,5 +1,5 @@
-// The symmetries of generic parameters: the conditions on a generator as closed forms, of which
-// every monomial in q, v, a and t has to vanish by itself.
+// The symmetries for generic parameters: the conditions on a generator as closed forms, in which
+// the coefficient of each monomial in q, v, a and t vanishes.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace elgen {
 
-/// Closed forms as the numbers of generators.hpp and of Echelon; none beyond the budget. The best
-/// pivot stands in the shortest row.
+/// Closed forms as numbers of generators.hpp and of Echelon; none if the budget is exceeded. Pivots
+/// are taken from the shortest row.
 class FormField : public Arithmetic {
  public:
   using Number = Value;
@@ -36,21 +36,21 @@ class FormField : public Arithmetic {
   }
 };
 
-/// The leaves as they are, with R.
+/// The leaves themselves as a point, with R.
 [[nodiscard]] MotionPoint<Value> leaf_point(FormField& field, const Model& model,
                                             const std::vector<Value>& residual);
 
-/// Generators over the parameters.
+/// Generators with coefficients in the parameters.
 struct ExactGenerators {
   std::vector<std::vector<Fraction>> basis = {};
-  /// No relation joins the functions that occur, if the root is not that of a square: there are no
-  /// other generators. They are leaves, sines, cosines and at most one root.
+  /// There are no other generators, as the occurring functions (leaves, sines, cosines and at most
+  /// one root) are independent, unless the root is one of a square.
   bool is_complete = false;
   bool has_root = false;
 };
 
-/// Solves dR + A^T R = 0 for closed forms. None for models with rotations, and none beyond the
-/// budget. Cost: 3 n + 1 derivatives of R, and an elimination over fractions of polynomials.
+/// Solves dR + A^T R = 0 for closed forms. None for models with rotations, or if the budget is
+/// exceeded. Cost: 3 n + 1 derivatives of R, and an elimination over fractions of polynomials.
 [[nodiscard]] std::optional<ExactGenerators> exact_generators(ClosedForms& forms,
                                                               const Model& model,
                                                               const OpenTerms& open_values,

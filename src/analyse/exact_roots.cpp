@@ -22,19 +22,19 @@ namespace {
 
 using cln::cl_RA;
 
-/// Whether two angles are the same up to turns.
+/// Whether two angles are equal up to whole turns.
 bool is_same_angle(const Real& x, const Real& y) {
   return is_near(cos(x), cos(y)) && is_near(sin(x), sin(y));
 }
 
-/// For one coordinate, or any.
+/// Searches for one coordinate, or for any.
 LeafSearch search_of(const Algebra& algebra, std::optional<std::uint32_t> coordinate) {
   return {algebra, [coordinate](const Atom& leaf) {
             return leaf.leaf == Opcode::coordinate && (!coordinate || leaf.index == *coordinate);
           }};
 }
 
-/// The power k of e^(i q) that an atom to a power is; none of other atoms.
+/// The k of an atom power that equals e^(i k q); none for other atoms.
 std::optional<std::int32_t> sinusoid_power(const Algebra& algebra, const AtomPower& power,
                                            std::uint32_t coordinate) {
   const Atom& atom = algebra.atoms[power.atom];
@@ -47,7 +47,7 @@ std::optional<std::int32_t> sinusoid_power(const Algebra& algebra, const AtomPow
   return static_cast<std::int32_t>(cln::cl_I_to_long(cln::numerator(multiple)));
 }
 
-/// Coefficients of z^0, z^1, …; none where the coordinate occurs otherwise.
+/// Coefficients of z^0, z^1, …; none if the coordinate occurs in other ways.
 using Coefficients = std::vector<Polynomial>;
 
 std::optional<Coefficients> in_sinusoids(const Algebra& algebra, const Polynomial& sum,
@@ -79,7 +79,7 @@ std::optional<Coefficients> in_sinusoids(const Algebra& algebra, const Polynomia
   return result;
 }
 
-/// Without the factor z - root, as often as it is one.
+/// Divides out the factor z - root as often as possible.
 void divide_out_root(Coefficients& coefficients, const Gaussian& root) {
   while (coefficients.size() > 1) {
     Coefficients quotient(coefficients.size() - 1);
@@ -93,7 +93,7 @@ void divide_out_root(Coefficients& coefficients, const Gaussian& root) {
   }
 }
 
-/// cos(q) = c, or sin(q) = c.
+/// cos(q) = c or sin(q) = c.
 struct KnownSinusoid {
   Fraction value = {};
   bool is_cosine = true;
@@ -107,14 +107,14 @@ std::optional<KnownSinusoid> sinusoid_of(Arithmetic& arithmetic, Coefficients co
   const bool is_cosine = sum(coefficients[0], scaled(coefficients[2], {-1, 0})).empty();
   const bool is_sine = sum(coefficients[0], coefficients[2]).empty();
   if (!is_cosine && !is_sine) return std::nullopt;
-  // c1 + 2 c2 cos(q) = 0; c1 + 2 i c2 sin(q) = 0
+  // c1 + 2 c2 cos(q) = 0 or c1 + 2 i c2 sin(q) = 0
   const Gaussian factor = is_cosine ? Gaussian{cl_RA(-1) / 2, 0} : Gaussian{0, cl_RA(1) / 2};
   const Value value =
       arithmetic.divide(fraction_of(scaled(coefficients[1], factor)), fraction_of(coefficients[2]));
   return value ? std::optional(KnownSinusoid{*value, is_cosine}) : std::nullopt;
 }
 
-/// The root of the equation of one unknown, by its number.
+/// The closed form of a root of an equation in one unknown, given its number.
 class OneUnknown {
  public:
   OneUnknown(ClosedForms& forms, const Arguments<Real>& root, std::uint32_t coordinate)
@@ -135,7 +135,7 @@ class OneUnknown {
  private:
   [[nodiscard]] const Real& number() const { return root_.q[coordinate_]; }
 
-  /// Picks the one of the four angles that is the root.
+  /// Picks the angle that equals the root.
   std::optional<CoordinateAtRest> angle(const KnownSinusoid& sinusoid) {
     const FunctionId inverse = sinusoid.is_cosine ? FunctionId::acos : FunctionId::asin;
     const Value square = arithmetic_.multiply(sinusoid.value, sinusoid.value);
@@ -172,7 +172,7 @@ class OneUnknown {
   Arithmetic arithmetic_;
 };
 
-/// A multiple of a quarter turn of an angle, 0 of another coordinate.
+/// A multiple of a quarter turn for an angle, 0 for other coordinates.
 std::optional<CoordinateAtRest> plain_value(Algebra& algebra, SearchKind kind, const Real& root) {
   Arithmetic arithmetic(algebra);
   if (is_near(root, Real())) return CoordinateAtRest{false, 0, Fraction{}};
@@ -196,7 +196,7 @@ bool is_solved(Algebra& algebra, const std::vector<Fraction>& rows,
 
 // Linear equations.
 
-/// Closed forms at values of the parameters: a pivot is a coefficient that is not 0 there.
+/// Closed forms at values of the parameters. A pivot is nonzero at these values.
 class FormsAt : public FormField {
  public:
   FormsAt(Algebra& algebra, const Arguments<Real>& at)
@@ -211,7 +211,7 @@ class FormsAt : public FormField {
     return is_near(number(fraction), Real());
   }
 
-  /// The first one. Coefficients that are 0 at these values alone leave the column open: 64 digits
+  /// The first pivot. A column whose entries are 0 only at these values stays open, since 64 digits
   /// do not prove that they are 0.
   [[nodiscard]] const PivotCandidate<Value>* best(const Candidates& candidates, std::size_t) {
     for (const PivotCandidate<Value>& candidate : candidates) {
@@ -228,11 +228,11 @@ class FormsAt : public FormField {
   bool is_open_ = false;
 };
 
-/// Columns are the unknowns from the last to the first, so that the first ones are any where some
-/// are; then what is left of the equation.
+/// Columns: the unknowns from last to first, so that pivots leave the first ones arbitrary; then
+/// the constant term.
 using RestEchelon = Echelon<FormsAt>;
 
-/// The unknown whose pivot left this row.
+/// The unknown of the pivot that was removed from this row.
 std::optional<CoordinateAtRest> solved_for(FormsAt& field, const RestEchelon::Row& row,
                                            const std::vector<std::uint32_t>& unknowns) {
   const std::size_t n = unknowns.size();
@@ -273,7 +273,7 @@ std::optional<LinearSolution> solution_of(FormsAt& field, std::vector<RestEchelo
   return solution;
 }
 
-/// A row times the powers of the unknowns that stand below in it; these go into `poles`.
+/// Multiplies a row by the powers of unknowns that divide it, and notes these in `poles`.
 Value without_poles(Algebra& algebra, const Fraction& row, const Unknowns& unknowns,
                     std::set<std::uint32_t>& poles) {
   Monomial powers;
@@ -290,7 +290,7 @@ Value without_poles(Algebra& algebra, const Fraction& row, const Unknowns& unkno
   return Arithmetic(algebra).multiply(row, fraction_of(Polynomial{{powers, Gaussian{1, 0}}}));
 }
 
-/// Whether an unknown that no value may make 0 is 0.
+/// Whether an unknown is 0 that divides an equation.
 bool is_at_pole(const LinearSolution& solution, const Unknowns& unknowns,
                 const std::set<std::uint32_t>& poles) {
   for (std::size_t i = 0; i < solution.values.size(); ++i) {
@@ -369,7 +369,7 @@ std::optional<std::vector<CoordinateAtRest>> exact_root(ClosedForms& forms,
   if (!open && is_solved(algebra, rows, replacements_of(unknowns.coordinates, values))) {
     return values;
   }
-  // The value of one coordinate may be plain at these parameters alone: asin(tau/(m g l)) = pi/2.
+  // A value may be plain at these parameters only: asin(tau/(m g l)) = pi/2.
   if (!open && values.size() == 1) open = 0;
   if (!open) return std::nullopt;
   values[*open] = {};

@@ -35,7 +35,7 @@ class Substituting {
   Value of(const Fraction& form) {
     Value result = of(form.numerator);
     for (const auto& [factor, exponent] : form.denominator) {
-      const Polynomial shown = algebra_.factors[factor].shown;  // a copy: factors may be added
+      const Polynomial shown = algebra_.factors[factor].shown;  // a copy, as factors may be added
       const Value divisor = of(shown);
       if (!divisor || divisor->numerator.empty()) return std::nullopt;
       result = arithmetic_.divide(result, arithmetic_.power(divisor, exponent));
@@ -63,7 +63,7 @@ class Substituting {
   }
 
   Value of_power(const AtomPower& power) {
-    const Atom atom = algebra_.atoms[power.atom];  // a copy: atoms may be added
+    const Atom atom = algebra_.atoms[power.atom];  // a copy, as atoms may be added
     switch (atom.kind) {
       case AtomKind::leaf:
         return powered(replacements_.at({atom.leaf, atom.index}).value, power.exponent);
@@ -84,7 +84,7 @@ class Substituting {
     return std::nullopt;
   }
 
-  /// 0 to a negative power has no value.
+  /// The power; none for 0 to a negative power.
   Value powered(const Value& base, std::int32_t exponent) {
     if (!base || (exponent < 0 && base->numerator.empty())) return std::nullopt;
     return arithmetic_.power(base, exponent);
@@ -95,7 +95,7 @@ class Substituting {
     const cl_RA multiple = cl_RA(exponent) / atom.divisor;
     const std::optional<CosineAndSine> known = known_sinusoids(atom);
     if (known && cln::denominator(multiple) == 1) {
-      // e^(-i q) is cos q - i sin q: no reciprocal of a sum.
+      // e^(-i q) is cos q - i sin q, without the reciprocal of a sum.
       const Value sine =
           cln::minusp(multiple) ? arithmetic_.negate(known->sine) : Value(known->sine);
       const cln::cl_I power = cln::abs(cln::numerator(multiple));
@@ -108,7 +108,7 @@ class Substituting {
     return complex_form(arithmetic_, cosine, sine);
   }
 
-  /// Known only where the argument is a leaf.
+  /// The cosine and sine of a leaf, if given; none for other arguments.
   [[nodiscard]] std::optional<CosineAndSine> known_sinusoids(const Atom& atom) const {
     const Atom* const leaf = leaf_within(algebra_, atom);
     if (leaf == nullptr) return std::nullopt;

@@ -21,28 +21,28 @@
 
 namespace elgen {
 
-/// Whether a form is more than numbers and pi.
+/// Whether a form contains more than numbers and pi.
 [[nodiscard]] bool holds_leaves(const Algebra& algebra, const Fraction& form);
 
-/// The powers that stand below in the monomials of a form, with positive exponents.
+/// The powers with negative exponents in the monomials of a form, made positive.
 [[nodiscard]] Monomial divisor_powers(const Fraction& form);
 
-/// The least product that makes a sum without divisors of a form: its monomials' negative powers
-/// and its denominator.
+/// The smallest product that clears all divisors of a form: negative powers in its monomials, and
+/// its denominator.
 [[nodiscard]] Value divisor_of(Algebra& algebra, const Fraction& form);
 
 /// A form as a program of one value; none where it is too long.
 [[nodiscard]] std::optional<Linearised> form_program(const LeafNames& leaves,
                                                      const Algebra& algebra, const Fraction& form);
 
-/// Its number in 64 digits; undefined where it has none, or is too long.
+/// The value in 64 digits; undefined if there is none, or the form is too long.
 [[nodiscard]] Real value_of(const Algebra& algebra, const Fraction& form,
                             const Arguments<Real>& at);
 
 /// Which atoms of an algebra hold leaves of one sort.
 class LeafSearch {
  public:
-  /// `is_wanted` is asked of leaves.
+  /// `is_wanted` selects leaves.
   LeafSearch(const Algebra& algebra, std::function<bool(const Atom&)> is_wanted)
       : algebra_(algebra), is_wanted_(std::move(is_wanted)) {}
 
@@ -76,24 +76,24 @@ class LeafSearch {
   std::map<AtomId, bool> known_ = {};
 };
 
-/// The value that takes the place of a leaf. The cosine and sine of an angle such as acos(c) keep
-/// its cosine and sine free of functions of functions.
+/// The value that replaces a leaf. The cosine and sine of an angle such as acos(c) are given, to
+/// avoid functions of functions.
 struct Replacement {
   Fraction value = {};
   std::optional<CosineAndSine> sinusoids = {};
 };
-/// By kind and number.
+/// Replacements by kind and number.
 using Replacements = std::map<std::pair<Opcode, std::uint32_t>, Replacement>;
 
-/// The form with these values; none of none, where it has no value there (a denominator becomes 0),
-/// and beyond the budget.
+/// The form with these values; none if the form is none, is undefined there (a denominator becomes
+/// 0), or exceeds the budget.
 [[nodiscard]] Value substituted(Algebra& algebra, const Value& form,
                                 const Replacements& replacements);
 
 /// The leaf that the argument of a function is a multiple of; null where it is none.
 [[nodiscard]] const Atom* leaf_within(const Algebra& algebra, const Atom& function);
 
-/// All parameters at their values; none where one of them is no rational number.
+/// The values of all parameters; none if one is no rational number.
 [[nodiscard]] std::optional<Replacements> parameter_values(const std::vector<cln::cl_R>& values);
 
 }  // namespace elgen

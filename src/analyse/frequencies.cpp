@@ -1,4 +1,4 @@
-// The two roots are written over one divisor, with the factor that both terms have taken out.
+// Both roots are written over one divisor, with their common factor in front.
 #include "analyse/frequencies.hpp"
 
 #include <cln/integer.h>
@@ -33,7 +33,7 @@ class FrequencyForms {
   }
 
  private:
-  /// Coordinates that M and K join.
+  /// The blocks of coordinates that M and K couple.
   [[nodiscard]] std::vector<RestBlock> coupled() const {
     std::vector<Occurrence> rows(size_);
     for (std::uint32_t i = 0; i < rows.size(); ++i) {
@@ -75,8 +75,8 @@ class FrequencyForms {
     return middle && square ? pair_of_roots(*middle, *square) : std::nullopt;
   }
 
-  /// middle -+ sqrt(square) over their common divisor d, with the factor s that both have:
-  /// s (middle d/s -+ sqrt(square d^2/s^2))/d.
+  /// middle -+ sqrt(square) with their common divisor d and common factor s: s (middle d/s -+
+  /// sqrt(square d^2/s^2))/d.
   std::optional<SquaredFrequency> pair_of_roots(const Fraction& middle, const Fraction& square) {
     if (square.numerator.empty()) return SquaredFrequency{middle};
     Arithmetic at(forms_.algebra);
@@ -91,7 +91,7 @@ class FrequencyForms {
     return SquaredFrequency{*above, root, s, d};
   }
 
-  /// The least form that makes a sum without divisors and with whole coefficients of x.
+  /// The smallest form that clears the divisors of x and makes its coefficients whole.
   Fraction whole_divisor_of(const Fraction& x) {
     cln::cl_I whole = 1;
     for (const auto& [monomial, coefficient] : x.numerator) {
@@ -102,7 +102,7 @@ class FrequencyForms {
         .value_or(fraction_of(cln::cl_RA(1)));
   }
 
-  /// The largest monomial that divides x, and whose square divides y.
+  /// The largest monomial that divides x and whose square divides y.
   static Fraction shared_factor(const Fraction& x, const Fraction& y) {
     const auto common = [](const Fraction& form) {
       std::optional<std::map<AtomId, std::int32_t>> result;

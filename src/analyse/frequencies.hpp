@@ -1,5 +1,5 @@
-// Frequencies: M and K about a point of rest in closed form, and w^2 of M x'' + K x = 0 for
-// coordinates that are coupled at most in pairs.
+// Frequencies: M and K at a point of rest in closed form, and w^2 of M x'' + K x = 0 for blocks of
+// one or two coordinates.
 //
 //     one       K/M
 //     two       (b -+ sqrt(b^2 - 4 a c))/(2 a),   det(K - x M) = a x^2 - b x + c
@@ -12,13 +12,13 @@
 
 namespace elgen {
 
-/// n x n, row-major; empty where one of the entries has no closed form.
+/// n x n, row-major; empty if an entry has no closed form.
 struct FormsAtRest {
   std::vector<Fraction> mass = {};
   std::vector<Fraction> stiffness = {};
 };
 
-/// Over the algebra of `forms`, those of equilibria, which grows.
+/// The forms over the algebra of `forms`, those of equilibria, which grows.
 [[nodiscard]] FormsAtRest forms_at_rest(const Model& model, ClosedForms& forms,
                                         const RestPoint& point);
 
@@ -30,7 +30,7 @@ struct SquaredFrequency {
   Fraction divisor = {};
 };
 
-/// One for each block of one or two of `size` coordinates; none where M or K is not known.
+/// One for each block of one or two of `size` coordinates; empty if M or K is unknown.
 [[nodiscard]] std::vector<SquaredFrequency> squared_frequencies(ClosedForms& forms,
                                                                 const FormsAtRest& at_rest,
                                                                 std::size_t size);

@@ -1,15 +1,15 @@
-// Generators of symmetries: one class of infinitesimal changes of a motion, linear in its unknowns.
+// Generators of symmetries: a class of infinitesimal changes of a motion, linear in its unknowns.
 //
-//     dq = A q + b + c t of all that is no rotation,  dt constant
+//     dq = A q + b + c t for coordinates other than rotations,  dt constant
 //     dv = A v + c,  da = A a
-//     of a rotation the turn  eta = R^T s + b  in its axes, of which  dw = w x b,  d(w') = w' x b
+//     for a rotation a turn  eta = R^T s + b  in its axes,  dw = w x b,  d(w') = w' x b
 //
-// With R = d/dt dL/dv - dL/dq (and [w]x dL/dw of rotations) such a change is a symmetry, dL is a
-// total derivative, exactly where
+// Let R = d/dt dL/dv - dL/dq (plus [w]x dL/dw for rotations). A change is a symmetry (dL is a total
+// derivative) if and only if
 //
-//     dR + A^T R = 0    for all q, v, a, t;  of a rotation A = -[b]x
+//     dR + A^T R = 0    for all q, v, a, t;  for a rotation A = -[b]x
 //
-// since Q = dq - dt v fulfils E(X L) = X E(L) + D_Q^* E(L) with E Euler's operator (Olver,
+// since Q = dq - dt v satisfies E(X L) = X E(L) + D_Q^* E(L) with Euler's operator E (Olver,
 // Applications of Lie Groups to Differential Equations, 2nd ed., sec. 5.3). No ansatz for F in dL =
 // dF/dt is needed.
 #pragma once
@@ -22,7 +22,7 @@
 
 namespace elgen {
 
-/// The unknowns in their order: A by rows, c, b, then s and b of each rotation, then dt.
+/// The unknowns in order: A by rows, c, b, then s and b of each rotation, then dt.
 struct GeneratorClass {
   explicit GeneratorClass(const Model& model) : velocity_count(model.velocities.size()) {
     for (std::uint32_t i = 0; i < model.coordinates.size(); ++i) {
@@ -35,7 +35,7 @@ struct GeneratorClass {
     }
   }
 
-  std::vector<std::uint32_t> coordinates = {};  ///< that are no rotation, by their numbers in q
+  std::vector<std::uint32_t> coordinates = {};  ///< not of rotations, by numbers in q
   std::vector<std::uint32_t> velocities = {};   ///< of these
   struct Place {
     std::uint32_t first_coordinate = 0;
@@ -58,7 +58,7 @@ struct GeneratorClass {
   [[nodiscard]] std::size_t time() const { return world_turn(rotations.size(), 0); }
 };
 
-/// A point of a motion, in numbers or in closed forms, and R there, by velocity.
+/// A point of a motion, as numbers or closed forms, with R by velocity.
 template <class Number>
 struct MotionPoint {
   std::vector<Number> q = {};
@@ -68,7 +68,7 @@ struct MotionPoint {
   std::vector<Number> residual = {};
 };
 
-/// The slopes of R at a point: n x n, row-major, by position along each velocity.
+/// The slopes of R at a point: n x n, row-major, along the motion of each velocity.
 template <class Number>
 struct ResidualSlopes {
   std::vector<Number> by_position = {};
@@ -77,7 +77,7 @@ struct ResidualSlopes {
   std::vector<Number> by_time = {};
 };
 
-/// Row j of the matrix of a unit quaternion: the j-th axis of the world in the axes of the body.
+/// Row j of the matrix of a unit quaternion: the j-th world axis in body axes.
 template <class Field>
 std::array<typename Field::Number, axis_count> world_axis(
     Field& field, const std::vector<typename Field::Number>& q, std::uint32_t first,
@@ -117,7 +117,7 @@ std::array<typename Field::Number, axis_count> across(Field& field,
   return result;
 }
 
-/// The change of a point by a generator, each by velocity: along dq, dv, da, and A^T R.
+/// The change of a point by a generator: dq, dv, da and A^T R, by velocity.
 template <class Number>
 struct PointChange {
   std::vector<Number> position = {};
@@ -185,8 +185,8 @@ typename Field::Number with_slopes(Field& field, typename Field::Number to,
   return to;
 }
 
-/// dR_i + (A^T R)_i of each unknown: n rows of `all.size()` entries. The unknowns of a symmetry
-/// make the sum of each row 0.
+/// dR_i + (A^T R)_i for each unknown: n rows of `all.size()` entries. The unknowns of a symmetry
+/// make each row sum to 0.
 template <class Field>
 std::vector<std::vector<typename Field::Number>> conditions(
     Field& field, const GeneratorClass& all, const MotionPoint<typename Field::Number>& at,

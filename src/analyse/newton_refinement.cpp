@@ -1,4 +1,4 @@
-// Newton's method on quaternions moves them along their tangents and scales them to length 1.
+// Newton's method moves quaternions along their tangents and scales them to length 1.
 #include "analyse/newton_refinement.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace elgen {
 namespace {
 
-/// dq/dt of a unit of one velocity: a column of N(q).
+/// dq/dt for unit velocity: a column of N(q).
 std::vector<Real> rate_of_unit(const Model& model, const Arguments<Real>& at,
                                std::uint32_t velocity) {
   std::vector<Real> rates(at.q.size());
@@ -49,7 +49,7 @@ std::vector<Real> slopes_along(const Program& program, const Function& function,
 
 constexpr int most_steps = 200;
 
-/// x of A x = b, A n x n row-major; none where A is singular.
+/// Solves A x = b with A n x n, row-major; none if A is singular.
 std::optional<std::vector<Real>> solved(const std::vector<Real>& matrix,
                                         const std::vector<Real>& right_side) {
   const std::size_t n = right_side.size();

@@ -1,4 +1,4 @@
-// Newton refinement: a solution to 64 digits.
+// Newton refinement: a solution in 64 digits.
 #pragma once
 
 #include <optional>
@@ -9,18 +9,18 @@
 
 namespace elgen {
 
-/// d f/d q of the entries of a function, row-major: f moves with the velocities `along`, one column
-/// for each. Of rotations a column is along a turn about an axis of the body.
+/// df/dq of the entries of a function, row-major, with one column for each velocity of `along`. The
+/// column of an angular velocity is the slope along a turn about a body axis.
 [[nodiscard]] std::vector<Real> position_slopes(const Model& model, const Program& program,
                                                 const Function& function, const Arguments<Real>& at,
                                                 const std::vector<std::uint32_t>& along);
 
-/// d f/d v of the entries of a function, row-major, one column for each velocity.
+/// df/dv of the entries of a function, row-major, one column per velocity.
 [[nodiscard]] std::vector<Real> velocity_slopes(const Program& program, OutputKind kind,
                                                 const Arguments<Real>& at);
 
-/// The solution f = 0 near the arguments, where only the coordinates of these velocities move; as
-/// many entries as velocities, else none. None also where it is not reached in 200 steps.
+/// The solution of f = 0 near the arguments, where only coordinates of these velocities move; none
+/// if the numbers of entries and velocities differ, or after 200 steps without convergence.
 [[nodiscard]] std::optional<Arguments<Real>> refined(const Model& model, const Program& program,
                                                      const Function& function,
                                                      Arguments<Real> start,

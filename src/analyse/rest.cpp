@@ -1,5 +1,5 @@
-// The equations of rest are copied into one graph with v = 0 and u = its values; blocks are the
-// connected parts of "row i holds coordinate k".
+// The equations of rest are copied into one graph with v = 0 and given u. Blocks are connected
+// components of the relation "row i contains coordinate k".
 #include "analyse/rest.hpp"
 
 #include <cln/rational.h>
@@ -21,7 +21,7 @@ namespace {
 
 using cln::cl_RA;
 
-/// Thrown by a division by what is 0 at rest.
+/// Thrown by divisions by 0 at rest.
 struct NoValueAtRest {};
 
 struct RestRules : GraphRules {
@@ -45,7 +45,7 @@ std::vector<Ref> entries_at_rest(const RestRules& rules, const Program& program,
   return entries_of(function, fold<Ref>(rules, program, function));
 }
 
-/// A function of these entries, in the shape of the one of this kind.
+/// Appends a function of these entries, with the shape of the function of this kind.
 void append_function(Program& program, const Program& shapes, OutputKind kind,
                      const Expressions& expressions) {
   Function function = unfilled(*find_function(shapes, kind));
@@ -53,7 +53,7 @@ void append_function(Program& program, const Program& shapes, OutputKind kind,
   program.functions.push_back(std::move(function));
 }
 
-/// bias - B u at v = 0, over one graph.
+/// bias - B u at v = 0 over one graph.
 Expressions residual_of(const Program& moving, const std::vector<cln::cl_R>& inputs) {
   Expressions residual;
   const RestRules rules(residual.graph, inputs);
@@ -71,8 +71,8 @@ Expressions residual_of(const Program& moving, const std::vector<cln::cl_R>& inp
   return residual;
 }
 
-/// The sum of integer multiples of coordinates that a value is, if it is one but for what has no
-/// coordinates.
+/// A value as a sum of integer multiples of coordinates, plus terms without coordinates, if it is
+/// such a sum.
 struct Tracked {
   std::map<std::uint32_t, cl_RA> multiples = {};
   std::optional<cl_RA> number = {};
@@ -85,7 +85,7 @@ void unite(Occurrence& to, const Occurrence& from) {
   to.has_time = to.has_time || from.has_time;
 }
 
-/// The value of any other function: its coordinates are seen outside of sines and cosines.
+/// The value of a nonlinear function, whose operands occur outside of sines and cosines.
 Tracked used(const Tracked& x) {
   Tracked result;
   result.all = x.all;

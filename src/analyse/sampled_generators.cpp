@@ -1,4 +1,4 @@
-// Rows and columns are scaled, then eliminated. Entries below 1e-100 are 0.
+// Scales rows and columns before elimination. Entries below 1e-100 are 0.
 #include "analyse/sampled_generators.hpp"
 
 #include <cln/float.h>
@@ -17,7 +17,7 @@ namespace {
 using cln::cl_R;
 
 constexpr std::uint64_t seed = 1;
-/// Outside of domains states have no value: so many are drawn for each that is wanted.
+/// The limit of draws per state, as states outside of domains have no value.
 constexpr std::size_t draws_per_state = 20;
 
 /// The noise of numbers scaled to 1.
@@ -26,18 +26,18 @@ const cl_R& noise() {
   return value;
 }
 
-/// Entries below this are rounding, in a row scaled to 1.
+/// Entries of a row scaled to 1 that are smaller are rounding errors.
 const cl_R& rounding() {
   static const cl_R value = power_of_ten(-125);
   return value;
 }
 
-/// R = M a + bias - dD/dv + Q: forces and dissipation taken off.
+/// R = M a + bias - dD/dv + Q, where bias contains dD/dv and -Q.
 constexpr std::array<std::pair<OutputKind, int>, 3> parts{{{OutputKind::inverse_dynamics, 1},
                                                            {OutputKind::dissipation, -1},
                                                            {OutputKind::applied_force, 1}}};
 
-/// A quantity of every velocity, summed over those of the parts that the program has.
+/// Sums a quantity by velocity over the parts that the program has.
 template <class Part>
 std::vector<Real> sum_of_parts(const Program& program, std::size_t n, const Part& part) {
   std::vector<Real> sum(n);
@@ -79,8 +79,8 @@ ResidualSlopes<Real> slopes_at(const ExactValues& values) {
   return slopes;
 }
 
-/// A row in floats of 160 digits, whose largest entry is scaled to 1: exact numbers would grow by
-/// elimination. None where an entry is undefined.
+/// A row in floats of 160 digits with largest entry 1, as exact numbers would grow in elimination.
+/// None if an entry is undefined.
 std::optional<std::vector<cl_R>> scaled_row(const std::vector<Real>& row) {
   static const cln::float_format_t digits = cln::float_format(64 + sampling_digits);
   std::vector<cl_R> numbers;
@@ -94,7 +94,7 @@ std::optional<std::vector<cl_R>> scaled_row(const std::vector<Real>& row) {
   return numbers;
 }
 
-/// The largest entry of each column; 1 where a column holds rounding alone.
+/// The largest entry of each column; 1 if it is a rounding error.
 std::vector<cl_R> column_scales(const std::vector<std::vector<cl_R>>& rows, std::size_t unknowns) {
   std::vector<cl_R> scales(unknowns, cl_R(0));
   for (const std::vector<cl_R>& row : rows) {
@@ -106,8 +106,8 @@ std::vector<cl_R> column_scales(const std::vector<std::vector<cl_R>>& rows, std:
   return scales;
 }
 
-/// A basis of the null space of the rows; the last nonzero entry of a vector is 1. Columns are
-/// scaled, so that numbers in any unit are told from 0.
+/// A basis of the null space of the rows. The last nonzero entry of each vector is 1. Columns are
+/// scaled, so that 0 is recognised in any unit.
 std::vector<std::vector<cl_R>> null_vectors(const std::vector<std::vector<cl_R>>& rows,
                                             std::size_t unknowns) {
   const std::vector<cl_R> scales = column_scales(rows, unknowns);
@@ -129,7 +129,7 @@ std::vector<std::vector<cl_R>> null_vectors(const std::vector<std::vector<cl_R>>
   return basis;
 }
 
-/// The conditions at a state, scaled; those without a value are left out.
+/// The scaled conditions at a state, without undefined ones.
 std::vector<std::vector<cl_R>> rows_at(const CheckedModel& checked, const Program& moving,
                                        const GeneratorClass& all, const State& state) {
   ExactValues values({checked.model, checked.scene, moving}, state);

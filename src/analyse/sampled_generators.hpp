@@ -1,6 +1,5 @@
-// The symmetries at the values of the parameters: the conditions on a generator at random states in
-// 160 digits. Every symmetry solves them, so that there are never fewer of
-// these.
+// The symmetries at the values of the parameters, from conditions at random states in 160 digits.
+// All symmetries satisfy these conditions, so that none is missed.
 #pragma once
 
 #include <cstddef>
@@ -16,36 +15,36 @@
 
 namespace elgen {
 
-/// Digits beyond the 64 that Real has: 160 in all.
+/// Digits beyond the 64 of Real: 160 in all.
 inline constexpr unsigned sampling_digits = 96;
 
-/// Real numbers as those of generators.hpp.
+/// Real as the number type of generators.hpp.
 using RealField = Operators<Real>;
 
 struct SampledGenerators {
   std::vector<std::vector<cln::cl_R>> basis = {};
-  std::vector<State> states = {};                 ///< at which they were found
-  std::vector<std::vector<cln::cl_R>> rows = {};  ///< the conditions there
+  std::vector<State> states = {};                 ///< of the samples
+  std::vector<std::vector<cln::cl_R>> rows = {};  ///< conditions there
 };
 
-/// At random states with the parameters of one at rest. `moving` has the functions of
-/// outputs_of_symmetries. None where too few states have a value. Cost: that of 3 n + 1 derivatives
-/// of the inverse dynamics at each of (unknowns / n + 4) states, and an elimination.
+/// Samples random states with the parameters of `resting`. `moving` has the functions of
+/// outputs_of_symmetries. None if too few states have a value. Cost: 3 n + 1 derivatives of the
+/// inverse dynamics at each of (unknowns / n + 4) states, and an elimination.
 [[nodiscard]] std::optional<SampledGenerators> sampled_generators(const CheckedModel& checked,
                                                                   const Program& moving,
                                                                   const State& resting);
 
-/// Generators at up to three sets of random values of the parameters, but for those that are fixed.
-/// Empty where they have no values. Cost: three times that of sampled_generators(), or up to 20
-/// times where ranges leave the domain.
+/// Generators at up to three random sets of the parameters that are not fixed; empty if they have
+/// no values. Cost: three times that of sampled_generators(), or up to 20 times if ranges leave the
+/// domain.
 [[nodiscard]] std::vector<SampledGenerators> generators_elsewhere(const CheckedModel& checked,
                                                                   const Program& moving);
 
-/// Whether a generator solves the conditions of others: those at other values of the parameters.
+/// Whether a generator satisfies conditions sampled at other values of the parameters.
 [[nodiscard]] bool solves(const SampledGenerators& sampled,
                           const std::vector<cln::cl_R>& generator);
 
-/// The point of a state, with R there.
+/// The point of a state, with R.
 [[nodiscard]] MotionPoint<Real> sampled_point(ExactValues& values);
 
 }  // namespace elgen

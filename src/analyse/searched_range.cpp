@@ -1,4 +1,4 @@
-// A range of an angle holds its values and those a whole number of turns on.
+// A range of an angle also contains its values plus whole turns.
 #include "analyse/searched_range.hpp"
 
 #include "numbers/exact_number.hpp"
@@ -18,7 +18,7 @@ Real turned_above(const Real& angle, const Real& lowest) {
 }
 
 const Interval* searched_range(const Coordinate& coordinate, SearchKind kind) {
-  // A range is a turn where pi is typed in three digits or more: [-3.14, 3.14].
+  // A range is a whole turn if pi is typed with three digits or more: [-3.14, 3.14].
   static const cl_R turn = cln::cl_RA(628) / 100;
   if (!coordinate.range || (kind != SearchKind::range && kind != SearchKind::turn)) return nullptr;
   const cl_R length = coordinate.range->high - coordinate.range->low;

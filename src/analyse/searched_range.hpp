@@ -1,4 +1,4 @@
-// Searched ranges: where the coordinates of equilibria are looked for.
+// Searched ranges: where coordinates of equilibria are searched.
 #pragma once
 
 #include "elgen/analyse.hpp"
@@ -7,21 +7,21 @@
 
 namespace elgen {
 
-/// Solutions of 64 digits that agree to so many behind the point are one: two simple ones would be
-/// nearer to each other than their own boxes are wide.
+/// Solutions in 64 digits that agree to so many decimal places are one. Two simple ones would be
+/// closer than the widths of their boxes.
 inline constexpr long root_digits = 25;
 
-/// 2 pi
+/// 2 pi.
 [[nodiscard]] const Real& whole_turn();
 
-/// The angle a whole number of turns on that is the first one not below `lowest`, to root_digits.
+/// The first angle not below `lowest`, to root_digits, that differs from `angle` by whole turns.
 [[nodiscard]] Real turned_above(const Real& angle, const Real& lowest);
 
-/// The range in which a coordinate is looked for; null where it has none, or that is a whole turn.
+/// The searched range of a coordinate; null if it has none or a whole turn.
 [[nodiscard]] const Interval* searched_range(const Coordinate& coordinate, SearchKind kind);
 
-/// Whether one of the values from `highest` - width to `highest`, or a whole number of turns on
-/// where the coordinate turns, is in the range.
+/// Whether the range contains a value between `highest` - width and `highest`, up to whole turns of
+/// angles.
 [[nodiscard]] bool is_in_range(const Coordinate& coordinate, SearchKind kind, const Real& highest,
                                const Real& width = {});
 

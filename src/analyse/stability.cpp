@@ -30,11 +30,11 @@ using Matrix = Eigen::MatrixXd;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Poles = std::vector<std::complex<double>>;
 
-/// Values of w^2 that differ by this share of the largest are one; smaller ones are 0.
+/// Values of w^2 that differ by less than this share of the largest are equal; smaller ones are 0.
 constexpr double equal_share = 1e-9;
 
-/// Real parts below this share of the largest pole may be rounding of doubles: a triple pole is
-/// known to the third root of their spacing.
+/// Real parts below this share of the largest pole may be rounding errors: a triple pole is
+/// accurate to the third root of the precision of doubles.
 constexpr double pole_noise = 1e-5;
 
 // The linear equations in doubles.
@@ -53,7 +53,7 @@ std::vector<double> numbers_of(const Matrix& matrix) {
   return {rows.data(), rows.data() + rows.size()};
 }
 
-/// [0 1; -K/M -D/M]; not finite where M is singular.
+/// [0 1; -K/M -D/M]; not finite if M is singular.
 Matrix state_matrix(const RestPoint& point) {
   const std::size_t n = point.state.v.size();
   const auto size = static_cast<Eigen::Index>(n);
@@ -92,7 +92,7 @@ cl_R quadratic_form(const std::vector<cl_R>& matrix, const std::vector<cl_R>& x)
   return sum;
 }
 
-/// The largest component becomes 1, the first of those that are as large.
+/// Scales the largest component to 1, the first one of equals.
 void scale_shape(std::vector<double>& shape) {
   double largest = 0;
   for (const double x : shape) largest = std::max(largest, std::abs(x));
@@ -105,8 +105,8 @@ void scale_shape(std::vector<double>& shape) {
   }
 }
 
-/// Shapes of one w^2 are a basis of a space: the one in which every shape has a component that no
-/// other has.
+/// Changes the basis of the shapes of one w^2, so that each shape has a component that is 0 in all
+/// others.
 void reduce_shapes(std::vector<NormalMode>& modes, std::size_t first, std::size_t count) {
   const std::size_t n = modes[first].shape.size();
   std::vector<double> shapes;
@@ -114,7 +114,7 @@ void reduce_shapes(std::vector<NormalMode>& modes, std::size_t first, std::size_
     shapes.insert(shapes.end(), modes[i].shape.begin(), modes[i].shape.end());
   }
   using Shapes = LargestPivot<double, EchelonForm::reduced>;
-  Shapes field(1e-6);  // what the rounding of the solver leaves of 0 is smaller by far
+  Shapes field(1e-6);  // far above the rounding errors of the solver
   const Echelon<Shapes> echelon(field, shapes, n, n);
   for (std::size_t i = 0; i < echelon.rank(); ++i) {
     std::vector<double>& shape = modes[first + i].shape;
@@ -124,13 +124,13 @@ void reduce_shapes(std::vector<NormalMode>& modes, std::size_t first, std::size_
   }
 }
 
-/// Whether the linear equations have no terms in x' and a symmetric K.
+/// Whether the linear equations have no terms in x', and K is symmetric.
 bool is_natural(const RestPoint& point) {
   return is_zero_matrix(point.damping) && is_symmetric(point.stiffness, point.state.v.size());
 }
 
-/// Modes of a natural system with a positive definite M, w^2 ascending. Each w^2 is right in 64
-/// digits up to the squared error of its shape in doubles; below 1e-20 of the largest it is 0.
+/// The modes of a natural system with positive definite M, by ascending w^2. Each w^2 is right in
+/// 64 digits up to the squared error of its shape in doubles; below 1e-20 of the largest it is 0.
 std::vector<NormalMode> normal_modes(const RestPoint& point) {
   const std::size_t n = point.state.v.size();
   const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix> solver(matrix_of(point.stiffness, n),
@@ -167,7 +167,7 @@ std::vector<NormalMode> normal_modes(const RestPoint& point) {
 
 // Poles.
 
-/// +-sqrt(-w^2) of every mode.
+/// The poles +-sqrt(-w^2) of all modes.
 Poles poles_of(const std::vector<NormalMode>& modes) {
   Poles poles;
   for (const NormalMode& mode : modes) {
@@ -194,7 +194,7 @@ Poles poles_of(const RestPoint& point) {
   return poles;
 }
 
-/// By the signs of real parts; growth rates are those of conjugate poles once.
+/// Judges by the signs of real parts. Growth rates of conjugate poles are listed once.
 void judge_by_poles(const Poles& poles, StabilityVerdict& verdict) {
   double largest = 0;
   for (const auto& pole : poles) largest = std::max(largest, std::abs(pole));
@@ -257,7 +257,7 @@ bool none_holds(const Program& moving, OutputKind kind, const Holds& holds) {
 
 bool holds_coordinates(const Occurrence& entry) { return !entry.coordinates.empty(); }
 
-/// By elimination in 64 digits: a pivot that is 0 has to stand alone.
+/// Eliminates in 64 digits. A row and column of a zero pivot must be zero.
 bool is_positive_semidefinite(std::vector<cl_R> a, std::size_t n) {
   const cl_R noise = largest_of(a) * power_of_ten(-40);
   for (std::size_t k = 0; k < n; ++k) {
@@ -307,7 +307,7 @@ bool is_positive_definite(const std::vector<cl_R>& matrix,
 }
 
 bool is_conservative(const Program& moving, const State& state) {
-  // A point that moves with t may have an energy that does not.
+  // The energy of a point that is moved with t may be free of t.
   const bool is_free_of_time = std::ranges::all_of(
       std::array{OutputKind::bias, OutputKind::mass_matrix, OutputKind::energy_function},
       [&](OutputKind kind) {

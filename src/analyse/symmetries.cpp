@@ -1,5 +1,5 @@
-// A basis by closed forms, else by sampling; then of each the integral that it keeps, where dL =
-// dF/dt is proved once more by L = v.dL/dv - E itself.
+// Finds a basis by closed forms, else by sampling. For each vector it derives the integral, and
+// proves dL = dF/dt directly for L = v.dL/dv - E.
 #include <cln/integer.h>
 #include <fmt/format.h>
 
@@ -26,13 +26,13 @@ constexpr std::size_t most_unknowns = 500;
 
 using Entries = std::vector<Value>;
 
-/// The closed forms of the functions that a motion has.
+/// The closed forms of the functions of a motion.
 struct MotionForms {
   const Model& model;
   const Program& program;
   ClosedForms& forms;
 
-  /// Zeros where there is no such function.
+  /// Zeros if there is no such function.
   [[nodiscard]] Entries entries(OutputKind kind, std::size_t count = 1) const {
     for (std::size_t i = 0; i < program.functions.size(); ++i) {
       if (program.functions[i].kind != kind) continue;
@@ -53,7 +53,7 @@ void turn_sign(const FormField& field, Symmetry& symmetry) {
   }
 }
 
-/// p.dq - E dt
+/// p.dq - E dt.
 Value integral_of(FormField& field, const Entries& displacement, const Entries& momentum,
                   const Fraction& time, const Value& energy) {
   Value sum = field.negate(field.is_zero(time) ? field.integer(0) : field.multiply(time, energy));
@@ -64,7 +64,7 @@ Value integral_of(FormField& field, const Entries& displacement, const Entries& 
   return sum;
 }
 
-/// The power of an atom where w^2 of each rotation is 1 - x^2 - y^2 - z^2.
+/// The power of an atom, reduced by w^2 = 1 - x^2 - y^2 - z^2 for each rotation.
 Value reduced(FormField& field, const Algebra& algebra, const GeneratorClass& all,
               AtomPower power) {
   const Atom& atom = algebra.atoms[power.atom];
@@ -87,7 +87,7 @@ Value reduced(FormField& field, const Algebra& algebra, const GeneratorClass& al
   return field.multiply(result, fraction_of(Polynomial{{Monomial{power}, Gaussian{1, 0}}}));
 }
 
-/// w^2 = 1 - x^2 - y^2 - z^2 of the numerator.
+/// Reduces the numerator by w^2 = 1 - x^2 - y^2 - z^2.
 Value with_unit_quaternions(Algebra& algebra, const GeneratorClass& all, const Fraction& form) {
   if (all.rotations.empty()) return form;
   FormField field(algebra);
@@ -128,11 +128,11 @@ bool keeps_lagrangian_at(const Subject& subject, const Algebra& algebra, const G
     balance.add(0, change.velocity[i] * momentum[i]);
     balance.add(0, at.v[i] * slopes[i]);
   }
-  const std::optional<double> figure = balance.figure(size);  // that of L = v.p - E
+  const std::optional<double> figure = balance.figure(size);  // of L = v.p - E
   return figure && *figure < noise;
 }
 
-/// Whether dL is 0 at all states: then F is 0.
+/// Whether dL is 0 at all states, which makes F 0.
 bool keeps_lagrangian(const Subject& subject, const Algebra& algebra, const Generator& generator,
                       const std::vector<State>& states) {
   return with_digits(sampling_digits, [&] {
@@ -142,7 +142,7 @@ bool keeps_lagrangian(const Subject& subject, const Algebra& algebra, const Gene
   });
 }
 
-/// An unknown is a fraction where it is one to 35 digits, else a number of six.
+/// Unknowns as fractions if they agree to 35 digits, else rounded to six digits.
 Generator simple_generator(const std::vector<cl_R>& numbers, bool& is_rounded) {
   static const cln::cl_I largest = cln::expt_pos(cln::cl_I(10), 9);
   static const cl_RA near = power_of_ten(-35);
@@ -155,7 +155,7 @@ Generator simple_generator(const std::vector<cl_R>& numbers, bool& is_rounded) {
   return generator;
 }
 
-/// (dq - v dt).(B u + Q - dD/dv)
+/// Adds the rate (dq - v dt).(B u + Q - dD/dv).
 void add_rates(FormField& field, const MotionForms& motion, const Entries& displacement,
                Symmetry& symmetry) {
   const std::size_t n = motion.model.velocities.size();
@@ -180,7 +180,7 @@ void add_rates(FormField& field, const MotionForms& motion, const Entries& displ
   symmetry.loss = std::move(loss);
 }
 
-/// Of rational unknowns.
+/// Whether a generator with rational unknowns satisfies all sets.
 bool solves_all(const std::vector<SampledGenerators>& sets, const Generator& generator) {
   std::vector<cl_R> numbers;
   for (const Fraction& entry : generator) {
@@ -191,7 +191,7 @@ bool solves_all(const std::vector<SampledGenerators>& sets, const Generator& gen
   });
 }
 
-/// T + V - E = 2 T0 + T1: without T1 its rate is 0 where it holds neither q nor t.
+/// T + V - E = 2 T0 + T1. Without T1 its rate is 0 if it contains neither q nor t.
 bool loses_energy(Symmetries& found, const MotionForms& motion) {
   const bool has_time = std::ranges::any_of(
       found.all, [](const Symmetry& symmetry) { return symmetry.kind == SymmetryKind::time; });
@@ -244,7 +244,7 @@ class SymmetrySearch {
       residual[i] = field.add(residual[i], field.subtract(force[i], dissipation[i]));
     }
     const auto exact = exact_generators(result_.forms, model_, open_values_, residual);
-    // The root of a square hides symmetries, which samples find.
+    // Samples find symmetries that the root of a square hides.
     const bool is_open =
         exact && exact->has_root && sampled_ && sampled_->basis.size() > exact->basis.size();
     result_.is_complete = exact && exact->is_complete && !is_open;
@@ -253,7 +253,7 @@ class SymmetrySearch {
       const std::size_t count = set.basis.size();
       result_.sampled_elsewhere = std::min(count, result_.sampled_elsewhere.value_or(count));
     }
-    // A relation between functions that forms do not know hides symmetries.
+    // Relations between functions that closed forms do not know hide symmetries.
     const std::size_t hidden = result_.sampled_elsewhere.value_or(0);
     result_.is_exact = exact && (result_.is_complete || hidden <= exact->basis.size());
     if (result_.is_exact) return exact->basis;
@@ -301,7 +301,7 @@ class SymmetrySearch {
     result_.all.push_back(std::move(symmetry));
   }
 
-  /// L = v.p - E
+  /// L = v.p - E.
   const Value& lagrangian() {
     if (lagrangian_) return *lagrangian_;
     FormField field(result_.forms.algebra);
@@ -329,7 +329,7 @@ class SymmetrySearch {
     return total_integral(result_.forms, model_, rates_, open_values_, *slope);
   }
 
-  /// (N x)_i, of dq/dt = N v with x in the place of v.
+  /// (N x)_i, from dq/dt = N v with x in place of v.
   Value moved_coordinate(std::uint32_t i, const Entries& x) {
     Replacements replacements;
     for (std::uint32_t k = 0; k < x.size(); ++k) {
@@ -344,10 +344,10 @@ class SymmetrySearch {
   const Program& moving_;
   GeneratorClass all_;
   OpenTerms open_values_ = {};
-  std::vector<Fraction> rates_ = {};  ///< dq/dt; empty where it is v
+  std::vector<Fraction> rates_ = {};  ///< dq/dt; empty if it is v
   std::optional<Value> lagrangian_ = {};
   std::optional<SampledGenerators> sampled_ = {};
-  std::vector<SampledGenerators> elsewhere_ = {};  ///< where these are needed
+  std::vector<SampledGenerators> elsewhere_ = {};  ///< if they are needed
   std::set<std::size_t> rounded_ = {};
   Symmetries result_ = {};
   MotionForms motion_{model_, moving_, result_.forms};

@@ -1,4 +1,4 @@
-// Rotations of all points at once replace those vectors of a basis that they are made of.
+// Common rotations of all points replace the basis vectors of which they are combinations.
 #include "analyse/symmetry_basis.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ using cln::cl_RA;
 
 bool is_zero_form(const Fraction& x) { return x.numerator.empty(); }
 
-/// The last unknown that a solution moves: the free one, since pivots stand before it.
+/// The last unknown that is not 0: it is free, since pivots come before it.
 std::size_t free_unknown(const Generator& solution) {
   std::size_t last = 0;
   for (std::size_t u = 0; u < solution.size(); ++u) {
@@ -23,7 +23,7 @@ std::size_t free_unknown(const Generator& solution) {
   return last;
 }
 
-/// Turns of all pairs, or triples, of coordinates in their order at once.
+/// Rotations of all consecutive pairs, or triples, of coordinates by the same angle.
 std::vector<Generator> common_rotations(const GeneratorClass& all, std::size_t dimension) {
   std::vector<Generator> result;
   if (all.scalars() == 0 || all.scalars() % dimension != 0) return result;
@@ -41,7 +41,7 @@ std::vector<Generator> common_rotations(const GeneratorClass& all, std::size_t d
   return result;
 }
 
-/// Puts common rotations in the place of basis vectors, where they are solutions.
+/// Replaces basis vectors by common rotations that are solutions.
 class BasisChange {
  public:
   BasisChange(ClosedForms& forms, std::vector<Generator>& basis) : forms_(forms), basis_(basis) {
@@ -60,7 +60,7 @@ class BasisChange {
     replaced_.push_back({parts.front(), dimension, wanted});
   }
 
-  /// Once all are taken, since they are combinations of the old ones.
+  /// Replaces them at the end, since the new vectors are combinations of the old ones.
   void apply(const GeneratorClass& all) {
     for (const CommonRotation& taken : replaced_) {
       for (std::size_t i = 0; i < basis_.size(); ++i) {
@@ -72,8 +72,8 @@ class BasisChange {
 
  private:
   struct CommonRotation {
-    std::size_t place = 0;      ///< of the basis vector that it replaces
-    std::size_t dimension = 0;  ///< coordinates of a point
+    std::size_t place = 0;      ///< of the replaced basis vector
+    std::size_t dimension = 0;  ///< coordinates per point
     Generator rotation = {};
   };
 
@@ -92,13 +92,13 @@ class BasisChange {
     return true;
   }
 
-  /// Takes so much of a common rotation away that points at one place stay there: of two bodies the
-  /// turn of one about the other is left.
+  /// Subtracts a multiple of a common rotation so that points at one place stay there: of two
+  /// bodies, the turn of one about the other is left.
   void make_relative(const GeneratorClass& all, const CommonRotation& taken, Generator& generator) {
     const std::size_t dimension = taken.dimension;
     const Generator& rotation = taken.rotation;
     Arithmetic arithmetic(forms_.algebra);
-    // The change of coordinate i where all points stand at 1 along an axis.
+    // The change of coordinate i if all points are at 1 along an axis.
     const auto moved = [&](const Generator& of, std::size_t i, std::size_t axis) {
       Value sum = Fraction{};
       for (std::size_t k = axis; k < all.scalars(); k += dimension) {

@@ -1,4 +1,4 @@
-// The basis of the symmetries of a system in the terms of mechanics.
+// The symmetries of a system in a basis with meaning in mechanics.
 #pragma once
 
 #include <vector>
@@ -8,15 +8,15 @@
 
 namespace elgen {
 
-/// The unknowns of one, in the order of the class.
+/// The unknowns of a generator in the order of the class.
 using Generator = std::vector<Fraction>;
 
-/// Replaces vectors of the basis by common rotations of all pairs, or triples, of coordinates where
-/// these are symmetries. Every vector has a last unknown that no other has.
+/// Replaces basis vectors by common rotations of all pairs, or triples, of coordinates if these are
+/// symmetries. Each vector has a last unknown that is 0 in all others.
 void prefer_common_rotations(ClosedForms& forms, const GeneratorClass& all,
                              std::vector<Generator>& basis);
 
-/// The generator times the least product that leaves none of its unknowns a divisor.
+/// The generator times the smallest product that clears the divisors of its unknowns.
 [[nodiscard]] Generator without_divisors(ClosedForms& forms, Generator generator);
 
 [[nodiscard]] SymmetryKind kind_of(ClosedForms& forms, const GeneratorClass& all,

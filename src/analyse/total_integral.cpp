@@ -1,5 +1,5 @@
-// One variable after the other: after F took the part of dF/dt before v_k, the rest holds v_k no
-// more.
+// Integrates one variable after another. After the part of v_k is subtracted, the rest does not
+// contain v_k.
 #include "analyse/total_integral.hpp"
 
 #include "analyse/formulas.hpp"
@@ -15,7 +15,7 @@ Value form_of(const Monomial& monomial, const Gaussian& coefficient = {1, 0}) {
   return fraction_of(Polynomial{{monomial, coefficient}});
 }
 
-/// Nothing changes.
+/// Rates of 0 for all leaves.
 LeafRates still(const Model& model) {
   const std::vector<Fraction> velocities(model.velocities.size());
   const std::vector<OpenTerm> constant_value{{0, {}}};
@@ -26,7 +26,7 @@ LeafRates still(const Model& model) {
           {}};
 }
 
-/// Integrals by one leaf.
+/// Integrals with respect to one leaf.
 class Integral {
  public:
   Integral(ClosedForms& forms, const Model& model, Opcode kind, std::uint32_t index)
@@ -52,7 +52,7 @@ class Integral {
   }
 
  private:
-  /// c x^n e^(r x): e^(r x) sum_k (-1)^k n!/(n-k)! x^(n-k)/r^(k+1)
+  /// c x^n e^(r x): e^(r x) sum_k (-1)^k n!/(n-k)! x^(n-k)/r^(k+1).
   Value of_term(const Monomial& monomial, const Gaussian& coefficient) {
     const AtomId own = leaf_.numerator.begin()->first[0].atom;
     std::int32_t n = 0;
@@ -90,7 +90,7 @@ class Integral {
     return arithmetic_.multiply(factor, sum);
   }
 
-  /// 1/(a + i b): denominators stay real, as forms are printed.
+  /// 1/(a + i b) with a real denominator, so that forms can be printed.
   Value inverse_rate(const Value& a, const Value& b) {
     const Value turned = arithmetic_.multiply(form_of({}, {0, -1}), b);
     if (a->numerator.empty()) return arithmetic_.divide(form_of({}, {0, -1}), b);
@@ -99,9 +99,9 @@ class Integral {
     return arithmetic_.divide(arithmetic_.add(a, turned), square);
   }
 
-  /// a of exp(a x)^k and b of e^(i b x)^k, times k; none of other functions of x.
+  /// k a for exp(a x)^k and k b for (e^(i b x))^k; none for other functions of x.
   Value exponential_rate(const AtomPower& power) {
-    const Atom atom = forms_.algebra.atoms[power.atom];  // a copy: atoms may be added
+    const Atom atom = forms_.algebra.atoms[power.atom];  // a copy, as atoms may be added
     const bool is_real = atom.kind == AtomKind::call && atom.function == FunctionId::exp;
     if (!is_real && atom.kind != AtomKind::circular) return std::nullopt;
     const Value slope = rate_along(forms_, atom.arguments[0], unit_);

@@ -1,10 +1,10 @@
-// cancelling_places: where sums of a function vanish.
+// cancelling_places: finds states where sums in a function vanish.
 //
 //     before    F*sqrt((x - a)^2 + y^2)
 //     after     x near a and -a, x near 0, y near 0
 //
-// Places are found by folding the text over sums of numbers, multiples of one leaf and multiples of
-// its square; everything else is opaque.
+// Folds the text over sums of numbers and of multiples of a leaf or its square. All other terms are
+// opaque.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -19,27 +19,27 @@ namespace {
 constexpr double half_turn = 3.141592653589793;
 constexpr double places_of_sines[]{half_turn, half_turn / 2, -half_turn / 2, -half_turn};
 
-/// Functions of functions are looked into so deep.
+/// The depth to which functions of functions are searched.
 constexpr int deepest = 3;
 
-/// Sums of more terms are opaque: none of their terms cancels another alone.
+/// Longer sums are opaque: no two of their terms alone cancel.
 constexpr std::size_t most_parts = 8;
 
 struct SumPart;
 using SumParts = std::vector<SumPart>;
 
-/// factor, factor x or factor x^2 of a coordinate x, a root, an inverse or a function of a sum; or
-/// opaque.
+/// One term: factor, factor x or factor x^2 of a coordinate x; a root, an inverse or a function of
+/// a sum; or opaque.
 struct SumPart {
   enum class Kind : std::uint8_t { number, linear, square, root, inverse, call, opaque };
   Kind kind = Kind::opaque;
   double factor = 1;
   std::uint32_t coordinate = 0;
   FunctionId function = FunctionId::sin;
-  std::shared_ptr<const SumParts> inner = {};  ///< what it is a root, an inverse or a function of
+  std::shared_ptr<const SumParts> inner = {};  ///< operand of a root, an inverse or a function
 };
 
-/// The rules of fold.hpp. Numbers stand for parameters at their values.
+/// The rules of fold.hpp. Parameters are numbers, at their values.
 struct SumPartRules {
   const Arguments<double>& values;
 
@@ -97,7 +97,7 @@ struct SumPartRules {
   }
 };
 
-/// The numbers of a sum as one.
+/// Adds the numbers of a sum.
 SumPart number_in(const SumParts& sum) {
   SumPart total{SumPart::Kind::number, 0};
   for (const SumPart& part : sum) {
@@ -106,7 +106,7 @@ SumPart number_in(const SumParts& sum) {
   return total;
 }
 
-/// Taken from the coordinates in turn.
+/// The first `most` places, taken from the coordinates in turn.
 NearPlaces first_of(const std::vector<NearPlaces>& by_coordinate, std::size_t most) {
   NearPlaces places;
   bool has_more = true;
@@ -122,7 +122,7 @@ NearPlaces first_of(const std::vector<NearPlaces>& by_coordinate, std::size_t mo
   return places;
 }
 
-/// Finds points of all coordinates: 0, zeros where two terms of a sum cancel, and right angles.
+/// Finds places of all coordinates: 0, zeros where two terms of a sum cancel, and right angles.
 class PlaceSearch {
  public:
   PlaceSearch(const Program& program, const Function& text, const Domain& domain)
@@ -153,13 +153,13 @@ class PlaceSearch {
     if (std::ranges::find(known, place) == known.end()) known.push_back(place);
   }
 
-  /// Whether it is no component of a quaternion.
+  /// Whether a coordinate is not a component of a quaternion.
   [[nodiscard]] bool is_alone(std::uint32_t coordinate) const {
     return !domain_.model.coordinates[coordinate].rotation;
   }
 
-  /// Where two angles are equal, sums of products of their sines and cosines cancel; then right
-  /// angles.
+  /// Adds places where two angles are equal, since sums of products of their sines and cosines
+  /// cancel there; then right angles.
   void add_angles(const std::vector<bool>& is_angle) {
     for (std::uint32_t i = 0; i < count_; ++i) {
       for (std::uint32_t k = i + 1; k < count_; ++k) {
@@ -173,7 +173,7 @@ class PlaceSearch {
     }
   }
 
-  /// log(x) vanishes at 1.
+  /// Adds places where an argument is 1, as log(x) vanishes there.
   void add_ones(const SumParts& argument) {
     SumParts less = argument;
     less.push_back({SumPart::Kind::number, -1});
@@ -205,7 +205,7 @@ class PlaceSearch {
     add({x.coordinate, -std::sqrt(ratio), other});
   }
 
-  /// Where f(a) = ratio f(b), or a root or an inverse of a is a number.
+  /// Adds places where f(a) = ratio f(b), or where a root or an inverse of a equals a number.
   void add_equal(const SumPart& x, const SumPart& y, double ratio) {
     using Kind = SumPart::Kind;
     SumParts difference = *x.inner;

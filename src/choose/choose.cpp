@@ -1,4 +1,4 @@
-// choose: see choose.hpp. The one place that decides between the two forms.
+// choose: see choose.hpp. Only this file decides between the two forms.
 #include "elgen/choose.hpp"
 
 #include <fmt/format.h>
@@ -13,19 +13,19 @@
 namespace elgen {
 namespace {
 
-/// A closed form whose entries, written out one by one, are this much longer than what the
-/// recursive form executes does not become cheaper by sharing, and is not lowered. Ratios from 3 to
-/// 12 give the same code for all of models/; with 2 a cheaper form is missed.
+/// A closed form whose entries, written out, have this many times the operations of the recursive
+/// form is not lowered, as sharing would not make it cheaper. Ratios from 3 to 12 give the same
+/// code for all of models/; with 2 a cheaper form is missed.
 constexpr std::size_t hopeless_ratio = 6;
-/// Where the recursive form is a few operations, the ratio says nothing: forms up to this length
-/// are lowered whatever it is.
+/// Forms up to this length are always lowered: if the recursive form has only a few operations, the
+/// ratio means nothing.
 constexpr std::size_t always_tried = 400;
 
-/// A form is dearer by at most a quarter of the other, and taken where that loses more than a
-/// quarter of the digits of double.
+/// A form may cost a quarter more than another one that loses more than a quarter of the digits of
+/// double.
 constexpr double most_lost = 8192;
 
-/// 1.25 times, and 4 times: V is little beside the functions that it enters.
+/// 1.25 times, and 4 times: V costs little compared with the functions that contain it.
 constexpr std::size_t quarters_for_balance = 5;
 constexpr std::size_t quarters_for_digits = 16;
 
@@ -34,15 +34,15 @@ bool has_float_alone(const Scene& scene) {
   return scalars.size() == 1 && scalars.front() == ScalarKind::single_precision;
 }
 
-/// Where float is the only scalar, losses that double stands take most of its digits.
+/// If float is the only scalar, losses that are tolerable in double take most of its digits.
 LoweringAim aim_of(const Scene& scene, bool has_zeros) {
   if (has_zeros) return {.tolerated = tolerated_loss, .most_quarters = quarters_for_digits};
   return {.tolerated = has_float_alone(scene) ? tolerated_loss : most_lost,
           .most_quarters = quarters_for_balance};
 }
 
-/// In what solves, small differences of angles divide what they are made of: float has no digits
-/// for that.
+/// Keeps differences of angles whole in solvers: there, small differences are divisors, and float
+/// has too few digits for them when they are split.
 Splits splits_for(const Scene& scene, const Function& function) {
   const bool matters = has_float_alone(scene) && scene.numerics.prefer != Preference::speed;
   const bool is_whole = matters && output_row(function.kind).solves;
@@ -54,7 +54,7 @@ bool is_worth_lowering(const ReadableEntries& entries, const Function& recursive
   return total <= always_tried || total <= hopeless_ratio * cost(count_operations(recursive));
 }
 
-/// The guards of pivots are not counted: whichever form is chosen gets them.
+/// Counts operations without the guards of pivots, which both forms get.
 std::size_t cost_of(const Function& form) { return cost(count_operations(without_diagonal(form))); }
 
 void choose_by_cost(const Function& closed, const Function& recursive, FormCosts& costs) {
@@ -79,10 +79,10 @@ bool is_taken(const LoweringAim& aim, const Function& recursive, const Candidate
   return is_free || (is_better && is_affordable(cost, cheapest, aim.most_quarters));
 }
 
-/// The functions as they are typed, and the errors of those that digits matter of.
+/// The recursive forms, and the errors of those functions whose digits matter.
 class RecursiveForms {
  public:
-  /// `zeros` are approached, too.
+  /// The states `zeros` are approached, too.
   RecursiveForms(const Program& recursive, const Program& chosen, const Domain& domain,
                  const Scene& scene, SumZeros zeros)
       : recursive_(recursive),
@@ -91,7 +91,7 @@ class RecursiveForms {
         scene_(scene),
         zeros_(std::move(zeros)) {}
 
-  /// The total energy is never worse than the sum of the energies.
+  /// The recursive form; the total energy is the sum of the energies if possible.
   const Function& of(std::size_t index) {
     const auto known = energy_sums_.find(index);
     if (known != energy_sums_.end()) return known->second;
@@ -101,7 +101,7 @@ class RecursiveForms {
     return energy_sums_.emplace(index, std::move(*sum)).first->second;
   }
 
-  /// Null where digits do not matter.
+  /// Null if digits do not matter.
   TextErrors* errors_of(std::size_t index) {
     if (scene_.numerics.prefer == Preference::speed) return nullptr;
     const auto known = errors_.find(index);
@@ -113,16 +113,16 @@ class RecursiveForms {
 
  private:
   const Program& recursive_;
-  const Program& chosen_;  ///< with the functions that were chosen so far
+  const Program& chosen_;  ///< with the functions chosen so far
   const Domain& domain_;
   const Scene& scene_;
-  std::map<std::size_t, Function> energy_sums_ = {};  ///< by function, of total_energy
-  std::map<std::size_t, TextErrors> errors_ = {};     ///< likewise
+  std::map<std::size_t, Function> energy_sums_ = {};  ///< total_energy by function number
+  std::map<std::size_t, TextErrors> errors_ = {};     ///< by function number
   SumZeros zeros_;
 };
 
-/// The function as it is emitted in either form, after the passes of finish.hpp. `normalized` is
-/// the name of the function of that kind.
+/// A function of either form after the passes of finish.hpp. `normalized` is the name of the
+/// function of that kind.
 Function finished(Function function, Program& program, std::string& normalized) {
   if (function.kind == OutputKind::normalized) normalized = function.name;
   const bool repeats = output_row(function.kind).repeats && !normalized.empty();
@@ -162,7 +162,7 @@ class Choosing {
   }
 
  private:
-  /// `dynamics` is made of the entries of the others; one that was given up leaves it none.
+  /// The entries of a function. `dynamics` takes them from other functions, if none is missing.
   ReadableEntries& entries_of(std::size_t index) {
     const Function& function = recursive_.functions[index];
     ReadableEntries& entries = entries_[function.name];
@@ -180,7 +180,7 @@ class Choosing {
     }
     if (TextErrors* text = is_complete(entries) ? recursive_forms_.errors_of(index) : nullptr) {
       for (std::size_t i = 0; i < entries.size(); ++i) {
-        entries[i]->kept.reset();  // its function has decided that
+        entries[i]->kept.reset();  // decided by the function of this entry
         text->add_rewriting(text->errors_of(entries[i]->compact), i);
       }
     }
@@ -228,7 +228,7 @@ class Choosing {
     return closed;
   }
 
-  /// Lowers the entries as one function; chooses by its cost and its inaccurate entries.
+  /// Lowers the entries as one function, and compares it by cost and inaccurate entries.
   Function lowered(std::size_t index, const Function& recursive, const ReadableEntries& entries,
                    FormCosts& costs) {
     LoweringAim aim = aim_;
@@ -240,8 +240,8 @@ class Choosing {
     return std::move(closed.function);
   }
 
-  /// Uses rewritings that keep digits where that is free, or worth its cost: those that lose many
-  /// digits, and then all that lose some.
+  /// Uses rewritings that keep digits if they are free or worth their cost: first for entries that
+  /// lose many digits, then for all that lose some.
   void keep_digits(std::size_t index, ReadableEntries& entries, Function& closed,
                    FormCosts& costs) {
     const Function& recursive = recursive_forms_.of(index);
@@ -261,7 +261,7 @@ class Choosing {
     }
   }
 
-  /// Where one form loses more digits: takes the cheaper form, or the other if it is affordable.
+  /// If the cheaper form loses more digits, takes the other one if it is affordable.
   void choose_by_losses(std::size_t index, const Function& closed, const Function& recursive,
                         FormCosts& costs) {
     const bool is_closed = costs.chosen == Form::closed;
@@ -280,12 +280,12 @@ class Choosing {
   const Program& recursive_;
   const ClosedForms& forms_;
   const Scene& scene_;
-  LoweringAim aim_;  ///< of every function
+  LoweringAim aim_;  ///< for every function
   Points points_;
   Choice result_ = {};
   RecursiveForms recursive_forms_;
   std::map<std::string, ReadableEntries> entries_;
-  std::string normalized_;  ///< name of the function of that kind
+  std::string normalized_;  ///< of the function of that kind
 };
 
 }  // namespace

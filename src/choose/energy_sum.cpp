@@ -1,4 +1,4 @@
-// energy_sum: see energy_sum.hpp. Both energies are appended to one function, nothing twice.
+// energy_sum: see energy_sum.hpp. Appends both energies to one function, shared parts once.
 #include "choose/energy_sum.hpp"
 
 #include "elgen/evaluate.hpp"
@@ -9,7 +9,7 @@
 namespace elgen {
 namespace {
 
-/// Random points with random parameters: the value of a parameter may hide a part in the rates.
+/// Points are random in parameters too, as some parameter values could hide a term with rates.
 constexpr std::size_t compared_points = 3;
 
 const Function* find_before(const Program& program, std::size_t index, OutputKind kind) {
@@ -19,7 +19,7 @@ const Function* find_before(const Program& program, std::size_t index, OutputKin
   return nullptr;
 }
 
-/// Exactly; false where either has no value.
+/// Compares values exactly; false if one of them is undefined.
 bool is_same_energy(const Program& recursive, std::size_t index, const Program& chosen,
                     const Function& sum) {
   static const Real negligible(power_of_ten(-45));

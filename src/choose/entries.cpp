@@ -1,4 +1,4 @@
-// entries: all entries of a function, in the order of its fields.
+// entries: writes all entries of a function in the order of its fields.
 #include "choose/entries.hpp"
 
 #include <algorithm>
@@ -13,9 +13,9 @@
 namespace elgen {
 namespace {
 
-/// The terms of all entries of a function beyond which its closed form is given up: it is neither
-/// read nor cheaper. Ten times as many, here and of one entry (most_terms), take 1.7 times as long
-/// for the arms and chains of models/, and emit the same code.
+/// A closed form with more terms in all entries is given up, as it is neither readable nor cheaper.
+/// Ten times as many, here and in one entry (most_terms), take 1.7 times as long for the arms and
+/// chains of models/, and give the same code.
 constexpr std::size_t most_terms_together = 3'000;
 
 std::size_t term_count(const ClosedFunction& closed) {
@@ -26,8 +26,8 @@ std::size_t term_count(const ClosedFunction& closed) {
   return count;
 }
 
-/// All rewritings of an entry, the shortest first: those of its closed form, precise ones, and as
-/// it was derived, which may be null.
+/// All rewritings of an entry, the shortest first: those of its closed form, precise ones, and the
+/// derived entry unless it is null.
 std::vector<Expressions> all_rewritings(Rewritings of_form, std::vector<Collected> precise,
                                         const DerivedEntry* derived) {
   std::vector<Expressions> rewritings;
@@ -38,7 +38,7 @@ std::vector<Expressions> all_rewritings(Rewritings of_form, std::vector<Collecte
     rewritings.push_back(derived->collected.expressions);
     rewritings.push_back(derived->as_it_stands);
   }
-  // Sums are written out where brackets hide what cancels, so that one grouping is enough.
+  // Sums are expanded if brackets hide cancelling terms, so that one grouping suffices.
   std::vector<Expressions> sources = std::move(of_form.plain);
   if (!rewritings.empty()) sources.push_back(rewritings.front());
   if (derived != nullptr) {
@@ -59,14 +59,14 @@ std::vector<Expressions> all_rewritings(Rewritings of_form, std::vector<Collecte
   return rewritings;
 }
 
-/// One entry of the function, with what its text says.
+/// Judges one entry of a function by the errors of its text.
 class Judging {
  public:
   Judging(ReadableForm& known, std::size_t entry, TextErrors& text)
       : known_(known), entry_(entry), text_(text) {}
 
-  /// Writes the entry accurately, where a rewriting does that, and finds the rewriting that keeps
-  /// its digits. `rewritings` gives all of them.
+  /// Writes the entry accurately if a rewriting does, and finds the rewriting that keeps its
+  /// digits. `rewritings` computes all of them.
   template <class Rewriting>
   void operator()(const Rewriting& rewritings) {
     std::optional<ErrorsAtPoints> errors = text_.accurate_errors(known_.compact, entry_);
@@ -95,7 +95,7 @@ class Judging {
     }
   }
 
-  /// The cheapest rewriting that loses nothing, else the one that loses least.
+  /// Keeps the cheapest rewriting without loss, else the one with the least loss.
   void keep() {
     double least = known_.loss;
     std::size_t least_cost = 0;
@@ -122,13 +122,13 @@ class Judging {
   std::vector<ErrorsAtPoints> errors_ = {};
 };
 
-/// Takes forms in the order of their costs.
+/// Chooses among forms that are added in the order of their costs.
 class Cheapest {
  public:
   Cheapest(const Function& shape, Program& program, const LoweringAim& aim)
       : shape_(shape), program_(program), aim_(aim) {}
 
-  /// Whether no later one can be better.
+  /// Adds a form; returns whether no later one can be better.
   bool add(const CostedNetwork& costed) {
     const bool is_dearer = form_ && !is_affordable(costed.cost, cost_, aim_.most_quarters);
     if (is_dearer && !form_->inaccurate) return true;

@@ -1,7 +1,6 @@
-// finish: guards are two instructions per pivot, but where M_ii is a number, or divides already;
-// one of the two multiplies where 1/M_ii is there; lengths are written out instruction by
-// instruction, with those of the function that are the same; angles and their pairs of calls come
-// first, then all else as it stood.
+// finish: a guard takes two instructions per pivot, and none if M_ii is a number or a divisor
+// anyway; it multiplies if 1/M_ii is available. Lengths are written out by instruction and shared
+// with the function. Angles and their sine-cosine pairs come first, the rest keeps its order.
 #include "choose/finish.hpp"
 
 #include <algorithm>
@@ -21,7 +20,7 @@ bool has_diagonal(const Function& function) {
          function.fields.back().name == diagonal_field;
 }
 
-/// Where a function computes 1 by a value, if it does.
+/// The instruction that computes 1/value, if there is one.
 std::optional<std::uint32_t> reciprocal_of(std::uint32_t value, const Function& function,
                                            const std::vector<Constant>& constants) {
   const std::vector<Instruction>& all = function.instructions;
@@ -60,7 +59,7 @@ class Scaling {
     return result;
   }
 
-  /// Its scalar part is coordinate `first`.
+  /// Adds the scaled components. Coordinate `first` is the scalar part.
   std::vector<std::uint32_t> unit_quaternion(std::uint32_t first) {
     std::vector<std::uint32_t> values;
     std::vector<std::uint32_t> magnitudes;
@@ -112,7 +111,7 @@ class Order {
     for (std::uint32_t at = 0; at < size(); ++at) place(at);
   }
 
-  /// Old numbers in their new order.
+  /// The old numbers in the new order.
   Places places = {};
 
  private:

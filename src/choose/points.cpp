@@ -10,24 +10,24 @@
 namespace elgen {
 namespace {
 
-constexpr std::size_t plain_points = 4;  ///< at the values of parameters, and at other values
+constexpr std::size_t plain_points = 4;  ///< with parameters at their values, and as many at others
 constexpr std::size_t most_places = 10;
-constexpr int widest_factor = 3;  ///< of parameters, as a power of two
+constexpr int widest_factor = 3;  ///< largest factor of parameters, as a power of two
 
-/// Relative, but at 0: multiples of 2^-30 near 1e-1, 1e-2, 1e-4 and 1e-8.
+/// Relative distances, absolute at 0: multiples of 2^-30 near 1e-1, 1e-2, 1e-4 and 1e-8.
 constexpr double unit_of_distance = 0x1p-30;
 constexpr double distances[]{107374182 * unit_of_distance, 10737418 * unit_of_distance,
                              107374 * unit_of_distance, 11 * unit_of_distance};
 
-/// The distances of all coordinates at once from their first places.
+/// The distances of all coordinates from their first places at once.
 constexpr double near = distances[2];
 constexpr double nearest = distances[3];
 
-/// Where coordinates without a range go in exp(u) and log(u): a few decades of u, and most of the
+/// Values for unbounded coordinates u in exp(u) and log(u): a few decades of u, and most of the
 /// range of double.
 constexpr double far_away[]{16, -16, 1024, -1024};
 
-/// By coordinate, whether it stands in an argument of a function that `is_sought`.
+/// By coordinate, whether it occurs in an argument of a function that `is_sought`.
 template <class IsSought>
 std::vector<bool> coordinates_in_arguments(const Function& function, const IsSought& is_sought,
                                            std::size_t coordinate_count) {
@@ -44,7 +44,7 @@ std::vector<bool> coordinates_in_arguments(const Function& function, const IsSou
   return stands_there;
 }
 
-/// For each coordinate, whether it has no range and stands in an exponential or a logarithm.
+/// By coordinate, whether it has no range and occurs in an exponential or a logarithm.
 std::vector<bool> unbounded_arguments(const Function& text, const Model& model) {
   const auto is_exponential = [](FunctionId function) {
     return function == FunctionId::exp || function == FunctionId::log;
@@ -86,11 +86,11 @@ class Making {
   }
 
  private:
-  /// The next one, over and over.
+  /// The next state, cyclically.
   const Arguments<double>& state() { return domain_.states[next_++ % domain_.states.size()]; }
 
-  /// Rates, accelerations and inputs become 0. Elsewhere they are large and hide the digits that a
-  /// holding force loses.
+  /// Sets rates, accelerations and inputs to 0. Otherwise they are large and hide lost digits of a
+  /// holding force.
   static Arguments<double> at_rest(Arguments<double> point) {
     const auto stop = [](Opcode kind, std::uint32_t, double& value) {
       if (is_motion(kind)) value = 0;
@@ -111,7 +111,7 @@ class Making {
     return point;
   }
 
-  /// A unit that is not checked is like no other.
+  /// Whether units are equal. An unchecked unit equals no other.
   [[nodiscard]] bool has_same_unit(std::size_t i, std::size_t k) const {
     const std::optional<Unit>& unit = domain_.model.parameters[i].unit;
     return unit && unit == domain_.model.parameters[k].unit;
@@ -128,7 +128,7 @@ class Making {
     point.q[place.coordinate] = at == 0 ? away : at + at * away;
   }
 
-  /// On the side on which more entries have a value: sqrt(x^2 - r^2) has none for x < r.
+  /// Adds the side with more defined entries: sqrt(x^2 - r^2) is undefined for x < r.
   void add_near(const NearPlace& place, double distance) {
     Arguments<double> point = state();
     Arguments<double> other = point;
@@ -143,7 +143,7 @@ class Making {
                                  [](double entry) { return std::isfinite(entry); });
   }
 
-  /// 1 + expm1(u) has no digit of exp(u) where that is small, nor log1p((a - b)/b) of log(a/b).
+  /// 1 + expm1(u) has no digit of a small exp(u), and log1p((a - b)/b) none of log(a/b).
   void add_far() {
     const std::vector<bool> is_far = unbounded_arguments(text_, domain_.model);
     if (std::find(is_far.begin(), is_far.end(), true) == is_far.end()) return;
@@ -170,7 +170,7 @@ class Making {
     if (!places.empty()) add(std::move(point));
   }
 
-  /// Near a zero and nearer, on both sides of it in a direction of its own.
+  /// Adds points on both sides of a zero, in a random direction, at two distances.
   void add_beside(const std::vector<double>& zero) {
     for (const double distance : {near, nearest}) {
       Arguments<double> point = state();
@@ -186,7 +186,7 @@ class Making {
     }
   }
 
-  /// A point outside the declared ranges is left out.
+  /// Adds a point unless it is outside the declared ranges.
   void add(Arguments<double> point) {
     for (std::uint32_t i = 0; i < point.q.size(); ++i) {
       if (within(Opcode::coordinate, i, point.q[i]) != point.q[i]) return;

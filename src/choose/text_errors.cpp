@@ -12,15 +12,15 @@
 namespace elgen {
 namespace {
 
-/// Rounding of a few more operations is accurate enough.
+/// Rounding errors of a few more operations are accepted.
 constexpr long accurate_ratio = 64;
-/// Errors in double are right within a factor of two each.
+/// Errors computed in double are right within a factor of two each.
 constexpr double certainly_accurate_ratio = 16;
 
 constexpr double unit_roundoff = 0x1p-53;
-/// Values in double may be so many of their errors apart.
+/// Equal values may differ in double by this many of their errors.
 constexpr double certainly_equal = 4;
-/// A value that is right to one part in 1000 tells its magnitude.
+/// A value right to one part in 1000 gives the magnitude.
 constexpr double certain_digits = 0x1p-10;
 
 bool is_certainly_accurate(const Running<double>& own, const Running<double>& text) {
@@ -30,7 +30,7 @@ bool is_certainly_accurate(const Running<double>& own, const Running<double>& te
          apart <= certainly_equal * unit_roundoff * (own.error + text.error);
 }
 
-/// A rewriting that holds on one side of a branch only has another value on the other.
+/// Whether values differ: a rewriting may hold on one side of a branch only.
 bool has_other_value(const Running<Real>& own, const Running<Real>& text) {
   static const Real negligible(power_of_ten(-45));
   const Real scale = own.error + text.error + abs(text.value);
@@ -44,7 +44,7 @@ bool is_inaccurate(const Running<Real>& own, const Running<Real>& text) {
   return own.error.value() > allowed.value();
 }
 
-/// Number: Real, or double for rough figures.
+/// `Number` is Real, or double for rough estimates.
 template <class Number>
 std::vector<Running<Number>> running_entries(const Program& program, const Function& function,
                                              const RunningErrorRules<Number>& rules) {
@@ -57,13 +57,13 @@ std::vector<Running<Real>> exact_entries(const Program& program, const Function&
   return running_entries(program, function, rules);
 }
 
-/// Not a number where it is undefined.
+/// Not a number if undefined.
 double number_of(const Real& x) {
   return x.is_defined() ? ScalarTraits<double>::from_real(x.value())
                         : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Where the text has no value there is nothing to lose.
+/// The loss at a point; 0 if the text has no value there.
 double loss_at(double error, double magnitude, double least) {
   if (std::isnan(magnitude) || error == 0) return 0;
   if (std::isnan(error)) return std::numeric_limits<double>::infinity();
@@ -86,7 +86,7 @@ TextErrors::TextErrors(const Program& program, const Function& text, Points poin
   }
 }
 
-/// Counts digits of the text exactly where double hardly has any.
+/// Computes values of the text exactly if double has hardly any digits of them.
 std::vector<double> TextErrors::magnitudes_at(std::size_t point, Scale scale) const {
   std::vector<double> magnitudes;
   for (std::size_t i = 0; i < rough_[point].size(); ++i) {

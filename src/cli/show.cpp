@@ -1,4 +1,4 @@
-// elgen show: the equations of one input, on stdout, in a notation for people or for programs.
+// elgen show: prints the equations of one input on stdout, in notations for people or programs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,19 +22,19 @@ namespace {
 
 struct ShowOptions {
   std::string input = {};
-  std::string what = {};  ///< outputs, or one of the words below; empty: all outputs
-  std::string as = {};    ///< empty: as --format says
+  std::string what = {};  ///< outputs, or a word of subjects; empty: all outputs
+  std::string as = {};    ///< empty: depends on --format
   std::string at = {};    ///< "theta=0", or the name of an [[equilibrium]]
   SceneOptions scene = {};
 };
 
-/// Made of the `parts` that the stages of an analysis gave.
+/// Makes a page from the `parts` of an analysis.
 template <auto make, auto... parts>
 auto made(const Products& products, const PageOptions&) {
   return make(*products.checked, *(products.*parts)...);
 }
 
-/// The sidecar, which has all outputs.
+/// The sidecar, which lists all outputs.
 std::string json_of_outputs(const Products& products, const PageOptions&) {
   for (const auto& [path, text] : products.files->files) {
     if (path.ends_with(".json")) return text;
@@ -63,14 +63,14 @@ constexpr std::string_view all_steps;
 template <class T>
 using Shown = T (*)(const Products& products, const PageOptions& options);
 
-/// A subject that --what may ask for beside outputs; each stands alone.
+/// A subject of --what besides outputs, which cannot be combined.
 struct SubjectRow {
   std::string_view word;    ///< "": outputs
-  Goal goal;                ///< the stage whose product is shown
-  Shown<Page> page;         ///< null: text alone
-  Shown<std::string> text;  ///< null: that of the page
+  Goal goal;                ///< the pipeline stage that computes it
+  Shown<Page> page;         ///< null: text only
+  Shown<std::string> text;  ///< null: the text of the page
   Shown<std::string> json;  ///< null: none
-  bool is_of_rest = false;  ///< states of rest and motions about them
+  bool is_of_rest = false;  ///< equilibria, and motions about them
 };
 
 constexpr std::array subjects{
@@ -121,7 +121,7 @@ double seconds(const std::vector<StageTime>& times, std::string_view first, std:
 
 double generation(const Products& products) { return seconds(products.times, "parse", "emit"); }
 
-/// The sizes that options and the scene chose, in the words of --size; those of options win.
+/// Sizes from options and the scene, in the words of --size. Options take precedence.
 std::vector<SourcePointer> sizes_of(const Inputs& inputs, const PipelineOptions& options) {
   std::vector<SourcePointer> sizes = options.scene.sizes;
   const auto is_given = [&options](const std::string& name) {
@@ -139,7 +139,7 @@ std::vector<SourcePointer> sizes_of(const Inputs& inputs, const PipelineOptions&
   return sizes;
 }
 
-/// The built-in scene at the same sizes: every output, nothing fixed, nothing locked.
+/// The built-in scene at the same sizes: all outputs, no fixed values, no locks.
 Products full_model(const Inputs& inputs, const PipelineOptions& options) {
   PipelineOptions full = options;
   full.scene = {};
@@ -151,7 +151,7 @@ std::string percentage(double part, double whole) {
   return whole > 0 ? fmt::format("{:.0f} %", 100 * part / whole) : "";
 }
 
-/// The costs in the scene, in the full model, and their share.
+/// The costs in the scene and in the full model, and their ratio.
 std::vector<std::string> compared(const OutputRequest& request, const Program& program,
                                   const Products* full) {
   const auto cost_in = [&request](const std::optional<Program>& of) -> std::optional<std::size_t> {
@@ -167,9 +167,9 @@ std::vector<std::string> compared(const OutputRequest& request, const Program& p
           percentage(static_cast<double>(own), static_cast<double>(*whole))};
 }
 
-/// A table: for every output the cost of one call, that of the same output of the full model, and
-/// the time to derive the output alone (formulate to choose). `products` are those of `inputs`;
-/// every output is derived once more, and the full model where there is a scene.
+/// A table with three columns for each output: cost of one call, the same in the full model, and
+/// time to derive this output alone (formulate to choose). Each output of `products`, which belong
+/// to `inputs`, is derived again; so is the full model if there is a scene.
 std::string generation_costs(const Inputs& inputs, const PipelineOptions& options,
                              const Products& products) {
   PipelineOptions silent = options;
@@ -187,7 +187,7 @@ std::string generation_costs(const Inputs& inputs, const PipelineOptions& option
   rows[0].emplace_back("alone");
   columns.push_back({true, 12});
   for (std::size_t i = 0; i < requests.size(); ++i) {
-    if (!has_equations(output_row(requests[i].kind))) continue;  // made of the others
+    if (!has_equations(output_row(requests[i].kind))) continue;  // composed of other functions
     std::vector<std::string>& row = rows.emplace_back(1, requests[i].name);
     const std::vector<std::string> costs = compared(requests[i], *products.program, full);
     row.insert(row.end(), costs.begin(), costs.end());
@@ -207,7 +207,7 @@ std::string generation_costs(const Inputs& inputs, const PipelineOptions& option
 std::string printed(const Products& products, const SubjectRow& subject,
                     const ShowOptions& wanted) {
   PageOptions options;
-  options.zeros = !wanted.what.empty();  // what is asked for by name is shown
+  options.zeros = !wanted.what.empty();  // named outputs are shown even if 0
   if (options.zeros) options.most_entries = SIZE_MAX;
   const bool opens = wanted.what.empty() && products.book && products.book->steps;
   if (opens) options.opening = &*products.book->steps;
@@ -224,7 +224,7 @@ std::string printed(const Products& products, const SubjectRow& subject,
   return wanted.as == "mathml" ? html_page(shown) : markdown_page(shown);
 }
 
-/// Pipes get what programs read.
+/// The default notation. Pipes get one for programs.
 std::string usual_notation(const GlobalOptions& global) {
   if (wants_json(global)) return "json";
   return screen_of(stdout).alphabet == Alphabet::unicode ? "unicode" : "text";
@@ -245,7 +245,7 @@ ExitCode show(const GlobalOptions& global, const ShowOptions& given) {
     pipeline.about = is_place ? "" : options.at;
     if (is_place) pipeline.scene.starts = {make_source("--at", options.at)};
   }
-  // States of rest are those of one potential: what a model leaves open is its sample.
+  // Equilibria need one potential: open functions are replaced by their samples.
   pipeline.scene.close_functions = subject.is_of_rest;
   if (subject.word.empty() && !options.what.empty()) {
     pipeline.scene.outputs = {make_source("command line", options.what)};

@@ -1,4 +1,4 @@
-// The stages of the pipeline on one line of the terminal.
+// Shows the stages of the pipeline on one terminal line.
 #include "cli/shown_pipeline.hpp"
 
 #include <algorithm>

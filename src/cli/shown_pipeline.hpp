@@ -1,4 +1,4 @@
-// The pipeline as every command runs it: its stages are shown while it works, then what it says.
+// The pipeline as all commands run it: progress is shown first, then diagnostics.
 #pragma once
 
 #include <string>
@@ -8,19 +8,19 @@
 
 namespace elgen::cli {
 
-/// Options that all commands have: `goals`, unless --stop-after names another.
+/// The options of all commands, with `goals` unless --stop-after sets another.
 [[nodiscard]] PipelineOptions pipeline_options(const GlobalOptions& global,
                                                std::vector<Goal> goals);
 
-/// run_pipeline with its stages shown. The line is gone when this returns, before anything of the
-/// products is printed.
+/// Runs the pipeline and shows its stages. The line is cleared before this returns, so that
+/// products can be printed.
 [[nodiscard]] Products run_shown(const std::string& subject, const Inputs& inputs,
                                  PipelineOptions options);
 
 /// Prints the dump and the diagnostics.
 ExitCode report_products(const GlobalOptions& global, const Products& products);
 
-/// Whether a file is there and, for all that is known, still bears the name.
+/// Whether a file exists and, as far as is known, its scene still has this name.
 [[nodiscard]] bool may_bear(const GlobalOptions& global, const std::string& path,
                             const std::string& name);
 

@@ -1,4 +1,4 @@
-// drawing: rows are drawn piece by piece; where a piece is tall, so are the brackets around it.
+// drawing: draws rows piece by piece. Brackets are as tall as their content.
 #include "formula/drawing.hpp"
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace {
 
 struct SmallGlyph {
   char32_t value;
-  std::string_view below;  ///< as an index; empty where Unicode has none
-  std::string_view above;  ///< as an exponent
+  std::string_view below;  ///< the subscript; empty where Unicode has none
+  std::string_view above;  ///< the superscript
 };
 
 constexpr std::array small_glyphs{
@@ -32,7 +32,7 @@ constexpr std::array small_glyphs{
     SmallGlyph{'u', "ᵤ", "ᵘ"}, SmallGlyph{'v', "ᵥ", "ᵛ"}, SmallGlyph{'x', "ₓ", "ˣ"},
     SmallGlyph{U'⊤', "", "ᵀ"}};
 
-/// Every character made small; nothing where one of them cannot be.
+/// Replaces every character by its small form; empty if one of them has none.
 std::optional<std::string> made_small(std::string_view text, std::string_view SmallGlyph::*place) {
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
@@ -62,7 +62,7 @@ struct AsciiWord {
   std::string_view word;
 };
 
-/// The words for characters that are no Greek letters.
+/// The ASCII words for characters other than Greek letters.
 constexpr std::array ascii_words{AsciiWord{"⋅", "*"},  AsciiWord{"∂", "d"},   AsciiWord{"∑", "sum"},
                                  AsciiWord{"⊤", "T"},  AsciiWord{"′", "'"},   AsciiWord{"±", "+-"},
                                  AsciiWord{"∓", "-+"}, AsciiWord{"∫", "int"}, AsciiWord{"ℓ", "ell"},
@@ -70,20 +70,20 @@ constexpr std::array ascii_words{AsciiWord{"⋅", "*"},  AsciiWord{"∂", "d"}, 
 
 Block line_of(std::string text) { return {{std::move(text)}, 0}; }
 
-/// The role of a piece for the piece behind it.
+/// The role of a piece, which decides about the blank after it.
 enum class Role : std::uint8_t { none, operand, function, sign, comma, prefix, prose };
 
-/// `(1, 2)` where brackets close behind the row's parts [open, close].
+/// Whether a part opens a bracket that is drawn, as in `(1, 2)`.
 bool is_open_bracket(const Glyphs& part) {
   return part.kind != GlyphKind::scripts && bracket_step(part) > 0 && !part.text.empty();
 }
 
-/// {\delta} q, with a group of its own: a variation, not a factor.
+/// Whether a part is {\delta} q in a group of its own: a variation, not a factor.
 bool is_variation(const Glyphs& part) {
   return part.kind == GlyphKind::row && part.parts.size() == 1 && part.parts[0].text == "δ";
 }
 
-/// \mathrm{elbow}, on none of whose letters an accent would be that of the word.
+/// Whether glyphs are a word such as \mathrm{elbow}: a dot over one letter would be misread.
 bool is_word(const Glyphs& glyphs) {
   if (glyphs.kind == GlyphKind::row && glyphs.parts.size() == 1) return is_word(glyphs.parts[0]);
   return glyphs.kind == GlyphKind::word && columns_of(glyphs.text) > 1;
@@ -110,7 +110,7 @@ Role role_of(const Glyphs& part) {
   return base.text == "," ? Role::comma : Role::sign;
 }
 
-/// Where the bracket at `open` is closed; the end where it is not.
+/// The position of the bracket that closes the one at `open`; the end of the row if none does.
 std::size_t closing(const std::vector<Glyphs>& parts, std::size_t open) {
   int depth = 0;
   for (std::size_t i = open; i < parts.size(); ++i) {
@@ -120,7 +120,7 @@ std::size_t closing(const std::vector<Glyphs>& parts, std::size_t open) {
   return parts.size();
 }
 
-/// Whether a row is a sum: signs in brackets are not its own.
+/// Whether a row is a sum. Signs inside brackets do not count.
 bool has_sign(const Glyphs& glyphs) {
   for (std::size_t i = 0; i < glyphs.parts.size(); ++i) {
     if (role_of(glyphs.parts[i]) == Role::sign) return true;
@@ -129,7 +129,7 @@ bool has_sign(const Glyphs& glyphs) {
   return false;
 }
 
-/// Whether a row has several factors: dt and ∂q are one.
+/// Whether a row has several factors. dt and ∂q are one factor.
 bool is_product(const Glyphs& glyphs) {
   std::size_t factors = 0;
   for (const Glyphs& part : glyphs.parts) {
@@ -143,7 +143,7 @@ bool has_fraction(const Glyphs& row) {
   return std::ranges::find(row.parts, GlyphKind::fraction, &Glyphs::kind) != row.parts.end();
 }
 
-/// The text between two pieces: nothing, or a blank.
+/// The text between two pieces: empty or a blank.
 std::string between(Role left, const Glyphs& part) {
   if (base_of(part).text == "′") return "";
   if (part.kind == GlyphKind::prose && part.text.find_first_of(";:,") == 0) return "";
@@ -156,12 +156,12 @@ std::string between(Role left, const Glyphs& part) {
   return is_argument && left != Role::sign && left != Role::comma ? "" : " ";
 }
 
-/// Whether dots are written as models write them: dot(theta1).
+/// Whether dots are written as calls, as models write them: dot(theta1).
 bool has_called_accent(const Glyphs& glyphs, bool is_unicode) {
   return glyphs.kind == GlyphKind::accent && (!is_unicode || is_word(glyphs.parts[0]));
 }
 
-/// Dots stand over the first letter: that of a symbol.
+/// Puts dots over the first letter.
 std::string accented(const Glyphs& glyphs, const std::string& base, bool is_unicode) {
   if (base.empty()) return base;
   const bool is_double = glyphs.text == "¨";
@@ -175,7 +175,7 @@ bool is_number(const std::string& text) {
   return std::ranges::all_of(text, [](char c) { return is_digit(c); });
 }
 
-/// "½", "7/9"
+/// "½"; "7/9"
 std::string number_fraction(const std::string& above, const std::string& below, bool is_unicode) {
   for (const VulgarFraction& vulgar : vulgar_fractions) {
     const bool is_this = vulgar.above == above && vulgar.below == below;
@@ -184,7 +184,7 @@ std::string number_fraction(const std::string& above, const std::string& below, 
   return above + "/" + below;
 }
 
-/// "₁₂" of "1, 2"; "_cart"; "_left_hip" of "left, hip", as in names
+/// "₁₂" from "1, 2"; "_cart"; "_left_hip" from "left, hip", as in names
 std::string index_of(std::string text, bool is_unicode) {
   std::erase(text, ' ');
   std::string without_commas = text;
@@ -211,7 +211,7 @@ class Drawer {
  public:
   Drawer(Alphabet alphabet, Fractions fractions) : alphabet_(alphabet), fractions_(fractions) {}
 
-  /// A block of one line at least.
+  /// Draws a block of at least one line.
   [[nodiscard]] Block draw(const Glyphs& glyphs) const {
     Block block = drawn(glyphs);
     return block.lines.empty() ? line_of("") : block;
@@ -232,7 +232,7 @@ class Drawer {
         return scripts(glyphs);
       case GlyphKind::space:
         return line_of("");
-      case GlyphKind::prose:  // pieces of a row get their own blanks
+      case GlyphKind::prose:  // rows set the blanks between pieces
         return line_of(without_outer_blanks(glyphs.text));
       default:
         return line_of(letter(glyphs.text, is_unicode()));
@@ -283,7 +283,7 @@ class Drawer {
     return is_there(script) ? exponent_of(text_of_line(script), is_unicode()) : "";
   }
 
-  /// The index is part of what is called: dot(theta1).
+  /// Draws scripts. A dot call includes the index: dot(theta1_2).
   [[nodiscard]] Block scripts(const Glyphs& glyphs) const {
     const Glyphs& base = glyphs.parts[0];
     if (base.kind == GlyphKind::fraction && fractions_ == Fractions::in_line) {
@@ -296,7 +296,7 @@ class Drawer {
     return with_scripts(line_of(accented(base, inside, is_unicode())), exponent_alone);
   }
 
-  /// An index stands on the base line, an exponent at the top of a tall base.
+  /// Puts an index on the base line and an exponent at the top of a tall base.
   [[nodiscard]] Block with_scripts(const Block& base, const Glyphs& glyphs) const {
     Block scripts = line_of(index(glyphs.parts[1]));
     const std::string above = exponent(glyphs.parts[2]);
@@ -346,7 +346,7 @@ class Drawer {
     return result;
   }
 
-  /// delta q, where the words of letters would be one.
+  /// Whether two words would be read as one without a blank: delta q.
   [[nodiscard]] bool runs_on(const Block& left, const Block& right) const {
     if (is_unicode() || left.width() < 2 || right.width() == 0) return false;
     const std::string& line = left.lines[left.base];

@@ -1,5 +1,5 @@
-// drawing: glyphs -> a Block, in Unicode or in ASCII: text in two dimensions, on a base line, as a
-// terminal shows a formula.
+// drawing: glyphs -> a Block in Unicode or ASCII: two-dimensional text with a base line, for
+// terminals.
 //
 //     1            ⎡ M + m    m l ⎤
 //     ─ m l²   M = ⎢              ⎥
@@ -16,10 +16,10 @@
 
 namespace elgen {
 
-/// Columns of a terminal that UTF-8 text takes: accents that combine take none.
+/// The number of terminal columns of UTF-8 text. Combining accents take none.
 [[nodiscard]] std::size_t columns_of(std::string_view text);
 
-/// Lines of equal width, of which number `base` goes on in what stands beside them.
+/// Lines of equal width. Line number `base` is level with the blocks beside it.
 struct Block {
   std::vector<std::string> lines = {""};
   std::size_t base = 0;
@@ -28,23 +28,23 @@ struct Block {
   [[nodiscard]] std::size_t below() const { return lines.size() - base - 1; }
 };
 
-/// Side by side, on one base line.
+/// Places two blocks side by side on one base line.
 [[nodiscard]] Block beside(const Block& left, const Block& right);
 
-/// Centred, with a line between them, which is the base.
+/// Centres two blocks above and below a rule, which is the base line.
 [[nodiscard]] Block stacked(const Block& above, const Block& below, const std::string& rule);
 
-/// A bracket as high as the block.
+/// Draws a bracket as high as the block.
 [[nodiscard]] Block bracket_drawing(std::string_view bracket, const Block& inside,
                                     Alphabet alphabet);
 
 enum class Alignment : unsigned char { centre, left };
 
-/// Cells, row-major: rows share base lines; without brackets.
+/// Draws row-major cells without brackets. The cells of a row share a base line.
 [[nodiscard]] Block grid(const std::vector<Block>& cells, std::size_t columns,
                          Alignment alignment = Alignment::centre);
 
-/// The lines without blanks at their ends, each after `indent`.
+/// The lines without trailing blanks, each after `indent`.
 [[nodiscard]] std::string text_of(const Block& block, std::string_view indent);
 
 enum class Fractions : std::uint8_t { stacked, in_line };
@@ -52,10 +52,10 @@ enum class Fractions : std::uint8_t { stacked, in_line };
 [[nodiscard]] Block drawing(const Glyphs& glyphs, Alphabet alphabet,
                             Fractions fractions = Fractions::stacked);
 
-/// "2" -> "²"; "1/2", which has no small characters, "^(1/2)".
+/// "²" from "2"; "^(1/2)" from "1/2", as there are no small characters for it.
 [[nodiscard]] std::string small_exponent(const std::string& exponent);
 
-/// Square brackets around a grid.
+/// Draws square brackets around a grid.
 [[nodiscard]] Block matrix_drawing(const std::vector<Block>& entries, std::size_t columns,
                                    Alphabet alphabet);
 

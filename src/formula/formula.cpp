@@ -1,4 +1,4 @@
-// formula: puts trees together. A sum, product, list or row of one part is that part.
+// formula: builds trees. A sum, product, list or row with one part is that part.
 #include "elgen/formula.hpp"
 
 #include <utility>
@@ -23,7 +23,7 @@ Formula single_or(FormulaKind kind, Formulas parts) {
   return with_parts(kind, std::move(parts));
 }
 
-/// Rows in rows are one, and so are words behind words.
+/// Appends a part. Rows inside rows are flattened, and adjacent words are joined.
 void append_part(Formulas& row, Formula part) {
   if (part.kind == FormulaKind::row) {
     for (Formula& inner : part.parts) append_part(row, std::move(inner));

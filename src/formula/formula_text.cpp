@@ -1,4 +1,4 @@
-// formula_text: where brackets stand on one line; trees in the model language, part by part.
+// formula_text: trees in the model language, on one line with brackets where they are needed.
 #include "formula/formula_text.hpp"
 
 #include <cln/integer.h>
@@ -19,7 +19,7 @@ std::string joined(const std::vector<FormulaText>& items) {
   return list;
 }
 
-/// How a product holds together, by its first operand.
+/// The binding of a product, which its first operand decides.
 Binding signed_as(const FormulaText& first) {
   return first.binding == Binding::negation ? Binding::negation : Binding::product;
 }
@@ -39,7 +39,7 @@ FormulaText number_text(const cln::cl_RA& value) {
   return denominator == 1 ? above : quotient(model_spelling, above, {integer_text(denominator)});
 }
 
-/// Negative terms are subtracted.
+/// Makes a summand. Negative terms are subtracted.
 Summand summand(const Formula& term, bool is_first) {
   if (is_first) return {at_least(printed(term), Binding::negation)};
   if (term.kind == FormulaKind::negative) return {printed(term.parts[0]), true};
@@ -61,7 +61,7 @@ FormulaText call_text(const Formula& formula) {
                      : called(own, {arguments.front()});
 }
 
-/// A blank between parts, none in front of a sign of punctuation.
+/// Joins parts with blanks, except before punctuation.
 std::string row_text(const Formula& formula) {
   std::string text;
   for (const Formula& part : formula.parts) {

@@ -1,13 +1,12 @@
-// formula_text: formulas on one line, put together from their parts with as few brackets as the
-// order of evaluation allows.
+// formula_text: formulas on one line, with as few brackets as the order of evaluation allows.
 //
 //                          model language      C
 //     quotient             m/(k + c)           m / (k + c)
 //     product              m*(k*c)             m * (k * c)
 //     negation first       -a*b                -a * b
 //
-// Operands on the right keep the order of rounding: code is put together from its instructions, and
-// trees are printed, by the same rules.
+// Operands on the right keep their brackets, and with them the order of rounding. Code and printed
+// trees follow the same rules.
 #pragma once
 
 #include <cln/rational.h>
@@ -21,11 +20,10 @@
 
 namespace elgen {
 
-/// How tightly a formula holds together, weakest first. A product that begins with a sign is a
-/// negation: -a*b.
+/// How tightly a formula binds, weakest first. A product with a leading sign is a negation: -a*b.
 enum class Binding : std::uint8_t { sum, negation, product, power, atom };
 
-/// A formula as it is written; a name or a number is an atom.
+/// A formula as text. A name or a number is an atom.
 struct FormulaText {
   std::string text = {};
   Binding binding = Binding::atom;
@@ -36,7 +34,7 @@ struct Summand {
   bool is_subtracted = false;
 };
 
-/// How a language writes products and quotients.
+/// The signs that a language has for products and quotients.
 struct Spelling {
   std::string_view times;  ///< between factors
   std::string_view over;
@@ -45,7 +43,7 @@ struct Spelling {
 inline constexpr Spelling model_spelling{"*", "/"};
 inline constexpr Spelling code_spelling{" * ", " / "};  ///< C and C++
 
-/// In brackets where it binds less tightly than `least`.
+/// Adds brackets if the formula binds less tightly than `least`.
 [[nodiscard]] FormulaText at_least(const FormulaText& formula, Binding least);
 
 [[nodiscard]] FormulaText negated(const FormulaText& operand);
@@ -54,7 +52,7 @@ inline constexpr Spelling code_spelling{" * ", " / "};  ///< C and C++
                                   const std::vector<FormulaText>& factors);
 [[nodiscard]] FormulaText quotient(const Spelling& spelling, const FormulaText& above,
                                    const FormulaText& below);
-/// In the model language.
+/// The power in the model language.
 [[nodiscard]] FormulaText power(const FormulaText& base, const FormulaText& exponent);
 /// "f(x, y)"
 [[nodiscard]] FormulaText called(std::string_view name, const std::vector<FormulaText>& arguments);

@@ -32,11 +32,11 @@ double width_of_parts(const Glyphs& glyphs) {
   return sum;
 }
 
-/// The pieces between two places where a row may be broken.
+/// The pieces between two possible line breaks.
 struct Segment {
   Glyphs row = {};
-  int brackets = 0;  ///< open in front of it
-  int growing = 0;   ///< those of them that grow
+  int brackets = 0;  ///< open before it
+  int growing = 0;   ///< the growing ones among them
   double width = 0;
 };
 
@@ -59,14 +59,14 @@ std::vector<Segment> segments(const Glyphs& row, double (*measured)(const Glyphs
   const double before = measured({GlyphKind::row, "", {letter}});
   all.front().width = measured(all.front().row);
   for (std::size_t i = 1; i < all.size(); ++i) {
-    Glyphs behind_letter{GlyphKind::row, "", {letter}};  // its sign stands between terms
+    Glyphs behind_letter{GlyphKind::row, "", {letter}};  // a leading sign is a sign between terms
     append(behind_letter, all[i].row, true);
     all[i].width = measured(behind_letter) - before;
   }
   return all;
 }
 
-/// The segment the next line begins with, where the line begins with `first`.
+/// The segment at which to break the line that begins with segment `first`.
 std::size_t next_break(const std::vector<Segment>& all, std::size_t first, double widest) {
   double filled = all[first].width;
   std::size_t best = first + 1;
@@ -181,7 +181,7 @@ Glyphs without_bold(Glyphs glyphs) {
 }
 
 double width(const Glyphs& glyphs) {
-  constexpr double smaller = 0.75;  // scripts, beside their base
+  constexpr double smaller = 0.75;  // size of scripts relative to their base
   switch (glyphs.kind) {
     case GlyphKind::letter:
       return 1.1;

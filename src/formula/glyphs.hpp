@@ -1,7 +1,7 @@
-// glyphs: a formula as it is set, in pieces that stand side by side, above and below each other;
-// read from the LaTeX of tables and of models, and printed as LaTeX, as MathML and on screens.
+// glyphs: a formula as typeset: pieces side by side, above and below each other. It is read from
+// LaTeX of tables and models, and printed as LaTeX, as MathML and on screens.
 //
-// Only the commands of our tables and of what a symbol of a model may reasonably be are known.
+// Only the LaTeX commands of our tables and of likely symbols of models are known.
 #pragma once
 
 #include <cstdint>
@@ -12,48 +12,48 @@
 namespace elgen {
 
 enum class GlyphKind : std::uint8_t {
-  row,       ///< parts, side by side
+  row,       ///< parts side by side
   letter,    ///< x, \theta: text is the character
   word,      ///< \mathrm{cart}
-  command,   ///< a command that is not known: its name
+  command,   ///< an unknown command: its name
   bold,      ///< \mathbf{q}, \boldsymbol{\tau}: a vector
-  prose,     ///< \text{ is stable}: words inside of a formula, with their blanks
+  prose,     ///< \text{ is stable}: words within a formula, with their blanks
   function,  ///< \sin, \operatorname{sgn}
   number,    ///< 12, 9.81
   sign,      ///< + - = , \cdot
   bracket,   ///< ( ) [ ] |
-  left,      ///< the same behind \left: it grows with the content; "" for `.`
-  right,     ///< behind \right
+  left,      ///< a bracket after \left, as tall as the content; "" for `.`
+  right,     ///< the same after \right
   space,     ///< text is the width in em
   fraction,  ///< parts: above, below
   root,      ///< parts: radicand
   accent,    ///< parts: base; text is the dots
-  scripts,   ///< parts: base, below, above; an absent one is an empty row
+  scripts,   ///< parts: base, below, above; an empty row where there is none
 };
 
 struct Glyphs {
   GlyphKind kind = GlyphKind::row;
   std::string text = {};
   std::vector<Glyphs> parts = {};
-  bool is_apart = false;  ///< a blank stands in front of it: M (q) and d t are products, dt is not
+  bool is_apart = false;  ///< a blank precedes it: M (q) and d t are products, dt is not
 
   friend bool operator==(const Glyphs&, const Glyphs&) = default;
 };
 
 using GlyphRows = std::vector<Glyphs>;
 
-/// A row. Brackets need not match: a formula may be broken inside of them.
+/// Reads a row. Brackets need not match, as a formula may be broken inside of them.
 [[nodiscard]] Glyphs read_latex(std::string_view latex);
-/// The LaTeX that is read as these glyphs.
+/// Writes LaTeX from which read_latex gives these glyphs.
 [[nodiscard]] std::string latex(const Glyphs& glyphs);
 
-/// MathML Core: the elements of a row, without a <math> around them.
+/// MathML Core: the elements of a row without the enclosing <math>.
 [[nodiscard]] std::string mathml(const Glyphs& glyphs);
 
-/// Text between the tags of XML and HTML.
+/// Escapes text for XML and HTML.
 [[nodiscard]] std::string xml_text(const std::string& text);
 
-/// About the number of letters that fit its width.
+/// The approximate width in letters.
 [[nodiscard]] double width(const Glyphs& glyphs);
 
 /// The character of a Greek letter's command ("theta"); empty for other words.
@@ -63,28 +63,28 @@ using GlyphRows = std::vector<Glyphs>;
 
 [[nodiscard]] Glyphs row_with(Glyphs piece);
 [[nodiscard]] Glyphs fraction_row(Glyphs above, Glyphs below);
-/// Brackets that grow stand apart from their content.
+/// Encloses content in brackets. Growing brackets are set apart from it.
 [[nodiscard]] Glyphs enclosed(Glyphs content, std::string_view open, std::string_view close,
                               bool grows);
 
-/// The base of scripts, or the piece itself.
+/// The base of a piece with scripts, else the piece itself.
 [[nodiscard]] const Glyphs& base_of(const Glyphs& piece);
 
 /// Whether scripts have this one.
 [[nodiscard]] bool is_there(const Glyphs& script);
 
-/// Puts a script below (place 1) or above (2) the last piece of the row.
+/// Adds a script below (place 1) or above (2) the last piece of the row.
 void add_script(Glyphs& row, std::size_t place, Glyphs script);
 
-/// Adds the pieces of a row, the first of them apart.
+/// Appends the pieces of a row; `is_apart` is for the first of them.
 void append(Glyphs& row, Glyphs pieces, bool is_apart);
 void append_sign(Glyphs& row, std::string_view sign, bool is_apart);
 
-/// +, -, +- and -+ between terms.
+/// Whether a piece is +, -, +- or -+ between terms.
 [[nodiscard]] bool is_term_sign(const Glyphs& piece);
-/// 1 where a bracket opens, -1 where one closes.
+/// 1 for an opening bracket, -1 for a closing one, else 0.
 [[nodiscard]] int bracket_step(const Glyphs& piece);
-/// Whether a sign stands in front, or between terms outside of brackets.
+/// Whether a sign leads the row or separates terms outside of brackets.
 [[nodiscard]] bool is_sum(const Glyphs& row);
 
 /// A formula, or prose between formulas.
@@ -93,27 +93,27 @@ struct GlyphPiece {
   std::string prose = {};
   Glyphs formula = {};
 };
-/// Prose outside of growing brackets; a comma in front of it is prose, too.
+/// Splits a row at prose outside of growing brackets, with the comma before it.
 [[nodiscard]] std::vector<GlyphPiece> pieces(const Glyphs& row);
 
-/// The components of a vector are not bold: \mathbf{g} -> g, \mathbf{bias} -> \mathrm{bias}.
+/// Vectors to components: \mathbf{g} -> g, \mathbf{bias} -> \mathrm{bias}, which are not bold.
 [[nodiscard]] Glyphs without_bold(Glyphs glyphs);
 
 [[nodiscard]] std::string without_outer_blanks(std::string text);
 
-/// Breaks a long row before its signs, at the outermost bracket that fits; growing brackets are
-/// completed on both sides. Every line is at most about `widest` letters wide, if it can be.
+/// Breaks a long row before its signs, at the outermost bracket that fits, and completes growing
+/// brackets on both sides. Lines are at most about `widest` letters wide if possible.
 [[nodiscard]] GlyphRows broken_lines(const Glyphs& row, double widest,
                                      double (*measured)(const Glyphs&) = &width);
 
-/// A name of the model language and the glyphs that stand for it.
+/// A name of the model language and its glyphs.
 struct Symbol {
   std::string name = {};
   Glyphs glyphs = {};
-  bool is_long = false;  ///< has brackets in powers
+  bool is_long = false;  ///< needs brackets in powers
 };
 
-/// Whether no blank stands in front of the words, as they begin with a sign of punctuation.
+/// Whether words follow without a blank, as they begin with punctuation.
 [[nodiscard]] bool stands_close(std::string_view words);
 
 }  // namespace elgen

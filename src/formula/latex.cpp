@@ -38,7 +38,7 @@ constexpr std::array greek_table{
     CommandRow{"Psi", "Ψ"},      CommandRow{"Omega", "Ω"},
 };
 
-/// All but the Greek letters.
+/// The table of all commands except Greek letters.
 constexpr std::array command_table{
     CommandRow{"cdot", "⋅", GlyphKind::sign},
     CommandRow{"partial", "∂", GlyphKind::letter},
@@ -72,14 +72,14 @@ bool is_function_command(std::string_view name) {
   return name == "ln" || name.starts_with("arc") || find_function(name) != nullptr;
 }
 
-/// The letters of all parts, one after the other.
+/// Concatenates the letters of all parts.
 std::string letters_of(const Glyphs& glyphs) {
   std::string text = glyphs.text;
   for (const Glyphs& part : glyphs.parts) text += letters_of(part);
   return text;
 }
 
-/// Formulas are never deeper; the content of deeper ones is left out.
+/// The largest depth of groups. The content of deeper ones is left out.
 constexpr int deepest = 200;
 
 bool continues_number(char c) { return is_digit(c) || c == '.'; }
@@ -158,7 +158,7 @@ class LatexReader {
     return {is_function_command(name) ? GlyphKind::function : GlyphKind::command, std::move(name)};
   }
 
-  /// Parts are moved: copies on every level would cost the square of the depth.
+  /// Moves the parts, since copies on every level would cost the square of the depth.
   Glyphs with_arguments(const CommandRow& row, int depth) {
     Glyphs glyphs{row.kind, std::string(row.letter)};
     for (std::size_t i = 0; i < row.parts; ++i) glyphs.parts.push_back(argument(depth));
@@ -178,13 +178,13 @@ class LatexReader {
 
 std::string group(const Glyphs& glyphs) { return fmt::format("{{{}}}", latex(glyphs)); }
 
-/// Whether a letter behind the text would be one of a command.
+/// Whether the text ends with a command, to which a following letter would be added.
 bool ends_with_command(std::string_view text) {
   const auto end = std::find_if_not(text.rbegin(), text.rend(), is_letter);
   return end != text.rbegin() && end != text.rend() && *end == '\\';
 }
 
-/// \theta, \partial, \quad; the character itself where it has no command.
+/// \theta, \partial, \quad; the character itself if it has no command.
 std::string letter(const Glyphs& glyphs) {
   if (glyphs.text == "′") return "'";
   const std::string_view greek = greek_command(glyphs.text);

@@ -11,7 +11,7 @@
 namespace elgen {
 namespace {
 
-/// One element, whatever the row holds.
+/// Makes one element of a row.
 std::string element(const Glyphs& glyphs) {
   const bool is_single = glyphs.kind != GlyphKind::row || glyphs.parts.size() == 1;
   return is_single ? mathml(glyphs) : fmt::format("<mrow>{}</mrow>", mathml(glyphs));
@@ -41,7 +41,7 @@ bool is_opening(const Glyphs& glyphs) {
   return is_bracket(glyphs) && (glyphs.text == "(" || glyphs.text == "[" || glyphs.text.empty());
 }
 
-/// Functions stand apart from what is before them, and from arguments without brackets.
+/// Writes a row. Functions have space before them, and before an argument without brackets.
 std::string row(const Glyphs& glyphs) {
   constexpr const char* thin = R"(<mspace width="0.17em"/>)";
   std::string text;
@@ -58,7 +58,7 @@ std::string row(const Glyphs& glyphs) {
   return text;
 }
 
-/// Blanks at the ends of an element are not shown unless they are fixed.
+/// Replaces blanks at both ends by fixed ones, as browsers drop others.
 std::string with_fixed_blanks(std::string text) {
   constexpr std::string_view blank = "&#xA0;";
   if (text.ends_with(' ')) text.replace(text.size() - 1, 1, blank);
@@ -66,7 +66,7 @@ std::string with_fixed_blanks(std::string text) {
   return text;
 }
 
-/// Letters and the bold ones, which Unicode has for mathematics, and MathML no attribute.
+/// A range of letters and their bold forms, which Unicode has and MathML Core has no attribute for.
 struct BoldLetters {
   char32_t first;
   char32_t last;
@@ -95,7 +95,7 @@ std::string sign(const std::string& text) {
   return fmt::format("<mo>{}</mo>", text == "-" ? "−" : text == "<=" ? "≤" : xml_text(text));
 }
 
-/// A bar says on which side it stands.
+/// Writes a bracket. A bar states its side.
 std::string fence(const Glyphs& glyphs) {
   if (glyphs.text.empty()) return "";
   const char* const form = glyphs.text != "|"               ? ""

@@ -1,4 +1,4 @@
-// artifacts_of: the rows whose condition holds.
+// artifacts_of: selects the rows of the table whose condition holds.
 #include "elgen/artifacts.hpp"
 
 #include <fmt/format.h>

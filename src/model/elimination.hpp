@@ -7,13 +7,13 @@
 
 namespace elgen {
 
-/// Frames with fewer velocities are solved by M = L D L^T in any case, which is shorter there: a
-/// chain of turns takes as many operations by articulated bodies at about ten.
+/// With fewer velocities, frames are solved by M = L D L^T, which is shorter there: for a chain of
+/// turns, articulated bodies take as many operations at about ten.
 inline constexpr std::size_t least_of_articulated = 10;
 
-/// Whether the last velocity goes first: where a frame carries two or more others, so that limbs do
-/// not fill each other in, and where frames have least_of_articulated velocities, as articulated
-/// bodies do it. It decides the relative pivots of forward dynamics.
+/// Whether the last velocity is eliminated first: if a frame carries two or more others, so that
+/// limbs cause no fill-in between them, and if frames have least_of_articulated velocities, as
+/// articulated bodies need it. This order decides the relative pivots of forward dynamics.
 [[nodiscard]] bool eliminates_last_first(const Model& model);
 
 }  // namespace elgen

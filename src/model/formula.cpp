@@ -1,5 +1,5 @@
-// formula: the operations of expressions are those of formulas, with as few brackets as keep the
-// tree; names are those of the model.
+// formula: converts expressions to formulas one operation at a time, with the names of the model
+// and as few brackets as keep the tree.
 #include "elgen/leaf_names.hpp"
 #include "model/symbols.hpp"
 
@@ -46,7 +46,7 @@ class FormulaMaker {
     return all;
   }
 
-  /// Terms behind the first are subtracted where they are negative, and need no brackets then.
+  /// A sum. A negative term after the first is subtracted, without brackets.
   [[nodiscard]] Formula total(const Expression& node) const {
     Formulas terms;
     for (const ExpressionId operand : node.operands) {
@@ -61,7 +61,7 @@ class FormulaMaker {
   const std::function<Formula(ExpressionId)>& name_;
 };
 
-/// A model does not write them.
+/// A name for pages, as models cannot write components of frames.
 std::string name_of_component(const Model& model, std::uint32_t index) {
   const std::string& name = model.frames[index / components_per_frame].name;
   const std::uint32_t k = index % components_per_frame;

@@ -10,7 +10,7 @@
 namespace elgen {
 namespace {
 
-/// f of the entries that leaves of this owner belong to; none of the system's.
+/// Applies f to the entries that own these leaves; none for leaves of the system.
 template <class F>
 auto of_owner(const Model& model, LeafOwner owner, const F& f)
     -> std::optional<decltype(f(model.parameters))> {

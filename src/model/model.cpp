@@ -1,5 +1,5 @@
-// Model: every coordinate comes with the entries of v that move it, and leaves with them; the
-// numbers of open values, which are few, so that they are looked for.
+// Model: adds each coordinate together with its velocities and their leaves, and finds open values
+// by linear search, as there are few.
 #include "elgen/model.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Units of the entries of outputs, by the rules of the output table.
+// Units of the entries of outputs by the rules of the output table.
 #include "model/output_units.hpp"
 
 namespace elgen {
@@ -23,7 +23,7 @@ MaybeUnit unit_of_position(const Model& model, std::size_t i) {
   return std::nullopt;
 }
 
-/// The unit that the i-th row or column stands for; none where the model does not say.
+/// The unit of the i-th row or column; none if the model declares none.
 MaybeUnit unit_along(const Model& model, Extent extent, std::size_t i) {
   switch (extent) {
     case Extent::one:

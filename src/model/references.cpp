@@ -1,4 +1,4 @@
-// References: one switch over what names stand for, and one depth-first search.
+// References: one switch over the kinds of names, and one depth-first search.
 #include "elgen/references.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace {
 
 enum class SearchState : std::uint8_t { unseen, open, done };
 
-/// An expression whose references are being entered.
+/// An expression on the current path of the search.
 struct Entered {
   ExpressionId expression = 0;
   std::vector<ExpressionId> references = {};
@@ -17,11 +17,11 @@ struct Entered {
 };
 
 struct Found {
-  std::vector<ExpressionId> order = {};  ///< each after what it refers to
-  std::vector<ExpressionId> cycle = {};  ///< the first one met; it ends the search
+  std::vector<ExpressionId> order = {};  ///< topological: references first
+  std::vector<ExpressionId> cycle = {};  ///< the first one found, which ends the search
 };
 
-/// The expressions on the path from `first` on, the last of which refers to `first` again.
+/// The part of the path from `first` on. Its last expression refers to `first` again.
 std::vector<ExpressionId> cycle_of(const std::vector<Entered>& path, ExpressionId first) {
   std::vector<ExpressionId> cycle;
   auto entered = std::ranges::find(path, first, &Entered::expression);
@@ -29,7 +29,7 @@ std::vector<ExpressionId> cycle_of(const std::vector<Entered>& path, ExpressionI
   return cycle;
 }
 
-/// Chains of names may be thousands of links long: nothing here is recursive.
+/// Searches without recursion, as chains of names may have thousands of links.
 template <class References>
 Found search(const Model& model, const std::vector<ExpressionId>& roots,
              const References& references) {
@@ -62,7 +62,7 @@ Found search(const Model& model, const std::vector<ExpressionId>& roots,
   return found;
 }
 
-/// As references(), but all of a point or a frame for one component of it.
+/// Like references(), but a component of a point or a frame refers to all of it.
 std::vector<ExpressionId> references_by_name(const Model& model, ExpressionId expression) {
   const Expression& e = model.expressions[expression];
   if (e.kind == ExpressionKind::point_component) {

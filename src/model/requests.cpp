@@ -9,17 +9,17 @@
 namespace elgen {
 namespace {
 
-/// Why the model lacks what the output needs.
+/// The reason why the model cannot give an output.
 struct Lack {
   Code code;
   std::string reason;
-  std::optional<Span> related = {};  ///< the part of the model that stands in the way
+  std::optional<Span> related = {};  ///< the part of the model that prevents the output
   std::string related_message = {};
 };
 
 Lack lacking(std::string reason) { return {Code::E603, std::move(reason)}; }
 
-/// The coordinate of [routh] that an [[output]] of the whole model is made of; null where there is
+/// The coordinate of [routh] on which an [[output]] of the whole model depends; null if there is
 /// none.
 const Cyclic* taken_out_of(const Model& whole, std::uint32_t user) {
   const std::vector<ExpressionId> roots = output_roots(whole.outputs[user]);
@@ -115,7 +115,7 @@ std::optional<Lack> lack_of(const Model& model, const OutputRequest& request) {
   return std::nullopt;
 }
 
-/// In the order of the table, each kind of the declared outputs' in the order of their declaration.
+/// In the order of the table; user-defined outputs of a kind are in order of declaration.
 std::vector<OutputRequest> all_requests(const Model& model) {
   std::vector<OutputRequest> result;
   for (const OutputRow& row : output_table()) {
@@ -127,7 +127,7 @@ std::vector<OutputRequest> all_requests(const Model& model) {
   return result;
 }
 
-/// Big ones too: a scene that misspells one is told its name.
+/// Includes big outputs, to suggest their names for misspelt ones.
 std::vector<std::string> available_names(const Model& model) {
   std::vector<std::string> names;
   for (const OutputRequest& request : all_requests(model)) {
@@ -136,7 +136,7 @@ std::vector<std::string> available_names(const Model& model) {
   return names;
 }
 
-/// Whether it acts on what a lock is to hold: such a force is in no equation of motion.
+/// Whether a force acts on a locked coordinate and is thus in no equation of motion.
 bool is_held(const Model& model, const Force& force) {
   if (model.variant.whole || !force.on) return false;
   return std::ranges::any_of(model.variant.locks,

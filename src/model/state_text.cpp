@@ -1,4 +1,4 @@
-// A state in JSON. Numbers are written by exact arithmetic, since no double has 40 digits.
+// A state in JSON. Numbers are printed by exact arithmetic, as doubles lack the digits.
 #include "model/state_text.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,6 @@
-// Orders of compositions, and their parts of a step as decimals; the middle one is what the others
-// leave of 1, so that the time after all of them is exact. Suzuki (1990): 1/(4 - 4^(1/3)). Kahan,
-// Li (1997), 17 parts: Hairer, Lubich, Wanner, Geometric Numerical Integration, 2nd ed., sec.
-// V.3.2.
+// Orders of composition methods, and the parts of a step. The middle part is 1 minus the others, so
+// that the final time is exact. Suzuki (1990): 1/(4 - 4^(1/3)). Kahan, Li (1997), 17 parts: Hairer,
+// Lubich, Wanner, Geometric Numerical Integration, 2nd ed., sec. V.3.2.
 #include "elgen/step_methods.hpp"
 
 #include <cln/integer.h>
@@ -15,7 +14,7 @@ namespace {
 
 constexpr long decimals = 26;
 
-/// Before the middle, in units of 10^-26.
+/// The parts before the middle one, in units of 10^-26.
 constexpr std::array parts_of_order_4{"41449077179437573714235406", "41449077179437573714235406"};
 constexpr std::array parts_of_order_8{"13020248308889008087881763",  "56116298177510838456196441",
                                       "-38947496264484728640807860", "15884190655515560089621075",

@@ -1,4 +1,4 @@
-// symbols: letters first, digits and what follows an underscore below the line.
+// symbols: a base of letters, with digits and the text after underscores as subscripts.
 #include "model/symbols.hpp"
 
 #include <fmt/format.h>
@@ -21,18 +21,18 @@ Glyphs word(std::string_view text) {
   return {text.size() == 1 ? GlyphKind::letter : GlyphKind::word, std::string(text)};
 }
 
-/// "xx" of I_{xx}: axes.
+/// Whether text names axes, such as "xx" of I_{xx}.
 bool is_axes(std::string_view text) {
   return !text.empty() && text.size() <= 2 && text.find_first_not_of("xyz") == std::string::npos;
 }
 
-/// A word below the line, where axes are slanted: xx and 3xx.
+/// A subscript. Axes are italic, as in xx and 3xx.
 Glyphs script(std::string_view text) {
   const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
   return is_axes(text.substr(digits)) ? read_latex(text) : word(text);
 }
 
-/// The pieces below the line of the last piece of a symbol.
+/// Adds a subscript to the last piece of a symbol.
 void add_below(Glyphs& symbol, Glyphs piece) {
   const bool has_scripts = !symbol.parts.empty() && symbol.parts.back().kind == GlyphKind::scripts;
   Glyphs below = has_scripts ? std::move(symbol.parts.back().parts[1]) : Glyphs{};
@@ -41,7 +41,7 @@ void add_below(Glyphs& symbol, Glyphs piece) {
   add_script(symbol, 1, std::move(below));
 }
 
-/// Axes behind one letter stand below the line, as what follows an underscore: Ixx is I_{xx}.
+/// The symbol of a name. Axes after a single letter are a subscript: Ixx is I_{xx}.
 Glyphs named_symbol(std::string_view name) {
   const std::size_t letters = static_cast<std::size_t>(
       std::find_if_not(name.begin(), name.end(), is_letter) - name.begin());
@@ -65,7 +65,7 @@ Glyphs symbol_of(const Model& model, const Coordinate& c) {
   return symbol_of_name(c.name, key.empty() ? "" : fmt::format("{}_{{{}}}", key, c.name.back()));
 }
 
-/// "\\omega_{2}", with the name of the rotation where there are several.
+/// "\\omega_{2}", with the name of the rotation if there are several.
 Glyphs spin_symbol(const Model& model, const Velocity& velocity) {
   const char axis = velocity.name[velocity.name.size() - 2];
   Glyphs symbol = row_with(word("omega"));
@@ -77,7 +77,7 @@ Glyphs spin_symbol(const Model& model, const Velocity& velocity) {
   return symbol;
 }
 
-/// `tau_elbow` on the coordinate `elbow` with `latex = "q_2"`: \tau_2.
+/// \tau_2 for `tau_elbow` on the coordinate `elbow` with `latex = "q_2"`.
 Glyphs input_symbol(const Model& model, const Input& input) {
   Glyphs symbol = symbol_of_name(input.name);
   if (!input.on || model.velocities[*input.on].rotation) return symbol;
@@ -94,7 +94,7 @@ Glyphs input_symbol(const Model& model, const Input& input) {
   return symbol;
 }
 
-/// Without the marks of upright letters, which are hard to tell from slanted ones.
+/// The visible text of a symbol: upright and italic letters look alike.
 std::string seen(const Glyphs& symbol) {
   std::string text = latex(symbol);
   for (std::size_t at = 0; (at = text.find("\\mathrm", at)) != std::string::npos;) {
@@ -125,8 +125,8 @@ Glyphs partial(const Glyphs& of, const char* order) {
   return row;
 }
 
-/// V(r), V'(r); of several arguments \frac{\partial V}{\partial x}, or \partial_{1} V where some
-/// have no names.
+/// V(r), V'(r); for several arguments \frac{\partial V}{\partial x}, or \partial_{1} V if an
+/// argument has no name.
 Glyphs open_symbol(const Glyphs& function, const std::vector<Glyphs>& arguments,
                    const std::vector<std::uint32_t>& by) {
   const bool have_names =
@@ -160,7 +160,7 @@ Glyphs open_symbol(const Glyphs& function, const std::vector<Glyphs>& arguments,
   return fraction_row(partial(function, "^{2}"), std::move(below));
 }
 
-/// The pattern with the symbol in the place of its letter s. Dots stand over the base alone.
+/// Replaces the letter s of a pattern by a symbol. Dots are put on the base only.
 Glyphs filled(const Glyphs& pattern, const Glyphs& symbol) {
   Glyphs result;
   for (const Glyphs& piece : pattern.parts) {
@@ -185,7 +185,7 @@ Formula written(Opcode kind, std::string name, const Glyphs& symbol, bool has_ow
   return symbol_formula(std::move(name), filled(pattern, symbol));
 }
 
-/// A key such as `{}` or `\mathrm{}`.
+/// Whether a key such as `{}` or `\mathrm{}` draws nothing.
 bool draws_nothing(const Glyphs& symbol) {
   const Block block = drawing(symbol, Alphabet::unicode, Fractions::in_line);
   return std::ranges::all_of(block.lines, [](const std::string& line) {
@@ -249,7 +249,7 @@ ModelSymbols::ModelSymbols(const Model& model, const LeafNames& names) {
   }
   for (std::uint32_t i = 0; i < model.velocities.size(); ++i) {
     const Velocity& velocity = model.velocities[i];
-    // Components of angular velocities are not written as rates of something.
+    // An angular velocity is not the rate of a coordinate, and has its own symbol.
     const bool has_own = velocity.rotation.has_value();
     const Glyphs symbol = has_own ? distinct(spin_symbol(model, velocity))
                                   : glyphs_of(leaves_.q[velocity.coordinate]);

@@ -19,7 +19,7 @@
 namespace elgen {
 namespace {
 
-/// A term; `{}` is where `,t` stands in models with explicit time.
+/// A term; `{}` is the place of `,t` in models with explicit time.
 using Term = std::string_view;
 
 constexpr Term mass = "M(<q>{}) <a>";
@@ -38,7 +38,7 @@ constexpr Term drift_at_rest = "<drift>(<q>,<0>{})";
 constexpr Term dissipation_at_rest = "\\frac{{\\partial D}}{{\\partial <v>}}(<q>,<0>{})";
 constexpr Term force_at_rest = "<Q>(<q>,<0>{})";
 
-/// False where the program has the output and every entry of it is 0.
+/// Whether the program lacks the output or has an entry of it that is not 0.
 bool may_be_nonzero(const Program& program, OutputKind kind) {
   for (const Function& function : program.functions) {
     if (function.kind == kind) return !is_zero(program, function);
@@ -81,7 +81,7 @@ std::string joined(const std::vector<Term>& terms, std::string_view time) {
   return text;
 }
 
-/// Whether some function is about more than positions and forces at rest.
+/// Whether some function depends on more than positions and forces at rest.
 bool knows_motion(const Model& model, const Program& program) {
   const auto knows = [](const Function& function) {
     const LeafSet takes = output_row(function.kind).takes;
@@ -104,9 +104,9 @@ Lines with_units(const List& list) {
   return names;
 }
 
-/// "(x [m], theta [rad])"; where that is more than a line the first two and the last.
+/// "(x [m], theta [rad])"; the first two and the last if the list is longer than a line.
 std::string tuple(const Lines& names) {
-  constexpr std::size_t longest = 80;  // with "v = ", ", a = dv/dt" and indentation a line of 100
+  constexpr std::size_t longest = 80;  // a line of 100, with "v = ", ", a = dv/dt", indents
   const std::string all = fmt::format("({})", fmt::join(names, ", "));
   if (names.size() <= 3 || all.size() <= longest) return all;
   return fmt::format("({}, {}, ..., {})", names[0], names[1], names.back());
@@ -122,7 +122,7 @@ Lines rates(const Model& model) {
   return names;
 }
 
-/// "N", of the i-th multiplier; empty where it is not known.
+/// The unit of the i-th multiplier, "N"; empty if unknown.
 std::string multiplier_unit(const Model& model, std::size_t i) {
   return unit_text_of_entry(model, {OutputKind::forward_dynamics, "multipliers", i, 0});
 }
@@ -136,7 +136,7 @@ Lines multiplier_names(const Model& model) {
   return names;
 }
 
-/// Whether multipliers do no work along the motion: equations of positions that stand still.
+/// Whether multipliers do no work: all constraints are on positions and free of t.
 bool constraints_stand_still(const Model& model, const Program& program) {
   if (model.constraints.empty()) return true;
   const Function* const function = find_function(program, OutputKind::constraint_residual);
@@ -146,7 +146,7 @@ bool constraints_stand_still(const Model& model, const Program& program) {
 
 // Constraints.
 
-/// Expressions where names stand as they are, in the symbols of the model.
+/// Prints expressions with their names unexpanded, in the symbols of the model.
 class NamedFormulas {
  public:
   explicit NamedFormulas(const Model& model) : model_(model), symbols_(model) {}
@@ -157,7 +157,7 @@ class NamedFormulas {
     return formula_of(model_, id, [this](ExpressionId named) { return name(named); });
   }
 
-  /// "left = right" of left - right, "value = 0" of others.
+  /// "left = right" for the expression left - right, "value = 0" for others.
   [[nodiscard]] Formula equation(ExpressionId value) const {
     const Expression& e = model_.expressions[value];
     const bool is_pair = e.kind == ExpressionKind::add && e.operands.size() == 2;
@@ -186,7 +186,7 @@ class NamedFormulas {
         Glyphs rate = read_latex("\\frac{d}{dt} \\left( <y> \\right)");
         return symbol(id, replaced(std::move(rate), "y", glyphs_of((*this)(e.operands[0]))));
       }
-      default:  // a model writes the origin of a frame only
+      default:  // in a model only the origin of a frame has components
         return symbol(id,
                       component(model_.frames[e.index / components_per_frame].name, e.index % 3));
     }

@@ -1,10 +1,10 @@
-// equations: instructions of a function -> formulas as they are read: products of many factors with
-// powers, definitions by their names.
+// equations: instructions of a function -> readable formulas: repeated factors become powers, and
+// definitions keep their names.
 //
 //     2 = multiply 0 0; 3 = multiply 1 2; 4 = cos 3        cos(m*x^2)
 //
-// An entry of at most 12 operations is written out over the leaves alone; definitions are those the
-// others need.
+// Entries of at most 12 operations are written out over the leaves. Only definitions that the other
+// entries need are listed.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,23 +33,23 @@ bool is_negation(const Formula& formula) {
   }
 }
 
-/// A function over the leaves and the names that some of its instructions have.
+/// Prints a function over the leaves and the names of some instructions.
 class ReadFunction {
  public:
   ReadFunction(const Program& program, const Function& function, const LeafValues<Formula>& leaves,
                const Formulas& names)
       : program_(program), function_(function), leaves_(leaves), names_(names) {}
 
-  /// The instruction itself, even where it has a name.
+  /// The formula of an instruction, even if it has a name.
   [[nodiscard]] Formula definition(std::uint32_t at) const {
     return folded(*this, program_, function_.instructions[at], *this);
   }
-  /// Its name, where it has one.
+  /// The name of an instruction, else its formula.
   [[nodiscard]] Formula entry(std::uint32_t at) const {
     return is_named(at) ? names_[at] : definition(at);
   }
 
-  // The rules of fold.hpp, on operands by their numbers.
+  // The rules of fold.hpp, for operands by number.
 
   [[nodiscard]] std::uint32_t operator[](std::uint32_t operand) const { return operand; }
   [[nodiscard]] Formula constant(const Constant& constant) const {
@@ -77,7 +77,7 @@ class ReadFunction {
     }
     return call_of(function, std::move(arguments));
   }
-  /// The sign of a constant is its own.
+  /// Negates a formula. A constant is printed with its own sign.
   [[nodiscard]] Formula negate(std::uint32_t x) const {
     const Instruction& i = function_.instructions[x];
     if (i.opcode != Opcode::constant) return negative(entry(x));
@@ -93,7 +93,7 @@ class ReadFunction {
  private:
   [[nodiscard]] bool is_named(std::uint32_t at) const { return !names_[at].is_empty(); }
 
-  /// The factors of nested products that are written out, left to right.
+  /// Collects the factors of nested products without names, left to right.
   void collect_factors(std::uint32_t at, std::vector<std::uint32_t>& factors) const {
     const Instruction& i = function_.instructions[at];
     if (i.opcode != Opcode::multiply || is_named(at)) {
@@ -131,8 +131,7 @@ std::vector<std::uint32_t> long_entries(const Function& function,
   return entries;
 }
 
-/// Definitions of no more operations are easier to read where they are used than where they are
-/// made.
+/// The operations up to which a definition is easier to read where it is used.
 constexpr std::size_t short_definition = 3;
 
 /// The formula of each name, where there is one.
@@ -154,15 +153,15 @@ LeafValues<Formula> leaf_formulas(const LeafNames& leaves) {
   return formulas;
 }
 
-/// The symbols of names, unlike those of the model.
+/// Symbols for names, distinct from those of the model.
 Formulas symbols_of(const std::vector<std::string>& names, ModelSymbols symbols) {
   return formulas_of(names, [&symbols](const std::string& name) {
     return symbol_formula(name, symbols.distinct(symbol_of_name(name)));
   });
 }
 
-/// Definitions and entries by their names. `sizes`: of what is written out over the leaves alone
-/// where it is short; empty where nothing is.
+/// Prints definitions and entries by name. `sizes` are lengths over the leaves alone, by which
+/// short entries are written out; if empty, none is.
 FunctionEquations by_names(const Program& program, const Function& function,
                            const LeafValues<Formula>& leaves, const Formulas& names,
                            const std::vector<std::size_t>& sizes) {
@@ -194,7 +193,7 @@ FunctionEquations with_needed(const Program& program, const Function& function,
   return by_names(program, function, leaves, names, sizes);
 }
 
-/// Short definitions have no names; the others that have none of their own are xi_1, xi_2, ….
+/// Drops the names of short definitions, and calls others without their own name xi_1, xi_2, ….
 std::vector<std::string> read_names(const Program& program, const Function& function,
                                     const std::vector<std::size_t>& sizes) {
   std::vector<std::string> names = temporary_names(program, function);
@@ -207,8 +206,8 @@ std::vector<std::string> read_names(const Program& program, const Function& func
   return names;
 }
 
-/// Entries as they are read: x of x + 0/y and of x + 0*y, by which pivots are no numbers where M_ii
-/// is 0. Instructions stay: their names are those of the whole function, as in code.
+/// Prints x for x + 0/y and x + 0*y, the guards of pivots against M_ii = 0. Instructions stay, so
+/// that the names are those of the whole function, as in code.
 Function without_guards(const Program& program, Function function) {
   const std::vector<Instruction>& all = function.instructions;
   for (Field& field : function.fields) {

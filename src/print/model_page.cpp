@@ -49,7 +49,7 @@ std::vector<PageVariable> functions(const Model& model, const Formulas& symbols)
   return list;
 }
 
-/// "0.5"; "0.3, 0.4"; "0.3 each"; with "(fixed)" where it is a number in the code.
+/// "0.5"; "0.3, 0.4"; "0.3 each"; with "(fixed)" if the value is a number in the code.
 std::string value_text(const Model& model, const Scene& scene, const ParameterArray& array) {
   std::string text;
   bool is_uniform = true;
@@ -81,12 +81,12 @@ std::vector<PageVariable> parameters(const Model& model, const Scene& scene,
   return list;
 }
 
-/// "Mass matrix"; the names of a user's own outputs are left as they are.
+/// "Mass matrix"; names of the user's own outputs are unchanged.
 std::string title_of(const Function& function) {
   return output_row(function.kind).of_user ? function.name : as_title(function.name);
 }
 
-/// The output by those that its definition names; empty where there is no such.
+/// The definition of an output by other outputs; empty if there is none.
 Formula definition_by_others(const Model& model, const Function& function) {
   if (function.kind == OutputKind::velocity_force) {
     return typed_formula(model, "(C <v>)_{i} = \\sum_{j} C_{ij} <v>_{j}");
@@ -128,7 +128,7 @@ PageSection with_equations(const Model& model, const Program& program, std::size
   return result;
 }
 
-/// Whether all of it is about half a page, or more: nobody reads that.
+/// Whether a section fills more than about half a page, which nobody reads.
 bool fills_page(const PageSection& section) {
   constexpr std::size_t longest = 3000;
   std::size_t letters = 0;
@@ -138,7 +138,7 @@ bool fills_page(const PageSection& section) {
   return letters > longest;
 }
 
-/// By its definition where that says more than equations would, which then has none.
+/// The output by its definition if that says more than its equations, else by these.
 PageSection readable_output(const Model& model, const Program& program, std::size_t index,
                             bool is_asked_for) {
   PageSection defined = by_definition(model, program.functions[index]);

@@ -1,7 +1,7 @@
-// named_parts: the recursions of src/derive/tree/ as a book has them: motions from the world to the
-// last frames, forces and composite inertias back to the world. Featherstone, Rigid Body Dynamics
-// Algorithms (2008), chapters 5 and 6. With V the twist of a frame, S its own part of that, and G
-// the inertia of all that it carries, 2 T = sum V.G V - (V - S).G (V - S): hence M.
+// named_parts: the recursions of src/derive/tree/ in textbook form: motions from the world
+// outwards, forces and composite inertias back to the world. Featherstone, Rigid Body Dynamics
+// Algorithms (2008), chapters 5 and 6. With the twist V of a frame, its own part S, and the inertia
+// G of the bodies it carries, 2 T = sum V.G V - (V - S).G (V - S), which gives M.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace elgen {
 namespace {
 
-/// Both sides, where `<v>` stands for the velocities.
+/// Both sides of an equation, where `<v>` stands for the velocities.
 struct PartRow {
   std::string_view left;
   std::string_view right;
@@ -139,7 +139,7 @@ class FramesWriter {
     return product.is_empty() ? number_formula(1) : product;
   }
 
-  /// Empty where nothing moves.
+  /// The motion of a step; empty if the frame is fixed.
   [[nodiscard]] Formula motion(const FrameStep& step) const {
     if (step.kind == FrameStepKind::translation) {
       Formula by = vector(step.vector);
@@ -167,7 +167,7 @@ class FramesWriter {
     return applied(read_latex(name), arguments);
   }
 
-  /// "z", or its components where it lies between the axes.
+  /// "z", or components if the axis is not a coordinate axis.
   [[nodiscard]] Glyphs axis(const FrameStep& turn) const {
     const Formula unit = vector(turn.vector);
     const auto one =
@@ -191,7 +191,7 @@ PageSection part_section(const Model& model, const std::string& doc, const Rows&
   return result;
 }
 
-/// M and the left side of the equations of motion; potential energies beside weights are left to g.
+/// M and the left side of the equations of motion. Of potential energies only weights are included.
 std::vector<PageEquation> part_results(const Model& model, const FramesWriter& writer,
                                        bool has_weights) {
   std::vector<PageEquation> result;

@@ -1,4 +1,4 @@
-// pages: one walk over a Page for every language, and the words of each.
+// pages: one walk over a Page for all languages, with the syntax of each.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,14 +13,14 @@
 namespace elgen {
 namespace {
 
-/// How a language of pages writes what a page has.
+/// The syntax of a page language.
 struct PageWords {
-  std::string (*plain)(const std::string& text);      ///< prose, its markup escaped
-  std::string (*name)(const std::string& name);       ///< what models and programs call it
+  std::string (*plain)(const std::string& text);      ///< prose with escaped markup
+  std::string (*name)(const std::string& name);       ///< a name in models and programs
   std::string (*unit)(const std::string& unit);       ///< "m/s^2"
-  std::string (*formula)(const Glyphs& glyphs);       ///< without what encloses it
-  std::string (*in_line)(const Glyphs& glyphs);       ///< a formula within prose
-  std::string (*equations)(const DisplayBlock& all);  ///< on lines of their own
+  std::string (*formula)(const Glyphs& glyphs);       ///< without delimiters
+  std::string (*in_line)(const Glyphs& glyphs);       ///< with the delimiters of a formula in prose
+  std::string (*equations)(const DisplayBlock& all);  ///< displayed equations
 };
 
 using List = TemplateData::type;
@@ -70,7 +70,7 @@ TemplateData variables_data(const Page& page, const PageWords& words) {
   return tables;
 }
 
-/// Rows of cells, heads first; absent where there are no heads.
+/// Rows of cells, heads first; absent without heads.
 TemplateData cells_data(const PageTable& table, const PageWords& words) {
   const auto row_of = [&](auto first, std::size_t count) {
     TemplateData cells(List::list);
@@ -106,7 +106,7 @@ std::vector<DisplayBlock> blocks_of(const std::vector<SetEquation>& equations, b
   return blocks;
 }
 
-/// The name in code stands where the title is no other.
+/// The heading of a section. A title that is the name in code is printed as code.
 TemplateData heading_data(const PageSection& section, const PageWords& words) {
   const bool is_name = text_of(section.title) == section.function;
   TemplateData heading;
@@ -136,8 +136,8 @@ TemplateData section_data(const PageSection& section, const PageWords& words) {
   return data;
 }
 
-/// The values of the holes of templates/pages/. An empty value is a section that is absent; a text
-/// of one line or more is its `line`.
+/// The values for the holes of templates/pages/. A section with an empty value is absent; `line`
+/// holds a text of one or more lines.
 TemplateData page_data(const Page& page, const PageWords& words) {
   TemplateData notes(List::list);
   for (const std::string& note : page.notes) notes << TemplateData("line", words.plain(note));
@@ -155,10 +155,10 @@ TemplateData page_data(const Page& page, const PageWords& words) {
   return data;
 }
 
-/// A text that a language writes as it is.
+/// Returns the text, for languages without escapes.
 std::string unchanged(const std::string& text) { return text; }
 
-/// One line, without what Markdown would read as markup.
+/// Escapes Markdown syntax in one line.
 std::string markdown_text(const std::string& text) {
   static const Escapes escapes{{'|', "\\|"}, {'<', "\\<"},   {'*', "\\*"}, {'_', "\\_"},
                                {'$', "\\$"}, {'\\', "\\\\"}, {'`', "\\`"}, {'\n', " "},
@@ -167,7 +167,7 @@ std::string markdown_text(const std::string& text) {
   return escaped(text, escapes);
 }
 
-/// Text with what LaTeX would read as commands escaped; Unicode is left to inputenc.
+/// Escapes LaTeX syntax. Unicode is left to inputenc.
 std::string latex_text(const std::string& text) {
   static const Escapes escapes{{'\\', "\\textbackslash{}"},
                                {'^', "\\textasciicircum{}"},
@@ -185,7 +185,7 @@ std::string latex_text(const std::string& text) {
   return escaped(text, escapes);
 }
 
-/// Lines that may break across pages; `aligned` may not.
+/// Longer blocks use lines that may break across pages, unlike `aligned`.
 constexpr std::size_t longest_block = 10;
 
 std::string latex_equations(const DisplayBlock& block) {
@@ -223,7 +223,7 @@ std::string in_math(const Glyphs& glyphs) {
 
 std::string cell(const std::string& content) { return fmt::format("<mtd>{}</mtd>", content); }
 
-/// Rows of `columns` entries in tall brackets.
+/// A matrix of `columns` columns in tall brackets.
 std::string html_matrix(const Display& display) {
   std::string rows;
   for (std::size_t i = 0; i < display.rows.size(); ++i) {
@@ -241,8 +241,7 @@ std::vector<std::string> html_right_sides(const Display& display) {
   return sides;
 }
 
-/// One line, or lines of which the signs stand below each other, and what continues a line to the
-/// right of its sign.
+/// One line, or lines with aligned signs. Continuation lines are to the right of the sign.
 std::string html_equations(const DisplayBlock& block) {
   std::string rows;
   for (const Display& display : block) {
@@ -260,7 +259,7 @@ std::string html_equations(const DisplayBlock& block) {
 
 }  // namespace
 
-/// GitHub Markdown, formulas in blocks of $$.
+/// GitHub Markdown with $$ blocks.
 std::string markdown_page(const Page& page) {
   const PageWords words{markdown_text, unchanged, markdown_unit, latex, in_dollars, latex_block};
   std::string text = fill_template("pages/markdown.md.mustache", page_data(page, words));
@@ -268,8 +267,8 @@ std::string markdown_page(const Page& page) {
   return text;
 }
 
-/// A complete document; amsmath and longtable are all it needs. Its fonts are outlines: those of
-/// OT1 where lmodern is not installed, which have no <, > and |.
+/// A complete document with amsmath and longtable. Its fonts are outlines. Without lmodern they are
+/// those of OT1, which lack <, > and |.
 std::string latex_document(const Page& page) {
   const PageWords words{latex_text, latex_text, latex_unit, latex, in_dollars, latex_equations};
   return fill_template("pages/latex.tex.mustache", page_data(page, words));

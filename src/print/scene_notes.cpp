@@ -1,4 +1,4 @@
-// scene_notes: what a reader must know of a scene to read its equations.
+// scene_notes: facts about a scene that a reader of its equations needs.
 #include <fmt/format.h>
 
 #include "elgen/page.hpp"
@@ -19,7 +19,7 @@ Lines fixed_parameters(const Model& model, const Scene& scene) {
   return values;
 }
 
-/// "q1 = 1/6*pi"; of a rotation its components.
+/// "q1 = 1/6*pi"; the components of a rotation.
 Lines locked_coordinates(const Model& model) {
   const Model& whole = whole_of(model);
   Lines values;
@@ -57,7 +57,7 @@ std::string left_out_text(const LeftOut& left_out) {
                      names);
 }
 
-/// Values of small coordinates, and of inputs where they are small.
+/// The expansion point: small coordinates, and inputs if they are small.
 Lines point(const Model& model) {
   const Approximation& approximation = *model.approximation;
   Lines values;

@@ -1,4 +1,4 @@
-// screen_page: a page as a terminal shows it, and the part of it that fits one screen.
+// screen_page: a page for a terminal, and an overview that fits one screen.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ PageShape shape_of(const Screen& screen) {
           3};
 }
 
-/// Formulas in the alphabet of a screen, no wider than it is.
+/// Draws formulas in the alphabet of a screen, within its width.
 class ScreenDrawing {
  public:
   explicit ScreenDrawing(const Screen& screen)
@@ -72,7 +72,7 @@ class ScreenDrawing {
   PageShape shape_;
 };
 
-/// The parts of an overview.
+/// Draws the parts of an overview.
 class Overview : public ScreenDrawing {
  public:
   using ScreenDrawing::ScreenDrawing;
@@ -90,8 +90,8 @@ class Overview : public ScreenDrawing {
     return fmt::format("{} = ({})", name, text);
   }
 
-  /// The matrix on one screen: its widest entries are folded until it fits, and all of it where
-  /// that is not enough.
+  /// A matrix on one screen. Its widest entries are folded until it fits; if they all are and it
+  /// does not fit, only its size is shown.
   [[nodiscard]] std::string folded(const SetEquation& equation) const {
     std::vector<Block> cells;
     for (const Glyphs& entry : equation.entries) cells.push_back(draw(entry));
@@ -116,7 +116,7 @@ class ScreenPage : public ScreenDrawing {
     return text_of(draw(glyphs_of(formula), Fractions::in_line), indent);
   }
 
-  /// Symbol, value and unit, what it is: a line each.
+  /// One line each: symbol, value with unit, description.
   [[nodiscard]] std::string variables(const std::vector<PageVariable>& list) const {
     std::vector<Block> cells;
     for (const PageVariable& v : list) {
@@ -172,7 +172,7 @@ class ScreenPage : public ScreenDrawing {
            (leaves_out ? fmt::format("{}all other entries are 0\n", page_indent) : "");
   }
 
-  /// All equations side by side; empty where that is too wide, or one is no matrix that fits.
+  /// All equations side by side; empty if that is too wide, or one is no matrix that fits.
   [[nodiscard]] std::string row(const std::vector<SetEquation>& equations) const {
     Block all;
     for (const SetEquation& equation : equations) {
@@ -190,7 +190,7 @@ class ScreenPage : public ScreenDrawing {
     return text;
   }
 
-  /// `left` are the columns of the longest left side of a block; lines go on behind it.
+  /// Draws a display. `left` is the width of the longest left side of its block.
   [[nodiscard]] std::string display(const Display& part, Fractions fractions = Fractions::stacked,
                                     std::size_t left = 0) const {
     std::vector<Block> rights;
@@ -212,7 +212,7 @@ class ScreenPage : public ScreenDrawing {
     return text;
   }
 
-  /// Its sign stands between terms.
+  /// A continuation line, whose leading sign is a binary one.
   static Glyphs continued(const Glyphs& row) {
     Glyphs result{GlyphKind::row, "", {Glyphs{}}};
     append(result, row, true);
@@ -230,7 +230,7 @@ class ScreenPage : public ScreenDrawing {
   }
 };
 
-/// The terms of the equation of motion, in its order.
+/// The terms of the equation of motion in order.
 constexpr std::array overview_outputs{OutputKind::mass_matrix, OutputKind::velocity_force,
                                       OutputKind::drift,       OutputKind::gravity,
                                       OutputKind::dissipation, OutputKind::applied_force};

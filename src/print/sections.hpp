@@ -1,5 +1,5 @@
-// sections: titles and definitions, constraints, and the named parts that replace equations which
-// are too long to read.
+// sections: titles and definitions, constraints, and recursions with named parts, which replace
+// equations that are too long to read.
 //
 //     rod (position): (x^2 + y^2)/2 = l^2/2, omega = 10, zeta = 1
 //     A a = -gamma - 2 zeta omega r - omega^2 f
@@ -20,27 +20,27 @@ struct Heading {
 
 [[nodiscard]] Heading heading(const Model& model, const Function& function);
 
-/// One sentence: the table's, or the model's own about its outputs.
+/// One sentence from the table, or from the model for its own outputs.
 [[nodiscard]] std::string output_doc(const Model& model, const Function& function);
 
-/// The second rates of positions and the rates of velocities: gains stand there where the model has
-/// some.
+/// The constraint on accelerations: second rates of positions and rates of velocities, with gains
+/// if the model has some.
 [[nodiscard]] Formula constraint_equation(const Model& model);
 
 /// One line of text for each constraint.
 [[nodiscard]] std::vector<std::string> constraint_lines(const Model& model);
 
-/// A table of them: multipliers with their units, equations, gains.
+/// A table of the constraints: multipliers with units, equations, gains.
 [[nodiscard]] PageSection constraint_section(const Model& model);
 
-/// Whether functions[index] has a closed form that is written for a reader.
+/// Whether functions[index] has a closed form written for a reader.
 [[nodiscard]] bool has_readable_form(const Program& program, std::size_t index);
 
-/// Whether all kinetic energy is that of bodies and points in frames, and of armatures: then the
-/// recursion over frames says what M and the forces are.
+/// Whether all kinetic energy belongs to bodies and points in frames and to armatures, so that the
+/// recursion over frames gives M and the forces.
 [[nodiscard]] bool moves_in_frames(const Model& model);
 
-/// That recursion, from the poses of the frames to M.
+/// The sections of that recursion, from the poses of the frames to M.
 [[nodiscard]] std::vector<PageSection> named_parts(const Model& model);
 
 }  // namespace elgen

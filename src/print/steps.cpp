@@ -1,6 +1,6 @@
-// steps: the functions of a derivation -> sections of a page, in the order of a textbook: the
-// action and what makes it stationary, positions, velocities, energies, constraints, then
-// Lagrange's equation of one coordinate after the other.
+// steps: the functions of a derivation -> page sections in textbook order: the action and its
+// variation, positions, velocities, energies, constraints, then Lagrange's equation of each
+// coordinate.
 #include "print/steps.hpp"
 
 #include <fmt/format.h>
@@ -15,8 +15,7 @@
 namespace elgen {
 namespace {
 
-/// Sections grow equation by equation; the definitions that their functions refer to stand behind
-/// them.
+/// Builds sections equation by equation. A section ends with the definitions of its functions.
 class Outline {
  public:
   Outline(const Model& model, const ReadableSteps& steps)
@@ -77,7 +76,7 @@ class Outline {
                                                        : steps_.program.functions[function];
   }
 
-  /// Models in a plane are written with two components.
+  /// The number of components to print: two for planar models.
   [[nodiscard]] std::uint32_t dimension() const {
     for (const Point& point : model_.points) {
       if (point.dimension == 3) return 3;
@@ -93,7 +92,7 @@ class Outline {
     return outline_.emplace_back(PageSection{.title = std::move(title), .doc = std::move(doc)});
   }
 
-  /// `left` = one field of one function.
+  /// Adds the equation `left` = one field of a function.
   void add(Formula left, std::size_t function, std::size_t field, std::uint32_t rows = 1) {
     Formulas entries = read_[function].entries[field];
     entries.resize(rows);
@@ -101,7 +100,7 @@ class Outline {
     if (std::ranges::count(functions_, function) == 0) functions_.push_back(function);
   }
 
-  /// The definitions of the functions of a section. Those of several derivations may have one name.
+  /// Appends definitions. Functions of several derivations may have definitions of the same name.
   void end_section() {
     std::vector<std::string> known;
     for (const std::size_t function : functions_) {
@@ -161,7 +160,7 @@ class Outline {
     end_section();
   }
 
-  /// L + lambda f of positions, what velocities have instead, and f and phi.
+  /// Adds L + lambda f with the constraints on positions, those on velocities, and all f and phi.
   void add_constraints(std::size_t function) {
     PageSection& section = add_section(prose("Constraints"), std::string(constraints_doc));
     Formulas sum = {typed_formula("L")};
@@ -222,19 +221,19 @@ class Outline {
     end_section();
   }
 
-  /// d/dt dL/dv - dL/dq + dD/dv = Q + A^T lambda, written out.
+  /// Adds d/dt dL/dv - dL/dq + dD/dv = Q + A^T lambda, written out.
   void add_row(std::size_t function) {
     add(read_[function].entries[field_of(BookLine::left)].front(), function,
         field_of(BookLine::force));
   }
 
-  /// The rows of all velocities, and what they are solved for, or the constraints.
+  /// Adds the rows of all velocities, then their solution or the constraints.
   void add_equations(std::size_t first, std::size_t constraints) {
     PageSection& section = add_section(prose(std::string(equations_title)), "");
     const std::size_t count = model_.velocities.size();
     std::vector<std::string> long_rows;
     for (std::size_t i = 0; i < count; ++i) {
-      // Definitions of several derivations may have one name: such a row stands in its own section.
+      // Definitions of several derivations may share a name: such a row has a section of its own.
       if (has_readable_form(steps_.program, first + i)) {
         add_row(first + i);
       } else {
@@ -260,7 +259,7 @@ class Outline {
     if (section.equations.empty() && section.doc.empty()) outline_.pop_back();
   }
 
-  /// Noether's line of a cyclic coordinate.
+  /// Noether's theorem for a cyclic coordinate.
   [[nodiscard]] Formula conservation(std::size_t function, const Formula& slope,
                                      const Formula& q) const {
     const bool is_free =

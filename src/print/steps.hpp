@@ -1,4 +1,4 @@
-// steps: the sentences of a derivation that are the same for every model. `<q>` is a vector.
+// steps: sentences that are the same in every derivation. `<q>` is a vector.
 //
 // Hamilton's principle, with d'Alembert's where forces work or constraints hold: Goldstein, Poole,
 // Safko, Classical Mechanics, 3rd ed., sections 1.4, 2.3 and 2.4.
@@ -15,7 +15,7 @@ inline constexpr std::string_view turning_variation =
     " Of an angular velocity delta q is a turn about the axes of the body, and d/dt is the rate "
     "seen from the world.";
 
-/// S, its variation, the integration by parts, and its boundary terms.
+/// S, its variation, the integration by parts, and the boundary terms.
 inline constexpr std::array<std::string_view, 4> variation_lines{
     R"(S = \int L dt)",
     R"({\delta} S = \int \left( \frac{\partial L}{\partial <q>} \cdot {\delta} <q> + )"

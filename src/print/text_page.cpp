@@ -1,5 +1,5 @@
-// text_page: equations in the model language, one entry a line, and what either form of a function
-// costs.
+// text_page: equations in the model language, one line per entry, and the cost of both forms of a
+// function.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 namespace elgen {
 namespace {
 
-/// Functions as one: what they compute alike is computed once. Their fields follow one another.
-/// Names that another function tells too have that of their function before them.
+/// Joins functions, with the fields of one after those of another, so that common subexpressions
+/// are computed once. Names that would clash are prefixed with the name of their function.
 Function united(const Program& program, const std::vector<std::size_t>& functions) {
   Function all;
   Instructions instructions(all);
@@ -55,7 +55,7 @@ std::string definitions_text(const FunctionEquations& equations) {
   return text;
 }
 
-/// "(x, y)" of a column of a derivation; an entry a line of matrices.
+/// One line "(x, y)" for a column of a derivation; one line per entry for a matrix.
 std::string equation_text(const PageEquation& equation, bool is_tuple) {
   const std::string left = text_of(equation.left);
   if (equation.entries.size() == 1) {
@@ -71,7 +71,7 @@ std::string equation_text(const PageEquation& equation, bool is_tuple) {
   return text;
 }
 
-/// Heads are there where one of them is not empty.
+/// A table. The line of heads is left out if all are empty.
 std::string table_text(const PageTable& table) {
   const auto columns = static_cast<std::ptrdiff_t>(table.heads.size());
   std::vector<std::string> cells = texts_of(table.heads);
@@ -91,7 +91,7 @@ bool is_shown(const Program& program, const Function& function, const PageOption
   return has_equations(output_row(function.kind)) && (options.zeros || !is_zero(program, function));
 }
 
-/// "3.1", of 16 digits at most; "0" where nothing is lost, nothing where it was not asked.
+/// "3.1" digits, at most 16; "0" if none is lost; empty if it was not computed.
 std::string digits_text(const std::optional<double>& loss) {
   if (!loss) return {};
   const double digits = digits_lost(*loss, ScalarKind::double_precision);

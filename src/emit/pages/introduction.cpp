@@ -1,4 +1,4 @@
-// introduction: the first screen of a header. Rates are named where some function knows of them.
+// introduction: the first screen of a header. Rates are listed if a function depends on them.
 #include "emit/pages/introduction.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-// introduction: a Model and its Program -> the comment a header opens with: title, equation of
-// motion with the terms this model has, what q, v, a, u are, and the table of operations.
+// introduction: a Model and its Program -> the opening comment of a header: title, equation of
+// motion, definitions of q, v, a, u, and the table of operations.
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@
 
 namespace elgen {
 
-/// Lines as they follow `//`: empty, or beginning with a space.
+/// The lines after `//`: empty, or with a leading space.
 [[nodiscard]] std::vector<std::string> introduction(const Model& model, const Scene& scene,
                                                     const Program& program);
 
-/// One heading and one line per function; `definitions` is the number of named values in it.
+/// A heading, and one line per function; `definitions` counts the named values of a function.
 [[nodiscard]] std::vector<std::string> operation_table(const Program& program);
 
 }  // namespace elgen

@@ -1,4 +1,4 @@
-// markdown: the page of the sheet under a comment that states what made it.
+// markdown: the page of the sheet, below a comment that states its origin.
 #include <fmt/format.h>
 
 #include "elgen/page.hpp"

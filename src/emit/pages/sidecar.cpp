@@ -1,5 +1,5 @@
-// sidecar: an object or list is one line where it fits, one element a line where not, so that a
-// one-term change is a one-line diff.
+// sidecar: prints an object or list on one line if it fits, else one element per line, so that a
+// change of one term is a diff of one line.
 #include <nlohmann/json.hpp>
 
 #include "base/utf8.hpp"
@@ -43,7 +43,7 @@ std::string printed(const Json& json, std::size_t column, std::size_t indent) {
   return brackets[0] + text + "\n" + std::string(indent, ' ') + brackets[1];
 }
 
-/// A list of the elements, each as `json_of` gives it.
+/// A list with `json_of` of each element.
 template <class Elements, class F>
 Json listed(const Elements& elements, const F& json_of) {
   Json list = Json::array();
@@ -51,14 +51,14 @@ Json listed(const Elements& elements, const F& json_of) {
   return list;
 }
 
-/// A name and its unit, where it has one.
+/// A name with its unit, if any.
 Json named(const std::string& name, const std::string& unit) {
   Json json = {{"name", name}};
   if (!unit.empty()) json["unit"] = unit;
   return json;
 }
 
-/// The name in each language that writes it otherwise: {"python": "lambda_"}.
+/// Adds the name in each language that spells it differently: {"python": "lambda_"}.
 void add_spellings(Json& json, const std::string& name) {
   for (const LanguageRow& language : language_table) {
     const std::string spelt = spelt_name(language.id, name);
@@ -70,13 +70,13 @@ void add_interval(Json& json, const char* key, const std::optional<Interval>& in
   if (interval) json[key] = {exact_text(interval->low), exact_text(interval->high)};
 }
 
-/// The range of the rate, and the rate that runs start with.
+/// Adds the range of the rate and its initial value.
 void add_rate(Json& json, const Velocity& velocity) {
   add_interval(json, "rate_range", velocity.rate_range);
   json["start_rate"] = exact_text(velocity.start_rate);
 }
 
-/// Where nothing rotates, velocities are the rates of the coordinates, in their order.
+/// Without rotations, velocities are the rates of the coordinates in order.
 Json coordinates(const Model& model) {
   return listed(model.coordinates, [&](const Coordinate& coordinate) {
     Json json = named(coordinate.name, coordinate.unit_text);
@@ -104,7 +104,7 @@ Json inputs(const Model& model) {
   });
 }
 
-/// Each is `value` = 0, on positions or on velocities.
+/// Constraints `value` = 0 on positions or velocities.
 Json constraints(const Model& model) {
   return listed(model.constraints, [&](const Constraint& constraint) {
     Json json = named(constraint.name, constraint.unit ? to_string(*constraint.unit) : "");
@@ -114,7 +114,7 @@ Json constraints(const Model& model) {
   });
 }
 
-/// Open functions with their arguments, in the model language.
+/// Open functions with their arguments in the model language.
 Json open_functions(const Model& model) {
   const auto text = [&model](ExpressionId argument) { return to_string(model, argument); };
   return listed(model.functions, [&](const OpenFunction& function) {
@@ -124,7 +124,7 @@ Json open_functions(const Model& model) {
   });
 }
 
-/// The entries of f; arguments count from 1.
+/// Values of open functions f. Arguments are counted from 1.
 Json open_values(const Model& model) {
   const auto count = [](std::uint32_t argument) { return argument + 1; };
   return listed(model.open_values, [&](const OpenValue& value) {
@@ -164,13 +164,13 @@ Json definitions(const FunctionEquations& equations) {
   });
 }
 
-/// The arguments of the function in every language, in their order.
+/// The arguments of the function, which are in the same order in all languages.
 Json arguments(const Model& model, const Function& function) {
   return listed(arguments_of(model, function),
                 [](Opcode argument) { return leaf_row(argument).symbol; });
 }
 
-/// Shape, and entries where the output has equations of its own.
+/// The shape, with entries if the output has equations of its own.
 Json field(const OutputRow& row, const Field& field, const FunctionEquations& equations,
            std::size_t at) {
   Json json{{"shape", {field.rows, field.columns}}};
@@ -225,8 +225,8 @@ std::string sidecar(const EmissionInput& input) {
   if (!input.scene.paths.scene.empty()) json["scene"] = input.scene.paths.scene;
   json["format"] = 1;
   json["name"] = input.scene.base_name;
-  // Entries are listed row by row; the code is in the default language and stores them likewise
-  // unless said here.
+  // Entries are row-major. The code is in the default language and row-major too, unless stated
+  // here.
   const Emission& emission = input.scene.emission;
   if (emission.language != default_language) {
     json["language"] = language_row(emission.language).name;

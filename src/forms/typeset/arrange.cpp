@@ -1,5 +1,4 @@
-// arrange: see arrange.hpp. Sums and fractions, put together from what take.cpp and collect.cpp
-// make of them.
+// arrange: see arrange.hpp. Builds sums and fractions with take.cpp and collect.cpp.
 #include "forms/typeset/arrange.hpp"
 
 #include <algorithm>
@@ -11,8 +10,8 @@
 namespace elgen {
 namespace {
 
-/// Ranks products of rates as a book orders them: accelerations, the row's own first; squares;
-/// other products; single rates; inputs; multipliers; none.
+/// The rank of products of rates in book order: accelerations, the row's own first; squares; other
+/// products; single rates; inputs; multipliers; none.
 int rank_of_rates(const Algebra& algebra, const Monomial& rates, std::optional<std::uint32_t> own) {
   std::int32_t degree = 0;
   bool is_input = false;
@@ -31,7 +30,7 @@ int rank_of_rates(const Algebra& algebra, const Monomial& rates, std::optional<s
   return rates.size() == 1 ? 2 : 3;
 }
 
-/// By the numbers of the leaves: atoms are numbered as they were met.
+/// The exponents by leaf number, since atoms are numbered in the order of their creation.
 std::vector<std::pair<std::uint32_t, std::int32_t>> numbers_of(const Algebra& algebra,
                                                                const Monomial& rates) {
   std::vector<std::pair<std::uint32_t, std::int32_t>> numbers;
@@ -63,8 +62,8 @@ bool divides_only(const BookProduct& product) {
                              [](const BookFactor& factor) { return factor.exponent < 0; });
 }
 
-/// Whether a parameter that stands first in a term of a sum would stand before the front:
-/// -g ((m1 + m2) a + m2 b) is not what books write.
+/// Whether a parameter that leads a term of a sum belongs before the front factors: books do not
+/// write -g ((m1 + m2) a + m2 b).
 bool hides_leading_factors(const BookProduct& product) {
   const FactorPlace first = product.factors.front().place;
   const auto sum = std::ranges::find(product.factors, BookFactorKind::sum, &BookFactor::kind);
@@ -94,7 +93,7 @@ BookSum Arranger::terms(const Polynomial& sum, std::optional<std::uint32_t> own)
   return result;
 }
 
-/// The parts of a fraction by rates, each over what does not divide it.
+/// Splits a fraction by rates. Each part has a denominator of its own.
 BookSum Arranger::parts(const Fraction& form, std::optional<std::uint32_t> own) {
   BookSum result;
   for (auto& [rates, rest] : rate_groups(algebra_, form.numerator, own)) {
@@ -122,7 +121,7 @@ BookSum Arranger::by_motion(const Fraction& form) {
   return result;
 }
 
-/// One product, where a sum that was typed divides the form; else none.
+/// One product if a typed sum divides the form; else empty.
 BookSum Arranger::in_front_of_typed(const Fraction& form) {
   Taken whole{{1, {}}, form.numerator};
   if (!form.denominator.empty() || !take_typed(whole.rest, whole.front)) return {};

@@ -1,7 +1,7 @@
 // arrange: closed forms -> sums of products as books write them.
 //
 //     in front    1/2 m r'^2 + 1/2 m r^2 phi'^2   ->   1/2 m (r'^2 + r^2 phi'^2)
-//     spread      nothing stands in front; what multiplies one product of rates stands together,
+//     spread      no common factor; the coefficients of each product of rates are collected,
 //                 accelerations first
 //
 // Sums stay together as the model has them: k (r - l0)^2. What multiplies one product of parameters
@@ -22,41 +22,41 @@
 
 namespace elgen {
 
-/// A sum of the energies, forces, points or definitions: r - l0.
+/// A sum in the energies, forces, points or definitions: r - l0.
 struct TypedSum {
   Polynomial value = {};
   std::vector<AtomId> atoms = {};    ///< of the value, ascending
-  Polynomial square = {};            ///< where roots disappear from it: of sqrt(x^2 + y^2) - l
-  std::vector<Fraction> terms = {};  ///< as typed, with their signs
-  /// The definition whose value it is, in Model::definitions.
+  Polynomial square = {};            ///< the square without roots: of sqrt(x^2 + y^2) - l
+  std::vector<Fraction> terms = {};  ///< as typed, with signs
+  /// The definition with this value, in Model::definitions.
   std::optional<std::uint32_t> definition = {};
 };
 
 struct TypedForms {
-  std::vector<TypedSum> sums = {};  ///< those of more terms first; each once
-  /// The place of each parameter among the factors of a product: as typed in products of the model,
-  /// else as declared, gravity behind the masses (m g l).
+  std::vector<TypedSum> sums = {};  ///< longest first, without duplicates
+  /// The place of each parameter among the factors of a product: as in typed products, else as
+  /// declared, with gravity after the masses (m g l).
   std::vector<std::uint32_t> places = {};
-  std::vector<bool> are_accelerations = {};  ///< of the parameters; g
+  std::vector<bool> are_accelerations = {};  ///< by parameter; g
 };
 
-/// Cost: one closed form per typed sum; models of more than 200 sums, which are robots, have none.
+/// Cost: one closed form per typed sum. Models with more than 200 sums, such as robots, get none.
 [[nodiscard]] TypedForms typed_forms(Algebra& algebra, const Model& model,
                                      const FixedParameters& fixed);
 
-/// Thrown where a sum has more terms than anybody reads.
+/// Thrown for sums with more terms than anyone reads.
 struct TooLongForABook : std::length_error {
   TooLongForABook() : std::length_error("a sum of too many terms") {}
 };
 
-/// Operations that an entry may have as it is written out, and factors of a typed sum. Functions of
-/// functions are short as common subexpressions, and double with every level as they are written.
+/// The limit of operations of an entry without common subexpressions, and of factors of a typed
+/// sum. Nested functions are short with common subexpressions, but double per level without them.
 inline constexpr std::size_t longest_entry_of_a_book = 5'000;
 
-/// The rank of sums that no model has typed.
+/// The rank of sums that are not typed in the model.
 inline constexpr std::uint32_t untyped = 10'000;
 
-/// Terms of a sum; nobody sees the common factors of longer ones.
+/// The limit of terms; nobody sees common factors in longer sums.
 inline constexpr std::size_t longest_collected = 40;
 
 class Arranger {
@@ -64,21 +64,21 @@ class Arranger {
   Arranger(const Algebra& algebra, const TypedForms& typed) : algebra_(algebra), typed_(typed) {}
 
   [[nodiscard]] BookSum in_front(const Fraction& form);
-  /// Each summand for itself.
+  /// Arranges each summand separately.
   [[nodiscard]] BookSum each_in_front(const std::vector<Fraction>& summands);
-  /// The same of the terms with rates or momenta, and of those without: T and V of one energy.
+  /// Arranges terms with and without rates or momenta separately: T and V of an energy.
   [[nodiscard]] BookSum by_motion(const Fraction& form);
-  /// `own` is the velocity whose acceleration comes first.
+  /// Spreads a form. `own` is the velocity whose acceleration comes first.
   [[nodiscard]] BookSum spread(const Fraction& form, std::optional<std::uint32_t> own = {});
-  /// One product where a sum that was typed divides the form, else spread.
+  /// One product if a typed sum divides the form, else spread.
   [[nodiscard]] BookSum summand(const Fraction& form, std::uint32_t own);
-  /// above / below: the terms of `above` over one divisor, powers that both have gone.
+  /// above / below, where each term of `above` is reduced by powers that both share.
   [[nodiscard]] BookSum quotient(const Fraction& above, const Fraction& below);
   /// Whether a form is written without sums.
   [[nodiscard]] bool is_one_product(const Fraction& form);
 
  private:
-  /// A sum whose sines and cosines are real.
+  /// A sum with real sines and cosines.
   using MixedSum = std::vector<RealTerm>;
 
   /// front * rest.
@@ -121,12 +121,12 @@ class Arranger {
 
   const Algebra& algebra_;
   const TypedForms& typed_;
-  std::size_t first_typed_ = 0;   ///< of the typed sums that are looked for
-  std::size_t work_ = 1'000'000;  ///< term products that divisions may take
-  /// Written before, by their number among the typed sums: each holds others, and is met again.
+  std::size_t first_typed_ = 0;   ///< number of the first typed sum to try
+  std::size_t work_ = 1'000'000;  ///< budget of term products for divisions
+  /// Results by number of the typed sum, as nested sums occur repeatedly.
   std::shared_ptr<std::map<std::size_t, BookFactor>> typed_factors_ =
       std::make_shared<std::map<std::size_t, BookFactor>>();
-  std::map<MixedSum, BookSum> collected_ = {};  ///< likewise
+  std::map<MixedSum, BookSum> collected_ = {};  ///< also results
 };
 
 }  // namespace elgen

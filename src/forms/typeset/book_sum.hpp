@@ -1,9 +1,9 @@
-// BookSum: a value as a book writes it, a sum of products in the order in which they are read.
+// BookSum: a value in textbook notation, a sum of products in reading order.
 //
 //     1/2 m (r'^2 + r^2 phi'^2)     one product: 1/2, m, and a sum of two products
 //
-// Places order the factors of a product: multipliers, parameters, sums of more than parameters,
-// coordinates, rates, accelerations, inputs, functions; within a group by rank.
+// Places order the factors of a product: multipliers, parameters, sums beyond parameters,
+// coordinates, rates, accelerations, inputs, functions; by rank within a group.
 #pragma once
 
 #include <compare>
@@ -33,13 +33,13 @@ struct FactorPlace {
 
 struct BookFactor;
 
-/// number * product of the factors, each to its exponent; those with negative ones stand below.
+/// number * product of the powers. Those with negative exponents are divisors.
 struct BookProduct {
   cln::cl_RA number = 1;
   std::vector<BookFactor> factors;  // no initializer: BookFactor is incomplete here
 };
 
-/// No terms: 0.
+/// A sum. No terms mean 0.
 struct BookSum {
   std::vector<BookProduct> terms;
 };
@@ -47,7 +47,7 @@ struct BookSum {
 enum class BookFactorKind : std::uint8_t {
   atom,    ///< of the algebra: a leaf, pi, a root, a call
   sine,    ///< of `angle`
-  cosine,  ///< likewise
+  cosine,  ///< of `angle`
   tangent,
   sum,  ///< in brackets
   name  ///< a definition of the model, whose value is `sum`
@@ -63,48 +63,47 @@ struct BookFactor {
   std::uint32_t definition = 0;  ///< of a name, in Model::definitions
 };
 
-/// Factors that a reader sees, those in sums too; 1 is none. A name is one, or all that it stands
-/// for.
+/// The number of printed factors, including those in sums, but not 1. A name counts as one factor,
+/// or as its value if `opens_names`.
 [[nodiscard]] std::size_t written_factors(const BookSum& sum, bool opens_names = false);
 
 [[nodiscard]] FactorPlace place_of(const Atom& atom, const std::vector<std::uint32_t>& places);
 
-/// Velocities, momenta, accelerations, inputs and multipliers.
+/// Whether an atom is a velocity, momentum, acceleration, input or multiplier.
 [[nodiscard]] bool is_moving(const Atom& atom);
 
 /// Whether a term has such a factor.
 [[nodiscard]] bool moves(const Algebra& algebra, const Monomial& term);
 
-/// pi, or a root or function of a rational number.
+/// Whether an atom is pi, or a root or function of a rational number.
 [[nodiscard]] bool is_number(const Atom& atom);
 
-/// A number, a parameter, or what is made of these.
+/// Whether a sum contains only numbers and parameters.
 [[nodiscard]] bool is_of_parameters(const Algebra& algebra, const Polynomial& sum);
 
-/// In the order of their places, equal ones as one power.
+/// Adds a factor at its place. Equal bases become one power.
 void add_factor(BookProduct& product, BookFactor factor);
 
 void multiply(BookProduct& product, const BookProduct& by);
 
-/// product / by^exponent
+/// Divides product by by^exponent.
 void divide(BookProduct& product, const BookProduct& by, std::int32_t exponent = 1);
 
 void append(BookSum& to, BookSum from);
 
-/// The sine and the cosine of an angle, to their exponents.
+/// Multiplies by the powers of the sine and cosine of an angle.
 void multiply(BookProduct& product, const Algebra& algebra, const CircularPower& power);
 
-/// Takes the greatest number out of all terms that leaves whole numbers, with the sign of the
-/// first.
+/// Factors out the largest number that leaves whole coefficients, with the sign of the first term.
 [[nodiscard]] cln::cl_RA take_number(BookSum& sum);
 
-/// Takes the sines and cosines out that all terms have.
+/// Factors out the sines and cosines common to all terms.
 [[nodiscard]] std::vector<BookFactor> take_sinusoids(BookSum& sum);
 
-/// 1 - v^2/c^2 under a root: a positive term comes first, the others in their order.
+/// Puts a positive term first and keeps the order of the others: 1 - v^2/c^2 under a root.
 [[nodiscard]] BookSum positive_first(BookSum sum);
 
-/// By the factors of the terms; a positive one comes first.
+/// Sorts terms by their factors, a positive term first.
 void sort_terms(BookSum& sum);
 
 }  // namespace elgen

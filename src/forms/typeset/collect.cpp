@@ -1,4 +1,4 @@
-// collect: the terms of a sum put together: (m1 + m2) g l1 sin x + m2 g l2 sin y.
+// collect: collects the terms of a sum: (m1 + m2) g l1 sin x + m2 g l2 sin y.
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -43,7 +43,7 @@ BookProduct Arranger::product(const RealTerm& term) const {
   return result;
 }
 
-/// The powers that all terms have.
+/// The powers common to all terms.
 BookProduct Arranger::shared_powers(const MixedSum& sum) const {
   Polynomial powers;
   for (const RealTerm& term : sum) powers.try_emplace(term.powers, Gaussian{1, 0});
@@ -52,7 +52,7 @@ BookProduct Arranger::shared_powers(const MixedSum& sum) const {
   return shared;
 }
 
-/// The common factors of all terms, times the sum of the quotients.
+/// The common factors of all terms times the remaining sum.
 BookProduct Arranger::product(MixedSum sum) {
   BookProduct result = shared_powers(sum);
   Monomial taken;
@@ -74,7 +74,7 @@ BookProduct Arranger::product(MixedSum sum) {
   return result;
 }
 
-/// One product for all terms with the same coordinates, sines and cosines.
+/// Makes one product of all terms with the same coordinates, sines and cosines.
 BookSum Arranger::by_kinds(const MixedSum& sum) {
   struct Kind {
     RealTerm shared = {};
@@ -111,7 +111,7 @@ BookSum Arranger::by_kinds(const MixedSum& sum) {
   return result;
 }
 
-/// m (a + b) + c, m the parameter of the most terms, where not all have one.
+/// m (a + b) + c, where m is the parameter that most terms, but not all, have.
 std::optional<BookSum> Arranger::by_shared_parameter(const MixedSum& sum) {
   std::map<std::pair<FactorPlace, AtomId>, std::size_t> parameters;  // all numbers have one place
   for (const RealTerm& term : sum) {
@@ -153,7 +153,7 @@ const BookSum& Arranger::collected(const MixedSum& sum) {
   return collected_.emplace(sum, newly_collected(sum)).first->second;
 }
 
-/// The shorter rewriting; on a tie the one with a sum as typed.
+/// The shorter of two forms; on a tie the one with a typed sum.
 BookSum Arranger::newly_collected(const MixedSum& sum) {
   BookSum best = by_kinds(sum);
   if (sum.size() > 2 && sum.size() <= longest_collected) {

@@ -1,10 +1,9 @@
-// equations: Lagrange's equations as sums in the order of a book, and what they say of the
-// accelerations.
+// equations: Lagrange's equations as sums in textbook order, and their solutions for accelerations.
 //
 //     d/dt dL/dv - dL/dq + dD/dv = Q
 //
-// Summands of L whose part of a row holds rates or accelerations are added up, since books give
-// each product of rates one coefficient. The other summands stand alone.
+// Summands of L with rates or accelerations in a row are added up, since books give each product of
+// rates one coefficient. Other summands stay separate.
 #pragma once
 
 #include <optional>
@@ -17,25 +16,25 @@ namespace elgen {
 
 /// The row of a velocity, from its function (elgen/steps.hpp).
 struct EquationRow {
-  std::vector<Fraction> inertia = {};  ///< d/dt dL/dv - dL/dq, summand by summand
+  std::vector<Fraction> inertia = {};  ///< d/dt dL/dv - dL/dq by summand
   std::vector<Fraction> dissipation = {};
   Fraction force = {};
 };
 
-/// Arranges rows; new atoms are added to the algebra.
+/// Arranges rows, and adds new atoms to the algebra.
 class Equations {
  public:
   Equations(Algebra& algebra, Arranger& arranger)
       : algebra_(algebra), arithmetic_(algebra), arranger_(arranger) {}
 
-  /// None where a form is missing.
+  /// The row; none if a form is missing.
   [[nodiscard]] std::optional<EquationRow> row(const ClosedFunction& function);
 
-  /// Each summand for itself; nothing where they are 0 together.
+  /// Arranges each summand separately; empty if they add up to 0.
   [[nodiscard]] BookSum each(const std::vector<Fraction>& summands) {
     return arranger_.each_in_front(settled(summands));
   }
-  /// In the order of a row; `own` is its velocity. Dissipation stands behind what moves.
+  /// Arranges a row; `own` is its velocity. Dissipation follows the moving terms.
   [[nodiscard]] BookSum arranged(std::vector<Fraction> summands, std::uint32_t own,
                                  const std::vector<Fraction>& dissipation = {});
   /// d/dt dL/dv - dL/dq + dD/dv.
@@ -43,12 +42,12 @@ class Equations {
     return arranged(row.inertia, own, row.dissipation);
   }
 
-  /// The acceleration where its row holds no other, or one other whose row holds no third.
+  /// The acceleration, if its row has no other, or one other whose row has no third.
   [[nodiscard]] std::optional<BookSum> solved(const std::vector<std::optional<EquationRow>>& rows,
                                               std::uint32_t own);
 
  private:
-  /// M a = rest of a row.
+  /// A row as M a = rest.
   struct Linear;
 
   [[nodiscard]] std::vector<Fraction> settled(const std::vector<Fraction>& summands);

@@ -1,4 +1,4 @@
-// take: what stands in front of a sum: powers that all its terms have, sums as typed, squares.
+// take: takes factors out of a sum: common powers, typed sums, squares.
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
@@ -13,7 +13,7 @@ using cln::cl_RA;
 
 namespace {
 
-/// Longer sums get a name where the model has one for them.
+/// Longer sums are replaced by their names, if the model has some.
 constexpr std::size_t longest_filled_in = 12;
 
 bool is_root_of(const Algebra& algebra, const BookFactor& factor, const Polynomial& radicand) {
@@ -36,11 +36,11 @@ void Arranger::multiply(BookProduct& product, const Monomial& powers) const {
   for (const AtomPower& power : powers) add_factor(product, atom_factor(power));
 }
 
-/// (m1 + m2) g l, but m R (g - R Omega^2): sums of parameters stand where their first parameter
-/// would, unless that is g.
+/// (m1 + m2) g l, but m R (g - R Omega^2): a sum of parameters has the place of its first
+/// parameter, unless that is g.
 FactorPlace Arranger::place_of_sum(const BookSum& sum, std::uint32_t rank) const {
   BookFactor first;
-  first.kind = BookFactorKind::sum;  // numbers alone have no parameter
+  first.kind = BookFactorKind::sum;  // sums of numbers have no parameter
   first.place = {FactorGroup::parameter, UINT32_MAX};
   for (const BookProduct& term : sum.terms) {
     for (const BookFactor& each : term.factors) {
@@ -69,13 +69,13 @@ void Arranger::multiply(BookProduct& product, BookSum sum, std::int32_t exponent
   add_factor(product, std::move(factor));
 }
 
-/// A sum of one term is no sum in brackets.
+/// Multiplies by a sum. A single term needs no brackets.
 void Arranger::multiply_once(BookProduct& product, BookSum sum) const {
   if (sum.terms.size() == 1) return elgen::multiply(product, sum.terms.front());
   multiply(product, std::move(sum), 1);
 }
 
-/// Powers that all terms have, of one sign; exponentials stay.
+/// Takes out powers with the same sign in all terms, except exponentials.
 void Arranger::take_monomial(Polynomial& sum, BookProduct& front) const {
   Monomial common;
   for (const AtomRange& range : exponents_of(sum)) {
@@ -94,12 +94,12 @@ BookFactor Arranger::typed_factor(std::size_t typed) {
   const TypedSum& sum = typed_.sums[typed];
   BookFactor factor;
   factor.kind = BookFactorKind::sum;
-  // The terms hold shorter sums only, so that this ends.
+  // The terms contain only shorter sums, so the recursion ends.
   Arranger inner(algebra_, typed_);
   inner.first_typed_ = typed + 1;
   inner.typed_factors_ = typed_factors_;
   for (const Fraction& term : sum.terms) append(factor.sum, inner.in_front(term));
-  // No entry with this factor is printed, and its function keeps the forms of code.
+  // Entries with this factor keep the forms of code.
   const bool is_too_long = written_factors(factor.sum, true) > longest_entry_of_a_book;
   if (is_too_long) throw std::length_error("a typed sum");
   factor.place = place_of_sum(factor.sum, static_cast<std::uint32_t>(typed));
@@ -146,7 +146,7 @@ Arranger::Taken Arranger::taken(Polynomial sum) {
   return result;
 }
 
-/// c (a + b)^2, a and b real: of sines the root found is i times a real sum.
+/// Takes c (a + b)^2 with real a and b. For sines the root is i times a real sum.
 void Arranger::take_square(Taken& taken) {
   if (taken.rest.size() < 3 || taken.rest.size() > longest_collected) return;
   const Gaussian lead = taken.rest.rbegin()->second;
@@ -167,8 +167,8 @@ void Arranger::take_square(Taken& taken) {
   taken.rest = constant(number);
 }
 
-/// (a + b) (c + d): what multiplies the highest power of a parameter, where it divides the sum. For
-/// the sine of a number, whose exponentials are numbers too, that is imaginary.
+/// Takes (a + b) out of (a + b) (c + d): the coefficient of the highest power of a parameter, if it
+/// divides the sum. For sines of numbers, with exponentials that are numbers, it is imaginary.
 bool Arranger::take_coefficient(Taken& taken) {
   if (taken.rest.size() < 4 || taken.rest.size() > longest_collected) return false;
   for (const AtomId id : atoms_of(taken.rest)) {
@@ -187,7 +187,7 @@ bool Arranger::take_coefficient(Taken& taken) {
   return false;
 }
 
-/// Powers that stand below some of its terms stand below all of it.
+/// Moves divisors of single terms below the whole sum.
 BookProduct Arranger::product(const Taken& taken) {
   BookProduct result = taken.front;
   if (is_one(taken.rest)) return result;
@@ -206,7 +206,7 @@ void Arranger::divide(BookProduct& product, const Polynomial& factor, std::int32
   elgen::divide(product, this->product(factor), exponent);
 }
 
-/// Factors of sines and cosines are multiplied: present has sin x as 2 sin(x/2) cos(x/2).
+/// Divides. Factors of sines and cosines are combined: present writes sin x as 2 sin(x/2) cos(x/2).
 void Arranger::divide(BookProduct& product, const Fraction& form) {
   Polynomial circular_factors = constant(1);
   for (const auto& [factor, exponent] : form.denominator) {

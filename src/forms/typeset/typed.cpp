@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t most_sums = 200;
 constexpr std::size_t most_terms_of_a_sum = 30;
 
-/// Energies, forces, places, inertias, definitions and constraints; not what elgen writes for
-/// bodies in frames.
+/// All energies, forces, points, inertias, definitions and constraints of the author, without those
+/// that elgen adds for bodies in frames.
 std::vector<ExpressionId> roots_of(const Model& model) {
   std::vector<ExpressionId> roots;
   const auto add = [&roots](const auto& list) {
@@ -83,7 +83,7 @@ std::optional<TypedSum> typed_sum(ClosedForms& forms, const Model& model,
   return sum;
 }
 
-/// Whether each parameter has this unit, or is a leaf of one of the expressions.
+/// Whether each parameter has this unit or is a leaf of one of the expressions.
 std::vector<bool> marked(const Model& model, const Unit& unit,
                          const std::vector<ExpressionId>& expressions) {
   std::vector<bool> result;
@@ -97,7 +97,7 @@ std::vector<bool> marked(const Model& model, const Unit& unit,
   return result;
 }
 
-/// g, and other accelerations.
+/// Whether each parameter is g or another acceleration.
 std::vector<bool> accelerations(const Model& model) {
   static const Unit second = *find_unit("s");
   std::vector<ExpressionId> gravity;
@@ -116,7 +116,7 @@ std::vector<bool> masses(const Model& model) {
   return marked(model, *find_unit("kg"), given);
 }
 
-/// As declared; g stands behind the last mass.
+/// The order of declaration, except that g follows the last mass.
 std::vector<std::uint32_t> declared_order(const Model& model,
                                           const std::vector<bool>& are_accelerations) {
   const std::vector<bool> are_masses = masses(model);
@@ -149,7 +149,7 @@ std::vector<std::vector<std::uint32_t>> factors_of(const Model& model, const Exp
   return factors;
 }
 
-/// Moves what a product has in another order; the first product that says so decides.
+/// Reorders parameters as in typed products. The first product with a pair decides.
 class ProductOrder {
  public:
   explicit ProductOrder(std::vector<std::uint32_t> declared)
@@ -180,7 +180,7 @@ class ProductOrder {
     const auto at = std::ranges::find(order_, first);
     const auto other = std::ranges::find(order_, second);
     if (at < other) return;
-    // Sums between them keep their places unless a product put them behind `second`.
+    // Parameters between the two stay, unless a product orders them otherwise.
     const bool is_bound = std::any_of(other, at, [&](std::uint32_t between) {
       return is_known_[second * order_.size() + between] ||
              is_known_[between * order_.size() + first];
@@ -218,7 +218,7 @@ TypedForms typed_forms(Algebra& algebra, const Model& model, const FixedParamete
     if (known == result.sums.end()) {
       result.sums.push_back(std::move(*sum));
     } else if (sum->definition && !known->definition) {
-      *known = std::move(*sum);  // its name stands for its own value
+      *known = std::move(*sum);  // the name stands for its own value
     }
   }
   algebra = std::move(forms.algebra);

@@ -1,5 +1,5 @@
-// typeset: see elgen/typeset.hpp. Sums are arranged (arrange.hpp) and written as instructions
-// (write.hpp); here is what stands in which sum.
+// typeset: see elgen/typeset.hpp. This file decides the content of each sum; arrange.hpp arranges
+// the sums, and write.hpp writes instructions.
 #include "elgen/typeset.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ bool is_written_out(const Function& function) {
   });
 }
 
-/// The function with other entries; none where one has no form that can be read.
+/// The function with new entries; without fields if one has no readable form.
 template <class Write>
 Function written(const Function& like, const Write& write) {
   Function result{.kind = like.kind, .user = like.user, .name = like.name};
@@ -38,8 +38,8 @@ Function written(const Function& like, const Write& write) {
   return pruned(result);
 }
 
-/// Terms over exponentials, about twice as many as are read. Longer entries, as accelerations of
-/// arms and their derivatives are, keep the form that choose found to be the shortest.
+/// The limit of terms over exponentials, about twice as many as anyone reads. Longer entries, such
+/// as accelerations of arms and derivatives of these, keep the shortest form found by choose.
 constexpr std::size_t longest_form = 120;
 
 bool is_short(const std::optional<Fraction>& form) {
@@ -51,13 +51,13 @@ const Fraction& readable_form(const std::optional<Fraction>& form) {
   return *form;
 }
 
-/// Sums of forces are read like an equation: nothing stands in front of them.
+/// Whether a function is a sum of forces, which is read like an equation, without common factors.
 bool is_sum_of_forces(OutputKind kind) {
   const std::span<const FieldRow> fields = output_row(kind).fields;
   return fields.size() == 1 && fields.front().type == "Forces<Scalar>";
 }
 
-/// Fields that readers do not see are not in the function; some have no names.
+/// The closed form of a field. Fields hidden from readers are missing, and some have no names.
 const ClosedField& closed_field(const std::vector<ClosedField>& fields, std::size_t place,
                                 const std::string& name) {
   if (place < fields.size() && fields[place].name == name) return fields[place];
@@ -90,7 +90,7 @@ class Typesetting {
         algebra_(forms.algebra),
         typed_(typed_forms(algebra_, model_, checked.scene.specialisation.fixed)) {}
 
-  /// Entries that are too long keep the form that they have for readers.
+  /// Writes an output. Entries that are too long keep their readable form.
   Function output(std::size_t index) {
     const Function& function = program_.functions[index];
     const bool is_read =
@@ -153,7 +153,7 @@ class Typesetting {
       const auto rows = rows_around(equations, first);
       for (std::uint32_t i = 0; i < rows.size(); ++i) {
         Field& field = result.fields.emplace_back(Field{model_.velocities[i].name, 0, 1, {}});
-        // Quotients would need the terms that an expansion drops; multipliers are not known.
+        // Quotients would need terms that the expansion drops, and multipliers are unknown.
         if (model_.approximation || !model_.constraints.empty()) continue;
         const std::optional<BookSum> solution = equations.solved(rows, i);
         if (!solution || written_factors(*solution) > longest_solution) continue;
@@ -181,7 +181,7 @@ class Typesetting {
     return write.copied(known, known.fields[field].entries[entry]);
   }
 
-  /// None of an entry that is too long.
+  /// The entry; none if it is too long.
   static std::optional<std::uint32_t> entry_of(BookWriter& write,
                                                const std::optional<Fraction>& form, OutputKind kind,
                                                std::uint32_t row) {
@@ -238,8 +238,8 @@ Program typeset(const CheckedModel& checked, const ClosedForms& forms, Program p
 
 namespace {
 
-/// A function of the derivation with its summands added up, over the definitions of the derivation:
-/// read where there is no closed form.
+/// Adds up the summands of a function over the definitions of the derivation, for readers if there
+/// is no closed form.
 Function added_up(Program& program, Function function, bool is_velocity) {
   Instructions instructions(function);
   const auto zero = position_of(rational_constant(0), program.constants);

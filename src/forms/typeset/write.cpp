@@ -1,5 +1,5 @@
-// write: see write.hpp. Rates and functions stand behind a quotient, g/l sin x, unless there is
-// nothing else to stand above or a function stands below.
+// write: see write.hpp. Rates and functions follow a quotient, g/l sin x, unless it would have no
+// numerator or a function is below.
 #include "forms/typeset/write.hpp"
 
 #include <fmt/format.h>
@@ -11,15 +11,15 @@ namespace {
 
 using cln::cl_RA;
 
-/// Powers are repeated factors, and nobody reads higher ones.
+/// Powers are repeated factors; nobody reads higher powers.
 constexpr std::int32_t highest_exponent = 1000;
 
-/// Factors of a sum that is not written twice.
+/// Sums of this many factors are written once and shared.
 constexpr std::size_t shortest_shared = 3;
 
-/// The operands of a quotient, and what stands behind it.
+/// The operands of a quotient, and the factors after it.
 struct QuotientSides {
-  cl_RA number = 1;  ///< in front of the quotient
+  cl_RA number = 1;  ///< before the quotient
   cl_RA number_above = 1;
   cl_RA number_below = 1;
   std::vector<BookFactor> above;
@@ -29,7 +29,7 @@ struct QuotientSides {
 
 bool is_behind(const BookFactor& factor) { return factor.place.group >= FactorGroup::rate; }
 
-/// sin x / cos x as tan x, cos x / sin x as 1/tan x.
+/// Replaces sin x / cos x by tan x and cos x / sin x by 1/tan x.
 std::vector<BookFactor> with_tangents(std::vector<BookFactor> factors) {
   for (std::size_t i = 0; i + 1 < factors.size(); ++i) {
     BookFactor& sine = factors[i];
@@ -112,7 +112,7 @@ void BookWriter::name_shared_divisors() {
   }
 }
 
-/// Without its sign.
+/// Writes a product without its sign.
 std::uint32_t BookWriter::product(const BookProduct& product) {
   if (cln::zerop(product.number)) return number(0);
   const QuotientSides sides = sides_of(product);
@@ -168,7 +168,7 @@ std::uint32_t BookWriter::trigonometric(FunctionId function, const Monomial& ang
   return instructions_.add({.opcode = Opcode::call, .function = function, .a = this->angle(angle)});
 }
 
-/// The sum of exponent/divisor * argument.
+/// Writes the sum of exponent/divisor * argument.
 std::uint32_t BookWriter::angle(const Monomial& parts) {
   const auto known = angles_.find(parts);
   if (known != angles_.end()) return known->second;

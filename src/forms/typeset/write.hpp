@@ -1,4 +1,4 @@
-// write: sums of products -> instructions that a reader's languages print in this very order.
+// write: sums of products -> instructions, which readers' languages print in this order.
 #pragma once
 
 #include <map>
@@ -9,8 +9,8 @@
 
 namespace elgen {
 
-/// Writes into a function of a program, whose constants grow. What the model names has that name
-/// among the names of the function.
+/// Writes into a function of a program, and adds to its constants. Named values of the model get
+/// their names in the function.
 class BookWriter {
  public:
   BookWriter(const Model& model, const Algebra& algebra, const TypedForms& typed, Program& program,
@@ -22,12 +22,12 @@ class BookWriter {
         function_(function),
         instructions_(function) {}
 
-  Arranger arranger;  ///< of the sums, and of what they hold
+  Arranger arranger;  ///< of the sums and their parts
 
   [[nodiscard]] std::uint32_t operator()(const BookSum& sum);
-  /// An instruction of another function of the program, with what it needs.
+  /// Copies an instruction of another function of the program, with its operands.
   [[nodiscard]] std::uint32_t copied(const Function& function, std::uint32_t instruction);
-  /// Names what divides two or more products of those written: Delta, or Delta_1, …
+  /// Names divisors that two or more written products share: Delta, or Delta_1, …
   void name_shared_divisors();
 
  private:
@@ -44,9 +44,9 @@ class BookWriter {
   Program& program_;
   Function& function_;
   Instructions instructions_;
-  std::map<AtomId, std::uint32_t> atoms_ = {};                   ///< written before: arguments nest
-  std::map<Monomial, std::uint32_t, MonomialLess> angles_ = {};  ///< likewise
-  std::map<std::uint32_t, std::size_t> divisors_ = {};  ///< sums, and how often each divides
+  std::map<AtomId, std::uint32_t> atoms_ = {};                   ///< results, as arguments nest
+  std::map<Monomial, std::uint32_t, MonomialLess> angles_ = {};  ///< results
+  std::map<std::uint32_t, std::size_t> divisors_ = {};  ///< sums, and their uses as divisors
 };
 
 }  // namespace elgen

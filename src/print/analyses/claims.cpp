@@ -19,7 +19,7 @@ std::string words(std::size_t count) {
   return count < names.size() ? names[count] : std::to_string(count);
 }
 
-/// "= 0" of boxes that six digits do not show.
+/// "in [0.5, 5]"; "= 0" if six digits do not show the sides of a box.
 std::string side_text(const Interval& sides) {
   static const cln::cl_R shown = power_of_ten(-6);
   const cln::cl_R middle = (sides.low + sides.high) / 2;
@@ -46,7 +46,7 @@ std::string undecided_places(const Model& model, const Equilibria& equilibria) {
   return places;
 }
 
-/// Whether a coordinate is so at a point that is one at these parameters alone.
+/// Whether a wanted coordinate occurs at a point that is exact only for these parameters.
 template <class Wanted>
 bool has_inexact(const Equilibria& equilibria, const Wanted& wanted) {
   return std::ranges::any_of(equilibria.points, [&wanted](const RestPoint& point) {
@@ -64,7 +64,7 @@ std::size_t count_with_sinusoids(const Equilibria& equilibria) {
   return static_cast<std::size_t>(std::ranges::count_if(equilibria.points, has_sinusoid));
 }
 
-/// A product of even powers and of parameters that are assumed to be positive.
+/// Whether a form is a product of even powers and of parameters assumed to be positive.
 bool is_positive(const PageForms& known, const Fraction& product) {
   if (product.numerator.size() != 1 || !product.denominator.empty()) return false;
   const auto& [monomial, coefficient] = *product.numerator.begin();
@@ -78,7 +78,7 @@ bool is_positive(const PageForms& known, const Fraction& product) {
          });
 }
 
-/// |numerator| <= |denominator|, without bars where the sign is known.
+/// |numerator| <= |denominator|, without bars if the sign is known.
 std::optional<Formula> condition_of(PageForms& known, const Fraction& sinusoid) {
   const Value below = divisor_of(known.forms.algebra, sinusoid);
   if (!below) return std::nullopt;
@@ -90,7 +90,7 @@ std::optional<Formula> condition_of(PageForms& known, const Fraction& sinusoid) 
   return relation(bars(std::move(*above)), std::move(*bound), "<=");
 }
 
-/// The cosine or sine of all angles at rest, where they have only one.
+/// The one cosine or sine of all angles at rest; none if there are several.
 std::optional<Fraction> only_sinusoid(ClosedForms& forms, const Equilibria& equilibria) {
   std::optional<Fraction> only;
   for (const RestPoint& point : equilibria.points) {
@@ -123,7 +123,7 @@ Formula special_to_values(Formulas special) {
   return row_of({enumeration(std::move(special)), prose("at the parameters' values")});
 }
 
-/// "r in [0.3, 3]; theta modulo 2*pi": where was searched, and what was not.
+/// The searched ranges, and the angles that were not searched: "r in [0.3, 3]; theta modulo 2*pi".
 void add_search(Formulas& clauses, const PageForms& known, const Equilibria& equilibria) {
   std::ranges::move(searched_ranges(known, equilibria), std::back_inserter(clauses));
   Formulas turns;

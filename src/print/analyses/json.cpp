@@ -1,4 +1,4 @@
-// Results of the analysis as JSON, for programs: numbers in the digits that tell doubles apart.
+// Results of analyses as JSON for programs. Numbers have all digits that distinguish doubles.
 #include <nlohmann/json.hpp>
 
 #include "elgen/analysis_pages.hpp"
@@ -41,7 +41,7 @@ const char* name_of(Completeness completeness) {
   return "";
 }
 
-/// null where there is none to read
+/// The formula of a form as text; null if it is not readable.
 Json form_json(const PageForms& known, const Value& form) {
   const std::optional<Formula> formula = known.read(form);
   return formula ? Json(text_of(*formula)) : Json(nullptr);

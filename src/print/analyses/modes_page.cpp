@@ -1,4 +1,4 @@
-// The page of small motions: M and K in closed form where the point has one, w^2 by formulas for
+// The page of small motions: M and K in closed form if the point has one, w^2 as formulas for
 // blocks of one or two coordinates, then numbers.
 #include <fmt/format.h>
 
@@ -45,12 +45,12 @@ Formula place(const PageForms& known, const std::vector<cln::cl_R>& inputs, cons
   return row_of({list_of(std::move(values)), prose(verdict(point.stability.kind))});
 }
 
-/// In brackets where it is a sum.
+/// Adds brackets to a sum.
 Formula as_factor(Formula x) {
   return x.kind == FormulaKind::sum ? group(std::move(x)) : std::move(x);
 }
 
-/// A row-major matrix with so many columns.
+/// A row-major matrix with the given number of columns.
 template <class Number>
 PageEquation matrix_equation(std::string_view left, const std::vector<Number>& numbers,
                              std::size_t columns) {
@@ -60,13 +60,13 @@ PageEquation matrix_equation(std::string_view left, const std::vector<Number>& n
   return equation;
 }
 
-/// Forms where there are some to read, else numbers.
+/// A matrix with readable forms as entries, else numbers.
 PageEquation closed_matrix(const PageForms& known, std::string_view left,
                            const std::vector<Fraction>& forms,
                            const std::vector<cln::cl_R>& numbers) {
   PageEquation matrix = matrix_equation(left, numbers, known.model.velocities.size());
   for (std::size_t i = 0; i < forms.size(); ++i) {
-    // Most entries of a long chain are 0, and a form takes the longer to read the more there are.
+    // Skips zeros, which are most entries of a long chain, since each form takes time to read.
     if (forms[i].numerator.empty()) continue;
     if (auto form = known.read(forms[i])) matrix.entries[i] = std::move(*form);
   }
@@ -113,7 +113,7 @@ Formula complex_number(double real, double imaginary) {
   return row_of({six_digits(real), symbol("+-", "\\pm"), size, unit});
 }
 
-/// In one line where nothing is damped, else each with its damping ratio and time constant.
+/// Adds poles: one line if nothing is damped, else a damping ratio and time constant for each.
 void add_poles(Page& page, const PageForms& known, const LinearMotions& motions) {
   double largest = 0;
   for (const auto& pole : motions.poles) largest = std::max(largest, std::abs(pole));
@@ -148,7 +148,7 @@ void add_poles(Page& page, const PageForms& known, const LinearMotions& motions)
   if (!lines.cells.empty()) page.sections.push_back({.table = std::move(lines)});
 }
 
-/// Numbers of d(dx)/dt = A dx + B du, x = (q, v).
+/// The matrices of d(dx)/dt = A dx + B du, x = (q, v), as numbers.
 PageSection state_matrices(const Model& model, const LinearMotions& motions) {
   PageSection section{.is_row = true};
   section.equations.push_back(matrix_equation("A", motions.a, 2 * model.velocities.size()));
@@ -215,14 +215,14 @@ void add_modes(Page& page, const PageForms& known, const std::vector<NormalMode>
            fmt::join(equal, ", ")))}});
 }
 
-/// In 64 digits.
+/// Whether rate and frequency agree in 64 digits.
 bool have_one_period(const std::vector<NormalMode>& modes, const std::vector<cln::cl_R>& rates) {
   if (modes.size() != 1 || rates.size() != 1) return false;
   const cln::cl_R& square = modes[0].omega_squared;
   return square > 0 && is_near(Real(rates[0] * rates[0] / square), Real(1));
 }
 
-/// "steady motion: dot(phi) = 0.578704 rad/s": the rates of what the scene took out.
+/// "steady motion: dot(phi) = 0.578704 rad/s": the rates of coordinates that the scene removed.
 void add_steady_motion(Page& page, const Model& model, const LinearMotions& motions) {
   const Model& whole = whole_of(model);
   const OracleValues rates =

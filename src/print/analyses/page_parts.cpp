@@ -1,4 +1,4 @@
-// The titles of scenes with held momenta name these, with units of forces times s.
+// Titles of scenes with held momenta name these. Momenta have the units of forces times s.
 #include "print/analyses/page_parts.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 namespace elgen {
 namespace {
 
-/// "N m s", "N s": the unit of a force, times s.
+/// "N m s", "N s": the unit of a momentum is that of a force times s.
 std::string unit_of_momentum(const Parameter& momentum) {
   if (!momentum.unit) return {};
   std::string text = force_unit_text(*momentum.unit / *find_unit("s")) + " s";
@@ -38,7 +38,7 @@ Formula held_momenta(const CheckedModel& checked) {
 
 }  // namespace
 
-/// The form is treated like an entry of an output: it is turned into a function and read from that.
+/// A form is printed like an entry of an output, as a function with one entry.
 std::optional<Formula> read_form(const Model& model, const Algebra& algebra,
                                  const std::optional<Fraction>& form) {
   if (!form) return std::nullopt;
@@ -63,7 +63,7 @@ Formula symbol(std::string text, std::string_view latex) {
 Formula wide_blank() { return symbol(" ", "\\quad"); }
 
 Formula six_digits(const cln::cl_R& value) {
-  // Newton's method ends at 58 digits of the largest coordinate.
+  // Newton's method stops at 58 digits of the largest coordinate.
   static const cln::cl_R noise = power_of_ten(-40);
   return digits_formula(cln::abs(value) < noise ? "0" : short_text(value));
 }

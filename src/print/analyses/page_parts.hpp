@@ -1,4 +1,4 @@
-// Page parts: closed forms, numbers, titles and claims as the pages of all analyses have them.
+// Page parts: closed forms, numbers, titles and claims, in one style for all analyses.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace elgen {
 
-/// The symbols of a model, and closed forms over its leaves as formulas.
+/// The symbols of a model, and formulas for closed forms over its leaves.
 struct PageForms {
   PageForms(const Model& page_model, const ClosedForms& found);
 
@@ -27,20 +27,20 @@ struct PageForms {
   LeafValues<Formula> symbols;
 };
 
-/// A symbol whose text is not that of its LaTeX: "w^2".
+/// A symbol whose text differs from its LaTeX: "w^2".
 [[nodiscard]] Formula symbol(std::string text, std::string_view latex);
-/// Three blanks, between neighbours in a row.
+/// A wide blank between neighbours in a row.
 [[nodiscard]] Formula wide_blank();
 [[nodiscard]] Formula six_digits(const cln::cl_R& value);
 [[nodiscard]] Formula six_digits(double value);
 
-/// "TITLE, p_phi = 0.6 N m s: SUBJECT": the model with the momenta that its scene holds.
+/// "TITLE, p_phi = 0.6 N m s: SUBJECT", with the momenta that the scene holds.
 [[nodiscard]] Formula titled(const CheckedModel& checked, const std::string& subject);
 
-/// "r in [0.3, 3]", for each coordinate that was looked for in a range.
+/// "r in [0.3, 3]" for each coordinate with a searched range.
 [[nodiscard]] Formulas searched_ranges(const PageForms& known, const Equilibria& equilibria);
 
-/// Whether a point is the other one with the signs of all angles acos(c) turned.
+/// Whether two points differ only in the signs of all angles acos(c).
 [[nodiscard]] bool is_mirrored(ClosedForms& forms, const RestPoint& here, const RestPoint& next);
 
 /// "exact for all values of the parameters; stability at the parameters' values; theta modulo 2*pi"
@@ -53,8 +53,8 @@ struct PageForms {
 
 [[nodiscard]] inline bool is_nothing(const Value& form) { return form && form->numerator.empty(); }
 
-/// The integrals that forces leave alone, as an [[expect]] of the model states them: it has no
-/// names for quaternions, and knows nothing of what a scene changes.
+/// Integrals that forces do not change, as [[expect]] entries of the model. There are none for
+/// quaternions, which have no names there, and none after changes by a scene.
 [[nodiscard]] std::vector<std::string> stated_integrals(const CheckedModel& checked,
                                                         PageForms& known,
                                                         const Symmetries& symmetries);

@@ -31,7 +31,7 @@ Formula subject_of(const CheckedModel& checked, const Symmetries& symmetries) {
                  prose(fmt::format("constant: {}", symmetries.all.size()))});
 }
 
-/// The coordinate that moves alone, or the kind in words.
+/// The coordinate if it moves alone, else the kind in words.
 Formula name_of(const PageForms& known, const Symmetry& symmetry) {
   if (symmetry.kind != SymmetryKind::coordinate) return prose(name_of(symmetry.kind));
   const auto moved = std::ranges::find_if(symmetry.displacement,
@@ -51,7 +51,7 @@ void add_displacement(Formulas& changes, const PageForms& known, const Formula& 
                              read_or_words(known, along)));
 }
 
-/// "(0, 0, 1)"; empty where all are 0.
+/// "(0, 0, 1)"; empty if all are 0.
 Formula triple(const PageForms& known, const Symmetry& symmetry, std::size_t first) {
   const std::span entries = std::span(symmetry.generator).subspan(first, axis_count);
   const auto is_zero = [](const Fraction& entry) { return entry.numerator.empty(); };
@@ -119,7 +119,7 @@ Formula in_one_line(const IntegralLine& integral) {
   return row_of(std::move(parts));
 }
 
-/// Whether a rotation turns about axes of the world.
+/// Whether a symmetry turns rotations about axes of the world.
 bool turns(const Model& model, const Symmetry& symmetry) {
   const GeneratorClass all(model);
   return std::any_of(symmetry.generator.begin() + static_cast<std::ptrdiff_t>(all.world_turn(0, 0)),
@@ -148,7 +148,7 @@ IntegralLine integral_of(const PageForms& known, const Symmetry& symmetry, bool 
       result.left =
           row_of({std::move(result.left), prose(","), total, prose("has no closed form")});
     }
-  } else if (turns(known.model, symmetry)) {  // written out, as long again as the components
+  } else if (turns(known.model, symmetry)) {  // written out it is as long as its components again
     result.equation = equation(typed_formula("I"), std::move(names));
   } else if (std::optional<Formula> closed = known.read(symmetry.closed)) {
     result.equation = equation(std::move(names), std::move(*closed));
@@ -158,7 +158,7 @@ IntegralLine integral_of(const PageForms& known, const Symmetry& symmetry, bool 
   return result;
 }
 
-/// "d/dt" = "u*t"; none where nothing acts.
+/// "d/dt" = "u*t"; none if nothing acts.
 std::optional<PageEquation> rate_of(const PageForms& known, const Symmetry& symmetry) {
   if (is_nothing(symmetry.rate)) return std::nullopt;
   const Formula otherwise =
@@ -169,7 +169,7 @@ std::optional<PageEquation> rate_of(const PageForms& known, const Symmetry& symm
 
 // Rows
 
-/// All that stands in a row, or in lines.
+/// The content of a row of the table, or of a block of lines.
 struct SymmetryRow {
   Formula name = {};
   Formula change = {};
@@ -177,7 +177,7 @@ struct SymmetryRow {
   std::optional<PageEquation> rate = {};
 };
 
-/// "rotation: dx = -y, dy = x", and the equations below.
+/// The block "rotation: dx = -y, dy = x" with the equations below.
 PageSection block_of(const SymmetryRow& row) {
   PageSection block{.lines = {row_of({row.name, prose(":"), row.change})}};
   for (const Formula& line : {row.integral.left, row.integral.note}) {
@@ -214,7 +214,7 @@ std::size_t width_of(const PageTable& table) {
   return std::accumulate(widths.begin(), widths.end(), std::size_t{0});
 }
 
-/// A row each; where one of them is too wide to be read, lines.
+/// One table row per symmetry, or lines if a row is too wide to be read.
 std::vector<PageSection> sections_of(const PageForms& known, const Symmetries& symmetries) {
   constexpr std::size_t widest = 120;
   std::vector<SymmetryRow> rows;
@@ -239,7 +239,7 @@ std::string sampled(const Symmetries& symmetries) {
   return fmt::format("sampled at {} states in 160 digits", symmetries.states);
 }
 
-/// "conserved: proved; "
+/// The verdict on the integrals: "conserved: proved; ".
 std::string verdict(const Symmetries& symmetries) {
   if (symmetries.all.empty()) return {};
   const bool are_proved = std::ranges::all_of(symmetries.all, &Symmetry::is_proved);

@@ -1,10 +1,11 @@
 // Energies and forces of an expanded Lagrangian, as polynomials; Taylor coefficients through
 // definitions.
+#include "derive/specialise/expand.hpp"
+
 #include <catch2/catch.hpp>
 
 #include "derive/formulate/written_out.hpp"
 #include "derive/specialise/passes.hpp"
-#include "derive/specialise/expand.hpp"
 #include "elgen/specialise.hpp"
 #include "support/systems.hpp"
 
