@@ -114,7 +114,7 @@ class Conditions {
 };
 
 /// Sets unknowns that stand alone in an equation to 0, and removes them from the others.
-std::vector<Equation> with_zeros_apart(FormField& field, std::vector<Equation> equations) {
+std::vector<Equation> with_zeros_apart(std::vector<Equation> equations) {
   std::set<std::size_t> zeros;
   for (bool is_done = false; !is_done;) {
     is_done = true;
@@ -126,7 +126,7 @@ std::vector<Equation> with_zeros_apart(FormField& field, std::vector<Equation> e
     }
     std::erase_if(equations, [](const Equation& equation) { return equation.empty(); });
   }
-  for (const std::size_t u : zeros) equations.emplace_back().push_back({u, field.integer(1)});
+  for (const std::size_t u : zeros) equations.emplace_back().push_back({u, FormField::integer(1)});
   return equations;
 }
 
@@ -199,8 +199,7 @@ std::optional<ExactGenerators> exact_generators(ClosedForms& forms, const Model&
   ExactGenerators result;
   result.is_complete = equations.is_complete();
   result.has_root = equations.has_root();
-  const FormEchelon echelon(field, with_zeros_apart(field, std::move(equations).equations()),
-                            all.size());
+  const FormEchelon echelon(field, with_zeros_apart(std::move(equations).equations()), all.size());
   if (!echelon.is_defined()) return std::nullopt;
   for (const std::vector<Value>& solution : echelon.kernel()) {
     std::vector<Fraction>& entries = result.basis.emplace_back();

@@ -56,9 +56,10 @@ void turn_sign(const FormField& field, Symmetry& symmetry) {
 /// p.dq - E dt.
 Value integral_of(FormField& field, const Entries& displacement, const Entries& momentum,
                   const Fraction& time, const Value& energy) {
-  Value sum = field.negate(field.is_zero(time) ? field.integer(0) : field.multiply(time, energy));
+  Value sum =
+      field.negate(FormField::is_zero(time) ? FormField::integer(0) : field.multiply(time, energy));
   for (std::size_t i = 0; i < displacement.size(); ++i) {
-    if (field.is_zero(displacement[i])) continue;
+    if (FormField::is_zero(displacement[i])) continue;
     sum = field.add(sum, field.multiply(displacement[i], momentum[i]));
   }
   return sum;
@@ -74,9 +75,9 @@ Value reduced(FormField& field, const Algebra& algebra, const GeneratorClass& al
         return place.first_coordinate == atom.index;
       });
   const std::uint32_t first = atom.index;
-  Value result = field.integer(1);
+  Value result = FormField::integer(1);
   for (; is_scalar_part && power.exponent >= 2; power.exponent -= 2) {
-    Value rest = field.integer(1);
+    Value rest = FormField::integer(1);
     for (std::uint32_t i = 1; i <= axis_count; ++i) {
       const Value x = field.leaf(Opcode::coordinate, first + i);
       rest = field.subtract(rest, field.multiply(x, x));
@@ -168,7 +169,7 @@ void add_rates(FormField& field, const MotionForms& motion, const Entries& displ
   for (std::uint32_t i = 0; i < n; ++i) {
     const Value passed = field.multiply(symmetry.generator.back(), field.leaf(Opcode::velocity, i));
     const Value along = field.subtract(displacement[i], passed);
-    if (field.is_zero(along)) continue;
+    if (FormField::is_zero(along)) continue;
     const Value own = field.subtract(force[i], dissipation[i]);
     loss = field.add(loss, field.multiply(along, own));
     for (std::uint32_t k = 0; k < inputs; ++k) {
