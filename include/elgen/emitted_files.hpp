@@ -28,6 +28,11 @@ struct EmittedFiles {
 /// Whether no number of the emitted code is lost (E702) in this scalar.
 [[nodiscard]] bool fits(const Model& model, const Program& program, ScalarKind scalar);
 
+/// The functions as text for a script of a page, of a scene in JavaScript: nothing of it is markup.
+/// Errors as of emit().
+[[nodiscard]] Result<std::string> emitted_script(const Model& model, const Scene& scene,
+                                                 const Program& program);
+
 /// The body hash a generated text states, and the one its content has: they differ after a hand
 /// edit.
 struct BodyHash {

@@ -25,8 +25,11 @@ struct SourceSpelling {
   std::uint32_t first_index;
   std::string_view definition;
   std::size_t indent;        ///< of statements
+  std::string_view local;    ///< before a name that gets its value
+  std::string_view library;  ///< a function {0} of the library
   std::string_view result;   ///< before the value that a function gives
-  std::string_view field;    ///< before one of several, {0}; empty: one call makes all
+  std::string_view results;  ///< several values {1} in a struct {0}; empty: a statement gives each
+  std::string_view field;    ///< before one of them, {0}
   std::string_view opening;  ///< around a value of several lines
   std::string_view closing;
   std::string_view end;          ///< of a statement
@@ -40,16 +43,20 @@ struct SourceSpelling {
   std::string_view interval;         ///< {0}, {1}: its bounds
   std::string_view number_value;     ///< of a parameter: {0} is the name
   std::string_view array_value;      ///< of a parameter that is one
+  std::string_view end_of_value;     ///< of a parameter
   std::string_view number_member;    ///< of a struct of results, in documentation
   std::string_view array_member;     ///< of it
   std::string_view comment;          ///< before a comment behind a parameter
   std::string_view member_comment;   ///< before what a member is
   char quote;                        ///< around texts
   char escape;                       ///< before it, and before itself
+  std::string_view coded_in_texts;   ///< is written \u003c: it would be markup of a page
   std::string_view escaped_in_docs;  ///< by a backslash
+  std::string_view end_of_docs;      ///< is parted by a blank in them
   std::string_view own_function;     ///< of what the module has where its library has none
   std::string_view absolute;         ///< |x| of a number
   std::string_view unbounded;        ///< an infinite number
+  std::size_t most_empty;            ///< empty lines in a row, at most
   std::size_t deepest;               ///< brackets in brackets that it reads
   std::size_t longest_name;          ///< 0: any
   std::string_view reserved;         ///< words that are no names, between spaces: `_` is appended

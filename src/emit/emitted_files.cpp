@@ -27,6 +27,14 @@ constexpr PerArtifact<Writer> writers{.cpp = {&cpp_header, &cpp_check_names},
 
 }  // namespace
 
+Result<std::string> emitted_script(const Model& model, const Scene& scene, const Program& program) {
+  Diagnostics diagnostics = source_check_names(model, scene, program);
+  const Diagnostics ranges = check_scalar_range(model, scene, program);
+  diagnostics.insert(diagnostics.end(), ranges.begin(), ranges.end());
+  if (has_errors(diagnostics)) return diagnostics;
+  return source_script(emission_input(model, scene, program, {}));
+}
+
 Result<EmittedFiles> emit(const Model& model, const Scene& scene, const Program& program,
                           const Book& book) {
   const std::vector<Artifact> wanted = artifacts_of(scene);

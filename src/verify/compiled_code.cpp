@@ -10,9 +10,12 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <type_traits>
 #include <utility>
 
+#include "accuracy/running_errors.hpp"
 #include "base/ascii.hpp"
+#include "elgen/fold.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "program/evaluate/sines.hpp"
 #include "verify/bounds/exact_run.hpp"
@@ -50,11 +53,31 @@ double allowed_roundings(const CompiledHeader& compiled, const Function& functio
   return calls_own ? std::max<double>(of_own, compiled.roundings) : compiled.roundings;
 }
 
+/// The running errors of all entries, in u, where an interpreter may be off: it computes functions
+/// of the library in its own way, and sums that cancel show it. Infinite where they say nothing.
+template <class Scalar>
+std::vector<double> running_errors(const Subject& subject, const Function& function,
+                                   const Arguments<Scalar>& at, double most) {
+  std::vector<double> errors(entry_count(function));
+  if constexpr (std::is_same_v<Scalar, double>) {
+    if (most == 0) return errors;
+    const RunningErrorRules<double> rules{running_leaves<double>(at, Leaves::exact)};
+    const auto entries =
+        entries_of(function, fold<Running<double>>(rules, subject.program, function));
+    std::ranges::transform(entries, errors.begin(), [](const Running<double>& entry) {
+      return entry.is_lost ? std::numeric_limits<double>::infinity() : entry.error;
+    });
+  }
+  return errors;
+}
+
 /// The entries with other bits that are off by more than `most` u of the largest one of their
-/// field. An exception agrees with numbers that are infinite or none.
+/// field, and `most` times their running error. An exception agrees with numbers that are infinite
+/// or none.
 template <class Scalar>
 std::size_t differing(const Function& function, const std::vector<Scalar>& given,
-                      const std::vector<Scalar>& expected, double most) {
+                      const std::vector<Scalar>& expected, const std::vector<double>& errors,
+                      double most) {
   const auto is_finite = [](Scalar x) { return std::isfinite(x); };
   if (given.empty() && !std::ranges::all_of(expected, is_finite)) return 0;
   if (given.size() != expected.size()) return std::max(given.size(), expected.size());
@@ -69,7 +92,8 @@ std::size_t differing(const Function& function, const std::vector<Scalar>& given
     }
     for (; i < end; ++i) {
       const double error = std::abs(given[i] - expected[i]);
-      const bool is_near = most > 0 && error <= most * unit_roundoff * largest;
+      const double allowed = most * unit_roundoff * std::max(largest, errors[i]);
+      const bool is_near = most > 0 && error <= allowed;
       if (!is_near && !same_bits(given[i], expected[i])) ++count;
     }
   }
@@ -79,8 +103,8 @@ std::size_t differing(const Function& function, const std::vector<Scalar>& given
 std::string tolerance_of(const CompiledHeader& compiled, double most) {
   if (most > 0) {
     return fmt::format(
-        "{} u of the largest entry: the interpreter computes functions of the "
-        "library by code of its own",
+        "{0} u of the largest entry, or {0} times the running error: the interpreter computes "
+        "functions of the library by code of its own",
         most);
   }
   return compiled.in_packs ? "exact: same operations, same order, no contraction, the polynomials "
@@ -102,7 +126,8 @@ CertificateRow compiled_row(const Subject& subject, const CompiledHeader& compil
   std::string where;
   for (std::size_t i = 0; i < states.size(); ++i) {
     const auto expected = evaluate_code(subject.program, function, states[i].values, sines);
-    const std::size_t count = differing(function, values[i], expected, most);
+    const auto errors = running_errors(subject, function, states[i].values, most);
+    const std::size_t count = differing(function, values[i], expected, errors, most);
     if (wrong == 0 && count > 0) where = describe(subject, exact_state(subject, states[i].values));
     wrong += count;
     entries += expected.size();

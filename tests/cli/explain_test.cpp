@@ -57,7 +57,7 @@ TEST_CASE("explain knows codes in any case, outputs and functions") {
 TEST_CASE("an entry is shown with its tables, kinds of values and choices") {
   CHECK(run("elgen explain scene.emit").output == R"text([emit]: the emitted code
 
-  language       one of                   language of the emitted code ("c++17", "c99", "python", "matlab")
+  language       one of                   language of the emitted code ("c++17", "c99", "python", "matlab", "javascript")
   namespace      text                     C++ namespace or prefix in C, instead of the base name
   eigen          true or false            the same functions on Eigen types
   batch          true or false            the same functions on arrays of states
@@ -77,7 +77,7 @@ TEST_CASE("programs get codes and keys as JSON") {
   const auto keys = nlohmann::json::parse(run("elgen explain scene.emit --format json").output);
   REQUIRE(keys.size() == 6);
   CHECK(keys.at(0).at("key") == "language");
-  CHECK(keys.at(0).at("words") == nlohmann::json{"c++17", "c99", "python", "matlab"});
+  CHECK(keys.at(0).at("words") == nlohmann::json{"c++17", "c99", "python", "matlab", "javascript"});
 }
 
 }  // namespace elgen::test

@@ -137,6 +137,11 @@ std::vector<Opcode> arguments_of(const Model& model, const Function& function) {
   if (mass_takes_velocity) taken |= Opcode::velocity;
   if (model.uses_time) taken |= Opcode::time;
   if (!model.open_values.empty()) taken |= Opcode::open_value;
+  if (function.kind == OutputKind::user_value) {
+    for (const Instruction& i : function.instructions) {
+      if (operand_count(i) == 0 && i.opcode != Opcode::constant) taken |= i.opcode;
+    }
+  }
   std::vector<Opcode> list;
   for (const LeafRow& leaf : leaf_table()) {
     if (taken.has_any(leaf.id)) list.push_back(leaf.id);

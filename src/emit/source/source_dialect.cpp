@@ -35,6 +35,20 @@ std::string statement_text(const SourceSpelling& spelling, const std::string& st
   return source_lines(spelling, text, {line_width, margin + "    "}) + "\n";
 }
 
+/// A line that ends no documentation.
+std::string documentation_line(const SourceSpelling& spelling, std::string_view line) {
+  std::string safe;
+  if (line.starts_with(' ')) line.remove_prefix(1);
+  for (const char c : line) {
+    if (spelling.escaped_in_docs.find(c) != std::string_view::npos) safe += '\\';
+    safe += c;
+    if (!spelling.end_of_docs.empty() && safe.ends_with(spelling.end_of_docs)) {
+      safe.insert(safe.size() - 1, 1, ' ');
+    }
+  }
+  return safe;
+}
+
 class SourceDialect final : public Dialect {
  public:
   SourceDialect(const Model& model, const Scene& scene, const Program& program)
@@ -71,7 +85,7 @@ class SourceDialect final : public Dialect {
   std::string declaration(const std::string& name) const override { return name; }
 
   std::string assignment(const std::string& target, const std::string& value) const override {
-    return statement(target + " = ", value, Brackets::needed);
+    return statement(fmt::format("{}{} = ", spelling_.local, target), value, Brackets::needed);
   }
 
   std::string returned(const Function& function, const Function& /*ordered*/,
@@ -82,18 +96,20 @@ class SourceDialect final : public Dialect {
           value_of(function, function.fields.front(), entries.front()),
           is_number(function, function.fields.front()) ? Brackets::needed : Brackets::there);
     }
-    std::string lines;
     Texts values;
     for (std::size_t i = 0; i < entries.size(); ++i) {
       const Field& field = function.fields[i];
-      values.push_back(value_of(function, field, entries[i]));
-      if (spelling_.field.empty()) continue;
-      const std::string name = spelt_name(spelling_.language, field.name);
-      lines += statement(filled(spelling_.field, name), values.back(), Brackets::there);
+      values.push_back(filled(spelling_.field, spelt_name(spelling_.language, field.name)) +
+                       value_of(function, field, entries[i]));
     }
-    if (!spelling_.field.empty()) return lines;
-    const std::string made = fmt::format("{}({})", struct_name(function), fmt::join(values, ", "));
-    return statement(std::string(spelling_.result), made, Brackets::there);
+    if (spelling_.results.empty()) {
+      std::string lines;
+      for (const std::string& value : values) lines += statement("", value, Brackets::there);
+      return lines;
+    }
+    const std::string all = fmt::format("{}", fmt::join(values, ", "));
+    return statement(std::string(spelling_.result),
+                     filled(spelling_.results, struct_name(function), all), Brackets::there);
   }
 
   std::string opening(const Function& /*function*/, const UsedNames& /*used*/,
@@ -117,15 +133,7 @@ class SourceDialect final : public Dialect {
   }
 
   Texts documented(Texts lines) const override {
-    for (std::string& line : lines) {
-      std::string safe;
-      if (line.starts_with(' ')) line.erase(0, 1);
-      for (const char c : line) {
-        if (spelling_.escaped_in_docs.find(c) != std::string_view::npos) safe += '\\';
-        safe += c;
-      }
-      line = safe;
-    }
+    for (std::string& line : lines) line = documentation_line(spelling_, line);
     return lines;
   }
 
@@ -172,7 +180,7 @@ class SourceDialect final : public Dialect {
   }
 
   std::string library_function(std::string_view name) const override {
-    return std::string(name == "abs" ? spelling_.absolute : name);
+    return filled(spelling_.library, name == "abs" ? spelling_.absolute : name);
   }
 
   std::string own_function(std::string_view name) const override {
@@ -188,6 +196,15 @@ class SourceDialect final : public Dialect {
 
 std::string source_literal(const cln::cl_R& value) {
   return signed_literal(value, ScalarKind::double_precision);
+}
+
+std::string source_text(const SourceSpelling& spelling, std::string_view text) {
+  std::string literal;
+  for (const char c : string_literal(text, spelling.quote, spelling.escape)) {
+    const bool is_coded = spelling.coded_in_texts.find(c) != std::string_view::npos;
+    literal += is_coded ? fmt::format("\\u{:04x}", c) : std::string(1, c);
+  }
+  return literal;
 }
 
 std::string source_list(const ListSpelling& list, const Texts& values, std::size_t columns) {

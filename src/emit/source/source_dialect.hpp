@@ -15,6 +15,9 @@ namespace elgen {
 /// "9.81": the nearest double.
 [[nodiscard]] std::string source_literal(const cln::cl_R& value);
 
+/// "\"kg\"": a text on one line, which ends neither its quotes nor a script of a page.
+[[nodiscard]] std::string source_text(const SourceSpelling& spelling, std::string_view text);
+
 /// "[1.0, 2.0]", "[[1.0, 2.0], [3.0, 4.0]]": values, or the rows of a matrix of so many columns.
 [[nodiscard]] std::string source_list(const ListSpelling& list,
                                       const std::vector<std::string>& values,

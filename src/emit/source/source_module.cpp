@@ -46,7 +46,7 @@ TemplateData declared(const DeclaredArray& array, const SourceSpelling& spelling
   using Kind = DeclaredArray::Kind;
   Texts elements = declared_elements(array, spelling.interval, spelling.unbounded);
   for (std::size_t i = 0; i < array.texts.size(); ++i) {
-    elements[i] = string_literal(array.texts[i], spelling.quote, spelling.escape);
+    elements[i] = source_text(spelling, array.texts[i]);
   }
   const ListSpelling& list = array.kind == Kind::texts     ? spelling.texts
                              : array.kind == Kind::numbers ? spelling.numbers
@@ -63,7 +63,7 @@ Texts literals(const Model& model, const ParameterArray& array) {
 }
 
 /// "M: float = 1.0", with what it is.
-std::vector<Member> parameter_lines(const EmissionInput& input) {
+std::vector<Member> parameter_members(const EmissionInput& input) {
   const SourceSpelling& spelling = source_spelling(input.scene.emission.language);
   const std::string margin(spelling.indent, ' ');
   std::vector<Member> members;
@@ -74,11 +74,21 @@ std::vector<Member> parameter_lines(const EmissionInput& input) {
     const std::string start = fmt::format(pattern, spelt_name(spelling.language, array.name));
     const std::string value =
         (array.is_array ? source_list(spelling.numbers, values) : values.front()) +
-        std::string(spelling.end);
+        std::string(spelling.end_of_value);
     const std::string lines = in_lines(spelling, fmt::format("{}{}", margin, start), value);
     members.push_back({fmt::format("{}{}", start, lines), parameter_doc(array)});
   }
   return members;
+}
+
+/// Their lines. Without documentation no text of the model can end a script of a page.
+Texts parameter_lines(const EmissionInput& input, bool documented) {
+  const std::string_view mark = source_spelling(input.scene.emission.language).comment;
+  const std::vector<Member> members = parameter_members(input);
+  if (documented) return documented_members(members, {mark, mark});
+  Texts lines;
+  for (const Member& member : members) lines.push_back(member.declaration);
+  return lines;
 }
 
 /// The factor of pi, where the form is pi or a rational number times pi.
@@ -234,24 +244,29 @@ void check_length(const Scene& scene, const std::string& name, const Span& span,
                                      spelt.size(), language_row(language).name, longest)});
 }
 
-}  // namespace
-
-std::string source_module(const EmissionInput& input) {
+/// Where it is `exported`, the module has documentation and says which names others may import.
+std::string filled_module(const EmissionInput& input, bool exported) {
   TemplateData data = header_data(input, *source_dialect(input.model, input.scene, input.program));
   const LanguageRow& language = language_row(input.scene.emission.language);
   const SourceSpelling& spelling = source_spelling(language.id);
+  data.set("exported", section_if(exported));
+  data.set("export", exported ? "export " : "");
   data.set("declared",
            rows_data(all_arrays(input.model, input.program),
                      [&](const DeclaredArray& array) { return declared(array, spelling); }));
-  data.set("parameters", lines_data(documented_members(parameter_lines(input),
-                                                       {spelling.comment, spelling.comment})));
+  data.set("parameters", lines_data(parameter_lines(input, exported)));
   data.set("count_of_pivots",
            std::to_string(input.model.velocities.size() + input.model.constraints.size()));
   set_reflection(data, input);
-  constexpr std::size_t between_functions = 2;
   return header_text(fmt::format("{}/module.{}.mustache", language.name, language.ending), data,
-                     between_functions);
+                     spelling.most_empty);
 }
+
+}  // namespace
+
+std::string source_module(const EmissionInput& input) { return filled_module(input, true); }
+
+std::string source_script(const EmissionInput& input) { return filled_module(input, false); }
 
 Diagnostics source_check_names(const Model& model, const Scene& scene, const Program& program) {
   const LanguageId language = scene.emission.language;
@@ -277,7 +292,7 @@ Diagnostics source_check_names(const Model& model, const Scene& scene, const Pro
     check_length(scene, function.name, request == nullptr ? Span{} : request->span, diagnostics);
     const std::string name = spelt_name(language, function.name);
     const std::string type = camel_case(function.name);
-    const bool has_type = gives_struct(function) && spelling.field.empty();
+    const bool has_type = gives_struct(function) && spelling.results.starts_with("{0}");
     const bool is_taken =
         has_word(spelling.taken, name) || !names.insert(name).second ||
         (has_type && (has_word(spelling.taken, type) || !names.insert(type).second));

@@ -49,6 +49,8 @@ struct EmissionInput {
 [[nodiscard]] std::string c99_header(const EmissionInput& input);
 /// A module in the scene's language, which is interpreted.
 [[nodiscard]] std::string source_module(const EmissionInput& input);
+/// The same functions for a script of a page: nothing is exported or documented.
+[[nodiscard]] std::string source_script(const EmissionInput& input);
 
 /// The equations as JSON, for programs that read them: one key order, LF, exact numbers as strings.
 [[nodiscard]] std::string sidecar(const EmissionInput& input);

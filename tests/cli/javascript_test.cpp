@@ -1,0 +1,201 @@
+// language = "javascript": a module that node runs, names and texts that it and a page can have.
+#include <catch2/catch.hpp>
+#include <sstream>
+#include <string>
+
+#include "cli/cli_testing.hpp"
+#include "support/installed.hpp"
+
+namespace elgen::test {
+namespace {
+
+bool has_node() { return is_installed("node", "node --version"); }
+
+/// A folder with scenes in the language.
+class JavaScript : public Workspace {
+ public:
+  /// Of a model file; its module is named NAME_m where the model is named NAME.
+  void write_scene(const std::string& name, const std::string& model,
+                   const std::string& more = "") const {
+    write(name + ".scene.toml", "format = 1\nmodel = \"" + model + "\"\nname = \"m\"\n" + more +
+                                    "[emit]\nlanguage = \"javascript\"\n");
+  }
+  /// What node says to the statements, in the folder of a module.
+  [[nodiscard]] Outcome node(const std::string& name, const std::string& statements) const {
+    write("generated/" + name + "/asked.mjs", statements + "\n");
+    return run("cd generated/" + name + " && node asked.mjs");
+  }
+};
+
+/// Words of strict mode and of modules, an object of the library, a parameter that is an array,
+/// kinks, a series; texts that would end strings, comments and scripts.
+const std::string model_of_words = R"text(format = 1
+[model]
+name = "odd"
+title = 'A </script> and <!-- of "quotes" \'
+description = 'x */ y ${z} `w`'
+[[coordinate]]
+name = "theta"
+unit = "rad"
+doc = 'angle </script> */ "q" \'
+[[coordinate]]
+name = "let"
+unit = "m"
+[parameters]
+function = { value = 2, unit = "kg", doc = '</script> <!-- */ \' }
+yield = { size = 2, value = [3, 4], unit = "m" }
+eval = { value = 5, unit = "N" }
+Math = { value = 9.81, unit = "m/s^2" }
+[energy]
+T = "1/2*function*(yield[1]^2*dot(theta)^2 + dot(let)^2 + yield[2]*sinc(theta)*dot(theta)*dot(let))"
+V = "function*Math*yield[1]*cos(theta)*Math/(Math + Math*theta^2)"
+[[force]]
+on = "let"
+value = "-eval*sign(dot(let)) - eval*max(sin(theta), 0.5)"
+)text";
+
+/// Without accelerations, whose sums lose digits by cancellation.
+const std::string odd_outputs =
+    "[outputs]\nmass_matrix = true\ngravity = true\napplied_force = true\n"
+    "momentum = { rename = \"await\" }\n";
+
+const std::string rk4 = "import * as cart from \"./cart_pole.mjs\";\n";
+
+}  // namespace
+
+TEST_CASE("javascript: ten models have the numbers of the program") {
+  if (!has_node()) return;
+  const JavaScript folder;
+  std::string scenes;
+  for (const std::string name :
+       {"cart_pole", "simple_pendulum", "acrobot", "foucault_pendulum", "four_bar", "free_body",
+        "kepler_polar", "motor_pendulum", "rolling_disc", "two_link_arm"}) {
+    folder.write_scene(name, models + "/" + name + ".toml");
+    scenes += " " + name + ".scene.toml";
+  }
+  const Outcome judged = folder.run("elgen verify --samples 4" + scenes);
+  INFO(judged.output + judged.errors);
+  CHECK(judged.status == 0);
+  CHECK_FALSE(mentions(judged.output, "could not be run"));
+}
+
+TEST_CASE("javascript: a changed module is told from the program, and no node is a row skipped") {
+  const JavaScript folder;
+  folder.write_scene("cart_pole", models + "/cart_pole.toml", "[outputs]\nmass_matrix = true\n");
+  const Outcome without =
+      folder.run("NODE=/nonexistent/node elgen verify --samples 4 cart_pole.scene.toml");
+  INFO(without.output + without.errors);
+  CHECK(without.status == 0);
+  CHECK(mentions(without.output, "`/nonexistent/node` could not be run"));
+  if (!has_node()) return;
+  const Outcome right = folder.run("elgen verify --samples 4 cart_pole.scene.toml");
+  INFO(right.output + right.errors);
+  CHECK(right.status == 0);
+  // It answers as node does, but for the sign of the first cosine.
+  folder.write("wrong",
+               "#!/bin/sh\nmodule=\"$(dirname \"$1\")/cart_pole_m.mjs\"\n"
+               "sed -i '0,/= Math.cos(/s//= -Math.cos(/' \"$module\"\nexec node \"$1\"\n");
+  const Outcome wrong = folder.run(
+      "chmod +x wrong && NODE=\"$PWD/wrong\" elgen verify --samples 4 cart_pole.scene.toml");
+  INFO(wrong.output + wrong.errors);
+  CHECK(wrong.status == 1);
+}
+
+TEST_CASE("javascript: words of strict mode and modules get an underscore, texts end nothing") {
+  const JavaScript folder;
+  folder.write("odd.toml", model_of_words);
+  folder.write_scene("odd", "odd.toml", odd_outputs);
+  folder.prepare("elgen generate -q odd.scene.toml");
+  const std::string text = folder.read("generated/odd_m/odd_m.mjs");
+  CHECK(mentions(text, "p.function_"));
+  CHECK(mentions(text, "p.yield_[0]"));
+  CHECK(mentions(text, "\n  yield_: Float64Array.of(3.0, 4.0),"));
+  CHECK(mentions(text, "\n  Math: 9.81,"));
+  CHECK(mentions(text, "export const coordinate_names = [\"theta\", \"let\"];"));
+  CHECK(mentions(text, "\nexport function await_(p, q, v) {\n"));
+  CHECK_FALSE(mentions(text, "const Math ="));
+  CHECK_FALSE(mentions(text, "\n\n\n"));
+  CHECK_FALSE(mentions(text, "\n\n */"));
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    INFO(line);
+    if (!starts_with(line, " *") && !mentions(line, "//")) CHECK(line.size() <= 100);
+  }
+  if (!has_node()) return;
+  folder.prepare("node --check generated/odd_m/odd_m.mjs");
+  const Outcome judged = folder.run("elgen verify --samples 4 odd.scene.toml");
+  INFO(judged.output + judged.errors);
+  CHECK(judged.status == 0);
+  const Outcome said =
+      folder.node("odd_m",
+                  "import * as m from './odd_m.mjs';\n"
+                  "console.log(m.parameter_names.join(' '), m.parameter_units.join(' '));\n"
+                  "console.log(m.coordinate_names.join(' '), m.coordinate_units.join(' '));");
+  CHECK(said.output == "function yield eval Math kg m N m/s^2\ntheta let rad m\n");
+}
+
+TEST_CASE("javascript: texts of a model do not end the script of a page") {
+  const JavaScript folder;
+  folder.write("odd.toml", model_of_words);
+  folder.prepare("elgen simulate odd.toml --time 1 --method rk4 --step 0.01 -o odd.html");
+  const std::string page = folder.read("odd.html");
+  CHECK(count(page, "</script>") == count(page, "<script>"));
+  // A separator of lines would end a comment of one line: models have none.
+  folder.write("parted.toml", replaced(model_of_words, "A </script>", "A \u2028</script>"));
+  const Outcome parted = folder.run("elgen generate --language javascript -o out parted.toml");
+  CHECK(parted.status == 2);
+  CHECK(mentions(parted.errors, "[E113]: U+2028"));
+}
+
+TEST_CASE("javascript: vectors are typed, matrices arrays of rows, what is empty has its type") {
+  if (!has_node()) return;
+  const JavaScript folder;
+  folder.write_scene("pendulum", models + "/simple_pendulum.toml");
+  folder.write_scene("cart", models + "/cart_pole.toml");
+  folder.prepare("elgen generate -q pendulum.scene.toml cart.scene.toml");
+  const Outcome said = folder.node(
+      "cart_pole_m",
+      "import * as cart from './cart_pole_m.mjs';\n"
+      "import * as pendulum from '../simple_pendulum_m/simple_pendulum_m.mjs';\n"
+      "const p = cart.parameters();\nconst q = cart.start_coordinates, v = cart.start_rates;\n"
+      "const kind = (x) => `${x.constructor.name} ${x.length}`;\n"
+      "const M = cart.mass_matrix({ ...p, m: 0.2 }, [0, 0]);\n"
+      "const a = cart.forward_dynamics(p, q, v, [0]);\n"
+      "console.log(kind(cart.gravity(p, q)));\nconsole.log(kind(M), kind(M[0]));\n"
+      "console.log(M[0][0].toFixed(3), typeof cart.kinetic_energy(p, q, v));\n"
+      "console.log(kind(cart.linearization(p, q, v, [0]).B));\n"
+      "console.log(Object.keys(a).join(' '), cart.is_regular(a.relative_pivots));\n"
+      "console.log(kind(pendulum.input_limits), kind(pendulum.input_names));");
+  INFO(said.errors);
+  CHECK(said.output ==
+        "Float64Array 2\nArray 2 Float64Array 2\n1.200 number\nArray 4\n"
+        "acceleration relative_pivots true\nArray 0 Array 0\n");
+}
+
+TEST_CASE("javascript: rk4 runs as templates/README.md shows") {
+  const std::string page = read_text(std::string(ELGEN_SOURCE_DIR) + "/templates/README.md");
+  const std::size_t first = page.find(rk4);
+  REQUIRE(first != std::string::npos);
+  if (!has_node()) return;
+  const JavaScript folder;
+  folder.prepare("elgen generate -q --language javascript -o generated " + models +
+                 "/cart_pole.toml");
+  const Outcome said =
+      folder.node("cart_pole", page.substr(first, page.find("```", first) - first));
+  INFO(said.errors);
+  CHECK(mentions(said.output, "theta(1) = "));
+  CHECK(mentions(page, "prints `" + said.output.substr(0, said.output.find('\n')) + "`"));
+}
+
+TEST_CASE("javascript: an output is not called as what the module has of its own") {
+  const JavaScript folder;
+  folder.write_scene("renamed", models + "/cart_pole.toml",
+                     "[outputs]\ngravity = { rename = \"Math\" }\n"
+                     "momentum = { rename = \"sign_of\" }\n"
+                     "bias = { rename = \"parameter_names\" }\nmass_matrix = true\n");
+  const Outcome renamed = folder.run("elgen generate renamed.scene.toml");
+  CHECK(renamed.status == 2);
+  CHECK(count(renamed.errors, "[E701]") == 3);
+}
+
+}  // namespace elgen::test
