@@ -21,6 +21,7 @@ struct Limits {
   std::uint64_t boxes = 200'000;
   std::uint64_t enclosures = 80'000'000;  ///< a few seconds
   std::uint64_t memory_mib = 1024;
+  std::uint64_t page_bytes = 1U << 20U;  ///< of a page that moves
 };
 
 struct LimitRow {

@@ -157,6 +157,13 @@ struct PlaceInFrame {
   Vector3 at{};
 };
 
+/// The other end of a line that a page draws: a point, the origin of a frame, or (neither) that of
+/// the world.
+struct JoinedPlace {
+  std::optional<std::uint32_t> point = {};
+  std::optional<std::uint32_t> frame = {};
+};
+
 /// A point with a mass adds 1/2 m v^2 to T and -m gravity.p to V.
 struct Point {
   std::string name;
@@ -165,6 +172,8 @@ struct Point {
   Vector3 at{};                            ///< in the world
   std::optional<PlaceInFrame> local = {};  ///< where it was given in a frame
   std::optional<ExpressionId> mass = {};
+  std::vector<JoinedPlace> joined_to = {};  ///< no equation depends on these two
+  bool is_on_springs = false;               ///< what joins it is drawn as springs, not rods
   std::string doc = {};
   Span span = {};
 };
@@ -234,6 +243,7 @@ struct UserOutput {
   bool in_world = true;                  ///< axes of the twist: the world's, or the frame's
   std::vector<ExpressionId> twist = {};  ///< six entries, linear in the rates
   bool jacobian = false;
+  bool is_shown = false;  ///< of no file: made for a page that moves (SceneOptions::shows_motion)
   std::string doc = {};
   Span span = {};
 };

@@ -195,7 +195,8 @@ struct Screen {
 /// A complete document for pdflatex; needs amsmath and longtable.
 [[nodiscard]] std::string latex_document(const Page& page);
 
-/// A complete page of HTML with MathML Core.
+/// The sections as parts of a page of HTML with MathML Core, and a complete page.
+[[nodiscard]] std::string html_parts(const std::vector<PageSection>& sections);
 [[nodiscard]] std::string html_page(const Page& page);
 
 }  // namespace elgen

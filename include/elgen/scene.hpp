@@ -193,6 +193,8 @@ struct SceneOptions {
   bool close_functions = false;
   /// Forward dynamics with relative pivots, whatever the model says: a run looks at them.
   bool keeps_pivots = false;
+  /// Adds outputs that a page shows of a run: all places, the laws of inputs, what is conserved.
+  bool shows_motion = false;
   /// Without the scene's `[approximate]`: what its expansion is compared with.
   bool is_exact = false;
   /// Keep closed forms of more than 4096 nodes too: `verify` needs them. Without it they are read

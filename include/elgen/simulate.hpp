@@ -29,6 +29,8 @@ struct SimulationOptions {
   std::optional<double> hold = {};       ///< inputs keep their values so long; none: continuous
   bool project = true;                   ///< after each step, back onto the constraints
   bool through_singular = false;         ///< goes on where M or A loses rank, by a fixed step
+  std::vector<std::string> show = {};    ///< columns that get panels of the plot besides
+  std::string path = {};                 ///< the point whose path is drawn; "": none is
   /// Is told the time that the run has reached, now and then.
   std::function<void(double)> watch = {};
 };
@@ -81,9 +83,11 @@ struct TrajectoryColumn {
 
 struct Trajectory {
   std::string model = {};
+  std::string title = {};   ///< of the model; "" where it has none
   std::string method = {};  ///< "verlet of order 8"
+  std::string path = {};    ///< the point whose path is drawn; "": none is
   double from = 0;
-  std::vector<TrajectoryColumn> columns = {};  ///< t, q, v, u with laws, E
+  std::vector<TrajectoryColumn> columns = {};  ///< t, q, v, u with laws, lambda, x, y of `path`, E
   std::vector<std::vector<double>> rows = {};
   std::vector<double> work = {};  ///< until each row; empty where none is done
   std::vector<double> last = {};  ///< the row of the end
@@ -96,7 +100,8 @@ struct Trajectory {
   std::vector<ConservedDrift> conserved = {};
   std::optional<KeptConstraints> constraints = {};  ///< of a model that has some
   std::uint64_t steps = 0;
-  double nanoseconds = 0;  ///< per step
+  double nanoseconds = 0;       ///< per step
+  std::string timed_code = {};  ///< "of the emitted C++", "in the evaluator"
 };
 
 /// The errors of a run that are found before anything is derived: E620, E621, E647.
@@ -109,7 +114,8 @@ struct Trajectory {
 [[nodiscard]] std::optional<ChosenStep> step_of_run(const SimulationOptions& options);
 
 /// The model of a run with the outputs that it calls and the `step` that it goes by, whatever the
-/// scene asks for; the scene that is left emits C++ for double alone, of a `step` in packs too.
+/// scene asks for; the scene that is left emits C++ for double alone, of a `step` in packs too, or
+/// JavaScript where it `shows_motion`.
 /// E622 where the method is not for the system.
 [[nodiscard]] Products derived_for_run(const Inputs& inputs, PipelineOptions options,
                                        const std::optional<ChosenStep>& step);
@@ -125,8 +131,9 @@ struct Trajectory {
 
 /// Runs from the model's start, assembled, by what was compiled; where that is null, in the
 /// evaluator. Ends where M or the constraints lose rank, and warns where energy is lost by more
-/// than the tolerance allows. E518, E538, E620, E621, E623, E624, E647, E648. Cost: one step of the
-/// program, or a few calls of the equations of motion, per step, and of the energies for each.
+/// than the tolerance allows. E201 of `show` and `path`, E518, E538, E620, E621, E623, E624, E647,
+/// E648. Cost: one step of the program, or a few calls of the equations of motion, per step, and of
+/// the energies for each.
 [[nodiscard]] Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
                                           const CompiledModel* compiled,
                                           const SimulationOptions& options);

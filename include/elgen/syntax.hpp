@@ -129,6 +129,8 @@ struct KeyRow {
   bool required = false;
   bool supported = true;  ///< false: E108 "not yet supported"
   std::string_view doc = {};
+  bool is_drawn =
+      false;  ///< drawings follow it, no equation does: in no stamp, and `diff` is equal
 };
 
 /// One word a key of KeyType::choice or choice_list may hold.
@@ -150,9 +152,11 @@ struct EntryRow {
 [[nodiscard]] std::span<const KeyRow> key_table();
 [[nodiscard]] std::span<const ChoiceRow> choice_table();
 [[nodiscard]] std::span<const EntryRow> entry_table();
+/// Whether the row of this key says that drawings alone follow it.
+[[nodiscard]] bool is_drawn(std::string_view entry, std::string_view key);
 /// The words that a key of KeyType::choice or choice_list may hold; none of others.
 [[nodiscard]] std::vector<std::string_view> choice_words(const KeyRow& row);
-/// What stands in the place of a word that was one once; empty for any other.
+/// The word that took the place of a former one; empty for any other.
 [[nodiscard]] std::string_view hint_of_former_choice(const KeyRow& row, std::string_view word);
 
 /// The key table for editors, as JSON Schema: TOML files are checked as JSON of the same keys.
@@ -188,9 +192,10 @@ struct EntryRow {
 [[nodiscard]] Result<std::vector<KeySyntax>> parse_options(
     const std::vector<SourcePointer>& options, KeyType type, const Limits& limits);
 
-/// Every key with its value, in file order; blanks and comments leave no trace. Stamps are hashes
-/// of this text.
+/// Every key with its value, in file order; blanks and comments leave no trace.
 [[nodiscard]] std::string dump(const FileSyntax& syntax);
+/// The same without the keys that drawings alone follow. Stamps are hashes of this text.
+[[nodiscard]] std::string stamped_text(const FileSyntax& model);
 /// Fully bracketed: `(a + (b * c))`.
 [[nodiscard]] std::string dump(const ExpressionSyntax& expression);
 

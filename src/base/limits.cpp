@@ -17,6 +17,7 @@ const std::vector<LimitRow>& limit_table() {
       {"boxes", &Limits::boxes, "boxes", "boxes that are searched for equilibria"},
       {"enclosures", &Limits::enclosures, "", "operations of intervals in these boxes"},
       {"memory_mib", &Limits::memory_mib, "MiB", "memory"},
+      {"page_bytes", &Limits::page_bytes, "bytes", "size of a page that moves"},
   };
   return table;
 }

@@ -104,7 +104,7 @@ Result<CheckedModel> check(const FileSyntax& model, const FileSyntax* scene,
                            const SceneOptions& options, const Limits& limits) {
   Context context(limits);
   keep_sources(context.model, model, scene, options);
-  context.model.canonical = dump(model);
+  context.model.canonical = stamped_text(model);
   context.has_units = uses_units(model);
   context.dimension = usual_dimension(model);
   read_sizes(context, model, scene, options);
@@ -113,6 +113,7 @@ Result<CheckedModel> check(const FileSyntax& model, const FileSyntax* scene,
   if (context.beyond_limits) return context.report.sorted();
   read_held(context, scene);
   judge(context, model, scene, options);
+  if (options.shows_motion && context.report.errors() == 0) add_shown_outputs(context.model);
   if (context.report.errors() == 0) reduce_model(context);
   if (context.report.errors() == 0) check_constraints(context);
   Scene checked_scene = read_scene(context, scene, options);

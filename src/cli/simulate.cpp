@@ -16,6 +16,7 @@
 #include "cli/process/resources.hpp"
 #include "cli/process/terminal.hpp"
 #include "cli/shown_pipeline.hpp"
+#include "elgen/player.hpp"
 #include "elgen/wording.hpp"
 
 namespace elgen::cli {
@@ -80,7 +81,68 @@ Result<Trajectory> trajectory_of(const GlobalOptions& global, const SimulateOpti
   return simulate(*products.checked, *products.program, compiled, run);
 }
 
-ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& options) {
+bool is_page(const SimulateOptions& options) { return options.output.file.ends_with(".html"); }
+
+/// The run that a page opens with: a method of steps of one length, ten thousand of them unless
+/// their length is given.
+SimulationOptions run_of_page(SimulationOptions run) {
+  constexpr double default_steps = 10'000;
+  if (run.method.empty()) run.method = "rk4";
+  if (!run.step) run.step = run.time / default_steps;
+  return run;
+}
+
+/// The derivation, the points of rest and the modes about them, as far as there are some.
+Products read_of_page(const SimulateOptions& options, const Inputs& inputs,
+                      PipelineOptions pipeline) {
+  pipeline.scene.close_functions = true;
+  pipeline.goals = {Goal::steps};
+  Products read = run_shown(options.input, inputs, pipeline);
+  pipeline.goals = {Goal::modes};
+  Products rest = run_shown(options.input, inputs, pipeline);
+  read.equilibria = std::move(rest.equilibria);
+  read.motions = std::move(rest.motions);
+  return read;
+}
+
+ExitCode write_page(const GlobalOptions& global, const SimulateOptions& options) {
+  const SimulationOptions run = run_of_page(options.run);
+  Diagnostics refused = refuse_run(run);
+  if (refused.empty()) refused = refuse_player(run);
+  if (refused.empty()) {
+    refused = refuse_places({{options.output.file, "", Replaces::nothing}}, options.output.force);
+  }
+  if (!refused.empty()) return report(global, refused);
+  const Result<Inputs> inputs = read_inputs(options.input, global.limits);
+  if (!inputs) return report(global, inputs.diagnostics);
+  PipelineOptions pipeline = pipeline_options(global, {Goal::choose});
+  pipeline.scene = options.scene;
+  const Products moving =
+      shown_for_run({.input = options.input, .run = run}, *inputs, player_pipeline(pipeline));
+  const ExitCode derived = report_products(global, moving);
+  tell_times(global, moving);
+  if (derived != ExitCode::success || !global.stop_after.empty()) return derived;
+  const Products read = read_of_page(options, *inputs, pipeline);
+  const Result<std::string> page = player_page(moving, read, run, global.limits);
+  const ExitCode told = report(global, page.diagnostics);
+  if (!page) return told;
+  const auto written = write_files({{options.output.file, *page, Replaces::nothing}},
+                                   {options.output.force, global.limits.seconds});
+  return std::max(told, report(global, written.diagnostics));
+}
+
+/// E913 where curves are chosen that nothing draws.
+Diagnostics refuse_curves(const SimulateOptions& options) {
+  const bool has_curves = !options.run.show.empty() || !options.run.path.empty();
+  if (!has_curves || options.output.file.ends_with(".svg")) return {};
+  return {{Code::E913, {}, "`--show` and `--path` are of plots: `-o FILE.svg`"}};
+}
+
+ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& given) {
+  if (Diagnostics refused = refuse_curves(given); !refused.empty()) return report(global, refused);
+  if (is_page(given)) return write_page(global, given);
+  SimulateOptions options = given;
+  if (options.run.method.empty()) options.run.method = "dopri5";
   Diagnostics refused = refuse_run(options.run);
   if (options.run.every && options.output.file.empty() && !wants_json(global)) {
     refused.push_back({Code::E913, {}, "`--every` is of rows: `-o FILE` or `--format json`"});
@@ -115,8 +177,9 @@ ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& opti
 void add_numbers(CLI::App& command, SimulationOptions& run) {
   command.add_option("--time", run.time, "how long, in s")->required();
   command.add_option("--from", run.from, "time at the start")->capture_default_str();
-  command.add_option("--method", run.method, "rk4, dopri5, verlet or midpoint")
-      ->capture_default_str();
+  run.method.clear();  // a page has another one than rows
+  command.add_option("--method", run.method,
+                     "dopri5 (unless given), rk4 (of pages), verlet or midpoint");
   command.add_option_function<std::uint32_t>(
       "--order", [&run](std::uint32_t given) { run.order = given; },
       "of verlet and midpoint: 2 (unless given), 4 or 8");
@@ -125,6 +188,13 @@ void add_numbers(CLI::App& command, SimulationOptions& run) {
              "error of a step that chooses its length (1e-9)");
   add_number(command, "--every", run.every, "time between rows (a thousandth of --time)");
   add_number(command, "--hold", run.hold, "inputs keep their values so long");
+  command.add_option("--show", run.show, "rates and multipliers that the plot shows, too")
+      ->type_name("NAME,…")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command.add_option("--path", run.path, "the plot is the path of this point, y over x")
+      ->type_name("POINT")
+      ->excludes("--show");
   command
       .add_option_function<std::string>(
           "--project", [&run](const std::string& given) { run.project = given == "on"; },
@@ -150,7 +220,8 @@ void add_simulate(CLI::App& app, Action& action) {
   add_sources(*command, "--set", "NAME=VALUE", options->scene.values, "value of a parameter");
   add_sources(*command, "--input", "NAME=LAW", options->scene.laws,
               "what an input is: u=-3*theta - dot(theta)");
-  add_output(*command, options->output, "write the rows: .csv, .json or .svg");
+  add_output(*command, options->output,
+             "write the rows: .csv, .json or .svg; or a page that moves: .html");
   add_specialisation(*command, options->scene);
   set_action(*command, action, options, &simulate_input);
 }

@@ -36,6 +36,11 @@ bool is_described(const KeyChange& change) {
   return false;
 }
 
+/// Whether drawings alone follow it.
+bool is_drawn(const KeyChange& change) {
+  return !change.path.empty() && elgen::is_drawn(change.table, change.path.front().key);
+}
+
 /// `m`, `m.value` of a model, `fixed` of a scene: what a parameter is.
 bool is_value(const KeyChange& change) {
   if (change.table == "scene.parameters") return true;
@@ -86,6 +91,7 @@ bool is_moved_equilibrium(const KeyChange& key) {
 }
 
 bool may_change_equations(const KeyChange& key) {
+  if (is_drawn(key)) return false;
   if (is_moved_equilibrium(key)) return true;
   return impact_of(key) == Impact::equal && !is_value(key);
 }
@@ -107,6 +113,7 @@ void judge_keys(SystemChange& system, Impact of_entries) {
   }
   const bool is_said = std::ranges::any_of(system.keys, is_of_interface);
   for (KeyChange& key : system.keys) {
+    if (is_drawn(key)) continue;
     const bool is_equation = may_change_equations(key);
     key.impact = is_equation ? of_entries : Impact::values;
     const bool may_break = is_said ? is_of_interface(key) : is_equation;

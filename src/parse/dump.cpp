@@ -2,6 +2,9 @@
 // bracketed, so that they parse back to the same tree.
 #include <fmt/format.h>
 
+#include <string>
+#include <vector>
+
 #include "elgen/syntax.hpp"
 #include "parse/decimal.hpp"
 
@@ -104,6 +107,14 @@ std::string dump(const FileSyntax& syntax) {
     }
   }
   return result;
+}
+
+std::string stamped_text(const FileSyntax& model) {
+  FileSyntax kept = model;
+  for (EntrySyntax& entry : kept.entries) {
+    std::erase_if(entry.keys, [&](const KeySyntax& key) { return is_drawn(entry.name, key.key); });
+  }
+  return dump(kept);
 }
 
 }  // namespace elgen

@@ -1,5 +1,6 @@
 // The key table: every entry and key of model and scene files, what its value is, and whether this
 // version reads it. The reader, its messages and the documentation follow these rows.
+#include <algorithm>
 #include <array>
 
 #include "elgen/syntax.hpp"
@@ -11,6 +12,7 @@ namespace {
 constexpr bool optional = false;
 constexpr bool required = true;
 constexpr bool later = false;  ///< of `supported`
+constexpr bool drawn = true;
 
 using enum KeyType;
 
@@ -87,6 +89,9 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"point", "at", expression_list, required, true, "its 2 or 3 coordinates, in the world"},
     {"point", "mass", expression, optional, true, "adds 1/2 m v^2 to T and its weight to V"},
     {"point", "frame", name, optional, true, "`at` in the axes of this frame"},
+    {"point", "joined_to", expression_or_list, optional, true,
+     "lines on a page to points, frames, or origin", drawn},
+    {"point", "as", choice, optional, true, "how they are drawn; a rod unless given", drawn},
     {"point", "for", repetition, optional, true, "repeats the entry"},
     {"point", "doc", text, optional, true, "one line"},
 
@@ -244,6 +249,8 @@ constexpr auto choice_rows = std::to_array<ChoiceRow>({
     {"parameters.*", "assume", "nonnegative"},
     {"body", "inertia_about", "com"},
     {"body", "inertia_about", "origin"},
+    {"point", "as", "rod"},
+    {"point", "as", "spring"},
     {"constraint", "kind", "position"},
     {"constraint", "kind", "velocity"},
     {"scene.numeric", "scalar", "float"},
@@ -318,6 +325,12 @@ constexpr auto entry_rows = std::to_array<EntryRow>({
 std::span<const KeyRow> key_table() { return key_rows; }
 std::span<const ChoiceRow> choice_table() { return choice_rows; }
 std::span<const EntryRow> entry_table() { return entry_rows; }
+
+bool is_drawn(std::string_view entry, std::string_view key) {
+  return std::ranges::any_of(key_rows, [&](const KeyRow& row) {
+    return row.is_drawn && row.entry == entry && row.key == key;
+  });
+}
 
 std::vector<std::string_view> choice_words(const KeyRow& row) {
   std::vector<std::string_view> words;

@@ -136,13 +136,17 @@ TemplateData section_data(const PageSection& section, const PageWords& words) {
   return data;
 }
 
+TemplateData sections_data(const std::vector<PageSection>& sections, const PageWords& words) {
+  TemplateData list(List::list);
+  for (const PageSection& section : sections) list << section_data(section, words);
+  return list;
+}
+
 /// The values for the holes of templates/pages/. A section with an empty value is absent; `line`
 /// holds a text of one or more lines.
 TemplateData page_data(const Page& page, const PageWords& words) {
   TemplateData notes(List::list);
   for (const std::string& note : page.notes) notes << TemplateData("line", words.plain(note));
-  TemplateData outputs(List::list);
-  for (const PageSection& section : page.sections) outputs << section_data(section, words);
   TemplateData data;
   data.set("title", words.plain(text_of(page.title)));
   data.set("headline", mixed(page.title, words));
@@ -151,7 +155,7 @@ TemplateData page_data(const Page& page, const PageWords& words) {
   data.set("notes", notes);
   data.set("equation_of_motion", formula_section(page.equation_of_motion, words));
   data.set("variables", variables_data(page, words));
-  data.set("outputs", outputs);
+  data.set("outputs", sections_data(page.sections, words));
   return data;
 }
 
@@ -257,6 +261,9 @@ std::string html_equations(const DisplayBlock& block) {
   return fmt::format("<mtable class=\"lines\" displaystyle=\"true\">\n{}</mtable>", rows);
 }
 
+constexpr PageWords html_words{xml_text,     xml_text, html_unit,
+                               html_formula, in_math,  html_equations};
+
 }  // namespace
 
 /// GitHub Markdown with $$ blocks.
@@ -274,9 +281,13 @@ std::string latex_document(const Page& page) {
   return fill_template("pages/latex.tex.mustache", page_data(page, words));
 }
 
+std::string html_parts(const std::vector<PageSection>& sections) {
+  return fill_template("pages/sections.html.mustache",
+                       TemplateRow{{"outputs", sections_data(sections, html_words)}});
+}
+
 std::string html_page(const Page& page) {
-  const PageWords words{xml_text, xml_text, html_unit, html_formula, in_math, html_equations};
-  return fill_template("pages/mathml.html.mustache", page_data(page, words));
+  return fill_template("pages/mathml.html.mustache", page_data(page, html_words));
 }
 
 }  // namespace elgen

@@ -184,6 +184,29 @@ TEST_CASE("what masses may not be") {
   check_rows(rows, [&](const std::string& entries) { return messages(with_J(entries)); });
 }
 
+TEST_CASE("a point is joined to points, frames and the origin, and to nothing else") {
+  const std::string point = "[[point]]\nname = \"p\"\nat = [\"x\", \"0\"]\n";
+  const Rows rows{
+      {"joined_to = [\"p\", \"arm\", \"origin\"]\n", ""},
+      {"joined_to = \"r\"\n", "E201 22:14 unknown place `r`\n"},
+      {"joined_to = \"orign\"\n", "E201 22:14 unknown place `orign` | did you mean `origin`?\n"},
+      {"joined_to = \"world\"\n",
+       "E201 22:14 unknown place `world` | the origin of the world is `origin`\n"},
+      {"joined_to = [\"arm\", \"x\"]\n", "E201 22:22 unknown place `x`\n"},
+      {"joined_to = \"link[3]\"\n",
+       "E201 22:14 there is no `link[3]`: `link` has the elements 1 to 2\n"},
+      {"joined_to = \"link\"\n",
+       "E208 22:14 `link` needs an index: `link` has the elements 1 to 2\n"},
+      {"joined_to = \"p[1]\"\n", "E208 22:14 `p` takes no index\n"},
+      {"joined_to = 2\n", "E201 22:13 unknown place `2`\n"},
+      {"as = \"spring\"\n", "E105 22:1 `p` has `as` but no `joined_to`\n"},
+  };
+  const std::string others =
+      "[[frame]]\nname = \"arm\"\nparent = \"world\"\n[[point]]\nname = \"link[i]\"\n"
+      "for = \"i in 1..2\"\nat = [\"i*x\", \"0\"]\n";
+  check_rows(rows, [&](const std::string& key) { return messages(with_J(point + key + others)); });
+}
+
 TEST_CASE("forces act on a coordinate, or at a point and back on another") {
   CHECK(dumped(with_points + "[[force]]\nname = \"damper\"\non = \"x\"\nvalue = \"u - b*dot(x)\"\n"
                              "[[force]]\nat = \"p\"\nfrom = \"r\"\nvalue = [\"u\", \"0\"]\n",

@@ -36,7 +36,7 @@ TEST_CASE("two files are compared, a difference exits with 1") {
   const Outcome outcome = folders.diff("old/cart_pole.toml new/cart_pole.toml");
   CHECK(outcome.status == 1);
   CHECK(starts_with(outcome.output,
-                    "changed      new/cart_pole.toml:55:17  [gravity] vector[2]: -g -> g\n"));
+                    "changed      new/cart_pole.toml:56:17  [gravity] vector[2]: -g -> g\n"));
   CHECK(outcome.errors.empty());
   CHECK(folders.diff("old/cart_pole.toml old/cart_pole.toml").status == 0);
 }
@@ -46,7 +46,7 @@ TEST_CASE("scenes bring their models along") {
   const Outcome outcome =
       folders.diff("old/scenes/balance.scene.toml new/scenes/balance.scene.toml");
   CHECK(outcome.status == 1);
-  CHECK(mentions(outcome.output, "new/cart_pole.toml:55:17"));
+  CHECK(mentions(outcome.output, "new/cart_pole.toml:56:17"));
 }
 
 TEST_CASE("files of folders match by their paths") {
@@ -107,7 +107,7 @@ TEST_CASE("a revision of git is compared with what is there") {
       "sed -i 's/\"-g\"/\"g\"/' cart_pole.toml");
   const Outcome outcome = folders.diff("--against HEAD");
   CHECK(outcome.status == 1);
-  CHECK(mentions(outcome.output, "cart_pole.toml:55:17  [gravity] vector[2]: -g -> g\n"));
+  CHECK(mentions(outcome.output, "cart_pole.toml:56:17  [gravity] vector[2]: -g -> g\n"));
   CHECK(folders.diff("--against HEAD simple_pendulum.toml").status == 0);
   const Outcome inside = folders.run("cd scenes && elgen diff --against HEAD balance.scene.toml");
   CHECK(mentions(inside.output, "[gravity] vector[2]"));

@@ -32,7 +32,7 @@ TEST_CASE("stale files are named, with the commands that repair them and compare
         "stale        generated/cart_pole/cart_pole.equations.json\n"
         "stale        generated/cart_pole/cart_pole.hpp\n"
         "stale        generated/cart_pole/cart_pole.md\n");
-  CHECK(starts_with(outcome.errors, "cart_pole.toml:55:17: note[E512]: gravity pulls along +y\n"));
+  CHECK(starts_with(outcome.errors, "cart_pole.toml:56:17: note[E512]: gravity pulls along +y\n"));
   CHECK(
       outcome.errors.ends_with("\nelgen: error[E715]: 3 generated files are not current\n"
                                "      to repair: elgen generate cart_pole.toml\n"

@@ -30,7 +30,7 @@ class Repository : public Workspace {
 void expect_difference(const Outcome& outcome) {
   INFO(outcome.output << outcome.errors);
   CHECK(outcome.status == 1);
-  CHECK(mentions(outcome.output, ".toml:55:17  [gravity] vector[2]: -g -> g\n"));
+  CHECK(mentions(outcome.output, ".toml:56:17  [gravity] vector[2]: -g -> g\n"));
 }
 
 void expect_refused(const Outcome& outcome, const std::string& words) {

@@ -14,7 +14,7 @@ TEST_CASE("a run prints its last state and its drifts, by a method of `step` wit
   CHECK(outcome.status == 0);
   CHECK(starts_with(outcome.output, "simple_pendulum by midpoint: 200 steps to t = 2\n  theta  "));
   CHECK(mentions(outcome.output, "\n  E - E0: worst "));
-  CHECK(mentions(outcome.output, " ns per step\n"));
+  CHECK(mentions(outcome.output, " ns per step in the evaluator\n"));
 }
 
 TEST_CASE("a run says how far the conserved quantities of the model went, in their units") {
@@ -65,6 +65,48 @@ TEST_CASE("rows are written as the ending of the file says, and nothing is overw
   CHECK(object["columns"].back()["unit"] == "J");
   REQUIRE(run("-o x.svg").status == 0);
   CHECK(starts_with(workspace.read("x.svg"), "<svg "));
+}
+
+TEST_CASE("multipliers stand in rows, and rates, multipliers and paths are drawn on request") {
+  const Workspace workspace;
+  const auto run = [&](const std::string& rest) {
+    return workspace.run("elgen simulate -q --time 0.2 " + rest + " " + models +
+                         "/pendulum_xy.toml");
+  };
+  const Outcome table = run("-o x.csv");
+  CHECK(table.status == 0);
+  CHECK(mentions(table.output, " ns per step of the emitted C++\n"));
+  CHECK(starts_with(workspace.read("x.csv"), "t,x,y,dot(x),dot(y),lambda_rod,E\n0,"));
+  REQUIRE(run("-o x.json").status == 0);
+  const auto columns = nlohmann::json::parse(workspace.read("x.json"))["columns"];
+  CHECK(columns[5]["name"] == "lambda_rod");
+  CHECK(columns[5]["unit"] == "kg/s^2");
+  REQUIRE(run("-o x.svg").status == 0);
+  CHECK_FALSE(mentions(workspace.read("x.svg"), "lambda_rod"));
+  REQUIRE(run("--show 'dot(x),lambda_rod' --force -o x.svg").status == 0);
+  CHECK(mentions(workspace.read("x.svg"), ">dot(x) [m/s]<"));
+  CHECK(mentions(workspace.read("x.svg"), ">lambda_rod [kg/s^2]<"));
+  REQUIRE(run("--path bob -o path.svg").status == 0);
+  CHECK(mentions(workspace.read("path.svg"), ">x(bob) [m]<"));
+}
+
+TEST_CASE("curves that are not there, or that nothing draws, are refused") {
+  const auto refused = [&](const std::string& rest) {
+    const Outcome outcome =
+        run("elgen simulate -q --time 0.2 " + rest + " " + models + "/pendulum_xy.toml");
+    CHECK(outcome.status == 2);
+    return outcome.errors;
+  };
+  CHECK(mentions(refused("--show lambda_rot -o x.svg"),
+                 "error[E201]: unknown column `lambda_rot`\n      did you mean `lambda_rod`?\n"));
+  CHECK(mentions(refused("--path bop -o x.svg"),
+                 "error[E201]: unknown point `bop`\n      did you mean `bob`?\n"));
+  for (const char* file : {"-o x.csv", "-o x.json", "-o x.html", ""}) {
+    const std::string said = "error[E913]: `--show` and `--path` are of plots: `-o FILE.svg`\n";
+    CHECK(mentions(refused(std::string("--path bob ") + file), said));
+    CHECK(mentions(refused(std::string("--show x ") + file), said));
+  }
+  CHECK(mentions(refused("--show x --path bob -o x.svg"), "[E913]"));
 }
 
 TEST_CASE("an input that is one number runs as typed beyond its limits, a law is cut off there") {
@@ -126,7 +168,7 @@ TEST_CASE("a run ends at a singular place, unless it is to go through by steps o
   const Outcome through = run("elgen simulate --through singular --method rk4 --step 1e-4" + fall);
   INFO(through.errors);
   CHECK(through.status == 0);
-  CHECK(mentions(through.output, "\n  a1      = 3.385315865 rad\n"));
+  CHECK(mentions(through.output, "\n  a1            = 3.385315865 rad\n"));
   CHECK(run("elgen simulate --through thick --method rk4 --step 1e-4" + fall).status != 0);
   CHECK(run("elgen tradeoff --trajectory 0.3 " + models + "/five_bar.toml").status == 1);
 }

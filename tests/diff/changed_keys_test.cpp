@@ -37,7 +37,7 @@ TEST_CASE("one item of a list is one change, at its place") {
   const FileSyntax old = *parse_model(make_source("a.toml", cart), {});
   const FileSyntax now = *parse_model(make_source("b.toml", after), {});
   const KeyChange change = changed_keys(old, now).at(0);
-  CHECK(line_column(*change.new_at.source, change.new_at.begin).line == 55);
+  CHECK(line_column(*change.new_at.source, change.new_at.begin).line == 56);
   CHECK(line_column(*change.new_at.source, change.new_at.begin).column == 17);
 }
 
@@ -52,12 +52,14 @@ TEST_CASE("blanks, comments, brackets and the order of keys are no change") {
 TEST_CASE("entries are matched by their names, new and gone ones are one change each") {
   const std::string point =
       "[[point]]\nname = \"bob\"\nat   = [\"x + l*sin(theta)\", "
-      "\"l*cos(theta)\"]\nmass = \"m\"\n";
+      "\"l*cos(theta)\"]\nmass = \"m\"\njoined_to = \"cart\"\n";
   const std::string without = edited(cart, point, "");
   CHECK(key_changes(cart, without) ==
-        "[[point]] bob: { name = bob, at = [x + l*sin(theta), l*cos(theta)], mass = m } -> \n");
+        "[[point]] bob: { name = bob, at = [x + l*sin(theta), l*cos(theta)], mass = m, joined_to = "
+        "cart } -> \n");
   CHECK(key_changes(without, cart) ==
-        "[[point]] bob:  -> { name = bob, at = [x + l*sin(theta), l*cos(theta)], mass = m }\n");
+        "[[point]] bob:  -> { name = bob, at = [x + l*sin(theta), l*cos(theta)], mass = m, "
+        "joined_to = cart }\n");
 }
 
 TEST_CASE("forces without names are told apart by what they act on, then by number") {

@@ -24,6 +24,21 @@ TEST_CASE("from nothing to other equations") {
   CHECK(impact(cart, edited(cart, "\"-g\"", "\"g\"")) == Impact::different);
 }
 
+TEST_CASE("lines that only pages draw change no equation, value or stamp") {
+  const std::string point = "[[point]]\nname = \"end\"\nat = [\"x\", \"0\"]\n";
+  const Lowered old = lowered(spring() + point);
+  const Lowered now = lowered(spring() + point + "joined_to = \"origin\"\nas = \"spring\"\n");
+  const SystemChange system = compare(old.version(), now.version());
+  CHECK(system.impact == Impact::equal);
+  CHECK(system.keys.size() == 2);
+  CHECK(old.version().checked.model.canonical == now.version().checked.model.canonical);
+  const std::string heavier = edited(spring(), "dot(x)^2", "dot(x)^2 + dot(x)^2");
+  for (const KeyChange& key :
+       compared(spring() + point, heavier + point + "joined_to = \"origin\"\n").keys) {
+    CHECK((key.impact == Impact::equal) == (key.table == "point"));
+  }
+}
+
 TEST_CASE("an equilibrium is a text, unless a scene expands about it") {
   const std::string rest = spring() + "[[equilibrium]]\nname = \"rest\"\nat = { x = 0 }\n";
   CHECK(impact(spring(), rest) == Impact::values);

@@ -87,7 +87,7 @@ TEST_CASE("operations that stay are not told") {
 
 TEST_CASE("one sign is told in a dozen lines, its cause first") {
   CHECK(report(cart, edited(cart, "\"-g\"", "\"g\"")) ==
-        "changed      model.toml:55:17  [gravity] vector[2]: -g -> g\n"
+        "changed      model.toml:56:17  [gravity] vector[2]: -g -> g\n"
         "             V = m*l*g*cos(theta) -> -m*l*g*cos(theta);  T, D, Q, B identical\n"
         "             [[expect]] is not changed with it: 5 entries no longer hold (bias[2], "
         "conserved[2], gravity[2], inverse_dynamics[2], ...)\n"
@@ -258,7 +258,7 @@ TEST_CASE("changes have ids that stay, and places") {
   const auto& system = json.at("systems").at(0);
   const auto& key = system.at("keys").at(0);
   CHECK(key.at("id") == "[gravity]/vector[2]");
-  CHECK(key.at("new_place").at("line") == 55);
+  CHECK(key.at("new_place").at("line") == 56);
   const auto& output = system.at("outputs").at(0);
   CHECK(output.at("name") == "gravity");
   const auto& change = output.at("changes").at(0);
@@ -280,7 +280,7 @@ TEST_CASE("what is equal says whether that is proved, what is missing is null") 
 
 TEST_CASE("a cause stands at its place") {
   CHECK(to_annotations({.systems = {compared(cart, edited(cart, "\"-g\"", "\"g\""))}}) ==
-        "::warning file=model.toml,line=55,col=17,title=elgen diff%3A different (the equations "
+        "::warning file=model.toml,line=56,col=17,title=elgen diff%3A different (the equations "
         "differ)::[gravity] vector[2]: -g -> g\n");
   CHECK(starts_with(
       to_annotations({.systems = {compared(spring("k*(1 - cos(x))"), spring("2*k*sin(x/2)^2"))}}),

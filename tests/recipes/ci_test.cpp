@@ -69,7 +69,7 @@ TEST_CASE("the workflow of GitHub summarises, annotates and checks a pull reques
   CHECK(mentions(machine.read("home/summary"), "gravity"));
   const Outcome annotated = machine.step("Annotate the models");
   CHECK(annotated.status == 0);
-  CHECK(mentions(annotated.output, "file=models/cart_pole.toml,line=55"));
+  CHECK(mentions(annotated.output, "file=models/cart_pole.toml,line=56"));
   CHECK(machine.step("Check what is generated").status == 0);
 
   machine.run("sed -i 's/9.81, /9.8, /' models/cart_pole.toml");

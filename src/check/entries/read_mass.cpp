@@ -123,6 +123,27 @@ class BodyReader {
   std::optional<std::uint32_t> frame_ = {};
 };
 
+/// Reads the lines that pages draw from a point.
+void read_joints(ValueReader& values, const EntrySyntax& entry, Point& point) {
+  const KeySyntax* const joined_to = entry.find("joined_to");
+  if (joined_to == nullptr) {
+    if (const KeySyntax* const as = entry.find("as")) {
+      values.context().report.add(Code::E105, as->key_span,
+                                  in_backticks(point.name) + " has `as` but no `joined_to`");
+    }
+    return;
+  }
+  const auto add = [&](const ValueSyntax& value) {
+    if (const auto place = values.joined_place(value)) point.joined_to.push_back(*place);
+  };
+  if (joined_to->value.kind == ValueKind::list) {
+    std::ranges::for_each(joined_to->value.items, add);
+  } else {
+    add(joined_to->value);
+  }
+  point.is_on_springs = text_of(entry, "as") == "spring";
+}
+
 }  // namespace
 
 void read_point(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
@@ -141,6 +162,7 @@ void read_point(ValueReader& values, const EntrySyntax& entry, std::uint32_t tar
     }
   }
   point.mass = values.root(entry, "mass", mass_request);
+  read_joints(values, entry, point);
 }
 
 void read_body(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {

@@ -164,7 +164,7 @@ const DeclaredName* Resolver::declared(const ExpressionSyntax& name, SymbolKind 
 }
 
 std::optional<std::uint32_t> Resolver::element(const ExpressionSyntax& name,
-                                               const DeclaredName& symbol) {
+                                               const DeclaredName& symbol, Code absent) {
   if (symbol.is_array == name.operands.empty()) {
     context_.report.add(Code::E208, name.span,
                         symbol.is_array ? in_backticks(name.text) +
@@ -179,7 +179,7 @@ std::optional<std::uint32_t> Resolver::element(const ExpressionSyntax& name,
   if (found == symbol.elements.end()) {
     const std::string element = name.text + "[" + std::to_string(*index) + "]";
     const bool says_so = covered_text(name.span) == element;
-    context_.report.add(Code::E207, name.span,
+    context_.report.add(absent, name.span,
                         (says_so ? "there is no " + in_backticks(element)
                                  : in_backticks(name.span) + " is " + in_backticks(element)) +
                             (says_so ? ": " : ", but ") + elements_of(name.text, symbol));

@@ -31,8 +31,10 @@ class Resolver {
   /// Nothing after an error. Operands precede their users; the nodes of one call are consecutive.
   std::optional<ExpressionId> resolve(const ExpressionSyntax& expression);
 
-  /// The index in the Model of `name` or `name[i]`. E207, E208.
-  std::optional<std::uint32_t> element(const ExpressionSyntax& name, const DeclaredName& symbol);
+  /// The index in the Model of `name` or `name[i]`. E208, and `absent` where there is no such
+  /// element.
+  std::optional<std::uint32_t> element(const ExpressionSyntax& name, const DeclaredName& symbol,
+                                       Code absent = Code::E207);
 
   /// The declaration of a name of a kind; null after E201, which also covers names of another form.
   const DeclaredName* declared(const ExpressionSyntax& name, SymbolKind kind, bool has_form,

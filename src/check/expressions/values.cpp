@@ -4,6 +4,7 @@
 #include <cln/float.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "check/expressions/resolver.hpp"
 #include "numbers/exact_number.hpp"
@@ -15,6 +16,9 @@ cln::cl_R rounded(const cln::cl_R& value) {
   return is_rational(value) ? value
                             : cln::cl_R(cln::cl_float(value, cln::float_format(constant_digits)));
 }
+
+/// The origin of the world, as lines of drawings name it.
+constexpr std::string_view origin = "origin";
 
 /// Made of numbers and pi only.
 bool names_nothing(const std::vector<Expression>& nodes, ExpressionId first, ExpressionId last) {
@@ -184,6 +188,32 @@ std::optional<std::uint32_t> ValueReader::frame_or_world(const ValueSyntax& valu
   const ExpressionSyntax& name = value.expression;
   if (name.text == world && name.operands.empty()) return std::nullopt;
   return reference(value, SymbolKind::frame);
+}
+
+std::optional<JoinedPlace> ValueReader::joined_place(const ValueSyntax& value) {
+  const ExpressionSyntax& name = value.expression;
+  const DeclaredName* point = context_.symbols.find(name.text);
+  if (point != nullptr && point->kind != SymbolKind::point) point = nullptr;
+  const DeclaredName* const frame = context_.frames.find(name.text);
+  if (name.kind == SyntaxKind::name && (point != nullptr || frame != nullptr)) {
+    const auto index =
+        Resolver(context_, scope_).element(name, point != nullptr ? *point : *frame, Code::E201);
+    if (!index) return std::nullopt;
+    return point != nullptr ? JoinedPlace{.point = index} : JoinedPlace{.frame = index};
+  }
+  if (name.kind == SyntaxKind::name && name.text == origin && name.operands.empty()) {
+    return JoinedPlace{};
+  }
+  if (context_.symbols.has_failed(name.text) || context_.frames.has_failed(name.text)) {
+    return std::nullopt;
+  }
+  std::vector<std::string> names = context_.symbols.names({SymbolKind::point});
+  for (std::string& each : context_.frames.names()) names.push_back(std::move(each));
+  names.emplace_back(origin);
+  context_.report.add(Code::E201, name.span, "unknown place " + in_backticks(name.span),
+                      name.text == world ? "the origin of the world is `origin`"
+                                         : context_.symbols.suggest(name.text, names));
+  return std::nullopt;
 }
 
 std::array<const KeySyntax*, 2> first_two(const EntrySyntax& entry,

@@ -70,6 +70,10 @@ class ValueReader {
   /// The same for a frame; nothing for `world` (and after an error).
   std::optional<std::uint32_t> frame_or_world(const ValueSyntax& value);
 
+  /// The point or frame of this name, or `origin`, that of the world, unless a point or a frame has
+  /// the name. E201, E208.
+  std::optional<JoinedPlace> joined_place(const ValueSyntax& value);
+
   /// False after E104: a vector has 2 or 3 components. E516 where it has fewer or more than most
   /// vectors of the model, or than the first.
   bool is_vector(const ValueSyntax& value);

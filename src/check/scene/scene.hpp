@@ -53,6 +53,10 @@ void read_values(Context& context, const Scene& scene, const SceneOptions& optio
 /// a rotation, a locked one, all of them, or the name of the momentum is taken.
 void read_held(Context& context, const FileSyntax* scene);
 
+/// Adds the outputs of a page that moves to a model (UserOutput::is_shown): the
+/// numbers of model/shown_places.hpp, and the laws of inputs.
+void add_shown_outputs(Model& model);
+
 /// The model without what Model::variant lists: functions of time stand for locked coordinates, 0
 /// for cyclic ones. The model given is kept as `whole`. Where nothing is held it is returned as it
 /// is. Closed forms of [[expect]] and equilibria are those of the whole model and do not carry

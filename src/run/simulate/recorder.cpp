@@ -130,12 +130,21 @@ void Recorder::look_at_energy(const TrajectorySample& sample, double energy) {
 
 std::vector<double> Recorder::row(const TrajectorySample& sample, double energy) const {
   std::vector<double> values{sample.t};
-  const Numbers& q = system_.shown(sample.state.data());
-  values.insert(values.end(), q.begin(), q.end());
-  values.insert(values.end(), system_.v_of(sample.state), &sample.state.back());
+  const double* const q = sample.state.data();
+  const double* const v = system_.v_of(sample.state);
+  const Numbers& shown = system_.shown(q);
+  values.insert(values.end(), shown.begin(), shown.end());
+  values.insert(values.end(), v, &sample.state.back());
   const auto& inputs = system_.model().inputs;
   for (std::size_t k = 0; k < inputs.size(); ++k) {
     if (inputs[k].law) values.push_back(sample.inputs[k]);
+  }
+  const auto multipliers = system_.multipliers(q, v, sample.t, sample.inputs);
+  values.insert(values.end(), multipliers.begin(), multipliers.end());
+  for (const Point& point : system_.model().points) {
+    if (point.name != options_.path) continue;
+    values.push_back(system_.value(point.at[0], q, v, sample.t));
+    values.push_back(system_.value(point.at[1], q, v, sample.t));
   }
   values.push_back(energy);
   return values;

@@ -71,6 +71,7 @@ class Recorder {
   void finish(Trajectory& trajectory) &&;
 
  private:
+  /// Multipliers are found by the inputs of the sample, since others may be held by now.
   [[nodiscard]] std::vector<double> row(const TrajectorySample& sample, double energy) const;
   [[nodiscard]] std::string_view energy_name() const;
   void look_at_energy(const TrajectorySample& sample, double energy);

@@ -158,11 +158,12 @@ class Run {
   std::chrono::duration<double> elapsed_ = {};
 };
 
-std::vector<TrajectoryColumn> columns_of(const Model& model, const LeafNames& leaves,
-                                         bool does_work) {
+/// With x and y of a point, unless its name is empty.
+std::vector<TrajectoryColumn> columns_of(const System& system, const std::string& point) {
+  const Model& model = system.model();
   std::vector<TrajectoryColumn> columns{{"t", "s", ""}};
   const auto name = [&](Opcode kind, std::size_t i) {
-    return leaf_text(leaves, kind, static_cast<std::uint32_t>(i));
+    return leaf_text(system.leaves(), kind, static_cast<std::uint32_t>(i));
   };
   for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
     const Coordinate& coordinate = model.coordinates[i];
@@ -179,10 +180,49 @@ std::vector<TrajectoryColumn> columns_of(const Model& model, const LeafNames& le
   for (const Input& input : model.inputs) {
     if (input.law) columns.push_back({input.name, input.unit_text, input.name});
   }
+  for (std::size_t k = 0; k < model.constraints.size(); ++k) {
+    const EntryPlace place{OutputKind::forward_dynamics, "multipliers", k, 0};
+    const bool is_number = unit_of_entry(model, place) == Unit{};
+    columns.push_back({"lambda_" + model.constraints[k].name,
+                       is_number ? "" : unit_text_of_entry(model, place), ""});
+  }
   const bool has_units = std::ranges::any_of(
       model.velocities, [](const Velocity& velocity) { return velocity.unit.has_value(); });
-  columns.push_back({"E", has_units ? "J" : "", does_work ? "E − E₀ − work" : "E − E₀", true});
+  for (const char* axis : {"x", "y"}) {
+    if (point.empty()) break;
+    columns.push_back({fmt::format("{}({})", axis, point), has_units ? "m" : "", ""});
+  }
+  columns.push_back(
+      {"E", has_units ? "J" : "", system.does_work() ? "E − E₀ − work" : "E − E₀", true});
   return columns;
+}
+
+/// E201
+Diagnostic unknown(std::string_view kind, const std::string& name,
+                   const std::vector<std::string>& known) {
+  const std::string all =
+      known.empty() ? "there are none" : fmt::format("there are: {}", fmt::join(known, ", "));
+  return {Code::E201, {}, fmt::format("unknown {} `{}`", kind, name), suggestion(name, known, all)};
+}
+
+/// Gives panels to the columns that are asked for. E201 of them and of the point.
+Diagnostics choose_curves(const SimulationOptions& options, const Model& model,
+                          std::vector<TrajectoryColumn>& columns) {
+  Diagnostics wrong;
+  for (const std::string& each : options.show) {
+    const std::string name = one_line(each);
+    const auto found = std::ranges::find(columns, name, &TrajectoryColumn::name);
+    if (found == columns.end()) {
+      wrong.push_back(unknown("column", name, words_in(columns, &TrajectoryColumn::name)));
+    } else if (found->panel.empty()) {
+      found->panel = name;
+    }
+  }
+  const std::vector<std::string> points = words_in(model.points, &Point::name);
+  if (!options.path.empty() && std::ranges::count(points, options.path) == 0) {
+    wrong.push_back(unknown("point", options.path, points));
+  }
+  return wrong;
 }
 
 /// The unit of all rows of a field of the residual; "" where units differ, or are 1 or unknown.
@@ -245,6 +285,9 @@ std::string outputs_of_run(const Model& model) {
   if (!model.inputs.empty()) names += ",input_matrix";
   if (!model.rotations.empty()) names += ",coordinate_rates,normalized";
   if (!model.constraints.empty()) names += ",constraint_residual,constraint_jacobian,projected";
+  for (const UserOutput& output : model.outputs) {
+    if (output.is_shown) names += "," + output.name;
+  }
   return names;
 }
 
@@ -263,8 +306,11 @@ Products derived_for_run(const Inputs& inputs, PipelineOptions options,
   Products products = run_pipeline(inputs, options);
   if (!products.checked) return products;
   Scene& scene = products.checked->scene;
-  scene.emission = {
-      .name_space = scene.emission.name_space, .batch = step.has_value(), .page = false};
+  const bool is_page = options.scene.shows_motion;
+  scene.emission = {.language = is_page ? LanguageId::javascript : default_language,
+                    .name_space = scene.emission.name_space,
+                    .batch = step && !is_page,
+                    .page = false};
   scene.numerics = {};
   return products;
 }
@@ -285,7 +331,9 @@ Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
   const Result<CheckedModel> assembled = assembled_model(checked, exact_value(options.from));
   if (!assembled) return assembled.diagnostics;
   System system(*assembled, program, compiled, options.project);
-  Diagnostics refused = refuse_start(system, system.start(), options.from);
+  std::vector<TrajectoryColumn> columns = columns_of(system, options.path);
+  Diagnostics refused = choose_curves(options, checked.model, columns);
+  if (refused.empty()) refused = refuse_start(system, system.start(), options.from);
   if (!refused.empty()) return refused;
   const std::unique_ptr<Stepper> stepper = method->make(system, *rule);
   Result<Trajectory> trajectory = Run(system, *stepper, options)();
@@ -295,8 +343,12 @@ Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
   if (options.order && *options.order != method->order) {
     trajectory->method += fmt::format(" of order {}", *options.order);
   }
+  trajectory->title = checked.model.title;
+  // Programs of `step` are never compiled for a run.
+  trajectory->timed_code = compiled == nullptr ? "in the evaluator" : "of the emitted C++";
   trajectory->from = options.from;
-  trajectory->columns = columns_of(checked.model, program.leaves, system.does_work());
+  trajectory->columns = std::move(columns);
+  trajectory->path = options.path;
   if (trajectory->constraints) {
     trajectory->constraints->start = moves_of(checked.model, assembled->model, trajectory->columns);
     add_units(*trajectory->constraints, checked.model);

@@ -1,7 +1,7 @@
 // A trajectory as SVG: a panel for each coordinate, each input and E - E0 - work, one black line in
 // each, so that it reads in print too; the four components of a rotation share a panel, in four
 // kinds of line. Of E only the difference is drawn: beside E itself a drift of 1e-9 J could not be
-// seen.
+// seen. Or the path of a point, in a square of equal scales.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,6 +21,14 @@ constexpr double panel_distance = 138;
 constexpr double top = 60;
 constexpr double bottom = 46;
 constexpr double right = 20;
+
+/// E is a sum of products, each rounded to 1.1e-16 of |T| + |V| at most, and a run adds some
+/// hundred of them up; a coordinate that would be 0 is a difference of others as large as any of
+/// its unit. The shape of a smaller curve is that of rounding, and says nothing of the motion.
+constexpr double rounding = 1e-13;
+
+/// Steps are chosen to 1e-9 of each number, so that a smaller change of it shows no motion.
+constexpr double smallest_change = 1e-9;
 
 struct LineKind {
   const char* name;
@@ -60,6 +68,20 @@ ChartAxis axis_between(double low, double high, int more) {
   return axis;
 }
 
+/// From the least to the largest of numbers.
+struct PlotSpan {
+  double low = INFINITY;
+  double high = -INFINITY;
+
+  [[nodiscard]] double width() const { return high - low; }
+  [[nodiscard]] double size() const { return std::max(std::abs(low), std::abs(high)); }
+  /// Beyond both ends; so wide about what does not move, but for noise, that it is a flat line.
+  [[nodiscard]] double margin(double noise) const {
+    if (size() <= noise) return noise > 0 ? 10 * noise : 1;
+    return width() > std::max(smallest_change * size(), noise) ? width() / 25 : size() / 10;
+  }
+};
+
 /// Columns that share axes.
 struct PlotPanel {
   std::string name;
@@ -77,10 +99,7 @@ class TrajectoryPlot {
 
   [[nodiscard]] std::string text() const {
     const double panels = panel_distance * static_cast<double>(panels_.size());
-    std::string svg =
-        svg_start(left + panel_width + right, top + panels - panel_distance + panel_height + bottom,
-                  fmt::format("{} by {}: {} steps to t = {:.10g} s", trajectory_.model,
-                              trajectory_.method, trajectory_.steps, time_.high));
+    std::string svg = start(panels - panel_distance + panel_height);
     Chart chart{left, top, panel_width, panel_height, time_};
     for (const PlotPanel& panel : panels_) {
       if (&panel == &panels_.back()) chart.x.title = "t [s]";
@@ -91,7 +110,42 @@ class TrajectoryPlot {
     return svg + "</svg>\n";
   }
 
+  /// y over x of the point, both about the middle of its path.
+  [[nodiscard]] std::string path_text() const {
+    const std::size_t column = trajectory_.columns.size() - 3;
+    const PlotPanel upwards = panel_of(column + 1);
+    const PlotSpan x = span_of(panel_of(column));
+    const PlotSpan y = span_of(upwards);
+    const PlotSpan& wide = x.width() > y.width() ? x : y;
+    const double reach = wide.width() / 2 + wide.margin(0);
+    const auto about = [reach](const PlotSpan& spread) {
+      const double middle = spread.low + spread.width() / 2;
+      return axis_between(middle - reach, middle + reach, 0);
+    };
+    Chart chart{left, top, panel_width, panel_width, about(x), about(y)};
+    chart.x.title = title(panel_of(column));
+    const double start_x = chart.x_of(trajectory_.rows.front()[column]);
+    const double start_y = chart.y_of(trajectory_.rows.front()[column + 1]);
+    return start(panel_width) + drawn(upwards, chart, column) +
+           fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\"/>\n", start_x, start_y) +
+           svg_label(start_x + 7, start_y - 7, "start", "start") + "</svg>\n";
+  }
+
  private:
+  /// The title of the model, and below it the method and the steps.
+  [[nodiscard]] std::string start(double height) const {
+    const bool has_title = !trajectory_.title.empty();
+    return svg_start(left + panel_width + right, top + height + bottom,
+                     has_title ? trajectory_.title : trajectory_.model) +
+           svg_label(14, 38, "start",
+                     fmt::format("{} by {}: {} steps to t = {:.10g} s", trajectory_.model,
+                                 trajectory_.method, trajectory_.steps, time_.high));
+  }
+
+  [[nodiscard]] PlotPanel panel_of(std::size_t column) const {
+    return {trajectory_.columns[column].name, trajectory_.columns[column].unit, {column}};
+  }
+
   void add_column(std::size_t i) {
     const TrajectoryColumn& column = trajectory_.columns[i];
     if (column.panel.empty()) return;
@@ -108,22 +162,34 @@ class TrajectoryPlot {
     return row[column] - trajectory_.rows.front()[column] - work;
   }
 
-  /// With a margin; what does not move is a line in the middle.
   [[nodiscard]] ChartAxis axis_of(const PlotPanel& panel) const {
-    double low = INFINITY;
-    double high = -INFINITY;
+    const TrajectoryColumn& first = trajectory_.columns[panel.columns.front()];
+    const PlotSpan spread = span_of(panel);
+    const double margin = spread.margin(noise_of(first));
+    // A difference is looked at for its size, of which the ticks alone say one digit.
+    return axis_between(spread.low - margin, spread.high + margin, first.from_start ? 1 : 0);
+  }
+
+  [[nodiscard]] PlotSpan span_of(const PlotPanel& panel) const {
+    PlotSpan spread;
     for (const auto& row : trajectory_.rows) {
       for (const std::size_t column : panel.columns) {
-        low = std::min(low, shown(row, column));
-        high = std::max(high, shown(row, column));
+        spread.low = std::min(spread.low, shown(row, column));
+        spread.high = std::max(spread.high, shown(row, column));
       }
     }
-    const double width = high - low;
-    const double size = std::max(std::abs(low), std::abs(high));
-    const double margin = width > 1e-9 * size ? width / 25 : size > 0 ? size / 10 : 1;
-    // A difference is looked at for its size, of which the ticks alone say one digit.
-    const int more = trajectory_.columns[panel.columns.front()].from_start ? 1 : 0;
-    return axis_between(low - margin, high + margin, more);
+    return spread;
+  }
+
+  [[nodiscard]] double noise_of(const TrajectoryColumn& column) const {
+    if (column.from_start) return rounding * trajectory_.energy.scale;
+    double largest = 0;
+    for (std::size_t i = 0; i < trajectory_.columns.size(); ++i) {
+      const TrajectoryColumn& other = trajectory_.columns[i];
+      const bool is_alike = other.unit == column.unit && !other.from_start;
+      if (is_alike) largest = std::max(largest, span_of(panel_of(i)).size());
+    }
+    return rounding * largest;
   }
 
   /// "theta [rad]"; "e: e_w solid, e_x dashed, …"
@@ -139,29 +205,30 @@ class TrajectoryPlot {
 
   static const LineKind& kind_of(std::size_t k) { return line_kinds[k % line_kinds.size()]; }
 
-  [[nodiscard]] std::string drawn(const PlotPanel& panel, const Chart& chart) const {
+  [[nodiscard]] std::string drawn(const PlotPanel& panel, const Chart& chart,
+                                  std::size_t x = 0) const {
     std::string svg = svg_title(left, chart.top - 7, title(panel)) + chart.grid();
     svg += fmt::format(
         "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#888\"/>\n",
-        left, chart.top, panel_width, panel_height);
+        left, chart.top, chart.width, chart.height);
     for (std::size_t k = 0; k < panel.columns.size(); ++k) {
       svg += fmt::format(
           "<path d=\"{}\" fill=\"none\" stroke=\"black\" stroke-width=\"1.2\" "
           "stroke-dasharray=\"{}\"/>\n",
-          path(panel.columns[k], chart), kind_of(k).dashes);
+          path(panel.columns[k], chart, x), kind_of(k).dashes);
     }
     return svg;
   }
 
   /// An angle that wraps jumps by more than half a turn; the line is interrupted there.
-  [[nodiscard]] std::string path(std::size_t column, const Chart& chart) const {
+  [[nodiscard]] std::string path(std::size_t column, const Chart& chart, std::size_t x) const {
     const bool is_angle = trajectory_.columns[column].unit == "rad";
     std::string result;
     double before = trajectory_.rows.front()[column];
     for (const auto& row : trajectory_.rows) {
       const bool jumps = is_angle && std::abs(row[column] - before) > 3.15;
       result += fmt::format("{}{:.1f} {:.1f}", result.empty() || jumps ? "M" : "L",
-                            chart.x_of(row[0]), chart.y_of(shown(row, column)));
+                            chart.x_of(row[x]), chart.y_of(shown(row, column)));
       before = row[column];
     }
     return result;
@@ -174,6 +241,9 @@ class TrajectoryPlot {
 
 }  // namespace
 
-std::string to_svg(const Trajectory& trajectory) { return TrajectoryPlot(trajectory).text(); }
+std::string to_svg(const Trajectory& trajectory) {
+  const TrajectoryPlot plot(trajectory);
+  return trajectory.path.empty() ? plot.text() : plot.path_text();
+}
 
 }  // namespace elgen

@@ -90,7 +90,8 @@ std::string to_text(const Trajectory& trajectory) {
   if (const auto& kept = trajectory.constraints) {
     text += start_line(kept->start) + constraints_line(*kept);
   }
-  return text + fmt::format("  {:.0f} ns per step\n", trajectory.nanoseconds);
+  return text +
+         fmt::format("  {:.0f} ns per step {}\n", trajectory.nanoseconds, trajectory.timed_code);
 }
 
 std::string to_csv(const Trajectory& trajectory) {

@@ -33,17 +33,6 @@ std::size_t result_size(const Function* function) {
   return function == nullptr ? 0 : entry_count(*function);
 }
 
-/// Whether a constraint does work, by f_t or by what of phi is left at rest.
-bool are_moving(const Model& model) {
-  if (model.constraints.empty()) return false;
-  const std::vector<Traits> traits = find_traits(model);
-  return std::ranges::any_of(model.constraints, [&traits](const Constraint& constraint) {
-    const Traits& of = traits[constraint.value];
-    const bool is_left_at_rest = !constraint.is_position && of.lowest_rate_degree == 0;
-    return is_left_at_rest || (of.ingredients & uses_time) != 0;
-  });
-}
-
 constexpr std::size_t most_shown = 8;
 
 /// In (-pi, pi].
@@ -57,6 +46,16 @@ double wrapped(double angle) {
 
 bool is_one_number(const Model& model, ExpressionId law) {
   return !holds_leaf(model, law, Opcode::coordinate | Opcode::velocity | Opcode::time);
+}
+
+bool has_moving_constraints(const Model& model) {
+  if (model.constraints.empty()) return false;
+  const std::vector<Traits> traits = find_traits(model);
+  return std::ranges::any_of(model.constraints, [&traits](const Constraint& constraint) {
+    const Traits& of = traits[constraint.value];
+    const bool is_left_at_rest = !constraint.is_position && of.lowest_rate_degree == 0;
+    return is_left_at_rest || (of.ingredients & uses_time) != 0;
+  });
 }
 
 System::System(const CheckedModel& checked, const Program& program, const CompiledModel* compiled,
@@ -85,7 +84,7 @@ System::System(const CheckedModel& checked, const Program& program, const Compil
       scales_(velocities()) {
   is_driven_ = std::ranges::any_of(laws_, [](const InputLaw& law) { return law.law.has_value(); });
   conservation_ = find_conservation(model_, program_, is_driven_, false);
-  has_moving_constraints_ = are_moving(model_);
+  has_moving_constraints_ = has_moving_constraints(model_);
   for (const Expectation& expectation : model_.expectations) add_conserved(expectation);
 }
 
@@ -189,6 +188,14 @@ void System::acceleration(const double* q, const double* v, double t, double* a)
   (void)inputs(q, v, t);
   call(OutputKind::forward_dynamics, q, v, t, solution_.data());
   std::copy_n(solution_.data() + first_acceleration_, velocities(), a);
+}
+
+std::span<const double> System::multipliers(const double* q, const double* v, double t,
+                                            const Numbers& inputs) {
+  if (model_.constraints.empty()) return {};
+  at_.u = inputs;
+  call(OutputKind::forward_dynamics, q, v, t, solution_.data());
+  return {solution_.data() + first_multiplier_, model_.constraints.size()};
 }
 
 void System::coordinate_rates(const double* q, const double* v, double* rates) {

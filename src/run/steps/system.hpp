@@ -44,6 +44,9 @@ template <class Scalar = double>
 /// Whether a law is one number along a run, and so is not cut off at limits.
 [[nodiscard]] bool is_one_number(const Model& model, ExpressionId law);
 
+/// Whether a constraint does work, by f_t or by what of phi is left at rest.
+[[nodiscard]] bool has_moving_constraints(const Model& model);
+
 /// The law of an input, and the limits at which it is cut off.
 struct InputLaw {
   std::optional<StateFunction> law = {};
@@ -99,6 +102,9 @@ class System {
   [[nodiscard]] std::span<const double> relative_pivots() const {
     return {solution_.data() + first_pivot_, velocities() + model_.constraints.size()};
   }
+  /// lambda of every constraint at these inputs.
+  [[nodiscard]] std::span<const double> multipliers(const double* q, const double* v, double t,
+                                                    const Numbers& inputs);
   void coordinate_rates(const double* q, const double* v, double* rates);
   /// v.F - dL/dt; 0 where no work is done.
   [[nodiscard]] double power(const double* q, const double* v, double t);

@@ -91,7 +91,7 @@ class Projection {
     return sum;
   }
 
-  /// Of the first rows.
+  /// Compares the first rows.
   Mismatch compare_contraction(std::size_t rows) {
     const Field& field = place_.field();
     if (field.entries.empty()) return {};

@@ -74,6 +74,27 @@ TEST_CASE("a pendulum in x and y is after 10 s where its angle says") {
   CHECK_FALSE(angle.constraints);
 }
 
+TEST_CASE("rows have the multiplier of each constraint, by the inputs there") {
+  const CompiledSystem system(bob_on_rod + "[[input]]\nname = \"u\"\non = \"x\"\n",
+                              start_options("", "u=8*t"));
+  SimulationOptions options = steps_of("rk4", 0.01, 1);
+  options.every = options.hold = 0.25;
+  const Trajectory run = evaluated(system, options);
+  REQUIRE(run.columns.size() == 8);
+  CHECK(run.columns[6].name == "lambda_rod");
+  CHECK(run.columns[6].unit.empty());
+  CHECK(run.columns[6].panel.empty());
+  REQUIRE(run.rows.size() == 5);
+  CHECK(run.rows.back()[5] == 6);
+  for (const auto& row : run.rows) {
+    // x x'' + y y'' = -v^2, where m x'' = u + 2 lambda x and m y'' = -m g + 2 lambda y.
+    const double square = row[3] * row[3] + row[4] * row[4];
+    const double outwards = row[5] * row[1] - 2.1 * 9.7 * row[2];
+    CHECK(row[6] == Approx(-(2.1 * square + outwards) / (2 * 1.69)));
+  }
+  CHECK(run.last == run.rows.back());
+}
+
 TEST_CASE("`projected` after every step keeps a run on its constraints, and nothing else does") {
   const CompiledSystem system(bob_on_rod);
   for (SimulationOptions options : {steps_of("rk4", 0.02, 10), steps_of("dopri5", 0.05, 10),

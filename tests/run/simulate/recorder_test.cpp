@@ -119,3 +119,27 @@ TEST_CASE("of nothing but zeros the drift is absolute") {
   CHECK(meter.drift("", "").scale == 1);
   CHECK(meter.drift("", "").worst == 0);
 }
+
+TEST_CASE("the multiplier has its unit, and what was timed is told") {
+  const CompiledSystem system(model_text("sled", R"toml([[coordinate]]
+name = "x"
+unit = "m"
+[[coordinate]]
+name = "y"
+unit = "m"
+[parameters]
+m = { value = 1, unit = "kg" }
+[energy]
+T = "1/2*m*(dot(x)^2 + dot(y)^2)"
+[[constraint]]
+name = "wall"
+equation = "x = y"
+)toml"));
+  const SimulationOptions options = steps_of("rk4", 0.1, 0.1);
+  const Result<Trajectory> run = simulate(system.checked(), system.program(), nullptr, options);
+  REQUIRE(run);
+  CHECK(run->columns[5].name == "lambda_wall");
+  CHECK(run->columns[5].unit == "N");
+  CHECK(run->timed_code == "in the evaluator");
+  CHECK(system.trajectory(options).timed_code == "of the emitted C++");
+}

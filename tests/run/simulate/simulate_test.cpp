@@ -79,6 +79,49 @@ TEST_CASE("rows stand at their times, the start and the end among them") {
   CHECK(pendulum.trajectory(steps_of("rk4", 0.1, 1)).rows.empty());
 }
 
+TEST_CASE("columns that are asked for have panels, and a point its place in every row") {
+  const CompiledSystem bob(model_text("bob", R"toml([[coordinate]]
+name = "q"
+start = { value = 1, rate = 0 }
+[[point]]
+name = "bob"
+at = ["2*sin(q)", "-2*cos(q)"]
+mass = "1"
+[gravity]
+vector = ["0", "-9"]
+)toml"));
+  const auto run = [&bob](std::vector<std::string> show, const std::string& path) {
+    SimulationOptions options = steps_of("rk4", 0.1, 0.2);
+    options.every = 0.1;
+    options.show = std::move(show);
+    options.path = path;
+    return simulate(bob.checked(), bob.program(), nullptr, options);
+  };
+  const Result<Trajectory> shown = run({"q", " dot(q)"}, "");
+  REQUIRE(shown);
+  CHECK(shown->columns[1].panel == "q");
+  CHECK(shown->columns[2].panel == "dot(q)");
+  CHECK(mentions(to_svg(*shown), ">dot(q)<"));
+  const Result<Trajectory> drawn = run({}, "bob");
+  REQUIRE(drawn);
+  CHECK(drawn->columns[2].panel.empty());
+  REQUIRE(drawn->columns.size() == 6);
+  CHECK(drawn->columns[3].name == "x(bob)");
+  for (const auto& row : drawn->rows) {
+    CHECK(row[3] == Approx(2 * std::sin(row[1])));
+    CHECK(row[4] == Approx(-2 * std::cos(row[1])));
+  }
+  const Diagnostics unknown = run({"dot(p)", "lambda_rod"}, "bobb").diagnostics;
+  REQUIRE(unknown.size() == 3);
+  CHECK(unknown[0].code == Code::E201);
+  CHECK(unknown[0].message == "unknown column `dot(p)`");
+  CHECK(unknown[0].hint == "did you mean `dot(q)`?");
+  CHECK(unknown[1].message == "unknown column `lambda_rod`");
+  CHECK(unknown[1].hint.starts_with("there are: t, q, dot(q), "));
+  CHECK(unknown[2].message == "unknown point `bobb`");
+  CHECK(unknown[2].hint == "did you mean `bob`?");
+}
+
 TEST_CASE("an input that is held is constant from one of its instants to the next") {
   // x'' = -1 until 1/4, then -31/32.
   const CompiledSystem held(spring_text(), start_options("", "u=-x", "k=0"));

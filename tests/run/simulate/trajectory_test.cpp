@@ -51,6 +51,7 @@ TEST_CASE("last state, drifts, and the cost of a step") {
   trajectory.conserved = {{"p(phi)", "kg*m^2/s", 3, 1.5e-12}, {"2*E", "", -0.5, 0}};
   trajectory.steps = 200;
   trajectory.nanoseconds = 41.7;
+  trajectory.timed_code = "of the emitted C++";
   CHECK(to_text(trajectory) == R"(top by rk4: 200 steps to t = 2
   phi      = 0.5 rad
   dot(phi) = -3
@@ -58,7 +59,7 @@ TEST_CASE("last state, drifts, and the cost of a step") {
   momentum of phi: worst 0.000e+00, secular +0.0e+00, relative to sum |M v| = 3
   p(phi) = 3 kg*m^2/s at the start, drift 1.500e-12 kg*m^2/s
   2*E = -0.5 at the start, drift 0.000e+00
-  42 ns per step
+  42 ns per step of the emitted C++
 )");
 }
 
@@ -111,8 +112,13 @@ TEST_CASE("a plot is XML with a panel for each name, and a curve for each column
   CHECK_FALSE(mentions(svg, "nan"));
 }
 
-TEST_CASE("a plot says whose run it is, and by what") {
-  CHECK(mentions(to_svg(two_columns()), ">top by rk4: 0 steps to t = 1 s<"));
+TEST_CASE("a plot has the title of the model, or its name, and says by what it was made") {
+  Trajectory trajectory = two_columns();
+  CHECK(mentions(to_svg(trajectory), "font-weight=\"bold\">top</text>"));
+  CHECK(mentions(to_svg(trajectory), ">top by rk4: 0 steps to t = 1 s<"));
+  trajectory.title = "Top & table";
+  CHECK(mentions(to_svg(trajectory), "font-weight=\"bold\">Top &amp; table</text>"));
+  CHECK(mentions(to_svg(trajectory), ">top by rk4: 0 steps to t = 1 s<"));
 }
 
 TEST_CASE("of E the way from its start is drawn, in a digit more than tells ticks apart") {
@@ -138,6 +144,56 @@ TEST_CASE("the work that was done is taken off the way of E") {
   const std::size_t path = svg.rfind("<path");
   CHECK(mentions(svg.substr(path), "d=\"M92.0 529.0"));
   CHECK(mentions(svg.substr(path), "L712.0 529.0\""));
+}
+
+TEST_CASE("rounding is a flat line, whatever its shape") {
+  Trajectory trajectory;
+  trajectory.energy.scale = 1;
+  trajectory.columns = {{"t", "s", ""},
+                        {"x", "m", "x"},
+                        {"z", "m", "z"},
+                        {"y", "m", "y"},
+                        {"E", "J", "E − E₀", true}};
+  trajectory.rows = {{0, 0, 0, 5, 3}, {1, 1, 3e-17, 5 + 1e-10, 3 + 4.5e-16}};
+  const std::string svg = to_svg(trajectory);
+  CHECK(mentions(svg, "d=\"M92.0 253.0L712.0 253.0\""));
+  CHECK(mentions(svg, "d=\"M92.0 391.0L712.0 391.0\""));
+  CHECK(mentions(svg, "d=\"M92.0 529.0L712.0 529.0\""));
+  CHECK(mentions(svg, ">5.00e-13<"));
+  trajectory.energy.scale = 1e-6;
+  CHECK_FALSE(mentions(to_svg(trajectory), "d=\"M92.0 529.0L712.0 529.0\""));
+}
+
+TEST_CASE("the path of a point is drawn at equal scales, from where it is marked") {
+  Trajectory trajectory;
+  trajectory.path = "bob";
+  trajectory.columns = {{"t", "s", ""},
+                        {"q", "rad", "q"},
+                        {"x(bob)", "m", ""},
+                        {"y(bob)", "m", ""},
+                        {"E", "J", "E − E₀", true}};
+  trajectory.rows = {{0, 7, 0, -1, 3}, {1, 8, 1, -1.5, 3}, {2, 9, 2, -1, 3}};
+  const std::string svg = to_svg(trajectory);
+  tinyxml2::XMLDocument document;
+  REQUIRE(document.Parse(svg.c_str()) == tinyxml2::XML_SUCCESS);
+  CHECK(count(svg, "<path") == 1);
+  CHECK(mentions(svg, "d=\"M115.0 298.2L402.0 441.8L689.0 298.2\""));
+  CHECK(mentions(svg, "<circle cx=\"115.0\" cy=\"298.2\""));
+  CHECK(mentions(svg, ">start<"));
+  CHECK(mentions(svg, ">x(bob) [m]<"));
+  CHECK(mentions(svg, ">y(bob) [m]<"));
+  CHECK_FALSE(mentions(svg, "t [s]"));
+}
+
+TEST_CASE("the path of a point that rests, or moves along an axis, is drawn, too") {
+  Trajectory trajectory;
+  trajectory.path = "bob";
+  trajectory.columns = {
+      {"t", "s", ""}, {"x(bob)", "", ""}, {"y(bob)", "", ""}, {"E", "", "E − E₀", true}};
+  trajectory.rows = {{0, 0, 0, 3}, {1, 0, 0, 3}};
+  CHECK(mentions(to_svg(trajectory), "d=\"M402.0 370.0L402.0 370.0\""));
+  trajectory.rows = {{0, 3, -1, 3}, {1, 3, 1, 3}};
+  CHECK(mentions(to_svg(trajectory), "d=\"M402.0 657.0L402.0 83.0\""));
 }
 
 TEST_CASE("ticks are told apart however near each other they are") {

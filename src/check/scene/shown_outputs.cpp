@@ -1,0 +1,59 @@
+// shown_outputs: what a page that moves needs of a model beside the outputs of a run.
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "check/scene/scene.hpp"
+#include "model/shown_places.hpp"
+
+namespace elgen {
+namespace {
+
+/// Under a name that no other output has; none without values.
+void add_output(Model& model, std::string name, std::vector<ExpressionId> values) {
+  UserOutput output;
+  output.name = std::move(name);
+  output.values = std::move(values);
+  while (std::ranges::count(model.outputs, output.name, &UserOutput::name) > 0) output.name += '_';
+  output.is_shown = true;
+  output.span = model.name_span;
+  if (!output.values.empty()) model.outputs.push_back(std::move(output));
+}
+
+std::vector<ExpressionId> rows_of_places(const Model& model) {
+  std::vector<ExpressionId> rows;
+  for (const ShownPlace& place : shown_places(model)) {
+    const std::vector<ExpressionId> more = rows_of(model, place);
+    rows.insert(rows.end(), more.begin(), more.end());
+  }
+  return rows;
+}
+
+std::vector<ExpressionId> masses_of_places(const Model& model) {
+  std::vector<ExpressionId> masses;
+  for (const ShownPlace& place : shown_places(model)) {
+    if (place.mass) masses.push_back(*place.mass);
+  }
+  return masses;
+}
+
+/// The laws of the inputs that have one, in their order.
+std::vector<ExpressionId> laws_of(const Model& model) {
+  std::vector<ExpressionId> laws;
+  for (const Input& input : model.inputs) {
+    if (input.law) laws.push_back(*input.law);
+  }
+  return laws;
+}
+
+}  // namespace
+
+void add_shown_outputs(Model& model) {
+  add_output(model, "shown_places", rows_of_places(model));
+  add_output(model, "shown_masses", masses_of_places(model));
+  add_output(model, "shown_laws", laws_of(model));
+  add_output(model, "shown_integrals", shown_integrals(model));
+}
+
+}  // namespace elgen

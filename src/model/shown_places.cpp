@@ -1,0 +1,137 @@
+// shown_places: what the position of a place names, directly or through definitions.
+#include "model/shown_places.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "elgen/references.hpp"
+
+namespace elgen {
+namespace {
+
+/// The number of a place among those that are shown; none where it is not.
+std::optional<std::uint32_t> number_of(const std::vector<ShownPlace>& places, PlaceKind kind,
+                                       std::uint32_t index) {
+  const auto found = std::ranges::find_if(
+      places, [&](const ShownPlace& place) { return place.kind == kind && place.index == index; });
+  if (found == places.end()) return std::nullopt;
+  return static_cast<std::uint32_t>(found - places.begin());
+}
+
+/// The places whose components stand below the roots, without those that these are written over.
+std::set<std::uint32_t> named_places(const Model& model, const std::vector<ShownPlace>& places,
+                                     std::vector<ExpressionId> open) {
+  std::set<std::uint32_t> named;
+  std::set<ExpressionId> seen;
+  while (!open.empty()) {
+    const ExpressionId id = open.back();
+    open.pop_back();
+    if (!seen.insert(id).second) continue;
+    const Expression& node = model.expressions[id];
+    const bool is_point = node.kind == ExpressionKind::point_component;
+    if (is_point || node.kind == ExpressionKind::frame_component) {
+      const auto number = number_of(places, is_point ? PlaceKind::point : PlaceKind::frame,
+                                    node.index / (is_point ? 3 : components_per_frame));
+      if (number) named.insert(*number);
+    } else {
+      for (const ExpressionId each : references(model, id)) open.push_back(each);
+    }
+  }
+  return named;
+}
+
+/// The frame that carries a place; of a frame its parent.
+std::optional<std::uint32_t> carrier_of(const Model& model, const ShownPlace& place) {
+  if (place.kind == PlaceKind::frame) return model.frames[place.index].parent;
+  if (place.kind == PlaceKind::body) {
+    const auto& local = model.bodies[place.index].local;
+    return local ? std::optional(local->com.frame) : std::nullopt;
+  }
+  const auto& local = model.points[place.index].local;
+  return local ? std::optional(local->frame) : std::nullopt;
+}
+
+/// Adds the line unless it leads back, or is there already; a spring stays a spring.
+void add_line(std::vector<ShownLine>& lines, const ShownLine& line) {
+  if (line.from == line.to) return;
+  const auto same = std::ranges::find_if(lines, [&](const ShownLine& other) {
+    return other.from == line.from && other.to == line.to;
+  });
+  if (same == lines.end()) lines.push_back(line);
+}
+
+/// Where `joined_to` of a point leads.
+void add_joints(const Model& model, const std::vector<ShownPlace>& places, std::uint32_t from,
+                std::vector<ShownLine>& lines) {
+  if (places[from].kind != PlaceKind::point) return;
+  const Point& point = model.points[places[from].index];
+  for (const JoinedPlace& joined : point.joined_to) {
+    ShownLine line{from, {}, point.is_on_springs};
+    if (joined.point) line.to = number_of(places, PlaceKind::point, *joined.point);
+    if (joined.frame) line.to = number_of(places, PlaceKind::frame, *joined.frame);
+    add_line(lines, line);
+  }
+}
+
+}  // namespace
+
+std::vector<ShownPlace> shown_places(const Model& model) {
+  std::vector<ShownPlace> places;
+  if (!model.variant.cyclic.empty()) return places;  // they may be over what was taken out
+  for (std::uint32_t i = 0; i < model.points.size(); ++i) {
+    places.push_back({PlaceKind::point, i, model.points[i].name, model.points[i].mass});
+  }
+  for (std::uint32_t i = 0; i < model.bodies.size(); ++i) {
+    const Body& body = model.bodies[i];
+    if (body.mass) places.push_back({PlaceKind::body, i, body.name, body.mass});
+  }
+  for (std::uint32_t i = 0; i < model.frames.size(); ++i) {
+    places.push_back({PlaceKind::frame, i, model.frames[i].name, {}});
+  }
+  return places;
+}
+
+std::vector<ExpressionId> rows_of(const Model& model, const ShownPlace& place) {
+  if (place.kind == PlaceKind::frame) {
+    const Frame& frame = model.frames[place.index];
+    std::vector<ExpressionId> rows(frame.origin.begin(), frame.origin.end());
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (std::size_t i = 0; i < 3; ++i) rows.push_back(frame.rotation[3 * i + axis]);
+    }
+    return rows;
+  }
+  const Vector3& at =
+      place.kind == PlaceKind::point ? model.points[place.index].at : model.bodies[place.index].com;
+  return {at.begin(), at.end()};
+}
+
+std::vector<ShownLine> shown_lines(const Model& model) {
+  const std::vector<ShownPlace> places = shown_places(model);
+  std::vector<ShownLine> lines;
+  for (std::uint32_t i = 0; i < places.size(); ++i) {
+    add_joints(model, places, i, lines);
+    const std::optional<std::uint32_t> carrier = carrier_of(model, places[i]);
+    if (carrier) add_line(lines, {i, number_of(places, PlaceKind::frame, *carrier)});
+    if (carrier || places[i].kind == PlaceKind::frame) continue;
+    for (const std::uint32_t to : named_places(model, places, rows_of(model, places[i]))) {
+      add_line(lines, {i, to});
+    }
+  }
+  return lines;
+}
+
+std::vector<ExpressionId> shown_integrals(const Model& model) {
+  std::vector<ExpressionId> integrals;
+  const bool is_variant = !model.variant.locks.empty() || !model.variant.cyclic.empty();
+  if (model.approximation || is_variant) return integrals;
+  for (const Expectation& expectation : model.expectations) {
+    if (!expectation.is_conserved()) continue;
+    for (const ExpressionId id : expectation.entries) {
+      const bool is_of_motion = holds_leaf(model, id, Opcode::momentum | Opcode::energy);
+      if (!is_of_motion) integrals.push_back(id);
+    }
+  }
+  return integrals;
+}
+
+}  // namespace elgen

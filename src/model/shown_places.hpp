@@ -1,0 +1,43 @@
+// shown_places: the points, bodies and frames that a page draws, and the lines between them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "elgen/model.hpp"
+
+namespace elgen {
+
+enum class PlaceKind : std::uint8_t { point, body, frame };
+
+/// A point, the centre of mass of a body, or the origin of a frame with its three axes.
+struct ShownPlace {
+  PlaceKind kind = PlaceKind::point;
+  std::uint32_t index = 0;
+  std::string name = {};
+  std::optional<ExpressionId> mass = {};
+};
+
+/// Points, bodies with a mass, frames, each in the order of the file.
+[[nodiscard]] std::vector<ShownPlace> shown_places(const Model& model);
+
+/// The rows of three numbers, world coordinates of a place; of a frame its axes follow.
+[[nodiscard]] std::vector<ExpressionId> rows_of(const Model& model, const ShownPlace& place);
+
+/// A line between two places, by their numbers; none: the origin of the world.
+struct ShownLine {
+  std::uint32_t from = 0;
+  std::optional<std::uint32_t> to = {};
+  bool is_spring = false;
+};
+
+/// From a place to those that its position is written over, from a frame to its parent, and where
+/// `joined_to` says so.
+[[nodiscard]] std::vector<ShownLine> shown_lines(const Model& model);
+
+/// The entries of `conserved` that are written over q, v and t alone, of an exact model.
+[[nodiscard]] std::vector<ExpressionId> shown_integrals(const Model& model);
+
+}  // namespace elgen

@@ -1,0 +1,144 @@
+// player_controls: a slider goes over the range that the model declares, else about its value.
+#include "run/player/player_controls.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "elgen/leaf_names.hpp"
+#include "elgen/real.hpp"
+#include "emit/interface/code_interface.hpp"
+#include "formula/glyphs.hpp"
+#include "run/player/player_model.hpp"
+
+namespace elgen {
+namespace {
+
+struct Slider {
+  char kind = 'q';  ///< of q, v, u or p
+  std::size_t index = 0;
+  std::string name = {};
+  std::string unit = {};
+  double value = 0;
+  double reach = 1;  ///< on both sides, where there is no range
+  std::optional<Interval> range = {};
+};
+
+double reach_of(double value) { return value == 0 ? 1 : std::abs(value); }
+
+TemplateData slider_data(const Slider& slider) {
+  const double low = slider.range ? nearest(slider.range->low) : slider.value - slider.reach;
+  const double high = slider.range ? nearest(slider.range->high) : slider.value + slider.reach;
+  return TemplateRow{{"kind", std::string(1, slider.kind)},
+                     {"index", std::to_string(slider.index)},
+                     {"name", xml_text(slider.name)},
+                     {"unit", attribute_text(slider.unit)},
+                     {"value", fmt::format("{}", slider.value)},
+                     {"low", fmt::format("{}", std::min(low, slider.value))},
+                     {"high", fmt::format("{}", std::max(high, slider.value))}};
+}
+
+using Sliders = std::vector<Slider>;
+
+Sliders of_coordinates(const Model& model) {
+  Sliders list;
+  for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
+    const Coordinate& c = model.coordinates[i];
+    const double start = nearest(c.start_value);
+    const double reach = is_angle(c) ? std::numbers::pi : reach_of(start);
+    if (!c.rotation) list.push_back({'q', i, c.name, c.unit_text, start, reach, c.range});
+  }
+  return list;
+}
+
+Sliders of_velocities(const Model& model, const LeafNames& leaves) {
+  constexpr double turns = 5;
+  Sliders list;
+  for (std::size_t i = 0; i < model.velocities.size(); ++i) {
+    const Velocity& v = model.velocities[i];
+    const std::string& unit = model.coordinates[v.coordinate].unit_text;
+    const double start = nearest(v.start_rate);
+    list.push_back({'v', i, leaf_text(leaves, Opcode::velocity, static_cast<std::uint32_t>(i)),
+                    v.rotation     ? "rad/s"
+                    : unit.empty() ? ""
+                                   : unit + "/s",
+                    start, turns * reach_of(start), v.rate_range});
+  }
+  return list;
+}
+
+/// The inputs that have no law.
+Sliders of_inputs(const Model& model) {
+  constexpr double reach = 10;
+  Sliders list;
+  for (std::size_t k = 0; k < model.inputs.size(); ++k) {
+    const Input& input = model.inputs[k];
+    if (!input.law) list.push_back({'u', k, input.name, input.unit_text, 0, reach, input.limits});
+  }
+  return list;
+}
+
+Sliders of_parameters(const Model& model, const Program& program) {
+  Sliders list;
+  for (const ParameterArray& array : emitted_parameters(model, program)) {
+    for (std::uint32_t i = 0; i < array.count; ++i) {
+      const Parameter& parameter = model.parameters[array.first + i];
+      const double value = nearest(parameter.value);
+      std::optional<Interval> range = array.range;
+      const bool is_above_zero = !range && parameter.assumption != Assumption::none;
+      if (is_above_zero) range = Interval{parameter.value / 4, parameter.value * 4};
+      list.push_back(
+          {'p', list.size(), parameter.name, array.unit_text, value, reach_of(value), range});
+    }
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string attribute_text(const std::string& text) {
+  return escaped(xml_text(text), {{'"', "&quot;"}});
+}
+
+void set_controls(TemplateData& data, const CheckedModel& checked, const Program& program,
+                  const Products& read) {
+  const Model& model = checked.model;
+  constexpr std::size_t most_open = 12;  // longer groups are folded
+  TemplateData groups(TemplateData::type::list);
+  const auto add = [&groups](const char* title, const Sliders& sliders) {
+    if (sliders.empty()) return;
+    groups << TemplateRow{{"title", title},
+                          {"open", sliders.size() > most_open ? "" : " open"},
+                          {"sliders", rows_data(sliders, slider_data)}};
+  };
+  add("Start", of_coordinates(model));
+  add("Rates at the start", of_velocities(model, program.leaves));
+  add("Inputs", of_inputs(model));
+  add("Parameters", of_parameters(model, program));
+  data.set("groups", groups);
+  TemplateData phases(TemplateData::type::list);
+  for (std::size_t i = 0; i < model.velocities.size(); ++i) {
+    const Velocity& v = model.velocities[i];
+    if (v.rotation) continue;
+    phases << TemplateRow{{"index", std::to_string(i)}, {"name", xml_text(v.name)}};
+  }
+  data.set("phases", phases);
+  TemplateData starts(TemplateData::type::list);
+  for (const ShownStart& start : shown_starts(model, read)) {
+    starts << TemplateRow{{"index", std::to_string(starts.list_value().size())},
+                          {"name", xml_text(start.name)}};
+  }
+  data.set("starts", starts);
+  constexpr std::array paces{"0.1", "0.25", "0.5", "1", "2", "5", "10"};
+  data.set("paces", rows_data(paces, [](const std::string_view pace) {
+             return TemplateRow{{"pace", std::string(pace)},
+                                {"selected", pace == "1" ? " selected" : ""}};
+           }));
+}
+
+}  // namespace elgen

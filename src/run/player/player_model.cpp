@@ -1,0 +1,231 @@
+// player_model: one function for each list that the script reads.
+#include "run/player/player_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "base/fill_template.hpp"
+#include "elgen/real.hpp"
+#include "emit/interface/code_interface.hpp"
+#include "model/shown_places.hpp"
+#include "program/evaluate/conservation.hpp"
+#include "run/steps/system.hpp"
+
+namespace elgen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json coordinates_json(const Model& model) {
+  Json list = Json::array();
+  for (const Coordinate& c : model.coordinates) {
+    list.push_back({{"name", c.name},
+                    {"unit", c.unit_text},
+                    {"start", nearest(c.start_value)},
+                    {"wraps", c.wrap}});
+  }
+  return list;
+}
+
+Json velocities_json(const Model& model, const LeafNames& leaves) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < model.velocities.size(); ++i) {
+    const Velocity& v = model.velocities[i];
+    list.push_back({{"name", leaf_text(leaves, Opcode::velocity, static_cast<std::uint32_t>(i))},
+                    {"start", nearest(v.start_rate)},
+                    {"coordinate", v.coordinate}});
+  }
+  return list;
+}
+
+/// The input of each law, and where it is cut: nowhere where it is one number.
+Json laws_json(const Model& model) {
+  constexpr double most = std::numeric_limits<double>::max();
+  Json list = Json::array();
+  for (std::size_t k = 0; k < model.inputs.size(); ++k) {
+    const Input& input = model.inputs[k];
+    if (!input.law) continue;
+    const bool is_cut = input.limits && !is_one_number(model, *input.law);
+    list.push_back({k, is_cut ? nearest(input.limits->low) : -most,
+                    is_cut ? nearest(input.limits->high) : most});
+  }
+  return list;
+}
+
+Json parameters_json(const Model& model, const Program& program, LanguageId language) {
+  Json list = Json::array();
+  for (const ParameterArray& array : emitted_parameters(model, program)) {
+    for (std::uint32_t i = 0; i < array.count; ++i) {
+      list.push_back({{"name", model.parameters[array.first + i].name},
+                      {"member", spelt_name(language, array.name)},
+                      {"element", array.is_array ? Json(i) : Json(nullptr)}});
+    }
+  }
+  return list;
+}
+
+Json multipliers_json(const Model& model) {
+  Json list = Json::array();
+  for (const Constraint& constraint : model.constraints) {
+    list.push_back({{"name", constraint.name}});
+  }
+  return list;
+}
+
+Json integrals_json(const Model& model) {
+  Json list = Json::array();
+  for (const ExpressionId id : shown_integrals(model)) {
+    list.push_back(to_string(model, id));
+  }
+  return list;
+}
+
+/// Rows of the output of places: one of each, of a frame its axes too.
+std::vector<std::size_t> rows_of_places(const std::vector<ShownPlace>& places) {
+  std::vector<std::size_t> rows;
+  std::size_t next = 0;
+  for (const ShownPlace& place : places) {
+    rows.push_back(next);
+    next += place.kind == PlaceKind::frame ? 4 : 1;
+  }
+  return rows;
+}
+
+/// Whether every third component is 0, and no frame leaves the plane.
+bool is_planar(const Model& model, const std::vector<ShownPlace>& places) {
+  const auto is_zero = [&](ExpressionId id) {
+    const Expression& e = model.expressions[id];
+    return e.kind == ExpressionKind::number && cln::zerop(e.number);
+  };
+  return std::ranges::all_of(places, [&](const ShownPlace& place) {
+    return place.kind != PlaceKind::frame && is_zero(rows_of(model, place)[2]);
+  });
+}
+
+/// The axis along which weight acts, y in a plane.
+int up_axis(const Model& model) {
+  if (!model.gravity) return 2;
+  int up = 2;
+  for (int i = 0; i < 3; ++i) {
+    const Expression& e = model.expressions[(*model.gravity)[static_cast<std::size_t>(i)]];
+    if (e.kind != ExpressionKind::number || !cln::zerop(e.number)) up = i;
+  }
+  return up;
+}
+
+void add_places(Json& json, const Model& model) {
+  const std::vector<ShownPlace> places = shown_places(model);
+  const std::vector<std::size_t> rows = rows_of_places(places);
+  Json list = Json::array();
+  std::size_t masses = 0;
+  std::size_t trail = rows.empty() ? 0 : rows.back();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    list.push_back({{"row", rows[i]},
+                    {"is_frame", places[i].kind == PlaceKind::frame},
+                    {"mass", places[i].mass ? Json(masses++) : Json(nullptr)}});
+    if (places[i].kind == PlaceKind::point) trail = rows[i];
+  }
+  Json lines = Json::array();
+  for (const auto& [from, to, is_spring] : shown_lines(model)) {
+    lines.push_back({rows[from], to ? Json(rows[*to]) : Json(nullptr), is_spring});
+  }
+  json["places"] = std::move(list);
+  json["lines"] = std::move(lines);
+  json["trail"] = trail;
+  json["is_planar"] = is_planar(model, places);
+  json["up"] = up_axis(model);
+}
+
+/// "theta = 3.14159": the coordinates that are not any.
+std::string text_of(const Model& model, const RestPoint& point) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < point.coordinates.size(); ++i) {
+    const CoordinateAtRest& at = point.coordinates[i];
+    if (at.is_any) continue;
+    parts.push_back(fmt::format("{} = {:.6g}", model.coordinates[i].name, nearest(at.value) + 0.0));
+  }
+  return parts.empty() ? "anywhere" : fmt::format("{}", fmt::join(parts, ", "));
+}
+
+/// Where a motion along the mode begins.
+ShownStart start_of(const Model& model, const RestPoint& point, const NormalMode& mode) {
+  constexpr double part = 0.1;
+  const double omega = std::sqrt(nearest(mode.omega_squared));
+  ShownStart start{fmt::format("Mode of {:.4g} rad/s: {}", omega, text_of(model, point))};
+  for (const cln::cl_R& value : point.state.q) start.q.push_back(nearest(value) + 0.0);
+  for (std::size_t i = 0; i < mode.shape.size(); ++i) {
+    start.q[model.velocities[i].coordinate] += part * mode.shape[i];
+  }
+  return start;
+}
+
+/// Seconds of the run in one of the clock: those of the clock, where that can be watched.
+double pace_of(const SimulationOptions& options) {
+  constexpr double shortest = 2;
+  constexpr double longest = 60;
+  constexpr double watched = 20;
+  const bool is_watched = shortest <= options.time && options.time <= longest;
+  return is_watched ? 1 : options.time / watched;
+}
+
+Json run_json(const SimulationOptions& options) {
+  return {{"from", options.from},
+          {"step", *options.step},
+          {"projects", options.project},
+          {"pace", pace_of(options)}};
+}
+
+}  // namespace
+
+std::vector<ShownStart> shown_starts(const Model& model, const Products& read) {
+  constexpr std::size_t most = 12;
+  std::vector<ShownStart> starts;
+  if (!read.equilibria) return starts;
+  for (const RestPoint& point : read.equilibria->points) {
+    ShownStart start{fmt::format("At rest: {}{}", text_of(model, point),
+                                 is_stable(point.stability.kind) ? " (stable)" : "")};
+    for (const cln::cl_R& value : point.state.q) start.q.push_back(nearest(value) + 0.0);
+    starts.push_back(std::move(start));
+  }
+  const bool has_modes = read.motions && model.rotations.empty();
+  for (const LinearMotions& motions : has_modes ? *read.motions : std::vector<LinearMotions>{}) {
+    for (const NormalMode& mode : motions.modes) {
+      if (cln::plusp(mode.omega_squared)) starts.push_back(start_of(model, motions.point, mode));
+    }
+  }
+  if (starts.size() > most) starts.resize(most);
+  return starts;
+}
+
+std::string player_model(const CheckedModel& checked, const Program& program, const Products& read,
+                         const SimulationOptions& options) {
+  const Model& model = checked.model;
+  const bool is_driven = !model.inputs.empty();
+  const Conservation conservation = find_conservation(model, program, is_driven, false);
+  Json json;
+  json["coordinates"] = coordinates_json(model);
+  json["velocities"] = velocities_json(model, program.leaves);
+  json["inputs"] = model.inputs.size();
+  json["laws"] = laws_json(model);
+  json["parameters"] = parameters_json(model, program, checked.scene.emission.language);
+  json["multipliers"] = multipliers_json(model);
+  json["integrals"] = integrals_json(model);
+  add_places(json, model);
+  json["starts"] = Json::array();
+  for (const ShownStart& start : shown_starts(model, read)) json["starts"].push_back(start.q);
+  json["power"] = {{"has_time", conservation.has_time},
+                   {"is_forced", conservation.is_forced},
+                   {"has_moving_constraints", has_moving_constraints(model)}};
+  const bool has_units =
+      std::ranges::any_of(model.velocities, [](const Velocity& v) { return v.unit.has_value(); });
+  json["unit_of_energy"] = has_units ? "J" : "";
+  json["run"] = run_json(options);
+  return escaped(json.dump(-1, ' ', true), {{'<', "\\u003c"}});
+}
+
+}  // namespace elgen

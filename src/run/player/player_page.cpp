@@ -1,0 +1,121 @@
+// player_page: the functions of the program as a script, the model as JSON, the equations as
+// MathML, in one file.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/fill_template.hpp"
+#include "elgen/emitted_files.hpp"
+#include "elgen/page.hpp"
+#include "elgen/player.hpp"
+#include "emit/interface/code_interface.hpp"
+#include "formula/glyphs.hpp"
+#include "model/shown_places.hpp"
+#include "numbers/exact_number.hpp"
+#include "run/player/player_controls.hpp"
+#include "run/player/player_model.hpp"
+
+namespace elgen {
+namespace {
+
+/// "places" of the output shown_places, "mass_matrix" of an output of its own name.
+std::string kind_of_call(const Model& model, const Function& function) {
+  constexpr std::string_view start = "shown_";
+  if (function.kind != OutputKind::user_value) return std::string(output_row(function.kind).name);
+  std::string name = model.outputs[function.user].name.substr(start.size());
+  while (name.ends_with('_')) name.pop_back();
+  return name;
+}
+
+TemplateData calls_data(const Model& model, const Program& program, LanguageId language) {
+  return rows_data(program.functions, [&](const Function& function) {
+    std::vector<std::string> arguments;
+    for (const Opcode argument : arguments_of(model, function)) {
+      arguments.push_back(fmt::format("x.{}", leaf_row(argument).symbol));
+    }
+    const std::string call =
+        fmt::format("{}({})", spelt_name(language, function.name), fmt::join(arguments, ", "));
+    const bool is_shown = function.kind == OutputKind::user_value;
+    return TemplateRow{{"kind", kind_of_call(model, function)},
+                       {"call", is_shown ? fmt::format("listed({})", call) : call}};
+  });
+}
+
+/// Up to which derivations are there to be read; beyond, a page of its own has them.
+constexpr std::size_t longest_derivation = 200'000;
+
+struct Readable {
+  std::string equations = {};
+  std::string derivation = {};
+};
+
+Readable readable_of(const Products& read) {
+  const Model& model = read.checked->model;
+  Readable result;
+  if (!read.steps) return result;
+  result.equations = html_parts(steps_sections(model, *read.steps, equations_title));
+  result.derivation = html_parts(steps_sections(model, *read.steps));
+  if (result.derivation.size() > longest_derivation) result.derivation.clear();
+  return result;
+}
+
+}  // namespace
+
+Diagnostics refuse_player(const SimulationOptions& options) {
+  Diagnostics refused;
+  const bool is_fixed =
+      options.method == "rk4" || options.method == "verlet" || options.method == "midpoint";
+  if (!is_fixed) {
+    refused.push_back({Code::E620,
+                       {},
+                       fmt::format("a page does not run by `{}`", options.method),
+                       "`--method rk4`, `verlet` or `midpoint`"});
+  }
+  if (options.every) {
+    refused.push_back({Code::E913, {}, "`--every` is of rows, and a page has none"});
+  }
+  if (options.hold) {
+    refused.push_back({Code::E913, {}, "`--hold` is of runs that are computed here, not of pages"});
+  }
+  return refused;
+}
+
+PipelineOptions player_pipeline(PipelineOptions options) {
+  options.scene.shows_motion = true;
+  return options;
+}
+
+Result<std::string> player_page(const Products& moving, const Products& read,
+                                const SimulationOptions& options, const Limits& limits) {
+  const Result<CheckedModel> assembled =
+      assembled_model(*moving.checked, exact_value(options.from));
+  if (!assembled) return assembled.diagnostics;
+  const auto& [model, scene] = *assembled;
+  const Program& program = *moving.program;
+  const Result<std::string> functions = emitted_script(model, scene, program);
+  if (!functions) return functions.diagnostics;
+  const Readable texts = readable_of(read);
+  const std::string title = model.title.empty() ? model.name : model.title;
+  TemplateData data(TemplateRow{
+      {"generated", std::string(generated_marker)},
+      {"title", xml_text(title)},
+      {"label", attribute_text("The motion of " + title)},
+      {"no_places", shown_places(model).empty() ? " hidden" : ""},
+      {"functions", *functions},
+      {"calls", calls_data(model, program, scene.emission.language)},
+      {"model", player_model(*assembled, program, read, options)},
+      {"equations", texts.equations},
+      {"derivation",
+       section_if(!texts.derivation.empty(), TemplateRow{{"text", texts.derivation}})}});
+  set_controls(data, *assembled, program, read);
+  std::string page = fill_template("player/page.html.mustache", data);
+  if (page.size() <= limits.page_bytes) return page;
+  return Diagnostic{
+      Code::E916,
+      {},
+      fmt::format("the page has {} bytes, more than {}", page.size(), limits.page_bytes),
+      "raised by --limit page_bytes=N"};
+}
+
+}  // namespace elgen

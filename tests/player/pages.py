@@ -1,0 +1,117 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Opens pages that move in a headless Chromium, and compares them with `elgen simulate`.
+
+    pages.py ELGEN MODEL...    one line each; exit 1 where a state differs or a page complains
+
+A page that is opened with #test=T runs T seconds at once and shows its state in all digits. That is
+the state of rk4 in steps of the same length to 1e-10, relative to the largest coordinate or rate:
+the sines of a browser are not those of the C library, and chaotic systems double such differences.
+Those are compared after half a second.
+"""
+
+import html.parser
+import json
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+TOLERANCE = 1e-10
+USUAL = (2.5, 0.002)  # seconds that are run, and the length of a step
+CHAOTIC = (0.5, 0.002)
+CHAOS = ["acrobot", "chain", "chain_rope", "double_pendulum", "panda7", "panda7_calibrated", "panda7_gravity",
+         "panda7_rollouts", "swinging_atwood", "triple_pendulum"]
+RUNS = {"andrews": (0.03, 1e-5), "five_bar": (0.25, 0.002)} | {name: CHAOTIC for name in CHAOS}  # two stop soon after
+
+
+class State(html.parser.HTMLParser):
+    """The text of the output #state."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.text, self.inside = "", False
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        self.inside = self.inside or dict(attributes).get("id") == "state"
+
+    def handle_endtag(self, tag):
+        self.inside = self.inside and tag != "output"
+
+    def handle_data(self, data):
+        self.text += data if self.inside else ""
+
+
+def browser():
+    return next((found for name in ("chromium", "chromium-browser", "google-chrome") if (found := shutil.which(name))), None)
+
+
+def run(command, seconds=120):
+    return subprocess.run(command, capture_output=True, text=True, timeout=seconds, check=False)
+
+
+def opened(page, time):
+    """The state that the page shows, and what it said on its console."""
+    command = [browser(), "--headless=new", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr",
+               "--virtual-time-budget=5000", "--dump-dom", f"file://{page}#test={time}"]
+    shown = run(command)
+    console = [line for line in shown.stderr.splitlines() if ":CONSOLE" in line]
+    try:
+        return json.loads(State(shown.stdout).text), console
+    except json.JSONDecodeError:
+        return None, console or ["no state"]
+
+
+def expected(elgen, model, time, step):
+    """Coordinates and rates at the end; angles that wrap are in (-pi, pi]."""
+    command = [elgen, "simulate", "-q", "--method", "rk4", "--step", str(step), "--time", str(time), "--every", str(time)]
+    shown = run([*command, "--format", "json", model])
+    if shown.returncode != 0:
+        raise RuntimeError(shown.stderr.strip())
+    data = json.loads(shown.stdout)
+    names = [column["name"] for column in data["columns"]]
+    end = len(names) - 1 - [name == "E" for name in reversed(names)].index(True)
+    return data["rows"][-1][1:end]
+
+
+def difference(shown, wanted):
+    """The largest one, relative to the largest number; whole turns apart is none."""
+    turn = 2 * math.pi
+    apart = [abs(a - b) if abs(a - b) < 3 else abs(math.remainder(a - b, turn)) for a, b in zip(shown, wanted)]
+    return max(apart) / (max(abs(x) for x in wanted) or 1.0)
+
+
+def verdict(elgen, model, folder):
+    name = os.path.basename(model).split(".")[0]
+    time, step = RUNS.get(name, USUAL)
+    page = os.path.join(folder, name + ".html")
+    made = run([elgen, "simulate", "-q", "--time", "20", "--step", str(step), "-o", page, "--force", model])
+    if made.returncode != 0:
+        return False, made.stderr.strip().splitlines()[0]
+    shown, console = opened(page, time)
+    if console:
+        return False, console[0]
+    apart = difference(shown, expected(elgen, model, time, step))
+    return apart <= TOLERANCE, f"differs by {apart:.1e} at {time} s, {os.path.getsize(page) / 1000:.0f} KB"
+
+
+def main():
+    elgen, *models = sys.argv[1:]
+    if browser() is None:
+        print("skipped: no Chromium")
+        return 0
+    failures = 0
+    with tempfile.TemporaryDirectory() as folder:
+        for model in models:
+            holds, text = verdict(os.path.abspath(elgen), model, folder)
+            failures += not holds
+            print(f"{'holds' if holds else 'FAILS'}  {re.sub('.*/', '', model)}  {text}", flush=True)
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
