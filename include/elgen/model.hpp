@@ -232,6 +232,9 @@ struct Force {
   Span span = {};
 };
 
+/// The values of an output that is in no file, for a page that moves (SceneOptions::shows_motion).
+enum class ShownValues : std::uint8_t { none, places, masses, laws, integrals };
+
 /// An [[output]]: its value, and with `jacobian` also d value/dq and the bias of its second rate. A
 /// frame gives the pose [R p], 3 x 4; its Jacobian is d twist/dv (twist: angular velocity; velocity
 /// of the origin), and its bias is d twist/dt at a = 0.
@@ -243,7 +246,7 @@ struct UserOutput {
   bool in_world = true;                  ///< axes of the twist: the world's, or the frame's
   std::vector<ExpressionId> twist = {};  ///< six entries, linear in the rates
   bool jacobian = false;
-  bool is_shown = false;  ///< of no file: made for a page that moves (SceneOptions::shows_motion)
+  ShownValues shown = ShownValues::none;
   std::string doc = {};
   Span span = {};
 };

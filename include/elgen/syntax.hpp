@@ -129,8 +129,7 @@ struct KeyRow {
   bool required = false;
   bool supported = true;  ///< false: E108 "not yet supported"
   std::string_view doc = {};
-  bool is_drawn =
-      false;  ///< drawings follow it, no equation does: in no stamp, and `diff` is equal
+  bool is_drawn = false;  ///< drawings alone follow it: stamps and `diff` do not
 };
 
 /// One word a key of KeyType::choice or choice_list may hold.

@@ -92,17 +92,14 @@ SimulationOptions run_of_page(SimulationOptions run) {
   return run;
 }
 
-/// The derivation, the points of rest and the modes about them, as far as there are some.
+/// The derivation, and without constraints the points of rest and the modes about them, as far as
+/// there are some.
 Products read_of_page(const SimulateOptions& options, const Inputs& inputs,
-                      PipelineOptions pipeline) {
+                      PipelineOptions pipeline, bool is_constrained) {
   pipeline.scene.close_functions = true;
   pipeline.goals = {Goal::steps};
-  Products read = run_shown(options.input, inputs, pipeline);
-  pipeline.goals = {Goal::modes};
-  Products rest = run_shown(options.input, inputs, pipeline);
-  read.equilibria = std::move(rest.equilibria);
-  read.motions = std::move(rest.motions);
-  return read;
+  if (!is_constrained) pipeline.goals.push_back(Goal::modes);
+  return run_shown(options.input, inputs, pipeline);
 }
 
 ExitCode write_page(const GlobalOptions& global, const SimulateOptions& options) {
@@ -122,7 +119,8 @@ ExitCode write_page(const GlobalOptions& global, const SimulateOptions& options)
   const ExitCode derived = report_products(global, moving);
   tell_times(global, moving);
   if (derived != ExitCode::success || !global.stop_after.empty()) return derived;
-  const Products read = read_of_page(options, *inputs, pipeline);
+  const Products read =
+      read_of_page(options, *inputs, pipeline, !moving.checked->model.constraints.empty());
   const Result<std::string> page = player_page(moving, read, run, global.limits);
   const ExitCode told = report(global, page.diagnostics);
   if (!page) return told;

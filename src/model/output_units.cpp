@@ -1,6 +1,8 @@
 // Units of the entries of outputs by the rules of the output table.
 #include "model/output_units.hpp"
 
+#include <algorithm>
+
 namespace elgen {
 namespace {
 
@@ -92,6 +94,11 @@ std::string unit_text_of_entry(const Model& model, const EntryPlace& place) {
 std::string velocity_unit(const Model& model, const Velocity& velocity) {
   if (velocity.rotation || is_angle(model.coordinates[velocity.coordinate])) return "rad/s";
   return velocity.unit ? to_string(*velocity.unit) : "";
+}
+
+bool has_units(const Model& model) {
+  return std::ranges::any_of(model.velocities,
+                             [](const Velocity& velocity) { return velocity.unit.has_value(); });
 }
 
 }  // namespace elgen

@@ -29,4 +29,7 @@ struct EntryPlace {
 /// The unit of a velocity as text, where angles per second are "rad/s"; empty if there is none.
 [[nodiscard]] std::string velocity_unit(const Model& model, const Velocity& velocity);
 
+/// Whether a velocity has a unit: energies are in J there, lengths in m.
+[[nodiscard]] bool has_units(const Model& model);
+
 }  // namespace elgen

@@ -2,6 +2,7 @@
 #include "model/shown_places.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "elgen/references.hpp"
@@ -118,6 +119,11 @@ std::vector<ShownLine> shown_lines(const Model& model) {
     }
   }
   return lines;
+}
+
+std::string_view name_of(ShownValues shown) {
+  constexpr std::array<std::string_view, 5> names{"", "places", "masses", "laws", "integrals"};
+  return names[static_cast<std::size_t>(shown)];
 }
 
 std::vector<ExpressionId> shown_integrals(const Model& model) {

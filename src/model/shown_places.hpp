@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "elgen/model.hpp"
@@ -36,6 +37,9 @@ struct ShownLine {
 /// From a place to those that its position is written over, from a frame to its parent, and where
 /// `joined_to` says so.
 [[nodiscard]] std::vector<ShownLine> shown_lines(const Model& model);
+
+/// "places"; empty for none.
+[[nodiscard]] std::string_view name_of(ShownValues shown);
 
 /// The entries of `conserved` that are written over q, v and t alone, of an exact model.
 [[nodiscard]] std::vector<ExpressionId> shown_integrals(const Model& model);

@@ -56,8 +56,8 @@ def run(command, seconds=120):
 
 def opened(page, time):
     """The state that the page shows, and what it said on its console."""
-    command = [browser(), "--headless=new", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr",
-               "--virtual-time-budget=5000", "--dump-dom", f"file://{page}#test={time}"]
+    command = [browser(), "--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+               "--enable-logging=stderr", "--virtual-time-budget=5000", "--dump-dom", f"file://{page}#test={time}"]
     shown = run(command)
     console = [line for line in shown.stderr.splitlines() if ":CONSOLE" in line]
     try:
@@ -79,7 +79,8 @@ def expected(elgen, model, time, step):
 
 
 def difference(shown, wanted):
-    """The largest one, relative to the largest number; whole turns apart is none."""
+    """The largest one, relative to the largest coordinate or rate; whole turns apart is none."""
+    wanted = wanted[:len(shown)]  # inputs and multipliers follow
     turn = 2 * math.pi
     apart = [abs(a - b) if abs(a - b) < 3 else abs(math.remainder(a - b, turn)) for a, b in zip(shown, wanted)]
     return max(apart) / (max(abs(x) for x in wanted) or 1.0)

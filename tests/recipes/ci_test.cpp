@@ -98,6 +98,28 @@ TEST_CASE("the job of GitLab compares and checks a merge request") {
   CHECK(machine.step("elgen", base).status != 0);
 }
 
+TEST_CASE("the galleries of GitHub and GitLab have a page and a picture of each model") {
+  if (!Machine::is_readable()) return;
+  const auto check_site = [](const Machine& machine) {
+    CHECK(machine.outcome("ls public").output == "cart_pole.html\ncart_pole.svg\nindex.html\n");
+    const std::string index = machine.read("public/index.html");
+    CHECK(mentions(index,
+                   "<a href=\"cart_pole.html\">Cart and pole with a force on the cart<br>"
+                   "<img src=\"cart_pole.svg\" alt=\"\"></a>"));
+    CHECK_FALSE(mentions(index, "broken"));
+  };
+  const std::string more = "echo 'format = 2' > models/broken.toml";
+  const Machine github("recipes/github/pages.yml");
+  github.run(more);
+  CHECK(github.step("Install elgen").status == 0);
+  CHECK(github.step("Make the gallery", "export TIME=1").status == 0);
+  check_site(github);
+  const Machine gitlab("recipes/gitlab/pages.yml");
+  gitlab.run(more);
+  CHECK(gitlab.step("pages", "export TIME=1").status == 0);
+  check_site(gitlab);
+}
+
 TEST_CASE("the image installs the package where its sum is right, and nothing where it is not") {
   if (!Machine::is_readable()) return;
   const Machine machine("recipes/container/Containerfile");

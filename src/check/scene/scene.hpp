@@ -53,8 +53,7 @@ void read_values(Context& context, const Scene& scene, const SceneOptions& optio
 /// a rotation, a locked one, all of them, or the name of the momentum is taken.
 void read_held(Context& context, const FileSyntax* scene);
 
-/// Adds the outputs of a page that moves to a model (UserOutput::is_shown): the
-/// numbers of model/shown_places.hpp, and the laws of inputs.
+/// Adds the outputs of a page that moves to a model: those of ShownValues that have values.
 void add_shown_outputs(Model& model);
 
 /// The model without what Model::variant lists: functions of time stand for locked coordinates, 0

@@ -1,6 +1,7 @@
 // shown_outputs: what a page that moves needs of a model beside the outputs of a run.
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -11,14 +12,15 @@ namespace elgen {
 namespace {
 
 /// Under a name that no other output has; none without values.
-void add_output(Model& model, std::string name, std::vector<ExpressionId> values) {
+void add_output(Model& model, ShownValues shown, std::vector<ExpressionId> values) {
+  if (values.empty()) return;
   UserOutput output;
-  output.name = std::move(name);
-  output.values = std::move(values);
+  output.name = fmt::format("shown_{}", name_of(shown));
   while (std::ranges::count(model.outputs, output.name, &UserOutput::name) > 0) output.name += '_';
-  output.is_shown = true;
+  output.values = std::move(values);
+  output.shown = shown;
   output.span = model.name_span;
-  if (!output.values.empty()) model.outputs.push_back(std::move(output));
+  model.outputs.push_back(std::move(output));
 }
 
 std::vector<ExpressionId> rows_of_places(const Model& model) {
@@ -50,10 +52,10 @@ std::vector<ExpressionId> laws_of(const Model& model) {
 }  // namespace
 
 void add_shown_outputs(Model& model) {
-  add_output(model, "shown_places", rows_of_places(model));
-  add_output(model, "shown_masses", masses_of_places(model));
-  add_output(model, "shown_laws", laws_of(model));
-  add_output(model, "shown_integrals", shown_integrals(model));
+  add_output(model, ShownValues::places, rows_of_places(model));
+  add_output(model, ShownValues::masses, masses_of_places(model));
+  add_output(model, ShownValues::laws, laws_of(model));
+  add_output(model, ShownValues::integrals, shown_integrals(model));
 }
 
 }  // namespace elgen

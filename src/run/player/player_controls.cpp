@@ -14,6 +14,7 @@
 #include "elgen/real.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "formula/glyphs.hpp"
+#include "model/output_units.hpp"
 #include "run/player/player_model.hpp"
 
 namespace elgen {
@@ -61,13 +62,9 @@ Sliders of_velocities(const Model& model, const LeafNames& leaves) {
   Sliders list;
   for (std::size_t i = 0; i < model.velocities.size(); ++i) {
     const Velocity& v = model.velocities[i];
-    const std::string& unit = model.coordinates[v.coordinate].unit_text;
     const double start = nearest(v.start_rate);
     list.push_back({'v', i, leaf_text(leaves, Opcode::velocity, static_cast<std::uint32_t>(i)),
-                    v.rotation     ? "rad/s"
-                    : unit.empty() ? ""
-                                   : unit + "/s",
-                    start, turns * reach_of(start), v.rate_range});
+                    velocity_unit(model, v), start, turns * reach_of(start), v.rate_range});
   }
   return list;
 }

@@ -12,6 +12,7 @@
 #include "base/fill_template.hpp"
 #include "elgen/real.hpp"
 #include "emit/interface/code_interface.hpp"
+#include "model/output_units.hpp"
 #include "model/shown_places.hpp"
 #include "program/evaluate/conservation.hpp"
 #include "run/steps/system.hpp"
@@ -85,42 +86,42 @@ Json integrals_json(const Model& model) {
   return list;
 }
 
-/// Rows of the output of places: one of each, of a frame its axes too.
-std::vector<std::size_t> rows_of_places(const std::vector<ShownPlace>& places) {
+/// The first row of each place in the output of places.
+std::vector<std::size_t> first_rows(const Model& model, const std::vector<ShownPlace>& places) {
   std::vector<std::size_t> rows;
   std::size_t next = 0;
   for (const ShownPlace& place : places) {
     rows.push_back(next);
-    next += place.kind == PlaceKind::frame ? 4 : 1;
+    next += rows_of(model, place).size() / 3;
   }
   return rows;
 }
 
+bool is_zero(const Model& model, ExpressionId id) {
+  const Expression& e = model.expressions[id];
+  return e.kind == ExpressionKind::number && cln::zerop(e.number);
+}
+
 /// Whether every third component is 0, and no frame leaves the plane.
 bool is_planar(const Model& model, const std::vector<ShownPlace>& places) {
-  const auto is_zero = [&](ExpressionId id) {
-    const Expression& e = model.expressions[id];
-    return e.kind == ExpressionKind::number && cln::zerop(e.number);
-  };
   return std::ranges::all_of(places, [&](const ShownPlace& place) {
-    return place.kind != PlaceKind::frame && is_zero(rows_of(model, place)[2]);
+    return place.kind != PlaceKind::frame && is_zero(model, rows_of(model, place)[2]);
   });
 }
 
 /// The axis along which weight acts, y in a plane.
-int up_axis(const Model& model) {
+std::size_t up_axis(const Model& model) {
   if (!model.gravity) return 2;
-  int up = 2;
-  for (int i = 0; i < 3; ++i) {
-    const Expression& e = model.expressions[(*model.gravity)[static_cast<std::size_t>(i)]];
-    if (e.kind != ExpressionKind::number || !cln::zerop(e.number)) up = i;
+  std::size_t up = 2;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!is_zero(model, (*model.gravity)[i])) up = i;
   }
   return up;
 }
 
 void add_places(Json& json, const Model& model) {
   const std::vector<ShownPlace> places = shown_places(model);
-  const std::vector<std::size_t> rows = rows_of_places(places);
+  const std::vector<std::size_t> rows = first_rows(model, places);
   Json list = Json::array();
   std::size_t masses = 0;
   std::size_t trail = rows.empty() ? 0 : rows.back();
@@ -221,9 +222,7 @@ std::string player_model(const CheckedModel& checked, const Program& program, co
   json["power"] = {{"has_time", conservation.has_time},
                    {"is_forced", conservation.is_forced},
                    {"has_moving_constraints", has_moving_constraints(model)}};
-  const bool has_units =
-      std::ranges::any_of(model.velocities, [](const Velocity& v) { return v.unit.has_value(); });
-  json["unit_of_energy"] = has_units ? "J" : "";
+  json["unit_of_energy"] = has_units(model) ? "J" : "";
   json["run"] = run_json(options);
   return escaped(json.dump(-1, ' ', true), {{'<', "\\u003c"}});
 }

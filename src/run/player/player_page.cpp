@@ -12,20 +12,20 @@
 #include "emit/interface/code_interface.hpp"
 #include "formula/glyphs.hpp"
 #include "model/shown_places.hpp"
+#include "model/symbols.hpp"
 #include "numbers/exact_number.hpp"
 #include "run/player/player_controls.hpp"
 #include "run/player/player_model.hpp"
+#include "run/steps/methods.hpp"
 
 namespace elgen {
 namespace {
 
-/// "places" of the output shown_places, "mass_matrix" of an output of its own name.
+/// "places", "mass_matrix": what the script knows the function by.
 std::string kind_of_call(const Model& model, const Function& function) {
-  constexpr std::string_view start = "shown_";
-  if (function.kind != OutputKind::user_value) return std::string(output_row(function.kind).name);
-  std::string name = model.outputs[function.user].name.substr(start.size());
-  while (name.ends_with('_')) name.pop_back();
-  return name;
+  const bool is_shown = function.kind == OutputKind::user_value;
+  return std::string(is_shown ? name_of(model.outputs[function.user].shown)
+                              : output_row(function.kind).name);
 }
 
 TemplateData calls_data(const Model& model, const Program& program, LanguageId language) {
@@ -42,7 +42,7 @@ TemplateData calls_data(const Model& model, const Program& program, LanguageId l
   });
 }
 
-/// Up to which derivations are there to be read; beyond, a page of its own has them.
+/// Longer derivations are left out: `show --what steps` has them.
 constexpr std::size_t longest_derivation = 200'000;
 
 struct Readable {
@@ -64,9 +64,9 @@ Readable readable_of(const Products& read) {
 
 Diagnostics refuse_player(const SimulationOptions& options) {
   Diagnostics refused;
-  const bool is_fixed =
-      options.method == "rk4" || options.method == "verlet" || options.method == "midpoint";
-  if (!is_fixed) {
+  const Result<MethodRow> method = find_method(options);
+  if (!method) return method.diagnostics;
+  if (method->step != StepKind::fixed) {
     refused.push_back({Code::E620,
                        {},
                        fmt::format("a page does not run by `{}`", options.method),
@@ -96,7 +96,7 @@ Result<std::string> player_page(const Products& moving, const Products& read,
   const Result<std::string> functions = emitted_script(model, scene, program);
   if (!functions) return functions.diagnostics;
   const Readable texts = readable_of(read);
-  const std::string title = model.title.empty() ? model.name : model.title;
+  const std::string title = page_title(model);
   TemplateData data(TemplateRow{
       {"generated", std::string(generated_marker)},
       {"title", xml_text(title)},

@@ -186,14 +186,13 @@ std::vector<TrajectoryColumn> columns_of(const System& system, const std::string
     columns.push_back({"lambda_" + model.constraints[k].name,
                        is_number ? "" : unit_text_of_entry(model, place), ""});
   }
-  const bool has_units = std::ranges::any_of(
-      model.velocities, [](const Velocity& velocity) { return velocity.unit.has_value(); });
+  const bool is_in_units = has_units(model);
   for (const char* axis : {"x", "y"}) {
     if (point.empty()) break;
-    columns.push_back({fmt::format("{}({})", axis, point), has_units ? "m" : "", ""});
+    columns.push_back({fmt::format("{}({})", axis, point), is_in_units ? "m" : "", ""});
   }
   columns.push_back(
-      {"E", has_units ? "J" : "", system.does_work() ? "E − E₀ − work" : "E − E₀", true});
+      {"E", is_in_units ? "J" : "", system.does_work() ? "E − E₀ − work" : "E − E₀", true});
   return columns;
 }
 
@@ -275,19 +274,24 @@ Diagnostics laws_beyond_limits(System& system, double t) {
   return found;
 }
 
-}  // namespace
-
-std::string outputs_of_run(const Model& model) {
+/// The functions that pages and runs call.
+std::string outputs_of_page(const Model& model) {
   std::string names =
-      "mass_matrix,dissipation,applied_force,momentum,position_gradient,energy_function,"
-      "forward_dynamics";
-  if (!has_whole_lagrangian(model)) names += ",kinetic_energy,total_energy";
+      "mass_matrix,dissipation,applied_force,momentum,energy_function,forward_dynamics";
   if (!model.inputs.empty()) names += ",input_matrix";
   if (!model.rotations.empty()) names += ",coordinate_rates,normalized";
   if (!model.constraints.empty()) names += ",constraint_residual,constraint_jacobian,projected";
   for (const UserOutput& output : model.outputs) {
-    if (output.is_shown) names += "," + output.name;
+    if (output.shown != ShownValues::none) names += "," + output.name;
   }
+  return names;
+}
+
+}  // namespace
+
+std::string outputs_of_run(const Model& model) {
+  std::string names = outputs_of_page(model) + ",position_gradient";
+  if (!has_whole_lagrangian(model)) names += ",kinetic_energy,total_energy";
   return names;
 }
 
@@ -300,13 +304,14 @@ Products derived_for_run(const Inputs& inputs, PipelineOptions options,
   first.goals = {Goal::check};
   Products checked = run_pipeline(inputs, first);
   if (!checked.checked) return checked;
-  const std::string outputs = outputs_of_run(checked.checked->model);
+  const bool is_page = options.scene.shows_motion;
+  const Model& model = checked.checked->model;
+  const std::string outputs = is_page ? outputs_of_page(model) : outputs_of_run(model);
   options.scene.outputs = {make_source("outputs of a run", outputs)};
   options.scene.step = step;
   Products products = run_pipeline(inputs, options);
   if (!products.checked) return products;
   Scene& scene = products.checked->scene;
-  const bool is_page = options.scene.shows_motion;
   scene.emission = {.language = is_page ? LanguageId::javascript : default_language,
                     .name_space = scene.emission.name_space,
                     .batch = step && !is_page,
