@@ -93,7 +93,9 @@ std::size_t differing(const Function& function, const std::vector<Scalar>& given
     for (; i < end; ++i) {
       const double error = std::abs(given[i] - expected[i]);
       const double allowed = most * unit_roundoff * std::max(largest, errors[i]);
-      const bool is_near = most > 0 && error <= allowed;
+      // Where a pivot is rounding alone, one sine gives a number and another one none.
+      const bool is_known = std::isfinite(errors[i]);
+      const bool is_near = most > 0 && (!is_known || error <= allowed);
       if (!is_near && !same_bits(given[i], expected[i])) ++count;
     }
   }
