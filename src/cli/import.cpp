@@ -19,6 +19,7 @@ namespace {
 
 struct ImportCommand {
   std::string input = {};
+  std::string checked = {};  ///< the model that the robot is compared with, and nothing written
   OutputOption output = {};  ///< none: stdout
   ImportOptions model = {};
 };
@@ -84,14 +85,32 @@ std::string written_json(const std::string& path, bool is_new) {
   return Json{{"files", Json::array({file})}}.dump(2) + "\n";
 }
 
+/// E715 where the file has other bytes than the model.
+ExitCode check_file(const GlobalOptions& global, const ImportCommand& options,
+                    const std::string& text) {
+  const Result<SourcePointer> file = read_source(options.checked, global.limits);
+  if (!file) return report(global, file.diagnostics);
+  const std::string path = shown_path(options.checked);
+  if ((*file)->text == text) {
+    tell(global, path + " is current");
+    return ExitCode::success;
+  }
+  return report(global,
+                {{Code::E715,
+                  {},
+                  fmt::format("`{}` is not what `{}` gives", path, shown_path(options.input)),
+                  "import it with `-o OTHER.toml`, and `elgen diff` says what changed"}});
+}
+
 ExitCode import_file(const GlobalOptions& global, const ImportCommand& options) {
-  if (options.output.file.empty() && wants_json(global)) {
+  const bool is_check = !options.checked.empty();
+  if (options.output.file.empty() && !is_check && wants_json(global)) {
     return report(global, {{Code::E913, {}, "a model is not printed as json", "give `-o FILE`"}});
   }
   const Result<SourcePointer> source = read_source(options.input, global.limits);
   if (!source) return report(global, source.diagnostics);
   ImportOptions wanted = options.model;
-  wanted.name = model_name(options.output.file);
+  wanted.name = model_name(is_check ? options.checked : options.output.file);
   const Result<ImportedModel> model = import_urdf(*source, global.limits, wanted);
   if (model && is_taken_outside(model->name)) {
     return report(global,
@@ -102,6 +121,7 @@ ExitCode import_file(const GlobalOptions& global, const ImportCommand& options) 
   }
   const ExitCode imported = report_import(global, model.diagnostics);
   if (!model) return imported;
+  if (is_check) return std::max(imported, check_file(global, options, model->text));
   if (options.output.file.empty()) return std::max(imported, print(global, model->text));
   const auto written = write_output(global, options.output, model->text);
   if (!written) return report(global, written.diagnostics);
@@ -117,6 +137,11 @@ void add_import(CLI::App& app, Action& action) {
   const auto options = std::make_shared<ImportCommand>();
   command->add_option("input", options->input, "NAME.urdf or - (stdin)")->required();
   add_output(*command, options->output, "write the model here instead, and name it so");
+  command
+      ->add_option("--check", options->checked,
+                   "exit with 1 unless this model is what the robot gives")
+      ->type_name("MODEL")
+      ->excludes("-o");
   ImportOptions& model = options->model;
   command->add_flag("--floating-base", model.floating_base, "the root link moves freely");
   add_sources(*command, "--joints", "A,B", model.joints,

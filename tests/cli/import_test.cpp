@@ -63,6 +63,24 @@ TEST_CASE("option -o writes a file and names the model, --force writes it again"
   CHECK(workspace.files() == "./new/arm.toml\n");
 }
 
+TEST_CASE("option --check compares a model with what the robot gives now") {
+  const Workspace workspace;
+  workspace.prepare("cp " + robot + " hand.urdf && elgen import -q -o hand.toml hand.urdf");
+  const Outcome same = workspace.run("elgen import --check hand.toml hand.urdf");
+  CHECK(same.status == 0);
+  CHECK(same.output.empty());
+  CHECK(mentions(same.errors, "hand.toml is current\n"));
+  CHECK(workspace.run("elgen import -q --floating-base --check hand.toml hand.urdf").status == 1);
+  workspace.prepare("sed -i 's/mass value=\"/&1/' hand.urdf");
+  const Outcome other = workspace.run("elgen import -q --check hand.toml hand.urdf");
+  CHECK(other.status == 1);
+  CHECK(mentions(other.errors,
+                 "error[E715]: `hand.toml` is not what `hand.urdf` gives\n"
+                 "      import it with `-o OTHER.toml`, and `elgen diff` says what changed\n"));
+  CHECK(workspace.run("elgen import --check none.toml hand.urdf").status == 2);
+  CHECK(workspace.run("elgen import --check hand.toml -o x.toml hand.urdf").status == 2);
+}
+
 TEST_CASE("a mistake in the robot writes nothing and exits with 2") {
   const Workspace workspace;
   workspace.write("bad.urdf", "<robot name=\"r\"></robot>\n");
