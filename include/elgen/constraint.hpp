@@ -122,10 +122,11 @@ class PlacesLeft {
   std::vector<std::optional<std::uint32_t>> places_;
 };
 
-/// The places in q and v, as variables leave.
+/// The places in q, v and u, as variables leave.
 struct VariablesLeft {
   PlacesLeft coordinates;
   PlacesLeft velocities;
+  PlacesLeft inputs = PlacesLeft(0);
 
   void remove(const Held& variable) {
     coordinates.remove(variable.coordinate, variable.coordinate_count());

@@ -23,7 +23,9 @@ enum class ExpressionKind : std::uint8_t {
   prescribed,  ///< prescribed[index], a function of t
   definition,  ///< definitions[index]
   point_component,  ///< points[index / 3].at[index % 3]
-  frame_component,  ///< frames[index / 12].rotation (0 to 8, row-major) or .origin (9 to 11)
+  body_component,   ///< bodies[index / 3].com[index % 3]
+  frame_component,  ///< of frames[index / components_per_frame], a FrameComponent and what follows
+                    ///< it
   negate,           ///< -operands[0]
   add,              ///< n-ary
   multiply,         ///< n-ary
@@ -31,6 +33,15 @@ enum class ExpressionKind : std::uint8_t {
   power,            ///< operands[0] ^ number, rational exponent; sqrt is the power 1/2
   function,         ///< function(operands…)
   time_derivative,  ///< d/dt operands[0] along the motion: q -> v, v -> a, t -> 1
+};
+
+/// The numbers of a frame that expressions name, by the first of each.
+enum FrameComponent : std::uint32_t {
+  frame_rotation = 0,  ///< Frame::rotation, row-major
+  frame_origin = 9,
+  frame_angular_velocity = 12,
+  frame_turning = 15,
+  components_per_frame = 18,
 };
 
 struct Expression {

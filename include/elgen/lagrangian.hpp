@@ -260,10 +260,11 @@ struct Lagrangian {
   FrameTree tree = {};  ///< of an expansion or R it carries nothing but outputs
   std::vector<ConstraintEquation> constraints = {};
   std::vector<NamedOutput> outputs = {};
-  std::vector<HeldVariable> locked = {};     ///< until specialise takes them out
-  std::vector<HeldVariable> cyclic = {};     ///< likewise
-  std::vector<GiNaC::ex> cyclic_rates = {};  ///< of those that specialise took out
-  std::optional<Holding> holding = {};       ///< where a reaction is wanted
+  std::vector<HeldVariable> locked = {};        ///< until specialise takes them out
+  std::vector<std::uint32_t> held_inputs = {};  ///< that act on these alone, which leave with them
+  std::vector<HeldVariable> cyclic = {};        ///< likewise
+  std::vector<GiNaC::ex> cyclic_rates = {};     ///< of those that specialise took out
+  std::optional<Holding> holding = {};          ///< where a reaction is wanted
   std::optional<Expansion> expansion = {};
   bool quadratic = true;
   bool eliminates_last_first = false;  ///< order of elimination of M; see Model

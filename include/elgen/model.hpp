@@ -144,12 +144,12 @@ struct Frame {
   std::vector<FrameStep> steps = {};         ///< from the parent to the frame
   std::array<ExpressionId, 9> rotation{};    ///< R, row-major
   Vector3 origin{};                          ///< in the world
-  Vector3 spin{};  ///< angular velocity in the axes of the frame: [spin]x = R^T dR/dt
+  Vector3 spin{};              ///< angular velocity in the axes of the frame: [spin]x = R^T dR/dt
+  Vector3 turning{};           ///< the same, from that of the parent and the steps
+  Vector3 angular_velocity{};  ///< the same in the axes of the world: R turning
   std::string doc = {};
   Span span = {};
 };
-
-inline constexpr std::uint32_t components_per_frame = 12;
 
 /// A point, or a centre of mass, as it was given: in the axes of a frame.
 struct PlaceInFrame {
@@ -246,6 +246,7 @@ struct UserOutput {
   bool in_world = true;                  ///< axes of the twist: the world's, or the frame's
   std::vector<ExpressionId> twist = {};  ///< six entries, linear in the rates
   bool jacobian = false;
+  LeafSet takes = {};  ///< rates, accelerations and inputs that the values name
   ShownValues shown = ShownValues::none;
   std::string doc = {};
   Span span = {};
@@ -369,7 +370,8 @@ std::uint32_t append_rotation(Model& model, Rotation rotation);
                              : std::vector<std::uint32_t>{};
 }
 
-/// Where the variables of the whole model go as the held ones leave.
+/// Where the variables of the whole model go as the held ones leave, and its inputs, of which those
+/// leave that act on locked velocities alone.
 [[nodiscard]] VariablesLeft variables_left(const Model& whole);
 
 /// Whether the Lagrangian is R: cyclic coordinates have been taken out.
@@ -386,9 +388,6 @@ std::uint32_t append_rotation(Model& model, Rotation rotation);
 [[nodiscard]] inline EquationSetting setting_of(const Model& model) {
   return {!model.rotations.empty(), !model.constraints.empty()};
 }
-
-/// The expression that an ExpressionKind::frame_component of this index stands for.
-[[nodiscard]] ExpressionId component_of_frame(const Model& model, std::uint32_t index);
 
 /// Prints an expression in the model language, with the names of the model.
 [[nodiscard]] std::string to_string(const Model& model, ExpressionId expression);

@@ -51,7 +51,8 @@ enum class UnitRule : std::uint8_t {
   power,   ///< W over them
 };
 
-/// The property that an output needs of a model; `jacobian`: the [[output]] asks for it.
+/// The property that an output needs of a model; `jacobian` and `derivatives`: the [[output]] asks
+/// for them.
 enum class Requirement : std::uint8_t {
   nothing,
   quadratic,
@@ -62,7 +63,8 @@ enum class Requirement : std::uint8_t {
   cyclic,
   constraints,
   constrained_inputs,  ///< constraints, and inputs that they leave free
-  jacobian,
+  jacobian,            ///< of an output of positions alone
+  derivatives,         ///< the same of one of rates, accelerations or inputs
 };
 
 /// A symbol or an equation as text and in LaTeX, where `<q>` is a vector. `<v>` and `<a>` stand for
@@ -138,9 +140,9 @@ struct EquationSetting {
 [[nodiscard]] std::span<const OutputRow> output_table();
 [[nodiscard]] const OutputRow& output_row(OutputKind kind);
 
-/// Whether an output that repeats others holds this one: it takes nothing beside p, q, v and t, and
-/// has one field.
-[[nodiscard]] bool is_repeated(OutputKind kind);
+/// Whether an output that repeats others holds one that takes these: nothing beside p, q, v and t,
+/// and has one field.
+[[nodiscard]] bool is_repeated(OutputKind kind, LeafSet takes);
 
 /// The field of this name, or the first; a single number where the output has no fields.
 [[nodiscard]] const FieldRow& field_row(OutputKind kind, std::string_view name);

@@ -1,11 +1,17 @@
 // References: what the expressions of a Model are made of, through its names.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "elgen/model.hpp"
 
 namespace elgen {
+
+/// The expression that a name stands for: that of a prescribed function, a definition, or a
+/// component of a point, a body or a frame. None where the expression is no such name.
+[[nodiscard]] std::optional<ExpressionId> value_of_name(const Model& model,
+                                                        const Expression& expression);
 
 /// The references of an expression: its operands, or the expression that its name stands for.
 [[nodiscard]] std::vector<ExpressionId> references(const Model& model, ExpressionId expression);

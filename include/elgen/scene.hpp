@@ -71,6 +71,7 @@ struct OutputRequest {
   OutputKind kind = {};
   std::uint32_t user = 0;  ///< which Model::outputs, for the user_* kinds; which StepMethod
   std::string name = {};   ///< of the emitted function: renamed, or the standard one
+  LeafSet takes = {};      ///< arguments beside parameters and q (and t where t occurs)
   std::uint32_t rows = 1;  ///< of the (single or first) field
   std::uint32_t columns = 1;
   Span span = {};                    ///< where it was asked for

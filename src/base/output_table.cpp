@@ -7,10 +7,10 @@ namespace elgen {
 
 std::string_view name_of(Form form) { return form == Form::closed ? "closed" : "recursive"; }
 
-bool is_repeated(OutputKind kind) {
+bool is_repeated(OutputKind kind, LeafSet takes) {
   const OutputRow& row = output_row(kind);
   const LeafSet repeated = std::ranges::find(output_table(), true, &OutputRow::repeats)->takes;
-  return (repeated | row.takes) == repeated && !row.repeats && row.fields.size() == 1;
+  return (repeated | row.takes | takes) == repeated && !row.repeats && row.fields.size() == 1;
 }
 
 const FieldRow& field_row(OutputKind kind, std::string_view name) {

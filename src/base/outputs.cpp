@@ -313,36 +313,7 @@ constexpr OutputRow cyclic_rates{
     .doc = "Rates of the cyclic coordinates that were taken out, at their momenta.",
     .requirement = R::cyclic};
 
-// Rows of an [[output]]: `<y>` is its symbol, `<y''>` its second rate; its name ends the sentence.
-
-constexpr std::array value{FieldRow{"", E::user, E::one, U::none, entries}};
-constexpr OutputRow user_value{.symbol = {"y", "<y>"},
-                               .fields = value,
-                               .equation = {"y(q)", ""},
-                               .doc = "Output",
-                               .of_user = true};
-
-constexpr std::array per_velocity{
-    FieldRow{"", E::user, E::velocities, U::none, "std::array<Scalar, {0} * velocity_count>"}};
-constexpr OutputRow user_jacobian{.symbol = {"J", R"(\frac{\partial <y>}{\partial <q>}<N>)"},
-                                  .fields = per_velocity,
-                                  .equation = {"J = dy/dq", ""},
-                                  .turning_equation = {"J = dy/dq N", ""},
-                                  .doc = "Jacobian of output",
-                                  .requirement = R::jacobian,
-                                  .of_user = true,
-                                  .suffix = "_jacobian"};
-
-constexpr OutputRow user_bias{
-    .symbol = {"bias of y", R"(<bias>_{<y>})"},
-    .takes = Opcode::velocity,
-    .fields = value,
-    .equation = {"d^2 y/dt^2 = J a + bias",
-                 R"(<y''> = \frac{\partial <y>}{\partial <q>}<N> <a> + <bias>_{<y>})"},
-    .doc = "Bias of the second rate of output",
-    .requirement = R::jacobian,
-    .of_user = true,
-    .suffix = "_bias"};
+#include "base/user_rows.def"
 
 constexpr OutputRow dynamics{
     .symbol = {"dynamics", R"(\mathrm{dynamics})"},

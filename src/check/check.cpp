@@ -71,12 +71,28 @@ void resolve_entries(Context& context, const FileSyntax& syntax) {
   check_output_names(context.model, context.report);
 }
 
+/// The arguments of outputs beside q, by what their values are made of.
+void note_arguments(Model& model, const std::vector<Traits>& traits) {
+  for (UserOutput& output : model.outputs) {
+    for (const ExpressionId value : output.values) {
+      const Ingredients made_of = traits[value].ingredients;
+      if ((made_of & uses_rate) != 0) output.takes |= Opcode::velocity;
+      if ((made_of & uses_acceleration) != 0) output.takes |= Opcode::acceleration;
+      if ((made_of & uses_input) != 0) output.takes |= Opcode::input;
+    }
+  }
+}
+
 /// Closed forms are read once it is known which outputs the model has, then judged with the rest,
 /// as is the point a scene expands about.
 void judge(Context& context, const FileSyntax& syntax, const FileSyntax* scene,
            const SceneOptions& options) {
   const bool has_order = check_cycles(context);
-  if (has_order) check_mechanics(context, find_traits(context.model));
+  if (has_order) {
+    const std::vector<Traits> traits = find_traits(context.model);
+    note_arguments(context.model, traits);
+    check_mechanics(context, traits);
+  }
   read_expectations(context, syntax, options.large_expectations);
   if (!options.is_exact) read_approximation(context, scene);
   read_starts(context, options);

@@ -40,6 +40,10 @@ Parts parts(const ConstraintResidual& x) { return {x.position, x.rate}; }
 Parts parts(const ProjectedState& x) { return {x.coordinates, x.rates}; }
 Parts parts(const ConstrainedInverse& x) { return {x.inputs, x.multipliers, x.unbalanced}; }
 
+Parts parts(const OutputDerivatives& x) {
+  return {x.by_position, x.by_velocity, x.by_acceleration, x.by_input};
+}
+
 /// Leaves a, and the multipliers where there are some.
 void leave_out_pivots(Parts& solution) {
   solution[1].clear();
@@ -63,8 +67,9 @@ Fields fields(const Derivation& derivation, const OutputRequest& request, Parts 
     if (entries.empty()) continue;
     const FieldRow row = i < rows.size() ? rows[i] : FieldRow{.name = "diagonal"};
     const std::size_t states = row.rows == Extent::states ? 2 : 1;
-    const std::size_t height =
-        row.columns == Extent::one ? entries.size() : states * derivation.size();
+    const std::size_t height = row.rows == Extent::user     ? request.rows
+                               : row.columns == Extent::one ? entries.size()
+                                                            : states * derivation.size();
     result.push_back(field_of(row.name, entries, height));
   }
   return result;
@@ -80,6 +85,10 @@ Vector user_jacobian(Derivation& derivation, const NamedOutput& output) {
 Vector user_bias(Derivation& derivation, const NamedOutput& output) {
   return output.twist ? twist_bias(derivation, *output.twist)
                       : second_rate(derivation, output.values);
+}
+
+OutputDerivatives user_derivatives(Derivation& derivation, const NamedOutput& output) {
+  return output_derivatives(derivation, output.values);
 }
 
 /// The function of each output, in the order of the table; what is made of others has none.

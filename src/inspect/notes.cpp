@@ -1,7 +1,7 @@
 // Notes read off the model and the scene, without a sampled state: E522 what is used nowhere (one
 // pass over the arena, before anything was locked, marks what is used), E619 the outputs that the
 // built-in scene `full` does without, one note per reason, and E627 a force with tanh, as it stands
-// in for dry friction, in a linearization asked for by name.
+// in for dry friction, in a linearization asked for by name, and E616 inputs of locks.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -87,6 +87,15 @@ Diagnostics inspect_unused(const Inspected& subject) {
 Diagnostics inspect_left_out(const Inspected& subject) {
   Diagnostics notes;
   for (const LeftOut& left_out : subject.scene.left_out) notes.push_back(note(left_out));
+  const Model& whole = whole_of(subject.model);
+  const PlacesLeft inputs = variables_left(whole).inputs;
+  for (std::size_t i = 0; i < whole.inputs.size(); ++i) {
+    if (inputs[i]) continue;
+    notes.push_back({Code::E616, whole.inputs[i].span,
+                     fmt::format("`{}` acts on what the scene locks alone, and is no input of it",
+                                 whole.inputs[i].name),
+                     "`reaction` is the whole force there"});
+  }
   return notes;
 }
 

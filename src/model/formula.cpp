@@ -1,5 +1,7 @@
 // formula: converts expressions to formulas one operation at a time, with the names of the model
 // and as few brackets as keep the tree.
+#include <fmt/format.h>
+
 #include "elgen/leaf_names.hpp"
 #include "model/symbols.hpp"
 
@@ -61,13 +63,15 @@ class FormulaMaker {
   const std::function<Formula(ExpressionId)>& name_;
 };
 
-/// A name for pages, as models cannot write components of frames.
+/// "axis(F, 2, 3)", "x(F)", "wx(F)", "wx(F, F)"
 std::string name_of_component(const Model& model, std::uint32_t index) {
   const std::string& name = model.frames[index / components_per_frame].name;
   const std::uint32_t k = index % components_per_frame;
-  return k < 9 ? "R(" + name + ")[" + std::to_string(k / 3 + 1) + "," + std::to_string(k % 3 + 1) +
-                     "]"
-               : std::string(1, "xyz"[k - 9]) + "(" + name + ")";
+  const std::string axis(1, "xyz"[k % 3]);
+  if (k >= frame_turning) return fmt::format("w{}({}, {})", axis, name, name);
+  if (k >= frame_angular_velocity) return fmt::format("w{}({})", axis, name);
+  if (k >= frame_origin) return fmt::format("{}({})", axis, name);
+  return fmt::format("axis({}, {}, {})", name, k / 3 + 1, k % 3 + 1);
 }
 
 std::string name_in_model(const Model& model, const Expression& node) {
@@ -80,6 +84,8 @@ std::string name_in_model(const Model& model, const Expression& node) {
       return model.definitions[node.index].name;
     case ExpressionKind::point_component:
       return std::string(1, "xyz"[node.index % 3]) + "(" + model.points[node.index / 3].name + ")";
+    case ExpressionKind::body_component:
+      return std::string(1, "xyz"[node.index % 3]) + "(" + model.bodies[node.index / 3].name + ")";
     case ExpressionKind::frame_component:
       return name_of_component(model, node.index);
     case ExpressionKind::time_derivative:

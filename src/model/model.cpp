@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "elgen/references.hpp"
 #include "model/elimination.hpp"
 
 namespace elgen {
@@ -54,8 +55,41 @@ std::uint32_t append_rotation(Model& model, Rotation rotation) {
   return index;
 }
 
+namespace {
+
+PlacesLeft inputs_left(const Model& whole) {
+  PlacesLeft left(whole.inputs.size());
+  const auto is_locked = [&](const std::optional<std::uint32_t>& velocity) {
+    return velocity && std::ranges::any_of(whole.variant.locks, [&](const Lock& lock) {
+             return lock.has_velocity(*velocity);
+           });
+  };
+  if (whole.variant.locks.empty()) return left;
+  std::vector<bool> acts_on_lock(whole.inputs.size(), false);
+  std::vector<bool> acts_elsewhere(whole.inputs.size(), false);
+  const auto note = [&](std::vector<bool>& acts, const std::vector<ExpressionId>& roots) {
+    for (const ExpressionId id : reached(whole, roots)) {
+      const Expression& node = whole.expressions[id];
+      if (is_leaf(node, Opcode::input)) acts[node.index] = true;
+    }
+  };
+  for (const Force& force : whole.forces) {
+    note(is_locked(force.on) ? acts_on_lock : acts_elsewhere, force.value);
+  }
+  for (const UserOutput& output : whole.outputs) note(acts_elsewhere, output.values);
+  for (std::uint32_t i = 0; i < whole.inputs.size(); ++i) {
+    const std::optional<std::uint32_t>& on = whole.inputs[i].on;
+    if (on && !is_locked(on)) acts_elsewhere[i] = true;
+    if ((is_locked(on) || acts_on_lock[i]) && !acts_elsewhere[i]) left.remove(i, 1);
+  }
+  return left;
+}
+
+}  // namespace
+
 VariablesLeft variables_left(const Model& whole) {
-  VariablesLeft left{PlacesLeft(whole.coordinates.size()), PlacesLeft(whole.velocities.size())};
+  VariablesLeft left{PlacesLeft(whole.coordinates.size()), PlacesLeft(whole.velocities.size()),
+                     inputs_left(whole)};
   for (const Held& held : whole.variant.locks) left.remove(held);
   for (const Held& held : whole.variant.cyclic) left.remove(held);
   return left;
@@ -70,12 +104,6 @@ bool eliminates_last_first(const Model& model) {
     carries[*frame.parent] = true;
   }
   return false;
-}
-
-ExpressionId component_of_frame(const Model& model, std::uint32_t index) {
-  const Frame& frame = model.frames[index / components_per_frame];
-  const std::uint32_t k = index % components_per_frame;
-  return k < 9 ? frame.rotation[k] : frame.origin[k - 9];
 }
 
 std::optional<std::uint32_t> open_value(const Model& model, std::uint32_t function,

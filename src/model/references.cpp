@@ -62,14 +62,23 @@ Found search(const Model& model, const std::vector<ExpressionId>& roots,
   return found;
 }
 
-/// Like references(), but a component of a point or a frame refers to all of it.
+ExpressionId component_of_frame(const Frame& frame, std::uint32_t component) {
+  if (component < frame_origin) return frame.rotation[component];
+  if (component < frame_angular_velocity) return frame.origin[component - frame_origin];
+  if (component < frame_turning) return frame.angular_velocity[component - frame_angular_velocity];
+  return frame.turning[component - frame_turning];
+}
+
+/// Like references(), but a component of a point or of the pose of a frame refers to all of it.
 std::vector<ExpressionId> references_by_name(const Model& model, ExpressionId expression) {
   const Expression& e = model.expressions[expression];
   if (e.kind == ExpressionKind::point_component) {
     const Vector3& at = model.points[e.index / 3].at;
     return {at.begin(), at.end()};
   }
-  if (e.kind != ExpressionKind::frame_component) return references(model, expression);
+  const bool is_of_pose = e.kind == ExpressionKind::frame_component &&
+                          e.index % components_per_frame < frame_angular_velocity;
+  if (!is_of_pose) return references(model, expression);
   const Frame& frame = model.frames[e.index / components_per_frame];
   std::vector<ExpressionId> all(frame.rotation.begin(), frame.rotation.end());
   all.insert(all.end(), frame.origin.begin(), frame.origin.end());
@@ -84,20 +93,29 @@ std::vector<ExpressionId> all_of(const Model& model) {
 
 }  // namespace
 
+std::optional<ExpressionId> value_of_name(const Model& model, const Expression& expression) {
+  const std::uint32_t index = expression.index;
+  switch (expression.kind) {
+    case ExpressionKind::prescribed:
+      return model.prescribed[index].value;
+    case ExpressionKind::definition:
+      return model.definitions[index].value;
+    case ExpressionKind::point_component:
+      return model.points[index / 3].at[index % 3];
+    case ExpressionKind::body_component:
+      return model.bodies[index / 3].com[index % 3];
+    case ExpressionKind::frame_component:
+      return component_of_frame(model.frames[index / components_per_frame],
+                                index % components_per_frame);
+    default:
+      return std::nullopt;
+  }
+}
+
 std::vector<ExpressionId> references(const Model& model, ExpressionId expression) {
   const Expression& e = model.expressions[expression];
-  switch (e.kind) {
-    case ExpressionKind::prescribed:
-      return {model.prescribed[e.index].value};
-    case ExpressionKind::definition:
-      return {model.definitions[e.index].value};
-    case ExpressionKind::point_component:
-      return {model.points[e.index / 3].at[e.index % 3]};
-    case ExpressionKind::frame_component:
-      return {component_of_frame(model, e.index)};
-    default:
-      return e.operands;
-  }
+  const std::optional<ExpressionId> value = value_of_name(model, e);
+  return value ? std::vector{*value} : e.operands;
 }
 
 std::vector<ExpressionId> equation_roots(const Model& model) {

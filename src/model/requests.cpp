@@ -54,6 +54,48 @@ std::optional<Lack> lack_of_constraints(const Model& model, const OutputRequest&
               span, "constrained here"};
 }
 
+/// The first function with a kink below the roots.
+const Expression* kink_in(const Model& model, const std::vector<ExpressionId>& roots) {
+  for (const ExpressionId id : reached(model, roots)) {
+    const Expression& node = model.expressions[id];
+    if (node.kind == ExpressionKind::function && is_kinked(node.function)) return &node;
+  }
+  return nullptr;
+}
+
+Lack lack_of_slope(const std::string& noun, const Expression& kink) {
+  return Lack{Code::E603,
+              "needs " + noun +
+                  " with derivatives; `abs`, `sign`, `min` and `max` have none, a smooth "
+                  "stand-in is tanh(x/width)",
+              kink.span, "one is here"};
+}
+
+/// The derivatives of an [[output]].
+std::optional<Lack> lack_of_derivatives(const Model& model, const OutputRequest& request) {
+  const Requirement requirement = output_row(request.kind).requirement;
+  const bool is_jacobian = requirement == Requirement::jacobian;
+  if (!is_jacobian && requirement != Requirement::derivatives) return std::nullopt;
+  const UserOutput& output = model.outputs[request.user];
+  const auto lacks = [&](std::string reason) {
+    return Lack{Code::E603, std::move(reason), output.span, "declared here"};
+  };
+  if (!output.jacobian) return lacks("needs `jacobian = true` in the output's entry");
+  const bool is_of_positions = output.takes == LeafSet();
+  if (is_jacobian && !is_of_positions) {
+    return lacks("needs an output of positions; one of rates, accelerations or inputs has `" +
+                 output.name + "_derivatives`");
+  }
+  if (!is_jacobian && is_of_positions) {
+    return lacks("needs an output of rates, accelerations or inputs; one of positions has `" +
+                 output.name + "_jacobian`");
+  }
+  if (const Expression* const kink = kink_in(model, output.values)) {
+    return lack_of_slope("outputs", *kink);
+  }
+  return std::nullopt;
+}
+
 std::optional<Lack> lack_of(const Model& model, const OutputRequest& request) {
   const Requirement requirement = output_row(request.kind).requirement;
   const bool needs_quadratic =
@@ -96,23 +138,14 @@ std::optional<Lack> lack_of(const Model& model, const OutputRequest& request) {
     }
   }
   const Expression* kink = output_row(request.kind).differentiates ? find_kink(model) : nullptr;
-  if (kink != nullptr) {
-    return Lack{Code::E603,
-                "needs forces with derivatives; `abs`, `sign`, `min` and `max` have none, a smooth "
-                "stand-in is tanh(x/width)",
-                kink->span, "one is here"};
-  }
+  if (kink != nullptr) return lack_of_slope("forces", *kink);
   if (output_row(request.kind).steps && !model.functions.empty()) {
     const OpenFunction& function = model.functions.front();
     return Lack{Code::E633,
                 "needs an expression of `" + function.name + "` in `[functions]` of a scene",
                 function.span, "left open here"};
   }
-  if (requirement == Requirement::jacobian && !model.outputs[request.user].jacobian) {
-    return Lack{Code::E603, "needs `jacobian = true` in the output's entry",
-                model.outputs[request.user].span, "declared here"};
-  }
-  return std::nullopt;
+  return lack_of_derivatives(model, request);
 }
 
 /// In the order of the table; user-defined outputs of a kind are in order of declaration.
@@ -207,10 +240,10 @@ std::vector<LineLabel> line_labels(const Model& model, Extent extent, std::uint3
   return labels;
 }
 
-std::uint32_t first_entry_of(const Model& model, OutputKind kind, std::size_t field) {
+std::uint32_t first_entry_of(const Model& model, const OutputRequest& output, std::size_t field) {
   std::uint32_t first = 0;
-  for (const FieldRow& row : output_row(kind).fields.first(field)) {
-    first += extent_of(model, row.rows) * extent_of(model, row.columns);
+  for (const FieldRow& row : output_row(output.kind).fields.first(field)) {
+    first += extent_of(model, row.rows, output.user) * extent_of(model, row.columns, output.user);
   }
   return first;
 }
@@ -220,6 +253,7 @@ OutputRequest request_of(const Model& model, OutputKind kind, std::uint32_t user
   OutputRequest request;
   request.kind = kind;
   request.user = user;
+  request.takes = row.of_user ? row.takes | model.outputs[user].takes : row.takes;
   request.without_pivots = row.gives_pivots && model.without_pivots;
   request.name =
       row.of_user ? model.outputs[user].name + std::string(row.suffix) : std::string(row.name);
@@ -240,11 +274,7 @@ const Expression* find_kink(const Model& model) {
   for (const Force& force : model.forces) {
     if (!is_held(model, force)) values.insert(values.end(), force.value.begin(), force.value.end());
   }
-  for (const ExpressionId id : reached(model, values)) {
-    const Expression& node = model.expressions[id];
-    if (node.kind == ExpressionKind::function && is_kinked(node.function)) return &node;
-  }
-  return nullptr;
+  return kink_in(model, values);
 }
 
 std::optional<OutputRequest> find_request(const Model& model, std::string_view name) {
@@ -318,7 +348,7 @@ void check_output_names(const Model& model, Report& report) {
     const Span& span = model.outputs[user].span;
     for (const OutputRow& row : output_table()) {
       const bool exists =
-          row.of_user && (row.requirement != Requirement::jacobian || model.outputs[user].jacobian);
+          row.of_user && (row.requirement == Requirement::nothing || model.outputs[user].jacobian);
       if (!exists) continue;
       const OutputRequest request = request_of(model, row.kind, user);
       const bool is_built_in = find_output(request.name) != nullptr;

@@ -48,7 +48,8 @@ struct LineLabel {
                                                  std::uint32_t count);
 
 /// The number of the first entry of a field. It counts every field before it in the output table.
-[[nodiscard]] std::uint32_t first_entry_of(const Model& model, OutputKind kind, std::size_t field);
+[[nodiscard]] std::uint32_t first_entry_of(const Model& model, const OutputRequest& output,
+                                           std::size_t field);
 
 /// The request for a kind, with the shape of its first field; `user` as in extent_of.
 [[nodiscard]] OutputRequest request_of(const Model& model, OutputKind kind, std::uint32_t user);

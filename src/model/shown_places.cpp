@@ -19,6 +19,25 @@ std::optional<std::uint32_t> number_of(const std::vector<ShownPlace>& places, Pl
   return static_cast<std::uint32_t>(found - places.begin());
 }
 
+struct NamedPlace {
+  PlaceKind kind = PlaceKind::point;
+  std::uint32_t index = 0;
+};
+
+/// The place that a node is a component of.
+std::optional<NamedPlace> place_of(const Expression& node) {
+  switch (node.kind) {
+    case ExpressionKind::point_component:
+      return NamedPlace{PlaceKind::point, node.index / 3};
+    case ExpressionKind::body_component:
+      return NamedPlace{PlaceKind::body, node.index / 3};
+    case ExpressionKind::frame_component:
+      return NamedPlace{PlaceKind::frame, node.index / components_per_frame};
+    default:
+      return std::nullopt;
+  }
+}
+
 /// The places whose components stand below the roots, without those that these are written over.
 std::set<std::uint32_t> named_places(const Model& model, const std::vector<ShownPlace>& places,
                                      std::vector<ExpressionId> open) {
@@ -29,10 +48,8 @@ std::set<std::uint32_t> named_places(const Model& model, const std::vector<Shown
     open.pop_back();
     if (!seen.insert(id).second) continue;
     const Expression& node = model.expressions[id];
-    const bool is_point = node.kind == ExpressionKind::point_component;
-    if (is_point || node.kind == ExpressionKind::frame_component) {
-      const auto number = number_of(places, is_point ? PlaceKind::point : PlaceKind::frame,
-                                    node.index / (is_point ? 3 : components_per_frame));
+    if (const std::optional<NamedPlace> place = place_of(node)) {
+      const auto number = number_of(places, place->kind, place->index);
       if (number) named.insert(*number);
     } else {
       for (const ExpressionId each : references(model, id)) open.push_back(each);

@@ -152,6 +152,7 @@ Motion whole_motion(const Model& model, const Motion& motion) {
   whole.q = left.coordinates.spread(motion.q);
   whole.v = left.velocities.spread(motion.v);
   whole.a = left.velocities.spread(motion.a);
+  whole.u = left.inputs.spread(motion.u);
   Evaluation at(model, motion);
   for (const Lock& lock : model.variant.locks) {
     for (std::uint32_t i = 0; i < lock.values.size(); ++i) {

@@ -92,13 +92,11 @@ Jet Evaluation::operand(ExpressionId id, unsigned time_order) const {
 Jet Evaluation::evaluated(const Expression& e, unsigned time_order) {
   switch (e.kind) {
     case ExpressionKind::prescribed:
-      return operand(model_.prescribed[e.index].value, time_order);
     case ExpressionKind::definition:
-      return operand(model_.definitions[e.index].value, time_order);
     case ExpressionKind::point_component:
-      return operand(model_.points[e.index / 3].at[e.index % 3], time_order);
+    case ExpressionKind::body_component:
     case ExpressionKind::frame_component:
-      return operand(component_of_frame(model_, e.index), time_order);
+      return operand(*value_of_name(model_, e), time_order);
     case ExpressionKind::negate:
       return -operand(e.operands[0], time_order);
     case ExpressionKind::add:

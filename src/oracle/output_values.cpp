@@ -2,6 +2,7 @@
 // nothing of the locked model is used but which of its entries stand where.
 #include "oracle/output_values.hpp"
 
+#include <array>
 #include <functional>
 
 #include "elgen/oracle.hpp"
@@ -89,6 +90,16 @@ Values solved(Mechanics& at) {
   return values;
 }
 
+/// w.x, or w.X y of a matrix.
+cl_R contracted_entries(const Values& values, const Contraction& by) {
+  const std::size_t columns = by.y.empty() ? 1 : by.y.size();
+  cl_R sum = 0;
+  for (std::size_t k = 0; k < by.w.size() * columns; ++k) {
+    sum = sum + by.w[k / columns] * values[k] * (by.y.empty() ? cl_R(1) : by.y[k % columns]);
+  }
+  return sum;
+}
+
 Values values_of_user(const Question& of) {
   const Motion motion = motion_of(of.state);
   Evaluation at(of.model, motion);
@@ -113,6 +124,49 @@ Values jacobian_of_user(const Question& of) {
     }
   }
   return values;
+}
+
+/// dy along every leaf of one kind, row-major.
+Values slopes_of_user(const Question& of, std::size_t count,
+                      const std::function<void(Motion&, std::size_t)>& displaced) {
+  const std::vector<ExpressionId>& ids = of.of_user().values;
+  Values values(ids.size() * count);
+  for (std::size_t j = 0; j < count; ++j) {
+    Motion motion = motion_of(of.state);
+    displaced(motion, j);
+    Evaluation at(of.model, motion);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      values[i * count + j] = at.value(ids[i]).coefficient(generator(0));
+    }
+  }
+  return values;
+}
+
+/// dy/dq along N, dy/dv, dy/da, dy/du.
+std::array<Values, 4> derivatives_of_user(const Question& of) {
+  const std::size_t n = of.state.v.size();
+  const auto along = [&of](std::vector<Jet> Motion::*leaf) {
+    const std::size_t count = (motion_of(of.state).*leaf).size();
+    return slopes_of_user(of, count, [leaf, count](Motion& motion, std::size_t j) {
+      displace(motion.*leaf, unit_direction(count, j), generator(0));
+    });
+  };
+  return {slopes_of_user(of, n,
+                         [&](Motion& motion, std::size_t j) {
+                           displace_position(of.model, motion, unit_direction(n, j), generator(0));
+                         }),
+          along(&Motion::v), along(&Motion::a), along(&Motion::u)};
+}
+
+Values all_derivatives_of_user(const Question& of) {
+  Values all;
+  for (const Values& field : derivatives_of_user(of))
+    all.insert(all.end(), field.begin(), field.end());
+  return all;
+}
+
+cl_R contracted_derivatives(const Question& of, const Contraction& by) {
+  return contracted_entries(derivatives_of_user(of).at(by.field), by);
 }
 
 /// d2y/dt2 at a = 0; of a frame d twist/dt.
@@ -162,7 +216,7 @@ Values canonical_rates(const Question& of) {
 template <Values (*values)(const Question&)>
 cl_R contracted_field(const Question& of, const Contraction& by) {
   const Values all = values(of);
-  const std::size_t first = first_entry_of(of.model, of.output.kind, by.field);
+  const std::size_t first = first_entry_of(of.model, of.output, by.field);
   cl_R sum = 0;
   for (std::size_t i = 0; i < by.w.size(); ++i) sum = sum + by.w[i] * all[first + i];
   return sum;
@@ -273,6 +327,7 @@ constexpr OracleRow constrained_inverse_dynamics =
 constexpr OracleRow user_value{values_of_user};
 constexpr OracleRow user_jacobian{jacobian_of_user};
 constexpr OracleRow user_bias{bias_of_user};
+constexpr OracleRow user_derivatives{all_derivatives_of_user, contracted_derivatives};
 
 constexpr OracleRow step{stepped, contracted_field<stepped>};
 
@@ -300,13 +355,7 @@ cl_R contracted_values(const Model& model, const OutputRequest& output, const St
                        const Contraction& by) {
   const Question of{model, output, state};
   if (oracle_row(output).contraction != nullptr) return oracle_row(output).contraction(of, by);
-  const Values values = oracle_row(output).values(of);
-  const std::size_t columns = by.y.empty() ? 1 : by.y.size();
-  cl_R sum = 0;
-  for (std::size_t k = 0; k < by.w.size() * columns; ++k) {
-    sum = sum + by.w[k / columns] * values[k] * (by.y.empty() ? cl_R(1) : by.y[k % columns]);
-  }
-  return sum;
+  return contracted_entries(oracle_row(output).values(of), by);
 }
 
 }  // namespace elgen::oracle

@@ -11,6 +11,7 @@
 #include "elgen/page.hpp"
 #include "formula/drawing.hpp"
 #include "model/output_units.hpp"
+#include "model/requests.hpp"
 #include "model/symbols.hpp"
 #include "print/sections.hpp"
 #include "program/evaluate/conservation.hpp"
@@ -83,8 +84,8 @@ std::string joined(const std::vector<Term>& terms, std::string_view time) {
 
 /// Whether some function depends on more than positions and forces at rest.
 bool knows_motion(const Model& model, const Program& program) {
-  const auto knows = [](const Function& function) {
-    const LeafSet takes = output_row(function.kind).takes;
+  const auto knows = [&model](const Function& function) {
+    const LeafSet takes = request_of(model, function.kind, function.user).takes;
     return function.kind == OutputKind::mass_matrix ||
            takes.has_any(Opcode::velocity | Opcode::momentum | Opcode::acceleration);
   };
@@ -186,9 +187,11 @@ class NamedFormulas {
         Glyphs rate = read_latex("\\frac{d}{dt} \\left( <y> \\right)");
         return symbol(id, replaced(std::move(rate), "y", glyphs_of((*this)(e.operands[0]))));
       }
-      default:  // in a model only the origin of a frame has components
-        return symbol(id,
-                      component(model_.frames[e.index / components_per_frame].name, e.index % 3));
+      case ExpressionKind::body_component:
+        return symbol(id, component(model_.bodies[e.index / 3].name, e.index % 3));
+      default:
+        return symbol(id, component_of_frame(model_.frames[e.index / components_per_frame].name,
+                                             e.index % components_per_frame));
     }
   }
 
@@ -203,6 +206,20 @@ class NamedFormulas {
   [[nodiscard]] static Glyphs component(const std::string& point, std::size_t axis) {
     Glyphs symbol = read_latex(std::string(1, "xyz"[axis]));
     add_script(symbol, 1, symbol_of_name(point));
+    return symbol;
+  }
+
+  /// x_F of the origin; R_{12}, omega_x of the world's axes and Omega_x of its own with F above.
+  [[nodiscard]] static Glyphs component_of_frame(const std::string& frame, std::uint32_t k) {
+    if (k >= frame_origin && k < frame_angular_velocity) return component(frame, k % 3);
+    const std::string_view letter = k < frame_origin    ? "R"
+                                    : k < frame_turning ? "\\omega"
+                                                        : "\\Omega";
+    Glyphs symbol = read_latex(letter);
+    add_script(symbol, 1,
+               read_latex(k < frame_origin ? fmt::format("{}{}", k / 3 + 1, k % 3 + 1)
+                                           : std::string(1, "xyz"[k % 3])));
+    add_script(symbol, 2, symbol_of_name(frame));
     return symbol;
   }
 

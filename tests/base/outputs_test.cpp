@@ -112,8 +112,10 @@ TEST_CASE("functions of momenta are named, and in no struct of those of velociti
                                 OutputKind::hamilton_equations}) {
     CHECK(is_named_only(output_row(kind)));
     CHECK(divides_by_mass(output_row(kind)));
-    CHECK_FALSE(is_repeated(kind));
+    CHECK_FALSE(is_repeated(kind, output_row(kind).takes));
   }
+  CHECK(is_repeated(OutputKind::user_value, Opcode::velocity));
+  CHECK_FALSE(is_repeated(OutputKind::user_value, Opcode::velocity | Opcode::input));
   CHECK_FALSE(is_named_only(output_row(OutputKind::momentum)));
   CHECK_FALSE(divides_by_mass(output_row(OutputKind::momentum)));
 }

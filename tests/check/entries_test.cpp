@@ -242,8 +242,9 @@ TEST_CASE("what forces and outputs may not be") {
        "E403 26:10 `m*x` is in kg*m, but a force is in N\n"},
       {"[[force]]\non = \"x\"\nvalue = \"m*dot(dot(x))\"\n",
        "E502 26:12 `dot(dot(x))` is a second derivative, and a force takes none\n"},
-      {"[[output]]\nname = \"o\"\nvalue = \"dot(x)\"\n",
-       "E319 26:10 `dot(x)` is a rate, and an output takes none\n"},
+      {"[[output]]\nname = \"o\"\nvalue = \"p(x)\"\n",
+       "E319 26:10 `p(x)` is a momentum, and an output takes none | it stands in `[[expect]]`: in "
+       "`conserved`, and in outputs that take momenta\n"},
       {"[[output]]\nname = \"bias\"\nvalue = \"x\"\n",
        "E609 25:9 another output is already called `bias`\n"},
       {"[[output]]\nname = \"o\"\nvalue = \"x\"\njacobian = true\n[[output]]\nname = "

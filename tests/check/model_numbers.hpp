@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "elgen/model.hpp"
+#include "elgen/references.hpp"
 
 namespace elgen::test {
 
@@ -54,10 +55,10 @@ class ModelNumbers {
         if (e.leaf == Opcode::coordinate) return {q_.at(e.index), v_.at(e.index)};
         if (e.leaf == Opcode::velocity) return {v_.at(e.index), 0};
         return {number(model_.parameters[e.index].value), 0};
-      case ExpressionKind::frame_component:
-        return at(component_of_frame(model_, e.index));
       case ExpressionKind::point_component:
-        return at(model_.points[e.index / 3].at[e.index % 3]);
+      case ExpressionKind::body_component:
+      case ExpressionKind::frame_component:
+        return at(*value_of_name(model_, e));
       case ExpressionKind::time_derivative:
         return {at(e.operands[0]).rate, 0};
       default:

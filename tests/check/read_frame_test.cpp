@@ -255,6 +255,35 @@ quaternion = ["2*cos(q/2)", "2*sin(q/2)", "0", "0"]
   CHECK(close(spin(3), {q_rate, 0, 0}));
 }
 
+TEST_CASE("angular velocities from frame to frame are those of R^T dR/dt", "[frames]") {
+  const Model model = checked(with_frames(R"toml([[frame]]
+name = "upper"
+parent = "world"
+rotate = [["z", "q"], [[1, 2, -2], "q*s/l"]]
+[[frame]]
+name = "lower"
+parent = "upper"
+translate = ["l", "0", "s"]
+quaternion = ["1 + s/l", "sin(q)", "q*s/l", "cos(2*q)"]
+[[frame]]
+name = "tip"
+parent = "lower"
+rpy = ["s/l", "0.3", "q^2"]
+)toml"))
+                          .model;
+  const ModelNumbers at(model, {q, s}, {q_rate, s_rate});
+  for (const Frame& frame : model.frames) {
+    INFO(frame.name);
+    const std::vector<double> spin = at.values(frame.spin);
+    const std::vector<double> turn = at.values(frame.rotation);
+    CHECK(close(at.values(frame.turning), spin));
+    Rotation3 rotation{};
+    std::copy(turn.begin(), turn.end(), rotation.begin());
+    CHECK(close(at.values(frame.angular_velocity),
+                listed(rotation * Triple{spin[0], spin[1], spin[2]})));
+  }
+}
+
 TEST_CASE("turns about z and shifts in the plane stay there", "[frames]") {
   for (const char* keys :
        {"translate = [\"l\", \"s\"]\nrotate = [[\"z\", \"q\"]]\n",

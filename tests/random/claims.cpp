@@ -96,6 +96,10 @@ class Anywhere : public Scope {
   }
   int dimension_of(const std::string&) override { return 3; }
   Jet now() override { return drawn(""); }
+  Vector turning_of(const std::string& frame, const std::string& axes) override {
+    const std::string key = "w." + frame + "." + axes;
+    return {drawn(key + ".x"), drawn(key + ".y"), drawn(key + ".z")};
+  }
 
  private:
   Draw& draw_;

@@ -17,6 +17,9 @@ class NoNames : public Scope {
   }
   int dimension_of(const std::string& /*point*/) override { return 0; }
   Jet now() override { throw std::logic_error("time in a constant"); }
+  Vector turning_of(const std::string& frame, const std::string& /*axes*/) override {
+    throw std::logic_error(frame + " in a constant");
+  }
 };
 
 }  // namespace

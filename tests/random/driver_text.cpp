@@ -93,7 +93,9 @@ std::vector<std::string> free_numbers(const Vector& all, const Layout& layout, b
 /// Arguments by name, as lists of numbers.
 std::vector<std::pair<std::string, std::vector<std::string>>> arguments_of(const Trial& trial) {
   std::vector<std::string> inputs;
-  for (const Jet& u : trial.state.u) inputs.push_back(number_literal(u));
+  for (const std::size_t k : acting_inputs(trial.system)) {
+    inputs.push_back(number_literal(trial.state.u[k]));
+  }
   return {{"q", free_numbers(trial.state.q, trial.layout, true)},
           {"v", free_numbers(trial.state.v, trial.layout, false)},
           {"a", free_numbers(trial.state.a, trial.layout, false)},

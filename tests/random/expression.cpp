@@ -65,6 +65,9 @@ std::string printed_leaf(const Node& node) {
       return "v2(" + indexed(node.text, node.element) + ")";
     case NodeKind::distance:
       return "dist2(" + node.text + ", " + node.other + ")";
+    case NodeKind::turning:
+      return std::string("w") + "xyz"[node.first] + "(" + node.text +
+             (node.other.empty() ? "" : ", " + node.other) + ")";
     default:
       return indexed(node.text, node.element);
   }
@@ -132,6 +135,8 @@ Jet leaf_value(const Node& node, Scope& scope) {
       return speed_of(node, scope);
     case NodeKind::distance:
       return distance_of(node, scope);
+    case NodeKind::turning:
+      return scope.turning_of(node.text, node.other).at(static_cast<std::size_t>(node.first));
     default:
       return scope.value_of(node.text, resolved(node, scope));
   }
@@ -161,6 +166,9 @@ Expression component(const std::string& point, int axis, const std::string& elem
 }
 Expression rate(Expression operand) {
   return made({.kind = NodeKind::rate, .operands = {std::move(operand)}});
+}
+Expression turning(const std::string& frame, const std::string& axes, int axis) {
+  return made({.kind = NodeKind::turning, .text = frame, .other = axes, .first = axis});
 }
 Expression call_of(const std::string& function, std::vector<Expression> arguments) {
   return made({.kind = NodeKind::call, .text = function, .operands = std::move(arguments)});

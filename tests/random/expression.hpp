@@ -23,6 +23,7 @@ enum class NodeKind {
   component,  ///< text: a point; first: the axis
   speed,      ///< v2(text)
   distance,   ///< dist2(text, other)
+  turning,    ///< wx(text), or wx(text, other); first: the axis
   rate,       ///< dot(operand)
   sum,        ///< sum(text, first, second, operand)
   negation,
@@ -55,6 +56,7 @@ struct Node {
 [[nodiscard]] Expression component(const std::string& point, int axis,
                                    const std::string& element = "");
 [[nodiscard]] Expression rate(Expression operand);
+[[nodiscard]] Expression turning(const std::string& frame, const std::string& axes, int axis);
 [[nodiscard]] Expression call_of(const std::string& function, std::vector<Expression> arguments);
 [[nodiscard]] Expression raised(Expression base, int numerator, int denominator = 1);
 [[nodiscard]] Expression sum_over(const std::string& variable, int from, int to, Expression body);
@@ -81,6 +83,8 @@ class Scope {
   virtual Jet component_of(const std::string& point, const std::string& element, int axis) = 0;
   virtual int dimension_of(const std::string& point) = 0;
   virtual Jet now() = 0;
+  /// Angular velocity of a frame along the axes of another, "" for the world.
+  virtual Vector turning_of(const std::string& frame, const std::string& axes) = 0;
 
   std::map<std::string, int> indices;  ///< of `for` and `sum`, while they are walked through
 };

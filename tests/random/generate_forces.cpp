@@ -63,6 +63,11 @@ Expression Generator::force_size() {
   const Expression constant = any_constant();
   const Expression v = draw_.one_of(rates_);
   const Expression q = draw_.one_of(positions_);
+  if (!made_.model.frames.empty() && draw_.chance(15)) {
+    const std::string frame = draw_.one_of(made_.model.frames).name;
+    const std::string axes = draw_.chance(50) ? draw_.one_of(made_.model.frames).name : "";
+    return constant * turning(frame, axes, draw_.below(3));
+  }
   switch (draw_.below(7)) {
     case 0:
       return -constant * call_of("tanh", {v / draw_.positive()});

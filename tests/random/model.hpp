@@ -136,6 +136,9 @@ struct System {
   Scene scene;
 };
 
+/// The numbers of the inputs of the scene: those that act on locked coordinates alone are none.
+[[nodiscard]] std::vector<std::size_t> acting_inputs(const System& system);
+
 [[nodiscard]] std::string text_of(const Model& model, const std::vector<Claim>& claims = {});
 [[nodiscard]] std::string text_of(const Scene& scene, const Model& model);
 

@@ -234,6 +234,16 @@ Vector Motion::spin_of(const std::string& frame) {
   return {skew[2][1], skew[0][2], skew[1][0]};
 }
 
+Vector Motion::turning_of(const std::string& frame, const std::string& axes) {
+  const Vector spin = spin_of(frame);
+  if (axes.empty()) return spin;
+  Matrix still = pose_of(axes).R;
+  for (Vector& row : still) {
+    for (Jet& entry : row) entry = entry.without(time_infinitesimal);
+  }
+  return product(transposed(still), spin);
+}
+
 Jet Motion::weight(const Jet& mass, const Vector& position) {
   if (system_.model.gravity.empty()) return {};
   return -mass * dot(evaluated(system_.model.gravity, *this), position);

@@ -56,6 +56,7 @@ class Motion : public Scope {
   Jet component_of(const std::string& point, const std::string& element, int axis) override;
   int dimension_of(const std::string& point) override;
   Jet now() override { return now_; }
+  Vector turning_of(const std::string& frame, const std::string& axes) override;
 
   const Pose& pose_of(const std::string& frame);
   /// Angular velocity in world axes, velocity of the origin.

@@ -1,6 +1,7 @@
 // Draws states and compares what elgen shows.
 #include "random/trial.hpp"
 
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 
@@ -119,6 +120,10 @@ Trial prepared(const System& system, std::uint64_t seed) {
   const Layout layout = layout_of(system.model, system.scene.locks);
   trial.layout = layout;
   trial.state = drawn_state(system, layout, draw);
+  const std::vector<std::size_t> acting = acting_inputs(system);
+  for (std::size_t k = 0; k < trial.state.u.size(); ++k) {
+    if (std::ranges::count(acting, k) == 0) trial.state.u[k] = 0;
+  }
   const ParameterValues parameters = drawn_parameters(system, draw);
   trial.drawn = Truth(trial.system, parameters, trial.state).outputs();
   trial.given = Truth(trial.system, given_parameters(system), trial.state).outputs();

@@ -22,8 +22,9 @@ Matrix column(const Vector& x) { return transposed({x}); }
 /// B, M^-1 (B u - bias), and the pivots' product, which does not depend on the order of
 /// elimination.
 void Truth::add_solutions(const Matrix& M) {
+  const std::vector<std::size_t> acting = acting_inputs(system_);
   Matrix columns;
-  for (std::size_t k = 0; k < state_.u.size(); ++k) {
+  for (const std::size_t k : acting) {
     State moved = state_;
     moved.u[k] += Jet::infinitesimal(second);
     columns.push_back(along(of_free(forces(layout_, moved)), second));
@@ -34,7 +35,9 @@ void Truth::add_solutions(const Matrix& M) {
   Vector right = of_free(torque(layout_, coasting));
   for (std::size_t i = 0; i < right.size(); ++i) {
     right[i] = -right[i];
-    for (std::size_t k = 0; k < columns.size(); ++k) right[i] += columns[k][i] * state_.u[k];
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      right[i] += columns[k][i] * state_.u[acting[k]];
+    }
   }
   keep("forward_dynamics.acceleration", transposed(solved(M, column(right)))[0]);
 }
@@ -83,16 +86,17 @@ void Truth::add_derivatives(const Matrix& M) {
     }
   }
   keep("linearization.A", A);
-  if (state_.u.empty()) return;
+  const std::size_t inputs = acting_inputs(system_).size();
+  if (inputs == 0) return;
   Matrix B;
   const auto& entries = values_["input_matrix"];
   for (std::size_t i = 0; i < n; ++i) {
-    const auto start = entries.begin() + static_cast<long>(i * state_.u.size());
-    B.emplace_back(start, start + static_cast<long>(state_.u.size()));
+    const auto start = entries.begin() + static_cast<long>(i * inputs);
+    B.emplace_back(start, start + static_cast<long>(inputs));
   }
   const Matrix by_input = solved(M, B);
   keep("forward_dynamics_derivatives.by_input", by_input);
-  keep("linearization.B", Matrix(n, Vector(state_.u.size())));
+  keep("linearization.B", Matrix(n, Vector(inputs)));
   keep("linearization.B", by_input);
 }
 

@@ -34,26 +34,10 @@ std::vector<ExpressionId> about_com(NodeBuilder& nodes, const BodyInFrame& body,
 
 }  // namespace
 
-Matrix3 rotation_of(NodeBuilder& nodes, std::uint32_t frame) {
-  Matrix3 result{};
-  for (std::uint32_t k = 0; k < 9; ++k) {
-    result[k] = nodes.named(ExpressionKind::frame_component, components_per_frame * frame + k);
-  }
-  return result;
-}
-
-Vector3 origin_of(NodeBuilder& nodes, std::uint32_t frame) {
-  Vector3 result{};
-  for (std::uint32_t k = 0; k < 3; ++k) {
-    result[k] = nodes.named(ExpressionKind::frame_component, components_per_frame * frame + 9 + k);
-  }
-  return result;
-}
-
 Vector3 world_position(NodeBuilder& nodes, const PlaceInFrame& place) {
   const Matrix3 rotation = rotation_of(nodes, place.frame);
   const Vector3 offset = nodes.apply(rotation, place.at);
-  const Vector3 origin = origin_of(nodes, place.frame);
+  const Vector3 origin = vector_of(nodes, place.frame, frame_origin);
   return nodes.add(origin, offset);
 }
 
@@ -72,7 +56,7 @@ void write_frame_output(Context& context, UserOutput& output) {
   const std::uint32_t frame = *output.frame;
   NodeBuilder nodes(context, output.span);
   const Matrix3 rotation = rotation_of(nodes, frame);
-  const Vector3 origin = origin_of(nodes, frame);
+  const Vector3 origin = vector_of(nodes, frame, frame_origin);
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t column = 0; column < 3; ++column) {
       output.values.push_back(rotation[3 * row + column]);
@@ -94,15 +78,6 @@ void write_frame_output(Context& context, UserOutput& output) {
 Vector3 padded(const std::vector<ExpressionId>& components) {
   Vector3 result{no_expression, no_expression, no_expression};
   std::copy_n(components.begin(), std::min(components.size(), result.size()), result.begin());
-  return result;
-}
-
-Vector3 turned(NodeBuilder& nodes, const Vector3& x, std::optional<std::uint32_t> from,
-               std::optional<std::uint32_t> to) {
-  if (from == to) return x;
-  Vector3 result = x;
-  if (from) result = nodes.apply(rotation_of(nodes, *from), result);
-  if (to) result = nodes.apply_transposed(rotation_of(nodes, *to), result);
   return result;
 }
 

@@ -131,6 +131,50 @@ class ConstraintReader {
 
 }  // namespace
 
+namespace {
+
+/// Whether angles or a quaternion that move turn the frame, or one that carries it.
+bool may_turn(const Context& context, std::optional<std::uint32_t> frame) {
+  for (; frame; frame = context.model.frames[*frame].parent) {
+    for (const FrameStep& step : context.model.frames[*frame].steps) {
+      if (step.kind == FrameStepKind::quaternion) return true;
+      if (step.kind == FrameStepKind::turn && !context.constants[step.angle]) return true;
+    }
+  }
+  return false;
+}
+
+/// The point whose rate dot(x(P)) is the whole expression.
+std::optional<std::uint32_t> point_at_rest(const Model& model, ExpressionId value) {
+  const Expression& node = model.expressions[value];
+  if (node.kind != ExpressionKind::time_derivative) return std::nullopt;
+  const Expression& inner = model.expressions[node.operands[0]];
+  if (inner.kind != ExpressionKind::point_component) return std::nullopt;
+  return inner.index / 3;
+}
+
+/// E541 at the second component of a point.
+void warn_of_material_points(Context& context) {
+  std::vector<std::uint32_t> held;
+  for (const Constraint& row : context.model.constraints) {
+    const auto point = point_at_rest(context.model, row.value);
+    if (row.is_position || !point) continue;
+    held.push_back(*point);
+    const Point& at = context.model.points[*point];
+    if (std::ranges::count(held, *point) != 2 || !at.local) continue;
+    const std::uint32_t frame = at.local->frame;
+    if (!may_turn(context, frame)) continue;
+    context.report.add(Code::E541, row.equation_span,
+                       in_backticks(at.name) + " turns with " +
+                           in_backticks(context.model.frames[frame].name) +
+                           ", so this holds one material point, as a pivot does",
+                       "for a contact that rolls, write the velocity of the centre: `dot(x) = "
+                       "r*wy(F)`");
+  }
+}
+
+}  // namespace
+
 void read_constraints(Context& context, const std::vector<Instance>& instances) {
   const std::vector<Constraint> blanks = std::exchange(context.model.constraints, {});
   for (const auto& [entry, scope, target] : instances) {
@@ -138,6 +182,7 @@ void read_constraints(Context& context, const std::vector<Instance>& instances) 
     ValueReader values(context, scope);
     ConstraintReader(values, *entry, blanks[target]).read();
   }
+  warn_of_material_points(context);
 }
 
 }  // namespace elgen

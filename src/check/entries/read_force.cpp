@@ -128,7 +128,7 @@ void read_force(ValueReader& values, const EntrySyntax& entry, std::uint32_t tar
 
 void read_output(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
   UserOutput& output = values.context().model.outputs[target];
-  const Place place{"an output", place::of_configuration};
+  const Place place{"an output", place::of_state | uses_acceleration | uses_input | uses_kink};
   const KeySyntax* value = entry.find("value");
   const KeySyntax* frame = entry.find("frame");
   if ((value == nullptr) == (frame == nullptr)) {

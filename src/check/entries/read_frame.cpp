@@ -85,15 +85,53 @@ Vector3 spin(NodeBuilder& nodes, const Matrix3& rotation) {
   return result;
 }
 
-/// Fills `rotation`, `origin` and `spin` from the steps and the parent.
+/// The angular velocity of a step against what came before it, in the axes after it: n dangle/dt;
+/// 2 (w de/dt - dw/dt e - e x de/dt)/|q|^2 of a quaternion (w, e); the rates of a rotation.
+Vector3 turning_of(NodeBuilder& nodes, const Model& model, const FrameStep& step) {
+  Vector3 result{};
+  if (step.rotation) {
+    const std::uint32_t first = model.rotations[*step.rotation].first_velocity;
+    for (std::uint32_t i = 0; i < 3; ++i) result[i] = nodes.leaf(Opcode::velocity, first + i);
+    return result;
+  }
+  if (step.kind == FrameStepKind::turn) {
+    const ExpressionId rate = nodes.rate(step.angle);
+    for (std::size_t i = 0; i < 3; ++i) result[i] = nodes.multiply({rate, step.vector[i]});
+    return result;
+  }
+  const auto& q = step.quaternion;
+  std::vector<ExpressionId> squares;
+  std::array<ExpressionId, 4> rates{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    squares.push_back(nodes.power(q[i], 2));
+    rates[i] = nodes.rate(q[i]);
+  }
+  const ExpressionId length = nodes.add(squares);
+  const ExpressionId two = nodes.number(2);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3 + 1;
+    const std::size_t k = (i + 2) % 3 + 1;
+    const ExpressionId gained = nodes.add(
+        {nodes.multiply({two, q[0], rates[i + 1]}), nodes.multiply({two, q[k], rates[j]})});
+    const ExpressionId lost = nodes.add(
+        {nodes.multiply({two, rates[0], q[i + 1]}), nodes.multiply({two, q[j], rates[k]})});
+    const ExpressionId doubled = nodes.subtract(gained, lost);
+    result[i] = nodes.divide(doubled, length);
+  }
+  return result;
+}
+
+/// Fills the pose and the angular velocities from the steps and the parent.
 ///
 ///     before    parent world, translate (l, 0, 0), turn by q about z
-///     after     R = [cos(q), -sin(q), 0; sin(q), cos(q), 0; 0, 0, 1], origin (l, 0, 0)
-void write_pose(Context& context, Frame& frame) {
+///     after     R = [cos(q), -sin(q), 0; sin(q), cos(q), 0; 0, 0, 1], origin (l, 0, 0), turning
+///               (0, 0, dot(q))
+void write_motion(Context& context, Frame& frame) {
   NodeBuilder nodes(context, frame.span);
-  // The pose of the parent by its names, not as copies.
+  // The motion of the parent by its names, not as copies.
   Matrix3 rotation = frame.parent ? rotation_of(nodes, *frame.parent) : nodes.identity();
-  Vector3 origin = frame.parent ? origin_of(nodes, *frame.parent) : Vector3{};
+  Vector3 origin = frame.parent ? vector_of(nodes, *frame.parent, frame_origin) : Vector3{};
+  Vector3 turning = frame.parent ? vector_of(nodes, *frame.parent, frame_turning) : Vector3{};
   for (const FrameStep& step : frame.steps) {
     if (step.kind == FrameStepKind::translation) {
       const Vector3 offset = nodes.apply(rotation, step.vector);
@@ -103,11 +141,18 @@ void write_pose(Context& context, Frame& frame) {
                                ? turn_matrix(nodes, step)
                                : quaternion_matrix(nodes, step.quaternion, !step.rotation);
       rotation = nodes.multiply(rotation, turn);
+      const Vector3 carried = nodes.apply_transposed(turn, turning);
+      turning = nodes.add(carried, turning_of(nodes, context.model, step));
     }
   }
   frame.rotation = rotation;
   frame.origin = origin;
   frame.spin = spin(nodes, rotation);
+  frame.turning = turning;
+  const auto index = static_cast<std::uint32_t>(&frame - context.model.frames.data());
+  const Matrix3 named_rotation = rotation_of(nodes, index);
+  const Vector3 named_turning = vector_of(nodes, index, frame_turning);
+  frame.angular_velocity = nodes.apply(named_rotation, named_turning);
 }
 
 const RootRequest angle_request{{"an angle", place::of_configuration}, find_unit("rad")};
@@ -172,7 +217,7 @@ class FrameReader {
     }
     if (const KeySyntax* translate = entry_.find("translate")) read_translation(translate->value);
     if (const KeySyntax* turned = orientation_of(entry_, report_)) read_orientation(*turned);
-    write_pose(context_, frame_);
+    write_motion(context_, frame_);
   }
 
  private:

@@ -95,6 +95,11 @@ ExpressionId NodeBuilder::call(FunctionId function, ExpressionId argument) {
 
 ExpressionId NodeBuilder::rate(ExpressionId a) {
   if (context_.constants[a]) return no_expression;
+  const Expression& node = context_.model.expressions[a];
+  if (is_leaf(node, Opcode::coordinate)) {
+    const Coordinate& coordinate = context_.model.coordinates[node.index];
+    if (!coordinate.rotation) return leaf(Opcode::velocity, coordinate.velocity);
+  }
   return push({.kind = ExpressionKind::time_derivative, .operands = {a}});
 }
 
@@ -137,6 +142,32 @@ Matrix3 NodeBuilder::identity() {
   return {one,           no_expression, no_expression,
           no_expression, one,           no_expression,
           no_expression, no_expression, one};
+}
+
+Matrix3 rotation_of(NodeBuilder& nodes, std::uint32_t frame) {
+  Matrix3 result{};
+  for (std::uint32_t k = 0; k < 9; ++k) {
+    result[k] = nodes.named(ExpressionKind::frame_component, components_per_frame * frame + k);
+  }
+  return result;
+}
+
+Vector3 vector_of(NodeBuilder& nodes, std::uint32_t frame, FrameComponent first) {
+  Vector3 result{};
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    result[k] =
+        nodes.named(ExpressionKind::frame_component, components_per_frame * frame + first + k);
+  }
+  return result;
+}
+
+Vector3 turned(NodeBuilder& nodes, const Vector3& x, std::optional<std::uint32_t> from,
+               std::optional<std::uint32_t> to) {
+  if (from == to) return x;
+  Vector3 result = x;
+  if (from) result = nodes.apply(rotation_of(nodes, *from), result);
+  if (to) result = nodes.apply_transposed(rotation_of(nodes, *to), result);
+  return result;
 }
 
 }  // namespace elgen

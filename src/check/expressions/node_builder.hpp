@@ -4,6 +4,7 @@
 #include <cln/rational.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "check/names/context.hpp"
@@ -46,5 +47,14 @@ class NodeBuilder {
   Context& context_;
   Span span_;
 };
+
+/// The nine entries of the frame's rotation, and three numbers of it, by their names.
+[[nodiscard]] Matrix3 rotation_of(NodeBuilder& nodes, std::uint32_t frame);
+[[nodiscard]] Vector3 vector_of(NodeBuilder& nodes, std::uint32_t frame, FrameComponent first);
+
+/// Components in the axes of `from` (none: the world) as components in those of `to`: R_to^T R_from
+/// x.
+[[nodiscard]] Vector3 turned(NodeBuilder& nodes, const Vector3& x,
+                             std::optional<std::uint32_t> from, std::optional<std::uint32_t> to);
 
 }  // namespace elgen

@@ -120,6 +120,8 @@ std::optional<Named> named_by(const Model& model, const Expression& node) {
       return named(model.prescribed[node.index]);
     case ExpressionKind::point_component:
       return named(model.points[node.index / 3]);
+    case ExpressionKind::body_component:
+      return named(model.bodies[node.index / 3]);
     case ExpressionKind::frame_component:
       return named(model.frames[node.index / components_per_frame]);
     default:

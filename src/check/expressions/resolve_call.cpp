@@ -1,7 +1,7 @@
-// Resolver, calls: the functions of functions.def, those of composite_functions.def, and those that
-// are expanded here:
+// Resolver, calls: the functions of functions.def, those of composite_functions.def, those of
+// resolve_motion.cpp, and those that are expanded here:
 //
-//     dot(q) -> rate    delta(i, j) -> 0 or 1    x(P) y(P) z(P) -> components    p(q) -> momentum
+//     dot(q) -> rate    delta(i, j) -> 0 or 1    p(q) -> momentum
 //     sum(i, a, b, e) -> e[a] + … + e[b], 0 where b < a
 #include <algorithm>
 #include <array>
@@ -15,8 +15,6 @@
 
 namespace elgen {
 namespace {
-
-constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
 
 constexpr std::array composites{
 #define ELGEN_COMPOSITE(name, arity, definition, in_space) \
@@ -137,13 +135,13 @@ std::optional<ExpressionId> Resolver::resolve_composite(const ExpressionSyntax& 
 std::optional<std::uint32_t> Resolver::common_dimension(const ExpressionSyntax& call) {
   std::vector<std::uint32_t> dimensions;
   for (const ExpressionSyntax& operand : call.operands) {
-    const std::optional<std::uint32_t> point = resolve_point(operand);
-    if (point) dimensions.push_back(context_.model.points[*point].dimension);
+    const std::optional<ResolvedPlace> place = resolve_place(operand);
+    if (place) dimensions.push_back(place->dimension);
   }
   if (dimensions.size() < call.operands.size()) return std::nullopt;
   if (dimensions.front() == dimensions.back()) return dimensions.front();
   context_.report.add(Code::E516, call.span,
-                      "one of the points of " + in_backticks(call.span) + " is planar");
+                      "one of the places of " + in_backticks(call.span) + " is planar");
   return std::nullopt;
 }
 
@@ -219,27 +217,6 @@ std::optional<ExpressionId> Resolver::resolve_delta(const ExpressionSyntax& call
   const auto i = integer_value(call.operands[0], scope_, context_.report);
   const auto j = integer_value(call.operands[1], scope_, context_.report);
   return i && j ? push_number(*i == *j ? 1 : 0, call.span) : std::nullopt;
-}
-
-std::optional<std::uint32_t> Resolver::resolve_point(const ExpressionSyntax& name) {
-  const bool is_name = name.kind == SyntaxKind::name;
-  const DeclaredName* symbol = declared(name, SymbolKind::point, is_name, covered_text(name.span));
-  return symbol == nullptr ? std::nullopt : element(name, *symbol);
-}
-
-std::optional<ExpressionId> Resolver::resolve_component(const ExpressionSyntax& call) {
-  if (!has_arity(call, 1)) return std::nullopt;
-  const std::optional<std::uint32_t> point = resolve_point(call.operands[0]);
-  if (!point) return std::nullopt;
-  const auto axis = static_cast<std::uint32_t>(std::ranges::find(axes, call.text) - axes.begin());
-  if (axis >= context_.model.points[*point].dimension) {
-    context_.report.add(
-        Code::E516, call.span,
-        in_backticks(call.operands[0].span) + " is planar, so it has no " + call.text);
-    return std::nullopt;
-  }
-  return push(
-      {.kind = ExpressionKind::point_component, .index = 3 * *point + axis, .span = call.span});
 }
 
 }  // namespace elgen

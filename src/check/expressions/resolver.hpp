@@ -3,6 +3,7 @@
 
 #include <cln/rational.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -79,8 +80,27 @@ class Resolver {
   std::optional<ExpressionId> resolve_momentum(const ExpressionSyntax& call);
   std::optional<ExpressionId> resolve_sum(const ExpressionSyntax& call);
   std::optional<ExpressionId> resolve_delta(const ExpressionSyntax& call);
+
+  /// The kind and the index of the first of the components of a place.
+  struct ResolvedPlace {
+    ExpressionKind kind = ExpressionKind::point_component;
+    std::uint32_t first = 0;
+    std::uint32_t dimension = 3;
+  };
+  struct ResolvedFrame {
+    std::uint32_t index = 0;
+    bool is_world = true;
+  };
+  std::optional<ResolvedPlace> resolve_place(const ExpressionSyntax& name);
+  void refuse_place(const ExpressionSyntax& name, const DeclaredName* symbol);
+  std::optional<ResolvedFrame> resolve_frame(const ExpressionSyntax& name);
+  bool has_axis(const ExpressionSyntax& call, std::uint32_t dimension, bool is_angular);
+  std::optional<ExpressionId> or_zero(ExpressionId id, const Span& span);
   std::optional<ExpressionId> resolve_component(const ExpressionSyntax& call);
-  std::optional<std::uint32_t> resolve_point(const ExpressionSyntax& name);
+  std::optional<ExpressionId> resolve_velocity(const ExpressionSyntax& call);
+  std::optional<ExpressionId> resolve_angular_velocity(const ExpressionSyntax& call);
+  std::optional<ExpressionId> resolve_axis(const ExpressionSyntax& call);
+
   std::optional<std::uint32_t> common_dimension(const ExpressionSyntax& call);
   bool has_arity(const ExpressionSyntax& call, std::size_t arity);
 

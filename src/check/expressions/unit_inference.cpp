@@ -105,12 +105,18 @@ class UnitInference {
       case ExpressionKind::prescribed:
         return of_prescribed(node.index);
       case ExpressionKind::point_component:
+      case ExpressionKind::body_component:
         return known("m");
       case ExpressionKind::frame_component:
-        return known(node.index % components_per_frame < 9 ? Unit{} : *find_unit("m"));
+        return of_frame_component(node.index % components_per_frame);
       default:
         return of_compound(node, references(model_, id));
     }
+  }
+
+  [[nodiscard]] static InferredUnit of_frame_component(std::uint32_t component) {
+    if (component < frame_origin) return known(Unit{});
+    return known(component < frame_angular_velocity ? "m" : "Hz");
   }
 
   [[nodiscard]] InferredUnit of_leaf(const Expression& node) const {

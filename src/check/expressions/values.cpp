@@ -22,9 +22,9 @@ constexpr std::string_view origin = "origin";
 
 /// Made of numbers and pi only.
 bool names_nothing(const std::vector<Expression>& nodes, ExpressionId first, ExpressionId last) {
-  constexpr std::array names{ExpressionKind::leaf, ExpressionKind::prescribed,
-                             ExpressionKind::definition, ExpressionKind::point_component,
-                             ExpressionKind::frame_component};
+  constexpr std::array names{ExpressionKind::leaf,           ExpressionKind::prescribed,
+                             ExpressionKind::definition,     ExpressionKind::point_component,
+                             ExpressionKind::body_component, ExpressionKind::frame_component};
   return std::none_of(nodes.begin() + first, nodes.begin() + last + 1, [&](const auto& node) {
     return std::ranges::find(names, node.kind) != names.end();
   });

@@ -139,6 +139,14 @@ void read_law(Context& context, const KeySyntax& key) {
                        context.symbols.suggest(key.key, names));
     return;
   }
+  const auto index = static_cast<std::size_t>(input - context.model.inputs.begin());
+  if (!variables_left(context.model).inputs[index]) {
+    context.report.add(
+        {Code::E606, key.key_span,
+         in_backticks(key.key) + " acts on what the scene locks alone, so it has no law", "",
+         input->span, "declared here"});
+    return;
+  }
   const Place place{"the law of an input", place::of_state | uses_kink};
   const std::size_t known = context.roots.size();
   const ExpressionId law = ValueReader(context).root(key.value, {place, std::nullopt});

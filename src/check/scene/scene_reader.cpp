@@ -199,7 +199,9 @@ class SceneReader {
 
   /// `dynamics` has no equations of its own.
   void check_dynamics() {
-    const auto is_member = [](const OutputRequest& output) { return is_repeated(output.kind); };
+    const auto is_member = [](const OutputRequest& output) {
+      return is_repeated(output.kind, output.takes);
+    };
     if (std::ranges::any_of(scene_.outputs, is_member)) return;
     for (const OutputRequest& output : scene_.outputs) {
       if (output_row(output.kind).repeats) {

@@ -12,12 +12,14 @@ namespace elgen {
 namespace {
 
 /// Under a name that no other output has; none without values.
-void add_output(Model& model, ShownValues shown, std::vector<ExpressionId> values) {
+void add_output(Model& model, ShownValues shown, std::vector<ExpressionId> values,
+                LeafSet takes = {}) {
   if (values.empty()) return;
   UserOutput output;
   output.name = fmt::format("shown_{}", name_of(shown));
   while (std::ranges::count(model.outputs, output.name, &UserOutput::name) > 0) output.name += '_';
   output.values = std::move(values);
+  output.takes = takes;
   output.shown = shown;
   output.span = model.name_span;
   model.outputs.push_back(std::move(output));
@@ -54,8 +56,8 @@ std::vector<ExpressionId> laws_of(const Model& model) {
 void add_shown_outputs(Model& model) {
   add_output(model, ShownValues::places, rows_of_places(model));
   add_output(model, ShownValues::masses, masses_of_places(model));
-  add_output(model, ShownValues::laws, laws_of(model));
-  add_output(model, ShownValues::integrals, shown_integrals(model));
+  add_output(model, ShownValues::laws, laws_of(model), Opcode::velocity);
+  add_output(model, ShownValues::integrals, shown_integrals(model), Opcode::velocity);
 }
 
 }  // namespace elgen

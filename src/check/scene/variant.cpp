@@ -49,6 +49,7 @@ class VariantBuilder {
     if (model_.approximation) {
       left_.coordinates.thin(model_.approximation->coordinates);
       left_.coordinates.thin(model_.approximation->small);
+      left_.inputs.thin(model_.approximation->inputs);
     }
     model_.equilibria.clear();
     model_.expectations.clear();
@@ -110,6 +111,10 @@ class VariantBuilder {
     } else if (is_leaf(node, Opcode::velocity) || is_leaf(node, Opcode::acceleration)) {
       const auto index = left_.velocities[node.index];
       index ? void(node.index = *index) : rewrite_rate(node);
+    } else if (is_leaf(node, Opcode::input)) {
+      // One that leaves stands in forces alone that leave, too.
+      const auto index = left_.inputs[node.index];
+      index ? void(node.index = *index) : void(node = {.number = 0, .span = node.span});
     }
   }
 
@@ -149,6 +154,7 @@ class VariantBuilder {
         if (step.rotation) step.rotation = rotations[*step.rotation];
       }
     }
+    left_.inputs.thin(model_.inputs);
     for (Input& input : model_.inputs) {
       if (input.on) input.on = left_.velocities[*input.on];
     }

@@ -194,6 +194,7 @@ Translation::Sized Translation::compose(const Expression& expression) {
     case ExpressionKind::definition:
     case ExpressionKind::prescribed:
     case ExpressionKind::point_component:
+    case ExpressionKind::body_component:
     case ExpressionKind::frame_component:
       return component(expression);
     default:
@@ -255,28 +256,29 @@ Translation::Sized Translation::product(const std::vector<ExpressionId>& operand
   return result;
 }
 
-/// The definition that a name stands for; R of a frame as link_R11 …, its origin as link_x …
+/// The definition that a name stands for; R of a frame as link_R11 …, its origin as link_x …, its
+/// angular velocity as link_wx …, in its own axes as link_spin_x …
 Translation::Sized Translation::component(const Expression& expression) {
   static constexpr std::array<const char*, components_per_frame> suffixes{
-      "_R11", "_R12", "_R13", "_R21", "_R22", "_R23", "_R31", "_R32", "_R33", "_x", "_y", "_z"};
-  const auto defined = [&](ExpressionId value, const std::string& name, Entity origin) {
+      "_R11", "_R12", "_R13", "_R21", "_R22", "_R23", "_R31",    "_R32",    "_R33",
+      "_x",   "_y",   "_z",   "_wx",  "_wy",  "_wz",  "_spin_x", "_spin_y", "_spin_z"};
+  const ExpressionId value = *value_of_name(model_, expression);
+  const auto defined = [&](const std::string& name, Entity origin) {
     return Sized{named(value, name, origin), 1};
   };
   const std::uint32_t i = expression.index;
   switch (expression.kind) {
     case ExpressionKind::definition:
-      return defined(model_.definitions[i].value, model_.definitions[i].identifier,
-                     {EntityKind::definition, i});
+      return defined(model_.definitions[i].identifier, {EntityKind::definition, i});
     case ExpressionKind::prescribed:
-      return defined(model_.prescribed[i].value, model_.prescribed[i].identifier,
-                     {EntityKind::prescribed, i});
+      return defined(model_.prescribed[i].identifier, {EntityKind::prescribed, i});
     case ExpressionKind::point_component:
-      return defined(model_.points[i / 3].at[i % 3], model_.points[i / 3].identifier + axes[i % 3],
-                     {EntityKind::point, i / 3});
+      return defined(model_.points[i / 3].identifier + axes[i % 3], {EntityKind::point, i / 3});
+    case ExpressionKind::body_component:
+      return defined(model_.bodies[i / 3].identifier + axes[i % 3], {EntityKind::body, i / 3});
     default: {
       const std::uint32_t frame = i / components_per_frame;
-      return defined(component_of_frame(model_, i),
-                     model_.frames[frame].identifier + suffixes[i % components_per_frame],
+      return defined(model_.frames[frame].identifier + suffixes[i % components_per_frame],
                      {EntityKind::frame, frame});
     }
   }
@@ -304,7 +306,8 @@ void Translation::define_named() {
     Expression entry = model_.expressions[id];
     if (entry.kind != ExpressionKind::frame_component) continue;
     entry.index -= entry.index % components_per_frame;
-    for (std::uint32_t k = 0; k < components_per_frame; ++k, ++entry.index) (void)component(entry);
+    const std::uint32_t end = entry.index + frame_angular_velocity;  // of the pose
+    for (; entry.index < end; ++entry.index) (void)component(entry);
   }
 }
 

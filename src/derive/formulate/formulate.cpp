@@ -298,6 +298,10 @@ class Formulation {
       }
       lagrangian_.locked.push_back(std::move(locked));
     }
+    const PlacesLeft inputs = variables_left(model_).inputs;
+    for (std::uint32_t i = 0; i < model_.inputs.size(); ++i) {
+      if (!inputs[i]) lagrangian_.held_inputs.push_back(i);
+    }
     for (const Cyclic& cyclic : model_.variant.cyclic) {
       lagrangian_.cyclic.push_back({cyclic, {lagrangian_.symbols.parameters[cyclic.parameter]}});
     }

@@ -166,7 +166,7 @@ std::vector<const OutputEquations*> equations_for(const EquationsOfMotion& equat
   for (const OutputEquations& output : equations.outputs) {
     const bool is_wanted =
         output_row(request.kind).repeats
-            ? is_repeated(output.request.kind)
+            ? is_repeated(output.request.kind, output.request.takes)
             : output.request.kind == request.kind && output.request.user == request.user;
     if (is_wanted) wanted.push_back(&output);
   }

@@ -128,6 +128,21 @@ Vector jacobian(Derivation& derivation, const Terms& values) {
   return entries;
 }
 
+OutputDerivatives output_derivatives(Derivation& derivation, const Terms& values) {
+  OutputDerivatives result;
+  result.by_position = jacobian(derivation, values);
+  const auto by = [&](const Vector& leaves, Vector& entries) {
+    for (const ex& value : values) {
+      const Vector row = gradient(derivation.definitions, {{value, 1}}, leaves);
+      entries.insert(entries.end(), row.begin(), row.end());
+    }
+  };
+  by(derivation.symbols.v, result.by_velocity);
+  by(derivation.symbols.a, result.by_acceleration);
+  by(derivation.symbols.u, result.by_input);
+  return result;
+}
+
 Vector second_rate(Derivation& derivation, const Terms& values) {
   Vector entries;
   for (const ex& value : values) {

@@ -94,6 +94,15 @@ enum class Bodies : unsigned char { all, without_frames };
 /// dy/dq of each value, one reverse pass per row.
 [[nodiscard]] Vector jacobian(Derivation& derivation, const Terms& values);
 
+/// dy/dq (along N where dq/dt = N v), dy/dv, dy/da and dy/du of each value, one reverse pass each.
+struct OutputDerivatives {
+  Vector by_position;
+  Vector by_velocity;
+  Vector by_acceleration;
+  Vector by_input;
+};
+[[nodiscard]] OutputDerivatives output_derivatives(Derivation& derivation, const Terms& values);
+
 /// d2y/dt2 at a = 0.
 [[nodiscard]] Vector second_rate(Derivation& derivation, const Terms& values);
 

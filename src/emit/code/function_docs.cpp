@@ -36,7 +36,20 @@ std::string shape_text(const Field& field, const Emission& emission) {
   return is_interpreted ? "A number" : "Scalar";
 }
 
-std::string equation_text(const OutputRow& row, const Model& model) {
+/// "y(q, v, a)": of what its text names.
+std::string value_text(const OutputRow& row, const UserOutput& output) {
+  std::string arguments = "q";
+  for (const LeafRow& leaf : leaf_table()) {
+    if (output.takes.has_any(leaf.id)) arguments += fmt::format(", {}", leaf.symbol);
+  }
+  return fmt::format("{0} = {0}({1})", row.symbol.text, arguments);
+}
+
+std::string equation_text(const Function& function, const Model& model) {
+  const OutputRow& row = output_row(function.kind);
+  if (function.kind == OutputKind::user_value) {
+    return value_text(row, model.outputs[function.user]);
+  }
   const std::string_view equation = equation_of(row, setting_of(model)).text;
   const bool is_whole = equation.find(" = ") != std::string_view::npos;
   if (is_whole || equation == row.symbol.text) return std::string(equation);
@@ -132,7 +145,7 @@ Lines shown_equations(const FunctionText& text) {
   if (row.repeats) return {};
   if (row.steps) return step_lines(text.function);
   const Lines all = listing(text);
-  Lines lines = {equation_text(row, text.model), ""};
+  Lines lines = {equation_text(text.function, text.model), ""};
   append(lines, all.size() > longest_listing ? Lines{too_long_note(text)} : all);
   return lines;
 }

@@ -133,15 +133,11 @@ std::vector<std::string> parameter_members(const Model& model, const LeafNames& 
 
 std::vector<Opcode> arguments_of(const Model& model, const Function& function) {
   LeafSet taken = Opcode::parameter | Opcode::coordinate | output_row(function.kind).takes;
+  if (output_row(function.kind).of_user) taken |= model.outputs[function.user].takes;
   const bool mass_takes_velocity = function.kind == OutputKind::mass_matrix && !model.quadratic;
   if (mass_takes_velocity) taken |= Opcode::velocity;
   if (model.uses_time) taken |= Opcode::time;
   if (!model.open_values.empty()) taken |= Opcode::open_value;
-  if (function.kind == OutputKind::user_value) {
-    for (const Instruction& i : function.instructions) {
-      if (operand_count(i) == 0 && i.opcode != Opcode::constant) taken |= i.opcode;
-    }
-  }
   std::vector<Opcode> list;
   for (const LeafRow& leaf : leaf_table()) {
     if (taken.has_any(leaf.id)) list.push_back(leaf.id);

@@ -74,6 +74,7 @@ class ModelExpressions {
       case ExpressionKind::prescribed:
       case ExpressionKind::definition:
       case ExpressionKind::point_component:
+      case ExpressionKind::body_component:
       case ExpressionKind::frame_component:
         return known_[needs(id).front()].form;
       case ExpressionKind::negate:

@@ -41,6 +41,7 @@ StateFunction::Rated StateFunction::value_of(const Expression& node, ExpressionI
     case ExpressionKind::prescribed:
     case ExpressionKind::definition:
     case ExpressionKind::point_component:
+    case ExpressionKind::body_component:
     case ExpressionKind::frame_component:
       return known_[references(model_, id).front()];
     case ExpressionKind::negate:

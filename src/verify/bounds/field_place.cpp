@@ -60,7 +60,8 @@ std::vector<FieldPlace> field_places(const Subject& subject, std::size_t index) 
     place.request = request_of(subject, function, field);
     place.request_field = number_of_field(place.request.kind, field.name);
     if (!holds_others) {
-      place.first_oracle = first_entry_of(subject.model, function.kind, place.request_field);
+      place.first_oracle = first_entry_of(
+          subject.model, {.kind = function.kind, .user = function.user}, place.request_field);
     }
     first += field.entries.size();
     places.push_back(std::move(place));

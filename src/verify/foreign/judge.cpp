@@ -89,7 +89,7 @@ std::string name_of_entry(const Model& model, const OutputRequest& output, std::
 
 /// "inputs", "accelerations": what an output takes of both.
 std::string_view drive_of(const OutputRequest& output) {
-  const LeafSet takes = output_row(output.kind).takes;
+  const LeafSet takes = output.takes;
   if (!takes.has_any(Opcode::acceleration)) return "inputs";
   return takes.has_any(Opcode::input) ? "inputs or accelerations" : "accelerations";
 }
@@ -303,7 +303,7 @@ std::string ForeignJudge::convention() const {
 LeafNames leaves_for(const Model& model, const std::vector<OutputRequest>& outputs) {
   LeafNames leaves = leaf_names(model);
   for (const OutputRequest& output : outputs) {
-    const LeafSet takes = output_row(output.kind).takes;
+    const LeafSet takes = output.takes;
     if (takes.has_any(Opcode::momentum)) leaves.momenta = leaves.v;
     if (takes.has_any(Opcode::step)) leaves.h = leaf_row(Opcode::step).symbol;
   }

@@ -95,6 +95,35 @@ Balance output_bias_balance(ExactValues& at, std::uint32_t user) {
                      {twist(rate, turning, rate, in_world), -1, axes}});
 }
 
+/// dy along a unit change of each leaf of one kind, row-major.
+Values slopes_along(ExactValues& at, std::uint32_t user, std::vector<Real> Arguments<Real>::*leaf) {
+  const std::size_t rows = at.value(K::user_value, user).size();
+  const std::size_t count = (at.arguments().*leaf).size();
+  Values values(rows * count);
+  for (std::size_t j = 0; j < count; ++j) {
+    Arguments<Real> unit = at.at_rest();
+    (unit.*leaf)[j] = Real(1);
+    const Values column = at.slopes(K::user_value, unit, user);
+    for (std::size_t i = 0; i < rows; ++i) values[i * count + j] = column[i];
+  }
+  return values;
+}
+
+Balance derivatives_balance(ExactValues& at, std::uint32_t user) {
+  const std::size_t rows = at.value(K::user_value, user).size();
+  const std::size_t n = at.size();
+  Values slopes(rows * n);
+  for (std::size_t j = 0; j < n; ++j) {
+    const Values column = at.slopes(K::user_value, unit_position(at, j), user);
+    for (std::size_t i = 0; i < rows; ++i) slopes[i * n + j] = column[i];
+  }
+  for (const auto leaf : {&Arguments<Real>::v, &Arguments<Real>::a, &Arguments<Real>::u}) {
+    const Values more = slopes_along(at, user, leaf);
+    slopes.insert(slopes.end(), more.begin(), more.end());
+  }
+  return balance_of({{at.value(K::user_derivatives, user)}, {slopes, -1}});
+}
+
 }  // namespace
 
 const std::vector<OutputIdentity>& output_identities() {
@@ -103,6 +132,8 @@ const std::vector<OutputIdentity>& output_identities() {
        "J = d(omega; dp/dt)/dv, [omega]x = dR/dt R^T", jacobian_balance},
       {K::user_bias, "output bias by dual numbers", "bias = d^2 y/dt^2 at a = 0",
        "bias = d(omega; dp/dt)/dt at a = 0", output_bias_balance},
+      {K::user_derivatives, "derivatives by dual numbers", "dy/dq, dy/dv, dy/da, dy/du", "",
+       derivatives_balance},
   };
   return table;
 }

@@ -1,0 +1,184 @@
+// Resolver, places and frames:
+//
+//     x(P)         component of a place: a point, the origin of a frame, the com of a body in one
+//     vx(P, G)     component along an axis of G of the velocity of a place against the world
+//     wx(F)        component of the angular velocity of a frame, or of the frame of a body, against
+//                  the world: along the world's axis
+//     wx(F, G)     along that of G
+//     axis(F, i, j)   component i in the world of axis j of F: R_ij
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+#include "check/expressions/node_builder.hpp"
+#include "check/expressions/resolver.hpp"
+
+namespace elgen {
+namespace {
+
+/// 0 for x, wx and vx.
+std::uint32_t axis_of(const ExpressionSyntax& call) {
+  return static_cast<std::uint32_t>(call.text.back() - 'x');
+}
+
+bool is_named(const DeclaredName* symbol, SymbolKind kind) {
+  return symbol != nullptr && symbol->kind == kind;
+}
+
+/// None: the world.
+template <class Frame>
+std::optional<std::uint32_t> number_of(const Frame& frame) {
+  return frame.is_world ? std::nullopt : std::optional(frame.index);
+}
+
+}  // namespace
+
+std::optional<Resolver::ResolvedPlace> Resolver::resolve_place(const ExpressionSyntax& name) {
+  const bool is_name = name.kind == SyntaxKind::name;
+  const DeclaredName* const symbol = context_.symbols.find(name.text);
+  const DeclaredName* const frame = context_.frames.find(name.text);
+  const Model& model = context_.model;
+  if (is_name && is_named(symbol, SymbolKind::point)) {
+    const auto index = element(name, *symbol);
+    if (!index) return std::nullopt;
+    return ResolvedPlace{ExpressionKind::point_component, 3 * *index,
+                         model.points[*index].dimension};
+  }
+  if (is_name && frame != nullptr) {
+    const auto index = element(name, *frame);
+    if (!index) return std::nullopt;
+    return ResolvedPlace{ExpressionKind::frame_component,
+                         components_per_frame * *index + frame_origin,
+                         context_.dimension == 2 ? 2U : 3U};
+  }
+  if (is_name && is_named(symbol, SymbolKind::body)) {
+    const auto index = element(name, *symbol);
+    if (!index) return std::nullopt;
+    const Body& body = model.bodies[*index];
+    if (body.local)
+      return ResolvedPlace{ExpressionKind::body_component, 3 * *index, body.dimension};
+  }
+  refuse_place(name, symbol);
+  return std::nullopt;
+}
+
+void Resolver::refuse_place(const ExpressionSyntax& name, const DeclaredName* symbol) {
+  if (context_.symbols.has_failed(name.text) || context_.frames.has_failed(name.text)) return;
+  if (name.kind == SyntaxKind::name && is_named(symbol, SymbolKind::body)) {
+    context_.report.add(Code::E201, name.span, in_backticks(name.span) + " is no place here",
+                        "the com of a body in a frame is one, in forces, energies, constraints and "
+                        "outputs; elsewhere name a point, or a frame for its origin");
+    return;
+  }
+  std::vector<std::string> names = context_.symbols.names({SymbolKind::point, SymbolKind::body});
+  for (std::string& each : context_.frames.names()) names.push_back(std::move(each));
+  context_.report.add(Code::E201, name.span, "unknown place " + in_backticks(name.span),
+                      context_.symbols.suggest(name.text, names));
+}
+
+std::optional<Resolver::ResolvedFrame> Resolver::resolve_frame(const ExpressionSyntax& name) {
+  if (name.kind == SyntaxKind::name && name.operands.empty() && name.text == world) {
+    return ResolvedFrame{};
+  }
+  const DeclaredName* const symbol = context_.symbols.find(name.text);
+  const bool is_frame = context_.frames.find(name.text) != nullptr;
+  if (name.kind == SyntaxKind::name && !is_frame && is_named(symbol, SymbolKind::body)) {
+    const auto index = element(name, *symbol);
+    if (!index) return std::nullopt;
+    const auto& local = context_.model.bodies[*index].local;
+    if (local) return ResolvedFrame{local->com.frame, false};
+    context_.report.add(Code::E201, name.span, in_backticks(name.span) + " is in no frame here",
+                        "the axes of a body are those of its `frame`");
+    return std::nullopt;
+  }
+  const DeclaredName* const frame =
+      declared(name, SymbolKind::frame, name.kind == SyntaxKind::name, covered_text(name.span));
+  if (frame == nullptr) return std::nullopt;
+  const auto index = element(name, *frame);
+  if (!index) return std::nullopt;
+  return ResolvedFrame{*index, false};
+}
+
+bool Resolver::has_axis(const ExpressionSyntax& call, std::uint32_t dimension, bool is_angular) {
+  const std::uint32_t axis = axis_of(call);
+  if (dimension == 3 || (is_angular ? axis == 2 : axis < 2)) return true;
+  context_.report.add(
+      Code::E516, call.span,
+      in_backticks(call.operands[0].span) + " is planar, so it has no " + call.text);
+  return false;
+}
+
+/// A root of its own where there is nothing.
+std::optional<ExpressionId> Resolver::or_zero(ExpressionId id, const Span& span) {
+  return id == no_expression ? push_number(0, span) : std::optional(id);
+}
+
+std::optional<ExpressionId> Resolver::resolve_component(const ExpressionSyntax& call) {
+  if (!has_arity(call, 1)) return std::nullopt;
+  const std::optional<ResolvedPlace> place = resolve_place(call.operands[0]);
+  if (!place || !has_axis(call, place->dimension, false)) return std::nullopt;
+  return push({.kind = place->kind, .index = place->first + axis_of(call), .span = call.span});
+}
+
+std::optional<ExpressionId> Resolver::resolve_velocity(const ExpressionSyntax& call) {
+  if (call.operands.size() == 1) {
+    const std::string place(covered_text(call.operands[0].span));
+    context_.report.add(
+        Code::E309, call.span,
+        in_backticks(call.text) + " is along the axes of a frame, which is missing",
+        fmt::format("along those of the world it is `dot({}({}))`", call.text.back(), place));
+    return std::nullopt;
+  }
+  if (!has_arity(call, 2)) return std::nullopt;
+  const std::optional<ResolvedPlace> place = resolve_place(call.operands[0]);
+  const std::optional<ResolvedFrame> axes = resolve_frame(call.operands[1]);
+  if (!place || !axes || !has_axis(call, place->dimension, false)) return std::nullopt;
+  NodeBuilder nodes(context_, call.span);
+  Vector3 velocity{};
+  for (std::uint32_t i = 0; i < place->dimension; ++i) {
+    const ExpressionId component = nodes.named(place->kind, place->first + i);
+    velocity[i] = nodes.rate(component);
+  }
+  return or_zero(turned(nodes, velocity, std::nullopt, number_of(*axes))[axis_of(call)], call.span);
+}
+
+std::optional<ExpressionId> Resolver::resolve_angular_velocity(const ExpressionSyntax& call) {
+  const bool has_axes = call.operands.size() == 2;
+  if (!has_axes && !has_arity(call, 1)) return std::nullopt;
+  const std::optional<ResolvedFrame> frame = resolve_frame(call.operands[0]);
+  std::optional<ResolvedFrame> axes{ResolvedFrame{}};
+  if (has_axes) axes = resolve_frame(call.operands[1]);
+  if (!frame || !axes || !has_axis(call, context_.dimension, true)) return std::nullopt;
+  if (frame->is_world) return push_number(0, call.span);
+  NodeBuilder nodes(context_, call.span);
+  const bool is_own = !axes->is_world && frame->index == axes->index;
+  const Vector3 turning =
+      vector_of(nodes, frame->index, is_own ? frame_turning : frame_angular_velocity);
+  const std::optional<std::uint32_t> to = is_own ? std::nullopt : number_of(*axes);
+  return or_zero(turned(nodes, turning, std::nullopt, to)[axis_of(call)], call.span);
+}
+
+std::optional<ExpressionId> Resolver::resolve_axis(const ExpressionSyntax& call) {
+  if (!has_arity(call, 3)) return std::nullopt;
+  const std::optional<ResolvedFrame> frame = resolve_frame(call.operands[0]);
+  if (!frame) return std::nullopt;
+  std::array<std::int64_t, 2> places{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto number = integer_value(call.operands[i + 1], scope_, context_.report);
+    if (!number) return std::nullopt;
+    if (*number < 1 || *number > 3) {
+      context_.report.add(Code::E318, call.operands[i + 1].span,
+                          in_backticks(call.operands[i + 1].span) + " is not from 1 to 3");
+      return std::nullopt;
+    }
+    places[i] = *number - 1;
+  }
+  if (frame->is_world) return push_number(places[0] == places[1] ? 1 : 0, call.span);
+  const auto entry = static_cast<std::uint32_t>(3 * places[0] + places[1]);
+  return push({.kind = ExpressionKind::frame_component,
+               .index = components_per_frame * frame->index + frame_rotation + entry,
+               .span = call.span});
+}
+
+}  // namespace elgen
