@@ -108,28 +108,9 @@ Values values_of_user(const Question& of) {
   return values;
 }
 
-/// dy/dq; of a frame the twist, which is linear in the rates: its coefficient of each.
-Values jacobian_of_user(const Question& of) {
-  const std::vector<ExpressionId>& ids = of.differentiated();
-  const std::size_t n = of.state.v.size();
-  Values values(ids.size() * n);
-  for (std::size_t j = 0; j < n; ++j) {
-    Motion motion = motion_of(of.state);
-    const Direction unit = unit_direction(n, j);
-    if (of.is_twist()) displace(motion.v, unit, generator(0));
-    if (!of.is_twist()) displace_position(of.model, motion, unit, generator(0));
-    Evaluation at(of.model, motion);
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-      values[i * n + j] = at.value(ids[i]).coefficient(generator(0));
-    }
-  }
-  return values;
-}
-
-/// dy along every leaf of one kind, row-major.
-Values slopes_of_user(const Question& of, std::size_t count,
-                      const std::function<void(Motion&, std::size_t)>& displaced) {
-  const std::vector<ExpressionId>& ids = of.of_user().values;
+/// Slopes of expressions along `count` changes of the motion, row-major.
+Values slopes_of(const Question& of, const std::vector<ExpressionId>& ids, std::size_t count,
+                 const std::function<void(Motion&, std::size_t)>& displaced) {
   Values values(ids.size() * count);
   for (std::size_t j = 0; j < count; ++j) {
     Motion motion = motion_of(of.state);
@@ -142,20 +123,34 @@ Values slopes_of_user(const Question& of, std::size_t count,
   return values;
 }
 
+/// By the leaves of one kind.
+Values slopes_by(const Question& of, const std::vector<ExpressionId>& ids,
+                 std::vector<Jet> Motion::*leaf) {
+  const std::size_t count = (motion_of(of.state).*leaf).size();
+  return slopes_of(of, ids, count, [leaf, count](Motion& motion, std::size_t j) {
+    displace(motion.*leaf, unit_direction(count, j), generator(0));
+  });
+}
+
+/// By q, along N.
+Values slopes_by_position(const Question& of, const std::vector<ExpressionId>& ids) {
+  const std::size_t n = of.state.v.size();
+  return slopes_of(of, ids, n, [&of, n](Motion& motion, std::size_t j) {
+    displace_position(of.model, motion, unit_direction(n, j), generator(0));
+  });
+}
+
+/// dy/dq; of a frame the twist, which is linear in the rates: its coefficient of each.
+Values jacobian_of_user(const Question& of) {
+  return of.is_twist() ? slopes_by(of, of.differentiated(), &Motion::v)
+                       : slopes_by_position(of, of.differentiated());
+}
+
 /// dy/dq along N, dy/dv, dy/da, dy/du.
 std::array<Values, 4> derivatives_of_user(const Question& of) {
-  const std::size_t n = of.state.v.size();
-  const auto along = [&of](std::vector<Jet> Motion::*leaf) {
-    const std::size_t count = (motion_of(of.state).*leaf).size();
-    return slopes_of_user(of, count, [leaf, count](Motion& motion, std::size_t j) {
-      displace(motion.*leaf, unit_direction(count, j), generator(0));
-    });
-  };
-  return {slopes_of_user(of, n,
-                         [&](Motion& motion, std::size_t j) {
-                           displace_position(of.model, motion, unit_direction(n, j), generator(0));
-                         }),
-          along(&Motion::v), along(&Motion::a), along(&Motion::u)};
+  const std::vector<ExpressionId>& ids = of.of_user().values;
+  return {slopes_by_position(of, ids), slopes_by(of, ids, &Motion::v),
+          slopes_by(of, ids, &Motion::a), slopes_by(of, ids, &Motion::u)};
 }
 
 Values all_derivatives_of_user(const Question& of) {

@@ -129,10 +129,6 @@ class ConstraintReader {
   Constraint blank_;
 };
 
-}  // namespace
-
-namespace {
-
 /// Whether angles or a quaternion that move turn the frame, or one that carries it.
 bool may_turn(const Context& context, std::optional<std::uint32_t> frame) {
   for (; frame; frame = context.model.frames[*frame].parent) {

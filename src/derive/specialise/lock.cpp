@@ -43,17 +43,6 @@ std::shared_ptr<const Lagrangian> without_definitions(Lagrangian& lagrangian) {
   return copy;
 }
 
-void remove_inputs(Lagrangian& lagrangian) {
-  PlacesLeft left(lagrangian.symbols.u.size());
-  for (const std::uint32_t input : lagrangian.held_inputs) left.remove(input, 1);
-  const auto remove = [&](const LeafRow& row, auto& list) {
-    if (row.of == LeafOwner::inputs) left.thin(list);
-  };
-  for_each_list(remove, lagrangian.symbols);
-  for_each_list(remove, lagrangian.leaves);
-  lagrangian.held_inputs.clear();
-}
-
 }  // namespace
 
 void lock(Lagrangian& lagrangian) {
@@ -72,7 +61,6 @@ void lock(Lagrangian& lagrangian) {
   }
   if (!holding.velocities.empty()) holding.whole = without_definitions(lagrangian);
   remove_variables(lagrangian, lagrangian.locked, holding.values);
-  remove_inputs(lagrangian);
   if (holding.whole) lagrangian.holding = std::move(holding);
 }
 

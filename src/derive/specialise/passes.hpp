@@ -20,7 +20,7 @@ void lock(Lagrangian& lagrangian);
 void routh(Lagrangian& lagrangian);
 
 /// Values take the place of the locked or of the cyclic variables of the Lagrangian, whose rows,
-/// columns and leaves are gone.
+/// columns and leaves are gone, and the held inputs with them.
 void remove_variables(Lagrangian& lagrangian, std::vector<HeldVariable>& variables,
                       const Seeds& values);
 

@@ -82,11 +82,16 @@ void remove_variables(Lagrangian& lagrangian, std::vector<HeldVariable>& variabl
                       const Seeds& values) {
   replace(lagrangian, values);
   Symbols& symbols = lagrangian.symbols;
-  VariablesLeft left{PlacesLeft(symbols.q.size()), PlacesLeft(symbols.v.size())};
+  VariablesLeft left{PlacesLeft(symbols.q.size()), PlacesLeft(symbols.v.size()),
+                     PlacesLeft(symbols.u.size())};
   for (const Held& variable : std::exchange(variables, {})) left.remove(variable);
+  for (const std::uint32_t input : std::exchange(lagrangian.held_inputs, {})) {
+    left.inputs.remove(input, 1);
+  }
   const auto remove = [&](const LeafRow& row, auto& list) {
     if (row.of == LeafOwner::coordinates) left.coordinates.thin(list);
     if (row.of == LeafOwner::velocities) left.velocities.thin(list);
+    if (row.of == LeafOwner::inputs) left.inputs.thin(list);
   };
   for_each_list(remove, symbols);
   for_each_list(remove, lagrangian.leaves);

@@ -95,31 +95,28 @@ Balance output_bias_balance(ExactValues& at, std::uint32_t user) {
                      {twist(rate, turning, rate, in_world), -1, axes}});
 }
 
-/// dy along a unit change of each leaf of one kind, row-major.
-Values slopes_along(ExactValues& at, std::uint32_t user, std::vector<Real> Arguments<Real>::*leaf) {
+/// Appends dy along `count` unit changes, row-major.
+template <class Unit>
+void append_slopes(Values& slopes, ExactValues& at, std::uint32_t user, std::size_t count,
+                   const Unit& unit) {
   const std::size_t rows = at.value(K::user_value, user).size();
-  const std::size_t count = (at.arguments().*leaf).size();
-  Values values(rows * count);
+  const std::size_t first = slopes.size();
+  slopes.resize(first + rows * count);
   for (std::size_t j = 0; j < count; ++j) {
-    Arguments<Real> unit = at.at_rest();
-    (unit.*leaf)[j] = Real(1);
-    const Values column = at.slopes(K::user_value, unit, user);
-    for (std::size_t i = 0; i < rows; ++i) values[i * count + j] = column[i];
+    const Values column = at.slopes(K::user_value, unit(j), user);
+    for (std::size_t i = 0; i < rows; ++i) slopes[first + i * count + j] = column[i];
   }
-  return values;
 }
 
 Balance derivatives_balance(ExactValues& at, std::uint32_t user) {
-  const std::size_t rows = at.value(K::user_value, user).size();
-  const std::size_t n = at.size();
-  Values slopes(rows * n);
-  for (std::size_t j = 0; j < n; ++j) {
-    const Values column = at.slopes(K::user_value, unit_position(at, j), user);
-    for (std::size_t i = 0; i < rows; ++i) slopes[i * n + j] = column[i];
-  }
+  Values slopes;
+  append_slopes(slopes, at, user, at.size(), [&](std::size_t j) { return unit_position(at, j); });
   for (const auto leaf : {&Arguments<Real>::v, &Arguments<Real>::a, &Arguments<Real>::u}) {
-    const Values more = slopes_along(at, user, leaf);
-    slopes.insert(slopes.end(), more.begin(), more.end());
+    append_slopes(slopes, at, user, (at.arguments().*leaf).size(), [&](std::size_t j) {
+      Arguments<Real> unit = at.at_rest();
+      (unit.*leaf)[j] = Real(1);
+      return unit;
+    });
   }
   return balance_of({{at.value(K::user_derivatives, user)}, {slopes, -1}});
 }
