@@ -49,6 +49,12 @@ std::vector<PageVariable> functions(const Model& model, const Formulas& symbols)
   return list;
 }
 
+/// "pi/10" as written, where no short number is equal to it.
+std::string value_text(const Model& model, const cln::cl_R& value,
+                       const std::optional<ExpressionId>& form) {
+  return form ? to_string(model, *form) : exact_text(value);
+}
+
 /// "0.5"; "0.3, 0.4"; "0.3 each"; with "(fixed)" if the value is a number in the code.
 std::string value_text(const Model& model, const Scene& scene, const ParameterArray& array) {
   std::string text;
@@ -58,8 +64,10 @@ std::string value_text(const Model& model, const Scene& scene, const ParameterAr
   for (std::uint32_t i = array.first; i < array.first + array.count; ++i) {
     const auto fixed = scene.specialisation.fixed.find(i);
     const bool has_value = fixed == scene.specialisation.fixed.end();
+    const Parameter& parameter = model.parameters[i];
     const std::string value =
-        exact_text(has_value ? model.parameters[i].value : fixed->second.number);
+        has_value ? value_text(model, parameter.value, parameter.form)
+                  : value_text(model, fixed->second.number, fixed->second.form);
     if (i == array.first) first = value;
     is_uniform = is_uniform && value == first;
     is_fixed = is_fixed && !has_value;

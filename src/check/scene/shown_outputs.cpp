@@ -6,12 +6,14 @@
 #include <vector>
 
 #include "check/scene/scene.hpp"
+#include "elgen/references.hpp"
 #include "model/shown_places.hpp"
 
 namespace elgen {
 namespace {
 
-/// Under a name that no other output has; none without values.
+/// Under a name that no other output has; none without values. Laws and integrals may name t in a
+/// model whose equations do not.
 void add_output(Model& model, ShownValues shown, std::vector<ExpressionId> values,
                 LeafSet takes = {}) {
   if (values.empty()) return;
@@ -20,6 +22,8 @@ void add_output(Model& model, ShownValues shown, std::vector<ExpressionId> value
   while (std::ranges::count(model.outputs, output.name, &UserOutput::name) > 0) output.name += '_';
   output.values = std::move(values);
   output.takes = takes;
+  const auto names_time = [&](ExpressionId id) { return holds_leaf(model, id, Opcode::time); };
+  if (std::ranges::any_of(output.values, names_time)) output.takes |= Opcode::time;
   output.shown = shown;
   output.span = model.name_span;
   model.outputs.push_back(std::move(output));
