@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "elgen/inertial_parameters.hpp"
 #include "elgen/leaf_names.hpp"
 #include "elgen/leaves.hpp"
 #include "elgen/model.hpp"
@@ -141,6 +142,14 @@ struct PointMass {
   Entity origin;
 };
 
+/// The moments of inertia of a body outside of frames, about the axes of its angular velocity w:
+/// adds 1/2 w.I w to T.
+struct TurningBody {
+  std::vector<GiNaC::ex> spin;     ///< w, or w_z
+  std::vector<GiNaC::ex> inertia;  ///< xx yy zz xy xz yz, or zz
+  Entity origin;
+};
+
 /// A force F in world axes at p: generalized force (dp/dq)^T F.
 struct PointForce {
   std::array<GiNaC::ex, 3> position;
@@ -251,12 +260,17 @@ struct Lagrangian {
   std::optional<std::array<GiNaC::ex, 3>> gravity = {};
   std::vector<GiNaC::ex> kinetic = {};      ///< further terms of T
   std::size_t kinetic_of_bodies = 0;        ///< the first of them: 1/2 w.I w of bodies
+  std::size_t kinetic_of_armatures = 0;     ///< the last of them, or of L: 1/2 J v^2
   std::vector<GiNaC::ex> potential = {};    ///< further terms of V
   std::vector<GiNaC::ex> dissipation = {};  ///< terms of D
   std::vector<GiNaC::ex> lagrangian =
       {};  ///< terms of L where it is given whole; then the above are empty
   std::vector<GiNaC::ex> forces = {};  ///< generalized force on each velocity, inputs included
   std::vector<PointForce> point_forces = {};
+  /// The parts of these terms, for the regressor: J by velocity, 0 where there is none.
+  std::vector<TurningBody> turning_bodies = {};
+  std::vector<GiNaC::ex> armatures = {};
+  std::vector<InertialParameter> inertial = {};  ///< of the model without what it holds
   FrameTree tree = {};  ///< of an expansion or R it carries nothing but outputs
   std::vector<ConstraintEquation> constraints = {};
   std::vector<NamedOutput> outputs = {};

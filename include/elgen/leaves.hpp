@@ -109,8 +109,8 @@ template <class T>
 /// derivations.
 inline constexpr LeafSet never_passed = Opcode::energy | Opcode::multiplier;
 
-/// Whether emitted functions may take the kind: open values only where there are some, momenta
-/// where a function of theirs has given them names.
+/// Whether emitted functions may take the kind: open values only where there are some, momenta and
+/// reference velocities where a function of theirs has given them names.
 template <class T>
 [[nodiscard]] bool is_passed(const LeafValues<T>& leaves, Opcode kind) {
   return !never_passed.has_any(kind) && (!is_optional(kind) || leaf_count(leaves, kind) > 0);

@@ -338,6 +338,10 @@ struct Model {
   /// Accelerations, momenta, t and h that `--state` gives, by their texts: "dot(dot(theta))".
   std::map<std::string, cln::cl_R> stated = {};
 
+  /// Parameters in which the forces are affine together, which the regressor has columns of
+  /// (inertial_parameters.hpp).
+  std::vector<std::uint32_t> regressed = {};
+
   bool quadratic = true;        ///< T - V (or L) is at most quadratic in the rates
   bool without_pivots = false;  ///< of forward_dynamics, unless a scene says otherwise
   /// t occurs in an energy, a point, a force or an output: every function takes t

@@ -84,7 +84,8 @@ struct LeafRow {
 /// Whether they exist for emitted functions only where a system has some, or where a function takes
 /// them: the other lists are passed though they are empty.
 [[nodiscard]] inline bool is_optional(Opcode leaf) {
-  return leaf_row(leaf).of == LeafOwner::open_values || leaf == Opcode::momentum;
+  return leaf_row(leaf).of == LeafOwner::open_values || leaf == Opcode::momentum ||
+         leaf == Opcode::reference;
 }
 
 /// A set of kinds of leaves.

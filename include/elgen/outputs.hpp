@@ -35,6 +35,7 @@ enum class Extent : std::uint8_t {
   cyclic,       ///< the coordinates that [routh] takes out
   constraints,  ///< a row stands for the rate of its equation
   positions,    ///< the constraints on positions; a row stands for its equation
+  inertial,     ///< the parameters of the regressor (inertial_parameters.hpp)
   pivots,       ///< of the velocities, then of the constraints
   user
 };
@@ -63,6 +64,8 @@ enum class Requirement : std::uint8_t {
   cyclic,
   constraints,
   constrained_inputs,  ///< constraints, and inputs that they leave free
+  inertial,            ///< parameters of a regressor, and forces that are affine in them
+  polarised,           ///< the same of a Lagrangian quadratic in v
   jacobian,            ///< of an output of positions alone
   derivatives,         ///< the same of one of rates, accelerations or inputs
 };
@@ -94,6 +97,7 @@ struct OutputRow {
   std::string_view name = {};  ///< as in scenes, options and emitted code, where it is built in
   Notation symbol = {};
   LeafSet takes = {};  ///< arguments beside parameters and q (and t where t occurs)
+  bool takes_parameters_alone = false;
   std::span<const FieldRow> fields = {};
   Notation equation = {};
   Notation turning_equation = {};         ///< with rotations, where it is another

@@ -22,6 +22,8 @@ constexpr Row velocity{"v", "Velocities<Scalar>", 6, "dot({})", "{}_dot",
                        R"(\dot{s})", "s"};
 constexpr Row momentum{"momenta", "Momenta<Scalar>", 11, "p({})", "p_{}",
                        "p_{s}", "p_{s}"};
+constexpr Row reference{"reference", "Velocities<Scalar>", 14, "reference({})", "{}_reference",
+                        R"(\dot{s}_{r})", "s_{r}"};
 constexpr Row acceleration{"a", "Accelerations<Scalar>", 7, "dot(dot({}))", "{}_ddot",
                            R"(\ddot{s})", R"(\dot{s})"};
 constexpr Row multiplier{"lambda", "Multipliers<Scalar>", 13, "lambda_{}", "lambda_{}",

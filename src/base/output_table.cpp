@@ -10,7 +10,8 @@ std::string_view name_of(Form form) { return form == Form::closed ? "closed" : "
 bool is_repeated(OutputKind kind, LeafSet takes) {
   const OutputRow& row = output_row(kind);
   const LeafSet repeated = std::ranges::find(output_table(), true, &OutputRow::repeats)->takes;
-  return (repeated | row.takes | takes) == repeated && !row.repeats && row.fields.size() == 1;
+  const bool is_function = !row.repeats && !row.takes_parameters_alone;
+  return (repeated | row.takes | takes) == repeated && is_function && row.fields.size() == 1;
 }
 
 const FieldRow& field_row(OutputKind kind, std::string_view name) {

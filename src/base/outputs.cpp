@@ -313,6 +313,7 @@ constexpr OutputRow cyclic_rates{
     .doc = "Rates of the cyclic coordinates that were taken out, at their momenta.",
     .requirement = R::cyclic};
 
+#include "base/regressor_rows.def"
 #include "base/user_rows.def"
 
 constexpr OutputRow dynamics{

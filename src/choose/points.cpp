@@ -59,8 +59,9 @@ std::vector<bool> unbounded_arguments(const Function& text, const Model& model) 
 }
 
 bool is_motion(Opcode kind) {
-  return kind == Opcode::velocity || kind == Opcode::momentum || kind == Opcode::acceleration ||
-         kind == Opcode::input;
+  constexpr LeafSet kinds = Opcode::velocity | Opcode::momentum | Opcode::reference |
+                            Opcode::acceleration | Opcode::input;
+  return kinds.has_any(kind);
 }
 
 class Making {

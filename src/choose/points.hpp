@@ -23,7 +23,7 @@
 
 namespace elgen {
 
-/// Whether a function takes rates, momenta, accelerations or inputs.
+/// Whether a function takes rates, momenta, reference velocities, accelerations or inputs.
 [[nodiscard]] bool has_motion(const Function& function);
 
 /// `text` is the recursive form of the function. If it takes no rates, `zeros` are approached. No

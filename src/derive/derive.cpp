@@ -40,6 +40,8 @@ Parts parts(const ConstraintResidual& x) { return {x.position, x.rate}; }
 Parts parts(const ProjectedState& x) { return {x.coordinates, x.rates}; }
 Parts parts(const ConstrainedInverse& x) { return {x.inputs, x.multipliers, x.unbalanced}; }
 
+Parts parts(const Regressor& x) { return {x.matrix, x.rest}; }
+
 Parts parts(const OutputDerivatives& x) {
   return {x.by_position, x.by_velocity, x.by_acceleration, x.by_input};
 }
@@ -221,10 +223,13 @@ Result<EquationsOfMotion> derive(const Lagrangian& lagrangian,
   }
   equations.symbols = derivation.symbols;
   equations.leaves = lagrangian.leaves;
-  const bool takes_momenta = std::ranges::any_of(outputs, [](const OutputRequest& request) {
-    return output_row(request.kind).takes.has_any(Opcode::momentum);
-  });
-  if (takes_momenta) equations.leaves.momenta = equations.leaves.v;
+  const auto takes = [&outputs](Opcode leaf) {
+    return std::ranges::any_of(outputs, [leaf](const OutputRequest& request) {
+      return output_row(request.kind).takes.has_any(leaf);
+    });
+  };
+  if (takes(Opcode::momentum)) equations.leaves.momenta = equations.leaves.v;
+  if (takes(Opcode::reference)) equations.leaves.reference = equations.leaves.v;
   equations.definitions = std::move(derivation.definitions);
   return equations;
 }

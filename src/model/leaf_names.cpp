@@ -40,6 +40,7 @@ LeafNames leaf_names(const Model& model) {
   const auto single = [](Opcode kind) { return kind == Opcode::time ? "t" : ""; };
   LeafNames leaves{leaves_of<std::string>(model, name, single), model.uses_time};
   leaves.momenta.clear();
+  leaves.reference.clear();
   for (const Parameter& p : model.parameters) leaves.assumptions.push_back(p.assumption);
   return leaves;
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "elgen/inertial_parameters.hpp"
+
 namespace elgen {
 namespace {
 
@@ -49,6 +51,8 @@ MaybeUnit unit_along(const Model& model, Extent extent, std::size_t i) {
                                               : unit_in(model.constraints, i);
     case Extent::positions:
       return unit_of_position(model, i);
+    case Extent::inertial:
+      return unit_in(inertial_parameters(model), i);
     case Extent::pivots:
     case Extent::states:
     case Extent::user:

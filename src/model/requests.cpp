@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "elgen/inertial_parameters.hpp"
 #include "elgen/references.hpp"
 
 namespace elgen {
@@ -96,10 +97,27 @@ std::optional<Lack> lack_of_derivatives(const Model& model, const OutputRequest&
   return std::nullopt;
 }
 
+std::optional<Lack> lack_of_regressor(const Model& model) {
+  if (has_routhian(model)) {
+    return Lack{Code::E603,
+                "needs forces that are affine in masses, and those of `[routh]` are not",
+                model.variant.cyclic.front().span, "it takes a coordinate out here"};
+  }
+  if (model.approximation) {
+    return Lack{Code::E603, "is exact, and `[approximate]` asks for an expansion",
+                model.approximation->span, "it is expanded here"};
+  }
+  if (!inertial_parameters(model).empty()) return std::nullopt;
+  return lacking(
+      "needs a body, a point with a mass, an armature, or parameters that `[regressor]` of a scene "
+      "names");
+}
+
 std::optional<Lack> lack_of(const Model& model, const OutputRequest& request) {
   const Requirement requirement = output_row(request.kind).requirement;
-  const bool needs_quadratic =
-      requirement == Requirement::quadratic || requirement == Requirement::energies;
+  const bool needs_quadratic = requirement == Requirement::quadratic ||
+                               requirement == Requirement::energies ||
+                               requirement == Requirement::polarised;
   if (needs_quadratic && !model.quadratic) {
     const bool is_of_momenta = output_row(request.kind).takes.has_any(Opcode::momentum);
     return Lack{is_of_momenta ? Code::E534 : Code::E505,
@@ -127,6 +145,9 @@ std::optional<Lack> lack_of(const Model& model, const OutputRequest& request) {
   }
   if (requirement == Requirement::cyclic && model.variant.cyclic.empty()) {
     return lacking("needs a coordinate in `[routh]`");
+  }
+  if (requirement == Requirement::inertial || requirement == Requirement::polarised) {
+    if (const std::optional<Lack> lack = lack_of_regressor(model)) return lack;
   }
   if (const std::optional<Lack> lack = lack_of_constraints(model, request)) return lack;
   if (output_row(request.kind).of_user && has_routhian(model)) {
@@ -212,6 +233,8 @@ std::uint32_t extent_of(const Model& model, Extent kind, std::uint32_t user) {
           std::ranges::count(model.constraints, true, &Constraint::is_position));
     case Extent::pivots:
       return static_cast<std::uint32_t>(model.velocities.size() + model.constraints.size());
+    case Extent::inertial:
+      return static_cast<std::uint32_t>(inertial_parameters(model).size());
     case Extent::user:
       return static_cast<std::uint32_t>(model.outputs[user].values.size());
     case Extent::one:
@@ -229,6 +252,7 @@ std::vector<LineLabel> line_labels(const Model& model, Extent extent, std::uint3
   const bool has_pivots = extent == Extent::pivots;
   if (extent == Extent::coordinates) add(model.coordinates);
   if (extent == Extent::inputs) add(model.inputs);
+  if (extent == Extent::inertial) add(inertial_parameters(model));
   if (extent == Extent::velocities || has_states || has_pivots) add(model.velocities);
   if (has_states) add(model.velocities, true);
   if (extent == Extent::constraints || has_pivots) add(model.constraints);

@@ -260,6 +260,7 @@ ModelSymbols::ModelSymbols(const Model& model, const LeafNames& names) {
     const bool is_named = i < names.momenta.size();
     add(leaves_.momenta, Opcode::momentum,
         is_named ? leaf_text(names, Opcode::momentum, i) : leaf_text(model, Opcode::momentum, i));
+    add(leaves_.reference, Opcode::reference, leaf_text(model, Opcode::reference, i));
     add(leaves_.a, Opcode::acceleration, leaf_text(model, Opcode::acceleration, i));
   }
   leaves_.parameters.resize(model.parameters.size());

@@ -9,6 +9,7 @@
 #include "model/requests.hpp"
 #include "oracle/constraints.hpp"
 #include "oracle/mechanics.hpp"
+#include "oracle/regressor.hpp"
 #include "oracle/rotations.hpp"
 #include "oracle/solved_dynamics.hpp"
 
@@ -162,6 +163,38 @@ Values all_derivatives_of_user(const Question& of) {
 
 cl_R contracted_derivatives(const Question& of, const Contraction& by) {
   return contracted_entries(derivatives_of_user(of).at(by.field), by);
+}
+
+bool has_reference(const Question& of) {
+  return output_row(of.output.kind).takes.has_any(Opcode::reference);
+}
+
+/// Y, then rest: forces of unit vectors, and of none.
+Values all_of_regressor(const Question& of) {
+  const std::size_t n = of.state.v.size();
+  const std::size_t count = extent_of(of.model, Extent::inertial);
+  std::vector<Direction> units;
+  for (std::size_t i = 0; i < n; ++i) units.push_back(unit_direction(n, i));
+  const auto forces_of = [&](const Values& parameters) {
+    return forces_of_parameters(of.model, of.state, parameters, units, has_reference(of));
+  };
+  const Values rest = forces_of(Values(count, 0));
+  Values all(n * count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Values forces = forces_of(unit_direction(count, k));
+    for (std::size_t i = 0; i < n; ++i) all[i * count + k] = forces[i] - rest[i];
+  }
+  all.insert(all.end(), rest.begin(), rest.end());
+  return all;
+}
+
+/// w.Y y, or w.rest.
+cl_R contracted_regressor(const Question& of, const Contraction& by) {
+  const auto force = [&](const Values& parameters) {
+    return forces_of_parameters(of.model, of.state, parameters, {by.w}, has_reference(of)).front();
+  };
+  const cl_R rest = force(Values(extent_of(of.model, Extent::inertial), 0));
+  return by.field == 1 ? rest : force(by.y) - rest;
 }
 
 /// d2y/dt2 at a = 0; of a frame d twist/dt.
@@ -318,6 +351,11 @@ constexpr OracleRow constraint_bias = columns_of_constraints<oracle::constraint_
 constexpr OracleRow projected = columns_of_constraints<oracle::projected>;
 constexpr OracleRow constrained_inverse_dynamics =
     columns_of_constraints<oracle::constrained_inverse>;
+
+constexpr OracleRow regressor{all_of_regressor, contracted_regressor};
+constexpr OracleRow regressor_reference = regressor;
+constexpr OracleRow regressor_parameters{
+    [](const Question& of) { return oracle::regressor_parameters(of.model, of.state); }};
 
 constexpr OracleRow user_value{values_of_user};
 constexpr OracleRow user_jacobian{jacobian_of_user};

@@ -65,9 +65,9 @@ std::string value_text(const Model& model, const Scene& scene, const ParameterAr
     const auto fixed = scene.specialisation.fixed.find(i);
     const bool has_value = fixed == scene.specialisation.fixed.end();
     const Parameter& parameter = model.parameters[i];
-    const std::string value =
-        has_value ? value_text(model, parameter.value, parameter.form)
-                  : value_text(model, fixed->second.number, fixed->second.form);
+    const std::string value = has_value
+                                  ? value_text(model, parameter.value, parameter.form)
+                                  : value_text(model, fixed->second.number, fixed->second.form);
     if (i == array.first) first = value;
     is_uniform = is_uniform && value == first;
     is_fixed = is_fixed && !has_value;

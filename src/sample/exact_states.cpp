@@ -42,8 +42,8 @@ void draw_parameters(const Model& model, const FixedParameters& fixed, Sampler& 
 }  // namespace
 
 void draw_motion(const Model& model, Sampler& draw, std::size_t turn, State& state) {
-  constexpr LeafSet undrawn =
-      Opcode::parameter | Opcode::step | Opcode::momentum | Opcode::energy | Opcode::multiplier;
+  constexpr LeafSet undrawn = Opcode::parameter | Opcode::step | Opcode::momentum |
+                              Opcode::reference | Opcode::energy | Opcode::multiplier;
   const cln::cl_RA& scale = scales()[turn % scales().size()];
   const auto set = [&](Opcode kind, std::uint32_t number, cl_R& value) {
     if (undrawn.has_any(kind)) return;
@@ -55,9 +55,10 @@ void draw_motion(const Model& model, Sampler& draw, std::size_t turn, State& sta
     }
   };
   for_each_leaf(set, state);
-  // By a copy, so that momenta leave all that follows as it is.
-  Sampler of_momenta = draw;
-  for (cl_R& p : state.momenta) p = of_momenta.number() * scale;
+  // By a copy, so that these leave all that follows as it is.
+  Sampler of_few = draw;
+  for (cl_R& p : state.momenta) p = of_few.number() * scale;
+  for (cl_R& v : state.reference) v = of_few.number() * scale;
   make_unit_quaternions(model, state);
 }
 
@@ -84,8 +85,10 @@ State with_leaves(const Model& model, State state, const std::vector<StatedLeaf>
   scale_to_length_one(model, state);
   OracleValues momenta = oracle_values(model, {.kind = OutputKind::momentum}, state);
   if (momenta) state.momenta = std::move(*momenta);
+  state.reference = state.v;
   for (std::uint32_t i = 0; i < state.momenta.size(); ++i) {
     place(Opcode::momentum, i, state.momenta[i]);
+    place(Opcode::reference, i, state.reference[i]);
   }
   return state;
 }

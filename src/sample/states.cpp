@@ -43,10 +43,11 @@ LeafValues<double> values_of(const StateSpace& space) {
                     nominal_state(space.model, space.scene));
 }
 
-/// Parameters keep their values, and E follows from the others; momenta and h are drawn where a
-/// function takes them.
+/// Parameters keep their values, and E follows from the others; momenta, reference velocities and h
+/// are drawn where a function takes them.
 bool is_drawn(const LeafNames& leaves, Opcode kind) {
   if (kind == Opcode::momentum) return !leaves.momenta.empty();
+  if (kind == Opcode::reference) return !leaves.reference.empty();
   if (kind == Opcode::step) return !leaves.h.empty();
   return kind != Opcode::parameter && !never_passed.has_any(kind);
 }
@@ -144,7 +145,7 @@ class Extremes {
     }
   }
 
-  /// And momenta, where functions take them.
+  /// And momenta and reference velocities, where functions take them.
   void set_rates(std::string name, double size) {
     LeafValues<double>& values = add(std::move(name));
     const auto set = [&](std::vector<double>& all) {
@@ -152,6 +153,7 @@ class Extremes {
     };
     set(values.v);
     if (is_drawn(space_.leaves, Opcode::momentum)) set(values.momenta);
+    if (is_drawn(space_.leaves, Opcode::reference)) set(values.reference);
   }
 
   /// Every second parameter times `ratio`.

@@ -130,7 +130,7 @@ class DeclarationText {
     const auto expression = [this](const std::string& name) {
       return fmt::format(fmt::runtime(row_.array), name_space(input_.scene), name);
     };
-    for (const DeclaredArray& array : declared_arrays(input_.model)) {
+    for (const DeclaredArray& array : declared_arrays(input_.model, input_.program)) {
       if (array.size() == 0 && row_.header == ArtifactId::c99) continue;
       add("the size of " + array.name, fmt::format(fmt::runtime(row_.size), expression(array.name)),
           static_cast<double>(array.size()));

@@ -61,7 +61,7 @@ TemplateData parameters_data(const DriverInput& input) {
 /// The numbers that a module declares, in the order in which the driver says them.
 std::vector<DeclaredNumber> declared_numbers(const DriverInput& input) {
   std::vector<DeclaredNumber> all;
-  for (const DeclaredArray& array : declared_arrays(input.model)) {
+  for (const DeclaredArray& array : declared_arrays(input.model, input.program)) {
     all.push_back({"the size of " + array.name, 0, static_cast<double>(array.size())});
     const std::vector<DeclaredNumber> numbers = numbers_of(array);
     all.insert(all.end(), numbers.begin(), numbers.end());
@@ -76,7 +76,7 @@ std::vector<DeclaredNumber> declared_numbers(const DriverInput& input) {
 }
 
 TemplateData arrays_data(const DriverInput& input) {
-  return rows_data(declared_arrays(input.model), [](const DeclaredArray& array) {
+  return rows_data(declared_arrays(input.model, input.program), [](const DeclaredArray& array) {
     return TemplateRow{{"name", array.name},
                        {"numbers", section_if(array.kind != DeclaredArray::Kind::texts)}};
   });

@@ -39,6 +39,8 @@ std::size_t size_of(Extent extent) {
       return 19;
     case Extent::pivots:
       return 23;
+    case Extent::inertial:
+      return 29;
     case Extent::user:
       return 13;
   }

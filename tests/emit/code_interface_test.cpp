@@ -168,7 +168,7 @@ TEST_CASE("a header declares names, units and ranges, each of its own") {
   model.velocities[1].rate_range = Interval{-2, 2};
   model.inputs[0].limits = Interval{-3, 3};
   std::vector<std::string> names;
-  for (const DeclaredArray& array : declared_arrays(model)) {
+  for (const DeclaredArray& array : declared_arrays(model, {})) {
     names.push_back(array.name);
     if (array.name == "coordinate_ranges") CHECK(array.intervals[1]->high == 1);
     if (array.name == "rate_ranges") CHECK(array.intervals[1]->high == 2);

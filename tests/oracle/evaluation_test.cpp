@@ -16,7 +16,7 @@ namespace {
 /// x = 2, v = 3, a = 5, u = 7, p = 11, t = 13
 struct Fixture {
   ModelBuilder b;
-  Motion motion{{11}, {}, {2}, {3}, {}, {5}, {}, {7}, 13};
+  Motion motion{{11}, {}, {2}, {3}, {}, {}, {5}, {}, {7}, 13};
 
   Fixture() { b.coordinate("x").input("u").parameter("p", "11"); }
 
@@ -113,7 +113,7 @@ V = "V"
 )toml"))
                           .model;
   // V = 1, V_1 = 2, V_2 = 3, V_11 = 5, V_12 = 7, V_22 = 11 at x = 1/2, y = 0
-  Motion motion{{}, {1, 2, 3, 5, 7, 11}, {cl_R(1) / 2, 0}, {4, 6}, {}, {0, 0}, {}, {}, 0};
+  Motion motion{{}, {1, 2, 3, 5, 7, 11}, {cl_R(1) / 2, 0}, {4, 6}, {}, {}, {0, 0}, {}, {}, 0};
   const ExpressionId potential = *model.energies.V;
   CHECK(Evaluation(model, motion).value(potential).real() == 1);
   // d(x^2)/dt = 4, dy/dt = 6; d2(x^2)/dt2 = 32

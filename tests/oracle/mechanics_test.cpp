@@ -41,7 +41,7 @@ struct Found {
 
 /// At x = 2, y = 3, dx/dt = 5, dy/dt = 7.
 Found energies_of(const ModelBuilder& b) {
-  const Motion motion{{}, {}, {2, 3}, {5, 7}, {}, {0, 0}, {}, {}, 0};
+  const Motion motion{{}, {}, {2, 3}, {5, 7}, {}, {}, {0, 0}, {}, {}, 0};
   Evaluation at(b.model, motion);
   return {kinetic_energy(at).real(), potential_energy(at).real(), lagrangian(at).real(),
           potential_magnitude(at).real()};

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "elgen/step_methods.hpp"
+#include "model/requests.hpp"
 #include "oracle/mechanics.hpp"
 #include "oracle/samples.hpp"
 
@@ -88,6 +89,8 @@ int count(Extent extent) {
       return 3;
     case Extent::states:
       return 4;
+    case Extent::inertial:
+      return static_cast<int>(extent_of(everything().model, extent));
     default:
       return 2;
   }

@@ -99,7 +99,7 @@ TEST_CASE("a compiled function is there to be called on numbers where they are")
   const auto function = model.find("forward_dynamics");
   REQUIRE(function != nullptr);
   function(given.parameters.data(), given.f.data(), given.q.data(), given.v.data(), nullptr,
-           nullptr, nullptr, given.u.data(), given.t, given.h, given.E, result);
+           nullptr, nullptr, nullptr, given.u.data(), given.t, given.h, given.E, result);
   CHECK(result[0] == 32);
   CHECK(result[1] == 2);
   CHECK(model.find("gravity") == nullptr);

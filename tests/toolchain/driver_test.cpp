@@ -269,8 +269,10 @@ TEST_CASE("in packs, the header of batches does all of it") {
   CHECK_THAT(text,
              Contains("emitted::batch::inverse_dynamics<Scalar>(model_parameters<Scalar>(), count, "
                       "q, v, a, result);"));
-  CHECK_THAT(text, Contains("in_packs<double>(count, parameters, f, q, v, momenta, a, multipliers, "
-                            "u, t, h, E, result);"));
+  CHECK_THAT(
+      text,
+      Contains("in_packs<double>(count, parameters, f, q, v, momenta, reference, a, multipliers, "
+               "u, t, h, E, result);"));
 }
 
 TEST_CASE("a step is called in loops, with the time where the model knows it") {
@@ -295,6 +297,7 @@ TEST_CASE("a call for each state has the numbers of one state side by side") {
   const std::string text = driver(scene, {{ScalarKind::single_precision, true, true}});
   CHECK_THAT(text, Contains("emitted::batch::inverse_dynamics<Scalar>(p,\n        1,\n        "
                             "gathered<emitted::Coordinates<Scalar>>(q, i, count).data(),"));
-  CHECK_THAT(text, Contains("one_per_call<float>(count, parameters, f, q, v, momenta, a, "
-                            "multipliers, u, t, h, E, result);"));
+  CHECK_THAT(text,
+             Contains("one_per_call<float>(count, parameters, f, q, v, momenta, reference, a, "
+                      "multipliers, u, t, h, E, result);"));
 }

@@ -119,6 +119,7 @@ class TraitFinder {
         return leaf(uses_energy);
       case LeafKind::parameter:
       case LeafKind::open_value:
+      case LeafKind::reference:
       case LeafKind::multiplier:
       case LeafKind::step:
         break;

@@ -126,6 +126,7 @@ class UnitInference {
       case LeafKind::coordinate:
         return declared(model_.coordinates[node.index].unit);
       case LeafKind::velocity:
+      case LeafKind::reference:
         return declared(model_.velocities[node.index].unit);
       case LeafKind::acceleration:
         return rate(declared(model_.velocities[node.index].unit));

@@ -41,14 +41,15 @@ std::vector<StartPlace> start_places(const Model& model) {
   return places;
 }
 
-/// Beside a start: accelerations, momenta, t and h. A coordinate may be called h: it stands before.
+/// Beside a start: accelerations, momenta, reference velocities, t and h. A coordinate may be
+/// called h: it stands before.
 std::vector<StartPlace> places_of_state(const Model& model) {
   std::vector<StartPlace> places = start_places(model);
   const auto n = static_cast<std::uint32_t>(model.velocities.size());
   const auto add = [&](Opcode kind, std::uint32_t number, std::uint32_t coordinate) {
     places.push_back({leaf_text(model, kind, number), coordinate, number, 1, false, true});
   };
-  for (const Opcode kind : {Opcode::acceleration, Opcode::momentum}) {
+  for (const Opcode kind : {Opcode::acceleration, Opcode::momentum, Opcode::reference}) {
     for (std::uint32_t i = 0; i < n; ++i) add(kind, i, model.velocities[i].coordinate);
   }
   const auto none = static_cast<std::uint32_t>(model.coordinates.size());

@@ -35,6 +35,9 @@ void read_inner(Context& context, const FileSyntax* syntax, const SceneOptions& 
 void read_promise(Context& context, const FileSyntax* syntax, const SceneOptions& options,
                   Numerics& numerics);
 
+/// Fills Model::regressed. E602, E649.
+void read_regressor(Context& context, const FileSyntax* scene, const FixedParameters& fixed);
+
 /// Fills Model::approximation. E614.
 void read_approximation(Context& context, const FileSyntax* scene);
 

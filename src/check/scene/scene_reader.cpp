@@ -130,8 +130,9 @@ class SceneReader {
 
   Scene read() {
     read_header();
-    read_outputs();
     read_fixed();
+    read_regressor(context_, syntax_, scene_.specialisation.fixed);
+    read_outputs();
     read_numerics();
     scene_.emission = read_emission(context_, syntax_, options_, scene_);
     read_batch(context_, syntax_, scene_);

@@ -94,10 +94,12 @@ void add_rotation(const Body& body, Entity origin, Translation& translation,
   auto& kinetic = lagrangian.kinetic;
   for (std::size_t i = 0; i < spin.size(); ++i)
     kinetic.push_back(half * inertia[i] * spin[i] * spin[i]);
-  if (inertia.size() < 6) return;
-  kinetic.push_back(inertia[3] * spin[0] * spin[1]);
-  kinetic.push_back(inertia[4] * spin[0] * spin[2]);
-  kinetic.push_back(inertia[5] * spin[1] * spin[2]);
+  if (inertia.size() == 6) {
+    kinetic.push_back(inertia[3] * spin[0] * spin[1]);
+    kinetic.push_back(inertia[4] * spin[0] * spin[2]);
+    kinetic.push_back(inertia[5] * spin[1] * spin[2]);
+  }
+  lagrangian.turning_bodies.push_back({std::move(spin), std::move(inertia), origin});
 }
 
 /// Forces on velocities, on points and on frames of the world.
@@ -162,6 +164,20 @@ class Forces {
   Lagrangian& lagrangian_;
   std::vector<GiNaC::exvector> on_;  ///< terms of the force on each velocity
 };
+
+/// 1/2 J v^2
+void add_armatures(const Model& model, Translation& translation, Lagrangian& lagrangian) {
+  lagrangian.armatures.resize(lagrangian.symbols.v.size(), 0);
+  auto& kinetic = lagrangian.lagrangian.empty() ? lagrangian.kinetic : lagrangian.lagrangian;
+  for (const Coordinate& coordinate : model.coordinates) {
+    if (!coordinate.armature) continue;
+    const ex rate = lagrangian.symbols.v[coordinate.velocity];
+    const ex armature = translation.value(*coordinate.armature);
+    kinetic.push_back(half * armature * rate * rate);
+    lagrangian.armatures[coordinate.velocity] = armature;
+    ++lagrangian.kinetic_of_armatures;
+  }
+}
 
 /// Builds the parts of a Lagrangian one after another; the first error ends it.
 class Formulation {
@@ -240,12 +256,7 @@ class Formulation {
     add_terms(model_.energies.V, lagrangian_.potential);
     add_terms(model_.energies.D, lagrangian_.dissipation);
     add_terms(model_.energies.L, lagrangian_.lagrangian);
-    for (const Coordinate& coordinate : model_.coordinates) {
-      if (!coordinate.armature) continue;
-      const ex rate = lagrangian_.symbols.v[coordinate.velocity];
-      auto& kinetic = lagrangian_.lagrangian.empty() ? lagrangian_.kinetic : lagrangian_.lagrangian;
-      kinetic.push_back(half * translation_.value(*coordinate.armature) * rate * rate);
-    }
+    add_armatures(model_, translation_, lagrangian_);
   }
 
   void add_expansion() {
@@ -318,6 +329,7 @@ Result<Lagrangian> formulate(const Model& model) {
   Result<Lagrangian> lagrangian = Formulation(whole_of(model)).build();
   // Held velocities are not eliminated.
   if (lagrangian) lagrangian->eliminates_last_first = eliminates_last_first(model);
+  if (lagrangian) lagrangian->inertial = inertial_parameters(model);
   return lagrangian;
 }
 

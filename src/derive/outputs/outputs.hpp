@@ -91,6 +91,21 @@ enum class Bodies : unsigned char { all, without_frames };
 /// B = dQ/du, n_v x n_u.
 [[nodiscard]] Vector input_matrix(Derivation& derivation);
 
+/// Y, n_v x the number of inertial parameters, and tau - Y pi: forces of the unit of each
+/// parameter, and what is left where all are 0. Cost: a reverse pass for each body's parameter.
+struct Regressor {
+  Vector matrix;
+  Vector rest;
+};
+[[nodiscard]] Regressor regressor(Derivation& derivation);
+
+/// The same with C(q, v) times a reference velocity r, and drift and dD/dv of r. L quadratic in v.
+/// For rotations C is that of coriolis_matrix.
+[[nodiscard]] Regressor regressor_reference(Derivation& derivation);
+
+/// pi.
+[[nodiscard]] Vector regressor_parameters(Derivation& derivation);
+
 /// dy/dq of each value, one reverse pass per row.
 [[nodiscard]] Vector jacobian(Derivation& derivation, const Terms& values);
 

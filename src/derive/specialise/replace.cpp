@@ -23,6 +23,10 @@ class Replacing {
     (*this)(mass.mass);
     (*this)(mass.position);
   }
+  void operator()(TurningBody& body) {
+    (*this)(body.spin);
+    (*this)(body.inertia);
+  }
   void operator()(PointForce& force) {
     (*this)(force.position);
     (*this)(force.force);
@@ -67,6 +71,8 @@ void replace(Lagrangian& lagrangian, const Seeds& values) {
   replacing(lagrangian.lagrangian);
   replacing(lagrangian.forces);
   replacing(lagrangian.point_forces);
+  replacing(lagrangian.turning_bodies);
+  replacing(lagrangian.armatures);
   replacing(lagrangian.tree.steps);
   replacing(lagrangian.tree.bodies);
   replacing(lagrangian.tree.wrenches);
@@ -97,6 +103,7 @@ void remove_variables(Lagrangian& lagrangian, std::vector<HeldVariable>& variabl
   for_each_list(remove, lagrangian.leaves);
   left.coordinates.thin(symbols.q_rates);
   left.velocities.thin(lagrangian.forces);
+  left.velocities.thin(lagrangian.armatures);
   std::erase_if(symbols.rotations, [&](const RotationPlace& place) {
     return !left.coordinates[place.first_coordinate];
   });

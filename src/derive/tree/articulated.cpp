@@ -200,7 +200,7 @@ class ArticulatedRecursion {
   void start() {
     Tangent& coasting = tree_.derivation().coasting;
     const std::vector<StepMotion> motions = tree_motions(tree_, {coasting, coasting, true});
-    on_bodies_ = inertial_forces_on_steps(tree_, motions);
+    on_bodies_ = inertial_forces_on_steps(tree_, tree_.bodies(), motions);
     rigid_ = on_steps<CompositeInertia>(
         tree_, [&](const RigidBody& body) { return about_origin(algebra_, body); });
   }

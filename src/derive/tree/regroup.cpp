@@ -153,6 +153,10 @@ std::vector<RigidBody> regrouped(Tree& tree) {
   for (std::uint32_t k = 0; k < tree.size(); ++k) {
     if (!is_nothing(own[k])) bodies.push_back(body_of(own[k], k));
   }
+  return with_lifted_masses(tree, std::move(bodies));
+}
+
+std::vector<RigidBody> with_lifted_masses(Tree& tree, std::vector<RigidBody> bodies) {
   for (auto k = static_cast<std::uint32_t>(tree.size()); k-- > 0;) {
     if (tree.step(k).rotation) lift_masses(tree, k, bodies);
   }

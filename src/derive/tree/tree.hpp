@@ -110,16 +110,23 @@ class Tree {
 /// The tree of a Derivation, made on first demand.
 [[nodiscard]] Tree& tree_of(Derivation& derivation);
 
-/// The sum on every step of what `of` makes of its bodies.
+/// The sum on every step of what `of` makes of bodies there.
 template <class Value, class Of>
-[[nodiscard]] std::vector<Value> on_steps(Tree& tree, const Of& of) {
+[[nodiscard]] std::vector<Value> on_steps(Tree& tree, const std::vector<RigidBody>& bodies,
+                                          const Of& of) {
   std::vector<Value> result(tree.size());
-  for (const RigidBody& body : tree.bodies()) {
+  for (const RigidBody& body : bodies) {
     if (!body.step) continue;
     const Telling on_step = tree.telling("", *body.step);
     accumulate(tree.algebra, of(body), result[*body.step]);
   }
   return result;
+}
+
+/// The same of all bodies of the tree.
+template <class Value, class Of>
+[[nodiscard]] std::vector<Value> on_steps(Tree& tree, const Of& of) {
+  return on_steps<Value>(tree, tree.bodies(), of);
 }
 
 /// With what every step carries: `before` moves a value before a step, leaves first.
@@ -139,6 +146,9 @@ template <class Value, class Before>
 /// the state. Symbolic bodies stay as they are (sums of their parameters would be paid in every
 /// call), but for masses that move with a rotation.
 [[nodiscard]] std::vector<RigidBody> regrouped(Tree& tree);
+
+/// Bodies with the masses that move with a rotation taken to before it.
+[[nodiscard]] std::vector<RigidBody> with_lifted_masses(Tree& tree, std::vector<RigidBody> bodies);
 
 /// h = m c, or what the body was given.
 [[nodiscard]] ExVector3 first_moment(VectorAlgebra& algebra, const RigidBody& body);

@@ -92,7 +92,7 @@ void TreeColumns::make_motions() {
   twists_ = tree_twists(tree_, by_.first);
   rates_ = composite_rates(tree_, twists_);
   motions_ = tree_motions(tree_, by_);
-  carried_ = tree_.carried(inertial_forces_on_steps(tree_, motions_));
+  carried_ = tree_.carried(inertial_forces_on_steps(tree_, tree_.bodies(), motions_));
 }
 
 TreeColumns::Home TreeColumns::home_after(std::uint32_t step) {

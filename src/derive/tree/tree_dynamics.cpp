@@ -51,9 +51,8 @@ ExVector3 inertial_moment(VectorAlgebra& algebra, const std::vector<ex>& inertia
   ExVector3 moment;
   for (const auto& [i, j, k] : cyclic_axes) {
     const ex difference = algebra.define(entry(k, k) - entry(j, j));
-    const ex product = algebra.define(motion.spin[j] * motion.spin[k]);
     const ex stretch = algebra.define(u[3 * j + j] - u[3 * k + k]);
-    moment[i] = entry(i, i) * motion.spin_rate[i] + difference * product -
+    moment[i] = entry(i, i) * motion.spin_rate[i] + difference * motion.products[i] -
                 entry(i, j) * u[3 * k + i] + entry(i, k) * u[3 * j + i] + entry(j, k) * stretch;
   }
   return algebra.define(moment);
@@ -103,6 +102,9 @@ class MotionRecursion {
         algebra_.define(sum(carried_rate, relative), step.name + "_spin_rate", step.origin);
     motion.acceleration = tree_.to_child(k, from.acceleration);
     motion.gradient = acceleration_gradient(algebra_, motion.spin, motion.spin_rate);
+    for (const auto& [axis, i, j] : cyclic_axes) {
+      motion.products[axis] = algebra_.define(motion.spin[i] * motion.spin[j]);
+    }
     return motion;
   }
 
@@ -274,16 +276,16 @@ std::vector<StepMotion> tree_motions(Tree& tree, const Acceleration& acceleratio
   return MotionRecursion(tree, acceleration).run();
 }
 
-std::vector<SpatialForce> inertial_forces_on_steps(Tree& tree,
+std::vector<SpatialForce> inertial_forces_on_steps(Tree& tree, const std::vector<RigidBody>& bodies,
                                                    const std::vector<StepMotion>& motions) {
-  return on_steps<SpatialForce>(tree, [&](const RigidBody& body) {
+  return on_steps<SpatialForce>(tree, bodies, [&](const RigidBody& body) {
     return inertial_force(tree.algebra, body, motions[*body.step]);
   });
 }
 
 TreeForces inertial_forces(Tree& tree, const Acceleration& acceleration) {
   const std::vector<StepMotion> motions = tree_motions(tree, acceleration);
-  return tree.pull_back(inertial_forces_on_steps(tree, motions));
+  return tree.pull_back(inertial_forces_on_steps(tree, tree.bodies(), motions));
 }
 
 TreeForces tree_gravity(Tree& tree) {

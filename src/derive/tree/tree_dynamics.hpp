@@ -55,15 +55,16 @@ struct StepMotion {
   ExVector3 spin_rate{0, 0, 0};
   ExVector3 acceleration{0, 0, 0};                   ///< of the origin, less gravity
   ExMatrix3 gradient = {0, 0, 0, 0, 0, 0, 0, 0, 0};  ///< U, row-major
+  ExVector3 products{0, 0, 0};                       ///< w_y w_z, w_z w_x, w_x w_y
 };
 [[nodiscard]] std::vector<StepMotion> tree_motions(Tree& tree, const Acceleration& acceleration);
 
 /// Where the base is: at rest, but for gravity.
 [[nodiscard]] StepMotion base_motion(Tree& tree, bool with_gravity);
 
-/// F and N of the bodies fixed to every step.
+/// F and N of bodies fixed to steps.
 [[nodiscard]] std::vector<SpatialForce> inertial_forces_on_steps(
-    Tree& tree, const std::vector<StepMotion>& motions);
+    Tree& tree, const std::vector<RigidBody>& bodies, const std::vector<StepMotion>& motions);
 
 /// Inertial forces (and weights) of the bodies.
 [[nodiscard]] TreeForces inertial_forces(Tree& tree, const Acceleration& acceleration);

@@ -81,7 +81,7 @@ bool is_helper(const std::string& name, const Function& function) {
 
 bool is_taken(const std::string& name, const Model& model, const Program& program) {
   const auto is_table = [&name](const DeclaredArray& array) { return array.name == name; };
-  if (std::ranges::any_of(declared_arrays(model), is_table)) return true;
+  if (std::ranges::any_of(declared_arrays(model, program), is_table)) return true;
   const auto takes = [&name](const Function& function) { return is_helper(name, function); };
   return std::find(header_names.begin(), header_names.end(), name) != header_names.end() ||
          std::any_of(program.functions.begin(), program.functions.end(), takes);
@@ -92,7 +92,7 @@ TemplateData declared_tables(const EmissionInput& input) {
   TemplateData list(TemplateData::type::list);
   const std::string& prefix = name_space(input.scene);
   const std::array types{std::string("char *const"), std::string("double"), prefix + "_interval"};
-  for (const DeclaredArray& array : declared_arrays(input.model)) {
+  for (const DeclaredArray& array : declared_arrays(input.model, input.program)) {
     if (array.size() == 0) continue;
     const Texts elements = declared_elements(array, "{{{0}, {1}}}", "HUGE_VAL");
     const std::string& type = types[static_cast<std::size_t>(array.kind)];

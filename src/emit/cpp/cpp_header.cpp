@@ -144,7 +144,7 @@ TemplateData sines_in_line(const EmissionInput& input) {
 std::string cpp_header(const EmissionInput& input) {
   const std::vector<ParameterArray> parameters = emitted_parameters(input.model, input.program);
   TemplateData data = header_data(input, *cpp_dialect(input.model, input.program));
-  data.set("declared", rows_data(declared_arrays(input.model), declared));
+  data.set("declared", rows_data(declared_arrays(input.model, input.program), declared));
   data.set("filled", section_if(has_filled_array(input.model, parameters)));
   data.set("numbers", numbers(input.program));
   data.set("sine_cosine", section_if(calls_sines(input.program), sines_in_line(input)));

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/ascii.hpp"
+#include "elgen/inertial_parameters.hpp"
 #include "elgen/spellings.hpp"
 #include "model/output_units.hpp"
 
@@ -132,6 +133,7 @@ std::vector<std::string> parameter_members(const Model& model, const LeafNames& 
 }
 
 std::vector<Opcode> arguments_of(const Model& model, const Function& function) {
+  if (output_row(function.kind).takes_parameters_alone) return {Opcode::parameter};
   LeafSet taken = Opcode::parameter | Opcode::coordinate | output_row(function.kind).takes;
   if (output_row(function.kind).of_user) taken |= model.outputs[function.user].takes;
   const bool mass_takes_velocity = function.kind == OutputKind::mass_matrix && !model.quadratic;
@@ -159,7 +161,7 @@ std::vector<cln::cl_R> values_of(const Model& model, const ParameterArray& array
   return values;
 }
 
-std::vector<DeclaredArray> declared_arrays(const Model& model) {
+std::vector<DeclaredArray> declared_arrays(const Model& model, const Program& program) {
   std::vector<DeclaredArray> list{
       texts("coordinate_names", model.coordinates, &Coordinate::name),
       texts("coordinate_units", model.coordinates, &Coordinate::unit_text),
@@ -177,6 +179,13 @@ std::vector<DeclaredArray> declared_arrays(const Model& model) {
   list.push_back(intervals("input_limits", model.inputs, &Input::limits));
   if (!model.constraints.empty()) {
     list.push_back(texts("constraint_names", model.constraints, &Constraint::name));
+  }
+  const auto has_parameters = [](const Function& function) {
+    const Requirement requirement = output_row(function.kind).requirement;
+    return requirement == Requirement::inertial || requirement == Requirement::polarised;
+  };
+  if (std::ranges::any_of(program.functions, has_parameters)) {
+    list.push_back(texts("regressor_names", inertial_parameters(model), &InertialParameter::name));
   }
   if (model.open_values.empty()) return list;
   list.push_back(texts("open_value_names", model.open_values, &OpenValue::name));

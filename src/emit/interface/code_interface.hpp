@@ -78,7 +78,8 @@ struct DeclaredArray {
 };
 
 /// Where nothing rotates, velocities are called as their coordinates.
-[[nodiscard]] std::vector<DeclaredArray> declared_arrays(const Model& model);
+[[nodiscard]] std::vector<DeclaredArray> declared_arrays(const Model& model,
+                                                         const Program& program);
 
 /// Whether the instruction is the sine of an angle whose cosine comes next: one call computes both,
 /// where the language has it.

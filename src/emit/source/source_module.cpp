@@ -30,7 +30,7 @@ std::string in_lines(const SourceSpelling& spelling, const std::string& start,
 
 /// Names and units of parameters too, elements of arrays each.
 std::vector<DeclaredArray> all_arrays(const Model& model, const Program& program) {
-  std::vector<DeclaredArray> arrays = declared_arrays(model);
+  std::vector<DeclaredArray> arrays = declared_arrays(model, program);
   DeclaredArray names{"parameter_names"};
   DeclaredArray units{"parameter_units"};
   for (const ParameterArray& array : emitted_parameters(model, program)) {

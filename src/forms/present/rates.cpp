@@ -185,6 +185,7 @@ class Rates {
       case LeafKind::parameter:
         return Fraction{};
       case LeafKind::momentum:
+      case LeafKind::reference:
       case LeafKind::multiplier:
       case LeafKind::input:
       case LeafKind::step:

@@ -22,6 +22,7 @@ FactorGroup group_of(const Atom& atom) {
       return FactorGroup::parameter;
     case LeafKind::velocity:
     case LeafKind::momentum:
+    case LeafKind::reference:
       return FactorGroup::rate;
     case LeafKind::acceleration:
       return FactorGroup::acceleration;

@@ -167,8 +167,8 @@ const Numbers& System::shown(const double* q) {
 void System::call(OutputKind kind, const double* q, const double* v, double t, double* result) {
   const Callee& called = callees_[static_cast<std::size_t>(kind)];
   if (called.code != nullptr) {
-    called.code(at_.parameters.data(), at_.f.data(), q, v, nullptr, nullptr, nullptr, at_.u.data(),
-                t, at_.h, at_.E, result);
+    called.code(at_.parameters.data(), at_.f.data(), q, v, nullptr, nullptr, nullptr, nullptr,
+                at_.u.data(), t, at_.h, at_.E, result);
     return;
   }
   std::copy_n(q, positions(), at_.q.begin());

@@ -20,7 +20,8 @@ Diagnostic no_value(std::string_view name, const Span& span) {
 
 /// The leaves in `--state` of kinds that a start does not have.
 std::vector<StatedLeaf> stated_leaves(const Model& model, const State& start) {
-  constexpr LeafSet kinds = Opcode::acceleration | Opcode::momentum | Opcode::time | Opcode::step;
+  constexpr LeafSet kinds =
+      Opcode::acceleration | Opcode::momentum | Opcode::reference | Opcode::time | Opcode::step;
   std::vector<StatedLeaf> leaves;
   const auto add = [&](Opcode kind, std::uint32_t number, const cl_R& /*value*/) {
     if (!kinds.has_any(kind)) return;

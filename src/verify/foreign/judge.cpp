@@ -305,6 +305,7 @@ LeafNames leaves_for(const Model& model, const std::vector<OutputRequest>& outpu
   for (const OutputRequest& output : outputs) {
     const LeafSet takes = output.takes;
     if (takes.has_any(Opcode::momentum)) leaves.momenta = leaves.v;
+    if (takes.has_any(Opcode::reference)) leaves.reference = leaves.v;
     if (takes.has_any(Opcode::step)) leaves.h = leaf_row(Opcode::step).symbol;
   }
   return leaves;

@@ -192,6 +192,22 @@ Balance inverse_parts(ExactValues& at) {
                      {at.value(K::bias), -1}});
 }
 
+Balance forces_of_regressor(ExactValues& at) {
+  const Values& both = at.value(K::regressor);
+  const Values& parameters = at.value(K::regressor_parameters);
+  const auto rest = both.end() - static_cast<std::ptrdiff_t>(at.size());
+  return balance_of({{at.value(K::inverse_dynamics)},
+                     product({both.begin(), rest}, parameters, -1),
+                     {{rest, both.end()}, -1}});
+}
+
+Balance regressor_of_reference(ExactValues& at) {
+  Arguments<Real> arguments = at.arguments();
+  arguments.reference = arguments.v;
+  return balance_of(
+      {{at.value_at(K::regressor_reference, arguments)}, {at.value(K::regressor), -1}});
+}
+
 /// The state with the velocities that its momenta give; none where M is singular.
 std::optional<ExactValues> at_momenta(ExactValues& at) {
   const OracleValues v = defined_values(at.value(K::velocities_of_momenta));
@@ -271,6 +287,14 @@ const std::vector<Identity>& identities() {
        "tau = M a + bias",
        {K::inverse_dynamics, K::mass_matrix, K::bias},
        inverse_parts},
+      {"inverse dynamics from the regressor",
+       "tau = Y pi + rest",
+       {K::regressor},
+       forces_of_regressor},
+      {"regressor of the velocity itself",
+       "Y_r(q, v, v, a) = Y(q, v, a)",
+       {K::regressor_reference},
+       regressor_of_reference},
       {"momenta of velocities",
        "dL/dv = p at v = M^-1 (p - b)",
        {K::velocities_of_momenta},

@@ -19,7 +19,7 @@ inline EquationsOfMotion leaves(std::size_t rotation = 0) {
     symbols[at] = GiNaC::symbol(names[at]);
   }
   EquationsOfMotion equations;
-  equations.leaves = {{{"m", "l"}, {}, {"x", "y"}, {"x", "y"}, {}, {"x", "y"}, {}, {"u"}, "t"},
+  equations.leaves = {{{"m", "l"}, {}, {"x", "y"}, {"x", "y"}, {}, {}, {"x", "y"}, {}, {"u"}, "t"},
                       true};
   equations.symbols.parameters = {symbols[0], symbols[1]};
   equations.symbols.q = {symbols[2], symbols[3]};

@@ -22,7 +22,7 @@ std::string written(const std::string& expression) {
 }
 
 const std::vector<std::string> names{"a", "b", "c", "d", "e"};
-const LeafNames leaves{{{}, {}, names, names, {}, names, {}, {}, "t"}, false};
+const LeafNames leaves{{{}, {}, names, names, {}, {}, names, {}, {}, "t"}, false};
 
 /// Graphs of their own: the two ways are not joined into one, as those of a model text would be.
 bool is_precise(const char* rewriting, const char* reference, Leaves kind) {

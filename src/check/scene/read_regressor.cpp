@@ -1,0 +1,102 @@
+// read_regressor: the parameters in which the forces of a model are affine, of which its regressor
+// has columns.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/report.hpp"
+#include "check/expressions/parameters.hpp"
+#include "check/scene/scene.hpp"
+#include "elgen/inertial_parameters.hpp"
+#include "elgen/references.hpp"
+
+namespace elgen {
+namespace {
+
+/// Where a parameter of the regressor may stand: all that is summed to tau.
+std::vector<ExpressionId> summed_roots(const Model& model) {
+  std::vector<ExpressionId> roots;
+  const Energies& e = model.energies;
+  for (const auto& energy : {e.T, e.V, e.D, e.L}) {
+    if (energy) roots.push_back(*energy);
+  }
+  for (const Force& force : model.forces) {
+    roots.insert(roots.end(), force.value.begin(), force.value.end());
+    roots.insert(roots.end(), force.reaction.begin(), force.reaction.end());
+  }
+  return roots;
+}
+
+class RegressorReader {
+ public:
+  RegressorReader(Context& context, const FixedParameters& fixed)
+      : context_(context), fixed_(fixed) {}
+
+  void read(const ValueSyntax* names) {
+    regressed() = parameters_of_friction(context_.model);
+    std::erase_if(regressed(), [&](std::uint32_t i) { return fixed_.count(i) > 0; });
+    if (names == nullptr) return;
+    for (const ValueSyntax& name : names->items) {
+      const std::string text(covered_text(name.expression.span));
+      for (const std::uint32_t i : named_parameters(context_, text, name.expression.span, "")) {
+        add(i, name.expression.span);
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] std::vector<std::uint32_t>& regressed() { return context_.model.regressed; }
+
+  void refuse(const Span& span, const std::string& reason) {
+    context_.report.add(Code::E649, span, reason);
+  }
+
+  void add(std::uint32_t parameter, const Span& span) {
+    const Model& model = context_.model;
+    const std::string name = in_backticks(model.parameters[parameter].name);
+    if (fixed_.count(parameter) > 0) {
+      return refuse(span, name + " is fixed, and no parameter of the code");
+    }
+    if (std::ranges::count(regressed(), parameter) > 0) return;
+    if (stands_elsewhere(parameter)) {
+      return refuse(span, name +
+                              " stands in a mass, an inertia, a place, gravity or a constraint, "
+                              "not in energies and forces alone");
+    }
+    regressed().push_back(parameter);
+    for (const ExpressionId root : summed_roots(model)) {
+      const auto coupled = coupled_in(model, root, regressed());
+      if (!coupled) continue;
+      regressed().pop_back();
+      const auto other = [&](std::uint32_t i) { return in_backticks(model.parameters[i].name); };
+      const std::string reason =
+          coupled->first == coupled->second
+              ? fmt::format("forces are not affine in {}", other(coupled->first))
+              : fmt::format("forces have a product of {} and {}", other(coupled->first),
+                            other(coupled->second));
+      return refuse(span, reason);
+    }
+  }
+
+  [[nodiscard]] bool stands_elsewhere(std::uint32_t parameter) const {
+    const Model& model = context_.model;
+    std::vector<ExpressionId> others = equation_roots(model);
+    for (const ExpressionId root : summed_roots(model)) std::erase(others, root);
+    return std::ranges::any_of(reached(model, others), [&](ExpressionId id) {
+      const Expression& e = model.expressions[id];
+      return is_leaf(e, Opcode::parameter) && e.index == parameter;
+    });
+  }
+
+  Context& context_;
+  const FixedParameters& fixed_;
+};
+
+}  // namespace
+
+void read_regressor(Context& context, const FileSyntax* scene, const FixedParameters& fixed) {
+  const KeySyntax* const names = find_key(scene, "regressor", "parameters");
+  RegressorReader(context, fixed).read(names == nullptr ? nullptr : &names->value);
+}
+
+}  // namespace elgen

@@ -1,0 +1,334 @@
+// The regressor: forces of the unit of each inertial parameter, and what is left without any.
+// Bodies in frames share the motion of their steps; a column is pulled back from its own step
+// alone.
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "derive/outputs/outputs.hpp"
+#include "derive/tree/composite.hpp"
+
+namespace elgen {
+
+using GiNaC::ex;
+
+namespace {
+
+/// The Lagrangian without terms of inertial parameters; those that are parameters of the model
+/// still stand in it.
+Lagrangian without_inertia(const Lagrangian& lagrangian) {
+  Lagrangian rest = lagrangian;
+  rest.masses.clear();
+  rest.tree.bodies.clear();
+  auto& kinetic = rest.lagrangian.empty() ? rest.kinetic : rest.lagrangian;
+  kinetic.resize(kinetic.size() - rest.kinetic_of_armatures);
+  const auto of_bodies = static_cast<std::ptrdiff_t>(rest.kinetic_of_bodies);
+  rest.kinetic.erase(rest.kinetic.begin(), rest.kinetic.begin() + of_bodies);
+  return rest;
+}
+
+/// The same without all other energies and forces.
+Lagrangian nothing_of(const Lagrangian& lagrangian) {
+  Lagrangian nothing = without_inertia(lagrangian);
+  nothing.kinetic.clear();
+  nothing.potential.clear();
+  nothing.dissipation.clear();
+  nothing.lagrangian.clear();
+  std::fill(nothing.forces.begin(), nothing.forces.end(), 0);
+  nothing.point_forces.clear();
+  nothing.tree.wrenches.clear();
+  return nothing;
+}
+
+/// The inverse dynamics of another Lagrangian over the definitions of a derivation.
+Vector forces_of(Derivation& derivation, Lagrangian other) {
+  other.definitions = derivation.definitions;
+  Derivation apart(other);
+  Vector forces = inverse_dynamics(apart);
+  for (ex& force : forces) force = define(apart.definitions, force);
+  // Only appended to, so that what the derivation knows of earlier ones stays true.
+  derivation.definitions = std::move(apart.definitions);
+  return forces;
+}
+
+bool is_of(const Entity& origin, const InertialParameter& parameter) {
+  const bool is_body = parameter.owner == InertialOwner::body;
+  return origin.index == parameter.index &&
+         origin.kind == (is_body ? EntityKind::body : EntityKind::point);
+}
+
+/// The entry of the parameter's owner; null where another list has it.
+template <class List>
+auto* entry_of(List& list, const InertialParameter& parameter) {
+  const auto found =
+      std::ranges::find_if(list, [&](const auto& entry) { return is_of(entry.origin, parameter); });
+  return found == list.end() ? nullptr : &*found;
+}
+
+/// A body in a frame of which one parameter is 1 and the others are 0; a point keeps its place.
+RigidBody unit_body(const RigidBody& body, const InertialParameter& parameter) {
+  RigidBody unit;
+  unit.step = body.step;
+  unit.origin = body.origin;
+  unit.com = {0, 0, 0};
+  if (parameter.is_mass()) unit.mass = 1;
+  if (parameter.owner == InertialOwner::point) {
+    unit.com = body.com;
+    return unit;
+  }
+  unit.about_origin = true;
+  unit.moment = ExVector3{0, 0, 0};
+  if (parameter.component >= first_inertia_component) {
+    unit.inertia.assign(6, 0);
+    unit.inertia[parameter.component - first_inertia_component] = 1;
+  } else if (parameter.component >= first_moment_component) {
+    (*unit.moment)[parameter.component - first_moment_component] = 1;
+  }
+  return unit;
+}
+
+/// 1/2 w.I w of a unit of I.
+ex unit_energy(const TurningBody& body, std::uint32_t component) {
+  static constexpr std::array<std::array<std::size_t, 2>, 6> places{
+      {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
+  if (body.spin.size() == 1) return body.spin[0] * body.spin[0] / 2;
+  const auto& [i, j] = places[component - first_inertia_component];
+  return body.spin[i] * body.spin[j] / (i == j ? 2 : 1);
+}
+
+/// The velocity of a coordinate with an armature. Rotations take four coordinates and three
+/// velocities, and have none.
+std::uint32_t velocity_of(const Derivation& derivation, std::uint32_t coordinate) {
+  std::uint32_t velocity = coordinate;
+  for (const RotationPlace& rotation : derivation.symbols.rotations) {
+    if (rotation.first_coordinate < coordinate) --velocity;
+  }
+  return velocity;
+}
+
+Seeds reference_seeds(const Symbols& symbols) {
+  Seeds seeds;
+  add_seeds(seeds, symbols.v, symbols.reference);
+  return seeds;
+}
+
+/// The part of expressions in which a reference velocity r stands for one v: of x0 + x1(v) +
+/// x2(v, v) it is x0 + x1(r) + x2(v, r). With T_v x the derivative along v -> r,
+///
+///     x at v = 0,   + 1/2 T_v x   + 1/2 T_v x at v = 0
+///
+/// and a becomes a + 1/2 w x r on the velocities of rotations, where C has 1/2 M [w]x.
+class Polarisation {
+ public:
+  explicit Polarisation(Derivation& derivation)
+      : definitions_(derivation.definitions),
+        along_(definitions_, reference_seeds(derivation.symbols)),
+        at_rest_(definitions_, rest_seeds(derivation.symbols)),
+        turned_(definitions_, acceleration_seeds(derivation)) {}
+
+  ex operator()(const ex& value) {
+    const ex known = define(definitions_, value);
+    const ex slope = define(definitions_, along_(known));
+    const ex sum = at_rest_(known) + (slope + at_rest_(slope)) / 2;
+    return turned_(define(definitions_, sum));
+  }
+  template <class List>
+  [[nodiscard]] List of(List values) {
+    for (ex& value : values) value = (*this)(value);
+    return values;
+  }
+
+ private:
+  static Seeds rest_seeds(const Symbols& symbols) {
+    Seeds seeds;
+    add_seeds(seeds, symbols.v, Vector(symbols.v.size(), 0));
+    return seeds;
+  }
+  static Seeds acceleration_seeds(Derivation& derivation) {
+    const Symbols& symbols = derivation.symbols;
+    Seeds seeds;
+    for (const RotationPlace& rotation : symbols.rotations) {
+      const std::uint32_t first = rotation.first_velocity;
+      for (const auto& [i, j, k] : cyclic_axes) {
+        const ex across = symbols.v[first + j] * symbols.reference[first + k] -
+                          symbols.v[first + k] * symbols.reference[first + j];
+        const ex& a = symbols.a[first + i];
+        seeds.emplace(a, define(derivation.definitions, a + across / 2));
+      }
+    }
+    return seeds;
+  }
+
+  Definitions& definitions_;
+  Tangent along_;
+  Substitution at_rest_;
+  Substitution turned_;
+};
+
+Vector sum_of(Vector left, const Vector& right) {
+  for (std::size_t i = 0; i < left.size(); ++i) left[i] += right[i];
+  return left;
+}
+
+class RegressorColumns {
+ public:
+  RegressorColumns(Derivation& derivation, bool has_reference)
+      : derivation_(derivation),
+        tree_(tree_of(derivation)),
+        motions_(tree_motions(tree_, {derivation.coasting, derivation.motion, true})) {
+    if (has_reference) polarise();
+    rest_ = other_forces();
+  }
+
+  Vector column(const InertialParameter& parameter) {
+    switch (parameter.owner) {
+      case InertialOwner::coordinate:
+        return of_armature(parameter.index);
+      case InertialOwner::parameter:
+        return of_parameter(parameter.index);
+      case InertialOwner::body:
+      case InertialOwner::point:
+        break;
+    }
+    const Lagrangian& all = derivation_.lagrangian;
+    if (const auto* const body = entry_of(all.tree.bodies, parameter)) {
+      return of_body(unit_body(*body, parameter));
+    }
+    Lagrangian unit = nothing_of(all);
+    const auto* const turning = entry_of(all.turning_bodies, parameter);
+    const auto* const mass = entry_of(all.masses, parameter);
+    if (!parameter.is_mass() && turning != nullptr) {
+      unit.kinetic.push_back(unit_energy(*turning, parameter.component));
+    } else if (mass != nullptr) {
+      unit.masses = {{1, mass->position, mass->origin}};
+    }
+    return polarised(forces_of(derivation_, std::move(unit)));
+  }
+
+  /// Where every parameter is 0.
+  Vector rest() {
+    Seeds values;
+    for (const InertialParameter& parameter : derivation_.lagrangian.inertial) {
+      if (parameter.owner == InertialOwner::parameter) values.emplace(leaf(parameter.index), 0);
+    }
+    Substitution without(derivation_.definitions, values);
+    return substituted(without, derivation_.definitions, rest_);
+  }
+
+ private:
+  void polarise() {
+    polar_.emplace(derivation_);
+    for (StepMotion& motion : motions_) {
+      motion.spin_rate = polar_->of(motion.spin_rate);
+      motion.acceleration = polar_->of(motion.acceleration);
+      motion.gradient = polar_->of(motion.gradient);
+      motion.products = polar_->of(motion.products);
+    }
+  }
+
+  [[nodiscard]] Vector polarised(Vector forces) {
+    return polar_ ? polar_->of(std::move(forces)) : forces;
+  }
+
+  /// Forces of everything but inertial parameters; friction is that of the reference velocity.
+  Vector other_forces() {
+    Lagrangian others = without_inertia(derivation_.lagrangian);
+    if (!polar_) return forces_of(derivation_, std::move(others));
+    Substitution at_reference(derivation_.definitions, reference_seeds(derivation_.symbols));
+    const Vector friction =
+        substituted(at_reference, derivation_.definitions, dissipation(derivation_));
+    const Vector applied = applied_force(derivation_);
+    others.dissipation.clear();
+    std::fill(others.forces.begin(), others.forces.end(), 0);
+    others.point_forces.clear();
+    others.tree.wrenches.clear();
+    Vector forces = polarised(forces_of(derivation_, std::move(others)));
+    forces = sum_of(std::move(forces), friction);
+    forces = sum_of(std::move(forces), negative(applied));
+    for (ex& force : forces) force = define(derivation_.definitions, force);
+    return forces;
+  }
+
+  [[nodiscard]] const ex& leaf(std::uint32_t parameter) const {
+    return derivation_.symbols.parameters[parameter];
+  }
+
+  Vector of_body(const RigidBody& unit) {
+    const std::vector<RigidBody> bodies = with_lifted_masses(tree_, {unit});
+    return by_velocities(derivation_,
+                         tree_.pull_back(inertial_forces_on_steps(tree_, bodies, motions_)));
+  }
+
+  Vector of_armature(std::uint32_t coordinate) {
+    Vector column(derivation_.size(), 0);
+    const std::uint32_t velocity = velocity_of(derivation_, coordinate);
+    column[velocity] = derivation_.symbols.a[velocity];
+    return column;
+  }
+
+  Vector of_parameter(std::uint32_t parameter) {
+    Tangent along(derivation_.definitions, Seeds{{leaf(parameter), 1}});
+    Vector column;
+    for (const ex& force : rest_) column.push_back(along(force));
+    return column;
+  }
+
+  Derivation& derivation_;
+  Tree& tree_;
+  std::vector<StepMotion> motions_;
+  std::optional<Polarisation> polar_ = {};  ///< where there is a reference velocity
+  Vector rest_ = {};
+};
+
+}  // namespace
+
+namespace {
+
+Regressor columns_of(Derivation& derivation, bool has_reference) {
+  RegressorColumns columns(derivation, has_reference);
+  const std::vector<InertialParameter> parameters = derivation.lagrangian.inertial;
+  Regressor result{Vector(derivation.size() * parameters.size()), {}};
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const Vector column = columns.column(parameters[k]);
+    for (std::size_t i = 0; i < column.size(); ++i) {
+      result.matrix[i * parameters.size() + k] = column[i];
+    }
+  }
+  result.rest = columns.rest();
+  return result;
+}
+
+}  // namespace
+
+Regressor regressor(Derivation& derivation) { return columns_of(derivation, false); }
+
+Regressor regressor_reference(Derivation& derivation) { return columns_of(derivation, true); }
+
+Vector regressor_parameters(Derivation& derivation) {
+  const Lagrangian& all = derivation.lagrangian;
+  VectorAlgebra& algebra = tree_of(derivation).algebra;
+  const auto value = [&](const InertialParameter& parameter) -> ex {
+    if (parameter.owner == InertialOwner::parameter)
+      return derivation.symbols.parameters[parameter.index];
+    if (parameter.owner == InertialOwner::coordinate) {
+      return all.armatures[velocity_of(derivation, parameter.index)];
+    }
+    if (const auto* const body = entry_of(all.tree.bodies, parameter)) {
+      const CompositeInertia inertia = about_origin(algebra, *body);
+      if (parameter.is_mass()) return inertia.mass;
+      return parameter.component < first_inertia_component
+                 ? inertia.moment[parameter.component - first_moment_component]
+                 : inertia.inertia[parameter.component - first_inertia_component];
+    }
+    if (parameter.is_mass()) return entry_of(all.masses, parameter)->mass;
+    const TurningBody& body = *entry_of(all.turning_bodies, parameter);
+    return body
+        .inertia[body.inertia.size() == 1 ? 0 : parameter.component - first_inertia_component];
+  };
+  Vector result;
+  for (const InertialParameter& parameter : all.inertial) result.push_back(value(parameter));
+  return result;
+}
+
+}  // namespace elgen

@@ -1,0 +1,174 @@
+// inertial_parameters: the entries of pi, and which parameters of a model an expression is affine
+// in.
+#include "elgen/inertial_parameters.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string_view>
+
+#include "elgen/references.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr std::array<std::string_view, components_of_body> component_names{
+    "m", "mx", "my", "mz", "Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"};
+constexpr std::array<std::uint32_t, 4> planar_components{0, 1, 2, 6};
+
+std::optional<Unit> unit_of_component(std::uint32_t component) {
+  const int length = component == 0 ? 0 : component < first_inertia_component ? 1 : 2;
+  return *find_unit("kg") * power(*find_unit("m"), {length, 1});
+}
+
+class ParameterList {
+ public:
+  explicit ParameterList(const Model& model) : model_(model) {}
+
+  std::vector<InertialParameter> build() && {
+    for (const bool in_frames : {true, false}) {
+      for (std::uint32_t i = 0; i < model_.bodies.size(); ++i) {
+        if (model_.bodies[i].local.has_value() == in_frames) add_body(i);
+      }
+    }
+    for (std::uint32_t i = 0; i < model_.points.size(); ++i) {
+      const Point& point = model_.points[i];
+      if (point.mass) add(InertialOwner::point, i, 0, point.name + ".m", find_unit("kg"));
+    }
+    for (std::uint32_t i = 0; i < model_.coordinates.size(); ++i) add_armature(i);
+    for (const std::uint32_t i : model_.regressed) {
+      const Parameter& parameter = model_.parameters[i];
+      add(InertialOwner::parameter, i, 0, parameter.name, parameter.unit);
+    }
+    return std::move(list_);
+  }
+
+ private:
+  void add(InertialOwner owner, std::uint32_t index, std::uint32_t component, std::string name,
+           std::optional<Unit> unit) {
+    list_.push_back({owner, index, component, std::move(name), std::move(unit)});
+  }
+
+  void add_component(std::uint32_t body, std::uint32_t component) {
+    const std::string name =
+        model_.bodies[body].name + "." + std::string(component_names[component]);
+    add(InertialOwner::body, body, component, name, unit_of_component(component));
+  }
+
+  void add_body(std::uint32_t index) {
+    const Body& body = model_.bodies[index];
+    if (body.local && body.dimension == 2) {
+      for (const std::uint32_t component : planar_components) add_component(index, component);
+      return;
+    }
+    if (body.local || body.mass) add_component(index, 0);
+    for (std::uint32_t i = first_moment_component; body.local && i < first_inertia_component; ++i) {
+      add_component(index, i);
+    }
+    const bool turns = body.local || (!body.inertia.empty() && !body.spin.empty());
+    const bool is_planar = !body.local && body.inertia.size() == 1;
+    if (turns && is_planar) add_component(index, planar_components.back());
+    for (std::uint32_t i = first_inertia_component; turns && !is_planar && i < components_of_body;
+         ++i) {
+      add_component(index, i);
+    }
+  }
+
+  void add_armature(std::uint32_t index) {
+    const Coordinate& coordinate = model_.coordinates[index];
+    if (!coordinate.armature) return;
+    const std::optional<Unit>& rate = model_.velocities[coordinate.velocity].unit;
+    const auto unit = rate ? std::optional(*find_unit("J") / (*rate * *rate)) : std::nullopt;
+    add(InertialOwner::coordinate, index, 0, "armature." + coordinate.name, unit);
+  }
+
+  const Model& model_;
+  std::vector<InertialParameter> list_ = {};
+};
+
+/// The parameters that each expression is affine in, bottom-up, until two meet.
+class AffineSearch {
+ public:
+  AffineSearch(const Model& model, const std::vector<std::uint32_t>& parameters)
+      : model_(model), parameters_(parameters) {}
+
+  std::optional<CoupledParameters> find(ExpressionId root) {
+    for (const ExpressionId id : reached(model_, {root})) {
+      if (const auto coupled = read(id)) return coupled;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  using Found = std::optional<CoupledParameters>;
+
+  /// Any parameter of an operand; none where it has none.
+  [[nodiscard]] const std::uint32_t* parameter_in(ExpressionId id) const {
+    const auto found = first_.find(id);
+    return found == first_.end() ? nullptr : &found->second;
+  }
+
+  Found read(ExpressionId id) {
+    const Expression& e = model_.expressions[id];
+    if (is_leaf(e, Opcode::parameter) && std::ranges::count(parameters_, e.index) > 0) {
+      first_.emplace(id, e.index);
+      return std::nullopt;
+    }
+    for (const ExpressionId operand : references(model_, id)) {
+      const std::uint32_t* const next = parameter_in(operand);
+      if (next == nullptr) continue;
+      const auto [known, is_new] = first_.emplace(id, *next);
+      const bool multiplies = e.kind == ExpressionKind::multiply && !is_new;
+      const bool bends = e.kind == ExpressionKind::power || e.kind == ExpressionKind::function ||
+                         is_leaf(e, Opcode::open_value) ||
+                         (e.kind == ExpressionKind::divide && operand == e.operands[1]);
+      if (multiplies || bends) return CoupledParameters{known->second, *next};
+    }
+    return std::nullopt;
+  }
+
+  const Model& model_;
+  const std::vector<std::uint32_t>& parameters_;
+  std::map<ExpressionId, std::uint32_t> first_ = {};
+};
+
+/// The parameters below the roots.
+std::vector<bool> parameters_below(const Model& model, const std::vector<ExpressionId>& roots) {
+  std::vector<bool> found(model.parameters.size());
+  for (const ExpressionId id : reached(model, roots)) {
+    const Expression& e = model.expressions[id];
+    if (is_leaf(e, Opcode::parameter)) found[e.index] = true;
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<InertialParameter> inertial_parameters(const Model& model) {
+  return ParameterList(model).build();
+}
+
+std::optional<CoupledParameters> coupled_in(const Model& model, ExpressionId expression,
+                                            const std::vector<std::uint32_t>& parameters) {
+  return AffineSearch(model, parameters).find(expression);
+}
+
+std::vector<std::uint32_t> parameters_of_friction(const Model& model) {
+  if (!model.energies.D) return {};
+  const ExpressionId dissipation = *model.energies.D;
+  std::vector<ExpressionId> others = equation_roots(model);
+  std::erase(others, dissipation);
+  const std::vector<bool> elsewhere = parameters_below(model, others);
+  const std::vector<bool> in_dissipation = parameters_below(model, {dissipation});
+  std::vector<std::uint32_t> parameters;
+  for (std::uint32_t i = 0; i < model.parameters.size(); ++i) {
+    if (in_dissipation[i] && !elsewhere[i]) parameters.push_back(i);
+  }
+  while (const auto coupled = coupled_in(model, dissipation, parameters)) {
+    std::erase(parameters, coupled->first);
+    std::erase(parameters, coupled->second);
+  }
+  return parameters;
+}
+
+}  // namespace elgen

@@ -1,0 +1,205 @@
+// Regressor: energies of units, written as expressions of a copy of the model.
+#include "oracle/regressor.hpp"
+
+#include <array>
+
+#include "elgen/inertial_parameters.hpp"
+
+namespace elgen::oracle {
+namespace {
+
+using cln::cl_R;
+using Values = std::vector<cl_R>;
+
+/// The model in which the inertial parameters have given values: bodies, masses and armatures give
+/// way to terms of T and V.
+class ModelOfParameters {
+ public:
+  ModelOfParameters(const Model& model, const Values& values) : source_(model), model_(model) {
+    for (Body& body : model_.bodies) {
+      body.mass.reset();
+      body.inertia.clear();
+    }
+    for (Point& point : model_.points) point.mass.reset();
+    for (Coordinate& coordinate : model_.coordinates) coordinate.armature.reset();
+    const std::vector<InertialParameter> parameters = inertial_parameters(model);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      if (!cln::zerop(values[k])) add(parameters[k], number(cln::rational(values[k])));
+    }
+    add_to(model_.energies.T, kinetic_);
+    add_to(model_.energies.V, potential_);
+  }
+
+  [[nodiscard]] const Model& model() const { return model_; }
+
+ private:
+  void add(const InertialParameter& parameter, ExpressionId value) {
+    value_ = value;
+    switch (parameter.owner) {
+      case InertialOwner::body:
+        return add_body(source_.bodies[parameter.index], parameter.component);
+      case InertialOwner::point:
+        return add_mass(source_.points[parameter.index].at);
+      case InertialOwner::coordinate:
+        return add_half_square(leaf(source_.coordinates[parameter.index].velocity));
+      case InertialOwner::parameter:
+        break;
+    }
+  }
+
+  ExpressionId append(Expression node) {
+    model_.expressions.push_back(std::move(node));
+    return static_cast<ExpressionId>(model_.expressions.size() - 1);
+  }
+  ExpressionId number(const cln::cl_RA& value) { return append({.number = value}); }
+  ExpressionId product(std::vector<ExpressionId> factors) {
+    return append({.kind = ExpressionKind::multiply, .operands = std::move(factors)});
+  }
+  void add_to(std::optional<ExpressionId>& energy, std::vector<ExpressionId> terms) {
+    if (energy) terms.push_back(*energy);
+    if (!terms.empty())
+      energy = append({.kind = ExpressionKind::add, .operands = std::move(terms)});
+  }
+  ExpressionId rate(ExpressionId value) {
+    return append({.kind = ExpressionKind::time_derivative, .operands = {value}});
+  }
+  ExpressionId leaf(std::uint32_t velocity) {
+    return append({.kind = ExpressionKind::leaf, .leaf = Opcode::velocity, .index = velocity});
+  }
+  void add_half_square(ExpressionId rate) {
+    kinetic_.push_back(product({value_, number(cln::cl_RA(1) / 2), rate, rate}));
+  }
+
+  void add_weight(const Vector3& place) {
+    if (!source_.gravity) return;
+    for (std::size_t c = 0; c < 3; ++c) {
+      potential_.push_back(product({value_, number(-1), (*source_.gravity)[c], place[c]}));
+    }
+  }
+
+  void add_mass(const Vector3& place) {
+    for (const ExpressionId component : place) add_half_square(rate(component));
+    add_weight(place);
+  }
+
+  void add_moment(const Frame& frame, std::uint32_t axis) {
+    Vector3 direction{};
+    for (std::uint32_t c = 0; c < 3; ++c) {
+      direction[c] = frame.rotation[3 * c + axis];
+      kinetic_.push_back(product({value_, rate(frame.origin[c]), rate(direction[c])}));
+    }
+    add_weight(direction);
+  }
+
+  void add_inertia(const std::vector<ExpressionId>& spin, std::uint32_t component) {
+    static constexpr std::array<std::array<std::size_t, 2>, 3> products{{{0, 1}, {0, 2}, {1, 2}}};
+    if (spin.size() == 1) {
+      add_half_square(spin.front());
+    } else if (component < 3) {
+      add_half_square(spin[component]);
+    } else {
+      const auto& [i, j] = products[component - 3];
+      kinetic_.push_back(product({value_, spin[i], spin[j]}));
+    }
+  }
+
+  void add_body(const Body& body, std::uint32_t component) {
+    if (!body.local) {
+      if (component == 0) return add_mass(body.com);
+      return add_inertia(body.spin, component - first_inertia_component);
+    }
+    const Frame& frame = source_.frames[body.local->com.frame];
+    if (component == 0) return add_mass(frame.origin);
+    if (component < first_inertia_component) {
+      return add_moment(frame, component - first_moment_component);
+    }
+    add_inertia({frame.spin.begin(), frame.spin.end()}, component - first_inertia_component);
+  }
+
+  const Model& source_;
+  Model model_;
+  ExpressionId value_ = 0;  ///< of the parameter that is added
+  std::vector<ExpressionId> kinetic_ = {};
+  std::vector<ExpressionId> potential_ = {};
+};
+
+/// w.(M a + C(q, v) r + drift(r) + g + dD/dv(r) - Q(v))
+cl_R force_by_reference(Mechanics& at, Mechanics& at_reference, const Direction& w) {
+  return at.mass(w, at.state().a) + coriolis(at, w, at_reference.state().v) +
+         drift(at_reference, w) + at.gravity(w) + at_reference.dissipation_force(w) -
+         at.applied_force(w);
+}
+
+}  // namespace
+
+Values forces_of_parameters(const Model& model, State state, const Values& values,
+                            const std::vector<Direction>& directions, bool by_reference) {
+  const ModelOfParameters given(model, values);
+  const std::size_t first = values.size() - model.regressed.size();
+  for (std::size_t k = 0; k < model.regressed.size(); ++k) {
+    state.parameters[model.regressed[k]] = values[first + k];
+  }
+  Mechanics at(given.model(), state);
+  State moving = state;
+  moving.v = state.reference;
+  Mechanics at_reference(given.model(), moving);
+  Values forces;
+  for (const Direction& w : directions) {
+    forces.push_back(by_reference ? force_by_reference(at, at_reference, w)
+                                  : inverse_dynamics(at, w));
+  }
+  return forces;
+}
+
+Values regressor_parameters(const Model& model, const State& state) {
+  const Motion motion = motion_of(state);
+  Evaluation at(model, motion);
+  const auto value = [&](ExpressionId id) { return at.value(id).real(); };
+  const auto in_frame = [&](const Body& body, std::uint32_t component) -> cl_R {
+    const BodyInFrame& local = *body.local;
+    const cl_R mass = body.mass ? value(*body.mass) : cl_R(0);
+    if (component == 0) return mass;
+    std::array<cl_R, 3> c;
+    for (std::size_t i = 0; i < 3; ++i) c[i] = body.mass ? value(local.com.at[i]) : cl_R(0);
+    if (component < first_inertia_component) return mass * c[component - first_moment_component];
+    const std::uint32_t entry = component - first_inertia_component;
+    const bool is_planar = local.inertia.size() == 1;
+    const bool has_entry = is_planar ? entry == 2 : !local.inertia.empty();
+    const cl_R own = has_entry ? value(local.inertia[is_planar ? 0 : entry]) : cl_R(0);
+    if (local.about_origin) return own;
+    const cl_R square = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
+    const std::array<cl_R, 6> shift{square - c[0] * c[0], square - c[1] * c[1],
+                                    square - c[2] * c[2], -c[0] * c[1],
+                                    -c[0] * c[2],         -c[1] * c[2]};
+    return own + mass * shift[entry];
+  };
+  Values values;
+  for (const InertialParameter& parameter : inertial_parameters(model)) {
+    switch (parameter.owner) {
+      case InertialOwner::parameter:
+        values.push_back(state.parameters[parameter.index]);
+        break;
+      case InertialOwner::coordinate:
+        values.push_back(value(*model.coordinates[parameter.index].armature));
+        break;
+      case InertialOwner::point:
+        values.push_back(value(*model.points[parameter.index].mass));
+        break;
+      case InertialOwner::body: {
+        const Body& body = model.bodies[parameter.index];
+        if (body.local) {
+          values.push_back(in_frame(body, parameter.component));
+        } else if (parameter.is_mass()) {
+          values.push_back(value(*body.mass));
+        } else {
+          const std::uint32_t entry = parameter.component - first_inertia_component;
+          values.push_back(value(body.inertia[body.inertia.size() == 1 ? 0 : entry]));
+        }
+        break;
+      }
+    }
+  }
+  return values;
+}
+
+}  // namespace elgen::oracle

@@ -1,0 +1,192 @@
+// Regressors: Y pi + rest = tau of every model that has one, closed forms, names, what a reference
+// velocity changes, and what is refused. Values are compared with the oracle's by every pipeline
+// (E911), and by `verify`.
+#include <catch2/catch.hpp>
+#include <filesystem>
+
+#include "elgen/inertial_parameters.hpp"
+#include "model/requests.hpp"
+#include "numbers/exact_number.hpp"
+#include "pipeline/constrained_testing.hpp"
+
+namespace elgen::test {
+namespace {
+
+/// Rational numbers of size one, the same in every run; a quaternion of length one.
+State some_state(const Constrained& system) {
+  State state = system.nominal();
+  const auto fill = [](std::vector<cln::cl_R>& leaves, int first) {
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+      leaves[i] = cln::cl_RA((first + 37 * static_cast<int>(i)) % 23 + 3) / 17;
+    }
+  };
+  fill(state.q, 3);
+  fill(state.v, 8);
+  fill(state.reference, 17);
+  fill(state.a, 5);
+  for (const Rotation& rotation : system.model().rotations) {
+    const std::array<int, 4> quaternion{1, 5, 1, 3};  // of length 6
+    for (std::size_t i = 0; i < 4; ++i) {
+      state.q[rotation.first_coordinate + i] = cln::cl_RA(quaternion[i]) / 6;
+    }
+  }
+  return state;
+}
+
+/// Y pi + rest - tau, of the largest entry of tau or of a term.
+double imbalance(const Constrained& system, OutputKind kind, const State& state,
+                 const ExactNumbers& forces) {
+  const ExactNumbers y = system.exactly(kind, "matrix", state);
+  const ExactNumbers rest = system.exactly(kind, "rest", state);
+  const ExactNumbers pi = system.exactly(OutputKind::regressor_parameters, "", state);
+  cln::cl_R largest = 0;
+  cln::cl_R worst = 0;
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    cln::cl_R sum = rest[i] - forces[i];
+    for (std::size_t k = 0; k < pi.size(); ++k) {
+      const cln::cl_R term = y[i * pi.size() + k] * pi[k];
+      largest = cln::max(largest, cln::abs(term));
+      sum = sum + term;
+    }
+    worst = cln::max(worst, cln::abs(sum));
+  }
+  return cln::zerop(largest) ? double_of(worst) : double_of(worst / largest);
+}
+
+std::vector<std::string> names_of(const Model& model) {
+  std::vector<std::string> names;
+  for (const InertialParameter& parameter : inertial_parameters(model)) {
+    names.push_back(parameter.name);
+  }
+  return names;
+}
+
+constexpr const char* outputs = "regressor,regressor_parameters,inverse_dynamics";
+
+Products products_of(const std::string& scene, const std::string& model) {
+  PipelineOptions options;
+  options.goals = {Goal::choose};
+  return run_pipeline(inputs_of(model, scene), options);
+}
+
+std::string slider(const std::string& more) {
+  return R"toml(format = 1
+[model]
+name = "slider"
+[[coordinate]]
+name = "x"
+unit = "m"
+armature = "J"
+[[coordinate]]
+name = "y"
+unit = "m"
+[parameters]
+J = { value = 0.2, unit = "kg" }
+m = { value = 2, unit = "kg" }
+k = { value = 3, unit = "N/m" }
+l = { value = 1, unit = "m" }
+d = { value = 0.1, unit = "N*s/m" }
+c = { value = 0.1, unit = "N*s/m" }
+b = { value = 0.3, unit = "1" }
+w = { value = 2, unit = "m/s" }
+[energy]
+T = "1/2*m*(dot(x)^2 + dot(y)^2)"
+V = "1/2*k*(x - l)^2"
+D = "1/2*d*dot(x)^2 + 1/2*c*b*w*abs2*dot(y)"
+[define]
+abs2 = "dot(y)/w"
+)toml" + more;
+}
+
+}  // namespace
+
+TEST_CASE("the regressor times its parameters is the inverse dynamics") {
+  std::size_t count = 0;
+  for (const auto& file : std::filesystem::directory_iterator(ELGEN_SOURCE_DIR "/models")) {
+    if (file.path().extension() != ".toml") continue;
+    INFO(file.path());
+    const std::string text = read_text(file.path().string());
+    const Constrained whole(text, "inverse_dynamics");
+    if (!is_available(whole.model(), request_of(whole.model(), OutputKind::regressor, 0))) continue;
+    const Constrained system(text, outputs);
+    const State state = some_state(system);
+    const ExactNumbers forces = system.exactly(OutputKind::inverse_dynamics, "", state);
+    CHECK(imbalance(system, OutputKind::regressor, state, forces) < 1e-50);
+    ++count;
+  }
+  CHECK(count > 30);
+}
+
+TEST_CASE("a reference velocity takes the place of one velocity in C v") {
+  for (const char* const name : {"two_link_arm", "panda7", "free_body", "heavy_top", "cart_pole"}) {
+    INFO(name);
+    const Constrained system(
+        model_file(name),
+        "regressor_reference,regressor_parameters,mass_matrix,coriolis_matrix,gravity,dissipation,"
+        "applied_force");
+    const State state = some_state(system);
+    State by_reference = state;
+    by_reference.v = state.reference;
+    const std::size_t n = state.v.size();
+    const ExactNumbers m = system.exactly(OutputKind::mass_matrix, "", state);
+    const ExactNumbers c = system.exactly(OutputKind::coriolis_matrix, "", state);
+    const ExactNumbers g = system.exactly(OutputKind::gravity, "", state);
+    const ExactNumbers d = system.exactly(OutputKind::dissipation, "", by_reference);
+    const ExactNumbers q = system.exactly(OutputKind::applied_force, "", state);
+    ExactNumbers forces(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      forces[i] = g[i] + d[i] - q[i];
+      for (std::size_t j = 0; j < n; ++j) {
+        forces[i] = forces[i] + m[i * n + j] * state.a[j] + c[i * n + j] * state.reference[j];
+      }
+    }
+    CHECK(imbalance(system, OutputKind::regressor_reference, state, forces) < 1e-50);
+  }
+}
+
+TEST_CASE("parameters of a regressor have names, units and an order") {
+  const Constrained arm(model_file("two_link_arm"), outputs);
+  CHECK(names_of(arm.model()) ==
+        std::vector<std::string>{"link1.m", "link1.Izz", "link2.m", "link2.Izz"});
+  const Constrained top(model_file("free_body"), outputs);
+  CHECK(names_of(top.model()).size() == 10);
+  CHECK(names_of(top.model()).front().ends_with(".m"));
+  CHECK(names_of(top.model()).back().ends_with(".Iyz"));
+  const Products slides = products_of(
+      "[regressor]\nparameters = [\"k\", \"m\"]\n"
+      "[outputs]\nregressor = true\n",
+      slider(""));
+  INFO(format(slides.diagnostics));
+  REQUIRE(slides.program);
+  const Model& model = slides.checked->model;
+  CHECK(names_of(model) == std::vector<std::string>{"armature.x", "d", "k", "m"});
+  CHECK(to_string(*inertial_parameters(model)[0].unit) == "kg");
+  CHECK(to_string(*inertial_parameters(model)[2].unit) == "kg/s^2");
+}
+
+TEST_CASE("forces that are not affine in parameters of a regressor are refused") {
+  const auto message = [](const std::string& parameters, const std::string& more = "") {
+    return format(products_of("[regressor]\nparameters = " + parameters +
+                                  "\n[outputs]\nregressor = true\n" + more,
+                              slider(""))
+                      .diagnostics);
+  };
+  using Catch::Contains;
+  CHECK_THAT(message("[\"k\", \"l\"]"), Contains("E649") && Contains("not affine in `l`"));
+  CHECK_THAT(message("[\"c\", \"b\"]"), Contains("a product of `c` and `b`"));
+  CHECK_THAT(message("[\"J\"]"), Contains("`J` stands in a mass, an inertia"));
+  CHECK_THAT(message("[\"q\"]"), Contains("E602"));
+  CHECK_THAT(message("[\"k\"]", "[parameters]\nfixed = \"all\"\n"), Contains("`k` is fixed"));
+  const std::string bare = R"toml(format = 1
+[model]
+name = "bare"
+[[coordinate]]
+name = "x"
+[energy]
+T = "1/2*dot(x)^2"
+)toml";
+  CHECK_THAT(format(products_of("[outputs]\nregressor = true\n", bare).diagnostics),
+             Contains("E603") && Contains("needs a body, a point with a mass"));
+}
+
+}  // namespace elgen::test
