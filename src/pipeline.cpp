@@ -8,6 +8,7 @@
 //     specialise -> equilibria -> modes   states of rest and motions about them, from outputs of
 //                                         their own
 //     specialise -> symmetries            likewise
+//     specialise -> base_parameters       likewise
 #include "elgen/pipeline.hpp"
 
 #include <fmt/format.h>
@@ -123,6 +124,7 @@ class Compilation {
     out.equilibria = std::move(equilibria_.product);
     out.motions = std::move(motions_.product);
     out.symmetries = std::move(symmetries_.product);
+    out.base_parameters = std::move(base_parameters_.product);
     out.claims = std::move(claims_.product);
     out.files = std::move(files_.product);
     out.self_check = std::move(self_check_.product);
@@ -154,6 +156,8 @@ class Compilation {
                                   // Symmetries need no solution.
                                   if (options_.goals == std::vector<Goal>{Goal::symmetries})
                                     scene.outputs = outputs_of_symmetries(c.model);
+                                  if (options_.goals == std::vector<Goal>{Goal::base_parameters})
+                                    scene.outputs = outputs_of_base_parameters(c.model);
                                   return Result<Inspection>({}, inspect(c.model, scene));
                                 }};
 
@@ -198,6 +202,9 @@ class Compilation {
 
   Stage<Symmetries> symmetries_{run_, Goal::symmetries, std::tie(lagrangian_, checked_),
                                 symmetries};
+
+  Stage<BaseParameters> base_parameters_{run_, Goal::base_parameters,
+                                         std::tie(lagrangian_, checked_), base_parameters};
 
   Stage<std::vector<JudgedEquilibrium>> claims_{run_, Goal::claims, std::tie(lagrangian_, checked_),
                                                 claims};

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "elgen/analyse.hpp"
+#include "elgen/base_parameters.hpp"
 #include "elgen/page.hpp"
 
 namespace elgen {
@@ -14,6 +15,9 @@ namespace elgen {
                               const std::vector<LinearMotions>& all);
 [[nodiscard]] Page symmetries_page(const CheckedModel& checked, const Symmetries& symmetries);
 
+/// An equation for each base parameter, and their values.
+[[nodiscard]] Page base_parameters_page(const CheckedModel& checked, const BaseParameters& found);
+
 /// Numbers have all digits that distinguish doubles.
 [[nodiscard]] std::string equilibria_json(const CheckedModel& checked,
                                           const Equilibria& equilibria);
@@ -21,6 +25,9 @@ namespace elgen {
                                      const std::vector<LinearMotions>& all);
 [[nodiscard]] std::string symmetries_json(const CheckedModel& checked,
                                           const Symmetries& symmetries);
+
+[[nodiscard]] std::string base_parameters_json(const CheckedModel& checked,
+                                               const BaseParameters& found);
 
 /// The shortest form in the symbols of a model; none if there is no closed form, or it is too long
 /// to be read.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "elgen/analyse.hpp"
+#include "elgen/base_parameters.hpp"
 #include "elgen/certificate.hpp"
 #include "elgen/choose.hpp"
 #include "elgen/closed_forms.hpp"
@@ -45,15 +46,16 @@ enum class Goal : std::uint8_t {
   equilibria,
   modes,
   symmetries,
+  base_parameters,
   claims,
   typeset,
   emit,
   self_check,
 };
-inline constexpr std::array<std::string_view, 18> goal_names{
-    "parse",  "check",      "inspect", "formulate", "specialise", "steps",
-    "derive", "lower",      "cancel",  "present",   "choose",     "equilibria",
-    "modes",  "symmetries", "claims",  "typeset",   "emit",       "self-check"};
+inline constexpr std::array<std::string_view, 19> goal_names{
+    "parse",           "check",  "inspect", "formulate", "specialise", "steps", "derive",
+    "lower",           "cancel", "present", "choose",    "equilibria", "modes", "symmetries",
+    "base-parameters", "claims", "typeset", "emit",      "self-check"};
 
 [[nodiscard]] constexpr std::string_view name_of(Goal goal) {
   return goal_names[static_cast<std::size_t>(goal)];
@@ -91,6 +93,7 @@ struct Products {
   std::optional<Equilibria> equilibria = {};
   std::optional<std::vector<LinearMotions>> motions = {};
   std::optional<Symmetries> symmetries = {};
+  std::optional<BaseParameters> base_parameters = {};
   std::optional<std::vector<JudgedEquilibrium>> claims = {};  ///< of [[equilibrium]]
   std::optional<EmittedFiles> files = {};
   std::optional<SelfCheck> self_check = {};

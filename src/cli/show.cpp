@@ -85,7 +85,10 @@ constexpr std::array subjects{
     SubjectRow{"modes", Goal::modes, &made<&modes_page, &Products::equilibria, &Products::motions>,
                nullptr, &made<&modes_json, &Products::equilibria, &Products::motions>, true},
     SubjectRow{"symmetries", Goal::symmetries, &made<&symmetries_page, &Products::symmetries>,
-               nullptr, &made<&symmetries_json, &Products::symmetries>}};
+               nullptr, &made<&symmetries_json, &Products::symmetries>},
+    SubjectRow{"base_parameters", Goal::base_parameters,
+               &made<&base_parameters_page, &Products::base_parameters>, nullptr,
+               &made<&base_parameters_json, &Products::base_parameters>}};
 
 Result<const SubjectRow*> subject_of(const ShowOptions& options) {
   for (const SubjectRow& row : subjects) {
@@ -268,8 +271,8 @@ void add_show(CLI::App& app, Action& action) {
       ->required();
   command
       ->add_option("--what", options->what,
-                   "outputs: mass_matrix,gravity,…; or lagrangian, steps, cost, equilibria, modes "
-                   "or symmetries")
+                   "outputs: mass_matrix,gravity,…; or lagrangian, steps, cost, equilibria, modes, "
+                   "symmetries or base_parameters")
       ->type_name("LIST");
   command
       ->add_option("--as", options->as,

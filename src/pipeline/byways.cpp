@@ -196,6 +196,14 @@ Result<Symmetries> symmetries(const Lagrangian& lagrangian, const CheckedModel& 
   return find_symmetries(checked, *moving);
 }
 
+Result<BaseParameters> base_parameters(const Lagrangian& lagrangian, const CheckedModel& checked,
+                                       const Limits& limits) {
+  const Result<Program> regressor =
+      recursive_program(lagrangian, outputs_of_base_parameters(checked.model), limits);
+  if (!regressor) return regressor.diagnostics;
+  return find_base_parameters(checked, *regressor);
+}
+
 Result<std::vector<JudgedEquilibrium>> claims(const Lagrangian& lagrangian,
                                               const CheckedModel& checked, const Limits& limits) {
   if (checked.model.equilibria.empty()) return std::vector<JudgedEquilibrium>{};

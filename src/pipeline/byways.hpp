@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "elgen/analyse.hpp"
+#include "elgen/base_parameters.hpp"
 #include "elgen/choose.hpp"
 #include "elgen/closed_forms.hpp"
 #include "elgen/equations_of_motion.hpp"
@@ -29,6 +30,11 @@ namespace elgen {
                                             const CheckedModel& checked,
                                             const std::optional<std::string>& about,
                                             const Limits& limits);
+
+/// Errors of find_base_parameters().
+[[nodiscard]] Result<BaseParameters> base_parameters(const Lagrangian& lagrangian,
+                                                     const CheckedModel& checked,
+                                                     const Limits& limits);
 
 /// Errors of find_symmetries().
 [[nodiscard]] Result<Symmetries> symmetries(const Lagrangian& lagrangian,

@@ -171,4 +171,24 @@ std::string symmetries_json(const CheckedModel& checked, const Symmetries& symme
   return object.dump(1) + "\n";
 }
 
+std::string base_parameters_json(const CheckedModel& checked, const BaseParameters& found) {
+  Json base = Json::array();
+  for (const BaseParameter& parameter : found.base) {
+    Json terms = Json::object();
+    terms[found.parameters[parameter.parameter].name] = 1.0;
+    for (const WeighedParameter& other : parameter.others) {
+      terms[found.parameters[other.parameter].name] = double_of(other.factor);
+    }
+    base.push_back({{"parameters", terms}, {"value", double_of(parameter.value)}});
+  }
+  Json names = Json::array();
+  for (const InertialParameter& parameter : found.parameters) names.push_back(parameter.name);
+  Json unseen = Json::array();
+  for (const std::uint32_t k : found.without_effect) unseen.push_back(found.parameters[k].name);
+  const Json object{
+      {"model", checked.model.name}, {"parameters", names},    {"base", base},
+      {"without_effect", unseen},    {"states", found.states}, {"exact", found.is_exact}};
+  return object.dump(1) + "\n";
+}
+
 }  // namespace elgen

@@ -1,0 +1,191 @@
+// base_parameters: the echelon form of Y at many states, over residues or in 160 digits.
+#include "elgen/base_parameters.hpp"
+
+#include <cln/float.h>
+
+#include <algorithm>
+
+#include "analyse/residues.hpp"
+#include "model/requests.hpp"
+#include "numbers/echelon.hpp"
+#include "numbers/exact_number.hpp"
+#include "numbers/more_digits.hpp"
+#include "program/evaluate/subject.hpp"
+#include "sample/states.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_MI;
+using cln::cl_R;
+
+constexpr std::uint64_t seed = 1;
+
+/// Floats have so many digits beside the 64 of Real; entries below the noise are 0.
+constexpr unsigned more_digits = 96;
+const cl_R& noise() {
+  static const cl_R value = power_of_ten(-100);
+  return value;
+}
+
+/// Residues: the first row with an entry has the pivot.
+struct ResiduePivot {
+  using Number = cl_MI;
+  static constexpr EchelonForm form = EchelonForm::reduced;
+
+  [[nodiscard]] static cl_MI integer(int value) { return residue_field()->canonhom(value); }
+  [[nodiscard]] static cl_MI negate(const cl_MI& x) { return -x; }
+  [[nodiscard]] static cl_MI multiply(const cl_MI& x, const cl_MI& y) { return x * y; }
+  [[nodiscard]] static cl_MI divide(const cl_MI& x, const cl_MI& y) { return x * cln::recip(y); }
+  [[nodiscard]] static cl_MI reduce(const cl_MI& x, const cl_MI& factor, const cl_MI& y) {
+    return x - factor * y;
+  }
+  [[nodiscard]] static bool is_zero(const cl_MI& x) { return cln::zerop(x); }
+  [[nodiscard]] static bool is_defined(const cl_MI&) { return true; }
+  [[nodiscard]] static const PivotCandidate<cl_MI>* best(
+      const std::vector<PivotCandidate<cl_MI>>& candidates, std::size_t) {
+    return &candidates.front();
+  }
+};
+
+/// Twice as many rows as columns, and some for columns that few rows have.
+std::size_t states_for(std::size_t rows, std::size_t columns) {
+  return 2 * (columns + rows - 1) / rows + 8;
+}
+
+/// The matrix of the regressor comes first of its fields.
+std::size_t entries_of_matrix(const Function& regressor) {
+  return regressor.fields.front().entries.size();
+}
+
+/// Takes the rows of an echelon form as base parameters. `number` gives a factor as a real number,
+/// or none.
+template <class Field, class ToNumber>
+bool take(const Echelon<Field>& echelon, const ToNumber& number, BaseParameters& found) {
+  std::vector<bool> has_effect(found.parameters.size());
+  for (const auto& pivot : echelon.pivots()) {
+    BaseParameter& base = found.base.emplace_back();
+    base.parameter = static_cast<std::uint32_t>(pivot.column);
+    has_effect[pivot.column] = true;
+    for (const auto& entry : echelon.rest(pivot)) {
+      const std::optional<cl_R> factor = number(entry.value);
+      if (!factor) return false;
+      base.others.push_back({static_cast<std::uint32_t>(entry.column), *factor});
+      has_effect[entry.column] = true;
+    }
+  }
+  for (std::uint32_t k = 0; k < has_effect.size(); ++k) {
+    if (!has_effect[k]) found.without_effect.push_back(k);
+  }
+  return true;
+}
+
+/// False where a constant or a function is not of the field.
+bool find_by_residues(const CheckedModel& checked, const Program& program,
+                      const Function& regressor, BaseParameters& found) {
+  Sampler draw(seed);
+  std::vector<cl_MI> matrix;
+  for (std::size_t i = 0; i < found.states; ++i) {
+    const std::vector<Residue> entries = residues_of(checked.model, program, regressor, draw);
+    for (std::size_t k = 0; k < entries_of_matrix(regressor); ++k) {
+      if (!entries[k].value) return false;
+      matrix.push_back(*entries[k].value);
+    }
+  }
+  ResiduePivot field;
+  const std::size_t columns = found.parameters.size();
+  BaseParameters exact = found;
+  exact.is_exact = true;
+  const bool are_rational = take(
+      Echelon<ResiduePivot>(field, matrix, columns, columns),
+      [](const cl_MI& factor) -> std::optional<cl_R> { return rational_of(factor); }, exact);
+  if (are_rational) found = std::move(exact);
+  return are_rational;
+}
+
+/// Rows of Y at a drawn state in long floats, each with a largest entry of 1. None where it has no
+/// value.
+std::optional<std::vector<cl_R>> sampled_rows(const CheckedModel& checked, const Program& program,
+                                              const Function& regressor, const State& state) {
+  static const cln::float_format_t digits = cln::float_format(64 + more_digits);
+  const OracleValues values =
+      defined_values(evaluate(program, regressor, arguments_at<Real>(state)));
+  if (!values) return std::nullopt;
+  const std::size_t columns = entries_of_matrix(regressor) / checked.model.velocities.size();
+  std::vector<cl_R> rows(
+      values->begin(), values->begin() + static_cast<std::ptrdiff_t>(entries_of_matrix(regressor)));
+  for (std::size_t first = 0; first < rows.size(); first += columns) {
+    cl_R largest = 0;
+    for (std::size_t k = 0; k < columns; ++k)
+      largest = cln::max(largest, cln::abs(rows[first + k]));
+    for (std::size_t k = 0; k < columns; ++k) {
+      cl_R& entry = rows[first + k];
+      if (!cln::zerop(largest)) entry = cln::cl_float(entry, digits) / largest;
+    }
+  }
+  return rows;
+}
+
+bool find_by_samples(const CheckedModel& checked, const Program& program, const Function& regressor,
+                     BaseParameters& found) {
+  constexpr std::size_t draws_per_state = 20;
+  Sampler draw(seed);
+  std::vector<cl_R> matrix;
+  const std::size_t columns = found.parameters.size();
+  const std::size_t wanted = found.states * entries_of_matrix(regressor);
+  for (std::size_t i = 0; i < draws_per_state * found.states && matrix.size() < wanted; ++i) {
+    State state = nominal_state(checked.model, checked.scene);
+    draw_motion(checked.model, draw, 0, state);
+    const auto rows = sampled_rows(checked, program, regressor, state);
+    if (rows) matrix.insert(matrix.end(), rows->begin(), rows->end());
+  }
+  if (matrix.size() < wanted) return false;
+  LargestPivot<cl_R, EchelonForm::reduced> field(noise(), noise());
+  return take(
+      Echelon<LargestPivot<cl_R, EchelonForm::reduced>>(field, matrix, columns, columns),
+      [](const cl_R& factor) { return std::optional(factor); }, found);
+}
+
+/// pi_k + sum factor pi_j at the values of the model, where it has them.
+void add_values(const CheckedModel& checked, BaseParameters& found) {
+  const OracleValues values =
+      oracle_values(checked.model, {.kind = OutputKind::regressor_parameters},
+                    nominal_state(checked.model, checked.scene));
+  if (!values) return;
+  for (BaseParameter& base : found.base) {
+    base.value = (*values)[base.parameter];
+    for (const WeighedParameter& other : base.others) {
+      base.value = base.value + other.factor * (*values)[other.parameter];
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<OutputRequest> outputs_of_base_parameters(const Model& model) {
+  return available_requests(model, {OutputKind::regressor});
+}
+
+Result<BaseParameters> find_base_parameters(const CheckedModel& checked, const Program& recursive) {
+  const Function* const regressor = find_function(recursive, OutputKind::regressor);
+  if (regressor == nullptr) {
+    Report report;
+    (void)require_request(checked.model, "regressor", checked.model.name_span, report);
+    return report.sorted();
+  }
+  BaseParameters found{inertial_parameters(checked.model)};
+  found.states = states_for(checked.model.velocities.size(), found.parameters.size());
+  const bool is_found =
+      find_by_residues(checked, recursive, *regressor, found) || with_digits(more_digits, [&] {
+        return find_by_samples(checked, recursive, *regressor, found);
+      });
+  if (!is_found) {
+    return Diagnostic{
+        Code::E521, checked.model.name_span,
+        "the regressor has no value at states that are drawn in the ranges of the model"};
+  }
+  add_values(checked, found);
+  return {std::move(found), {}};
+}
+
+}  // namespace elgen
