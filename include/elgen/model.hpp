@@ -174,6 +174,7 @@ struct Point {
   std::optional<ExpressionId> mass = {};
   std::vector<JoinedPlace> joined_to = {};  ///< no equation depends on these two
   bool is_on_springs = false;               ///< what joins it is drawn as springs, not rods
+  bool is_shown = true;                     ///< false: nothing names it, a wrench acts there
   std::string doc = {};
   Span span = {};
 };
@@ -205,6 +206,7 @@ struct Input {
   std::string name;
   std::string identifier;
   std::optional<std::uint32_t> on = {};  ///< velocity it acts on as a generalized force
+  bool is_external = false;              ///< a component of a force of the world, no motor
   std::optional<Interval> limits = {};
   std::optional<Unit> unit = {};
   std::string unit_text = {};
@@ -338,8 +340,7 @@ struct Model {
   /// Accelerations, momenta, t and h that `--state` gives, by their texts: "dot(dot(theta))".
   std::map<std::string, cln::cl_R> stated = {};
 
-  /// Parameters in which the forces are affine together, which the regressor has columns of
-  /// (inertial_parameters.hpp).
+  /// Parameters in which forces are affine together (inertial_parameters.hpp).
   std::vector<std::uint32_t> regressed = {};
 
   bool quadratic = true;        ///< T - V (or L) is at most quadratic in the rates

@@ -65,7 +65,10 @@ void resolve_entries(Context& context, const FileSyntax& syntax) {
   read_entries(context, instances, {{"point", read_point}, {"body", read_body}});
   for (const EntrySyntax& entry : syntax.entries) read_table(context, entry);
   read_entries(context, instances,
-               {{"force", read_force}, {"output", read_output}, {"equilibrium", read_equilibrium}});
+               {{"input", read_wrench_input},
+                {"force", read_force},
+                {"output", read_output},
+                {"equilibrium", read_equilibrium}});
   read_constraints(context, instances);
   check_plane(context);
   check_output_names(context.model, context.report);
@@ -123,6 +126,7 @@ Result<CheckedModel> check(const FileSyntax& model, const FileSyntax* scene,
   context.model.canonical = stamped_text(model);
   context.has_units = uses_units(model);
   context.dimension = usual_dimension(model);
+  context.is_planar = is_planar(model);
   read_sizes(context, model, scene, options);
   read_closures(context, model, scene, options);
   resolve_entries(context, model);

@@ -57,6 +57,33 @@ std::uint32_t append_rotation(Model& model, Rotation rotation) {
 
 namespace {
 
+/// Whether a force does work on locked velocities alone.
+bool acts_on_locks(const Model& whole, const Force& force) {
+  std::vector<ExpressionId> roots;
+  for (const auto& point : {force.at, force.from}) {
+    if (point)
+      roots.insert(roots.end(), whole.points[*point].at.begin(), whole.points[*point].at.end());
+  }
+  for (const auto& frame : {force.frame, force.from_frame}) {
+    if (frame)
+      roots.insert(roots.end(), whole.frames[*frame].spin.begin(), whole.frames[*frame].spin.end());
+  }
+  bool is_held = false;
+  const auto is_locked = [&](std::uint32_t velocity) {
+    return std::ranges::any_of(whole.variant.locks,
+                               [&](const Lock& lock) { return lock.has_velocity(velocity); });
+  };
+  if (force.on) return is_locked(*force.on);
+  for (const ExpressionId id : reached(whole, roots)) {
+    const Expression& node = whole.expressions[id];
+    const bool is_place = is_leaf(node, Opcode::coordinate);
+    if (!is_place && !is_leaf(node, Opcode::velocity)) continue;
+    if (!is_locked(is_place ? whole.coordinates[node.index].velocity : node.index)) return false;
+    is_held = true;
+  }
+  return is_held;
+}
+
 PlacesLeft inputs_left(const Model& whole) {
   PlacesLeft left(whole.inputs.size());
   const auto is_locked = [&](const std::optional<std::uint32_t>& velocity) {
@@ -74,7 +101,7 @@ PlacesLeft inputs_left(const Model& whole) {
     }
   };
   for (const Force& force : whole.forces) {
-    note(is_locked(force.on) ? acts_on_lock : acts_elsewhere, force.value);
+    note(acts_on_locks(whole, force) ? acts_on_lock : acts_elsewhere, force.value);
   }
   for (const UserOutput& output : whole.outputs) note(acts_elsewhere, output.values);
   for (std::uint32_t i = 0; i < whole.inputs.size(); ++i) {

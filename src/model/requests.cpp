@@ -47,6 +47,11 @@ std::optional<Lack> lack_of_constraints(const Model& model, const OutputRequest&
   }
   if (!is_for_inputs) return std::nullopt;
   if (model.inputs.empty()) return lacking("needs inputs, and the model has none");
+  const auto external = std::ranges::find(model.inputs, true, &Input::is_external);
+  if (external != model.inputs.end()) {
+    return Lack{Code::E603, "needs inputs that are motors, all of them", external->span,
+                "this is a force of the world"};
+  }
   const std::size_t freedoms = model.velocities.size() - std::min(count, model.velocities.size());
   if (model.inputs.size() <= freedoms) return std::nullopt;
   return Lack{Code::E603,

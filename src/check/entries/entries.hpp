@@ -27,6 +27,8 @@ void read_body(ValueReader& values, const EntrySyntax& entry, std::uint32_t targ
 
 /// Needs the units of velocities.
 void read_force(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
+/// Adds the forces of inputs that are components of a wrench or a force (wrench_input.hpp).
+void read_wrench_input(ValueReader& values, const EntrySyntax& entry, std::uint32_t first);
 /// Replaces the entries of the Model by their equations, in the order of the file.
 void read_constraints(Context& context, const std::vector<Instance>& instances);
 void read_output(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);

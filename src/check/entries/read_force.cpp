@@ -5,6 +5,7 @@
 #include "check/entries/in_frame.hpp"
 #include "check/expressions/places.hpp"
 #include "check/expressions/values.hpp"
+#include "check/expressions/wrench_input.hpp"
 
 namespace elgen {
 namespace {
@@ -79,6 +80,30 @@ void read_torque(ValueReader& values, const EntrySyntax& entry, Force& force) {
   if (force.from_frame) force.reaction = turned_to(force.from_frame, force, context);
 }
 
+/// So many inputs from one on, as leaves.
+std::vector<ExpressionId> leaves(Context& context, std::uint32_t first, std::uint32_t count,
+                                 const Span& span) {
+  NodeBuilder nodes(context, span);
+  std::vector<ExpressionId> all;
+  for (std::uint32_t i = 0; i < count; ++i) all.push_back(nodes.leaf(Opcode::input, first + i));
+  return all;
+}
+
+/// A point that nothing names, at the origin of a frame.
+std::uint32_t origin_of(Context& context, std::uint32_t frame, const Span& span) {
+  Point point;
+  point.name = context.model.frames[frame].name;
+  point.identifier = context.model.frames[frame].identifier + "_origin";
+  point.dimension = context.is_planar ? 2 : 3;
+  point.local = PlaceInFrame{frame, {no_expression, no_expression, no_expression}};
+  NodeBuilder nodes(context, span);
+  point.at = vector_of(nodes, frame, frame_origin);
+  point.is_shown = false;
+  point.span = span;
+  context.model.points.push_back(std::move(point));
+  return static_cast<std::uint32_t>(context.model.points.size() - 1);
+}
+
 constexpr std::array<std::string_view, 3> force_places{"on", "at", "frame"};
 
 /// Exactly one of `on`, `at` and `frame`; null after an error.
@@ -124,6 +149,35 @@ void read_force(ValueReader& values, const EntrySyntax& entry, std::uint32_t tar
   } else {
     read_torque(values, entry, force);
   }
+}
+
+void read_wrench_input(ValueReader& values, const EntrySyntax& entry, std::uint32_t first) {
+  if (!is_wrench_input(entry)) return;
+  Context& context = values.context();
+  const WrenchComponents count = wrench_components(context, entry);
+  Force force;
+  force.name = entry.find("name")->value.expression.text;
+  force.span = entry.span;
+  force.axes = axes_of(values, entry, "in", std::nullopt);
+  if (const KeySyntax* at = entry.find("at")) {
+    force.at = values.reference(at->value, SymbolKind::point);
+    if (!force.at) return;
+  } else {
+    const auto frame = values.reference(entry.find("wrench")->value, SymbolKind::frame);
+    if (!frame) return;
+    force.at = origin_of(context, *frame, entry.span);
+    Force torque = force;
+    torque.at.reset();
+    torque.frame = frame;
+    torque.written = leaves(context, first, count.torque, entry.span);
+    if (count.torque == 1) torque.written = {no_expression, no_expression, torque.written.front()};
+    torque.value = turned_to(frame, torque, context);
+    context.model.forces.push_back(std::move(torque));
+  }
+  force.written = leaves(context, first + count.torque, count.force, entry.span);
+  force.written.resize(3, no_expression);
+  force.value = turned_to(std::nullopt, force, context);
+  context.model.forces.push_back(std::move(force));
 }
 
 void read_output(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {

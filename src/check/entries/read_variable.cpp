@@ -9,6 +9,7 @@
 #include "check/expressions/rotations.hpp"
 #include "check/expressions/units.hpp"
 #include "check/expressions/values.hpp"
+#include "check/expressions/wrench_input.hpp"
 #include "numbers/exact_number.hpp"
 
 namespace elgen {
@@ -125,6 +126,13 @@ void read_coordinate(ValueReader& values, const EntrySyntax& entry, std::uint32_
 
 void read_input(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
   Context& context = values.context();
+  if (is_wrench_input(entry)) {
+    const WrenchComponents count = wrench_components(context, entry);
+    for (std::uint32_t i = 0; i < count.torque + count.force; ++i) {
+      context.model.inputs[target + i].limits = values.interval(entry, "limits");
+    }
+    return;
+  }
   Input& input = context.model.inputs[target];
   input.unit = unit_of(entry, context);
   input.limits = values.interval(entry, "limits");

@@ -10,6 +10,7 @@
 #include "check/expressions/parameters.hpp"
 #include "check/expressions/rotations.hpp"
 #include "check/expressions/values.hpp"
+#include "check/expressions/wrench_input.hpp"
 
 namespace elgen {
 namespace {
@@ -115,6 +116,9 @@ class Expander {
     if (!within_limits(context_, kind.kind, name.span)) return false;
     if (is_rotation(entry)) {
       return add_declared(entry, scope, declare_rotation(context_, entry, name));
+    }
+    if (is_wrench_input(entry)) {
+      return add_declared(entry, scope, declare_wrench_input(context_, entry, name));
     }
     if (kind.kind == SymbolKind::open_value) {
       return add_declared(entry, scope, declare_function(context_, entry, name));

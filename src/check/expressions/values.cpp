@@ -170,7 +170,10 @@ bool ValueReader::is_vector(const ValueSyntax& value) {
   return true;
 }
 
-std::uint32_t usual_dimension(const FileSyntax& model) {
+namespace {
+
+/// How many vectors have so many components.
+std::array<std::size_t, 4> counted_vectors(const FileSyntax& model) {
   constexpr std::array<std::string_view, 4> vectors{"at", "com", "translate", "vector"};
   std::array<std::size_t, 4> counts{};
   for (const EntrySyntax& entry : model.entries) {
@@ -180,8 +183,20 @@ std::uint32_t usual_dimension(const FileSyntax& model) {
       if (is_vector) ++counts[key.value.items.size()];
     }
   }
+  return counts;
+}
+
+}  // namespace
+
+std::uint32_t usual_dimension(const FileSyntax& model) {
+  const auto counts = counted_vectors(model);
   if (counts[2] == 0 || counts[3] == 0 || counts[2] == counts[3]) return 0;
   return counts[2] > counts[3] ? 2 : 3;
+}
+
+bool is_planar(const FileSyntax& model) {
+  const auto counts = counted_vectors(model);
+  return counts[2] > counts[3];
 }
 
 std::optional<std::uint32_t> ValueReader::frame_or_world(const ValueSyntax& value) {

@@ -93,6 +93,8 @@ void note_degrees(Report& report, const Span& span, const Coordinate& coordinate
 
 /// The dimension of most vectors of the file, 2 or 3; 0 where all agree, or in a draw.
 [[nodiscard]] std::uint32_t usual_dimension(const FileSyntax& model);
+/// Whether most vectors have two components.
+[[nodiscard]] bool is_planar(const FileSyntax& model);
 
 /// Text of an optional key of an entry or table, or nothing.
 template <class Table>

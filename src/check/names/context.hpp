@@ -124,6 +124,7 @@ struct Context {
   bool told_of_own_energy = false;  ///< that `E` of the model wins in `conserved`
   /// The number of components of most vectors of the model, or of the first one.
   std::uint32_t dimension = 0;
+  bool is_planar = false;     ///< most vectors have two components, known before any is read
   Span model_span = {};       ///< the header `[model]`
   Span lagrangian_span = {};  ///< the key `L`
   std::vector<WrittenExpression> roots = {};

@@ -1,0 +1,67 @@
+// wrench_input: names and units of the inputs that one entry declares.
+#include "check/expressions/wrench_input.hpp"
+
+#include <array>
+#include <string_view>
+
+namespace elgen {
+namespace {
+
+constexpr std::array<std::string_view, 2> acting_keys{"wrench", "at"};
+
+void set_units(Input* first, std::uint32_t count, const Unit& unit, const std::string& text) {
+  for (std::uint32_t i = 0; i < count; ++i) {
+    first[i].unit = unit;
+    first[i].unit_text = text;
+  }
+}
+
+}  // namespace
+
+WrenchComponents wrench_components(const Context& context, const EntrySyntax& entry) {
+  const std::uint32_t torque = context.is_planar ? 1 : 3;
+  return {entry.find("wrench") != nullptr ? torque : 0, context.is_planar ? 2U : 3U};
+}
+
+bool is_wrench_input(const EntrySyntax& entry) {
+  return entry.name == "input" && first_two(entry, acting_keys)[0] != nullptr;
+}
+
+std::optional<std::uint32_t> declare_wrench_input(Context& context, const EntrySyntax& entry,
+                                                  const NewName& name) {
+  const auto refuse = [&](const Span& span, const std::string& message) {
+    context.report.add(Code::E112, span, message);
+    context.symbols.mark_failed(name.base);
+    return std::nullopt;
+  };
+  if (const KeySyntax* repetition = entry.find("for"); repetition != nullptr || name.index) {
+    return refuse(repetition == nullptr ? name.span : repetition->key_span,
+                  "a wrench is not repeated: its index counts its components");
+  }
+  if (const KeySyntax* second = first_two(entry, acting_keys)[1]) {
+    return refuse(second->key_span, "an input has one of `on`, `wrench` and `at`");
+  }
+  if (const KeySyntax* on = entry.find("on")) {
+    return refuse(on->key_span, "an input has one of `on`, `wrench` and `at`");
+  }
+  if (const KeySyntax* unit = entry.find("unit")) {
+    return refuse(unit->key_span, "components of a wrench are in N*m, those of a force in N");
+  }
+  const WrenchComponents count = wrench_components(context, entry);
+  const auto first = static_cast<std::uint32_t>(context.model.inputs.size());
+  for (std::uint32_t i = 0; i < count.torque + count.force; ++i) {
+    const NewName component{name.base, i + 1, name.span};
+    context.model.inputs.push_back(row_of<Input>(entry, component));
+    context.model.inputs.back().is_external = true;
+    if (!context.symbols.declare(component, SymbolKind::input, first + i, context.report)) {
+      return std::nullopt;
+    }
+  }
+  const Unit newton = *find_unit("N");
+  Input* const inputs = context.model.inputs.data() + first;
+  set_units(inputs, count.torque, newton * *find_unit("m"), "N*m");
+  set_units(inputs + count.torque, count.force, newton, "N");
+  return first;
+}
+
+}  // namespace elgen

@@ -1,0 +1,148 @@
+// Inputs that are wrenches on frames, or forces on points: their block of B is the Jacobian of the
+// frame's twist, transposed; names, units and axes, locks, and what is refused.
+#include <catch2/catch.hpp>
+
+#include "pipeline/constrained_testing.hpp"
+#include "sample/states.hpp"
+
+namespace elgen::test {
+namespace {
+
+std::string armed(const std::string& more) { return model_file("panda7") + more; }
+
+std::string output(const std::string& axes) {
+  return "\n[[output]]\nname = \"hand\"\nframe = \"link7\"\njacobian = true\naxes = \"" + axes +
+         "\"\n";
+}
+
+/// Two links in a plane; what acts on them follows.
+std::string leg(const std::string& more) {
+  return R"toml(format = 1
+[model]
+name = "leg"
+[[coordinate]]
+name = "hip"
+unit = "rad"
+[[coordinate]]
+name = "knee"
+unit = "rad"
+[parameters]
+m = { value = 1, unit = "kg" }
+l = { value = 0.3, unit = "m" }
+[[frame]]
+name = "thigh"
+parent = "world"
+rotate = [["z", "hip"]]
+[[frame]]
+name = "shank"
+parent = "thigh"
+translate = ["l", "0"]
+rotate = [["z", "knee"]]
+[[point]]
+name = "toe"
+frame = "shank"
+at = ["l", "0"]
+mass = "m"
+[[point]]
+name = "kneecap"
+frame = "shank"
+at = ["0", "0"]
+mass = "m"
+)toml" + more;
+}
+
+std::vector<std::string> input_names_of(const Model& model) {
+  std::vector<std::string> names;
+  for (const Input& input : model.inputs) names.push_back(input.name);
+  return names;
+}
+
+std::string messages(const std::string& model, const std::string& scene = "") {
+  PipelineOptions options;
+  options.goals = {Goal::inspect};
+  return format(run_pipeline(inputs_of(model, scene), options).diagnostics);
+}
+
+}  // namespace
+
+TEST_CASE("the columns of a wrench are the Jacobian of the twist, transposed") {
+  for (const std::string axes : {"world", "link7"}) {
+    INFO(axes);
+    const Constrained system(armed("\n[[input]]\nname = \"f\"\nwrench = \"link7\"\nin = \"" + axes +
+                                   "\"\n" + output(axes)),
+                             "input_matrix,hand_jacobian");
+    State state = system.nominal();
+    Sampler draw(3);
+    draw_motion(system.model(), draw, 0, state);
+    const ExactNumbers b = system.exactly(OutputKind::input_matrix, "", state);
+    const ExactNumbers jacobian = system.exactly(OutputKind::user_jacobian, "", state);
+    ExactNumbers block;
+    for (std::size_t row = 0; row < 6; ++row) {
+      for (std::size_t i = 0; i < 7; ++i) block.push_back(b[i * 13 + 7 + row]);
+    }
+    check_digits(block, jacobian, 50);
+    CHECK(system.model().inputs[7].name == "f[1]");
+    CHECK(system.model().inputs[9].unit_text == "N*m");
+    CHECK(system.model().inputs[10].unit_text == "N");
+  }
+}
+
+TEST_CASE("in a plane a torque has one component and a force two") {
+  const Constrained system(leg("[[input]]\nname = \"w\"\nwrench = \"shank\"\n[[input]]\nname = "
+                               "\"g\"\nat = \"toe\"\n"),
+                           "input_matrix");
+  CHECK(input_names_of(system.model()) ==
+        std::vector<std::string>{"w[1]", "w[2]", "w[3]", "g[1]", "g[2]"});
+  State state = system.nominal();
+  state.q = {cln::cl_RA(3) / 10, cln::cl_RA(-7) / 5};
+  const double l = 0.3;
+  const double a = 0.3;
+  const double b = 0.3 - 1.4;
+  const std::vector<double> expected{1,
+                                     -l * std::sin(a),
+                                     l * std::cos(a),
+                                     -l * (std::sin(a) + std::sin(b)),
+                                     l * (std::cos(a) + std::cos(b)),
+                                     1,
+                                     0,
+                                     0,
+                                     -l * std::sin(b),
+                                     l * std::cos(b)};
+  const std::vector<double> found = system.in_double(OutputKind::input_matrix, "", state);
+  REQUIRE(found.size() == expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i)
+    CHECK(found[i] == Approx(expected[i]).margin(1e-15));
+}
+
+TEST_CASE("components that act on locked coordinates alone leave, and say so") {
+  const std::string model =
+      leg("[[input]]\nname = \"w\"\nwrench = \"thigh\"\n[[input]]\nname = "
+          "\"g\"\nat = \"toe\"\n");
+  const std::string told = messages(model, "[lock]\nhip = { value = 0.4 }\n");
+  using Catch::Contains;
+  CHECK_THAT(told, Contains("E616") && Contains("`w[1]` acts on what the scene locks alone"));
+  CHECK_THAT(told, !Contains("`g[1]` acts on what"));
+}
+
+TEST_CASE("wrenches that are none are refused") {
+  using Catch::Contains;
+  const auto input = [](const std::string& keys) {
+    return messages(leg("[[input]]\nname = \"w\"\n" + keys));
+  };
+  CHECK_THAT(input("wrench = \"shnk\"\n"), Contains("E201") && Contains("did you mean `shank`?"));
+  CHECK_THAT(input("at = \"heel\"\n"), Contains("unknown point `heel`"));
+  CHECK_THAT(input("wrench = \"shank\"\non = \"knee\"\n"),
+             Contains("E112") && Contains("one of `on`, `wrench` and `at`"));
+  CHECK_THAT(input("wrench = \"shank\"\nat = \"toe\"\n"), Contains("E112"));
+  CHECK_THAT(input("wrench = \"shank\"\nunit = \"N\"\n"),
+             Contains("components of a wrench are in N*m"));
+  CHECK_THAT(input("wrench = \"shank\"\nfor = \"i in 1..2\"\n"),
+             Contains("a wrench is not repeated"));
+  const std::string rod =
+      "[[constraint]]\nname = \"floor\"\nequation = \"y(toe) = -l\"\n[[input]]\nname = \"motor\"\n"
+      "unit = \"N*m\"\non = \"hip\"\n[[input]]\nname = \"w\"\nwrench = \"shank\"\n";
+  CHECK_THAT(messages(leg(rod), "[outputs]\nconstrained_inverse_dynamics = true\n"),
+             Contains("E603") && Contains("needs inputs that are motors"));
+}
+
+}  // namespace elgen::test
