@@ -144,6 +144,27 @@ TEST_CASE("a reference velocity takes the place of one velocity in C v") {
   }
 }
 
+TEST_CASE("scenes that lock and fix have regressors of what is left") {
+  for (const auto& [name, rest] :
+       {std::pair("panda7", "[lock]\nq3 = { value = \"0.4 + 0.2*t\" }\nq5 = { value = 1 }\n"),
+        std::pair("ur5", "[parameters]\nfixed = \"all\"\n"),
+        std::pair("pendulum_in_lift", "[parameters]\nfixed = \"all\"\n")}) {
+    INFO(name);
+    const std::string wanted =
+        "[outputs]\nregressor = true\nregressor_reference = true\nregressor_parameters = true\n";
+    PipelineOptions options;
+    options.goals = {Goal::self_check};  // compares with the oracle
+    const Products products = run_pipeline(inputs_of(model_file(name), wanted + rest), options);
+    INFO(format(products.diagnostics));
+    REQUIRE(products.self_check);
+    const Program& program = *products.program;
+    const std::size_t n = products.checked->model.velocities.size();
+    CHECK(find_function(program, OutputKind::regressor)->fields[0].rows == n);
+    CHECK(find_function(program, OutputKind::regressor)->fields[0].columns ==
+          names_of(products.checked->model).size());
+  }
+}
+
 TEST_CASE("parameters of a regressor have names, units and an order") {
   const Constrained arm(model_file("two_link_arm"), outputs);
   CHECK(names_of(arm.model()) ==

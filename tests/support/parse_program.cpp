@@ -92,7 +92,8 @@ class ProgramReader {
 
   std::string read_names(const Words& words, LeafOwner owner) {
     const auto assign = [&](const LeafRow& row, std::vector<std::string>& names) {
-      if (row.of != owner || row.id == Opcode::momentum) return;
+      const bool is_of_few = row.id == Opcode::momentum || row.id == Opcode::reference;
+      if (row.of != owner || is_of_few) return;
       names.assign(words.begin() + 1, words.end());
     };
     for_each_list(assign, program_.leaves);
