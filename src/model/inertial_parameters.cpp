@@ -45,8 +45,8 @@ class ParameterList {
 
  private:
   void add(InertialOwner owner, std::uint32_t index, std::uint32_t component, std::string name,
-           std::optional<Unit> unit) {
-    list_.push_back({owner, index, component, std::move(name), std::move(unit)});
+           const std::optional<Unit>& unit) {
+    list_.push_back({owner, index, component, std::move(name), unit});
   }
 
   void add_component(std::uint32_t body, std::uint32_t component) {

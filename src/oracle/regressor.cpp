@@ -130,6 +130,32 @@ cl_R force_by_reference(Mechanics& at, Mechanics& at_reference, const Direction&
          at.applied_force(w);
 }
 
+/// About the origin of its frame.
+cl_R of_body_in_frame(Evaluation& at, const Body& body, std::uint32_t component) {
+  const auto value = [&at](ExpressionId id) { return at.value(id).real(); };
+  const BodyInFrame& local = *body.local;
+  const cl_R mass = body.mass ? value(*body.mass) : cl_R(0);
+  if (component == 0) return mass;
+  std::array<cl_R, 3> c{0, 0, 0};
+  for (std::size_t i = 0; body.mass && i < 3; ++i) c[i] = value(local.com.at[i]);
+  if (component < first_inertia_component) return mass * c[component - first_moment_component];
+  const std::uint32_t entry = component - first_inertia_component;
+  const bool is_planar = local.inertia.size() == 1;
+  const bool has_entry = is_planar ? entry == 2 : !local.inertia.empty();
+  const cl_R own = has_entry ? value(local.inertia[is_planar ? 0 : entry]) : cl_R(0);
+  if (local.about_origin) return own;
+  const cl_R square = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
+  const std::array<cl_R, 6> shift{square - c[0] * c[0], square - c[1] * c[1], square - c[2] * c[2],
+                                  -c[0] * c[1],         -c[0] * c[2],         -c[1] * c[2]};
+  return own + mass * shift[entry];
+}
+
+cl_R of_body(Evaluation& at, const Body& body, const InertialParameter& parameter) {
+  if (parameter.is_mass()) return at.value(*body.mass).real();
+  const std::uint32_t entry = parameter.component - first_inertia_component;
+  return at.value(body.inertia[body.inertia.size() == 1 ? 0 : entry]).real();
+}
+
 }  // namespace
 
 Values forces_of_parameters(const Model& model, State state, const Values& values,
@@ -154,25 +180,6 @@ Values forces_of_parameters(const Model& model, State state, const Values& value
 Values regressor_parameters(const Model& model, const State& state) {
   const Motion motion = motion_of(state);
   Evaluation at(model, motion);
-  const auto value = [&](ExpressionId id) { return at.value(id).real(); };
-  const auto in_frame = [&](const Body& body, std::uint32_t component) -> cl_R {
-    const BodyInFrame& local = *body.local;
-    const cl_R mass = body.mass ? value(*body.mass) : cl_R(0);
-    if (component == 0) return mass;
-    std::array<cl_R, 3> c;
-    for (std::size_t i = 0; i < 3; ++i) c[i] = body.mass ? value(local.com.at[i]) : cl_R(0);
-    if (component < first_inertia_component) return mass * c[component - first_moment_component];
-    const std::uint32_t entry = component - first_inertia_component;
-    const bool is_planar = local.inertia.size() == 1;
-    const bool has_entry = is_planar ? entry == 2 : !local.inertia.empty();
-    const cl_R own = has_entry ? value(local.inertia[is_planar ? 0 : entry]) : cl_R(0);
-    if (local.about_origin) return own;
-    const cl_R square = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
-    const std::array<cl_R, 6> shift{square - c[0] * c[0], square - c[1] * c[1],
-                                    square - c[2] * c[2], -c[0] * c[1],
-                                    -c[0] * c[2],         -c[1] * c[2]};
-    return own + mass * shift[entry];
-  };
   Values values;
   for (const InertialParameter& parameter : inertial_parameters(model)) {
     switch (parameter.owner) {
@@ -180,21 +187,15 @@ Values regressor_parameters(const Model& model, const State& state) {
         values.push_back(state.parameters[parameter.index]);
         break;
       case InertialOwner::coordinate:
-        values.push_back(value(*model.coordinates[parameter.index].armature));
+        values.push_back(at.value(*model.coordinates[parameter.index].armature).real());
         break;
       case InertialOwner::point:
-        values.push_back(value(*model.points[parameter.index].mass));
+        values.push_back(at.value(*model.points[parameter.index].mass).real());
         break;
       case InertialOwner::body: {
         const Body& body = model.bodies[parameter.index];
-        if (body.local) {
-          values.push_back(in_frame(body, parameter.component));
-        } else if (parameter.is_mass()) {
-          values.push_back(value(*body.mass));
-        } else {
-          const std::uint32_t entry = parameter.component - first_inertia_component;
-          values.push_back(value(body.inertia[body.inertia.size() == 1 ? 0 : entry]));
-        }
+        values.push_back(body.local ? of_body_in_frame(at, body, parameter.component)
+                                    : of_body(at, body, parameter));
         break;
       }
     }

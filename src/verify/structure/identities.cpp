@@ -246,10 +246,8 @@ Balance canonical_motion(ExactValues& at) {
   return balance_of({{at.value(K::hamilton_equations)}, {rates, -1}});
 }
 
-}  // namespace
-
-const std::vector<Identity>& identities() {
-  static const std::vector<Identity> table{
+std::vector<Identity> identities_of_equations() {
+  return {
       {"rate of M less 2 C skew",
        "N = (sum_k dM/dq_k v_k) - 2 C, N + N^T = 0",
        {K::coriolis_matrix, K::mass_matrix},
@@ -287,6 +285,11 @@ const std::vector<Identity>& identities() {
        "tau = M a + bias",
        {K::inverse_dynamics, K::mass_matrix, K::bias},
        inverse_parts},
+  };
+}
+
+std::vector<Identity> identities_of_momenta_and_regressors() {
+  return {
       {"inverse dynamics from the regressor",
        "tau = Y pi + rest",
        {K::regressor},
@@ -308,6 +311,17 @@ const std::vector<Identity>& identities() {
        {K::hamilton_equations, K::momentum},
        canonical_motion},
   };
+}
+
+}  // namespace
+
+const std::vector<Identity>& identities() {
+  static const std::vector<Identity> table = [] {
+    std::vector<Identity> all = identities_of_equations();
+    const std::vector<Identity> others = identities_of_momenta_and_regressors();
+    all.insert(all.end(), others.begin(), others.end());
+    return all;
+  }();
   return table;
 }
 
