@@ -130,7 +130,10 @@ class Polarisation {
   ex operator()(const ex& value) {
     const ex known = define(definitions_, value);
     const ex slope = define(definitions_, along_(known));
-    const ex sum = at_rest_(known) + (slope + at_rest_(slope)) / 2;
+    // One after another: the order of definitions must not be the compiler's choice.
+    const ex value_at_rest = at_rest_(known);
+    const ex slope_at_rest = at_rest_(slope);
+    const ex sum = value_at_rest + (slope + slope_at_rest) / 2;
     return turned_(define(definitions_, sum));
   }
   template <class List>
