@@ -128,8 +128,9 @@ void read_input(ValueReader& values, const EntrySyntax& entry, std::uint32_t tar
   Context& context = values.context();
   if (is_wrench_input(entry)) {
     const WrenchComponents count = wrench_components(context, entry);
+    const std::optional<Interval> limits = values.interval(entry, "limits");
     for (std::uint32_t i = 0; i < count.torque + count.force; ++i) {
-      context.model.inputs[target + i].limits = values.interval(entry, "limits");
+      context.model.inputs[target + i].limits = limits;
     }
     return;
   }

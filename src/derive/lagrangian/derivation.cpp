@@ -112,6 +112,11 @@ Vector negative(Vector values) {
   return values;
 }
 
+Vector plus(Vector left, const Vector& right) {
+  for (std::size_t i = 0; i < left.size(); ++i) left[i] += right[i];
+  return left;
+}
+
 Vector substituted(Substitution& leaves, Definitions& definitions, const Vector& values) {
   Vector result;
   for (const ex& value : values) {

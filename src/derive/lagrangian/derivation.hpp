@@ -99,6 +99,21 @@ void append(std::vector<Weighted>& to, const std::vector<Weighted>& from);
 
 [[nodiscard]] Vector negative(Vector values);
 
+/// Where both sides are derived, the left one is a variable: the order in which definitions are
+/// made must not be the compiler's choice.
+[[nodiscard]] Vector plus(Vector left, const Vector& right);
+
+/// A vector of another Lagrangian over the definitions of a derivation. They are only appended to,
+/// so that what the derivation knows of earlier ones stays true.
+template <class Derive>
+[[nodiscard]] Vector derived_apart(Derivation& derivation, Lagrangian other, const Derive& derive) {
+  other.definitions = derivation.definitions;
+  Derivation apart(other);
+  Vector result = derive(apart);
+  derivation.definitions = std::move(apart.definitions);
+  return result;
+}
+
 /// The values with leaves replaced, by way of a definition of each.
 [[nodiscard]] Vector substituted(Substitution& leaves, Definitions& definitions,
                                  const Vector& values);

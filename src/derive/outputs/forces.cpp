@@ -9,13 +9,6 @@ using GiNaC::ex;
 
 namespace {
 
-/// Where both sides are derived, the left one is a variable: the order in which definitions are
-/// made must not be the compiler's choice.
-Vector plus(Vector left, const Vector& right) {
-  for (std::size_t i = 0; i < left.size(); ++i) left[i] += right[i];
-  return left;
-}
-
 /// Rate of each entry along a direction.
 Vector rates(const Vector& values, Tangent& along) {
   Vector result;
@@ -236,19 +229,16 @@ Vector cyclic_rates(Derivation& derivation) { return derivation.lagrangian.cycli
 ///     after     the same with q1 = s(t), q1_dot = ds/dt, q1_ddot = d2s/dt2
 Vector reaction(Derivation& derivation) {
   const Holding& holding = *derivation.lagrangian.holding;
-  Lagrangian whole = *holding.whole;
-  whole.definitions = derivation.definitions;
-  Derivation moving(whole);
-  const Vector rows = residual(moving, InputForces::acting, Bodies::all);
-  Substitution standing(moving.definitions, holding.values);
-  Vector result;
-  for (const std::uint32_t velocity : holding.velocities) {
-    const ex row = define(moving.definitions, rows[velocity]);
-    result.push_back(standing(row));
-  }
-  // Only appended to, so that what the derivation knows of earlier ones stays true.
-  derivation.definitions = std::move(moving.definitions);
-  return result;
+  return derived_apart(derivation, *holding.whole, [&holding](Derivation& moving) {
+    const Vector rows = residual(moving, InputForces::acting, Bodies::all);
+    Substitution standing(moving.definitions, holding.values);
+    Vector result;
+    for (const std::uint32_t velocity : holding.velocities) {
+      const ex row = define(moving.definitions, rows[velocity]);
+      result.push_back(standing(row));
+    }
+    return result;
+  });
 }
 
 }  // namespace elgen

@@ -43,13 +43,11 @@ Lagrangian nothing_of(const Lagrangian& lagrangian) {
 
 /// The inverse dynamics of another Lagrangian over the definitions of a derivation.
 Vector forces_of(Derivation& derivation, Lagrangian other) {
-  other.definitions = derivation.definitions;
-  Derivation apart(other);
-  Vector forces = inverse_dynamics(apart);
-  for (ex& force : forces) force = define(apart.definitions, force);
-  // Only appended to, so that what the derivation knows of earlier ones stays true.
-  derivation.definitions = std::move(apart.definitions);
-  return forces;
+  return derived_apart(derivation, std::move(other), [](Derivation& apart) {
+    Vector forces = inverse_dynamics(apart);
+    for (ex& force : forces) force = define(apart.definitions, force);
+    return forces;
+  });
 }
 
 bool is_of(const Entity& origin, const InertialParameter& parameter) {
@@ -169,11 +167,6 @@ class Polarisation {
   Substitution turned_;
 };
 
-Vector sum_of(Vector left, const Vector& right) {
-  for (std::size_t i = 0; i < left.size(); ++i) left[i] += right[i];
-  return left;
-}
-
 class RegressorColumns {
  public:
   RegressorColumns(Derivation& derivation, bool has_reference)
@@ -247,8 +240,8 @@ class RegressorColumns {
     others.point_forces.clear();
     others.tree.wrenches.clear();
     Vector forces = polarised(forces_of(derivation_, std::move(others)));
-    forces = sum_of(std::move(forces), friction);
-    forces = sum_of(std::move(forces), negative(applied));
+    forces = plus(std::move(forces), friction);
+    forces = plus(std::move(forces), negative(applied));
     for (ex& force : forces) force = define(derivation_.definitions, force);
     return forces;
   }
@@ -283,10 +276,6 @@ class RegressorColumns {
   std::optional<Polarisation> polar_ = {};  ///< where there is a reference velocity
   Vector rest_ = {};
 };
-
-}  // namespace
-
-namespace {
 
 Regressor columns_of(Derivation& derivation, bool has_reference) {
   RegressorColumns columns(derivation, has_reference);

@@ -9,23 +9,43 @@
 namespace elgen {
 namespace {
 
-/// hand.Ixx as I with indices: its component, then its owner.
-Formula symbol_of(const InertialParameter& parameter) {
-  const std::size_t dot = parameter.name.rfind('.');
-  const std::string written =
-      dot == std::string::npos ? parameter.name
-      : parameter.name.starts_with("armature.")
-          ? "J_" + parameter.name.substr(9)
-          : fmt::format("{}_{}", parameter.name.substr(dot + 1), parameter.name.substr(0, dot));
-  return symbol_formula(parameter.name, symbol_of_name(written));
-}
+/// Symbols of parameters: of hand.Ixx I with indices, its component, then its owner; those of the
+/// model have their own.
+class ParameterSymbols {
+ public:
+  explicit ParameterSymbols(const Model& model)
+      : model_(model), of_model_(ModelSymbols(model).leaves().parameters) {}
+
+  [[nodiscard]] Formula of(const InertialParameter& parameter) const {
+    switch (parameter.owner) {
+      case InertialOwner::parameter:
+        return of_model_[parameter.index];
+      case InertialOwner::coordinate:
+        return of_owner(parameter, "J", model_.coordinates[parameter.index].name);
+      case InertialOwner::point:
+        return of_owner(parameter, "m", model_.points[parameter.index].name);
+      case InertialOwner::body:
+        break;
+    }
+    const std::string& body = model_.bodies[parameter.index].name;
+    return of_owner(parameter, parameter.name.substr(body.size() + 1), body);
+  }
+
+ private:
+  [[nodiscard]] static Formula of_owner(const InertialParameter& parameter,
+                                        const std::string& component, const std::string& owner) {
+    return symbol_formula(parameter.name, symbol_of_name(component + "_" + owner));
+  }
+
+  const Model& model_;
+  Formulas of_model_;
+};
 
 Formula number(const cln::cl_R& factor) {
   return is_rational(factor) ? number_formula(cln::the<cln::cl_RA>(factor)) : six_digits(factor);
 }
 
-Formula term(const WeighedParameter& weighed, const BaseParameters& found) {
-  Formula symbol = symbol_of(found.parameters[weighed.parameter]);
+Formula term(const WeighedParameter& weighed, Formula symbol) {
   if (weighed.factor == 1) return symbol;
   if (weighed.factor == -1) return negative(std::move(symbol));
   const bool is_negative = cln::minusp(weighed.factor);
@@ -33,9 +53,11 @@ Formula term(const WeighedParameter& weighed, const BaseParameters& found) {
   return is_negative ? negative(std::move(product)) : product;
 }
 
-Formula combination(const BaseParameter& base, const BaseParameters& found) {
-  Formulas terms{symbol_of(found.parameters[base.parameter])};
-  for (const WeighedParameter& other : base.others) terms.push_back(term(other, found));
+Formula combination(const BaseParameter& base, const Formulas& symbols) {
+  Formulas terms{symbols[base.parameter]};
+  for (const WeighedParameter& other : base.others) {
+    terms.push_back(term(other, symbols[other.parameter]));
+  }
   return sum_of(std::move(terms));
 }
 
@@ -50,12 +72,15 @@ std::string claim_of(const BaseParameters& found) {
 
 Page base_parameters_page(const CheckedModel& checked, const BaseParameters& found) {
   Page page{.title = titled(checked, "base inertial parameters")};
+  const ParameterSymbols known(checked.model);
+  Formulas symbols;
+  for (const InertialParameter& each : found.parameters) symbols.push_back(known.of(each));
   PageSection& section = page.sections.emplace_back();
   PageTable values{.heads = {prose(""), prose("value"), prose("unit")}};
   for (std::size_t k = 0; k < found.base.size(); ++k) {
     const std::string number = std::to_string(k + 1);
     const Formula left = symbol("beta[" + number + "]", "\\beta_{" + number + "}");
-    section.equations.push_back({.left = left, .entries = {combination(found.base[k], found)}});
+    section.equations.push_back({.left = left, .entries = {combination(found.base[k], symbols)}});
     const auto& unit = found.parameters[found.base[k].parameter].unit;
     values.cells.insert(values.cells.end(), {left, six_digits(found.base[k].value),
                                              prose(unit ? to_string(*unit) : "")});
@@ -63,7 +88,7 @@ Page base_parameters_page(const CheckedModel& checked, const BaseParameters& fou
   page.sections.push_back({.title = prose("Values"), .table = std::move(values)});
   Formulas unseen;
   for (const std::uint32_t k : found.without_effect) {
-    unseen.push_back(symbol_of(found.parameters[k]));
+    unseen.push_back(symbols[k]);
   }
   if (!unseen.empty()) {
     page.sections.push_back(
