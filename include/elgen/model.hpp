@@ -340,8 +340,8 @@ struct Model {
   /// Accelerations, momenta, t and h that `--state` gives, by their texts: "dot(dot(theta))".
   std::map<std::string, cln::cl_R> stated = {};
 
-  /// Parameters in which forces are affine together (inertial_parameters.hpp).
-  std::vector<std::uint32_t> regressed = {};
+  std::vector<std::uint32_t> regressed = {};    ///< parameters in which forces are affine together
+  std::vector<std::uint32_t> independent = {};  ///< velocities that determine the others, ascending
 
   bool quadratic = true;        ///< T - V (or L) is at most quadratic in the rates
   bool without_pivots = false;  ///< of forward_dynamics, unless a scene says otherwise

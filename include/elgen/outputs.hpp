@@ -37,7 +37,8 @@ enum class Extent : std::uint8_t {
   positions,    ///< the constraints on positions; a row stands for its equation
   inertial,     ///< the parameters of the regressor (inertial_parameters.hpp)
   pivots,       ///< of the velocities, then of the constraints
-  user
+  user,
+  task  ///< the rates of an [[output]]: of a frame those of its twist
 };
 
 /// The unit of an entry from those of its row and column, which stand for coordinates, velocities
@@ -64,10 +65,12 @@ enum class Requirement : std::uint8_t {
   cyclic,
   constraints,
   constrained_inputs,  ///< constraints, and inputs that they leave free
+  independent,         ///< constraints, and velocities that the scene names as independent
   inertial,            ///< parameters of a regressor, and forces that are affine in them
   polarised,           ///< the same of a Lagrangian quadratic in v
   jacobian,            ///< of an output of positions alone
   derivatives,         ///< the same of one of rates, accelerations or inputs
+  operational,         ///< a Jacobian, and no constraints
 };
 
 /// A symbol or an equation as text and in LaTeX, where `<q>` is a vector. `<v>` and `<a>` stand for

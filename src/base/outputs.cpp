@@ -242,6 +242,26 @@ constexpr OutputRow forward_dynamics_derivatives{
     .solves = true,
     .differentiates = true};
 
+constexpr std::array of_input_force{FieldRow{"", E::velocities, E::velocities, U::none, square}};
+constexpr OutputRow input_force_derivatives{
+    .symbol = {"d(B u)/dq", R"(\frac{\partial (B <u>)}{\partial <q>})"},
+    .takes = Opcode::velocity | Opcode::input,
+    .fields = of_input_force,
+    .equation = {"d(B u)/dq", ""},
+    .turning_equation = {"d(B u)/dq N", R"(\frac{\partial (B <u>)}{\partial <q>} N)"},
+    .doc = "Derivatives of the forces of inputs by the coordinates.",
+    .requirement = R::inputs,
+    .differentiates = true,
+    .by_name = true};
+
+constexpr std::array inverse_mass{FieldRow{"", E::velocities, E::velocities, U::none, square}};
+constexpr OutputRow inverse_mass_matrix{.symbol = {"M^-1", "M^{-1}"},
+                                        .fields = inverse_mass,
+                                        .equation = {"M^-1", ""},
+                                        .doc = "Inverse of the mass matrix, symmetric.",
+                                        .solves = true,
+                                        .by_name = true};
+
 // By momenta: b is dL/dv at v = 0.
 
 constexpr OutputRow hamiltonian{
@@ -337,6 +357,15 @@ constexpr OutputRow step{.symbol = {"(q, v)(t + h)", R"((<q>, <v>)(t + h))"},
                          .equation = {"(q, v)(t + h), u stays", ""},
                          .doc = "One step of length h with inputs that stay:",
                          .steps = true};
+
+constexpr OutputRow step_derivatives{
+    .symbol = {"d(q, v)(t + h)", R"(\delta(<q>, <v>)(t + h))"},
+    .takes = Opcode::velocity | Opcode::input | Opcode::step,
+    .fields = of_states,
+    .equation = {"dx(t + h) = A dx + B du, x = (q, v)", ""},
+    .doc = "Derivatives of one step of length h with inputs that stay:",
+    .differentiates = true,
+    .steps = true};
 
 constexpr OutputRow named(OutputKind kind, std::string_view name, OutputRow row) {
   row.kind = kind;

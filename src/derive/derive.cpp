@@ -40,6 +40,11 @@ Parts parts(const ConstraintResidual& x) { return {x.position, x.rate}; }
 Parts parts(const ProjectedState& x) { return {x.coordinates, x.rates}; }
 Parts parts(const ConstrainedInverse& x) { return {x.inputs, x.multipliers, x.unbalanced}; }
 
+Parts parts(const Completed& x) { return {x.rates, x.accelerations}; }
+Parts parts(const OperationalDynamics& x) {
+  return {x.inertia, x.inverse_jacobian, x.bias, x.relative_pivots};
+}
+
 Parts parts(const Regressor& x) { return {x.matrix, x.rest}; }
 
 Parts parts(const OutputDerivatives& x) {
@@ -69,7 +74,8 @@ Fields fields(const Derivation& derivation, const OutputRequest& request, Parts 
     if (entries.empty()) continue;
     const FieldRow row = i < rows.size() ? rows[i] : FieldRow{.name = "diagonal"};
     const std::size_t states = row.rows == Extent::states ? 2 : 1;
-    const std::size_t height = row.rows == Extent::user     ? request.rows
+    const bool is_of_user = row.rows == Extent::user || row.rows == Extent::task;
+    const std::size_t height = is_of_user                   ? request.rows
                                : row.columns == Extent::one ? entries.size()
                                                             : states * derivation.size();
     result.push_back(field_of(row.name, entries, height));
@@ -93,6 +99,12 @@ OutputDerivatives user_derivatives(Derivation& derivation, const NamedOutput& ou
   return output_derivatives(derivation, output.values);
 }
 
+OperationalDynamics user_operational(Derivation& derivation, const NamedOutput& output) {
+  const Vector jacobian = user_jacobian(derivation, output);
+  const Vector bias = user_bias(derivation, output);
+  return operational_dynamics(derivation, jacobian, bias);
+}
+
 /// The function of each output, in the order of the table; what is made of others has none.
 constexpr Fields (*derivations[])(Derivation&, const OutputRequest&) = {
 #define ELGEN_OUTPUT(name) \
@@ -102,7 +114,7 @@ constexpr Fields (*derivations[])(Derivation&, const OutputRequest&) = {
     return fields(d, request, parts(name(d, d.lagrangian.outputs[request.user]))); \
   },
 #define ELGEN_SUMMARY(name) nullptr,
-#define ELGEN_STEP(name) nullptr
+#define ELGEN_STEP(name) nullptr,
 #include "elgen/outputs.def"
 };
 
@@ -183,6 +195,8 @@ std::optional<ArticulatedRoute> articulated_route(const Lagrangian& lagrangian,
 Diagnostic singular(const OutputRequest& request, const ZeroPivot& pivot, const LeafNames& names) {
   switch (pivot.rows) {
     case RowsOf::constraints:
+      if (request.kind == OutputKind::completed) return undetermined_rest(request);
+      if (request.kind == OutputKind::user_operational) return dependent_task(request, pivot.row);
       return redundant_constraint(request, names.multipliers[pivot.row]);
     case RowsOf::inputs:
       return redundant_input(request, names.u[pivot.row]);

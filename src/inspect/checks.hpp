@@ -34,6 +34,9 @@ inline constexpr std::size_t most_coordinates_searched = 3;
 /// E538: no pose near the start.
 [[nodiscard]] Diagnostics inspect_constraints(const Inspected& subject);
 
+/// E603: an [[output]] whose Jacobian never has full rank, where its equation of motion is wanted.
+[[nodiscard]] Diagnostics inspect_tasks(const Inspected& subject);
+
 /// E507: a planar spin that is not the rate of an angle(q, t).
 [[nodiscard]] Diagnostics inspect_spins(const Inspected& subject);
 

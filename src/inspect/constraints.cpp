@@ -198,6 +198,33 @@ Diagnostics undetermined_inputs(const Inspected& subject, const State& start) {
   return {redundant_inputs(*wanted)};
 }
 
+/// E603 where the columns of A of the dependent velocities have lower rank at every pose: "rank 1
+/// of 2".
+Diagnostics undetermined_rest(const Inspected& subject, const State& start) {
+  const auto wanted =
+      std::ranges::find(subject.scene.outputs, OutputKind::completed, &OutputRequest::kind);
+  if (wanted == subject.scene.outputs.end()) return {};
+  const Model& model = subject.model;
+  const std::size_t n = model.velocities.size();
+  const auto rank_at = [&](const State& pose) {
+    Vector columns;
+    const OracleValues a = oracle_values(model, {.kind = OutputKind::constraint_jacobian}, pose);
+    for (std::size_t k = 0; a && k < a->size(); ++k) {
+      const auto velocity = static_cast<std::uint32_t>(k % n);
+      if (std::ranges::count(model.independent, velocity) == 0) columns.push_back((*a)[k]);
+    }
+    const std::size_t size = model.constraints.size();
+    return size - null_space(columns, row_scales(columns, size)).size();
+  };
+  std::size_t rank = rank_at(start);
+  for (const State& pose : other_poses(subject, start)) rank = std::max(rank, rank_at(pose));
+  if (rank == model.constraints.size()) return {};
+  Diagnostic error = undetermined_rest(*wanted);
+  error.message += fmt::format(": the others have columns of rank {} of {} in A", rank,
+                               model.constraints.size());
+  return {error};
+}
+
 }  // namespace
 
 std::string what_is_left(const Model& model, const Assembly& at) {
@@ -227,7 +254,8 @@ Diagnostics inspect_constraints(const Inspected& subject) {
   const std::optional<Assembly> start = oracle_assembly(model, full_start(subject));
   if (!start || !start->has_rates) return {not_assembled(model, start)};
   errors = redundant_equations(subject, start->state);
-  return errors.empty() ? undetermined_inputs(subject, start->state) : errors;
+  if (errors.empty()) errors = undetermined_inputs(subject, start->state);
+  return errors.empty() ? undetermined_rest(subject, start->state) : errors;
 }
 
 }  // namespace elgen

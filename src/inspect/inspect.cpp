@@ -27,6 +27,7 @@ Diagnostics inspect(const Model& model, const Scene& scene) {
   // A matrix that is singular everywhere would be reported again at every special configuration.
   if (!has_errors(all)) add(inspect_charts(subject));
   if (!has_errors(all)) add(inspect_constraints(subject));
+  if (!has_errors(all)) add(inspect_tasks(subject));
   if (!has_errors(all)) add(inspect_signs(subject));
   add(inspect_potential(subject));
   add(inspect_weights(subject));

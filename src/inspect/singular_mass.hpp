@@ -40,6 +40,21 @@ namespace elgen {
           "remove it: its multiplier is not determined"};
 }
 
+/// A_d of `completed` is singular.
+[[nodiscard]] inline Diagnostic undetermined_rest(const OutputRequest& request) {
+  return {Code::E603, request.span,
+          fmt::format("`{}` has no value: the independent velocities do not determine the others",
+                      request.name)};
+}
+
+/// A pivot of J M^-1 J^T is 0: that of this row of J.
+[[nodiscard]] inline Diagnostic dependent_task(const OutputRequest& request, std::size_t row) {
+  return {Code::E603, request.span,
+          fmt::format("`{}` has no value: row {} of the Jacobian follows from those before it, "
+                      "whatever the state is",
+                      request.name, row + 1)};
+}
+
 /// B^T G B is singular: the constraints leave the inputs too few ways to move.
 [[nodiscard]] inline Diagnostic redundant_inputs(const OutputRequest& request) {
   return {Code::E603, request.span,

@@ -129,6 +129,27 @@ Values column_of(const Values& matrix, std::size_t column, std::size_t columns) 
   return result;
 }
 
+/// x where it is independent, 0 elsewhere, completed so that A x = s.
+Values completed_by(const Model& model, const Values& jacobian, const Values& x, const Values& s) {
+  const std::size_t n = x.size();
+  const std::size_t m = s.size();
+  std::vector<std::size_t> dependent;
+  Values result(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool is_given = std::ranges::count(model.independent, i) > 0;
+    is_given ? void(result[i] = x[i]) : dependent.push_back(i);
+  }
+  const Values of_given = times(jacobian, result);
+  Values matrix;
+  for (std::size_t k = 0; k < m; ++k) {
+    for (const std::size_t i : dependent) matrix.push_back(jacobian[k * n + i]);
+    matrix.push_back(s[k] - of_given[k]);
+  }
+  const Values others = eliminated(matrix, row_scales(matrix, m));
+  for (std::size_t k = 0; k < m; ++k) result[dependent[k]] = others[k];
+  return result;
+}
+
 }  // namespace
 
 Values constraint_residual(const Model& model, const State& state) {
@@ -292,6 +313,19 @@ Values projected(const Model& model, const State& state) {
   const Direction dv = correction(model, moved, rate_shortage(model, moved));
   Values values = moved.q;
   for (std::size_t i = 0; i < dv.size(); ++i) values.push_back(state.v[i] + dv[i]);
+  return values;
+}
+
+Values completed(const Model& model, const State& state) {
+  const Values jacobian = constraint_jacobian(model, state);
+  State moving = state;
+  moving.v.assign(state.v.size(), cl_R(0));
+  const Shortage at_rest = rate_shortage(model, moving);  // r is affine in v
+  moving.v = completed_by(model, jacobian, state.v, at_rest.s);
+  const Values bias = negative(constraint_bias(model, moving));
+  Values values = moving.v;
+  const Values accelerations = completed_by(model, jacobian, state.a, bias);
+  values.insert(values.end(), accelerations.begin(), accelerations.end());
   return values;
 }
 

@@ -2,7 +2,6 @@
 // nothing of the locked model is used but which of its entries stand where.
 #include "oracle/output_values.hpp"
 
-#include <array>
 #include <functional>
 
 #include "elgen/oracle.hpp"
@@ -12,6 +11,7 @@
 #include "oracle/regressor.hpp"
 #include "oracle/rotations.hpp"
 #include "oracle/solved_dynamics.hpp"
+#include "oracle/user_outputs.hpp"
 
 namespace elgen::oracle {
 namespace {
@@ -33,21 +33,6 @@ std::vector<cl_R> reaction(const Model& model, const State& state) {
   }
   return values;
 }
-
-using Values = std::vector<cl_R>;
-
-/// The request: an output of a model at a state.
-struct Question {
-  const Model& model;
-  const OutputRequest& output;
-  const State& state;
-
-  [[nodiscard]] const UserOutput& of_user() const { return model.outputs[output.user]; }
-  [[nodiscard]] bool is_twist() const { return of_user().frame.has_value(); }
-  [[nodiscard]] const std::vector<ExpressionId>& differentiated() const {
-    return is_twist() ? of_user().twist : of_user().values;
-  }
-};
 
 struct OracleRow {
   Values (*values)(const Question&);
@@ -91,80 +76,6 @@ Values solved(Mechanics& at) {
   return values;
 }
 
-/// w.x, or w.X y of a matrix.
-cl_R contracted_entries(const Values& values, const Contraction& by) {
-  const std::size_t columns = by.y.empty() ? 1 : by.y.size();
-  cl_R sum = 0;
-  for (std::size_t k = 0; k < by.w.size() * columns; ++k) {
-    sum = sum + by.w[k / columns] * values[k] * (by.y.empty() ? cl_R(1) : by.y[k % columns]);
-  }
-  return sum;
-}
-
-Values values_of_user(const Question& of) {
-  const Motion motion = motion_of(of.state);
-  Evaluation at(of.model, motion);
-  Values values;
-  for (const ExpressionId id : of.of_user().values) values.push_back(at.value(id).real());
-  return values;
-}
-
-/// Slopes of expressions along `count` changes of the motion, row-major.
-Values slopes_of(const Question& of, const std::vector<ExpressionId>& ids, std::size_t count,
-                 const std::function<void(Motion&, std::size_t)>& displaced) {
-  Values values(ids.size() * count);
-  for (std::size_t j = 0; j < count; ++j) {
-    Motion motion = motion_of(of.state);
-    displaced(motion, j);
-    Evaluation at(of.model, motion);
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-      values[i * count + j] = at.value(ids[i]).coefficient(generator(0));
-    }
-  }
-  return values;
-}
-
-/// By the leaves of one kind.
-Values slopes_by(const Question& of, const std::vector<ExpressionId>& ids,
-                 std::vector<Jet> Motion::*leaf) {
-  const std::size_t count = (motion_of(of.state).*leaf).size();
-  return slopes_of(of, ids, count, [leaf, count](Motion& motion, std::size_t j) {
-    displace(motion.*leaf, unit_direction(count, j), generator(0));
-  });
-}
-
-/// By q, along N.
-Values slopes_by_position(const Question& of, const std::vector<ExpressionId>& ids) {
-  const std::size_t n = of.state.v.size();
-  return slopes_of(of, ids, n, [&of, n](Motion& motion, std::size_t j) {
-    displace_position(of.model, motion, unit_direction(n, j), generator(0));
-  });
-}
-
-/// dy/dq; of a frame the twist, which is linear in the rates: its coefficient of each.
-Values jacobian_of_user(const Question& of) {
-  return of.is_twist() ? slopes_by(of, of.differentiated(), &Motion::v)
-                       : slopes_by_position(of, of.differentiated());
-}
-
-/// dy/dq along N, dy/dv, dy/da, dy/du.
-std::array<Values, 4> derivatives_of_user(const Question& of) {
-  const std::vector<ExpressionId>& ids = of.of_user().values;
-  return {slopes_by_position(of, ids), slopes_by(of, ids, &Motion::v),
-          slopes_by(of, ids, &Motion::a), slopes_by(of, ids, &Motion::u)};
-}
-
-Values all_derivatives_of_user(const Question& of) {
-  Values all;
-  for (const Values& field : derivatives_of_user(of))
-    all.insert(all.end(), field.begin(), field.end());
-  return all;
-}
-
-cl_R contracted_derivatives(const Question& of, const Contraction& by) {
-  return contracted_entries(derivatives_of_user(of).at(by.field), by);
-}
-
 bool has_reference(const Question& of) {
   return output_row(of.output.kind).takes.has_any(Opcode::reference);
 }
@@ -197,18 +108,6 @@ cl_R contracted_regressor(const Question& of, const Contraction& by) {
   return by.field == 1 ? rest : force(by.y) - rest;
 }
 
-/// d2y/dt2 at a = 0; of a frame d twist/dt.
-Values bias_of_user(const Question& of) {
-  Motion motion = motion_of(of.state);
-  motion.a.assign(of.state.v.size(), Jet());
-  Evaluation at(of.model, motion);
-  Values values;
-  for (const ExpressionId id : of.differentiated()) {
-    values.push_back((of.is_twist() ? at.rate(id) : at.second_rate(id)).real());
-  }
-  return values;
-}
-
 Values rates_of_coordinates(const Question& of) {
   const Motion motion = motion_of(of.state);
   Values values;
@@ -223,6 +122,37 @@ State moving_state(const Question& of) {
   State state = of.state;
   state.v = velocities_of_momenta(of.model, of.state, of.state.momenta);
   return state;
+}
+
+/// M^-1 by columns.
+Values inverse_of_mass(Mechanics& at) {
+  const std::size_t n = at.size();
+  const Values mass = at.mass_matrix();
+  Values entries(n * n);
+  for (std::size_t j = 0; j < n; ++j) {
+    const Values column = solve_mass(at.model(), mass, at.unit(j)).x;
+    for (std::size_t i = 0; i < n; ++i) entries[i * n + j] = column[i];
+  }
+  return entries;
+}
+
+/// w.d(B u)/dq y: what u takes from the slope of w.(M a + bias - B u).
+cl_R input_force_slope(Mechanics& at, const Direction& w, const Direction& y) {
+  const Displacement along{y, Direction(at.size(), cl_R(0))};
+  const Direction& none = along.y;
+  const Direction no_input(at.state().u.size(), cl_R(0));
+  return at.residual_slope(w, along, none, no_input) -
+         at.residual_slope(w, along, none, at.state().u);
+}
+
+/// The slopes of all units.
+Values input_force_slopes(Mechanics& at) {
+  const std::size_t n = at.size();
+  Values entries;
+  for (std::size_t k = 0; k < n * n; ++k) {
+    entries.push_back(input_force_slope(at, at.unit(k / n), at.unit(k % n)));
+  }
+  return entries;
 }
 
 /// v.dL/dv - L at those velocities.
@@ -324,6 +254,10 @@ constexpr OracleRow inverse_dynamics_derivatives{entries<inverse_derivatives>,
 constexpr OracleRow forward_dynamics_derivatives{entries<forward_derivatives>,
                                                  contracted<forward_contraction>};
 
+constexpr OracleRow input_force_derivatives{entries<input_force_slopes>,
+                                            contracted<input_force_slope>};
+constexpr OracleRow inverse_mass_matrix{entries<inverse_of_mass>};
+
 constexpr OracleRow hamiltonian{hamiltonian_of};
 constexpr OracleRow velocities_of_momenta{[](const Question& of) {
   return oracle::velocities_of_momenta(of.model, of.state, of.state.momenta);
@@ -352,6 +286,8 @@ constexpr OracleRow projected = columns_of_constraints<oracle::projected>;
 constexpr OracleRow constrained_inverse_dynamics =
     columns_of_constraints<oracle::constrained_inverse>;
 
+constexpr OracleRow completed = columns_of_constraints<oracle::completed>;
+
 constexpr OracleRow regressor{all_of_regressor, contracted_regressor};
 constexpr OracleRow regressor_reference = regressor;
 constexpr OracleRow regressor_parameters{
@@ -361,8 +297,14 @@ constexpr OracleRow user_value{values_of_user};
 constexpr OracleRow user_jacobian{jacobian_of_user};
 constexpr OracleRow user_bias{bias_of_user};
 constexpr OracleRow user_derivatives{all_derivatives_of_user, contracted_derivatives};
+constexpr OracleRow user_operational{operational_of_user, contracted_operational};
 
 constexpr OracleRow step{stepped, contracted_field<stepped>};
+constexpr OracleRow step_derivatives{
+    [](const Question& of) { return oracle::step_derivatives(of.model, of.output, of.state); },
+    [](const Question& of, const Contraction& by) {
+      return step_contraction(of.model, of.output, of.state, by);
+    }};
 
 constexpr OracleRow of_others{[](const Question&) { return Values(); }};
 

@@ -25,6 +25,14 @@ namespace elgen::oracle {
 [[nodiscard]] std::vector<cln::cl_R> step(const Model& model, const OutputRequest& output,
                                           const State& state);
 
+/// A, then B, of dx(t + h) = A dx + B du, x = (dq, v), rotation vectors on both sides: differences
+/// of `step`, right to 80 digits. Cost: three steps for each column.
+[[nodiscard]] std::vector<cln::cl_R> step_derivatives(const Model& model,
+                                                      const OutputRequest& output,
+                                                      const State& state);
+[[nodiscard]] cln::cl_R step_contraction(const Model& model, const OutputRequest& output,
+                                         const State& state, const Contraction& by);
+
 // Derivatives of the dynamics: slopes of w.(M a + bias - B u) along displacements, and for forward
 // dynamics a solve with M. Of each all entries, one field after another, and w.X y of one field.
 

@@ -193,6 +193,8 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"scene.outputs.*", "iterations", integer, optional, true, "of midpoint, 1 to 20"},
     {"scene.outputs.*", "pivots", boolean, optional, true,
      "of forward_dynamics; false: without relative_pivots"},
+    {"scene.outputs.*", "independent", expression_list, optional, true,
+     "of completed: coordinates whose rates determine the others"},
 
     {"scene.parameters", "fixed", text_or_table, optional, true, "become numbers in the code"},
     {"scene.parameters.fixed", "*", expression, optional, true, "the parameter's value"},

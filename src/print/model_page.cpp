@@ -156,6 +156,18 @@ PageSection readable_output(const Model& model, const Program& program, std::siz
   return is_defined && !is_asked_for && fills_page(result) ? defined : result;
 }
 
+/// Names the velocities of which it reads the rates and accelerations.
+std::string doc_of_completed(const Model& model) {
+  std::vector<std::string> names;
+  for (const std::uint32_t i : model.independent) {
+    names.push_back(in_backticks(model.velocities[i].name));
+  }
+  const std::string doc(output_row(OutputKind::completed).doc);
+  return fmt::format(
+      "{} {} alone.", doc,
+      names.empty() ? "none" : "those of " + fmt::format("{}", fmt::join(names, ", ")));
+}
+
 std::string sentence(const std::string& text) {
   const bool has_end = !text.empty() && (text.back() == '.' || text.back() == '!');
   return has_end ? text : text + ".";
@@ -191,6 +203,7 @@ std::string output_doc(const Model& model, const Function& function) {
                        fmt::format(fmt::runtime(method.doc),
                                    is_composed ? function.composed_order : method.order));
   }
+  if (function.kind == OutputKind::completed) return doc_of_completed(model);
   if (!row.of_user) {
     const bool is_without = row.gives_pivots && !has_pivots(function);
     const std::string_view doc = is_without ? row.doc_without_pivots : row.doc;

@@ -42,6 +42,7 @@ std::size_t size_of(Extent extent) {
     case Extent::inertial:
       return 29;
     case Extent::user:
+    case Extent::task:
       return 13;
   }
   return 0;
@@ -77,7 +78,7 @@ std::size_t size_of(const std::string& type) {
 }  // namespace
 
 TEST_CASE("rows stand in the order of the enumeration") {
-  REQUIRE(output_table().size() == static_cast<std::size_t>(OutputKind::step) + 1);
+  REQUIRE(output_table().size() == static_cast<std::size_t>(OutputKind::step_derivatives) + 1);
   for (std::size_t i = 0; i < output_table().size(); ++i) {
     CHECK(static_cast<std::size_t>(output_table()[i].kind) == i);
   }

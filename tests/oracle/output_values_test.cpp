@@ -86,6 +86,7 @@ int count(Extent extent) {
     case Extent::one:
       return 1;
     case Extent::user:
+    case Extent::task:
       return 3;
     case Extent::states:
       return 4;
@@ -151,8 +152,9 @@ TEST_CASE("the struct of all outputs has no entries of its own") {
 
 TEST_CASE("contractions are the sums over all entries, for every field of every output") {
   for (const OutputRow& row : output_table()) {
-    constexpr std::array others{Requirement::held, Requirement::cyclic, Requirement::constraints,
-                                Requirement::constrained_inputs};
+    constexpr std::array others{Requirement::held,        Requirement::cyclic,
+                                Requirement::constraints, Requirement::constrained_inputs,
+                                Requirement::independent, Requirement::operational};
     if (std::ranges::find(others, row.requirement) != others.end()) continue;
     std::size_t first = 0;
     for (std::size_t k = 0; k < row.fields.size(); ++k) {

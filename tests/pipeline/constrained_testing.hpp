@@ -2,6 +2,7 @@
 // double and in 64 digits, and by the oracle.
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "numbers/exact_number.hpp"
@@ -17,8 +18,8 @@ inline double double_of(const cln::cl_R& value) { return ScalarTraits<double>::f
 
 class Constrained {
  public:
-  Constrained(const std::string& text, const std::string& outputs)
-      : products_(derived(inputs_of(text), outputs)) {}
+  Constrained(const std::string& text, const std::string& outputs, const std::string& scene = {})
+      : products_(derived(scene.empty() ? inputs_of(text) : inputs_of(text, scene), outputs)) {}
 
   [[nodiscard]] const Model& model() const { return products_.checked->model; }
   [[nodiscard]] const Program& program() const { return *products_.program; }
@@ -65,6 +66,28 @@ class Constrained {
 
   Products products_;
 };
+
+/// Rational numbers of size one, the same in every run; a quaternion of length one.
+inline State some_state(const Constrained& system) {
+  State state = system.nominal();
+  const auto fill = [](std::vector<cln::cl_R>& leaves, int first) {
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+      leaves[i] = cln::cl_RA((first + 37 * static_cast<int>(i)) % 23 + 3) / 17;
+    }
+  };
+  fill(state.q, 3);
+  fill(state.v, 8);
+  fill(state.reference, 17);
+  fill(state.a, 5);
+  fill(state.u, 20);
+  for (const Rotation& rotation : system.model().rotations) {
+    const std::array<int, 4> quaternion{1, 5, 1, 3};  // of length 6
+    for (std::size_t i = 0; i < 4; ++i) {
+      state.q[rotation.first_coordinate + i] = cln::cl_RA(quaternion[i]) / 6;
+    }
+  }
+  return state;
+}
 
 /// To so much of the largest that is expected.
 inline void check_close(const std::vector<double>& found, const ExactNumbers& expected,

@@ -12,27 +12,6 @@
 namespace elgen::test {
 namespace {
 
-/// Rational numbers of size one, the same in every run; a quaternion of length one.
-State some_state(const Constrained& system) {
-  State state = system.nominal();
-  const auto fill = [](std::vector<cln::cl_R>& leaves, int first) {
-    for (std::size_t i = 0; i < leaves.size(); ++i) {
-      leaves[i] = cln::cl_RA((first + 37 * static_cast<int>(i)) % 23 + 3) / 17;
-    }
-  };
-  fill(state.q, 3);
-  fill(state.v, 8);
-  fill(state.reference, 17);
-  fill(state.a, 5);
-  for (const Rotation& rotation : system.model().rotations) {
-    const std::array<int, 4> quaternion{1, 5, 1, 3};  // of length 6
-    for (std::size_t i = 0; i < 4; ++i) {
-      state.q[rotation.first_coordinate + i] = cln::cl_RA(quaternion[i]) / 6;
-    }
-  }
-  return state;
-}
-
 /// Y pi + rest - tau, of the largest entry of tau or of a term.
 double imbalance(const Constrained& system, OutputKind kind, const State& state,
                  const ExactNumbers& forces) {

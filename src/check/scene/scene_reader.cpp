@@ -74,13 +74,15 @@ void read_step(const ValueSyntax& entry, OutputRequest& output, Report& report) 
   if (!output_row(output.kind).steps) return refuse_keys(entry, output, report);
   const KeySyntax* method = entry.find("method");
   if (method == nullptr) {
-    return report.add(Code::E105, output.span, "`step` needs a `method`, which a scene gives it",
+    return report.add(Code::E105, output.span,
+                      fmt::format("`{}` needs a `method`, which a scene gives it", output.name),
                       method_hint(""));
   }
   const auto found = std::ranges::find(step_methods, method->value.text, &StepMethodRow::name);
   if (found == step_methods.end()) {
     const std::string& word = method->value.text;
-    return report.add(Code::E620, method->value.span, "`step` has no method " + in_backticks(word),
+    return report.add(Code::E620, method->value.span,
+                      fmt::format("`{}` has no method {}", output.name, in_backticks(word)),
                       method_hint(word));
   }
   output.user = static_cast<std::uint32_t>(found - step_methods.begin());
@@ -100,6 +102,14 @@ void read_pivots(const ValueSyntax& entry, OutputRequest& output, Report& report
                fmt::format("`{}` has no `pivots`: `forward_dynamics` has them", output.name));
   }
   output.without_pivots = !pivots->value.boolean;
+}
+
+/// E103 where the output determines nothing from independent velocities.
+void check_independent(const ValueSyntax& entry, const OutputRequest& output, Report& report) {
+  const KeySyntax* const independent = entry.find("independent");
+  if (independent == nullptr || output.kind == OutputKind::completed) return;
+  report.add(Code::E103, independent->key_span,
+             fmt::format("`{}` has no `independent`: `completed` has it", output.name));
 }
 
 bool precedes(const OutputRequest& a, const OutputRequest& b) {
@@ -132,6 +142,7 @@ class SceneReader {
     read_header();
     read_fixed();
     read_regressor(context_, syntax_, scene_.specialisation.fixed);
+    read_independent(context_, syntax_);
     read_outputs();
     read_numerics();
     scene_.emission = read_emission(context_, syntax_, options_, scene_);
@@ -254,6 +265,7 @@ class SceneReader {
       output->form = form_in(key.value.find("form"));
       read_step(key.value, *output, context_.report);
       read_pivots(key.value, *output, context_.report);
+      check_independent(key.value, *output, context_.report);
     }
     if (output != nullptr && rename != nullptr) {
       output->name = rename->value.text;

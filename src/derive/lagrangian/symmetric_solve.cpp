@@ -151,7 +151,11 @@ ConstrainedSolve::Solution ConstrainedSolve::solve(const Vector& r, const Vector
 }
 
 Vector ConstrainedSolve::relative_pivots() const {
-  return joined(mass_.relative_pivots(), constraints_.relative_pivots());
+  return joined(mass_.relative_pivots(), relative_pivots_of_constraints());
+}
+
+Vector ConstrainedSolve::relative_pivots_of_constraints() const {
+  return constraints_.relative_pivots();
 }
 
 Vector ConstrainedSolve::diagonal() const {

@@ -104,6 +104,7 @@ class ConstrainedSolve {
 
   /// Pivots of M by velocity, then pivots of S by constraint.
   [[nodiscard]] Vector relative_pivots() const;
+  [[nodiscard]] Vector relative_pivots_of_constraints() const;
   [[nodiscard]] Vector diagonal() const;
 
  private:

@@ -27,6 +27,7 @@ Diagnostic zero_denominator(const Program& program, const OutputRequest& request
             fmt::format("a denominator of `{}` is 0, whatever the state is", request.name)};
   }
   if (request.kind == OutputKind::constrained_inverse_dynamics) return redundant_inputs(request);
+  if (request.kind == OutputKind::completed) return undetermined_rest(request);
   for (const Function& known : program.functions) {
     if (known.kind != OutputKind::mass_matrix) continue;
     const std::size_t n = known.fields[0].rows;

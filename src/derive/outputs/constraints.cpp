@@ -55,6 +55,22 @@ Vector projected_coordinates(Derivation& derivation, const Vector& mass) {
   return substituted(moving, definitions, normalized(derivation));
 }
 
+/// 1 for a velocity that determines others, else 0.
+std::vector<bool> independence(const Derivation& derivation) {
+  std::vector<bool> marks(derivation.size());
+  for (const std::uint32_t i : derivation.lagrangian.independent) marks[i] = true;
+  return marks;
+}
+
+/// x as it is where it is independent, else 0.
+Vector independent_part(const std::vector<bool>& is_independent, const Vector& x) {
+  Vector result(x.size(), 0);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (is_independent[i]) result[i] = x[i];
+  }
+  return result;
+}
+
 }  // namespace
 
 Vector constraint_rates(Derivation& derivation) {
@@ -151,6 +167,35 @@ ConstrainedInverse constrained_inverse_dynamics(Derivation& derivation) {
   result.multipliers = negative(solve.solve(force, at_rest).y);
   const Vector held = constraint_force(derivation, result.multipliers);
   for (std::size_t k = 0; k < n; ++k) result.unbalanced.push_back(force[k] - held[k]);
+  return result;
+}
+
+Completed completed(Derivation& derivation) {
+  Definitions& definitions = derivation.definitions;
+  const std::size_t n = derivation.size();
+  const std::vector<bool> is_independent = independence(derivation);
+  const Vector jacobian = constraint_jacobian(derivation);
+  Vector of_dependent = jacobian;
+  Vector identity(n * n, 0);
+  for (std::size_t i = 0; i < n; ++i) identity[i * n + i] = 1;
+  for (std::size_t k = 0; k < jacobian.size(); ++k) {
+    if (is_independent[k % n]) of_dependent[k] = 0;
+  }
+  ConstrainedSolve solve(derivation, identity, of_dependent);
+  const Vector given = independent_part(is_independent, derivation.symbols.v);
+  Seeds without_others;
+  add_seeds(without_others, derivation.symbols.v, given);
+  Substitution without(definitions, std::move(without_others));
+  const Vector rates_of_given = substituted(without, definitions, constraint_rates(derivation));
+  Completed result;
+  result.rates = solve.solve(given, negative(rates_of_given)).x;
+  Seeds with_others;
+  add_seeds(with_others, derivation.symbols.v, result.rates);
+  Substitution with(definitions, std::move(with_others));
+  Vector shortage = substituted(with, definitions, constraint_bias(derivation));
+  const Vector kept = independent_part(is_independent, derivation.symbols.a);
+  for (std::size_t k = 0; k < jacobian.size(); ++k) shortage[k / n] += jacobian[k] * kept[k % n];
+  result.accelerations = solve.solve(kept, negative(shortage)).x;
   return result;
 }
 

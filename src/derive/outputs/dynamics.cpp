@@ -237,6 +237,54 @@ std::optional<ResponseParts> response_parts(Derivation& derivation) {
   return parts;
 }
 
+Vector input_force_derivatives(Derivation& derivation) {
+  const std::size_t inputs = derivation.symbols.u.size();
+  const Vector b = input_matrix(derivation);
+  Vector force(derivation.size(), 0);
+  for (std::size_t k = 0; k < b.size(); ++k) {
+    force[k / inputs] += b[k] * derivation.symbols.u[k % inputs];
+  }
+  for (ex& entry : force) entry = define(derivation.definitions, entry);
+  return columns(derivation, force, [&](std::size_t j) { return derivation.displacement(j); });
+}
+
+Vector inverse_mass_matrix(Derivation& derivation) {
+  const std::size_t n = derivation.size();
+  const Vector mass = mass_matrix(derivation);
+  SymmetricSolve solve(derivation.definitions, mass, order_of_velocities(derivation),
+                       RowsOf::velocities);
+  Vector entries(n * n);
+  for (std::size_t j = 0; j < n; ++j) {
+    Vector unit(n, 0);
+    unit[j] = 1;
+    const Vector column = solve.solve(unit);
+    for (std::size_t i = j; i < n; ++i) entries[i * n + j] = entries[j * n + i] = column[i];
+  }
+  return entries;
+}
+
+OperationalDynamics operational_dynamics(Derivation& derivation, const Vector& jacobian,
+                                         const Vector& bias_of_task) {
+  const std::size_t n = derivation.size();
+  const std::size_t k = bias_of_task.size();
+  const Vector mass = mass_matrix(derivation);
+  ConstrainedSolve solve(derivation, mass, jacobian);
+  OperationalDynamics result{Vector(k * k), Vector(n * k), {}, {}};
+  for (std::size_t j = 0; j < k; ++j) {
+    Vector unit(k, 0);
+    unit[j] = 1;
+    const ConstrainedSolve::Solution column = solve.solve(Vector(n, 0), unit);
+    for (std::size_t i = j; i < k; ++i) {
+      result.inertia[i * k + j] = result.inertia[j * k + i] = column.y[i];
+    }
+    for (std::size_t i = 0; i < n; ++i) result.inverse_jacobian[i * k + j] = column.x[i];
+  }
+  const Vector force = negative(bias(derivation));
+  result.bias = solve.solve(force, negative(bias_of_task)).y;
+  result.relative_pivots = solve.relative_pivots_of_constraints();
+  return result;
+}
+
 Linearization linearization(Derivation& derivation) {
   const ForwardDerivatives of_acceleration = forward_dynamics_derivatives(derivation);
   const std::size_t n = derivation.size();

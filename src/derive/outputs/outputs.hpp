@@ -118,6 +118,30 @@ struct OutputDerivatives {
 };
 [[nodiscard]] OutputDerivatives output_derivatives(Derivation& derivation, const Terms& values);
 
+/// d(B u)/dq along N, n_v x n_v: a forward pass for each direction.
+[[nodiscard]] Vector input_force_derivatives(Derivation& derivation);
+
+/// M^-1, n_v x n_v; entries are definitions. Throws ZeroPivot.
+[[nodiscard]] Vector inverse_mass_matrix(Derivation& derivation);
+
+/// The equation of motion along a task y of k entries, J = dy/dq:
+///
+///     inertia           Lambda = (J M^-1 J^T)^-1                      k x k
+///     inverse_jacobian  M^-1 J^T Lambda                               n_v x k
+///     bias              Lambda (J M^-1 bias - bias of y)              k
+///     relative_pivots   D_i / S_ii of J M^-1 J^T = S = L D L^T        k
+///
+/// One factorisation of M and one of S. Throws ZeroPivot.
+struct OperationalDynamics {
+  Vector inertia;
+  Vector inverse_jacobian;
+  Vector bias;
+  Vector relative_pivots;
+};
+[[nodiscard]] OperationalDynamics operational_dynamics(Derivation& derivation,
+                                                       const Vector& jacobian,
+                                                       const Vector& bias_of_task);
+
 /// d2y/dt2 at a = 0.
 [[nodiscard]] Vector second_rate(Derivation& derivation, const Terms& values);
 
@@ -166,6 +190,15 @@ struct ConstrainedInverse {
   Vector unbalanced;
 };
 [[nodiscard]] ConstrainedInverse constrained_inverse_dynamics(Derivation& derivation);
+
+/// All rates and accelerations from those of Lagrangian::independent, i, with d the others and
+/// A_d square: A_d v_d = -r(v_d = 0), A_d a_d = -(A_i a_i + gamma). Solved by A_d A_d^T, whose
+/// condition is that of A_d squared, as that of S is. Throws ZeroPivot.
+struct Completed {
+  Vector rates;
+  Vector accelerations;
+};
+[[nodiscard]] Completed completed(Derivation& derivation);
 
 // Forward dynamics M a = B u - bias + A^T lambda, A a = -gamma - 2 zeta omega r - omega^2 f, and
 // derivatives of the dynamics. With constraints they are those of these equations, in all (q, v),

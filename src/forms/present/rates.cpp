@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/function_slopes.hpp"
 #include "elgen/model.hpp"
 #include "forms/present/arithmetic.hpp"
 #include "forms/present/polynomial.hpp"
@@ -42,30 +43,9 @@ ArithmeticValue sqrt(const ArithmeticValue& x) {
   return {x.arithmetic, x.arithmetic->square_root(x.value)};
 }
 
-ArithmeticValue called(FunctionId function, const ArithmeticValue& x, const Value& y = {}) {
-  return {x.arithmetic, x.arithmetic->call(function, x.value, y)};
-}
-ArithmeticValue sin(const ArithmeticValue& x) { return called(FunctionId::sin, x); }
-ArithmeticValue cos(const ArithmeticValue& x) { return called(FunctionId::cos, x); }
-ArithmeticValue sinh(const ArithmeticValue& x) { return called(FunctionId::sinh, x); }
-ArithmeticValue cosh(const ArithmeticValue& x) { return called(FunctionId::cosh, x); }
-ArithmeticValue exp(const ArithmeticValue& x) { return called(FunctionId::exp, x); }
-ArithmeticValue stumpff(const ArithmeticValue& x, const ArithmeticValue& k) {
-  return called(FunctionId::stumpff, x, k.value);
-}
-
-/// By the first and the second argument.
-std::vector<ArithmeticValue> slopes(FunctionId function, const ArithmeticValue& x,
-                                    const ArithmeticValue& y, const ArithmeticValue& f) {
-  const ArithmeticValue one{f.arithmetic, fraction_of(cl_RA(1))};
-  switch (function) {
-#define ELGEN_DERIVATIVES(name, arity, first, second) \
-  case FunctionId::name:                              \
-    return {first, second};
-#include "base/function_derivatives.def"
-#undef ELGEN_DERIVATIVES
-  }
-  return {};
+ArithmeticValue called(FunctionId function, const ArithmeticValue& x, const ArithmeticValue& y) {
+  const bool is_binary = function_row(function).arity == 2;
+  return {x.arithmetic, x.arithmetic->call(function, x.value, is_binary ? y.value : Value())};
 }
 
 /// The derivatives of a function that closed forms do not take apart by each argument; `call` is
@@ -77,7 +57,8 @@ std::vector<Value> call_slopes(Arithmetic& arithmetic, const Atom& atom, const F
   if (is_kinked(atom.function)) return result;
   const ArithmeticValue x{&arithmetic, atom.arguments.front()};
   const ArithmeticValue y{&arithmetic, atom.arguments.back()};
-  const std::vector<ArithmeticValue> all = slopes(atom.function, x, y, {&arithmetic, call});
+  const ArithmeticValue one{&arithmetic, fraction_of(cl_RA(1))};
+  const auto all = function_slopes(atom.function, x, y, {&arithmetic, call}, one);
   for (std::size_t i = 0; i < result.size(); ++i) result[i] = all[i].value;
   return result;
 }

@@ -85,6 +85,11 @@ std::uint32_t Composition::add(Opcode opcode, std::uint32_t a, std::uint32_t b) 
   return add(Instruction{.opcode = opcode, .a = a, .b = b});
 }
 
+std::uint32_t Composition::applied(FunctionId function, std::uint32_t x, std::uint32_t y) {
+  const bool is_binary = function_row(function).arity == 2;
+  return add({.opcode = Opcode::call, .function = function, .a = x, .b = is_binary ? y : 0});
+}
+
 Places Composition::add(Opcode opcode, const Places& x, const Places& y) {
   Places result;
   for (std::size_t i = 0; i < x.size(); ++i) result.push_back(add(opcode, x[i], y[i]));

@@ -42,6 +42,9 @@ class Composition {
   [[nodiscard]] std::uint32_t number(const cln::cl_RA& value);
   [[nodiscard]] std::uint32_t add(Opcode opcode, std::uint32_t a, std::uint32_t b = 0);
 
+  /// f(x), or f(x, y).
+  [[nodiscard]] std::uint32_t applied(FunctionId function, std::uint32_t x, std::uint32_t y);
+
   /// The same of entries: x + y, x - y.
   [[nodiscard]] Places add(Opcode opcode, const Places& x, const Places& y);
   /// x + c y

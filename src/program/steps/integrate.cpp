@@ -176,7 +176,9 @@ Diagnostics add_step(const CheckedModel& checked, const OutputRequest& step, con
   NextState moved = methods[step.user](StepContext(checked, step, calls, compose));
   add_field(function, "coordinates", std::move(moved.q));
   add_field(function, "rates", std::move(moved.v));
-  add_field(function, "residual", std::move(moved.residual));
+  const bool differentiates = output_row(step.kind).differentiates;
+  if (!differentiates) add_field(function, "residual", std::move(moved.residual));
+  if (differentiates) function = step_derivatives(checked.model, calls, pruned(function), program);
   function.sampled_zeros = sampled_zeros(calls, function);
   program.functions.push_back(pruned(function));
   assert(check_invariants(program).empty());

@@ -41,6 +41,13 @@ struct NextState {
   Places residual = {};  ///< of an implicit method
 };
 
+/// A and B of x(t + h) = Phi(x, u) about a state, x = (dq, v), where `step` has the coordinates and
+/// rates of Phi: exact for its instructions, iterations and scalings of quaternions among them.
+/// `calls` has coordinate_rates where the model has rotations. Cost: about twice the step for each
+/// column.
+[[nodiscard]] Function step_derivatives(const Model& model, const Program& calls,
+                                        const Function& step, Program& program);
+
 #define ELGEN_STEP_METHOD(name, domain, order, iterations, doc, equation) \
   [[nodiscard]] NextState compose_##name(const StepContext& step);
 #include "elgen/step_methods.def"

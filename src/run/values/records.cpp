@@ -43,7 +43,7 @@ OracleValues settled_values(const Model& model, const OutputRequest& output, con
 }
 
 std::vector<std::string> labels_of(const Model& model, Extent extent, std::uint32_t count) {
-  const bool is_number = extent == Extent::one || extent == Extent::user;
+  const bool is_number = extent == Extent::one || extent == Extent::user || extent == Extent::task;
   if (is_number && count == 1) return {""};
   std::vector<std::string> labels;
   for (const LineLabel& line : line_labels(model, extent, count)) labels.push_back(line.text());

@@ -63,7 +63,8 @@ class Projection {
 
   Mismatch compare() {
     const OutputRow& output = output_row(place_.request.kind);
-    if (!output.solves || !subject_.model.constraints.empty()) {
+    const bool is_motion = output.solves && (output.gives_pivots || output.differentiates);
+    if (!is_motion || !subject_.model.constraints.empty()) {
       return compare_contraction(place_.field().rows);
     }
     if (!output.gives_pivots) return compare_response();

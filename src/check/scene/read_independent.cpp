@@ -1,0 +1,53 @@
+// read_independent: the velocities from which `completed` determines the others.
+#include <algorithm>
+
+#include "base/report.hpp"
+#include "check/scene/scene.hpp"
+
+namespace elgen {
+namespace {
+
+/// The velocity of a coordinate, or the three of a rotation; none of other names.
+std::vector<std::uint32_t> velocities_named(const Model& model, const std::string& name) {
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t i = 0; i < model.velocities.size(); ++i) {
+    const Velocity& velocity = model.velocities[i];
+    const std::string& own = velocity.rotation ? model.rotations[*velocity.rotation].name
+                                               : model.coordinates[velocity.coordinate].name;
+    if (own == name) found.push_back(i);
+  }
+  return found;
+}
+
+std::vector<std::string> names_of_variables(const Model& model) {
+  std::vector<std::string> names = words_in(model.rotations, &Rotation::name);
+  for (const Coordinate& coordinate : model.coordinates) {
+    if (!coordinate.rotation) names.push_back(coordinate.name);
+  }
+  return names;
+}
+
+}  // namespace
+
+void read_independent(Context& context, const FileSyntax* scene) {
+  const KeySyntax* const output = find_key(scene, "outputs", "completed");
+  const KeySyntax* const names = output == nullptr ? nullptr : output->value.find("independent");
+  if (names == nullptr) return;
+  Model& model = context.model;
+  for (const ValueSyntax& item : names->value.items) {
+    const Span& span = item.expression.span;
+    const std::string name(covered_text(span));
+    const std::vector<std::uint32_t> found = velocities_named(model, name);
+    if (found.empty()) {
+      context.report.add(Code::E612, span, "unknown coordinate " + in_backticks(name),
+                         suggestion(name, names_of_variables(model)));
+      continue;
+    }
+    model.independent.insert(model.independent.end(), found.begin(), found.end());
+  }
+  std::ranges::sort(model.independent);
+  const auto repeated = std::ranges::unique(model.independent);
+  model.independent.erase(repeated.begin(), repeated.end());
+}
+
+}  // namespace elgen

@@ -1,0 +1,46 @@
+// E603: an [[output]] whose Jacobian has dependent rows at every sampled state, where the equation
+// of motion along it is asked for.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "inspect/checks.hpp"
+#include "inspect/null_space.hpp"
+#include "inspect/samples.hpp"
+#include "model/requests.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr unsigned draws = 4;
+
+std::size_t rank_of_jacobian(const Inspected& subject, const OutputRequest& jacobian) {
+  const std::size_t n = subject.model.velocities.size();
+  std::size_t rank = 0;
+  for (unsigned seed = 0; seed < draws; ++seed) {
+    const OracleValues rows = oracle_values(subject.model, jacobian, sampled_state(subject, seed));
+    if (rows) rank = std::max(rank, n - null_space(*rows, row_scales(*rows, n)).size());
+  }
+  return rank;
+}
+
+}  // namespace
+
+Diagnostics inspect_tasks(const Inspected& subject) {
+  const Model& model = subject.model;
+  Diagnostics errors;
+  for (const OutputRequest& output : subject.scene.outputs) {
+    if (output.kind != OutputKind::user_operational) continue;
+    const std::size_t rank =
+        rank_of_jacobian(subject, request_of(model, OutputKind::user_jacobian, output.user));
+    if (rank == output.rows) continue;
+    errors.push_back({Code::E603, output.span,
+                      fmt::format("`{}` has no value: its Jacobian has rank {} of {}", output.name,
+                                  rank, output.rows),
+                      "give an output whose entries move independently",
+                      model.outputs[output.user].span, "declared here"});
+  }
+  return errors;
+}
+
+}  // namespace elgen

@@ -1,0 +1,23 @@
+// Lacks: why a model cannot give an output.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/report.hpp"
+#include "elgen/scene.hpp"
+
+namespace elgen {
+
+/// The reason why the model cannot give an output.
+struct Lack {
+  Code code;
+  std::string reason;
+  std::optional<Span> related = {};  ///< the part of the model that prevents the output
+  std::string related_message = {};
+};
+
+/// None where the model can give it.
+[[nodiscard]] std::optional<Lack> lack_of(const Model& model, const OutputRequest& request);
+
+}  // namespace elgen

@@ -1,0 +1,46 @@
+// Values of [[output]]s at one state: their entries, Jacobians, derivatives, and the equation of
+// motion along them.
+#pragma once
+
+#include <vector>
+
+#include "elgen/oracle.hpp"
+
+namespace elgen::oracle {
+
+using Values = std::vector<cln::cl_R>;
+
+/// The request: an output of a model at a state.
+struct Question {
+  const Model& model;
+  const OutputRequest& output;
+  const State& state;
+
+  [[nodiscard]] const UserOutput& of_user() const { return model.outputs[output.user]; }
+  [[nodiscard]] bool is_twist() const { return of_user().frame.has_value(); }
+  [[nodiscard]] const std::vector<ExpressionId>& differentiated() const {
+    return is_twist() ? of_user().twist : of_user().values;
+  }
+};
+
+/// w.x, or w.X y of a matrix.
+[[nodiscard]] cln::cl_R contracted_entries(const Values& values, const Contraction& by);
+
+/// y.
+[[nodiscard]] Values values_of_user(const Question& of);
+
+/// dy/dq along N; of a frame its twist's by v.
+[[nodiscard]] Values jacobian_of_user(const Question& of);
+
+/// d2y/dt2 at a = 0; of a frame d twist/dt.
+[[nodiscard]] Values bias_of_user(const Question& of);
+
+/// dy/dq along N, dy/dv, dy/da, dy/du, one after the other.
+[[nodiscard]] Values all_derivatives_of_user(const Question& of);
+[[nodiscard]] cln::cl_R contracted_derivatives(const Question& of, const Contraction& by);
+
+/// (J M^-1 J^T)^-1, M^-1 J^T times it, it times (J M^-1 bias - bias of y), and the relative pivots.
+[[nodiscard]] Values operational_of_user(const Question& of);
+[[nodiscard]] cln::cl_R contracted_operational(const Question& of, const Contraction& by);
+
+}  // namespace elgen::oracle

@@ -1,0 +1,146 @@
+// Derivatives of a step: of linear systems powers of A, of symplectic methods symplectic, of
+// rotations along rotation vectors. Every self-check compares them with differences of the oracle's
+// steps in 205 digits.
+#include <catch2/catch.hpp>
+
+#include "numbers/exact_number.hpp"
+#include "pipeline/constrained_testing.hpp"
+
+namespace elgen::test {
+namespace {
+
+using cln::cl_R;
+
+std::string stepping(const std::string& method) {
+  return "[outputs]\nstep_derivatives = { method = " + method + " }\n";
+}
+
+Products checked_products(const std::string& model, const std::string& scene) {
+  PipelineOptions options;
+  options.goals = {Goal::choose, Goal::self_check};
+  return run_pipeline(inputs_of(model, scene), options);
+}
+
+/// The program's values at the state of a scene, in 64 digits: A, then B.
+ExactNumbers values_at(const Products& products, const State& state) {
+  const Program& program = *products.program;
+  const Function& function = program.functions.front();
+  return defined_values(evaluate(program, function, arguments_at<Real>(state))).value();
+}
+
+State start_of(const Products& products) {
+  return nominal_state(products.checked->model, products.checked->scene);
+}
+
+constexpr const char* oscillator = R"toml(format = 1
+[model]
+name = "oscillator"
+[[coordinate]]
+name = "x"
+unit = "m"
+[parameters]
+m = { value = 2, unit = "kg" }
+k = { value = 3, unit = "N/m" }
+d = { value = "1/2", unit = "N*s/m" }
+[energy]
+T = "1/2*m*dot(x)^2"
+V = "1/2*k*x^2"
+D = "1/2*d*dot(x)^2"
+[[input]]
+name = "f"
+unit = "N"
+on = "x"
+)toml";
+
+}  // namespace
+
+TEST_CASE("the derivatives of a step of a linear system are a polynomial of its matrix") {
+  const Products products = checked_products(oscillator, stepping("\"rk4\""));
+  INFO(format(products.diagnostics));
+  REQUIRE(products.self_check);
+  State state = start_of(products);
+  state.q = {1};
+  state.v = {2};
+  state.u = {3};
+  state.h = cln::cl_RA(1) / 10;
+  // A = [0 1; -k/m -d/m]: I + hA + (hA)^2/2 + (hA)^3/6 + (hA)^4/24; B: its integral times [0; 1/m].
+  const cln::cl_RA c = cln::cl_RA(-3) / 2;
+  const cln::cl_RA e = cln::cl_RA(-1) / 4;
+  std::array<cln::cl_RA, 4> power{1, 0, 0, 1};
+  std::array<cln::cl_RA, 4> sum = power;
+  std::array<cln::cl_RA, 2> of_input{0, 0};
+  cln::cl_RA factor = 1;
+  for (int order = 1; order <= 4; ++order) {
+    factor = factor / (10 * order);
+    of_input[0] = of_input[0] + factor * power[1] / 2;
+    of_input[1] = of_input[1] + factor * power[3] / 2;
+    power = {power[1] * c, power[0] + power[1] * e, power[3] * c, power[2] + power[3] * e};
+    for (std::size_t i = 0; i < 4; ++i) sum[i] = sum[i] + factor * power[i];
+  }
+  check_digits(values_at(products, state),
+               {sum[0], sum[1], sum[2], sum[3], of_input[0], of_input[1]}, 60);
+}
+
+TEST_CASE("steps of symplectic methods have symplectic derivatives") {
+  for (const char* const method : {"\"verlet\"", "\"verlet\", order = 4"}) {
+    const Products pendulum = checked_products(model_file("simple_pendulum"), stepping(method));
+    INFO(format(pendulum.diagnostics));
+    REQUIRE(pendulum.self_check);
+    State state = start_of(pendulum);
+    state.q = {cln::cl_RA(7) / 5};
+    state.v = {cln::cl_RA(2) / 3};
+    state.h = cln::cl_RA(1) / 10;
+    const ExactNumbers a = values_at(pendulum, state);
+    check_digits({a[0] * a[3] - a[1] * a[2]}, {1}, 55);
+  }
+}
+
+TEST_CASE("a body that spins about its axis carries deviations with it") {
+  const Products products = checked_products(model_file("free_body"), stepping("\"rk4\""));
+  INFO(format(products.diagnostics));
+  REQUIRE(products.self_check);
+  State state = start_of(products);
+  const Model& model = products.checked->model;
+  REQUIRE(model.rotations.size() == 1);
+  const std::size_t first = model.rotations[0].first_velocity;
+  state.v[first + 2] = 3;
+  state.h = cln::cl_RA(1) / 100;
+  const ExactNumbers a = values_at(products, state);
+  const std::size_t columns = 2 * model.velocities.size();
+  const auto entry = [&](std::size_t i, std::size_t j) {
+    return double_of(a[(first + i) * columns + first + j]);
+  };
+  // exp(-[w]x h), to the order of the method
+  CHECK(entry(0, 0) == Approx(std::cos(0.03)).margin(1e-9));
+  CHECK(entry(0, 1) == Approx(std::sin(0.03)).margin(1e-9));
+  CHECK(entry(1, 0) == Approx(-std::sin(0.03)).margin(1e-9));
+  CHECK(entry(2, 2) == Approx(1).margin(1e-15));
+}
+
+TEST_CASE("derivatives of steps are those of the oracle's differences") {
+  for (const auto& [name, method] :
+       {std::pair("double_pendulum", "\"midpoint\", iterations = 3"),
+        std::pair("cart_pole", "\"rk4\""), std::pair("quadrotor", "\"rk4\""),
+        std::pair("pendulum_in_lift", "\"rk4\""), std::pair("two_link_arm", "\"rk4\""),
+        std::pair("chain", "\"midpoint\", order = 4, iterations = 2")}) {
+    INFO(name);
+    const Products products = checked_products(model_file(name), stepping(method));
+    INFO(format(products.diagnostics));
+    CHECK(products.self_check);
+  }
+}
+
+TEST_CASE("derivatives of steps that there are not are refused") {
+  using Catch::Contains;
+  const auto message = [](const std::string& name, const std::string& scene) {
+    return format(checked_products(model_file(name), scene).diagnostics);
+  };
+  CHECK_THAT(message("pendulum_xy", stepping("\"rk4\"")),
+             Contains("E539") && Contains("`step_derivatives` does not know of constraints"));
+  CHECK_THAT(message("cart_pole", "[outputs]\nstep_derivatives = true\n"),
+             Contains("E105") && Contains("`step_derivatives` needs a `method`"));
+  CHECK_THAT(message("cart_pole", stepping("\"euler\"")),
+             Contains("E620") && Contains("`step_derivatives` has no method `euler`"));
+}
+
+}  // namespace elgen::test
