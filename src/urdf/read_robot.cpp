@@ -222,6 +222,20 @@ void read_dynamics(ElementReader& reader, Joint& joint) {
   });
 }
 
+/// Damping and friction that the model does without: of joints with several coordinates.
+void warn_of_dynamics(ElementReader& reader, const Joint& joint, Diagnostics& found) {
+  reader.child("dynamics", [&](ElementReader& dynamics) {
+    for (const char* const name : {"damping", "friction"}) {
+      const std::optional<FileNumber> number = dynamics.number(name);
+      if (!number || number->is_zero()) continue;
+      found.push_back({Code::E822, number->span,
+                       fmt::format("the {} of {}, a {} joint, is not imported", name,
+                                   in_backticks(joint.name.text), word(joint.type)),
+                       "the model moves without it: add it to `[energy] D`"});
+    }
+  });
+}
+
 /// Robots whose grippers were made fixed keep the element.
 void note_mimic_of_fixed(ElementReader& reader, RobotReading& reading) {
   for (const Element* mimic : reader.children("mimic")) {
@@ -253,6 +267,8 @@ Joint read_joint(const Element& element, RobotReading& reading) {
   }
   if (joint.type == JointType::fixed) reader.ignore({"axis", "limit", "dynamics"});
   if (joint.type == JointType::floating) reader.ignore({"axis"});
+  const bool has_several = joint.type == JointType::floating || joint.type == JointType::planar;
+  if (has_several) warn_of_dynamics(reader, joint, reading.found);
   read_axis(reader, joint, reading);
   if (joint.type == JointType::fixed) {
     note_mimic_of_fixed(reader, reading);

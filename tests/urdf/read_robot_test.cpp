@@ -202,7 +202,8 @@ TEST_CASE("what xacro left of its expressions is told from numbers that are miss
 TEST_CASE("what a type has no use for is silent or noted") {
   CHECK(said("fixed", "<limit effort=\"1\"/><dynamics damping=\"1\"/>").empty());
   CHECK(said("floating", "<dynamics damping=\"1\"/>") ==
-        "E815 5:2 `<dynamics>` in `<joint>` is not imported\n");
+        "E822 5:20 the damping of `j`, a floating joint, is not imported | the model moves without "
+        "it: add it to `[energy] D`\n");
   CHECK(said("fixed", "<mimic joint=\"k\"/>") ==
         "E815 5:2 `<mimic>` in a fixed `<joint>` is not imported | the joint has no coordinate\n");
   CHECK(said("revolute", "<calibration rising=\"0\"/><safety_controller k=\"1\"/>").empty());
