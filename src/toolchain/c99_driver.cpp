@@ -20,9 +20,11 @@ void append({scalar} **to, const {scalar} *stored, size_t rows, size_t columns) 
   }}
 }}
 
+)";
+
+constexpr std::string_view c99_parameters = R"(
 static {name_space}_parameters parameters_from(const {scalar} *values) {{
   {name_space}_parameters result = {{0}};
-  (void)values;
 {parameters}  return result;
 }}
 )";
@@ -30,15 +32,15 @@ static {name_space}_parameters parameters_from(const {scalar} *values) {{
 constexpr std::string_view c99_wrapper = R"(
 void {symbol}({leaves}{scalar} *to);
 void {symbol}({leaves}{scalar} *to) {{
-  const {name_space}_parameters p = parameters_from(parameters);
-  {unused}
+  {given}
 {body}}}
 )";
 
 /// "&p, q, v"
-std::string c99_arguments(const Model& model, const Function& function) {
+std::string c99_arguments(const DriverInput& input, const Function& function) {
   std::string text;
-  for (const Opcode argument : arguments_of(model, function)) {
+  for (const Opcode argument :
+       arguments_of(input.model, function, input.program, LanguageId::c99)) {
     const bool is_struct = argument == Opcode::parameter;
     text += text.empty() ? "" : ", ";
     text += is_struct ? "&p" : leaf_row(argument).symbol;
@@ -48,7 +50,7 @@ std::string c99_arguments(const Model& model, const Function& function) {
 
 std::string call(const DriverInput& input, const Function& function, const std::string& scalar) {
   const std::string name = fmt::format("{}_{}", name_space(input.scene), function.name);
-  const std::string given = c99_arguments(input.model, function);
+  const std::string given = c99_arguments(input, function);
   const std::string results = appended(input, function, "&to", "");
   if (gives_struct(function)) {
     return fmt::format("  {0}_result result;\n  {0}({1}, &result);\n{2}", name, given, results);
@@ -65,16 +67,21 @@ std::string call(const DriverInput& input, const Function& function, const std::
 std::string c99_driver(const DriverInput& input) {
   const auto& [model, scene, program] = input;
   const std::string scalar(name_of(scene.numerics.scalars.front()));
-  std::string text = fmt::format(
-      c99_prologue, fmt::arg("header", path_of(scene, ArtifactId::c99)), fmt::arg("scalar", scalar),
-      fmt::arg("position", stored_position(scene)), fmt::arg("name_space", name_space(scene)),
-      fmt::arg("parameters", parameter_assignments(input)));
-  std::string unused;
-  for (const LeafRow& leaf : leaf_table()) unused += fmt::format("(void){};", leaf.member);
+  std::string text =
+      fmt::format(c99_prologue, fmt::arg("header", path_of(scene, ArtifactId::c99)),
+                  fmt::arg("scalar", scalar), fmt::arg("position", stored_position(scene)));
+  std::string given;
+  for (const LeafRow& leaf : leaf_table()) given += fmt::format("(void){};", leaf.member);
+  if (const std::string assignments = parameter_assignments(input); !assignments.empty()) {
+    text += fmt::format(c99_parameters, fmt::arg("name_space", name_space(scene)),
+                        fmt::arg("scalar", scalar), fmt::arg("parameters", assignments));
+    const std::string type = name_space(scene) + "_parameters";
+    given = fmt::format("const {} p = parameters_from(parameters);\n  (void)p;{}", type, given);
+  }
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     text += fmt::format(c99_wrapper, fmt::arg("symbol", driver_symbol("c99", scalar, i)),
-                        fmt::arg("scalar", scalar), fmt::arg("name_space", name_space(scene)),
-                        fmt::arg("leaves", declared_leaves(scalar)), fmt::arg("unused", unused),
+                        fmt::arg("scalar", scalar), fmt::arg("leaves", declared_leaves(scalar)),
+                        fmt::arg("given", given),
                         fmt::arg("body", call(input, program.functions[i], scalar)));
   }
   return text;

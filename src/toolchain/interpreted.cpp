@@ -100,7 +100,7 @@ TemplateData functions_data(const DriverInput& input) {
   const LanguageId language = input.scene.emission.language;
   return rows_data(input.program.functions, [&](const Function& function) {
     Texts arguments;
-    for (const Opcode argument : arguments_of(input.model, function)) {
+    for (const Opcode argument : arguments_of(input.model, function, input.program, language)) {
       arguments.push_back("x." + spelt_name(language, leaf_row(argument).symbol));
     }
     std::vector<std::string> fields;

@@ -71,13 +71,14 @@ TEST_CASE("what the C library declares names no namespace") {
   }
 }
 
-TEST_CASE("without parameters there is still a struct, because C has no empty one") {
+TEST_CASE("without parameters there is no struct of them, and no argument") {
   Subject subject = in_c();
   subject.program = elgen::testing::read_program(
       "coordinates x theta\nfunction gravity\n  0 = coordinate x\n  result 2 1 = 0 0\n");
   const std::string text =
       c99_header(emission_input(subject.model, subject.scene, subject.program, {subject.program}));
-  CHECK(text.find("  char none;") != std::string::npos);
+  CHECK(text.find("_parameters") == std::string::npos);
+  CHECK(text.find("gravity(const double q[2], ") != std::string::npos);
 }
 
 TEST_CASE("names of the header and of other functions' helpers are E701") {

@@ -50,7 +50,7 @@ ColumnWords column_words(const std::string& prefix, std::uint32_t count) {
 class C99Dialect final : public Dialect {
  public:
   C99Dialect(const Model& model, const Scene& scene, const Program& program)
-      : Dialect(model, program, "->"),
+      : Dialect(model, program, LanguageId::c99, "->"),
         scalar_kind_(c99_scalar(scene)),
         scalar_(name_of(scalar_kind_)),
         prefix_(name_space(scene) + "_"),
@@ -189,7 +189,7 @@ class C99Dialect final : public Dialect {
 
 Texts C99Dialect::declared_arguments(const Function& function) const {
   Texts arguments;
-  for (const Opcode argument : arguments_of(model(), function)) {
+  for (const Opcode argument : arguments_of(model(), function, program(), LanguageId::c99)) {
     const std::string_view name = leaf_row(argument).symbol;
     if (argument == Opcode::parameter) {
       arguments.push_back(fmt::format("const {}parameters *{}", prefix_, name));

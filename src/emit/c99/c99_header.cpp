@@ -29,9 +29,6 @@ std::vector<Member> parameter_members(const EmissionInput& input) {
     const std::string extent = array.is_array ? fmt::format("[{}]", array.count) : "";
     members.push_back({fmt::format("{} {}{};", scalar, array.name, extent), parameter_doc(array)});
   }
-  if (members.empty()) {
-    members.push_back({"char none;", "all parameters are numbers; C has no empty structs"});
-  }
   return members;
 }
 
@@ -63,7 +60,6 @@ Texts default_parameters(const EmissionInput& input) {
     const Texts wrapped = wrap_expression("    " + initialiser(input, array), wrapping);
     lines.insert(lines.end(), wrapped.begin(), wrapped.end());
   }
-  if (lines.size() == 2) lines.emplace_back("    0");
   lines.emplace_back("  }");
   return continued(std::move(lines));
 }
@@ -135,6 +131,7 @@ std::string c99_header(const EmissionInput& input) {
   data.set("digits", is_float ? "1e9" : "1e17");
   data.set("guard", capitals(input.scene.base_name));
   data.set("capitals", capitals(name_space(input.scene)));
+  data.set("has_parameters", section_if(emitted_parameter_count(input.model, input.program) > 0));
   data.set("parameters", lines_data(documented_members(parameter_members(input))));
   data.set("declared", declared_tables(input));
   data.set("default_parameters", lines_data(default_parameters(input)));

@@ -16,9 +16,11 @@ constexpr std::array<std::string_view, 4> names_of_loops{"given", "solved", "fir
 
 }  // namespace
 
-Dialect::Dialect(const Model& model, const Program& program, std::string_view access)
+Dialect::Dialect(const Model& model, const Program& program, LanguageId language,
+                 std::string_view access)
     : model_(model),
       program_(program),
+      language_(language),
       access_(access),
       parameters_(parameter_members(model, program.leaves)) {}
 
@@ -60,7 +62,7 @@ std::string Dialect::shared(const std::string& name) const { return "w" + access
 
 std::vector<std::string_view> Dialect::argument_names_of(const Function& function) const {
   std::vector<std::string_view> names;
-  for (const Opcode argument : arguments_of(model_, function)) {
+  for (const Opcode argument : arguments_of(model_, function, program_, language_)) {
     names.push_back(leaf_row(argument).symbol);
   }
   return names;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "elgen/program.hpp"
+#include "elgen/scene.hpp"
 #include "emit/code/function_formulas.hpp"
 #include "emit/text/layout.hpp"
 
@@ -44,7 +45,7 @@ using FieldTexts = std::vector<std::vector<std::string>>;
 class Dialect : public Vocabulary {
  public:
   /// `access`: "." or "->", between a struct and its member.
-  Dialect(const Model& model, const Program& program, std::string_view access);
+  Dialect(const Model& model, const Program& program, LanguageId language, std::string_view access);
 
   [[nodiscard]] std::string leaf(Opcode kind, std::uint32_t number) const override;
   [[nodiscard]] FormulaText constant(const Constant& constant) const override = 0;
@@ -139,6 +140,7 @@ class Dialect : public Vocabulary {
 
   const Model& model_;
   const Program& program_;
+  LanguageId language_;
   std::string access_;
   std::vector<std::string> parameters_;  ///< of each leaf number
 };

@@ -86,7 +86,8 @@ ColumnWords column_words(std::string_view scope, std::uint32_t count) {
 
 class CppDialect : public Dialect {
  public:
-  CppDialect(const Model& model, const Program& program) : Dialect(model, program, ".") {}
+  CppDialect(const Model& model, const Program& program)
+      : Dialect(model, program, LanguageId::cpp, ".") {}
 
   FormulaText constant(const Constant& constant) const override {
     const bool is_negative = cln::minusp(constant.value);

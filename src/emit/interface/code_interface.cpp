@@ -147,6 +147,16 @@ std::vector<Opcode> arguments_of(const Model& model, const Function& function) {
   return list;
 }
 
+std::vector<Opcode> arguments_of(const Model& model, const Function& function,
+                                 const Program& program, LanguageId language) {
+  std::vector<Opcode> list = arguments_of(model, function);
+  const bool has_type = language_row(language).scalars == LanguageScalars::any;
+  if (!has_type && emitted_parameter_count(model, program) == 0) {
+    std::erase(list, Opcode::parameter);
+  }
+  return list;
+}
+
 std::size_t emitted_parameter_count(const Model& model, const Program& program) {
   std::size_t count = 0;
   for (const ParameterArray& array : emitted_parameters(model, program)) count += array.count;
@@ -263,8 +273,8 @@ OutputKind kind_of_field(const Program& program, const Function& function, const
 bool is_scalar(OutputKind kind, const Field& field) {
   const FieldRow& row = field_row(kind, field.name);
   const bool may_be =
-      row.columns == Extent::one && (row.rows == Extent::one || row.rows == Extent::user);
-  return may_be && field.rows == 1 && field.columns == 1;
+      row.rows == Extent::one || row.rows == Extent::user || row.rows == Extent::task;
+  return may_be && row.columns == Extent::one && field.rows == 1 && field.columns == 1;
 }
 
 bool is_scalar(const Program& program, const Function& function, const Field& field) {

@@ -54,6 +54,11 @@ struct ParameterMember {
 /// open values where the model has some.
 [[nodiscard]] std::vector<Opcode> arguments_of(const Model& model, const Function& function);
 
+/// The same in a language: without parameters where the program reads none, but where they say the
+/// scalar.
+[[nodiscard]] std::vector<Opcode> arguments_of(const Model& model, const Function& function,
+                                               const Program& program, LanguageId language);
+
 /// Whether it is an array of numbers, not the struct of parameters or one number.
 [[nodiscard]] constexpr bool is_vector(Opcode argument) {
   return argument != Opcode::parameter && !is_single(argument);

@@ -165,8 +165,9 @@ Json definitions(const FunctionEquations& equations) {
 }
 
 /// The arguments of the function, which are in the same order in all languages.
-Json arguments(const Model& model, const Function& function) {
-  return listed(arguments_of(model, function),
+Json arguments(const EmissionInput& input, const Function& function) {
+  const LanguageId language = input.scene.emission.language;
+  return listed(arguments_of(input.model, function, input.program, language),
                 [](Opcode argument) { return leaf_row(argument).symbol; });
 }
 
@@ -178,12 +179,13 @@ Json field(const OutputRow& row, const Field& field, const FunctionEquations& eq
   return json;
 }
 
-Json output(const Model& model, const Function& function, const FunctionEquations& equations) {
+Json output(const EmissionInput& input, const Function& function,
+            const FunctionEquations& equations) {
   Json json = Json::object();
   const OutputRow& row = output_row(function.kind);
   if (!row.of_user && row.name != function.name) json["output"] = row.name;
   add_spellings(json, function.name);
-  json["arguments"] = arguments(model, function);
+  json["arguments"] = arguments(input, function);
   if (has_equations(row) && !equations.definitions.empty()) {
     json["definitions"] = definitions(equations);
   }
@@ -204,7 +206,7 @@ Json outputs(const EmissionInput& input) {
   Json json = Json::object();
   for (std::size_t i = 0; i < input.program.functions.size(); ++i) {
     const Function& function = input.program.functions[i];
-    json[function.name] = output(input.model, function, input.equations[i]);
+    json[function.name] = output(input, function, input.equations[i]);
   }
   return json;
 }

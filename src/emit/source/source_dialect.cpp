@@ -52,7 +52,7 @@ std::string documentation_line(const SourceSpelling& spelling, std::string_view 
 class SourceDialect final : public Dialect {
  public:
   SourceDialect(const Model& model, const Scene& scene, const Program& program)
-      : Dialect(model, program, "."),
+      : Dialect(model, program, scene.emission.language, "."),
         scene_(scene),
         spelling_(source_spelling(scene.emission.language)),
         members_(members_of(model, program.leaves)) {}

@@ -31,7 +31,7 @@ std::string kind_of_call(const Model& model, const Function& function) {
 TemplateData calls_data(const Model& model, const Program& program, LanguageId language) {
   return rows_data(program.functions, [&](const Function& function) {
     std::vector<std::string> arguments;
-    for (const Opcode argument : arguments_of(model, function)) {
+    for (const Opcode argument : arguments_of(model, function, program, language)) {
       arguments.push_back(fmt::format("x.{}", leaf_row(argument).symbol));
     }
     const std::string call =
