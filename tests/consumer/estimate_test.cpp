@@ -1,0 +1,19 @@
+// The Kalman filter of the arm as its user builds it: how well it knows the angle that no sensor
+// measures.
+#include <catch2/catch.hpp>
+
+#include "consumer/projects.hpp"
+
+namespace elgen::test {
+
+TEST_CASE("the filter of the example finds the angle that has no sensor", "[.all]") {
+  const Example estimate("estimate");
+  const Outcome run = estimate.run("build/estimate");
+  INFO(run.output << run.errors);
+  CHECK(run.status == 0);
+  CHECK(number_after(run.output, "off by ") > 0.5);
+  CHECK(number_after(run.output, "by at most ") <= 5e-3);
+  CHECK(is_shown(run.output));
+}
+
+}  // namespace elgen::test
