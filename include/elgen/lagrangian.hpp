@@ -211,6 +211,7 @@ struct NamedOutput {
   std::string name;
   std::vector<GiNaC::ex> values;
   std::optional<TwistOutput> twist = {};
+  bool motion = false;  ///< accelerations and multipliers are those of the motion
 };
 
 /// f(q, t) = 0, or phi(q, v, t) = 0 affine in v; along the motion its second rate, or its rate, is

@@ -248,7 +248,8 @@ struct UserOutput {
   bool in_world = true;                  ///< axes of the twist: the world's, or the frame's
   std::vector<ExpressionId> twist = {};  ///< six entries, linear in the rates
   bool jacobian = false;
-  LeafSet takes = {};  ///< rates, accelerations and inputs that the values name
+  bool motion = false;  ///< accelerations and multipliers are those of the motion
+  LeafSet takes = {};   ///< rates, accelerations and inputs that the values name
   ShownValues shown = ShownValues::none;
   std::string doc = {};
   Span span = {};
@@ -339,7 +340,6 @@ struct Model {
 
   /// Accelerations, momenta, t and h that `--state` gives, by their texts: "dot(dot(theta))".
   std::map<std::string, cln::cl_R> stated = {};
-
   std::vector<std::uint32_t> regressed = {};    ///< parameters in which forces are affine together
   std::vector<std::uint32_t> independent = {};  ///< velocities that determine the others, ascending
 

@@ -38,7 +38,8 @@ enum class Extent : std::uint8_t {
   inertial,     ///< the parameters of the regressor (inertial_parameters.hpp)
   pivots,       ///< of the velocities, then of the constraints
   user,
-  task  ///< the rates of an [[output]]: of a frame those of its twist
+  task,          ///< the rates of an [[output]]: of a frame those of its twist
+  accelerations  ///< velocities, where an [[output]] takes their rates; else none
 };
 
 /// The unit of an entry from those of its row and column, which stand for coordinates, velocities

@@ -67,9 +67,9 @@ void resolve_entries(Context& context, const FileSyntax& syntax) {
   read_entries(context, instances,
                {{"input", read_wrench_input},
                 {"force", read_force},
-                {"output", read_output},
                 {"equilibrium", read_equilibrium}});
   read_constraints(context, instances);
+  read_entries(context, instances, {{"output", read_output}});
   check_plane(context);
   check_output_names(context.model, context.report);
 }
@@ -83,6 +83,7 @@ void note_arguments(Model& model, const std::vector<Traits>& traits) {
       if ((made_of & uses_acceleration) != 0) output.takes |= Opcode::acceleration;
       if ((made_of & uses_input) != 0) output.takes |= Opcode::input;
     }
+    if (output.motion) output.takes = Opcode::velocity | Opcode::input;
   }
 }
 

@@ -83,7 +83,9 @@ Fields fields(const Derivation& derivation, const OutputRequest& request, Parts 
   return result;
 }
 
-Vector user_value(Derivation& /*derivation*/, const NamedOutput& output) { return output.values; }
+Vector user_value(Derivation& derivation, const NamedOutput& output) {
+  return output.motion ? along_motion(derivation, output.values) : output.values;
+}
 
 Vector user_jacobian(Derivation& derivation, const NamedOutput& output) {
   return output.twist ? twist_jacobian(derivation, *output.twist)
@@ -96,7 +98,9 @@ Vector user_bias(Derivation& derivation, const NamedOutput& output) {
 }
 
 OutputDerivatives user_derivatives(Derivation& derivation, const NamedOutput& output) {
-  return output_derivatives(derivation, output.values);
+  OutputDerivatives result = output_derivatives(derivation, user_value(derivation, output));
+  if (output.motion) result.by_acceleration.clear();
+  return result;
 }
 
 OperationalDynamics user_operational(Derivation& derivation, const NamedOutput& output) {

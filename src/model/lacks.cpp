@@ -120,6 +120,8 @@ std::optional<Lack> lack_of_derivatives(const Model& model, const OutputRequest&
   if (const Expression* const kink = kink_in(model, output.values)) {
     return lack_of_slope("outputs", *kink);
   }
+  const Expression* const of_force = output.motion ? find_kink(model) : nullptr;
+  if (of_force != nullptr) return lack_of_slope("forces", *of_force);
   return std::nullopt;
 }
 

@@ -57,6 +57,7 @@ MaybeUnit unit_along(const Model& model, Extent extent, std::size_t i) {
     case Extent::states:
     case Extent::user:
     case Extent::task:
+    case Extent::accelerations:
       break;
   }
   return std::nullopt;

@@ -71,6 +71,8 @@ std::uint32_t extent_of(const Model& model, Extent kind, std::uint32_t user) {
       return static_cast<std::uint32_t>(inertial_parameters(model).size());
     case Extent::user:
       return static_cast<std::uint32_t>(model.outputs[user].values.size());
+    case Extent::accelerations:
+      return model.outputs[user].motion ? 0 : extent_of(model, Extent::velocities);
     case Extent::task:
       return model.outputs[user].frame ? 6 : extent_of(model, Extent::user, user);
     case Extent::one:
@@ -89,7 +91,8 @@ std::vector<LineLabel> line_labels(const Model& model, Extent extent, std::uint3
   if (extent == Extent::coordinates) add(model.coordinates);
   if (extent == Extent::inputs) add(model.inputs);
   if (extent == Extent::inertial) add(inertial_parameters(model));
-  if (extent == Extent::velocities || has_states || has_pivots) add(model.velocities);
+  const bool has_velocities = extent == Extent::velocities || extent == Extent::accelerations;
+  if (has_velocities || has_states || has_pivots) add(model.velocities);
   if (has_states) add(model.velocities, true);
   if (extent == Extent::constraints || has_pivots) add(model.constraints);
   for (const Constraint& constraint : model.constraints) {

@@ -88,6 +88,17 @@ bool is_zero(const Direction& d) {
 
 }  // namespace
 
+ConstrainedMotion motion_slope(Mechanics& at, const Displacement& along, const Direction& inputs) {
+  const ConstrainedSystem system = constrained_system(at);
+  const ConstrainedMotion motion = constrained_motion(at, system);
+  Values forces = negative(force_slopes(at, motion, along));
+  for (std::size_t i = 0; i < forces.size() && !inputs.empty(); ++i) {
+    forces[i] = forces[i] + at.input_force(at.unit(i), inputs);
+  }
+  const Values shortage = negative(stabilised_slope(at.model(), at.state(), along, motion.x));
+  return response(at, system, forces, shortage);
+}
+
 Values inverse_derivatives(Mechanics& at) {
   return residual_derivatives(at, at.state().a, Direction(at.state().u.size(), cl_R(0)));
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "elgen/oracle.hpp"
+#include "oracle/constraints.hpp"
 #include "oracle/mechanics.hpp"
 
 namespace elgen::oracle {
@@ -35,6 +36,10 @@ namespace elgen::oracle {
 
 // Derivatives of the dynamics: slopes of w.(M a + bias - B u) along displacements, and for forward
 // dynamics a solve with M. Of each all entries, one field after another, and w.X y of one field.
+
+/// Changes of the accelerations and multipliers of the motion along changes of state and inputs.
+[[nodiscard]] ConstrainedMotion motion_slope(Mechanics& at, const Displacement& along,
+                                             const Direction& inputs);
 
 /// d tau/dq, d tau/dv: n x n each for n velocities, row-major.
 [[nodiscard]] std::vector<cln::cl_R> inverse_derivatives(Mechanics& at);

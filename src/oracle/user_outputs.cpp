@@ -3,9 +3,9 @@
 #include "oracle/user_outputs.hpp"
 
 #include <array>
-#include <functional>
 
 #include "oracle/mechanics.hpp"
+#include "oracle/output_values.hpp"
 #include "oracle/rotations.hpp"
 #include "oracle/solved_dynamics.hpp"
 
@@ -14,43 +14,72 @@ namespace {
 
 using cln::cl_R;
 
-/// Slopes of expressions along `count` changes of the motion, row-major.
-Values slopes_of(const Question& of, const std::vector<ExpressionId>& ids, std::size_t count,
-                 const std::function<void(Motion&, std::size_t)>& displaced) {
-  Values values(ids.size() * count);
-  for (std::size_t j = 0; j < count; ++j) {
-    Motion motion = motion_of(of.state);
-    displaced(motion, j);
-    Evaluation at(of.model, motion);
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-      values[i * count + j] = at.value(ids[i]).coefficient(generator(0));
-    }
+/// The state, with the accelerations and multipliers of its motion where the output asks for them.
+Motion motion_of_user(const Question& of) {
+  Motion motion = motion_of(of.state);
+  if (!of.of_user().motion) return motion;
+  Mechanics at(of.model, of.state);
+  const ConstrainedMotion own = constrained_motion(at, constrained_system(at));
+  motion.a.assign(own.x.begin(), own.x.end());
+  motion.multipliers.assign(own.y.begin(), own.y.end());
+  return motion;
+}
+
+/// A direction of q (along N), v, a and u.
+struct MotionChange {
+  Displacement along = {};
+  Direction a = {};
+  Direction inputs = {};
+};
+
+/// dy along a direction; where the output asks for it, accelerations and multipliers go along.
+Values slopes_along(const Question& of, const MotionChange& change) {
+  constexpr Generators moving = generator(0);
+  Motion motion = motion_of_user(of);
+  displace_position(of.model, motion, change.along.x, moving);
+  displace(motion.v, change.along.y, moving);
+  displace(motion.a, change.a, moving);
+  displace(motion.u, change.inputs, moving);
+  if (of.of_user().motion) {
+    Mechanics at(of.model, of.state);
+    const ConstrainedMotion own = motion_slope(at, change.along, change.inputs);
+    displace(motion.a, own.x, moving);
+    displace(motion.multipliers, own.y, moving);
+  }
+  Evaluation at(of.model, motion);
+  Values values;
+  for (const ExpressionId id : of.differentiated()) {
+    values.push_back(at.value(id).coefficient(moving));
   }
   return values;
 }
 
-/// By the leaves of one kind.
-Values slopes_by(const Question& of, const std::vector<ExpressionId>& ids,
-                 std::vector<Jet> Motion::*leaf) {
-  const std::size_t count = (motion_of(of.state).*leaf).size();
-  return slopes_of(of, ids, count, [leaf, count](Motion& motion, std::size_t j) {
-    displace(motion.*leaf, unit_direction(count, j), generator(0));
-  });
-}
-
-/// By q, along N.
-Values slopes_by_position(const Question& of, const std::vector<ExpressionId>& ids) {
+/// dy along each unit direction of one part of a change, row-major.
+Values slopes_by(const Question& of, std::size_t count, Direction& (*part)(MotionChange&)) {
   const std::size_t n = of.state.v.size();
-  return slopes_of(of, ids, n, [&of, n](Motion& motion, std::size_t j) {
-    displace_position(of.model, motion, unit_direction(n, j), generator(0));
-  });
+  const MotionChange still{
+      {Direction(n), Direction(n)}, Direction(n), Direction(of.state.u.size())};
+  Values values(of.differentiated().size() * count);
+  for (std::size_t j = 0; j < count; ++j) {
+    MotionChange change = still;
+    part(change)[j] = 1;
+    const Values column = slopes_along(of, change);
+    for (std::size_t i = 0; i < column.size(); ++i) values[i * count + j] = column[i];
+  }
+  return values;
 }
 
-/// dy/dq along N, dy/dv, dy/da, dy/du.
+Direction& position_of(MotionChange& change) { return change.along.x; }
+Direction& velocity_of(MotionChange& change) { return change.along.y; }
+Direction& acceleration_of(MotionChange& change) { return change.a; }
+Direction& inputs_of(MotionChange& change) { return change.inputs; }
+
+/// dy/dq along N, dy/dv, dy/da, dy/du; without dy/da where a is that of the motion.
 std::array<Values, 4> derivatives_of_user(const Question& of) {
-  const std::vector<ExpressionId>& ids = of.of_user().values;
-  return {slopes_by_position(of, ids), slopes_by(of, ids, &Motion::v),
-          slopes_by(of, ids, &Motion::a), slopes_by(of, ids, &Motion::u)};
+  const std::size_t n = of.state.v.size();
+  return {slopes_by(of, n, position_of), slopes_by(of, n, velocity_of),
+          of.of_user().motion ? Values() : slopes_by(of, n, acceleration_of),
+          slopes_by(of, of.state.u.size(), inputs_of)};
 }
 
 /// The fields of the equation of motion along y.
@@ -113,7 +142,7 @@ cl_R contracted_entries(const Values& values, const Contraction& by) {
 }
 
 Values values_of_user(const Question& of) {
-  const Motion motion = motion_of(of.state);
+  const Motion motion = motion_of_user(of);
   Evaluation at(of.model, motion);
   Values values;
   for (const ExpressionId id : of.of_user().values) values.push_back(at.value(id).real());
@@ -121,8 +150,7 @@ Values values_of_user(const Question& of) {
 }
 
 Values jacobian_of_user(const Question& of) {
-  return of.is_twist() ? slopes_by(of, of.differentiated(), &Motion::v)
-                       : slopes_by_position(of, of.differentiated());
+  return slopes_by(of, of.state.v.size(), of.is_twist() ? velocity_of : position_of);
 }
 
 Values bias_of_user(const Question& of) {

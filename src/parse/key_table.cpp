@@ -137,6 +137,8 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"output", "jacobian", boolean, optional, true, "also emits its Jacobian and bias"},
     {"output", "frame", name, optional, true, "pose and Jacobian of this frame"},
     {"output", "axes", name, optional, true, "axes of its Jacobian: world, or the frame"},
+    {"output", "motion", boolean, optional, true,
+     "true: accelerations and lambda(CONSTRAINT) are those of the motion"},
     {"output", "doc", text, optional, true, "one line"},
     {"output", "for", repetition, optional, true, "repeats the entry"},
 

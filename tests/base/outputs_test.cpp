@@ -24,6 +24,7 @@ std::size_t size_of(Extent extent) {
     case Extent::coordinates:
       return 7;
     case Extent::velocities:
+    case Extent::accelerations:
       return 5;
     case Extent::states:
       return 10;

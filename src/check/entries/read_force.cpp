@@ -182,7 +182,10 @@ void read_wrench_input(ValueReader& values, const EntrySyntax& entry, std::uint3
 
 void read_output(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
   UserOutput& output = values.context().model.outputs[target];
-  const Place place{"an output", place::of_state | uses_acceleration | uses_input | uses_kink};
+  output.motion = is_set(entry.find("motion"));
+  constexpr Ingredients usual = place::of_state | uses_acceleration | uses_input | uses_kink;
+  const Ingredients allowed = output.motion ? usual | uses_multiplier : usual;
+  const Place place{"an output", allowed};
   const KeySyntax* value = entry.find("value");
   const KeySyntax* frame = entry.find("frame");
   if ((value == nullptr) == (frame == nullptr)) {
@@ -191,6 +194,11 @@ void read_output(ValueReader& values, const EntrySyntax& entry, std::uint32_t ta
     output.values = values.roots(value->value, {place});
   } else {
     read_frame_output(values, entry, output);
+    if (const KeySyntax* const motion = entry.find("motion"); output.motion) {
+      values.context().report.add(
+          Code::E112, motion->key_span,
+          "`motion` is of a `value`: the pose of a frame has no accelerations");
+    }
   }
   output.jacobian = is_set(entry.find("jacobian"));
 }

@@ -15,9 +15,10 @@ struct IngredientRow {
   std::string_view noun;
 };
 
-constexpr std::array<IngredientRow, 12> ingredient_table{{
+constexpr std::array<IngredientRow, 13> ingredient_table{{
     {uses_momentum, "a momentum"},
     {uses_energy, "the energy function"},
+    {uses_multiplier, "a multiplier"},
     {uses_open_derivative, "a derivative of an open function"},
     {uses_open_rate, "an open function of rates"},
     {uses_open_function, "an open function"},
@@ -33,6 +34,7 @@ constexpr std::array<IngredientRow, 12> ingredient_table{{
 constexpr const char* smooth_stand_in = "a smooth stand-in is tanh(x/width)";
 constexpr const char* home_of_momenta =
     "it stands in `[[expect]]`: in `conserved`, and in outputs that take momenta";
+constexpr const char* home_of_multipliers = "it stands in an `[[output]]` with `motion = true`";
 constexpr const char* kind_of_rates = "equations of rates have `kind = \"velocity\"`";
 constexpr const char* varying_mass = "what varies is written out in `[energy] T`";
 
@@ -63,6 +65,7 @@ void report(Context& context, const WrittenExpression& root, const Expression& n
   const bool is_rate = row.ingredient == uses_rate;
   const std::string hint = row.ingredient == uses_kink          ? smooth_stand_in
                            : row.ingredient == uses_momentum    ? home_of_momenta
+                           : row.ingredient == uses_multiplier  ? home_of_multipliers
                            : is_constraint && is_rate           ? kind_of_rates
                            : root.place.otherwise == Code::E506 ? varying_mass
                                                                 : "";

@@ -188,6 +188,22 @@ std::optional<ExpressionId> Resolver::resolve_momentum(const ExpressionSyntax& c
   return std::nullopt;
 }
 
+std::optional<ExpressionId> Resolver::resolve_multiplier(const ExpressionSyntax& call) {
+  if (!has_arity(call, 1)) return std::nullopt;
+  const Span& span = call.operands[0].span;
+  const std::vector<Constraint>& all = context_.model.constraints;
+  const std::string name(covered_text(span));
+  const auto found = std::ranges::find(all, name, &Constraint::name);
+  if (found != all.end()) {
+    return push_leaf(Opcode::multiplier, static_cast<std::uint32_t>(found - all.begin()),
+                     call.span);
+  }
+  context_.report.add(Code::E201, span, "unknown constraint " + in_backticks(name),
+                      suggestion(name, words_in(all, &Constraint::name),
+                                 all.empty() ? "no constraint is declared before it" : ""));
+  return std::nullopt;
+}
+
 std::optional<ExpressionId> Resolver::resolve_sum(const ExpressionSyntax& call) {
   if (!has_arity(call, 4)) return std::nullopt;
   const ExpressionSyntax& index = call.operands[0];

@@ -78,6 +78,7 @@ class Resolver {
                                                 const Composite& composite);
   std::optional<ExpressionId> resolve_dot(const ExpressionSyntax& call);
   std::optional<ExpressionId> resolve_momentum(const ExpressionSyntax& call);
+  std::optional<ExpressionId> resolve_multiplier(const ExpressionSyntax& call);
   std::optional<ExpressionId> resolve_sum(const ExpressionSyntax& call);
   std::optional<ExpressionId> resolve_delta(const ExpressionSyntax& call);
 

@@ -117,10 +117,11 @@ class TraitFinder {
         return leaf(uses_momentum);
       case LeafKind::energy:
         return leaf(uses_energy);
+      case LeafKind::multiplier:
+        return leaf(uses_multiplier);
       case LeafKind::parameter:
       case LeafKind::open_value:
       case LeafKind::reference:
-      case LeafKind::multiplier:
       case LeafKind::step:
         break;
     }

@@ -138,12 +138,18 @@ class UnitInference {
         return declared(model_.inputs[node.index].unit);
       case LeafKind::open_value:
         return of_open_value(model_.open_values[node.index]);
-      case LeafKind::parameter:
       case LeafKind::multiplier:
+        return of_multiplier(model_.constraints[node.index]);
+      case LeafKind::parameter:
       case LeafKind::step:
         break;
     }
     return declared(model_.parameters[node.index].unit);
+  }
+
+  /// A multiplier times the rate of its equation is a power.
+  [[nodiscard]] InferredUnit of_multiplier(const Constraint& constraint) const {
+    return quotient(known(constraint.is_position ? "J" : "W"), units_[constraint.value]);
   }
 
   /// [f]/([x_i] [x_j])

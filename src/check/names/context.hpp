@@ -32,6 +32,7 @@ enum Ingredient : std::uint16_t {
   uses_open_derivative = 512,  ///< a derivative of an open function, or its rate
   uses_momentum = 1024,
   uses_energy = 2048,  ///< the energy function
+  uses_multiplier = 4096,
 };
 using Ingredients = std::uint16_t;
 

@@ -28,7 +28,8 @@ constexpr std::array macro_prefixes{"M_",    "FP_",  "MATH_",  "DBL_",  "FLT_",
                                     "LDBL_", "INT_", "EIGEN_", "ELGEN_"};
 
 /// Functions too, but told apart from variables by what they are called with.
-constexpr std::array component_names{"x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz", "axis"};
+constexpr std::array component_names{"x",  "y",  "z",  "vx",   "vy",    "vz",
+                                     "wx", "wy", "wz", "axis", "lambda"};
 
 template <class List>
 bool contains(const List& list, std::string_view name) {

@@ -293,7 +293,7 @@ class Formulation {
 
   void add_outputs() {
     for (const UserOutput& output : model_.outputs) {
-      NamedOutput named{output.name, {}, {}};
+      NamedOutput named{output.name, {}, {}, output.motion};
       for (const ExpressionId id : output.values) named.values.push_back(translation_.value(id));
       lagrangian_.outputs.push_back(std::move(named));
     }

@@ -193,6 +193,15 @@ std::optional<ArticulatedDynamics> articulated_dynamics(Derivation& derivation, 
                              operations_of_factorisation(tree, *joints)};
 }
 
+Vector along_motion(Derivation& derivation, const Vector& values) {
+  const ConstrainedSolve::Solution motion = Dynamics(derivation).motion();
+  Seeds seeds;
+  add_seeds(seeds, derivation.symbols.a, motion.x);
+  add_seeds(seeds, derivation.symbols.multipliers, motion.y);
+  Substitution at_motion(derivation.definitions, std::move(seeds));
+  return substituted(at_motion, derivation.definitions, values);
+}
+
 InverseDerivatives inverse_dynamics_derivatives(Derivation& derivation) {
   return residual_derivatives(derivation, InputForces::absent);
 }

@@ -238,6 +238,9 @@ struct ArticulatedDynamics {
 [[nodiscard]] std::optional<ArticulatedDynamics> articulated_dynamics(Derivation& derivation,
                                                                       bool has_pivots = true);
 
+/// Values with the accelerations and multipliers of the motion in the place of their leaves.
+[[nodiscard]] Vector along_motion(Derivation& derivation, const Vector& values);
+
 /// n_v x n_v each, row-major.
 struct InverseDerivatives {
   Vector by_position;

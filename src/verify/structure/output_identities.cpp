@@ -111,7 +111,9 @@ void append_slopes(Values& slopes, ExactValues& at, std::uint32_t user, std::siz
 Balance derivatives_balance(ExactValues& at, std::uint32_t user) {
   Values slopes;
   append_slopes(slopes, at, user, at.size(), [&](std::size_t j) { return unit_position(at, j); });
+  const bool has_own_acceleration = at.subject().model.outputs[user].motion;
   for (const auto leaf : {&Arguments<Real>::v, &Arguments<Real>::a, &Arguments<Real>::u}) {
+    if (leaf == &Arguments<Real>::a && has_own_acceleration) continue;
     append_slopes(slopes, at, user, (at.arguments().*leaf).size(), [&](std::size_t j) {
       Arguments<Real> unit = at.at_rest();
       (unit.*leaf)[j] = Real(1);

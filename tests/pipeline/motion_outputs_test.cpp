@@ -1,0 +1,89 @@
+// Outputs of the motion: an accelerometer and the force in a rod as functions of the state and the
+// inputs, their total derivatives, and what is refused.
+#include <catch2/catch.hpp>
+
+#include "numbers/exact_number.hpp"
+#include "pipeline/constrained_testing.hpp"
+
+namespace elgen::test {
+namespace {
+
+using cln::cl_R;
+
+std::string output_of(const std::string& value, const std::string& more = "motion = true\n") {
+  return "[[output]]\nname = \"sensor\"\nvalue = " + value + "\njacobian = true\n" + more;
+}
+
+std::string said(const std::string& model) {
+  PipelineOptions options;
+  options.goals = {Goal::self_check};
+  return format(run_pipeline(inputs_of(model, ""), options).diagnostics);
+}
+
+}  // namespace
+
+TEST_CASE("an accelerometer has the rows of the dynamics and of their derivatives") {
+  const Constrained system(
+      model_file("cart_pole") + output_of("[\"dot(dot(x))\", \"dot(dot(theta)) + dot(theta)^2\"]"),
+      "sensor,sensor_derivatives,forward_dynamics,forward_dynamics_derivatives");
+  const State state = some_state(system);
+  const auto a = system.exactly(OutputKind::forward_dynamics, "acceleration", state);
+  check_field(system, OutputKind::user_value, "", state, {a[0], a[1] + state.v[1] * state.v[1]});
+  const auto of = [&](const std::string& field) {
+    return system.exactly(OutputKind::forward_dynamics_derivatives, field, state);
+  };
+  ExactNumbers by_velocity = of("by_velocity");
+  by_velocity[3] = by_velocity[3] + 2 * state.v[1];
+  const OutputKind kind = OutputKind::user_derivatives;
+  REQUIRE(system.function(kind).fields.size() == 3);
+  check_digits(system.exactly(kind, "by_position", state), of("by_position"), 50);
+  check_digits(system.exactly(kind, "by_velocity", state), by_velocity, 50);
+  check_digits(system.exactly(kind, "by_input", state), of("by_input"), 50);
+}
+
+TEST_CASE("the force in a rod is a function of the state") {
+  const Constrained system(model_file("pendulum_xy") + output_of("\"2*l*lambda(rod)\""),
+                           "sensor,sensor_derivatives,forward_dynamics");
+  State state = system.nominal();
+  state.q = {cln::cl_RA(3) / 5, cln::cl_RA(-4) / 5};
+  state.v = {2, cln::cl_RA(3) / 2};
+  const auto lambda = system.exactly(OutputKind::forward_dynamics, "multipliers", state);
+  const std::size_t l = 1;
+  REQUIRE(system.model().parameters[l].name == "l");
+  check_field(system, OutputKind::user_value, "", state, {2 * state.parameters[l] * lambda[0]});
+  // lambda = -m (v.v - g y)/(2 q.q) - m (zeta omega q.v/q.q + …)
+  const cl_R m = state.parameters[0];
+  const cl_R gain = state.parameters[3] * state.parameters[4];
+  const auto slope = [&](std::size_t i) {
+    return -2 * state.parameters[l] * m * (state.v[i] + gain * state.q[i]);
+  };
+  check_digits(system.exactly(OutputKind::user_derivatives, "by_velocity", state),
+               {slope(0), slope(1)}, 50);
+}
+
+TEST_CASE("outputs of the motion are those of the oracle") {
+  for (const auto& [name, value] :
+       {std::pair("four_bar", "[\"lambda(pin_x)*cos(a)\", \"dot(dot(b))\"]"),
+        std::pair("rolling_disc", "\"lambda(roll_1)*dot(psi)\""),
+        std::pair("pendulum_in_lift", "\"dot(dot(theta))\"")}) {
+    INFO(name);
+    const std::string found = said(model_file(name) + output_of(value));
+    CHECK_THAT(found, !Catch::Contains("error"));
+  }
+}
+
+TEST_CASE("multipliers stand in outputs of the motion alone") {
+  using Catch::Contains;
+  CHECK_THAT(said(model_file("cart_pole") + output_of("\"lambda(rod)\"")),
+             Contains("E201") && Contains("unknown constraint `rod`"));
+  CHECK_THAT(said(model_file("pendulum_xy") + output_of("\"lambda(rod)\"", "")),
+             Contains("is a multiplier, and an output takes none") &&
+                 Contains("it stands in an `[[output]]` with `motion = true`"));
+  CHECK_THAT(said(model_file("pendulum_xy") + output_of("\"lambda(rood)\"")),
+             Contains("did you mean `rod`?"));
+  CHECK_THAT(said(model_file("snakeboard") +
+                  "[[output]]\nname = \"pose\"\nframe = \"board\"\nmotion = true\n"),
+             Contains("E112") && Contains("`motion` is of a `value`"));
+}
+
+}  // namespace elgen::test
