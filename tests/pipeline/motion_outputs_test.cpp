@@ -72,6 +72,13 @@ TEST_CASE("outputs of the motion are those of the oracle") {
   }
 }
 
+TEST_CASE("the acceleration of a locked coordinate is that of its law") {
+  const Constrained system(model_file("two_link_arm") + output_of("\"dot(dot(q1))\"", ""), "sensor",
+                           "[outputs]\nsensor = true\n[lock]\nq1 = { value = \"3*t^2 + t\" }\n");
+  const State state = some_state(system);
+  check_field(system, OutputKind::user_value, "", state, {6});
+}
+
 TEST_CASE("multipliers stand in outputs of the motion alone") {
   using Catch::Contains;
   CHECK_THAT(said(model_file("cart_pole") + output_of("\"lambda(rod)\"")),

@@ -15,10 +15,12 @@ namespace elgen {
 
 namespace {
 
-/// The prescribed functions that take the places of a held coordinate and of its rate.
+/// The prescribed functions that take the places of a held coordinate, of its rate and, where
+/// something names that, of its acceleration.
 struct HeldLeaf {
   std::uint32_t value = 0;
   std::uint32_t rate = 0;
+  std::uint32_t acceleration = 0;
 };
 
 class VariantBuilder {
@@ -60,16 +62,17 @@ class VariantBuilder {
   /// d/dt s(t) has a name too: `rate` nodes have no operand to put it in.
   void replace(std::uint32_t index, ExpressionId value, const Span& span) {
     const Coordinate& coordinate = whole_.coordinates[index];
-    const Expression rate{
-        .kind = ExpressionKind::time_derivative, .operands = {value}, .span = span};
-    replacements_[index] = {prescribe({coordinate.name, coordinate.identifier, value,
-                                       coordinate.latex, coordinate.doc, span}),
-                            prescribe({"dot(" + coordinate.name + ")",
-                                       coordinate.identifier + "_dot",
-                                       append(rate),
-                                       {},
-                                       {},
-                                       span})};
+    HeldLeaf& held = replacements_[index];
+    held.value = prescribe(
+        {coordinate.name, coordinate.identifier, value, coordinate.latex, coordinate.doc, span});
+    const std::string dot = "dot(" + coordinate.name + ")";
+    const ExpressionId rate = append(derivative_of(value, span));
+    held.rate = prescribe({dot, coordinate.identifier + "_dot", rate, {}, {}, span});
+    if (names_acceleration(coordinate.velocity)) {
+      const ExpressionId second = append(derivative_of(rate, span));
+      held.acceleration =
+          prescribe({"dot(" + dot + ")", coordinate.identifier + "_ddot", second, {}, {}, span});
+    }
     if (coordinate.armature) add_armature(coordinate, replacements_[index].rate);
     model_.uses_time = model_.uses_time || holds_leaf(whole_, value, Opcode::time);
     model_.may_drift = model_.may_drift || model_.uses_time;
@@ -88,6 +91,16 @@ class VariantBuilder {
     if (total) sum.operands = {*total};
     sum.operands.push_back(energy);
     total = append(sum);
+  }
+
+  static Expression derivative_of(ExpressionId value, const Span& span) {
+    return {.kind = ExpressionKind::time_derivative, .operands = {value}, .span = span};
+  }
+
+  [[nodiscard]] bool names_acceleration(std::uint32_t velocity) const {
+    return std::ranges::any_of(whole_.expressions, [velocity](const Expression& node) {
+      return is_leaf(node, Opcode::acceleration) && node.index == velocity;
+    });
   }
 
   ExpressionId append(Expression expression) {
@@ -118,7 +131,7 @@ class VariantBuilder {
     }
   }
 
-  /// Rotations are locked at constants: rate 0. (Accelerations occur in closed forms only.)
+  /// The rate or the acceleration of what is held. Rotations are locked at constants: 0.
   void rewrite_rate(Expression& node) const {
     const Velocity& velocity = whole_.velocities[node.index];
     if (velocity.rotation) {
@@ -126,8 +139,10 @@ class VariantBuilder {
       node.number = 0;
       return;
     }
+    const HeldLeaf& held = replacements_[velocity.coordinate];
+    const bool is_rate = is_leaf(node, Opcode::velocity);
     node.kind = ExpressionKind::prescribed;
-    node.index = replacements_[velocity.coordinate].rate;
+    node.index = is_rate ? held.rate : held.acceleration;
   }
 
   void renumber_variables(const PlacesLeft& rotations) {
