@@ -23,6 +23,16 @@ struct HeldLeaf {
   std::uint32_t acceleration = 0;
 };
 
+Expression derivative_of(ExpressionId value, const Span& span) {
+  return {.kind = ExpressionKind::time_derivative, .operands = {value}, .span = span};
+}
+
+bool names_acceleration(const Model& model, std::uint32_t velocity) {
+  return std::ranges::any_of(model.expressions, [velocity](const Expression& node) {
+    return is_leaf(node, Opcode::acceleration) && node.index == velocity;
+  });
+}
+
 class VariantBuilder {
  public:
   explicit VariantBuilder(const Model& whole)
@@ -61,21 +71,20 @@ class VariantBuilder {
  private:
   /// d/dt s(t) has a name too: `rate` nodes have no operand to put it in.
   void replace(std::uint32_t index, ExpressionId value, const Span& span) {
-    const Coordinate& coordinate = whole_.coordinates[index];
+    const Coordinate& c = whole_.coordinates[index];
     HeldLeaf& held = replacements_[index];
-    held.value = prescribe(
-        {coordinate.name, coordinate.identifier, value, coordinate.latex, coordinate.doc, span});
-    const std::string dot = "dot(" + coordinate.name + ")";
+    held.value = prescribe({c.name, c.identifier, value, c.latex, c.doc, span});
+    const std::string dot = "dot(" + c.name + ")";
     const ExpressionId rate = append(derivative_of(value, span));
-    held.rate = prescribe({dot, coordinate.identifier + "_dot", rate, {}, {}, span});
-    if (names_acceleration(coordinate.velocity)) {
+    held.rate = prescribe({dot, c.identifier + "_dot", rate, {}, {}, span});
+    if (names_acceleration(whole_, c.velocity)) {
       const ExpressionId second = append(derivative_of(rate, span));
-      held.acceleration =
-          prescribe({"dot(" + dot + ")", coordinate.identifier + "_ddot", second, {}, {}, span});
+      const std::string ddot = "dot(" + dot + ")";
+      held.acceleration = prescribe({ddot, c.identifier + "_ddot", second, {}, {}, span});
     }
-    if (coordinate.armature) add_armature(coordinate, replacements_[index].rate);
-    model_.uses_time = model_.uses_time || holds_leaf(whole_, value, Opcode::time);
-    model_.may_drift = model_.may_drift || model_.uses_time;
+    if (c.armature) add_armature(c, held.rate);
+    if (holds_leaf(whole_, value, Opcode::time)) model_.uses_time = true;
+    if (model_.uses_time) model_.may_drift = true;
   }
 
   /// A moving lock carries energy: 1/2 J (ds/dt)^2.
@@ -91,16 +100,6 @@ class VariantBuilder {
     if (total) sum.operands = {*total};
     sum.operands.push_back(energy);
     total = append(sum);
-  }
-
-  static Expression derivative_of(ExpressionId value, const Span& span) {
-    return {.kind = ExpressionKind::time_derivative, .operands = {value}, .span = span};
-  }
-
-  [[nodiscard]] bool names_acceleration(std::uint32_t velocity) const {
-    return std::ranges::any_of(whole_.expressions, [velocity](const Expression& node) {
-      return is_leaf(node, Opcode::acceleration) && node.index == velocity;
-    });
   }
 
   ExpressionId append(Expression expression) {
@@ -135,8 +134,7 @@ class VariantBuilder {
   void rewrite_rate(Expression& node) const {
     const Velocity& velocity = whole_.velocities[node.index];
     if (velocity.rotation) {
-      node.kind = ExpressionKind::number;
-      node.number = 0;
+      node = {.number = 0, .span = node.span};
       return;
     }
     const HeldLeaf& held = replacements_[velocity.coordinate];
