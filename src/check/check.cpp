@@ -64,10 +64,9 @@ void resolve_entries(Context& context, const FileSyntax& syntax) {
   check_rotations(context);
   read_entries(context, instances, {{"point", read_point}, {"body", read_body}});
   for (const EntrySyntax& entry : syntax.entries) read_table(context, entry);
-  read_entries(context, instances,
-               {{"input", read_wrench_input},
-                {"force", read_force},
-                {"equilibrium", read_equilibrium}});
+  read_entries(
+      context, instances,
+      {{"input", read_wrench_input}, {"force", read_force}, {"equilibrium", read_equilibrium}});
   read_constraints(context, instances);
   read_entries(context, instances, {{"output", read_output}});
   check_plane(context);

@@ -6,6 +6,7 @@
 
 #include "elgen/page.hpp"
 #include "elgen/step_methods.hpp"
+#include "elgen/wording.hpp"
 #include "model/symbols.hpp"
 #include "numbers/exact_number.hpp"
 #include "print/sections.hpp"

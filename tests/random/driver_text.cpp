@@ -149,8 +149,8 @@ std::string cpp_function(const Trial& trial, const std::string& declared, bool i
 std::string c_call(const Declaration& function, const Trial& trial) {
   const std::string base = base_name(trial.system);
   const std::string output = function.name.substr(base.size() + 1);
-  std::string arguments = "&p";
-  for (const char* name : {"q", "v", "a", "u"}) {
+  std::string arguments = mentions(function.parameters, "_parameters *p") ? "&p, q" : "q";
+  for (const char* name : {"v", "a", "u"}) {
     if (mentions(function.parameters, fmt::format(" {}[", name)))
       arguments += fmt::format(", {}", name);
   }
@@ -183,17 +183,21 @@ std::string c_function(const Trial& trial, const std::string& declared) {
   const std::string base = base_name(trial.system);
   std::string upper = base;
   for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  std::string text = fmt::format("  const {}_parameters p = {}_DEFAULT_PARAMETERS;\n", base, upper);
+  std::string text;
+  if (mentions(declared, "_DEFAULT_PARAMETERS")) {
+    text =
+        fmt::format("  const {}_parameters p = {}_DEFAULT_PARAMETERS;\n  (void)p;\n", base, upper);
+  }
   for (const auto& [name, numbers] : arguments_of(trial)) {
     text += fmt::format("  const SCALAR {}[] = {{{}}};\n", name,
                         numbers.empty() ? "0" : fmt::format("{}", fmt::join(numbers, ", ")));
   }
   text += fmt::format("  const SCALAR t = {};\n", number_literal(trial.state.t));
-  text += "  (void)p, (void)q, (void)v, (void)a, (void)u, (void)t;\n";
+  text += "  (void)q, (void)v, (void)a, (void)u, (void)t;\n";
   for (const Declaration& function : declarations(declared, "static inline ")) {
     // Long functions are written in parts.
-    const bool is_output = mentions(function.parameters, "_parameters *p") &&
-                           !mentions(function.parameters, "_workspace *w");
+    const bool is_output =
+        mentions(function.parameters, " q[") && !mentions(function.parameters, "_workspace *w");
     if (is_output && function.name != base + "_dynamics") text += c_call(function, trial);
   }
   return text;

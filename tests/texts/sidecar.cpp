@@ -229,7 +229,8 @@ class SidecarReader {
   }
 
   void arguments(const Json& list, const Function& function) {
-    const std::vector<Opcode> expected = arguments_of(origin_.model, function);
+    const std::vector<Opcode> expected =
+        arguments_of(origin_.model, function, origin_.program, origin_.scene.emission.language);
     expect_size(list, expected.size());
     for (std::size_t i = 0; i < list.size(); ++i) {
       expect(list[i], leaf_row(expected[i]).symbol);

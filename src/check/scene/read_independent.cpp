@@ -46,8 +46,8 @@ void read_independent(Context& context, const FileSyntax* scene) {
     model.independent.insert(model.independent.end(), found.begin(), found.end());
   }
   std::ranges::sort(model.independent);
-  const auto repeated = std::ranges::unique(model.independent);
-  model.independent.erase(repeated.begin(), repeated.end());
+  const auto last = std::unique(model.independent.begin(), model.independent.end());
+  model.independent.erase(last, model.independent.end());
 }
 
 }  // namespace elgen

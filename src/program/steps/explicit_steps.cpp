@@ -1,33 +1,99 @@
 // The explicit methods, which call nothing but accelerations (and rates, where rotations turn).
+// Tangents go along with all values: those of accelerations are a call of their derivatives.
+//
+//     da = (da/dq) dq + (da/dv) dv + (da/du) du
+#include <algorithm>
+
 #include "program/evaluate/subject.hpp"
 #include "program/steps/methods.hpp"
 
 namespace elgen {
 namespace {
 
+/// Values, and their tangents along every direction of the step.
+struct Moving {
+  Places value = {};
+  std::vector<Places> tangents = {};
+};
+
+/// A state, or its rates.
+struct MovingState {
+  Moving q = {};
+  Moving v = {};
+};
+
+/// x + c k
+Moving moved(Composition& compose, const Moving& x, std::uint32_t c, const Moving& k) {
+  Moving result{compose.moved(x.value, c, k.value)};
+  for (std::size_t j = 0; j < x.tangents.size(); ++j) {
+    result.tangents.push_back(compose.moved(x.tangents[j], c, k.tangents[j]));
+  }
+  return result;
+}
+
+Moving sum(Composition& compose, const Moving& x, const Moving& y) {
+  Moving result{compose.add(Opcode::add, x.value, y.value)};
+  for (std::size_t j = 0; j < x.tangents.size(); ++j) {
+    result.tangents.push_back(compose.add(Opcode::add, x.tangents[j], y.tangents[j]));
+  }
+  return result;
+}
+
+NextState ended(const MovingState& end) {
+  NextState next{end.q.value, end.v.value};
+  for (std::size_t j = 0; j < end.q.tangents.size(); ++j) {
+    Places& column = next.columns.emplace_back(end.q.tangents[j]);
+    column.insert(column.end(), end.v.tangents[j].begin(), end.v.tangents[j].end());
+  }
+  return next;
+}
+
+/// q with every quaternion divided by its length.
+Places unit(const StepContext& step, Places q) {
+  for (const Rotation& rotation : step.model.rotations) {
+    std::uint32_t* const e = &q[rotation.first_coordinate];
+    std::uint32_t square = step.compose.add(Opcode::multiply, e[0], e[0]);
+    for (std::size_t i = 1; i < quaternion_size; ++i) {
+      square =
+          step.compose.add(Opcode::add, square, step.compose.add(Opcode::multiply, e[i], e[i]));
+    }
+    const std::uint32_t length = step.compose.add(Opcode::square_root, square);
+    for (std::size_t i = 0; i < quaternion_size; ++i) {
+      e[i] = step.compose.add(Opcode::divide, e[i], length);
+    }
+  }
+  return q;
+}
+
 class Explicit {
  public:
   explicit Explicit(const StepContext& step) : step_(step), compose_(step.compose) {}
 
   NextState rk4() {
-    std::vector<Rates> k{rates_at(step_.start)};
-    k.push_back(rates_at(after(step_.half, k[0], 2)));
-    k.push_back(rates_at(after(step_.half, k[1], 3)));
-    k.push_back(rates_at(after(step_.h, k[2], 4)));
+    const MovingState start = seeded();
+    std::vector<MovingState> k{rates_at(step_.start, start)};
+    k.push_back(rates_after(start, step_.half, k[0], 2));
+    k.push_back(rates_after(start, step_.half, k[1], 3));
+    k.push_back(rates_after(start, step_.h, k[2], 4));
     const std::uint32_t sixth = compose_.add(Opcode::divide, step_.h, compose_.number(6));
-    return {unit(compose_.moved(step_.start.q, sixth, weighted(k, &Rates::q))),
-            compose_.moved(step_.start.v, sixth, weighted(k, &Rates::v))};
+    MovingState end{moved(compose_, start.q, sixth, weighted(k, &MovingState::q))};
+    end.q.value = unit(step_, std::move(end.q.value));
+    end.v = moved(compose_, start.v, sixth, weighted(k, &MovingState::v));
+    return ended(end);
   }
 
   /// The kick that ends a part and the one that begins the next are merged.
   NextState verlet() {
     CallPoint at = step_.start;
+    MovingState x = seeded();
     cln::cl_RA before = 0;
     cln::cl_RA time = 0;
     for (const cln::cl_RA& part : step_.parts) {
       const std::uint32_t kick = step_.part((before + part) / 2);
-      at.v = compose_.moved(at.v, kick, acceleration(at));
-      at.q = compose_.moved(at.q, step_.part(part), at.v);
+      x.v = moved(compose_, x.v, kick, acceleration(at, x));
+      x.q = moved(compose_, x.q, step_.part(part), x.v);
+      at.q = x.q.value;
+      at.v = x.v.value;
       time = time + part;
       at.t = step_.time_at(time);
       ++at.number;
@@ -35,14 +101,26 @@ class Explicit {
       before = part;
     }
     const std::uint32_t kick = step_.part(before / 2);
-    return {at.q, compose_.moved(at.v, kick, acceleration(at))};
+    x.v = moved(compose_, x.v, kick, acceleration(at, x));
+    return ended(x);
   }
 
  private:
-  struct Rates {
-    Places q;
-    Places v;
-  };
+  [[nodiscard]] std::size_t size() const { return step_.model.velocities.size(); }
+
+  /// The state that a step begins at; its directions are those of q, v and u.
+  MovingState seeded() {
+    MovingState start{{step_.start.q}, {step_.start.v}};
+    const std::uint32_t zero = compose_.number(0);
+    for (std::size_t j = 0; j < step_.directions; ++j) {
+      for (Moving* const part : {&start.q, &start.v}) {
+        part->tangents.emplace_back(part->value.size(), zero);
+      }
+      if (j < size()) start.q.tangents[j][j] = compose_.number(1);
+      if (j >= size() && j < 2 * size()) start.v.tangents[j][j - size()] = compose_.number(1);
+    }
+    return start;
+  }
 
   Places called(OutputKind kind, const CallPoint& at) {
     const Function& function = *find_function(step_.calls, kind);
@@ -50,48 +128,70 @@ class Explicit {
     return compose_.call(step_.calls, function, function.fields.front(), at, is_inner);
   }
 
-  Places acceleration(const CallPoint& at) {
-    const Places a = called(OutputKind::forward_dynamics, at);
-    compose_.name(a, Opcode::acceleration, at.number);
+  Moving acceleration(const CallPoint& at, const MovingState& x) {
+    Moving a{called(OutputKind::forward_dynamics, at)};
+    compose_.name(a.value, Opcode::acceleration, at.number);
+    if (step_.directions > 0) a.tangents = tangents_of_acceleration(at, x);
     return a;
   }
 
-  Rates rates_at(const CallPoint& at) {
-    const bool turns = !step_.model.rotations.empty();
-    return {turns ? called(OutputKind::coordinate_rates, at) : at.v, acceleration(at)};
+  std::vector<Places> tangents_of_acceleration(const CallPoint& at, const MovingState& x) {
+    const Function& slopes = *find_function(step_.calls, OutputKind::forward_dynamics_derivatives);
+    Field all;
+    for (const Field& field : slopes.fields) {
+      all.entries.insert(all.entries.end(), field.entries.begin(), field.entries.end());
+    }
+    const Places entries = compose_.call(step_.calls, slopes, all, at);
+    const std::size_t n = size();
+    std::vector<Places> result;
+    for (std::size_t j = 0; j < step_.directions; ++j) {
+      Places column;
+      for (std::size_t i = 0; i < n; ++i) {
+        const bool is_input = j >= 2 * n;
+        const std::size_t inputs = step_.directions - 2 * n;
+        std::uint32_t sum =
+            is_input ? entries[2 * n * n + i * inputs + j - 2 * n] : compose_.number(0);
+        for (std::size_t l = 0; l < n; ++l) {
+          sum = with_product(sum, entries[i * n + l], x.q.tangents[j][l]);
+          sum = with_product(sum, entries[n * n + i * n + l], x.v.tangents[j][l]);
+        }
+        column.push_back(sum);
+      }
+      result.push_back(std::move(column));
+    }
+    return result;
   }
 
-  /// The start and c k, for call `number`.
-  CallPoint after(std::uint32_t c, const Rates& k, std::uint32_t number) {
-    CallPoint at{.q = unit(compose_.moved(step_.start.q, c, k.q)),
-                 .v = compose_.moved(step_.start.v, c, k.v)};
+  std::uint32_t with_product(std::uint32_t sum, std::uint32_t x, std::uint32_t y) {
+    return compose_.add(Opcode::add, sum, compose_.add(Opcode::multiply, x, y));
+  }
+
+  MovingState rates_at(const CallPoint& at, const MovingState& x) {
+    MovingState rates;
+    rates.q = x.v;
+    if (!step_.model.rotations.empty()) rates.q = {called(OutputKind::coordinate_rates, at)};
+    rates.v = acceleration(at, x);
+    return rates;
+  }
+
+  /// The rates at the start and c k, for call `number`.
+  MovingState rates_after(const MovingState& start, std::uint32_t c, const MovingState& k,
+                          std::uint32_t number) {
+    MovingState x{moved(compose_, start.q, c, k.q)};
+    x.q.value = unit(step_, std::move(x.q.value));
+    x.v = moved(compose_, start.v, c, k.v);
+    CallPoint at{.q = x.q.value, .v = x.v.value};
     at.t = step_.time_after(c);
     at.number = number;
     step_.name(at);
-    return at;
+    return rates_at(at, x);
   }
 
   /// k1 + 2 (k2 + k3) + k4
-  Places weighted(const std::vector<Rates>& k, Places Rates::*part) {
+  Moving weighted(const std::vector<MovingState>& k, Moving MovingState::*part) {
     const std::uint32_t two = compose_.number(2);
-    const Places middle = compose_.add(Opcode::add, k[1].*part, k[2].*part);
-    return compose_.add(Opcode::add, compose_.moved(k[0].*part, two, middle), k[3].*part);
-  }
-
-  /// q with every quaternion divided by its length.
-  Places unit(Places q) {
-    for (const Rotation& rotation : step_.model.rotations) {
-      std::uint32_t* const e = &q[rotation.first_coordinate];
-      std::uint32_t square = compose_.add(Opcode::multiply, e[0], e[0]);
-      for (std::size_t i = 1; i < quaternion_size; ++i) {
-        square = compose_.add(Opcode::add, square, compose_.add(Opcode::multiply, e[i], e[i]));
-      }
-      const std::uint32_t length = compose_.add(Opcode::square_root, square);
-      for (std::size_t i = 0; i < quaternion_size; ++i) {
-        e[i] = compose_.add(Opcode::divide, e[i], length);
-      }
-    }
-    return q;
+    const Moving middle = sum(compose_, k[1].*part, k[2].*part);
+    return sum(compose_, moved(compose_, k[0].*part, two, middle), k[3].*part);
   }
 
   const StepContext& step_;

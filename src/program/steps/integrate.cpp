@@ -38,6 +38,39 @@ std::vector<std::uint32_t> sampled_zeros(const Program& calls, const Function& s
   return entries;
 }
 
+/// Whether an explicit method takes tangents along, by derivatives of accelerations: shorter than
+/// to differentiate its instructions, but for rotations, and where these derivatives are loops.
+bool takes_tangents(const Model& model, const OutputRequest& step) {
+  constexpr std::size_t most_velocities = 9;
+  return output_row(step.kind).differentiates && domain_of(step) != StepDomain::quadratic &&
+         model.rotations.empty() && model.velocities.size() <= most_velocities;
+}
+
+/// A and B from their columns, or where the method has none, from the instructions of the step.
+Function derivatives(const Model& model, const Program& calls, Function function,
+                     std::vector<Places> columns, Program& program) {
+  if (columns.empty()) {
+    const Function step = pruned(function);
+    function = step;
+    Composition compose(program, function);
+    columns = step_columns(model, calls, step, compose);
+  }
+  function.fields.clear();
+  const std::size_t rows = 2 * model.velocities.size();
+  std::size_t first = 0;
+  for (const FieldRow& row : output_row(function.kind).fields) {
+    const std::size_t count = row.columns == Extent::states ? rows : columns.size() - rows;
+    Field field{std::string(row.name), static_cast<std::uint32_t>(rows),
+                static_cast<std::uint32_t>(count)};
+    for (std::size_t i = 0; i < rows; ++i) {
+      for (std::size_t j = 0; j < count; ++j) field.entries.push_back(columns[first + j][i]);
+    }
+    if (count > 0) function.fields.push_back(std::move(field));
+    first += count;
+  }
+  return pruned(function);
+}
+
 /// The outputs that a method calls where it applies; `dynamics` computes those before it together.
 std::vector<OutputKind> kinds_called(const OutputRequest& step) {
   switch (domain_of(step)) {
@@ -105,6 +138,8 @@ StepContext::StepContext(const CheckedModel& checked, const OutputRequest& reque
       calls(the_calls),
       compose(composition),
       has_inner(checked.scene.numerics.inner == InnerScalar::single_precision),
+      directions(takes_tangents(model, request) ? 2 * model.velocities.size() + model.inputs.size()
+                                                : 0),
       iterations(request.iterations),
       parts(step_parts(request.composed_order)),
       h(compose.leaf(Opcode::step)),
@@ -145,7 +180,9 @@ std::string not_separable(const CheckedModel& checked, const Program& program) {
 
 std::vector<OutputRequest> needed_for_step(const Model& model, const OutputRequest& step) {
   std::vector<OutputRequest> needed;
-  for (const OutputKind kind : kinds_called(step)) {
+  std::vector<OutputKind> kinds = kinds_called(step);
+  if (takes_tangents(model, step)) kinds.push_back(OutputKind::forward_dynamics_derivatives);
+  for (const OutputKind kind : kinds) {
     OutputRequest request = request_of(model, kind, 0);
     if (!is_available(model, request)) continue;
     request.span = step.span;
@@ -176,9 +213,11 @@ Diagnostics add_step(const CheckedModel& checked, const OutputRequest& step, con
   NextState moved = methods[step.user](StepContext(checked, step, calls, compose));
   add_field(function, "coordinates", std::move(moved.q));
   add_field(function, "rates", std::move(moved.v));
-  const bool differentiates = output_row(step.kind).differentiates;
-  if (!differentiates) add_field(function, "residual", std::move(moved.residual));
-  if (differentiates) function = step_derivatives(checked.model, calls, pruned(function), program);
+  if (output_row(step.kind).differentiates) {
+    function = derivatives(checked.model, calls, std::move(function), moved.columns, program);
+  } else {
+    add_field(function, "residual", std::move(moved.residual));
+  }
   function.sampled_zeros = sampled_zeros(calls, function);
   program.functions.push_back(pruned(function));
   assert(check_invariants(program).empty());

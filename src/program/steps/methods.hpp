@@ -27,6 +27,7 @@ struct StepContext {
   const Program& calls;
   Composition& compose;
   bool has_inner;                 ///< accelerations in float
+  std::size_t directions;         ///< along which explicit methods take tangents; 0: none
   std::uint32_t iterations;       ///< of an implicit method
   std::vector<cln::cl_RA> parts;  ///< of h, over which a symmetric method goes in turn
   std::uint32_t h;
@@ -38,15 +39,16 @@ struct StepContext {
 struct NextState {
   Places q = {};
   Places v = {};
-  Places residual = {};  ///< of an implicit method
+  Places residual = {};              ///< of an implicit method
+  std::vector<Places> columns = {};  ///< d(q, v) along each direction of q, v, u, where asked for
 };
 
-/// A and B of x(t + h) = Phi(x, u) about a state, x = (dq, v), where `step` has the coordinates and
-/// rates of Phi: exact for its instructions, iterations and scalings of quaternions among them.
-/// `calls` has coordinate_rates where the model has rotations. Cost: about twice the step for each
-/// column.
-[[nodiscard]] Function step_derivatives(const Model& model, const Program& calls,
-                                        const Function& step, Program& program);
+/// The columns of A and B of x(t + h) = Phi(x, u) about a state, x = (dq, v), appended to `step`,
+/// which has the coordinates and rates of Phi: exact for its instructions, iterations and scalings
+/// of quaternions among them. `calls` has coordinate_rates where the model has rotations. Cost:
+/// about the step again for each column.
+[[nodiscard]] std::vector<Places> step_columns(const Model& model, const Program& calls,
+                                               const Function& step, Composition& compose);
 
 #define ELGEN_STEP_METHOD(name, domain, order, iterations, doc, equation) \
   [[nodiscard]] NextState compose_##name(const StepContext& step);

@@ -1,4 +1,4 @@
-// step_derivatives: one forward pass over the instructions of a step for each direction of the
+// step_columns: one forward pass over the instructions of a step for each direction of the
 // state and of the inputs. Every pass is the same code, so that dense ones are the repetitions of
 // the function.
 //
@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/function_slopes.hpp"
+#include "program/evaluate/subject.hpp"
 #include "program/steps/methods.hpp"
 
 namespace elgen {
@@ -218,25 +219,9 @@ class Differentiation {
 
 }  // namespace
 
-Function step_derivatives(const Model& model, const Program& calls, const Function& step,
-                          Program& program) {
-  Function function = step;
-  function.fields.clear();
-  Composition compose(program, function);
-  const std::vector<Places> columns = Differentiation(model, calls, step, compose).columns();
-  const std::size_t rows = 2 * model.velocities.size();
-  std::size_t first = 0;
-  for (const FieldRow& row : output_row(OutputKind::step_derivatives).fields) {
-    const std::size_t count = row.columns == Extent::states ? rows : columns.size() - rows;
-    Field field{std::string(row.name), static_cast<std::uint32_t>(rows),
-                static_cast<std::uint32_t>(count)};
-    for (std::size_t i = 0; i < rows; ++i) {
-      for (std::size_t j = 0; j < count; ++j) field.entries.push_back(columns[first + j][i]);
-    }
-    if (count > 0) function.fields.push_back(std::move(field));
-    first += count;
-  }
-  return pruned(function);
+std::vector<Places> step_columns(const Model& model, const Program& calls, const Function& step,
+                                 Composition& compose) {
+  return Differentiation(model, calls, step, compose).columns();
 }
 
 }  // namespace elgen
