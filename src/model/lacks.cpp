@@ -22,6 +22,11 @@ const Cyclic* taken_out_of(const Model& whole, std::uint32_t user) {
   return found == all.end() ? nullptr : &*found;
 }
 
+bool differentiates_step(const OutputRow& row) { return row.steps && row.differentiates; }
+
+/// Derivatives of a step are straight code, of solo12 with 18 velocities 12 MB of it.
+constexpr std::size_t most_velocities_of_derivatives = 10;
+
 std::optional<Lack> lack_of_independent(const Model& model, std::size_t freedoms) {
   const std::size_t count = model.independent.size();
   if (count == freedoms) return std::nullopt;
@@ -50,8 +55,7 @@ std::optional<Lack> lack_of_constraints(const Model& model, const OutputRequest&
   const Span& span = model.constraints.front().span;
   const std::size_t freedoms = model.velocities.size() - std::min(count, model.velocities.size());
   if (row.requirement == Requirement::independent) return lack_of_independent(model, freedoms);
-  const bool is_step = row.steps && row.differentiates;
-  if (is_step || row.requirement == Requirement::operational) {
+  if (differentiates_step(row) || row.requirement == Requirement::operational) {
     return Lack{Code::E539, "does not know of constraints", span, "constrained here"};
   }
   if (row.takes.has_any(Opcode::momentum)) {
@@ -198,6 +202,13 @@ std::optional<Lack> lack_of(const Model& model, const OutputRequest& request) {
   }
   const Expression* kink = output_row(request.kind).differentiates ? find_kink(model) : nullptr;
   if (kink != nullptr) return lack_of_slope("forces", *kink);
+  const std::size_t velocities = model.velocities.size();
+  if (differentiates_step(output_row(request.kind)) &&
+      velocities > most_velocities_of_derivatives) {
+    return lacking("is for at most " + std::to_string(most_velocities_of_derivatives) +
+                   " velocities, and the model has " + std::to_string(velocities) +
+                   "; `linearization` at the states of a step is for any");
+  }
   if (output_row(request.kind).steps && !model.functions.empty()) {
     const OpenFunction& function = model.functions.front();
     return Lack{Code::E633,

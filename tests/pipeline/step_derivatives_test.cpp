@@ -137,6 +137,8 @@ TEST_CASE("derivatives of steps that there are not are refused") {
   };
   CHECK_THAT(message("pendulum_xy", stepping("\"rk4\"")),
              Contains("E539") && Contains("`step_derivatives` does not know of constraints"));
+  CHECK_THAT(message("chain", stepping("\"rk4\"") + "[sizes]\nn = 11\n"),
+             Contains("E603") && Contains("is for at most 10 velocities, and the model has 11"));
   CHECK_THAT(message("cart_pole", "[outputs]\nstep_derivatives = true\n"),
              Contains("E105") && Contains("`step_derivatives` needs a `method`"));
   CHECK_THAT(message("cart_pole", stepping("\"euler\"")),
