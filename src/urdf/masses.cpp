@@ -1,6 +1,8 @@
 // masses: whatever joints move must have mass, and an inertia that a rigid body can have.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "elgen/inertia.hpp"
 #include "elgen/wording.hpp"
 #include "urdf/choices.hpp"
@@ -65,24 +67,59 @@ void check_inertia(const Link& link, Diagnostics& found) {
        "a principal inertia exceeds the sum of the other two"});
 }
 
-/// Whether turning about the normal of a planar joint moves mass: anything but a point on the
-/// normal. Mass that other joints hold behind it is elsewhere, if only at times.
+bool are_zero(const auto& numbers) {
+  return std::ranges::all_of(numbers, [](const FileNumber& x) { return x.is_zero(); });
+}
+
+/// Whether a link, or what fixed joints hold to it, has inertia about an axis through its origin:
+/// anything but points on the axis. Mass that other joints move is elsewhere, if only at times, and
+/// so may be what is turned.
+class InertiaAbout {
+ public:
+  InertiaAbout(const Robot& robot, const LinkTree& tree, std::size_t axis)
+      : robot_(robot),
+        tree_(tree),
+        axis_(axis),
+        massive_(massive_links(robot, tree, Behind::everything)),
+        inert_(massive_links(robot, tree, Behind::everything, &Link::has_inertia)) {}
+
+  [[nodiscard]] bool carries(std::size_t link) const { return massive_[link] || inert_[link]; }
+
+  [[nodiscard]] bool has(std::size_t link) const {
+    if (robot_.links[link].inertial && turns(*robot_.links[link].inertial)) return true;
+    return std::ranges::any_of(tree_.branches, [&](const Branch& branch) {
+      if (branch.parent != link || !carries(branch.child)) return false;
+      const Joint& joint = robot_.joints[branch.joint];
+      const bool is_on_axis = joint.type == JointType::fixed && are_zero(joint.origin.rpy) &&
+                              stands_on_axis(joint.origin);
+      return !is_on_axis || has(branch.child);
+    });
+  }
+
+ private:
+  [[nodiscard]] bool stands_on_axis(const Pose& pose) const {
+    return pose.xyz[(axis_ + 1) % 3].is_zero() && pose.xyz[(axis_ + 2) % 3].is_zero();
+  }
+
+  [[nodiscard]] bool turns(const Inertial& inertial) const {
+    const bool has_inertia = are_zero(inertial.origin.rpy) ? !inertial.inertia[axis_].is_zero()
+                                                           : !are_zero(inertial.inertia);
+    return has_inertia || (!inertial.mass.is_zero() && !stands_on_axis(inertial.origin));
+  }
+
+  const Robot& robot_;
+  const LinkTree& tree_;
+  std::size_t axis_;
+  std::vector<bool> massive_;
+  std::vector<bool> inert_;
+};
+
+/// Whether turning about the normal of a planar joint moves mass.
 bool turns_inertia(const Robot& robot, const LinkTree& tree, const Branch& planar) {
-  const auto has_mass_behind = [&](const Branch& branch) {
-    return branch.parent == planar.child &&
-           massive_links(robot, tree, Behind::everything)[branch.child];
-  };
-  if (std::ranges::any_of(tree.branches, has_mass_behind)) return true;
-  if (!robot.links[planar.child].inertial) return true;  // a rotor's inertia alone
-  const Inertial& inertial = *robot.links[planar.child].inertial;
   const std::size_t normal = *axis_of(robot.joints[planar.joint].axis, AngleDigits::rounded).along;
-  const bool is_on_normal = inertial.origin.xyz[(normal + 1) % 3].is_zero() &&
-                            inertial.origin.xyz[(normal + 2) % 3].is_zero();
-  const auto is_zero = [](const FileNumber& number) { return number.is_zero(); };
-  const bool is_upright = std::ranges::all_of(inertial.origin.rpy, is_zero);
-  const bool has_inertia = is_upright ? !is_zero(inertial.inertia[normal])
-                                      : !std::ranges::all_of(inertial.inertia, is_zero);
-  return !is_on_normal || has_inertia;
+  const InertiaAbout about(robot, tree, normal);
+  const bool is_rotor_alone = !about.carries(planar.child);
+  return is_rotor_alone || about.has(planar.child);
 }
 
 /// The mass that a joint moves: whether there is any, and whether it moves at once or further on.

@@ -126,6 +126,26 @@ TEST_CASE("the angle of a planar joint that turns a point is held") {
   CHECK_THAT(imported(puck("0 0 0", "2"), welding({"massless"})), Contains("j_angle"));
 }
 
+TEST_CASE("points that fixed joints hold on the axis of a planar joint turn no inertia") {
+  const auto puck = [](const std::string& origin, const std::string& mass,
+                       const std::string& inertia) {
+    return "<robot name=\"r\"><link name=\"world\"/><link name=\"puck\"/>\n<link "
+           "name=\"tool\"><inertial><mass value=\"" +
+           mass + "\"/><inertia ixx=\"0\" ixy=\"0\" ixz=\"0\" iyy=\"" + inertia +
+           "\" iyz=\"0\" izz=\"" + inertia +
+           "\"/></inertial></link>\n<joint name=\"j\" type=\"planar\"><parent "
+           "link=\"world\"/><child "
+           "link=\"puck\"/><axis xyz=\"0 0 1\"/></joint>\n<joint name=\"k\" type=\"fixed\"><parent "
+           "link=\"puck\"/><child link=\"tool\"/><origin " +
+           origin + "/></joint></robot>";
+  };
+  const ImportOptions massless = welding({"massless"});
+  CHECK_THAT(imported(puck("xyz=\"0 0 1\"", "1", "0"), massless), !Contains("j_angle"));
+  CHECK_THAT(imported(puck("xyz=\"0.1 0 1\"", "1", "0"), massless), Contains("j_angle"));
+  CHECK_THAT(imported(puck("rpy=\"1 0 0\"", "1", "0"), massless), Contains("j_angle"));
+  CHECK_THAT(imported(puck("xyz=\"0 0 1\"", "1", "2"), massless), Contains("j_angle"));
+}
+
 TEST_CASE("joints that cannot be chosen") {
   CHECK(import_messages(crane(), keeping("ab,bd")) ==
         "E821 1:4 the robot has no joint `bd` | did you mean `bc`?\n");
