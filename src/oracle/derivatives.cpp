@@ -44,6 +44,18 @@ void put_column(const Values& column, std::size_t j, std::size_t columns, Values
   for (std::size_t i = 0; i < column.size(); ++i) matrix[i * columns + j] = column[i];
 }
 
+/// Changes of accelerations and multipliers along a displacement.
+ConstrainedMotion slope_along(Mechanics& at, const ConstrainedSystem& system,
+                              const ConstrainedMotion& motion, const Displacement& along,
+                              const Direction& inputs) {
+  Values forces = negative(force_slopes(at, motion, along));
+  for (std::size_t i = 0; i < forces.size() && !inputs.empty(); ++i) {
+    forces[i] = forces[i] + at.input_force(at.unit(i), inputs);
+  }
+  const Values shortage = negative(stabilised_slope(at.model(), at.state(), along, motion.x));
+  return response(at, system, forces, shortage);
+}
+
 /// da/dq, or da/dv.
 Values state_derivatives(Mechanics& at, const ConstrainedSystem& system,
                          const ConstrainedMotion& motion, std::size_t field) {
@@ -51,9 +63,7 @@ Values state_derivatives(Mechanics& at, const ConstrainedSystem& system,
   Values matrix(n * n);
   for (std::size_t j = 0; j < n; ++j) {
     const Displacement along = displacement(at, field, at.unit(j));
-    const Values forces = negative(force_slopes(at, motion, along));
-    const Values shortage = negative(stabilised_slope(at.model(), at.state(), along, motion.x));
-    put_column(response(at, system, forces, shortage).x, j, n, matrix);
+    put_column(slope_along(at, system, motion, along, {}).x, j, n, matrix);
   }
   return matrix;
 }
@@ -90,13 +100,7 @@ bool is_zero(const Direction& d) {
 
 ConstrainedMotion motion_slope(Mechanics& at, const Displacement& along, const Direction& inputs) {
   const ConstrainedSystem system = constrained_system(at);
-  const ConstrainedMotion motion = constrained_motion(at, system);
-  Values forces = negative(force_slopes(at, motion, along));
-  for (std::size_t i = 0; i < forces.size() && !inputs.empty(); ++i) {
-    forces[i] = forces[i] + at.input_force(at.unit(i), inputs);
-  }
-  const Values shortage = negative(stabilised_slope(at.model(), at.state(), along, motion.x));
-  return response(at, system, forces, shortage);
+  return slope_along(at, system, constrained_motion(at, system), along, inputs);
 }
 
 Values inverse_derivatives(Mechanics& at) {

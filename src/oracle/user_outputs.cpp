@@ -32,10 +32,10 @@ struct MotionChange {
   Direction inputs = {};
 };
 
-/// dy along a direction; where the output asks for it, accelerations and multipliers go along.
-Values slopes_along(const Question& of, const MotionChange& change) {
+/// dy along a direction from a motion; where the output asks for it, accelerations and multipliers
+/// go along.
+Values slopes_along(const Question& of, Motion motion, const MotionChange& change) {
   constexpr Generators moving = generator(0);
-  Motion motion = motion_of_user(of);
   displace_position(of.model, motion, change.along.x, moving);
   displace(motion.v, change.along.y, moving);
   displace(motion.a, change.a, moving);
@@ -59,11 +59,12 @@ Values slopes_by(const Question& of, std::size_t count, Direction& (*part)(Motio
   const std::size_t n = of.state.v.size();
   const MotionChange still{
       {Direction(n), Direction(n)}, Direction(n), Direction(of.state.u.size())};
+  const Motion motion = motion_of_user(of);
   Values values(of.differentiated().size() * count);
   for (std::size_t j = 0; j < count; ++j) {
     MotionChange change = still;
     part(change)[j] = 1;
-    const Values column = slopes_along(of, change);
+    const Values column = slopes_along(of, motion, change);
     for (std::size_t i = 0; i < column.size(); ++i) values[i * count + j] = column[i];
   }
   return values;
@@ -74,12 +75,14 @@ Direction& velocity_of(MotionChange& change) { return change.along.y; }
 Direction& acceleration_of(MotionChange& change) { return change.a; }
 Direction& inputs_of(MotionChange& change) { return change.inputs; }
 
-/// dy/dq along N, dy/dv, dy/da, dy/du; without dy/da where a is that of the motion.
-std::array<Values, 4> derivatives_of_user(const Question& of) {
-  const std::size_t n = of.state.v.size();
-  return {slopes_by(of, n, position_of), slopes_by(of, n, velocity_of),
-          of.of_user().motion ? Values() : slopes_by(of, n, acceleration_of),
-          slopes_by(of, of.state.u.size(), inputs_of)};
+/// A field of the derivatives: dy/dq along N, dy/dv, dy/da, dy/du; no entries of dy/da where a is
+/// that of the motion.
+Values derivative_of_user(const Question& of, std::size_t field) {
+  constexpr std::size_t acceleration = 2;
+  constexpr std::array parts{position_of, velocity_of, acceleration_of, inputs_of};
+  if (field == acceleration && of.of_user().motion) return {};
+  const bool is_by_input = field + 1 == parts.size();
+  return slopes_by(of, is_by_input ? of.state.u.size() : of.state.v.size(), parts.at(field));
 }
 
 /// The fields of the equation of motion along y.
@@ -164,10 +167,13 @@ Values bias_of_user(const Question& of) {
   return values;
 }
 
-Values all_derivatives_of_user(const Question& of) { return joined(derivatives_of_user(of)); }
+Values all_derivatives_of_user(const Question& of) {
+  return joined({derivative_of_user(of, 0), derivative_of_user(of, 1), derivative_of_user(of, 2),
+                 derivative_of_user(of, 3)});
+}
 
 cl_R contracted_derivatives(const Question& of, const Contraction& by) {
-  return contracted_entries(derivatives_of_user(of).at(by.field), by);
+  return contracted_entries(derivative_of_user(of, by.field), by);
 }
 
 Values operational_of_user(const Question& of) { return joined(operational_fields(of)); }

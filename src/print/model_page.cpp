@@ -163,10 +163,9 @@ std::string doc_of_completed(const Model& model) {
   for (const std::uint32_t i : model.independent) {
     names.push_back(in_backticks(model.velocities[i].name));
   }
-  const std::string doc(output_row(OutputKind::completed).doc);
-  return fmt::format(
-      "{} {} alone.", doc,
-      names.empty() ? "none" : "those of " + fmt::format("{}", fmt::join(names, ", ")));
+  const std::string_view doc = output_row(OutputKind::completed).doc;
+  if (names.empty()) return fmt::format("{}.", doc);
+  return fmt::format("{}, from those of {} alone.", doc, fmt::join(names, ", "));
 }
 
 std::string sentence(const std::string& text) {
