@@ -76,6 +76,21 @@ class Dynamics {
   ConstrainedSolve solve_;
 };
 
+/// Accelerations and multipliers in the place of their leaves.
+Substitution at_motion(Derivation& derivation, const ConstrainedSolve::Solution& motion) {
+  Seeds seeds;
+  add_seeds(seeds, derivation.symbols.a, motion.x);
+  add_seeds(seeds, derivation.symbols.multipliers, motion.y);
+  return {derivation.definitions, std::move(seeds)};
+}
+
+/// The j-th of so many unit vectors.
+Vector unit_vector(std::size_t size, std::size_t j) {
+  Vector unit(size, 0);
+  unit[j] = 1;
+  return unit;
+}
+
 /// The diagonal that [energy] T and armatures add to M; none where they add more.
 std::optional<Vector> added_to_diagonal(Derivation& derivation) {
   const Vector momentum = derivation.by_velocity(weighted(derivation.graded().kinetic2, 1));
@@ -194,12 +209,8 @@ std::optional<ArticulatedDynamics> articulated_dynamics(Derivation& derivation, 
 }
 
 Vector along_motion(Derivation& derivation, const Vector& values) {
-  const ConstrainedSolve::Solution motion = Dynamics(derivation).motion();
-  Seeds seeds;
-  add_seeds(seeds, derivation.symbols.a, motion.x);
-  add_seeds(seeds, derivation.symbols.multipliers, motion.y);
-  Substitution at_motion(derivation.definitions, std::move(seeds));
-  return substituted(at_motion, derivation.definitions, values);
+  Substitution there = at_motion(derivation, Dynamics(derivation).motion());
+  return substituted(there, derivation.definitions, values);
 }
 
 InverseDerivatives inverse_dynamics_derivatives(Derivation& derivation) {
@@ -211,13 +222,10 @@ ForwardDerivatives forward_dynamics_derivatives(Derivation& derivation) {
   const ConstrainedSolve::Solution motion = dynamics.motion();
   InverseDerivatives of_forces = residual_derivatives(derivation, InputForces::acting);
   InverseDerivatives of_constraints = constraint_derivatives(derivation);
-  Seeds seeds;
-  add_seeds(seeds, derivation.symbols.a, motion.x);
-  add_seeds(seeds, derivation.symbols.multipliers, motion.y);
-  Substitution at_motion(derivation.definitions, seeds);
+  Substitution there = at_motion(derivation, motion);
   for (InverseDerivatives* const derivatives : {&of_forces, &of_constraints}) {
     for (Vector* const entries : {&derivatives->by_position, &derivatives->by_velocity}) {
-      for (ex& entry : *entries) entry = -at_motion(entry);
+      for (ex& entry : *entries) entry = -there(entry);
     }
   }
   const Vector forces_of_inputs = input_matrix(derivation);
@@ -264,9 +272,7 @@ Vector inverse_mass_matrix(Derivation& derivation) {
                        RowsOf::velocities);
   Vector entries(n * n);
   for (std::size_t j = 0; j < n; ++j) {
-    Vector unit(n, 0);
-    unit[j] = 1;
-    const Vector column = solve.solve(unit);
+    const Vector column = solve.solve(unit_vector(n, j));
     for (std::size_t i = j; i < n; ++i) entries[i * n + j] = entries[j * n + i] = column[i];
   }
   return entries;
@@ -280,9 +286,7 @@ OperationalDynamics operational_dynamics(Derivation& derivation, const Vector& j
   ConstrainedSolve solve(derivation, mass, jacobian);
   OperationalDynamics result{Vector(k * k), Vector(n * k), {}, {}};
   for (std::size_t j = 0; j < k; ++j) {
-    Vector unit(k, 0);
-    unit[j] = 1;
-    const ConstrainedSolve::Solution column = solve.solve(Vector(n, 0), unit);
+    const ConstrainedSolve::Solution column = solve.solve(Vector(n, 0), unit_vector(k, j));
     for (std::size_t i = j; i < k; ++i) {
       result.inertia[i * k + j] = result.inertia[j * k + i] = column.y[i];
     }
