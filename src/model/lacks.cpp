@@ -145,6 +145,20 @@ std::optional<Lack> lack_of_regressor(const Model& model) {
       "names");
 }
 
+std::optional<Lack> lack_of_step(const Model& model, const OutputRow& row) {
+  const std::size_t velocities = model.velocities.size();
+  if (differentiates_step(row) && velocities > most_velocities_of_derivatives) {
+    return lacking("is for at most " + std::to_string(most_velocities_of_derivatives) +
+                   " velocities, and the model has " + std::to_string(velocities) +
+                   "; `linearization` at the states of a step is for any");
+  }
+  if (!row.steps || model.functions.empty()) return std::nullopt;
+  const OpenFunction& function = model.functions.front();
+  return Lack{Code::E633,
+              "needs an expression of `" + function.name + "` in `[functions]` of a scene",
+              function.span, "left open here"};
+}
+
 }  // namespace
 
 const Expression* find_kink(const Model& model) {
@@ -202,19 +216,7 @@ std::optional<Lack> lack_of(const Model& model, const OutputRequest& request) {
   }
   const Expression* kink = output_row(request.kind).differentiates ? find_kink(model) : nullptr;
   if (kink != nullptr) return lack_of_slope("forces", *kink);
-  const std::size_t velocities = model.velocities.size();
-  if (differentiates_step(output_row(request.kind)) &&
-      velocities > most_velocities_of_derivatives) {
-    return lacking("is for at most " + std::to_string(most_velocities_of_derivatives) +
-                   " velocities, and the model has " + std::to_string(velocities) +
-                   "; `linearization` at the states of a step is for any");
-  }
-  if (output_row(request.kind).steps && !model.functions.empty()) {
-    const OpenFunction& function = model.functions.front();
-    return Lack{Code::E633,
-                "needs an expression of `" + function.name + "` in `[functions]` of a scene",
-                function.span, "left open here"};
-  }
+  if (const std::optional<Lack> lack = lack_of_step(model, output_row(request.kind))) return lack;
   return lack_of_derivatives(model, request);
 }
 
