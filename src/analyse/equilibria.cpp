@@ -1,5 +1,6 @@
 // Equilibria of a system are all combinations of equilibria of its blocks.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

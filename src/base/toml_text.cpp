@@ -2,6 +2,7 @@
 #include "base/toml_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 

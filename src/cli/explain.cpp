@@ -2,6 +2,7 @@
 // and scene files (`coordinate`, `scene.outputs`), what an output is, a function of the language,
 // or a name in [[expect]].
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

@@ -3,6 +3,7 @@
 // built-in scene `full` does without, one note per reason, and E627 a force with tanh, as it stands
 // in for dry friction, in a linearization asked for by name, and E616 inputs of locks.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 

@@ -2,6 +2,7 @@
 #include "model/state_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 

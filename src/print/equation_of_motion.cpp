@@ -4,6 +4,7 @@
 // quantities follow from the entries that are 0. Where constraints hold, multipliers act beside the
 // inputs; both sides of a constraint stand as the expressions of the model, names as names.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <optional>

@@ -7,6 +7,7 @@
 //       1 = multiply 0 0  ; m_squared
 //       result 1 1 = 1
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "elgen/program.hpp"
 

@@ -8,6 +8,7 @@
 #include "toolchain/interpreted.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstdlib>
 #include <set>

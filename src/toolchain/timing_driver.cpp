@@ -12,6 +12,7 @@
 //
 // A header in a wider scalar has emitted::wide::inverse_dynamics.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

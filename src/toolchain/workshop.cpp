@@ -4,6 +4,7 @@
 #include "toolchain/workshop.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdlib>

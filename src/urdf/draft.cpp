@@ -2,6 +2,7 @@
 #include "urdf/draft.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 

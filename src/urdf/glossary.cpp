@@ -3,6 +3,7 @@
 #include "urdf/glossary.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

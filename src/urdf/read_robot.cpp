@@ -3,6 +3,7 @@
 // transmissions. Elements that xacro would have expanded are refused, because what they stand for
 // is missing.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 

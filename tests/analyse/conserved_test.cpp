@@ -1,6 +1,7 @@
 // The end of a page is true: pasted into the model it is proved, with F turned it is refused, and a
 // run keeps it.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

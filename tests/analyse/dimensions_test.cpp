@@ -1,5 +1,6 @@
 // Dimensions: how many symmetries systems have, and that both routes find as many.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -1,6 +1,7 @@
 // elgen_generate() in a project of CMake: after every edit the table says for which inputs elgen
 // ran and what was compiled, and the next build does nothing.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <catch2/catch.hpp>
 #include <iostream>

@@ -1,6 +1,7 @@
 #include "independent/mjcf.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>

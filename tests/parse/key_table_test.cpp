@@ -1,6 +1,7 @@
 // Laws of the key table: no row twice, every row belongs to an entry, choices belong to choice
 // keys, and every key is in the text of a syntax tree with its value.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,6 +1,7 @@
 // Scene: outputs in the order of the table, fixed parameters, scalars and emission.
 #include <cln/integer.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

@@ -4,6 +4,7 @@
 #include "emit/c99/c99_dialect.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "emit/interface/code_interface.hpp"
 #include "emit/text/layout.hpp"

@@ -2,6 +2,7 @@
 // begins with the prefix of the scene, so that functions can collide with each other's helpers
 // only, and with the few names the header has for itself (E701).
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

@@ -3,6 +3,7 @@
 #include "emit/code/function_docs.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>

@@ -4,6 +4,7 @@
 #include "emit/cpp/cpp_dialect.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 

@@ -2,6 +2,7 @@
 // cpp/wide.hpp.mustache lays it out. Each widens its arguments, calls the other header, rounds; but
 // a step of accelerations in float is written out.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

@@ -2,6 +2,7 @@
 #include "emit/pages/introduction.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 

@@ -3,6 +3,7 @@
 #include "emit/source/source_dialect.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/ascii.hpp"
 #include "emit/interface/code_interface.hpp"

@@ -6,6 +6,7 @@
 #include <cln/float.h>
 #include <cln/integer.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

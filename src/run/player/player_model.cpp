@@ -2,6 +2,7 @@
 #include "run/player/player_model.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

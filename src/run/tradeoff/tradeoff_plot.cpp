@@ -2,6 +2,7 @@
 // dimension, numbers which design it is; the Pareto front is filled and joined by a staircase.
 // Lines below the list of designs say so on the plot itself.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,6 @@
 // Test vectors: states in turn, and how many digits of each value doubles keep.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <optional>
 #include <set>

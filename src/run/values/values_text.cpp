@@ -1,5 +1,6 @@
 // Tables of values: for people, as an object, as rows of entries, and as arrays of C.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,6 @@
 // judge_foreign: states in five situations, so that the states at which code is wrong say what is.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

@@ -2,6 +2,7 @@
 #include "verify/states/kinks.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 

@@ -2,6 +2,7 @@
 #include "verify/structure/differing_terms.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <set>
 #include <vector>
