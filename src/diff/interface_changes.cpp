@@ -12,6 +12,7 @@
 #include "elgen/step_methods.hpp"
 #include "elgen/wording.hpp"
 #include "emit/interface/code_interface.hpp"
+#include "model/requests.hpp"
 #include "numbers/exact_number.hpp"
 
 namespace elgen {
@@ -259,6 +260,30 @@ void compare_shapes(Changes& changes, const Program& before, const Program& afte
   }
 }
 
+/// "x, y": the rows of a function that no list of the interface names, as those of `reaction`.
+std::string rows_of_its_own(const Model& model, const Function& function, const Renames& renames) {
+  const Extent extent = field_row(function.kind, "").rows;
+  if (extent != Extent::held && extent != Extent::cyclic) return {};
+  std::vector<std::string> names;
+  for (const LineLabel& line : line_labels(model, {extent})) {
+    names.push_back(renamed(line.name, renames));
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+void compare_rows(Changes& changes, const Version& before, const Version& after,
+                  const Renames& renames) {
+  for (const Function& now : after.program.functions) {
+    const auto old = std::ranges::find(before.program.functions, now.name, &Function::name);
+    if (old == before.program.functions.end()) continue;
+    const std::string olds = rows_of_its_own(before.checked.model, *old, renames);
+    const std::string news = rows_of_its_own(after.checked.model, now, {});
+    if (olds == news) continue;
+    changes.add_silent(fmt::format("the rows of {} are {} where they were {}",
+                                   in_backticks(now.name), news, olds));
+  }
+}
+
 void compare_header(Changes& changes, const char* suffix, bool was_there, bool is_there) {
   if (was_there == is_there) return;
   changes.add(is_there ? Impact::extended : Impact::breaks, "there is {} header NAME{}.hpp",
@@ -331,6 +356,7 @@ std::vector<InterfaceChange> interface_changes(const Version& before, const Vers
   }
   compare_outputs(changes, before.checked.scene, after.checked.scene);
   compare_shapes(changes, before.program, after.program);
+  compare_rows(changes, before, after, renames);
   compare_target(changes, before.checked.scene, after.checked.scene);
   return std::move(changes.all);
 }

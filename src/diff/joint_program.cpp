@@ -116,9 +116,8 @@ namespace {
 using LineLabels = std::vector<LineLabel>;
 
 /// The labels of rows or columns with the names of the newer version.
-LineLabels labels_of(const Model& model, const Renames& renames, Extent extent,
-                     std::uint32_t count) {
-  LineLabels labels = line_labels(model, extent, count);
+LineLabels labels_of(const Model& model, const Renames& renames, const FieldLines& lines) {
+  LineLabels labels = line_labels(model, lines);
   for (LineLabel& label : labels) label.name = renamed(label.name, renames);
   return labels;
 }
@@ -139,7 +138,7 @@ struct Labelled {
 
 /// The pivots of M and of A M^-1 A^T depend on the order in which they are eliminated.
 bool same_order(const Model& before, const Model& after, const Renames& renames) {
-  return labels_of(before, renames, Extent::pivots, 0) == labels_of(after, {}, Extent::pivots, 0);
+  return labels_of(before, renames, {Extent::pivots}) == labels_of(after, {}, {Extent::pivots});
 }
 
 std::vector<Labelled> labelled(const Model& model, const Function& function,
@@ -147,13 +146,18 @@ std::vector<Labelled> labelled(const Model& model, const Function& function,
   std::vector<Labelled> all;
   for (const Field& field : function.fields) {
     const FieldRow& row = field_row(function.kind, field.name);
-    const LineLabels rows = labels_of(model, renames, row.rows, field.rows);
-    const LineLabels columns = labels_of(model, renames, row.columns, field.columns);
+    const auto labels = [&](Extent extent, std::uint32_t count) {
+      // Fields that are not in the table, as the diagonal of M, have numbers.
+      const bool is_named = field.name == row.name;
+      return labels_of(model, renames, {is_named ? extent : Extent::one, function.user, count});
+    };
+    const LineLabels rows = labels(row.rows, field.rows);
+    const LineLabels columns = labels(row.columns, field.columns);
     const std::string name = field.name.empty() ? function.name : function.name + "." + field.name;
     for (std::size_t i = 0; i < field.entries.size(); ++i) {
       const std::size_t r = i / field.columns;
       const std::size_t c = i % field.columns;
-      all.push_back({{std::string(row.name), rows[r], columns[c]},
+      all.push_back({{field.name, rows[r], columns[c]},
                      name + index_text(field, i),
                      unit_text_of_entry(model, {function.kind, field.name, r, c})});
     }

@@ -81,25 +81,59 @@ std::uint32_t extent_of(const Model& model, Extent kind, std::uint32_t user) {
   return 1;
 }
 
-std::vector<LineLabel> line_labels(const Model& model, Extent extent, std::uint32_t count) {
+std::vector<LineLabel> line_labels(const Model& model, const FieldLines& lines) {
   std::vector<LineLabel> labels;
   const auto add = [&labels](const auto& list, bool is_rate = false) {
     for (const auto& entry : list) labels.push_back({entry.name, is_rate});
   };
-  const bool has_states = extent == Extent::states;
-  const bool has_pivots = extent == Extent::pivots;
-  if (extent == Extent::coordinates) add(model.coordinates);
-  if (extent == Extent::inputs) add(model.inputs);
-  if (extent == Extent::inertial) add(inertial_parameters(model));
-  const bool has_velocities = extent == Extent::velocities || extent == Extent::accelerations;
-  if (has_velocities || has_states || has_pivots) add(model.velocities);
-  if (has_states) add(model.velocities, true);
-  if (extent == Extent::constraints || has_pivots) add(model.constraints);
-  for (const Constraint& constraint : model.constraints) {
-    const bool is_row = extent == Extent::positions && constraint.is_position;
-    if (is_row) labels.push_back({constraint.name});
+  const auto add_velocity = [&](std::uint32_t i) {
+    labels.push_back({whole_of(model).velocities[i].name});
+  };
+  switch (lines.extent) {
+    case Extent::one:
+    case Extent::user:
+    case Extent::task:
+      for (std::uint32_t i = 1; i <= lines.count; ++i) labels.push_back({std::to_string(i)});
+      break;
+    case Extent::coordinates:
+      add(model.coordinates);
+      break;
+    case Extent::velocities:
+      add(model.velocities);
+      break;
+    case Extent::accelerations:
+      if (!model.outputs[lines.user].motion) add(model.velocities);
+      break;
+    case Extent::states:
+      add(model.velocities);
+      add(model.velocities, true);
+      break;
+    case Extent::inputs:
+      add(model.inputs);
+      break;
+    case Extent::held:
+      for (const std::uint32_t velocity : held_velocities(model)) add_velocity(velocity);
+      break;
+    case Extent::cyclic:
+      if (!has_routhian(model)) break;
+      for (const Cyclic& cyclic : model.variant.cyclic) add_velocity(cyclic.velocity);
+      break;
+    case Extent::constraints:
+      add(model.constraints);
+      break;
+    case Extent::positions:
+      for (const Constraint& constraint : model.constraints) {
+        if (constraint.is_position) labels.push_back({constraint.name});
+      }
+      break;
+    case Extent::pivots:
+      add(model.velocities);
+      add(model.constraints);
+      break;
+    case Extent::inertial:
+      add(inertial_parameters(model));
+      break;
   }
-  while (labels.size() < count) labels.push_back({std::to_string(labels.size() + 1)});
   return labels;
 }
 

@@ -33,7 +33,7 @@ namespace elgen {
 /// The number of rows or columns; `user` is the number of a user-defined output.
 [[nodiscard]] std::uint32_t extent_of(const Model& model, Extent kind, std::uint32_t user = 0);
 
-/// The coordinate, rate, input or constraint of a row or column, or its number.
+/// The coordinate, rate, input, constraint or inertial parameter of a row or column, or its number.
 struct LineLabel {
   std::string name = {};
   bool is_rate = false;
@@ -43,9 +43,15 @@ struct LineLabel {
   friend auto operator<=>(const LineLabel&, const LineLabel&) = default;
 };
 
-/// The labels of `count` rows or columns; numbers for those without a name.
-[[nodiscard]] std::vector<LineLabel> line_labels(const Model& model, Extent extent,
-                                                 std::uint32_t count);
+/// The rows or columns of one field.
+struct FieldLines {
+  Extent extent = Extent::one;
+  std::uint32_t user = 0;   ///< as in extent_of
+  std::uint32_t count = 1;  ///< of rows or columns without a name, as those of an [[output]]
+};
+
+/// One label per row or column, distinct; 1 to `count` if they have no names.
+[[nodiscard]] std::vector<LineLabel> line_labels(const Model& model, const FieldLines& lines);
 
 /// The number of the first entry of a field. It counts every field before it in the output table.
 [[nodiscard]] std::uint32_t first_entry_of(const Model& model, const OutputRequest& output,

@@ -200,3 +200,29 @@ TEST_CASE("constraints in another order mean something else, of another kind do 
   CHECK(seen_by_callers(held_plane(held_rod + held_slot), held_plane(held_rod + rates)) ==
         "breaks: `constraint_residual` is 1 x 1, 2 x 1 where it was 2 x 1, 2 x 1\n");
 }
+
+TEST_CASE("the rows of reaction are the locked coordinates, whatever their number") {
+  // The weights along x and y are equal, so the entries of `reaction` have the same text.
+  const std::string space = model_text("space", R"toml([[coordinate]]
+name = "x"
+[[coordinate]]
+name = "y"
+[[coordinate]]
+name = "z"
+[energy]
+T = "dot(x)^2 + dot(y)^2 + dot(z)^2"
+V = "x + y"
+)toml");
+  const auto held = [](const std::string& locks) {
+    return "[outputs]\nreaction = true\n[lock]\n" + locks;
+  };
+  const std::string of_x = held("x = { value = 0, reaction = true }\ny = { value = 0 }\n");
+  const std::string of_y = held("x = { value = 0 }\ny = { value = 0, reaction = true }\n");
+  const std::string of_both =
+      held("x = { value = 0, reaction = true }\ny = { value = 0, reaction = true }\n");
+  CHECK(seen_by_callers(space, space, of_x, of_x).empty());
+  CHECK(seen_by_callers(space, space, of_x, of_y) ==
+        "breaks: the rows of `reaction` are y where they were x; " + silent);
+  CHECK(seen_by_callers(space, space, of_x, of_both) ==
+        "breaks: the rows of `reaction` are x, y where they were x; " + silent);
+}

@@ -42,21 +42,23 @@ OracleValues settled_values(const Model& model, const OutputRequest& output, con
   return values;
 }
 
-std::vector<std::string> labels_of(const Model& model, Extent extent, std::uint32_t count) {
+std::vector<std::string> labels_of(const Model& model, const FieldLines& lines) {
+  const Extent extent = lines.extent;
   const bool is_number = extent == Extent::one || extent == Extent::user || extent == Extent::task;
-  if (is_number && count == 1) return {""};
+  if (is_number && lines.count == 1) return {""};
   std::vector<std::string> labels;
-  for (const LineLabel& line : line_labels(model, extent, count)) labels.push_back(line.text());
+  for (const LineLabel& line : line_labels(model, lines)) labels.push_back(line.text());
   return labels;
 }
 
 ValueField field_of(const Model& model, const OutputRequest& output, const FieldRow& row) {
   const bool is_alone = output_row(output.kind).fields.size() == 1;
-  const auto count = [&](Extent extent, std::uint32_t alone) {
-    return is_alone ? alone : extent_of(model, extent, output.user);
+  const auto labels = [&](Extent extent, std::uint32_t alone) {
+    const std::uint32_t count = is_alone ? alone : extent_of(model, extent, output.user);
+    return labels_of(model, {extent, output.user, count});
   };
-  ValueField field{std::string(row.name), labels_of(model, row.rows, count(row.rows, output.rows)),
-                   labels_of(model, row.columns, count(row.columns, output.columns))};
+  ValueField field{std::string(row.name), labels(row.rows, output.rows),
+                   labels(row.columns, output.columns)};
   for (std::size_t r = 0; r < field.rows.size(); ++r) {
     for (std::size_t c = 0; c < field.columns.size(); ++c) {
       field.units.push_back(unit_text_of_entry(model, {output.kind, row.name, r, c}));
@@ -70,8 +72,9 @@ ValueFunction function_of(const Model& model, const OutputRequest& output) {
                          arguments_of(model, Function{.kind = output.kind, .user = output.user})};
   std::erase_if(function.takes, [&](Opcode kind) { return leaf_count(model, kind) == 0; });
   for (const FieldRow& row : output_row(output.kind).fields) {
+    const bool is_explicit_step = output_row(output.kind).steps && output.iterations == 0;
     const bool is_left_out = (row.rows == Extent::pivots && output.without_pivots) ||
-                             (row.is_remainder && output.iterations == 0);
+                             (row.is_remainder && is_explicit_step);
     if (!is_left_out) function.fields.push_back(field_of(model, output, row));
   }
   std::erase_if(function.fields, [](const ValueField& field) { return field.units.empty(); });

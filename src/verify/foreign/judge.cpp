@@ -81,9 +81,11 @@ std::string name_of_entry(const Model& model, const OutputRequest& output, std::
   const std::size_t columns = output.columns;
   std::string name = output.name + (field.name.empty() ? "" : ".") + std::string(field.name);
   if (output.rows * columns == 1) return name;
-  name += "[" + line_labels(model, field.rows, output.rows)[entry / columns].text();
+  name += "[" + line_labels(model, {field.rows, output.user, output.rows})[entry / columns].text();
   if (columns > 1) {
-    name += ", " + line_labels(model, field.columns, output.columns)[entry % columns].text();
+    name +=
+        ", " +
+        line_labels(model, {field.columns, output.user, output.columns})[entry % columns].text();
   }
   return name + "]";
 }

@@ -1,0 +1,144 @@
+// Labels of rows and columns: one per entry and no label twice, of every output of every model.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <set>
+
+#include "model/requests.hpp"
+#include "run/values/records.hpp"
+#include "support/inputs.hpp"
+#include "support/models.hpp"
+#include "support/shell.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+/// Every output of a model, labelled and evaluated: as many values as labels, no label twice.
+void check_labels(const CheckedModel& checked) {
+  const ValueTable table = table_of(checked, 17);
+  const State start = start_state(checked.model, checked.scene);
+  for (const ValueFunction& function : table.functions) {
+    INFO(function.output.name);
+    std::size_t size = 0;
+    for (const ValueField& field : function.fields) {
+      INFO(field.name);
+      size += field.rows.size() * field.columns.size();
+      for (const std::vector<std::string>& labels : {field.rows, field.columns}) {
+        const std::set<std::string> distinct(labels.begin(), labels.end());
+        CHECK(distinct.size() == labels.size());
+        CHECK((labels.size() == 1 || distinct.count("") == 0));
+      }
+    }
+    const auto values = oracle_values(checked.model, function.output, start);
+    if (values) CHECK(values->size() == size);
+  }
+}
+
+/// All outputs that a model can give, also those given by name only.
+CheckedModel with_all_outputs(const std::string& text, const FileSyntax* scene) {
+  SceneOptions options;
+  options.close_functions = true;
+  const CheckedModel checked = checked_model(text, scene, options);
+  std::string names;
+  for (const OutputRow& row : output_table()) {
+    for (std::uint32_t user = 0; user < (row.of_user ? checked.model.outputs.size() : 1); ++user) {
+      const OutputRequest request = request_of(checked.model, row.kind, user);
+      if (row.repeats || row.steps || !is_available(checked.model, request)) continue;
+      names += (names.empty() ? "" : ",") + request.name;
+    }
+  }
+  options.outputs = {make_source("command line", names)};
+  return checked_model(text, scene, options);
+}
+
+std::string text_at_start(const std::string& model, const std::string& output) {
+  SceneOptions options;
+  options.outputs = {make_source("command line", output)};
+  const CheckedModel checked = checked_model(model, options);
+  return to_text(*state_values(checked, {}));
+}
+
+}  // namespace
+
+TEST_CASE("rows and columns of every output of every model and scene have labels of their own") {
+  const std::filesystem::path models = std::string(ELGEN_SOURCE_DIR) + "/models";
+  for (const auto& path : inputs_in(models, ".toml")) {
+    INFO(path.filename());
+    check_labels(with_all_outputs(read_text(path), nullptr));
+  }
+  for (const auto& path : inputs_in(models / "scenes", ".scene.toml")) {
+    INFO(path.filename());
+    const SourcePointer source = source_of(path);
+    const Result<FileSyntax> scene = parse_scene(source, Limits{});
+    const std::optional<Span> named = named_model(*source);
+    REQUIRE((scene && named));
+    const std::string quoted(covered_text(*named));
+    const std::string model = quoted.substr(1, quoted.size() - 2);
+    check_labels(with_all_outputs(read_text(models / "scenes" / model), &*scene));
+  }
+}
+
+TEST_CASE("derivatives of outputs along the motion have none by accelerations") {
+  const std::string sensor = R"toml(format = 1
+[model]
+name = "accel"
+[[coordinate]]
+name = "x"
+unit = "m"
+[parameters]
+m = { value = 2, unit = "kg" }
+k = { value = 6, unit = "N/m" }
+[energy]
+T = "1/2*m*dot(x)^2"
+V = "1/2*k*x^2"
+[[input]]
+name = "u"
+unit = "N"
+on = "x"
+[[output]]
+name = "sensor"
+value = "dot(dot(x))"
+motion = true
+jacobian = true
+)toml";
+  const auto text_at_rest = [](const std::string& model) {
+    return text_at_start(model, "sensor_derivatives");
+  };
+  CHECK(text_at_rest(sensor) ==
+        "accel at x = 0.0, dot(x) = 0.0, u = 0.0\n"
+        "sensor_derivatives.by_position\n       x\n    -3.0\n"
+        "sensor_derivatives.by_velocity\n      x\n    0.0\n"
+        "sensor_derivatives.by_input\n      u\n    0.5\n");
+  // If the motion is given, the acceleration is an argument.
+  const std::string motion = "motion = true\n";
+  std::string given = sensor;
+  given.erase(given.find(motion), motion.size());
+  CHECK(mentions(text_at_rest(given), "sensor_derivatives.by_acceleration\n      x\n    1.0\n"));
+}
+
+TEST_CASE("the torque that inputs cannot make is a value, too") {
+  const std::string crank = read_text(std::string(ELGEN_SOURCE_DIR) + "/models/slider_crank.toml");
+  CHECK(mentions(text_at_start(crank, "constrained_inverse_dynamics"),
+                 "constrained_inverse_dynamics.unbalanced\n  a  0.0 N*m\n"));
+}
+
+TEST_CASE("the rows of reaction are the coordinates that a scene holds") {
+  const std::string plane = R"toml(format = 1
+[model]
+name = "plane"
+[[coordinate]]
+name = "x"
+[[coordinate]]
+name = "y"
+[energy]
+T = "dot(x)^2 + dot(y)^2"
+V = "x + y"
+)toml";
+  const CheckedModel held = checked_scene(
+      plane, "[outputs]\nreaction = true\n[lock]\ny = { value = 0, reaction = true }\n");
+  const ValueTable table = table_of(held, 17);
+  REQUIRE(table.functions.size() == 1);
+  CHECK(table.functions[0].fields[0].rows == std::vector<std::string>{"y"});
+}
+
+}  // namespace elgen::test
