@@ -114,4 +114,15 @@ TEST_CASE("more elements than entries may be are refused before they are made") 
 }
 
 }  // namespace
+
+TEST_CASE("an array whose name is refused is one error, and its elements are still read") {
+  for (const std::string name : {"int", "pi", "I", "t", "x"}) {
+    INFO(name);
+    const std::string text = messages(model_with_parameters(
+        name + " = { value = 1, size = \"n\", unit = \"m\", min = 0, max = 3 }\n"));
+    CHECK(text.find("E20") == 0);
+    CHECK(text.find('\n') == text.size() - 1);
+  }
+}
+
 }  // namespace elgen::test

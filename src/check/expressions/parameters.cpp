@@ -154,6 +154,8 @@ bool add_elements(Context& context, const NewName& array, std::int64_t count, bo
   declared.span = array.span;
   model.parameter_arrays.push_back(std::move(declared));
   context.bounds.resize(model.parameter_arrays.size());
+  // An array whose name is refused, which is said once, has all its elements: readers index them.
+  bool is_declared = true;
   for (std::int64_t i = 0; i < count; ++i) {
     const NewName name{array.base, is_array ? std::optional(i + 1) : std::nullopt, array.span};
     const auto target = static_cast<std::uint32_t>(model.parameters.size());
@@ -163,9 +165,10 @@ bool add_elements(Context& context, const NewName& array, std::int64_t count, bo
     element.array = static_cast<std::uint32_t>(model.parameter_arrays.size() - 1);
     element.element = static_cast<std::uint32_t>(i);
     model.parameters.push_back(std::move(element));
-    if (!context.symbols.declare(name, SymbolKind::parameter, target, context.report)) return false;
+    is_declared =
+        is_declared && context.symbols.declare(name, SymbolKind::parameter, target, context.report);
   }
-  return true;
+  return is_declared;
 }
 
 void read_sizes(Context& context, const FileSyntax& model, const FileSyntax* scene,
