@@ -1,5 +1,6 @@
 // Limits on time and memory, and interrupts: the process ends in order, and nothing is left behind.
 #include <catch2/catch.hpp>
+#include <regex>
 
 #include "support/shell.hpp"
 
@@ -84,8 +85,19 @@ TEST_CASE("a limit that is reached while the process ends is told whole, or not 
     INFO(outcome.errors);
     CHECK((outcome.status == 0 || outcome.status == 3));
     CHECK((outcome.errors.empty() ||
-           starts_with(outcome.errors, "elgen: error[E909]: 0 s of processor time are over\n")));
+           starts_with(outcome.errors, "elgen: error[E909]: 0 s of processor time are over")));
   }
+}
+
+TEST_CASE("the limit of processor time names the stage that it ends") {
+  const Workspace workspace;
+  const Outcome outcome = workspace.run(long_job + "-q -o out --limit seconds=1");
+  CHECK(outcome.status == 3);
+  const std::regex named(
+      "elgen: error\\[E909\\]: 1 s of processor time are over, in `[a-z-]+`\n"
+      "      raised by --limit seconds=N\n");
+  INFO(outcome.errors);
+  CHECK(std::regex_match(outcome.errors, named));
 }
 
 }  // namespace elgen::test

@@ -379,7 +379,8 @@ TEST_CASE("processor time is that of each process, and ends all of them") {
       "elgen verify --quick --samples 200000 --jobs 2 --limit seconds=1 one.scene.toml");
   CHECK(outcome.status == 3);
   CHECK(outcome.errors ==
-        "elgen: error[E909]: 1 s of processor time are over\n      raised by --limit seconds=N\n");
+        "elgen: error[E909]: 1 s of processor time are over, in `accuracy in double`\n"
+        "      raised by --limit seconds=N\n");
 }
 
 TEST_CASE("an interrupt ends the processes that share states, and leaves no files") {

@@ -8,6 +8,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
@@ -32,7 +34,9 @@ constexpr bool has_shadow_memory = false;
 /// The message that the process ends with, prepared while memory may be asked for.
 struct LastWords {
   DiagnosticStyle style = {};
-  std::string processor_time = {};
+  std::uint64_t seconds = 0;
+  std::array<std::string, 2> processor_time = {};  ///< the handler reads the one of `stage_now`
+  std::atomic<const std::string*> stage_now = nullptr;
   std::string waiting = {};
   std::string memory = {};
 };
@@ -48,7 +52,7 @@ LastWords& last_words() {
   ::_exit(static_cast<int>(ExitCode::limit));
 }
 
-void end_on_time(int /*signal*/) { end_with(last_words().processor_time); }
+void end_on_time(int /*signal*/) { end_with(*last_words().stage_now); }
 
 void end_waiting(int /*signal*/) { end_with(last_words().waiting); }
 
@@ -101,8 +105,8 @@ void limit(int resource, std::uint64_t value) {
 
 void set_resource_limits(const Limits& limits, const DiagnosticStyle& style) {
   last_words().style = style;
-  last_words().processor_time =
-      format({out_of_time(fmt::format("{} s of processor time are over", limits.seconds))}, style);
+  last_words().seconds = limits.seconds;
+  name_stage("");
   last_words().memory = format({out_of_memory(limits)}, style);
   std::set_terminate(end_without_memory);
   cln::malloc_hook = some_memory;
@@ -115,6 +119,17 @@ void set_resource_limits(const Limits& limits, const DiagnosticStyle& style) {
   }
   renew_time_limit(limits);
   if (!has_shadow_memory) limit(RLIMIT_AS, limits.memory_mib << 20U);
+}
+
+void name_stage(const std::string& stage) {
+  LastWords& words = last_words();
+  std::string& next = words.processor_time[words.stage_now == words.processor_time.data() ? 1 : 0];
+  const std::string name = stage.substr(0, stage.find(','));  // "accuracy, state 3 of 8"
+  const std::string place = name.empty() ? "" : fmt::format(", in `{}`", name);
+  next =
+      format({out_of_time(fmt::format("{} s of processor time are over{}", words.seconds, place))},
+             words.style);
+  words.stage_now = &next;
 }
 
 void renew_time_limit(const Limits& limits) {

@@ -13,6 +13,9 @@ namespace elgen::cli {
 /// NoInterrupts they wait.
 void set_resource_limits(const Limits& limits, const DiagnosticStyle& style);
 
+/// E909 names this stage from now on; "" for none.
+void name_stage(const std::string& stage);
+
 /// Gives the next input as much processor time as the first one had.
 void renew_time_limit(const Limits& limits);
 

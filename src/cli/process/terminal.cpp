@@ -15,6 +15,7 @@
 
 #include "base/ascii.hpp"
 #include "base/no_interrupts.hpp"
+#include "cli/process/resources.hpp"
 #include "elgen/wording.hpp"
 
 namespace elgen::cli {
@@ -64,6 +65,7 @@ Progress::Progress(const std::string& subject) : subject_(shown_path(subject)) {
 }
 
 Progress::~Progress() {
+  name_stage("");
   {
     const std::lock_guard lock(mutex_);
     done_ = true;
@@ -73,6 +75,7 @@ Progress::~Progress() {
 }
 
 void Progress::stage(const std::string& name) const {
+  name_stage(name);
   const std::lock_guard lock(mutex_);
   stage_ = name;
 }

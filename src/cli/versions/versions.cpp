@@ -93,7 +93,9 @@ bool is_small(const Program& program) {
 
 Products products(const Inputs& inputs, const Limits& limits, Goal goal) {
   renew_time_limit(limits);
-  return run_pipeline(inputs, {.limits = limits, .goals = {goal}});
+  Products all = run_pipeline(inputs, {.limits = limits, .goals = {goal}, .on_stage = name_stage});
+  name_stage("");
+  return all;
 }
 
 OperationsByName operations_of(const Program& program) {
