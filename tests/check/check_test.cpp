@@ -87,7 +87,7 @@ at = ["0"]
         "E205 3:9 `Many` is not lower-case letters, digits and underscores\n"
         "E402 6:9 unknown unit `mm` | 1 mm is 0.001 m\n"
         "E312 8:18 `0` is zero\n"
-        "E204 9:1 `t` is reserved: it is time\n"
+        "E204 9:1 `t` is reserved: it is time | `t_1` is free\n"
         "E201 12:6 unknown name `q`\n"
         "E202 12:10 unknown function `sinn` | did you mean `sin`?\n"
         "E203 14:9 `x` is already a coordinate | first at line 5\n"

@@ -268,7 +268,8 @@ TEST_CASE("a model's name is lower case and free in C++") {
   CHECK(messages(named("arm_2")).empty());
   CHECK(messages(named("Arm")) ==
         "E205 3:9 `Arm` is not lower-case letters, digits and underscores\n");
-  CHECK(messages(named("class")) == "E204 3:9 `class` is reserved: it is a keyword of C++\n");
+  CHECK(messages(named("class")) ==
+        "E204 3:9 `class` is reserved: it is a keyword of C++ | `class_1` is free\n");
 }
 
 TEST_CASE("the texts of the header are kept") {

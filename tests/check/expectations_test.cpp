@@ -133,6 +133,40 @@ TEST_CASE("closed forms that do not fit") {
   check_rows(rows, [&](const std::string& expect) { return messages(sprung_masses + expect); });
 }
 
+TEST_CASE("an equation with an error of its own is not said to hold no acceleration") {
+  const std::string rotor =
+      "format = 1\n[model]\nname = \"c1\"\n[[coordinate]]\nname = \"q\"\nunit = \"rad\"\n"
+      "[[point]]\nname = \"P\"\nat = [\"NAME*cos(q)\", \"0\"]\n[parameters]\n"
+      "I = { value = 2, unit = \"m\" }\nJ = { value = 1, unit = \"kg*m^2\" }\n[energy]\n"
+      "T = \"1/2*J*dot(q)^2\"\n[[expect]]\nequations = [\"EQUATION\"]\n";
+  const auto said = [&](const std::string& name, const std::string& equation) {
+    std::string text = rotor;
+    text.replace(text.find("NAME"), 4, name);
+    text.replace(text.find("EQUATION"), 8, equation);
+    return messages(text);
+  };
+  const std::string reserved =
+      "E204 11:1 `I` is reserved: it is a macro of C or C++ | `I_1` is free\n";
+  const std::string none =
+      "E540 16:15 `J*q = 0` holds no acceleration | that of `x` is `dot(dot(x))`\n";
+  CHECK(said("I", "J*dot(dot(q)) = -I*sin(q)") == reserved);
+  CHECK(said("I", "dot(dot(x(P))) = 0") == reserved);
+  CHECK(said("I", "J*dot(dot(q)) = -nothing*sin(q)") ==
+        reserved + "E201 16:32 unknown name `nothing`\n");
+  CHECK(said("I", "J*q = 0") == reserved + none);
+}
+
+TEST_CASE("equations are counted beside constraints of unknown points") {
+  const std::string masses =
+      "format = 1\n[model]\nname = \"c2\"\n[[coordinate]]\nname = \"x\"\nunit = \"m\"\n"
+      "[[coordinate]]\nname = \"y\"\nunit = \"m\"\n[[point]]\nname = \"P\"\n"
+      "at = [\"x\", \"y\"]\nmass = 1\n";
+  const std::string one = "[[expect]]\nequations = [\"dot(dot(x)) = 0\"]\n";
+  const std::string loop = "[[constraint]]\nname = \"loop\"\ncoincide = [\"P\", \"Nobody\"]\n";
+  CHECK(messages(masses + loop + one) == "E201 16:19 unknown point `Nobody`\n");
+  CHECK(messages(masses + one) == "E540 15:1 1 equation, but the model has 2 accelerations\n");
+}
+
 TEST_CASE("E and p(NAME) are names in conserved alone, and a model's own names stay") {
   const std::string p = "[define]\np = \"k*x[1]\"\n";
   const Model model =

@@ -62,6 +62,26 @@ TEST_CASE("a name is held against both rules") {
   CHECK(answer("double") == "`double` is reserved: it is a keyword of C++");
 }
 
+TEST_CASE("another name is offered, which is free in the file") {
+  const auto instead = [](const std::string& name, const std::string& text = "") {
+    const SourcePointer source = make_source("m.toml", text);
+    return name_instead(name, {source.get(), 0, 0});
+  };
+  CHECK(name_instead("I", {}) == "`J` is free");
+  CHECK(instead("delta") == "`delta_1` is free");
+  CHECK(instead("delta", "delta_1 = 2\ndelta_20 = 3\n") == "`delta_2` is free");
+  CHECK(instead("I", "J = 2\n") == "`I_1` is free");
+  CHECK(instead("I", "k = { unit = \"J\" }\nIJ = 3\n") == "`J` is free");
+  CHECK(instead("M_E") == "`m_e` is free");
+  CHECK(instead("a__b") == "`a_b` is free");
+  CHECK(instead("M__", "m = 1\n") == "`m_1` is free");
+  for (const char* name : {"t", "pi", "int", "INT_MAX", "EIGEN_PI", "x__", "linux", "signgam"}) {
+    const std::string offered = instead(name);
+    INFO(offered);
+    CHECK(reserved_reason(offered.substr(1, offered.find('`', 1) - 1)).empty());
+  }
+}
+
 TEST_CASE("functions of each table are known, and each once") {
   std::vector<std::string> names = function_names();
   for (const char* name : {"dot", "dist2", "sqrt", "sin", "atan2", "sinc", "stumpff"}) {

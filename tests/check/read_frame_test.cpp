@@ -158,7 +158,7 @@ TEST_CASE("what frames may not be", "[frames]") {
       {"name = \"f\"\nparent = \"worl\"\n",
        "E201 18:11 unknown frame `worl` | did you mean `world`?\n"},
       {"name = \"world\"\nparent = \"world\"\n",
-       "E204 17:9 `world` is reserved: it is what does not move\n"},
+       "E204 17:9 `world` is reserved: it is what does not move | `world_1` is free\n"},
       {"name = \"f\"\nparent = \"f\"\n", "E206 17:9 `f` is defined by itself: f -> f\n"},
       {"name = \"f\"\nparent = \"g\"\n[[frame]]\nname = \"g\"\nparent = \"f\"\n",
        "E206 17:9 `f` is defined by itself: f -> g -> f\n"},

@@ -183,7 +183,8 @@ double = 2
 [energy]
 T = "double*dot(q)^2"
 )";
-  CHECK(messages(model) == "E204 7:1 `double` is reserved: it is a keyword of C++\n");
+  CHECK(messages(model) ==
+        "E204 7:1 `double` is reserved: it is a keyword of C++ | `double_1` is free\n");
 }
 
 TEST_CASE("functions of points become functions of their components") {

@@ -71,7 +71,7 @@ TEST_CASE("outputs may be renamed, but not to a name in use") {
   CHECK(arrays_messages("[outputs]\nmass_matrix = { rename = \"bias\" }\nbias = true\n") ==
         "E609 5:27 another output is already called `bias`\n");
   CHECK(arrays_messages("[outputs]\nbias = { rename = \"double\" }\n") ==
-        "E204 5:20 `double` is reserved: it is a keyword of C++\n");
+        "E204 5:20 `double` is reserved: it is a keyword of C++ | `double_1` is free\n");
 }
 
 TEST_CASE("forward dynamics gives pivots unless the model or the scene says otherwise") {

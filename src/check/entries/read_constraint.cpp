@@ -70,7 +70,8 @@ class ConstraintReader {
                         in_backticks(key.value.span) + " is negative: errors would grow");
   }
 
-  /// A row for each component that both points have.
+  /// A row for each component that both points have. A point that is not known has as many as
+  /// others, so that the count of equations has no error, too.
   void read_points(const ValueSyntax& list) {
     if (list.items.size() != 2) {
       context_.report.add(Code::E104, list.span,
@@ -83,17 +84,19 @@ class ConstraintReader {
     }
     const auto p = values_.reference(list.items[0], SymbolKind::point);
     const auto q = values_.reference(list.items[1], SymbolKind::point);
-    if (!p || !q) return;
     const auto& points = context_.model.points;
-    const std::uint32_t dimension = std::min(points[*p].dimension, points[*q].dimension);
-    NodeBuilder nodes(context_, list.span);
-    const auto component = [&](std::uint32_t point, std::uint32_t axis) {
-      const bool is_zero = points[point].at[axis] == no_expression;
-      return is_zero ? no_expression
-                     : nodes.named(ExpressionKind::point_component, 3 * point + axis);
+    const auto components = [&](const std::optional<std::uint32_t>& point) {
+      return point ? points[*point].dimension : context_.dimension == 2 ? 2U : 3U;
     };
+    NodeBuilder nodes(context_, list.span);
+    const auto component = [&](const std::optional<std::uint32_t>& point, std::uint32_t axis) {
+      const bool is_zero = !point || points[*point].at[axis] == no_expression;
+      return is_zero ? no_expression
+                     : nodes.named(ExpressionKind::point_component, 3 * *point + axis);
+    };
+    const std::uint32_t dimension = std::min(components(p), components(q));
     for (std::uint32_t axis = 0; axis < dimension; ++axis) {
-      const ExpressionId value = nodes.subtract(component(*p, axis), component(*q, axis));
+      const ExpressionId value = nodes.subtract(component(p, axis), component(q, axis));
       add(std::string(1, "xyz"[axis]), value, list.span);
       if (context_.has_units) context_.model.constraints.back().unit = find_unit("m");
     }

@@ -210,7 +210,8 @@ class FrameReader {
 
   void read() {
     if (frame_.name == world) {
-      report_.add(Code::E204, frame_.span, "`world` is reserved: it is what does not move");
+      report_.add(Code::E204, frame_.span, "`world` is reserved: it is what does not move",
+                  name_instead(world, frame_.span));
     }
     if (const KeySyntax* parent = entry_.find("parent")) {
       frame_.parent = values_.frame_or_world(parent->value);

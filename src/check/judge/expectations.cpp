@@ -9,6 +9,7 @@
 #include "check/expressions/places.hpp"
 #include "check/expressions/values.hpp"
 #include "check/judge/judge.hpp"
+#include "elgen/references.hpp"
 #include "model/output_units.hpp"
 #include "model/requests.hpp"
 
@@ -284,14 +285,23 @@ void read_small(Context& context, const std::optional<StatedState>& at, const Ke
   }
 }
 
+/// Whether the entry is made of something that has an error of its own. Planar points have a z that
+/// is absent, too, so the node alone does not say so.
+bool has_failed(const Model& model, ExpressionId entry) {
+  return std::ranges::count(reached(model, {entry}), no_expression) > 0;
+}
+
 }  // namespace
 
 void check_equations(Context& context, const std::vector<Traits>& traits) {
   const Model& model = context.model;
+  const bool is_sound = context.report.errors() == 0;
   for (const Expectation& expectation : model.expectations) {
     if (!expectation.are_equations()) continue;
     for (std::size_t i = 0; i < expectation.entries.size(); ++i) {
-      if ((traits[expectation.entries[i]].ingredients & uses_acceleration) != 0) continue;
+      const ExpressionId entry = expectation.entries[i];
+      if ((traits[entry].ingredients & uses_acceleration) != 0) continue;
+      if (!is_sound && has_failed(model, entry)) continue;
       context.report.add(Code::E540, expectation.spans[i],
                          in_backticks(expectation.spans[i]) + " holds no acceleration",
                          "that of `x` is `dot(dot(x))`");

@@ -45,6 +45,32 @@ bool has_macro_prefix(std::string_view name) {
   return std::ranges::any_of(macro_prefixes, starts);
 }
 
+/// Whether the file has the word, other than in a unit: `J` is a joule, too.
+bool is_in_file(const SourceText* source, std::string_view word) {
+  if (source == nullptr) return false;
+  const std::string_view text = source->text;
+  for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    const bool is_part = (at > 0 && is_word_character(text[at - 1])) ||
+                         (end < text.size() && is_word_character(text[end]));
+    const std::string_view before = text.substr(0, at);
+    const std::string_view line = before.substr(before.rfind('\n') + 1);  // npos + 1 is 0
+    if (!is_part && line.find("unit") == line.npos) return true;
+  }
+  return false;
+}
+
+/// Without underscores in a row and at the end, and in lower case if it begins as macros do.
+std::string usual_spelling(std::string_view name) {
+  std::string result;
+  for (const char c : name) {
+    if (c != '_' || !result.ends_with('_')) result += c;
+  }
+  if (result.ends_with('_')) result.pop_back();
+  if (has_macro_prefix(result + "_")) std::ranges::transform(result, result.begin(), in_lower_case);
+  return result;
+}
+
 bool is_macro(std::string_view name) {
   return std::ranges::binary_search(library_macros, name) || contains(more_macros, name) ||
          has_macro_prefix(name);
@@ -79,6 +105,16 @@ std::string_view reserved_reason(std::string_view name) {
   return {};
 }
 
+std::string name_instead(std::string_view name, const Span& span) {
+  const auto is_free = [&](const std::string& other) {
+    return other != name && reserved_reason(other).empty() && !is_in_file(span.source, other);
+  };
+  const std::string usual = usual_spelling(name);
+  std::string found = name == "I" ? "J" : usual;  // the other letter of moments of inertia
+  for (int k = 1; !is_free(found); ++k) found = usual + "_" + std::to_string(k);
+  return in_backticks(found) + " is free";
+}
+
 bool is_well_formed_name(std::string_view name) {
   return !name.empty() && is_letter(name.front()) && std::ranges::all_of(name, is_word_character);
 }
@@ -90,7 +126,8 @@ bool check_name(const std::string& name, const Span& span, Report& report) {
     return false;
   }
   if (const std::string_view reason = reserved_reason(name); !reason.empty()) {
-    report.add(Code::E204, span, in_backticks(name) + " is reserved: " + std::string(reason));
+    report.add(Code::E204, span, in_backticks(name) + " is reserved: " + std::string(reason),
+               report.wants_suggestion() ? name_instead(name, span) : "");
     return false;
   }
   return true;

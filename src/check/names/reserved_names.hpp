@@ -14,6 +14,12 @@ namespace elgen {
 /// Why the name is reserved ("a C++ keyword"), or empty.
 [[nodiscard]] std::string_view reserved_reason(std::string_view name);
 
+/// "`J` is free": a name that could be given in the place of a reserved one, and that is no word of
+/// the file.
+///
+///     I -> J   delta -> delta_1   M_E -> m_e   a__b -> a_b
+[[nodiscard]] std::string name_instead(std::string_view name, const Span& span);
+
 /// A letter, then letters, digits and underscores.
 [[nodiscard]] bool is_well_formed_name(std::string_view name);
 
