@@ -36,6 +36,14 @@ struct Constraint {
   Span equation_span = {};
 };
 
+/// What is to be written if these rows of `coincide` constrain nothing. Empty for a row of
+/// `equation`, and if no row remains.
+///
+///     coincide = ["P", "Q"], y   ->   "`equation = ["x(P) = x(Q)", "z(P) = z(Q)"]` is enough"
+[[nodiscard]] std::string equations_instead(const std::vector<Constraint>& rows,
+                                            const std::vector<bool>& without,
+                                            const Constraint& row);
+
 inline constexpr std::uint32_t quaternion_size = 4;
 inline constexpr std::uint32_t axis_count = 3;
 

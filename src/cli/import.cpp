@@ -26,8 +26,10 @@ struct ImportCommand {
 
 using Kind = std::pair<Code, std::string>;
 
-/// The message of E815 differs from kind to kind; those of other codes name their subject.
+/// The message of E815 differs from kind to kind; those of other codes name their subject. The
+/// hint of E820 says why a joint is held, and where.
 Kind kind_of(const Diagnostic& note) {
+  if (note.code == Code::E820) return {note.code, note.hint};
   return {note.code, note.code == Code::E815 ? note.message : std::string()};
 }
 
@@ -85,13 +87,32 @@ std::string written_json(const std::string& path, bool is_new) {
   return Json{{"files", Json::array({file})}}.dump(2) + "\n";
 }
 
-/// E715 where the file has other bytes than the model.
+/// The text between two others, or nothing.
+std::string between(const std::string& text, std::string_view before, std::string_view behind) {
+  const std::size_t found = text.find(before);
+  if (found == std::string::npos) return {};
+  const std::size_t begin = found + before.size();
+  return text.substr(begin, text.find(behind, begin) - begin);
+}
+
+/// The text of the model by the names that an imported model states: files may be renamed.
+std::string text_by_names_of(const std::string& stated, const SourcePointer& source,
+                             const Limits& limits, ImportOptions options) {
+  options.name = between(stated, "[model]\nname        = \"", "\"");
+  options.file = between(stated, "\"Imported from ", "; coordinates are those of its joints");
+  const Result<ImportedModel> model = import_urdf(source, limits, options);
+  return model ? model->text : "";
+}
+
+/// E715 where the file has other bytes than the model, apart from the names of files.
 ExitCode check_file(const GlobalOptions& global, const ImportCommand& options,
-                    const std::string& text) {
+                    const SourcePointer& source, const std::string& text) {
   const Result<SourcePointer> file = read_source(options.checked, global.limits);
   if (!file) return report(global, file.diagnostics);
   const std::string path = shown_path(options.checked);
-  if ((*file)->text == text) {
+  const std::string& checked = (*file)->text;
+  if (checked == text ||
+      checked == text_by_names_of(checked, source, global.limits, options.model)) {
     tell(global, path + " is current");
     return ExitCode::success;
   }
@@ -121,7 +142,7 @@ ExitCode import_file(const GlobalOptions& global, const ImportCommand& options) 
   }
   const ExitCode imported = report_import(global, model.diagnostics);
   if (!model) return imported;
-  if (is_check) return std::max(imported, check_file(global, options, model->text));
+  if (is_check) return std::max(imported, check_file(global, options, *source, model->text));
   if (options.output.file.empty()) return std::max(imported, print(global, model->text));
   const auto written = write_output(global, options.output, model->text);
   if (!written) return report(global, written.diagnostics);
@@ -145,7 +166,7 @@ void add_import(CLI::App& app, Action& action) {
   ImportOptions& model = options->model;
   command->add_flag("--floating-base", model.floating_base, "the root link moves freely");
   add_sources(*command, "--joints", "A,B", model.joints,
-              "these move, in this order; all others are held at 0");
+              "these move, in this order; others are held at 0 or the nearest limit");
   add_sources(*command, "--weld", "JOINT[=VALUE]", model.welds,
               "hold a joint at 0, or at VALUE in rad or m; massless: all that move no mass");
   command->add_flag("--exact-angles", model.exact_angles, "take no angle for a right one");

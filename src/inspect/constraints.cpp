@@ -50,11 +50,12 @@ Diagnostics without_effects(const Inspected& subject) {
     const auto value =
         oracle_expression(subject.model, constraint.value, sampled_state(subject, 0));
     if (!marks[k] || !value) continue;
+    const std::string hint = equations_instead(subject.model.constraints, marks, constraint);
     errors.push_back({Code::E536, constraint.equation_span,
                       fmt::format("`{}` constrains nothing: it is {} whatever the {} are",
                                   constraint.name, is_nothing(*value) ? "0" : "the same",
                                   constraint.is_position ? "coordinates" : "rates"),
-                      "remove it; of points in a plane two components are enough"});
+                      hint.empty() ? "remove it" : hint});
   }
   return errors;
 }

@@ -146,13 +146,20 @@ void report_unknown(const TomlEntry& key, const TableContext& table, FileReading
                  suggestion(key.key, candidates));
 }
 
+/// What may stand there: the start of every file, or the words to choose from.
+std::string hint_of_missing(const KeyRow& row) {
+  if (row.key == "format") return "a file starts with `format = 1`";
+  const std::vector<std::string_view> words = choice_words(row);
+  return words.empty() ? "" : fmt::format("it is `\"{}\"`", fmt::join(words, "\"` or `\""));
+}
+
 void report_missing(const std::vector<TomlEntry>& entries, const TableContext& table,
                     FileReading& reading) {
   for (const KeyRow& row : key_table()) {
     if (row.entry != table.entry || !row.required) continue;
     if (find_entry(entries, row.key) != nullptr) continue;
     reading.report(Code::E105, table.header, fmt::format("no `{}` in {}", row.key, table.label),
-                   row.key == "format" ? "a file starts with `format = 1`" : "");
+                   hint_of_missing(row));
   }
 }
 

@@ -31,6 +31,14 @@ std::vector<Span> listed_words(const SourcePointer& source) {
   return words;
 }
 
+/// 0, or the limit of the joint that is nearest to it.
+FileNumber nearest_to_zero(const Joint& joint) {
+  const auto& [lower, upper, velocity, effort] = joint.limit;
+  const bool is_limited = joint.type != JointType::continuous && lower && upper;
+  if (is_limited && cln::plusp(lower->value)) return *lower;
+  return is_limited && cln::minusp(upper->value) ? *upper : FileNumber{};
+}
+
 class JointChooser {
  public:
   JointChooser(Robot& robot, const Limits& limits) : robot_(robot), limits_(limits) {}
@@ -106,7 +114,14 @@ class JointChooser {
 
   void weld_the_rest() {
     for (Joint& joint : robot_.joints) {
-      if (joint.moves() && !joint.mimic && joint.rank == 0) joint.welded = FileNumber{};
+      if (!joint.moves() || joint.mimic || joint.rank != 0) continue;
+      joint.welded = nearest_to_zero(joint);
+      if (joint.welded->is_zero()) continue;
+      found_.push_back(
+          {Code::E820, joint.name.span,
+           fmt::format("{} is held at {}", in_backticks(joint.name.text), joint.welded->text),
+           fmt::format("its limits are {} to {}", joint.limit.lower->text,
+                       joint.limit.upper->text)});
     }
   }
 

@@ -7,6 +7,7 @@
 namespace elgen::urdf {
 
 /// `--joints` and `--weld JOINT[=VALUE]`. E821: a joint that is not there, or does not move; E804.
+/// E820: a joint that limits do not let be held at 0.
 [[nodiscard]] Diagnostics choose_joints(Robot& robot, const ImportOptions& options,
                                         const Limits& limits);
 

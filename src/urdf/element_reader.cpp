@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "elgen/wording.hpp"
 
@@ -14,6 +15,72 @@ namespace {
 /// Spellings of XML itself, which say nothing about a robot.
 bool belongs_to_xml(std::string_view name) {
   return name.starts_with("xmlns") || name.starts_with("xml:");
+}
+
+/// An element of another format, or of a simulator, that changes how the robot moves.
+struct Extension {
+  std::string_view name;  ///< without the prefix of its namespace
+  std::string_view remedy;
+};
+constexpr std::string_view loop_remedy = "a `[[constraint]]` whose points `coincide` closes a loop";
+constexpr std::string_view force_remedy = "add it to `[energy] V` or `D`, or as a `[[force]]`";
+constexpr auto extensions = std::to_array<Extension>({
+    {"constraint", loop_remedy},
+    {"loop", loop_remedy},
+    {"loop_joint", loop_remedy},
+    {"ball_constraint", loop_remedy},
+    {"equality", loop_remedy},
+    {"joint", loop_remedy},
+    {"mimic", "add a `[[constraint]]`"},
+    {"inertial", "add a `[[body]]`"},
+    {"spring", force_remedy},
+    {"damper", force_remedy},
+    {"linear_spring_damper", force_remedy},
+    {"linear_bushing_rpy", force_remedy},
+    {"spring_stiffness", force_remedy},
+    {"springStiffness", force_remedy},
+    {"dampingFactor", force_remedy},
+    {"thruster", force_remedy},
+});
+
+const Extension* extension_of(const Element& element) {
+  const std::string_view name(element.name);
+  const auto row =
+      std::ranges::find(extensions, name.substr(name.rfind(':') + 1), &Extension::name);
+  // A `<joint>` of `<ros2_control>` names one of the robot and has no type.
+  const bool names_other =
+      name == "joint" &&
+      std::ranges::find(element.attributes, "type", &Attribute::name) == element.attributes.end();
+  return row == extensions.end() || names_other ? nullptr : &*row;
+}
+
+Diagnostic lost(const Span& span, const std::string& what, std::string_view remedy) {
+  return {Code::E822, span, what + " is not imported",
+          fmt::format("the model moves without it: {}", remedy)};
+}
+
+std::string child_text(const Element& parent, const Element& child) {
+  return fmt::format("{} in `<{}>`", in_backticks("<" + child.name + ">"), parent.name);
+}
+
+/// E822 for the child or what it contains; false where none of them changes the mechanics.
+bool warn_of_mechanics(const Element& parent, const Element& child, Diagnostics& found) {
+  if (const Extension* extension = extension_of(child)) {
+    found.push_back(lost(child.span, child_text(parent, child), extension->remedy));
+    return true;
+  }
+  bool warned = false;
+  for (const Element& inner : child.children) {
+    warned = warn_of_mechanics(child, inner, found) || warned;
+  }
+  return warned;
+}
+
+/// Whether an attribute that URDF does not have is a spring or a rotor: `stiffness="3"`.
+bool changes_mechanics(const Attribute& attribute, const Limits& limits) {
+  if (!attribute.name.ends_with("stiffness") && attribute.name != "armature") return false;
+  const Result<FileNumber> number = read_decimal(attribute.span, limits);
+  return !number || !number->is_zero();
 }
 
 }  // namespace
@@ -119,15 +186,18 @@ void ElementReader::ignore(std::initializer_list<std::string_view> names) {
 void ElementReader::note_the_rest() const {
   for (const Attribute& attribute : element_.attributes) {
     if (taken_.count(&attribute) > 0 || belongs_to_xml(attribute.name)) continue;
-    reading_.found.push_back({Code::E815, attribute.name_span,
-                              fmt::format("attribute {} of `<{}>` is not imported",
-                                          in_backticks(attribute.name), element_.name)});
+    const std::string what =
+        fmt::format("attribute {} of `<{}>`", in_backticks(attribute.name), element_.name);
+    if (changes_mechanics(attribute, reading_.limits)) {
+      reading_.found.push_back(lost(attribute.name_span, what, force_remedy));
+    } else {
+      reading_.found.push_back({Code::E815, attribute.name_span, what + " is not imported"});
+    }
   }
   for (const Element& child : element_.children) {
-    if (taken_.count(&child) > 0) continue;
-    reading_.found.push_back({Code::E815, child.span,
-                              fmt::format("{} in `<{}>` is not imported",
-                                          in_backticks("<" + child.name + ">"), element_.name)});
+    if (taken_.count(&child) > 0 || warn_of_mechanics(element_, child, reading_.found)) continue;
+    reading_.found.push_back(
+        {Code::E815, child.span, child_text(element_, child) + " is not imported"});
   }
 }
 

@@ -64,7 +64,7 @@ Result<ImportedModel> import_urdf(const SourcePointer& source, const Limits& lim
   const Result<urdf::Element> root = urdf::read_xml(*source);
   if (!root) return root.diagnostics;
   Diagnostics found;
-  urdf::RobotReading reading{limits, found};
+  urdf::RobotReading reading{limits, found, options.file};
   urdf::Robot robot = urdf::read_robot(*root, reading);
   const Diagnostics foreign = urdf::foreign_only(found);
   if (!foreign.empty()) return foreign;

@@ -303,7 +303,7 @@ bool has_one_coordinate(JointType type) {
 
 Robot read_robot(const Element& root, RobotReading& reading) {
   Robot robot;
-  robot.file = file_name(*root.span.source);
+  robot.file = reading.file.empty() ? file_name(*root.span.source) : reading.file;
   robot.span = root.span;
   if (root.name != "robot") {
     reading.found.push_back(foreign(root));

@@ -116,9 +116,10 @@ struct Robot {
 struct RobotReading {
   const Limits& limits;
   Diagnostics& found;
+  std::string file = {};  ///< what the robot's file is called; empty: its own name
 };
 
-/// E802 to E806, E811, E813, E814; notes E815. Missing values keep their defaults.
+/// E802 to E806, E811, E813, E814, E822; notes E815. Missing values keep their defaults.
 [[nodiscard]] Robot read_robot(const Element& root, RobotReading& reading);
 
 }  // namespace elgen::urdf

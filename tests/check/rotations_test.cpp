@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "check_testing.hpp"
+#include "numbers/exact_number.hpp"
 
 namespace elgen::test {
 namespace {
@@ -70,10 +71,25 @@ TEST_CASE("keys that only numbers have") {
         "E112 7:1 a rotation is not repeated: its index counts its angular velocities\n");
 }
 
-TEST_CASE("the start is a unit quaternion and three rates") {
-  CHECK(messages(flying_top("start = { value = [1, 1, 0, 0] }\n")) ==
-        "E112 7:19 the start of a rotation is a unit quaternion (w, x, y, z), but the squares of "
-        "this one do not add up to 1\n");
+TEST_CASE("the start is a quaternion, scaled to length 1, and three rates") {
+  const auto start = [](const std::string& value) {
+    const Model model = checked(flying_top("start = { value = " + value + " }\n")).model;
+    std::vector<cln::cl_R> result;
+    for (const Coordinate& q : model.coordinates) result.push_back(q.start_value);
+    return result;
+  };
+  const cln::cl_RA third = cln::cl_RA(1) / 3;
+  CHECK(start("[1, 2, -2, 0]") == std::vector<cln::cl_R>{third, 2 * third, -2 * third, 0});
+  CHECK(start("[0.6, 0, 0.8, 0]") ==
+        std::vector<cln::cl_R>{cln::cl_RA(3) / 5, 0, cln::cl_RA(4) / 5, 0});
+  for (const char* value : {"[0.995, 0.0998, 0, 0]", "[1, 1, 0, 0]", "[\"sqrt(2)\", 0, 1e-9, 7]"}) {
+    cln::cl_R square = 0;
+    for (const cln::cl_R& q : start(value)) square = square + q * q;
+    INFO(value);
+    CHECK(cln::abs(square - 1) < power_of_ten(-90));  // of the 100 digits of constants
+  }
+  CHECK(messages(flying_top("start = { value = [0, 0, 0, 0] }\n")) ==
+        "E112 7:19 a quaternion of length 0 has no direction\n");
   CHECK(messages(flying_top("start = { value = 1 }\n")) ==
         "E104 7:19 one number, but a rotation has 4 here\n");
   CHECK(messages(flying_top("start = { rate = [1, 2] }\n")) ==

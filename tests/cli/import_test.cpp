@@ -25,7 +25,7 @@ std::string said(const std::string& options) {
                   "<robot name=\"r\"><link name=\"a\">" + mass +
                       "</link>\n<gazebo/>\n<gazebo/>\n<link name=\"b\"/>\n<link name=\"c\"/>\n"
                       "<link name=\"d\">" +
-                      mass + "</link>\n<spring/>\n" + turning("a", "b") + turning("b", "c") +
+                      mass + "</link>\n<sensor/>\n" + turning("a", "b") + turning("b", "c") +
                       turning("c", "d") + "</robot>\n");
   return workspace.run("elgen import -o r.toml " + options + " r.urdf").errors;
 }
@@ -81,6 +81,21 @@ TEST_CASE("option --check compares a model with what the robot gives now") {
   CHECK(workspace.run("elgen import --check hand.toml -o x.toml hand.urdf").status == 2);
 }
 
+TEST_CASE("option --check does not compare the names of files") {
+  const Workspace workspace;
+  workspace.prepare(
+      "cp " + robot +
+      " hand.urdf && elgen import -q -o hand.toml hand.urdf && cp hand.toml "
+      "kept.toml && mv hand.urdf other.urdf && elgen import -q other.urdf > out.toml");
+  CHECK(workspace.run("elgen import -q --check hand.toml other.urdf").status == 0);
+  CHECK(workspace.run("elgen import -q --check kept.toml other.urdf").status == 0);
+  CHECK(workspace.run("elgen import -q --check kept.toml - < other.urdf").status == 0);
+  CHECK(workspace.run("elgen import -q --check out.toml other.urdf").status == 0);
+  CHECK(workspace.run("elgen import -q --floating-base --check kept.toml other.urdf").status == 1);
+  workspace.prepare("sed -i 's/Gripper/Grasper/' kept.toml");
+  CHECK(workspace.run("elgen import -q --check kept.toml other.urdf").status == 1);
+}
+
 TEST_CASE("a mistake in the robot writes nothing and exits with 2") {
   const Workspace workspace;
   workspace.write("bad.urdf", "<robot name=\"r\"></robot>\n");
@@ -117,7 +132,7 @@ TEST_CASE("what is said of many places is told once for each kind, with its coun
   CHECK(mentions(text,
                  "elgen: note[E816]: `b` moves without a mass, and so for 1 other, from line "
                  "4 on\n"));
-  CHECK(mentions(text, "r.urdf:7:2: note[E815]: `<spring>` in `<robot>` is not imported\n"));
+  CHECK(mentions(text, "r.urdf:7:2: note[E815]: `<sensor>` in `<robot>` is not imported\n"));
   CHECK(mentions(text, "r.urdf:1:29: warning[E817]"));
   CHECK(mentions(text, "-v lists every note with its place\n"));
 }

@@ -77,6 +77,28 @@ TEST_CASE("the others are held at 0, and what mimics them with them") {
   CHECK(after(model, "#         d  ") == "cd, continuous, welded at 0.5");
 }
 
+TEST_CASE("joints are held inside their limits, which a note says where 0 is outside of them") {
+  const auto arm = [](const std::string& limits, const std::string& type = "revolute") {
+    return "<robot name=\"r\"><link name=\"a\"/>" + heavy_link("b") + heavy_link("c") +
+           joint_of("ab", "revolute") + joint_of("bc", type, "<limit " + limits + "/>") +
+           "</robot>";
+  };
+  const auto held = [&](const std::string& limits, const std::string& type = "revolute") {
+    return after(imported(arm(limits, type), keeping("ab")), "bc, " + type + ", welded at ");
+  };
+  const std::string elbow = "lower=\"0.5\" upper=\"2.2\"";
+  CHECK(import_messages(arm(elbow), keeping("ab")) ==
+        "E820 4:14 `bc` is held at 0.5 | its limits are 0.5 to 2.2\n");
+  CHECK_THAT(imported(arm(elbow), keeping("ab")), Contains("rotate = [[\"z\", \"0.5\"]]"));
+  CHECK(held(elbow) == "0.5");
+  CHECK(held("lower=\"-0.3\" upper=\"-0.1\"", "prismatic") == "-0.1");
+  CHECK(held("lower=\"-2\" upper=\"2\"") == "0");
+  CHECK(held("lower=\"0\" upper=\"2\"") == "0");
+  CHECK(held("lower=\"0.5\" upper=\"2\"", "continuous") == "0");
+  CHECK(import_messages(arm("lower=\"-2\" upper=\"2\""), keeping("ab")).empty());
+  CHECK(import_messages(arm(elbow), welding({"bc=0"})).empty());
+}
+
 TEST_CASE("where all joints are held the robot floats") {
   CHECK_THAT(import_messages(crane(), welding({"bc=-0.25", "ab=0.1"})), Contains("`a` floats"));
 }

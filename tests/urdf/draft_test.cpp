@@ -192,10 +192,10 @@ TEST_CASE("a mistake does not bring about others: a joint without parent makes n
 }
 
 TEST_CASE("notes and warnings do not keep a model from being made") {
-  const SourcePointer source = make_source("r.urdf", arm_on("revolute", "<spring/>"));
+  const SourcePointer source = make_source("r.urdf", arm_on("revolute", "<sensor/>"));
   const Result<ImportedModel> model = import_urdf(source, {});
   CHECK(model);
-  CHECK(messages(model.diagnostics) == "E815 5:2 `<spring>` in `<joint>` is not imported\n");
+  CHECK(messages(model.diagnostics) == "E815 5:2 `<sensor>` in `<joint>` is not imported\n");
 }
 
 }  // namespace elgen::test

@@ -1,6 +1,7 @@
 // <robot>: what it is called and made of, its links, joints and rotors, and files that are
 // something else.
 #include <catch2/catch.hpp>
+#include <sstream>
 
 #include "urdf/urdf_testing.hpp"
 
@@ -208,7 +209,34 @@ TEST_CASE("what a type has no use for is silent or noted") {
         "E815 5:2 `<mimic>` in a fixed `<joint>` is not imported | the joint has no coordinate\n");
   CHECK(said("revolute", "<calibration rising=\"0\"/><safety_controller k=\"1\"/>").empty());
   CHECK(said("revolute", "<spring stiffness=\"1\"/>") ==
-        "E815 5:2 `<spring>` in `<joint>` is not imported\n");
+        "E822 5:2 `<spring>` in `<joint>` is not imported | the model moves without it: add it to "
+        "`[energy] V` or `D`, or as a `[[force]]`\n");
+  CHECK(said("revolute", "<sensor rate=\"1\"/>") ==
+        "E815 5:2 `<sensor>` in `<joint>` is not imported\n");
+}
+
+TEST_CASE("elements of other formats that change the mechanics are warnings, also inside of one") {
+  const auto codes = [](const std::string& elements) {
+    std::istringstream text(reading_messages("<robot name=\"r\">\n" + elements + "</robot>"));
+    std::string found;
+    for (std::string line; std::getline(text, line);) found += line.substr(0, line.find(" ", 5));
+    return found;
+  };
+  CHECK(reading_messages("<robot name=\"r\">\n<constraint type=\"revolute\"/></robot>") ==
+        "E822 2:2 `<constraint>` in `<robot>` is not imported | the model moves without it: a "
+        "`[[constraint]]` whose points `coincide` closes a loop\n");
+  CHECK(codes("<drake:linear_spring_damper/>") == "E822 2:2");
+  CHECK(codes("<gazebo><joint name=\"loop\" type=\"revolute\"/></gazebo>") == "E822 2:10");
+  CHECK(codes("<gazebo reference=\"j\"><springStiffness>3</springStiffness></gazebo>") ==
+        "E822 2:24");
+  CHECK(codes("<ros2_control><joint name=\"j\"/></ros2_control>") == "E815 2:2");
+  CHECK(codes("<gazebo><turnGravityOff>false</turnGravityOff></gazebo>") == "E815 2:2");
+  CHECK(codes("<transmission><joint name=\"j\" type=\"x\"/></transmission>").empty());
+  CHECK(said("revolute", "<dynamics damping=\"0\" stiffness=\"2\"/>") ==
+        "E822 5:23 attribute `stiffness` of `<dynamics>` is not imported | the model moves without "
+        "it: add it to `[energy] V` or `D`, or as a `[[force]]`\n");
+  CHECK(said("revolute", "<dynamics stiffness=\"0\"/>") ==
+        "E815 5:11 attribute `stiffness` of `<dynamics>` is not imported\n");
 }
 
 TEST_CASE("every type has its word, and some have one coordinate") {

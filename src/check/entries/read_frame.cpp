@@ -15,6 +15,7 @@
 #include "check/expressions/places.hpp"
 #include "check/expressions/values.hpp"
 #include "check/names/context.hpp"
+#include "check/names/reserved_names.hpp"
 
 namespace elgen {
 namespace {

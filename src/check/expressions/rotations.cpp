@@ -12,8 +12,13 @@ namespace {
 
 constexpr std::array<std::string_view, 4> keys_of_numbers{"range", "wrap", "singular", "armature"};
 
-/// The tolerance of the squared norm of a unit quaternion that is written in decimals.
-cln::cl_RA start_tolerance() { return power_of_ten(-9); }
+/// The root, exact where it is rational.
+cln::cl_R square_root(const cln::cl_R& square) {
+  cln::cl_RA root = 0;
+  const bool is_exact = is_rational(square) && cln::sqrtp(cln::rational(square), &root);
+  if (is_exact) return root;
+  return cln::sqrt(cln::cl_float(square, cln::float_format(constant_digits)));
+}
 
 bool declare_velocities(Context& context, const NewName& name, std::uint32_t first) {
   for (std::uint32_t axis = 1; axis <= axis_count; ++axis) {
@@ -57,19 +62,21 @@ std::optional<std::vector<cln::cl_R>> constants(ValueReader& values, const Value
   return result;
 }
 
+/// Scaled to length 1, as a lock is.
 void read_start_value(ValueReader& values, const ValueSyntax& value, const Rotation& rotation) {
   const auto quaternion = constants(values, value, quaternion_size);
   if (!quaternion) return;
   cln::cl_R square = 0;
-  for (std::uint32_t i = 0; i < quaternion_size; ++i) {
-    const cln::cl_R& component = (*quaternion)[i];
-    values.context().model.coordinates[rotation.first_coordinate + i].start_value = component;
-    square = square + component * component;
-  }
-  if (cln::abs(square - 1) > start_tolerance()) {
+  for (const cln::cl_R& component : *quaternion) square = square + component * component;
+  if (cln::zerop(square)) {
     values.context().report.add(Code::E112, value.span,
-                                "the start of a rotation is a unit quaternion (w, x, y, z), but "
-                                "the squares of this one do not add up to 1");
+                                "a quaternion of length 0 has no direction");
+    return;
+  }
+  const cln::cl_R length = square_root(square);
+  for (std::uint32_t i = 0; i < quaternion_size; ++i) {
+    Coordinate& q = values.context().model.coordinates[rotation.first_coordinate + i];
+    q.start_value = (*quaternion)[i] / length;
   }
 }
 

@@ -243,13 +243,20 @@ std::vector<bool> moving_velocities(const Model& model) {
 
 namespace {
 
+/// By constraint, whether nothing in it moves.
+std::vector<bool> at_rest(const Model& model, const std::vector<Traits>& traits) {
+  std::vector<bool> marks;
+  for (const Constraint& constraint : model.constraints) {
+    const Ingredients made_of = traits[constraint.value].ingredients;
+    marks.push_back((made_of & (uses_coordinate | uses_rate)) == 0);
+  }
+  return marks;
+}
+
 /// Reports an equation that is wrong whatever the state is.
 void check_equation(Context& context, const Constraint& constraint, const Traits& traits) {
   const Span& span = constraint.equation_span;
-  if ((traits.ingredients & (uses_coordinate | uses_rate)) == 0) {
-    context.report.add(Code::E536, span,
-                       in_backticks(constraint.name) + " holds nothing that moves");
-  } else if (!constraint.is_position && traits.rate_degree > 1) {
+  if (!constraint.is_position && traits.rate_degree > 1) {
     context.report.add(Code::E535, span, in_backticks(span) + " is not affine in the rates");
   } else if (!constraint.is_position && traits.rate_degree == 0) {
     context.report.add(Code::E535, span, in_backticks(span) + " holds no rate",
@@ -295,8 +302,16 @@ void check_constraints(Context& context) {
   const Model& model = context.model;
   if (model.constraints.empty()) return;
   const std::vector<Traits> traits = find_traits(model);
-  for (const Constraint& constraint : model.constraints) {
-    check_equation(context, constraint, traits[constraint.value]);
+  const std::vector<bool> resting = at_rest(model, traits);
+  for (std::size_t i = 0; i < resting.size(); ++i) {
+    const Constraint& constraint = model.constraints[i];
+    if (resting[i]) {
+      context.report.add(Code::E536, constraint.equation_span,
+                         in_backticks(constraint.name) + " holds nothing that moves",
+                         equations_instead(model.constraints, resting, constraint));
+    } else {
+      check_equation(context, constraint, traits[constraint.value]);
+    }
   }
   const std::size_t velocities = model.velocities.size();
   if (model.constraints.size() > velocities) {
