@@ -248,8 +248,9 @@ struct UserOutput {
   bool in_world = true;                  ///< axes of the twist: the world's, or the frame's
   std::vector<ExpressionId> twist = {};  ///< six entries, linear in the rates
   bool jacobian = false;
-  bool motion = false;  ///< accelerations and multipliers are those of the motion
-  LeafSet takes = {};   ///< rates, accelerations and inputs that the values name
+  bool motion = false;    ///< accelerations and multipliers are those of the motion
+  bool is_wanted = true;  ///< by the scene: the inputs it names do not leave with locks
+  LeafSet takes = {};     ///< rates, accelerations and inputs that the values name
   ShownValues shown = ShownValues::none;
   std::string doc = {};
   Span span = {};
@@ -375,8 +376,9 @@ std::uint32_t append_rotation(Model& model, Rotation rotation);
                              : std::vector<std::uint32_t>{};
 }
 
-/// Where the variables of the whole model go as the held ones leave, and its inputs, of which those
-/// leave that act on locked velocities alone.
+/// Where the variables of the whole model go as the held ones leave. An input leaves if it acts on
+/// locked velocities alone and no wanted output names it; of a wrench, also the components that act
+/// on nothing, if another one leaves.
 [[nodiscard]] VariablesLeft variables_left(const Model& whole);
 
 /// Whether the Lagrangian is R: cyclic coordinates have been taken out.

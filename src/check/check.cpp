@@ -132,6 +132,7 @@ Result<CheckedModel> check(const FileSyntax& model, const FileSyntax* scene,
   resolve_entries(context, model);
   if (context.beyond_limits) return context.report.sorted();
   read_held(context, scene);
+  note_wanted(context.model, scene, options);
   judge(context, model, scene, options);
   if (options.shows_motion && context.report.errors() == 0) add_shown_outputs(context.model);
   if (context.report.errors() == 0) reduce_model(context);

@@ -57,8 +57,16 @@ std::uint32_t append_rotation(Model& model, Rotation rotation) {
 
 namespace {
 
-/// Whether a force does work on locked velocities alone.
-bool acts_on_locks(const Model& whole, const Force& force) {
+bool is_locked(const Model& whole, std::uint32_t velocity) {
+  return std::ranges::any_of(whole.variant.locks,
+                             [&](const Lock& lock) { return lock.has_velocity(velocity); });
+}
+
+/// The velocities that a force does work on: none, locked ones alone, or others too.
+enum class Reach : std::uint8_t { nothing, locks, others };
+
+Reach reach_of(const Model& whole, const Force& force) {
+  if (force.on) return is_locked(whole, *force.on) ? Reach::locks : Reach::others;
   std::vector<ExpressionId> roots;
   for (const auto& point : {force.at, force.from}) {
     if (point)
@@ -68,46 +76,46 @@ bool acts_on_locks(const Model& whole, const Force& force) {
     if (frame)
       roots.insert(roots.end(), whole.frames[*frame].spin.begin(), whole.frames[*frame].spin.end());
   }
-  bool is_held = false;
-  const auto is_locked = [&](std::uint32_t velocity) {
-    return std::ranges::any_of(whole.variant.locks,
-                               [&](const Lock& lock) { return lock.has_velocity(velocity); });
-  };
-  if (force.on) return is_locked(*force.on);
+  Reach reach = Reach::nothing;
   for (const ExpressionId id : reached(whole, roots)) {
     const Expression& node = whole.expressions[id];
     const bool is_place = is_leaf(node, Opcode::coordinate);
     if (!is_place && !is_leaf(node, Opcode::velocity)) continue;
-    if (!is_locked(is_place ? whole.coordinates[node.index].velocity : node.index)) return false;
-    is_held = true;
+    const std::uint32_t velocity = is_place ? whole.coordinates[node.index].velocity : node.index;
+    if (!is_locked(whole, velocity)) return Reach::others;
+    reach = Reach::locks;
   }
-  return is_held;
+  return reach;
 }
 
 PlacesLeft inputs_left(const Model& whole) {
   PlacesLeft left(whole.inputs.size());
-  const auto is_locked = [&](const std::optional<std::uint32_t>& velocity) {
-    return velocity && std::ranges::any_of(whole.variant.locks, [&](const Lock& lock) {
-             return lock.has_velocity(*velocity);
-           });
-  };
   if (whole.variant.locks.empty()) return left;
-  std::vector<bool> acts_on_lock(whole.inputs.size(), false);
-  std::vector<bool> acts_elsewhere(whole.inputs.size(), false);
-  const auto note = [&](std::vector<bool>& acts, const std::vector<ExpressionId>& roots) {
+  std::vector<Reach> reaches(whole.inputs.size(), Reach::nothing);
+  const auto note = [&](Reach reach, const std::vector<ExpressionId>& roots) {
     for (const ExpressionId id : reached(whole, roots)) {
       const Expression& node = whole.expressions[id];
-      if (is_leaf(node, Opcode::input)) acts[node.index] = true;
+      if (!is_leaf(node, Opcode::input)) continue;
+      reaches[node.index] = std::max(reaches[node.index], reach);
     }
   };
-  for (const Force& force : whole.forces) {
-    note(acts_on_locks(whole, force) ? acts_on_lock : acts_elsewhere, force.value);
+  for (const Force& force : whole.forces) note(reach_of(whole, force), force.value);
+  for (const UserOutput& output : whole.outputs) {
+    if (output.is_wanted) note(Reach::others, output.values);
   }
-  for (const UserOutput& output : whole.outputs) note(acts_elsewhere, output.values);
   for (std::uint32_t i = 0; i < whole.inputs.size(); ++i) {
     const std::optional<std::uint32_t>& on = whole.inputs[i].on;
-    if (on && !is_locked(on)) acts_elsewhere[i] = true;
-    if ((is_locked(on) || acts_on_lock[i]) && !acts_elsewhere[i]) left.remove(i, 1);
+    if (on) reaches[i] = std::max(reaches[i], is_locked(whole, *on) ? Reach::locks : Reach::others);
+  }
+  const std::vector<Reach> alone = reaches;
+  for (std::uint32_t i = 0; i < whole.inputs.size(); ++i) {
+    // A force at a place that never moves leaves with the torque of its wrench.
+    for (std::uint32_t k = 0; k < whole.inputs.size() && alone[i] == Reach::nothing; ++k) {
+      const bool is_of_wrench =
+          whole.inputs[i].is_external && whole.inputs[k].span.begin == whole.inputs[i].span.begin;
+      if (is_of_wrench && alone[k] == Reach::locks) reaches[i] = Reach::locks;
+    }
+    if (reaches[i] == Reach::locks) left.remove(i, 1);
   }
   return left;
 }

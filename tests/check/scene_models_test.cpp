@@ -123,6 +123,31 @@ std::string approximation(const std::string& lines) {
 
 }  // namespace
 
+TEST_CASE("an output that the scene asks for keeps the inputs that it names", "[lock]") {
+  const std::string sensor =
+      arm + "[[output]]\nname = \"o\"\njacobian = true\nvalue = \"dot(b) + u\"\n";
+  const auto inputs = [](const std::string& model, const std::string& outputs,
+                         const std::vector<std::string>& options = {}) {
+    Wanted wanted;
+    wanted.scene = "format = 1\nmodel = \"arm.toml\"\nname = \"held\"\n" + outputs +
+                   "[lock]\na = { value = \"0.3\", reaction = true }\n";
+    wanted.outputs = options;
+    std::string names;
+    for (const Input& input : checked(model, wanted).model.inputs) names += input.name;
+    return names;
+  };
+  const std::string matrix = "[outputs]\ninput_matrix = true\n";
+  CHECK(inputs(arm, "") == "w");
+  CHECK(inputs(arm, matrix) == "w");
+  CHECK(inputs(sensor, matrix) == "w");
+  CHECK(inputs(sensor, matrix + "o = false\n") == "w");
+  CHECK(inputs(sensor, matrix, {"forward_dynamics"}) == "w");
+  CHECK(inputs(sensor, "") == "uw");
+  CHECK(inputs(sensor, matrix + "o = true\n") == "uw");
+  CHECK(inputs(sensor, matrix + "o_derivatives = true\n") == "uw");
+  CHECK(inputs(sensor, matrix, {"o"}) == "uw");
+}
+
 TEST_CASE("what is locked leaves coordinates and velocities", "[lock]") {
   const Model& model = held().model;
   REQUIRE(model.coordinates.size() == 2);

@@ -1,4 +1,5 @@
-// shown_outputs: what a page that moves needs of a model beside the outputs of a run.
+// shown_outputs: which outputs of a model are wanted, and what a page that moves needs beside the
+// outputs of a run.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 
 #include "check/scene/scene.hpp"
 #include "elgen/references.hpp"
+#include "model/requests.hpp"
 #include "model/shown_places.hpp"
 
 namespace elgen {
@@ -56,6 +58,22 @@ std::vector<ExpressionId> laws_of(const Model& model) {
 }
 
 }  // namespace
+
+void note_wanted(Model& model, const FileSyntax* scene, const SceneOptions& options) {
+  const EntrySyntax* const outputs = find_entry(scene, "outputs");
+  if (outputs == nullptr) return;
+  for (UserOutput& output : model.outputs) output.is_wanted = false;
+  const auto want = [&](std::string_view name) {
+    const std::optional<OutputRequest> request = find_request(model, name);
+    const bool is_user = request && output_row(request->kind).of_user;
+    if (is_user) model.outputs[request->user].is_wanted = true;
+  };
+  for (const Span& word : option_words(options.outputs)) want(covered_text(word));
+  for (const KeySyntax& key : outputs->keys) {
+    const bool is_refused = key.value.kind == ValueKind::boolean && !key.value.boolean;
+    if (!is_refused) want(key.key);
+  }
+}
 
 void add_shown_outputs(Model& model) {
   add_output(model, ShownValues::places, rows_of_places(model));
