@@ -117,7 +117,7 @@ struct Equilibria {
   std::vector<UndecidedBox> undecided = {};
   std::uint64_t boxes = 0;   ///< that were looked at
   std::uint64_t starts = 0;  ///< of iterations
-  bool is_cut = false;       ///< by the limit of enclosures
+  std::string limit = {};    ///< that ended the search: "enclosures=420000000"
   std::vector<cln::cl_R> inputs = {};
 };
 

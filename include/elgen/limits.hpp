@@ -8,6 +8,10 @@
 
 namespace elgen {
 
+/// Operations of intervals that a search may do for each second that its command may take: a
+/// quarter of those measured in a second (4e8 took 15 s), for slower machines and other stages.
+inline constexpr std::uint64_t enclosures_per_second = 7'000'000;
+
 struct Limits {
   std::uint64_t file_bytes = 1U << 20U;
   std::uint64_t expression_depth = 200;
@@ -19,7 +23,7 @@ struct Limits {
   std::uint64_t derived_nodes = 2'000'000;
   std::uint64_t seconds = 60;  ///< processor time of one command on one model
   std::uint64_t boxes = 200'000;
-  std::uint64_t enclosures = 80'000'000;  ///< a few seconds
+  std::uint64_t enclosures = enclosures_per_second * seconds;  ///< a count: no clock decides
   std::uint64_t memory_mib = 1024;
   std::uint64_t page_bytes = 1U << 20U;  ///< of a page that moves
 };

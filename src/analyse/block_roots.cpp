@@ -151,7 +151,7 @@ class BlockSearch {
     BoxSearch found = search_boxes(equations, domain(), std::min(most.boxes, affordable));
     result_.boxes = found.looked_at;
     result_.enclosures = found.looked_at * enclosures_of_box();
-    result_.is_cut = !found.left.empty() && affordable < most.boxes;
+    if (!found.left.empty()) result_.limit = affordable < most.boxes ? "enclosures" : "boxes";
     for (const Box& box : found.single) add_root_of(box);
     for (const Box& place : together(found)) judge(equations, place);
     if (found.left.empty()) return;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "analyse/boxes.hpp"
@@ -35,7 +36,7 @@ struct BlockRoots {
   std::uint64_t boxes = 0;
   std::uint64_t enclosures = 0;
   std::uint64_t starts = 0;
-  bool is_cut = false;  ///< by the limit of enclosures
+  std::string_view limit = {};  ///< that ended the search: "boxes" or "enclosures"
 };
 
 /// E531: a coordinate has no range. The search stops at the limits of boxes and enclosures.

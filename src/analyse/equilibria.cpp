@@ -44,6 +44,11 @@ class EquilibriumSearch {
       Result<BlockRoots> roots = block_roots(system, block, left);
       if (!roots) return roots.diagnostics;
       join(*roots);
+      if (!roots->limit.empty()) {
+        const bool is_boxes = roots->limit == "boxes";
+        result_.limit =
+            fmt::format("{}={}", roots->limit, is_boxes ? limits.boxes : limits.enclosures);
+      }
       left.boxes -= std::min(left.boxes, roots->boxes);
       left.enclosures -= std::min(left.enclosures, roots->enclosures);
       std::ranges::stable_sort(roots->roots, comes_before);
@@ -207,7 +212,6 @@ class EquilibriumSearch {
     result_.completeness = std::max(result_.completeness, roots.completeness);
     result_.boxes += roots.boxes;
     result_.starts += roots.starts;
-    result_.is_cut = result_.is_cut || roots.is_cut;
     result_.undecided.insert(result_.undecided.end(), roots.undecided.begin(),
                              roots.undecided.end());
   }

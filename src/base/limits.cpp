@@ -15,7 +15,7 @@ const std::vector<LimitRow>& limit_table() {
       {"derived_nodes", &Limits::derived_nodes, "nodes", "size of what is derived"},
       {"seconds", &Limits::seconds, "s", "processor time for one input"},
       {"boxes", &Limits::boxes, "boxes", "boxes that are searched for equilibria"},
-      {"enclosures", &Limits::enclosures, "", "operations of intervals in these boxes"},
+      {"enclosures", &Limits::enclosures, "", "operations of intervals there, 7e6 a second"},
       {"memory_mib", &Limits::memory_mib, "MiB", "memory"},
       {"page_bytes", &Limits::page_bytes, "bytes", "size of a page that moves"},
   };

@@ -5,6 +5,7 @@
 
 #include <charconv>
 #include <cstdlib>
+#include <limits>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -170,6 +171,10 @@ Result<Limits> read_limits(const std::vector<std::string>& settings) {
           Code::E913, {}, fmt::format("`{}` is no limit: write NAME=NUMBER", setting)};
     }
   }
+  const bool is_given = std::ranges::any_of(
+      settings, [](const std::string& setting) { return setting.starts_with("enclosures="); });
+  constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max() / enclosures_per_second;
+  if (!is_given) limits.enclosures = enclosures_per_second * std::min(limits.seconds, most);
   return limits;
 }
 

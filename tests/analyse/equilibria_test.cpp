@@ -343,6 +343,14 @@ TEST_CASE("where boxes run out nothing is claimed to be complete") {
   const Analysed found = analysed(model_file("two_link_arm"), {.boxes = 5});
   CHECK(found.equilibria.completeness == Completeness::searched);
   CHECK(found.equilibria.boxes == 5);
+  CHECK(text_of(equilibria_page(found.checked, found.equilibria))
+            .find("; the limit boxes=5 ended the search: --limit boxes=N with a larger N finds "
+                  "more") != std::string::npos);
+}
+
+TEST_CASE("the default count of enclosures is that of the seconds") {
+  CHECK(Limits{}.enclosures == 60 * enclosures_per_second);
+  CHECK(Limits{.seconds = 7}.enclosures == 7 * enclosures_per_second);
 }
 
 TEST_CASE("equilibria need a range, no time, and no kinks") {

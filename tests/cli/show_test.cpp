@@ -295,4 +295,20 @@ TEST_CASE("a scene is compared with the full model of its own size") {
   }
 }
 
+TEST_CASE("a search that is cut names its limit, which the seconds set unless it is given") {
+  const auto ending = [](const std::string& limits) {
+    const std::string text = show(limits + " --what equilibria " + model("body_on_springs")).output;
+    const std::size_t at = text.find("; the limit ");
+    return at == std::string::npos ? text : text.substr(at, text.find(':', at) - at);
+  };
+  // A second is enough for 7e6 four times; a sanitizer takes longer.
+  CHECK(ending("--limit seconds=60 --limit enclosures=1000000") ==
+        "; the limit enclosures=1000000 ended the search");
+  CHECK(ending("--limit enclosures=1000000 --limit seconds=60") ==
+        "; the limit enclosures=1000000 ended the search");
+#ifndef ELGEN_HARDENED
+  CHECK(ending("--limit seconds=3") == "; the limit enclosures=21000000 ended the search");
+#endif
+}
+
 }  // namespace elgen::test

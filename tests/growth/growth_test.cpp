@@ -224,7 +224,7 @@ TEST_CASE("the search of boxes ends at a count of its operations") {
     options.limits.enclosures = 1'000'000;
     const Products products = run_pipeline(inputs, options);
     REQUIRE(products.equilibria);
-    CHECK(products.equilibria->is_cut);
+    CHECK(products.equilibria->limit == "enclosures=1000000");
     CHECK(products.equilibria->completeness == Completeness::searched);
     const auto n = static_cast<std::uint64_t>(size);
     CHECK(products.equilibria->boxes * 2 * n * n * n < options.limits.enclosures);

@@ -141,6 +141,14 @@ void add_search(Formulas& clauses, const PageForms& known, const Equilibria& equ
   }
 }
 
+/// Which limit ended the search, and what looks at more.
+std::string limit_text(const Equilibria& equilibria) {
+  const std::string& limit = equilibria.limit;
+  if (limit.empty()) return {};
+  return fmt::format("; the limit {} ended the search: --limit {}=N with a larger N finds more",
+                     limit, limit.substr(0, limit.find('=')));
+}
+
 }  // namespace
 
 Formula scope_of(PageForms& known, const Equilibria& equilibria) {
@@ -172,16 +180,15 @@ Formula claim_of(const Model& model, const Equilibria& equilibria) {
       return prose("these are all at the parameters' values (proved)");
     case Completeness::searched:
       if (equilibria.points.empty() && !places.empty()) break;
-      return prose(fmt::format("found from {} start{}{}, there may be more{}{}",
-                               std::max<std::uint64_t>(equilibria.starts, 1),
-                               equilibria.starts > 1 ? "s" : "",
-                               equilibria.is_cut ? " at the limit of enclosures" : "",
-                               places.empty() ? "" : ": undecided near ", places));
+      return prose(fmt::format(
+          "found from {} start{}{}, there may be more{}{}{}",
+          std::max<std::uint64_t>(equilibria.starts, 1), equilibria.starts > 1 ? "s" : "",
+          places.empty() ? "" : ": undecided near ", places, limit_text(equilibria)));
     case Completeness::undecided:
       if (places.empty()) return prose("undecided: 64 digits do not tell bias - B u from 0");
       break;
   }
-  return prose("undecided near " + places);
+  return prose("undecided near " + places + limit_text(equilibria));
 }
 
 }  // namespace elgen
