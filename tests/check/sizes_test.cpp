@@ -69,6 +69,14 @@ TEST_CASE("a scene overrides sizes, an option overrides both") {
   CHECK(coordinates(wanted) == 5);
 }
 
+TEST_CASE("the uses of a size whose name is reserved are not reported too") {
+  CHECK(messages("format = 1\n[model]\nname = \"a\"\n[sizes]\nint = 2\n[[coordinate]]\n"
+                 "for = \"i in 1..int\"\nname = \"q[i]\"\n[parameters]\n"
+                 "m = { size = \"int\", value = 1 }\n[energy]\n"
+                 "T = \"sum(i, 1, int, m[i]*dot(q[i])^2)\"\n") ==
+        "E204 5:1 `int` is reserved: it is a keyword of C++ | `int_1` is free\n");
+}
+
 TEST_CASE("unknown sizes are reported where they are written") {
   Wanted wanted;
   wanted.scene = scene_head + "[sizes]\nm = 3\n";

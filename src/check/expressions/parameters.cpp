@@ -11,11 +11,9 @@ namespace {
 void declare_size(Context& context, const KeySyntax& key) {
   const Scope nothing(context.sizes);
   const auto value = integer_value(key.value.expression, nothing, context.report);
-  if (!value ||
-      !context.symbols.declare({key.key, {}, key.key_span}, SymbolKind::size, 0, context.report)) {
-    return;
-  }
-  context.sizes[key.key] = *value;
+  if (!value) return;
+  (void)context.symbols.declare({key.key, {}, key.key_span}, SymbolKind::size, 0, context.report);
+  context.sizes[key.key] = *value;  // also by a name that is refused, which indices use
 }
 
 void override_size(Context& context, const KeySyntax& key) {

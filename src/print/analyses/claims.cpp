@@ -181,7 +181,7 @@ Formula claim_of(const Model& model, const Equilibria& equilibria) {
     case Completeness::searched:
       if (equilibria.points.empty() && !places.empty()) break;
       return prose(fmt::format(
-          "found from {} start{}{}, there may be more{}{}{}",
+          "found from {} start{}, there may be more{}{}{}",
           std::max<std::uint64_t>(equilibria.starts, 1), equilibria.starts > 1 ? "s" : "",
           places.empty() ? "" : ": undecided near ", places, limit_text(equilibria)));
     case Completeness::undecided:
