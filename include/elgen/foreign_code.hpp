@@ -20,8 +20,10 @@ struct ForeignFunction {
 
 struct ForeignAnswers {
   std::vector<std::vector<double>> values = {};  ///< state by state, as far as it came
-  std::string failure = {};                      ///< why there are no more; empty: these are all
-  std::string said = {};                         ///< by a command on stderr
+  /// Why there are no more, or how code fails behind the last; empty: these are all.
+  std::string failure = {};
+  /// Its words on stderr, of a library on stdout too, as lines of a message: ":\n    Traceback".
+  std::string said = {};
 };
 
 /// The numbers that the function gives at each state, which should be those of the first field of

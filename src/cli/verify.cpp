@@ -15,6 +15,7 @@
 #include "elgen/foreign.hpp"
 #include "elgen/page.hpp"
 #include "elgen/tradeoff.hpp"
+#include "elgen/wording.hpp"
 
 namespace elgen::cli {
 namespace {
@@ -219,8 +220,13 @@ void add_foreign(CLI::App& command, ForeignOptions& foreign) {
       "--function", add_claims, "the output that a function of it should be, and its name there");
   function->type_name("OUTPUT[=NAME]")->allow_extra_args(false)->needs(code);
   code->needs(function);
+  const auto refused_nan = [](const std::string& word) {
+    const bool is_nan = CLI::detail::to_lower(word).find("nan") != std::string::npos;
+    return is_nan ? in_backticks(word) + " is no number" : "";
+  };
   command.add_option("--tolerance", foreign.tolerance, "of the largest entry (1e-9)")
       ->check(CLI::PositiveNumber)
+      ->check(refused_nan)
       ->needs(code);
   for (const char* const other : {"--extremes", "--quick", "--jobs"}) {
     code->excludes(command.get_option(other));

@@ -1,6 +1,6 @@
 // Calls of foreign code. A library writes to memory that both processes see, so that all it has
-// computed before a crash is there; each result has room behind it, which shows how many numbers
-// were written.
+// computed before a crash is there; each result has room before and behind it, which shows how many
+// numbers were written, and where. That memory is not believed: the library may write anywhere.
 #include "elgen/foreign_code.hpp"
 
 #include <fmt/format.h>
@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
+#include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -21,6 +22,7 @@
 #include "numbers/exact_number.hpp"
 #include "toolchain/forked.hpp"
 #include "toolchain/process.hpp"
+#include "toolchain/stream.hpp"
 #include "toolchain/workshop.hpp"
 
 namespace elgen {
@@ -39,12 +41,12 @@ struct ForeignCalls {
 
 /// A NaN that nothing computes.
 constexpr std::uint64_t untouched = 0x7ff8'dead'0bad'c0deU;
-/// Numbers behind a result: a function of another shape writes there, not over other results.
+/// Numbers before and behind a result: a function of another shape writes there, not over others.
 constexpr std::size_t spare_numbers = 64;
 constexpr std::size_t most_arguments = 10;  ///< leaves of all kinds
 
 std::string how_it_ended(const ForeignCalls& calls, Ending ending, int status) {
-  const bool is_late = status == 128 + SIGALRM || status == 128 + SIGXCPU;
+  const bool is_late = status == 128 + SIGXCPU;
   return ending_text(is_late ? Ending::out_of_time : ending, status, calls.function.seconds);
 }
 
@@ -75,31 +77,35 @@ void call_any(AnyFunction function, const Pointers& arguments, double* result) {
   }
 }
 
+bool is_touched(double x) { return std::bit_cast<std::uint64_t>(x) != untouched; }
+
 /// The numbers up to the last that was written.
-std::vector<double> written(const double* first, std::size_t slot) {
-  const auto is_touched = [](double x) { return std::bit_cast<std::uint64_t>(x) != untouched; };
-  std::vector<double> numbers(first, first + slot);
+std::vector<double> written(const double* first, std::size_t count) {
+  std::vector<double> numbers(first, first + count);
   numbers.erase(std::find_if(numbers.rbegin(), numbers.rend(), is_touched).base(), numbers.end());
   return numbers;
 }
 
-/// The process that may crash leaves its results here; `refusal`, which ends with 0: why nothing is
-/// called.
+/// The process that may crash leaves its results here, each in a slot with room around it;
+/// `refusal`, which ends with 0: why nothing is called.
 struct LibraryMemory {
   SharedArray<double> results;
   SharedArray<std::atomic<std::size_t>> answered;
   SharedArray<char> refusal;
+  Stream words;  ///< of the library
 
   void refuse(const std::string& text) {
     std::copy_n(text.data(), std::min(text.size(), refusal.size() - 1), &refusal[0]);
   }
 };
 
-/// In that process. Output of the library is not what elgen prints.
+/// In that process. Output of the library is not what elgen prints. It may ignore every signal that
+/// it can: the parent ends it.
 void call_library(const ForeignCalls& calls, std::size_t slot, LibraryMemory& memory) {
   const auto& [code, name, seconds] = calls.function;
-  (void)::dup2(STDERR_FILENO, STDOUT_FILENO);
-  ::alarm(static_cast<unsigned>(std::min<std::uint64_t>(seconds, 1U << 30U)));
+  for (const int output : {STDOUT_FILENO, STDERR_FILENO}) {
+    (void)::dup2(memory.words.writing().number(), output);
+  }
   const Library library(std::filesystem::absolute(code));
   if (!library.loaded()) {
     return memory.refuse(fmt::format("{} cannot be loaded: {}", in_backticks(code), ::dlerror()));
@@ -110,29 +116,50 @@ void call_library(const ForeignCalls& calls, std::size_t slot, LibraryMemory& me
     return memory.refuse(lacking + in_backticks(name));
   }
   for (std::size_t k = 0; k < calls.states.size(); ++k) {
-    double* const result = &memory.results[k * slot];
-    std::fill_n(result, slot, std::bit_cast<double>(untouched));
+    double* const result = &memory.results[k * slot + spare_numbers];
     call_any(function, pointers_to(calls, calls.states[k]), result);
     ++memory.answered[0];
   }
 }
 
+/// The results of this many calls, up to one with numbers before it, which is a failure. The next
+/// call, which has not ended, may have written there, too.
+ForeignAnswers results_of(const LibraryMemory& memory, std::size_t slot, std::size_t answered) {
+  ForeignAnswers answers;
+  for (std::size_t first = 0; first < memory.results.size(); first += slot) {
+    const double* const room = &memory.results[first];
+    if (std::any_of(room, room + spare_numbers, is_touched)) {
+      answers.failure = "writes before its result";
+      break;
+    }
+    if (answers.values.size() == answered) break;
+    answers.values.push_back(written(room + spare_numbers, slot - spare_numbers));
+  }
+  return answers;
+}
+
 Result<ForeignAnswers> ask_library(const ForeignCalls& calls) {
   constexpr std::size_t most_words = 1024;
-  const std::size_t slot = calls.entries + spare_numbers;
-  LibraryMemory memory{SharedArray<double>(calls.states.size() * slot),
-                       SharedArray<std::atomic<std::size_t>>(1), SharedArray<char>(most_words)};
+  const std::size_t count = calls.states.size();
+  const std::size_t slot = spare_numbers + calls.entries + spare_numbers;
+  LibraryMemory memory{SharedArray<double>(count * slot), SharedArray<std::atomic<std::size_t>>(1),
+                       SharedArray<char>(most_words), Stream(most_said)};
+  if (!memory.words.is_open()) return Diagnostic{Code::E716, {}, "no pipe can be opened"};
+  std::fill_n(&memory.results[0], memory.results.size(), std::bit_cast<double>(untouched));
   const auto work = [&](std::size_t) { call_library(calls, slot, memory); };
-  const ForkedEnding end = run_forked(1, work, [] {});
-  const std::string refusal = &memory.refusal[0];
-  if (!refusal.empty()) return Diagnostic{Code::E716, {}, refusal};
-  ForeignAnswers answers;
-  for (std::size_t k = 0; k < memory.answered[0]; ++k) {
-    answers.values.push_back(written(&memory.results[k * slot], slot));
+  const auto listen = [&] { memory.words.drain(); };
+  const ForkedEnding end = run_forked(1, work, listen, calls.function.seconds);
+  listen();
+  const std::size_t answered = std::min(memory.answered[0].load(), count);
+  const char* const refusal = &memory.refusal[0];
+  if (answered == 0 && end.succeeded() && *refusal != '\0') {
+    return Diagnostic{Code::E716, {}, std::string(refusal, ::strnlen(refusal, most_words))};
   }
-  if (answers.values.size() < calls.states.size()) {
+  ForeignAnswers answers = results_of(memory, slot, answered);
+  if (answers.failure.empty() && (answered < count || !end.succeeded())) {
     answers.failure = how_it_ended(calls, end.ending, end.status);
   }
+  answers.said = quoted_text(memory.words.take());
   return answers;
 }
 
@@ -147,14 +174,18 @@ std::string request_line(const ForeignCalls& calls, const Arguments<double>& sta
 
 /// Whole lines: a process that was ended may have begun one.
 ForeignAnswers read_answers(const ForeignCalls& calls, const ProcessResult& process) {
-  ForeignAnswers answers{{}, {}, plain_text(process.errors)};
+  ForeignAnswers answers{{}, {}, quoted_text(process.errors)};
   std::string_view rest = process.output;
-  while (!rest.empty() && answers.values.size() < calls.states.size()) {
+  while (!rest.empty()) {
     const std::size_t end = rest.find('\n');
     if (end == std::string_view::npos && !process.succeeded()) break;
     const std::string_view line = rest.substr(0, end);
     rest.remove_prefix(std::min(line.size() + 1, rest.size()));
     if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
+    if (answers.values.size() == calls.states.size()) {
+      answers.failure = fmt::format("writes {} behind its last answer", in_backticks(line));
+      return answers;
+    }
     std::optional<std::vector<double>> numbers = numbers_in(line);
     if (!numbers) {
       answers.failure = fmt::format("answers {}, which is no list of numbers", in_backticks(line));
@@ -162,9 +193,11 @@ ForeignAnswers read_answers(const ForeignCalls& calls, const ProcessResult& proc
     }
     answers.values.push_back(std::move(*numbers));
   }
-  if (answers.values.size() == calls.states.size()) return answers;
-  answers.failure =
-      process.succeeded() ? "ends early" : how_it_ended(calls, process.ending, process.status);
+  if (!process.succeeded()) {
+    answers.failure = how_it_ended(calls, process.ending, process.status);
+  } else if (answers.values.size() < calls.states.size()) {
+    answers.failure = "ends early";
+  }
   return answers;
 }
 

@@ -10,7 +10,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <list>
 #include <optional>
 
@@ -79,14 +81,22 @@ ChildSignal::~ChildSignal() {
 }
 
 Child::~Child() {
-  if (has_ended_) return;
+  if (!has_ended_) end_group();
+}
+
+void Child::end_group() {
   (void)::kill(-id_, SIGKILL);
   while (::waitpid(id_, &state_, 0) < 0 && errno == EINTR) {
   }
+  has_ended_ = true;
 }
 
 bool Child::has_ended() {
-  has_ended_ = has_ended_ || ::waitpid(id_, &state_, WNOHANG) == id_;
+  if (has_ended_) return true;
+  siginfo_t end{};
+  // WNOWAIT: until the child is waited for, no other group can get its id.
+  const auto id = static_cast<id_t>(id_);
+  if (::waitid(P_PID, id, &end, WEXITED | WNOHANG | WNOWAIT) == 0 && end.si_pid == id_) end_group();
   return has_ended_;
 }
 
@@ -111,7 +121,9 @@ bool take_interrupt(const Descriptor& signals) {
 }
 
 ForkedEnding run_forked(std::size_t count, const std::function<void(std::size_t)>& work,
-                        const std::function<void()>& on_wait) {
+                        const std::function<void()>& on_wait, std::uint64_t seconds) {
+  using Clock = std::chrono::steady_clock;
+  const auto deadline = Clock::now() + std::chrono::seconds(std::min(seconds, longest_run));
   const NoInterrupts taken_in_turn;
   const ChildSignal end_of_child;
   const Descriptor signals = signals_to_wait_for();
@@ -130,6 +142,7 @@ ForkedEnding run_forked(std::size_t count, const std::function<void(std::size_t)
     (void)::poll(&event, 1, milliseconds_between_looks);
     if (take_interrupt(signals)) return {Ending::interrupted, -1};
     if (const auto failed = failure(children, running)) return *failed;
+    if (running > 0 && Clock::now() >= deadline) return {Ending::out_of_time, -1};
     on_wait();
   }
   return {};

@@ -29,8 +29,8 @@ class ChildSignal {
   sigset_t mask_{};
 };
 
-/// A running child that leads a process group, which is ended with its owner if the child has not
-/// ended by itself.
+/// A running child that leads a process group. The whole group is ended with the child, and with
+/// its owner.
 class Child {
  public:
   explicit Child(pid_t id) : id_(id) {}
@@ -94,10 +94,11 @@ struct ForkedEnding {
 /// Calls work(0) ... work(count - 1), each in a fork of this process, and waits for all; where one
 /// fails, or an interrupt comes, the others are ended. The forks leave their results in a
 /// SharedArray, or in a file that is open before. `on_wait` is called five times a second
-/// meanwhile. A process that uses up the processor time it may is out_of_time; one that throws
-/// exits 70.
+/// meanwhile. After `seconds` by the clock of this process, and where a process uses up the
+/// processor time it may, the ending is out_of_time; one that throws exits 70.
 [[nodiscard]] ForkedEnding run_forked(std::size_t count,
                                       const std::function<void(std::size_t)>& work,
-                                      const std::function<void()>& on_wait);
+                                      const std::function<void()>& on_wait,
+                                      std::uint64_t seconds = longest_run);
 
 }  // namespace elgen

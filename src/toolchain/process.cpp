@@ -14,6 +14,7 @@
 #include <cerrno>
 #include <charconv>
 #include <chrono>
+#include <cstdlib>
 #include <cstring>
 #include <optional>
 #include <sstream>
@@ -23,13 +24,12 @@
 #include "base/no_interrupts.hpp"
 #include "base/utf8.hpp"
 #include "toolchain/forked.hpp"
+#include "toolchain/stream.hpp"
 
 namespace elgen {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-constexpr std::size_t most_said = 1U << 14U;
 
 /// As the system wants them, with a null at the end.
 std::vector<char*> pointers(std::vector<std::string>& texts) {
@@ -107,42 +107,6 @@ class Circumstances {
   posix_spawnattr_t attributes_{};
 };
 
-/// A pipe that a child writes to, and the first part of its text.
-class Stream {
- public:
-  explicit Stream(std::size_t most) : most_(most) {
-    std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) return;
-    reading_ = Descriptor(ends[0]);
-    writing_ = Descriptor(ends[1]);
-    if (::fcntl(reading_.number(), F_SETFL, O_NONBLOCK) != 0) (void)reading_.close();
-  }
-
-  [[nodiscard]] bool is_open() const { return reading_.is_open(); }
-  [[nodiscard]] const Descriptor& reading() const { return reading_; }
-  [[nodiscard]] const Descriptor& writing() const { return writing_; }
-  /// Only the child's ends are left then.
-  void close_writing() { (void)writing_.close(); }
-
-  /// Reads what is there.
-  void drain() {
-    std::array<char, 4096> part{};
-    while (true) {
-      const ssize_t count = ::read(reading_.number(), part.data(), part.size());
-      if (count < 0 && errno == EINTR) continue;
-      if (count <= 0) return;
-      text_.append(part.data(), std::min(static_cast<std::size_t>(count), most_ - text_.size()));
-    }
-  }
-  [[nodiscard]] std::string take() { return std::exchange(text_, {}); }
-
- private:
-  std::size_t most_;
-  Descriptor reading_ = {};
-  Descriptor writing_ = {};
-  std::string text_ = {};
-};
-
 int milliseconds_until(Clock::time_point deadline) {
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
   return static_cast<int>(std::clamp<std::int64_t>(left.count(), 0, 1'000'000));
@@ -171,7 +135,6 @@ Ending wait_for(Child& child, std::vector<Stream>& streams, const Descriptor& si
 ProcessResult run_with(std::vector<Stream> streams, const std::vector<std::string>& command,
                        std::uint64_t seconds, const std::string& temporary,
                        std::string_view input = {}) {
-  constexpr std::uint64_t longest = 1U << 30U;
   if (command.empty()) return {};
   const NoInterrupts taken_in_turn;
   const ChildSignal end_of_child;
@@ -184,7 +147,7 @@ ProcessResult run_with(std::vector<Stream> streams, const std::vector<std::strin
   const std::optional<pid_t> id = circumstances.start(command, variables_with(temporary));
   for (Stream& stream : streams) stream.close_writing();
   if (!id) return {};
-  const auto deadline = Clock::now() + std::chrono::seconds(std::min(seconds, longest));
+  const auto deadline = Clock::now() + std::chrono::seconds(std::min(seconds, longest_run));
   Child child(*id);
   const Ending ending = wait_for(child, streams, signals, deadline);
   return {ending, child.status(), streams.front().take(), streams.back().take()};
@@ -253,6 +216,10 @@ std::optional<std::vector<double>> numbers_in(std::string_view line) {
     }
     const auto [stop, error] = std::from_chars(at, end, numbers.emplace_back());
     if (error == std::errc::invalid_argument) return std::nullopt;
+    // from_chars leaves the number as it was: 1e400 is inf, 1e-400 is 0.
+    if (error == std::errc::result_out_of_range) {
+      numbers.back() = std::strtod(std::string(at, stop).c_str(), nullptr);
+    }
     at = stop;
   }
   return numbers;
@@ -271,6 +238,13 @@ std::string plain_text(std::string_view text) {
     i += point.bytes;
   }
   return plain;
+}
+
+std::string quoted_text(std::string_view text) {
+  std::istringstream lines(plain_text(text));
+  std::string quoted;
+  for (std::string line; std::getline(lines, line);) quoted += "\n    " + line;
+  return quoted.empty() ? quoted : ":" + quoted;
 }
 
 }  // namespace elgen

@@ -17,6 +17,11 @@ enum class Ending : unsigned char {
   interrupted,  ///< likewise: a signal asks this process to end, and waits
 };
 
+/// Seconds that stand for no limit: 34 years.
+inline constexpr std::uint64_t longest_run = 1U << 30U;
+/// The bytes of the words of another program that are kept.
+inline constexpr std::size_t most_said = 1U << 14U;
+
 struct ProcessResult {
   Ending ending = Ending::not_started;
   int status = -1;          ///< exit status; 128 + signal where a signal ended it
@@ -52,5 +57,9 @@ struct ProcessResult {
 /// characters other than line ends; what is longer than 4000 bytes is cut, and so is what is not
 /// UTF-8.
 [[nodiscard]] std::string plain_text(std::string_view text);
+
+/// The same behind what says whose words they are: ":", then each line indented, so that no line
+/// looks like one of ours. Empty for a text without lines.
+[[nodiscard]] std::string quoted_text(std::string_view text);
 
 }  // namespace elgen

@@ -3,66 +3,10 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "cli/cli_testing.hpp"
+#include "cli/foreign_testing.hpp"
 
 namespace elgen::test {
 namespace {
-
-/// The accelerations of models/cart_pole.toml.
-const std::string cart = R"c(#include <math.h>
-#include <signal.h>
-#include <unistd.h>
-typedef double real;
-void my_fd(const double *p, const double *q, const double *v, const double *u, double *result) {
-  const real M = p[0], m = p[1], l = p[2], g = p[3];
-  const real theta = q[1], w = v[1], force = u[0];
-  const real s = sin(theta), c = cos(theta);
-  const real a = (force + m * l * w * w * s - m * g * s * c) / (M + m * s * s);
-  result[0] = a;
-  result[1] = (g * s - c * a) / l;
-}
-)c";
-
-/// The same as a command.
-const std::string script = R"py(import json, math, sys
-
-def forward_dynamics(p, q, v, u):
-    s, c = math.sin(q[1]), math.cos(q[1])
-    force = u[0] + p["m"] * p["l"] * v[1] ** 2 * s - p["m"] * p["g"] * s * c
-    a = force / (p["M"] + p["m"] * s * s)
-    return [a, (p["g"] * s - c * a) / p["l"]]
-
-def mass_matrix(p, q):
-    c = p["m"] * p["l"] * math.cos(q[1])
-    return [[p["M"] + p["m"], c], [c, p["m"] * p["l"] ** 2]]
-
-for line in sys.stdin:
-    call = json.loads(line)
-    print(json.dumps(globals()[call.pop("function")](**call)))
-)py";
-
-/// A folder with models and foreign code.
-class Foreign : public Workspace {
- public:
-  /// Of the cart, as C.
-  [[nodiscard]] Outcome judge_c(const std::string& text, const std::string& options = "") const {
-    write("mine.c", text);
-    prepare("cc -std=c99 -D_DEFAULT_SOURCE -O1 -fPIC -shared mine.c -o mine.so -lm");
-    return run("elgen verify --foreign ./mine.so --function forward_dynamics=my_fd " + options +
-               " " + models + "/cart_pole.toml");
-  }
-  /// Of the cart with one thing changed.
-  [[nodiscard]] Outcome judge_changed(const std::string& part, const std::string& other,
-                                      const std::string& options = "") const {
-    return judge_c(replaced(cart, part, other), options);
-  }
-  /// As a command.
-  [[nodiscard]] Outcome judge(const std::string& text, const std::string& functions,
-                              const std::string& model = models + "/cart_pole.toml") const {
-    write("mine.py", text);
-    return run("elgen verify --foreign 'python3 mine.py' " + functions + " " + model);
-  }
-};
 
 const std::string another = "under another convention: ";
 
@@ -209,59 +153,6 @@ TEST_CASE("single precision agrees to the digits of float, within a tolerance it
             .status == 0);
 }
 
-TEST_CASE("a crash and a hang end the foreign code alone") {
-  const Foreign folder;
-  const std::string end = "  result[0] = a;\n";
-  const Outcome crash =
-      folder.judge_changed(end, end + "  static int calls;\n  if (++calls == 4) raise(SIGSEGV);\n");
-  INFO(crash.output << crash.errors);
-  CHECK(crash.status == 1);
-  CHECK(mentions(crash.output, "was ended by signal 11 (SIGSEGV), after 3 answers\n"));
-  CHECK(mentions(crash.errors, "`my_fd as forward_dynamics` was ended by signal 11 (SIGSEGV)"));
-  const Outcome hang =
-      folder.judge_changed(end, end + "  for (;;) sleep(1);\n", "--limit seconds=3");
-  INFO(hang.output << hang.errors);
-  CHECK(hang.status == 1);
-  CHECK(mentions(hang.output, "has not ended within 3 s, after 0 answers\n"));
-  folder.write("hang.py", "import time\nprint([1, 2], flush=True)\ntime.sleep(60)\n");
-  const Outcome command = folder.run(
-      "elgen verify --limit seconds=3 --foreign 'python3 hang.py' --function forward_dynamics " +
-      models + "/cart_pole.toml");
-  INFO(command.output << command.errors);
-  CHECK(command.status == 1);
-  CHECK(mentions(command.output, "has not ended within 3 s, after 1 answer\n"));
-}
-
-TEST_CASE("a wrong count of numbers, NaN and what is no number are told") {
-  const Foreign folder;
-  const std::string end = "  result[0] = a;\n";
-  CHECK(mentions(folder.judge_changed(end, end + "  result[2] = a;\n").output,
-                 "gives 3 numbers for 2 x 1 entries\n"));
-  CHECK(mentions(folder.judge_changed("  result[1] =", "  const real lost =").output,
-                 "gives 1 number for 2 x 1 entries\n"));
-  const std::string as = "--function forward_dynamics";
-  CHECK(mentions(folder.judge("print([1, 2, 3])\n", as).output,
-                 "gives 3 numbers for 2 x 1 entries\n"));
-  const Outcome in_c = folder.judge_changed("(g * s - c * a) / l", "NAN");
-  INFO(in_c.output);
-  CHECK(in_c.status == 1);
-  CHECK(mentions(in_c.output, "forward_dynamics.acceleration[theta] is nan, the oracle says "));
-  CHECK(mentions(in_c.output, "found      at rest already\n"));
-  CHECK(mentions(folder.judge(replaced(script, "return [a, ", "return [math.nan, "), as).output,
-                 "forward_dynamics.acceleration[x] is nan, the oracle says "));
-  CHECK(mentions(folder.judge("print('ready')\n", as).output,
-                 "answers `ready`, which is no list of numbers, after 0 answers\n"));
-  CHECK(mentions(folder.judge("print([1, 2])\n", as).output, "ends early, after 1 answer\n"));
-}
-
-TEST_CASE("the words of a command that fails are shown") {
-  const Foreign folder;
-  const Outcome outcome = folder.judge("raise ValueError('no such pole')\n", "--function bias");
-  CHECK(outcome.status == 1);
-  CHECK(mentions(outcome.errors, "error[E717]: `bias` exits 1, after 0 answers:\nTraceback"));
-  CHECK(mentions(outcome.errors, "ValueError: no such pole"));
-}
-
 TEST_CASE("code that cannot be called exits with 4") {
   const Foreign folder;
   folder.write("text.so", "no library\n");
@@ -293,6 +184,7 @@ TEST_CASE("options of foreign code that lack their companions are refused") {
   CHECK(mentions(refused("--function gravity"), "--foreign"));
   CHECK(mentions(refused("--tolerance 1e-6"), "--foreign"));
   (void)refused(code + "--function gravity --tolerance 0");
+  CHECK(mentions(refused(code + "--function gravity --tolerance nan"), "`nan` is no number"));
   (void)refused(code + "--function gravity --quick");
   CHECK(mentions(refused(code + "--function gravty"), "error[E601]: unknown output `gravty`"));
   CHECK(mentions(refused(code + "--function constraint_jacobian"), "error[E603]"));

@@ -80,6 +80,29 @@ TEST_CASE("what fails is told, and the others are ended") {
   CHECK(late.ending == Ending::out_of_time);
 }
 
+TEST_CASE("work that stops, sleeps or computes on ends in time, by the clock of its parent") {
+  const auto in_a_second = [](const std::function<void()>& work) {
+    elgen::SharedArray<pid_t> child(1);
+    const auto ending = elgen::run_forked(
+        1,
+        [&](std::size_t) {
+          child[0] = ::getpid();
+          work();
+        },
+        nothing, 1);
+    CHECK(child[0] > 0);
+    CHECK(::kill(child[0], 0) != 0);
+    return ending.ending;
+  };
+  CHECK(in_a_second([] { (void)::raise(SIGSTOP); }) == Ending::out_of_time);
+  CHECK(in_a_second([] {
+          (void)::signal(SIGALRM, SIG_IGN);
+          for (;;) ::sleep(1000);
+        }) == Ending::out_of_time);
+  CHECK(in_a_second(compute) == Ending::out_of_time);
+  CHECK(in_a_second([] { ::usleep(1'000); }) == Ending::exited);
+}
+
 TEST_CASE("while they run there is somebody to ask") {
   std::size_t asked = 0;
   const auto ending = elgen::run_forked(

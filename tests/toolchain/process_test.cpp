@@ -8,6 +8,7 @@
 #include <chrono>
 #include <csignal>
 #include <fstream>
+#include <limits>
 
 #include "toolchain/environment.hpp"
 #include "toolchain/workshop.hpp"
@@ -27,6 +28,13 @@ bool is_zombie(pid_t process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/stat");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   return text.find(") Z ") != std::string::npos;
+}
+
+/// Killed processes are gone once somebody has asked for their status.
+bool ends(pid_t process) {
+  const auto has_ended = [process] { return kill(process, 0) != 0 || is_zombie(process); };
+  for (int i = 0; i < 1000 && !has_ended(); ++i) usleep(1000);
+  return has_ended();
 }
 
 class Fixture {
@@ -125,9 +133,35 @@ TEST_CASE_METHOD(Fixture, "what takes too long is ended with everything it start
   pid_t inner = 0;
   std::ifstream(started) >> inner;
   REQUIRE(inner > 0);
-  // Killed processes are gone once somebody has asked for their status.
-  for (int i = 0; i < 1000 && kill(inner, 0) == 0 && !is_zombie(inner); ++i) usleep(1000);
-  CHECK((kill(inner, 0) != 0 || is_zombie(inner)));
+  CHECK(ends(inner));
+}
+
+TEST_CASE_METHOD(Fixture, "what a program leaves behind ends with it") {
+  const auto result = run({"sh", "-c", "sleep 22222 & echo $!; exit 3"});
+  CHECK(result.status == 3);
+  const pid_t left = std::stoi(result.output);
+  REQUIRE(left > 0);
+  CHECK(ends(left));
+}
+
+TEST_CASE("a program that writes without end is ended in time") {
+  const auto begin = std::chrono::steady_clock::now();
+  CHECK(elgen::run_apart({"yes"}, 1, 100).ending == Ending::out_of_time);
+  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));
+}
+
+TEST_CASE("numbers beyond doubles are infinite or 0") {
+  const auto numbers = elgen::numbers_in("[1e400, -1e400, [1e-400, -1e310], 1e308, 1e-310]");
+  const double infinite = std::numeric_limits<double>::infinity();
+  REQUIRE(numbers);
+  CHECK(*numbers == std::vector<double>{infinite, -infinite, 0, -infinite, 1e308, 1e-310});
+  CHECK_FALSE(elgen::numbers_in("[1e400, ready]"));
+}
+
+TEST_CASE("the words of others are indented lines") {
+  CHECK(elgen::quoted_text("elgen: ok\n::error::x\n") == ":\n    elgen: ok\n    ::error::x");
+  CHECK(elgen::quoted_text("a") == ":\n    a");
+  CHECK(elgen::quoted_text("").empty());
 }
 
 TEST_CASE_METHOD(Fixture, "an interrupt ends the program, and reaches us afterwards") {

@@ -169,20 +169,21 @@ class ForeignJudge {
     });
   }
 
-  /// Otherwise the row says why, and the first state without an answer.
+  /// Otherwise the row says why, and the first state without an answer. Code that fails behind its
+  /// last answer has none either: nobody knows what it wrote.
   bool all_answered(const ForeignAnswers& answers, const States& states) {
     const std::size_t entries = std::size_t{output_.rows} * output_.columns;
     const auto other = std::ranges::find_if(
         answers.values, [entries](const auto& values) { return values.size() != entries; });
     const auto at = static_cast<std::size_t>(other - answers.values.begin());
-    if (at == states.size()) return true;
+    if (at == states.size() && answers.failure.empty()) return true;
     row_.verdict = Verdict::fails;
-    row_.where = describe(subject_, exact_state(subject_, states[at]));
+    if (at < states.size()) row_.where = describe(subject_, exact_state(subject_, states[at]));
     row_.worst = other == answers.values.end()
                      ? fmt::format("{}, after {}", answers.failure, counted(at, "answer"))
                      : fmt::format("gives {} for {} x {} entries", counted(other->size(), "number"),
                                    output_.rows, output_.columns);
-    find(answers.said);
+    if (!answers.said.empty()) find("its words" + answers.said);
     return false;
   }
 
@@ -314,12 +315,12 @@ LeafNames leaves_for(const Model& model, const std::vector<OutputRequest>& outpu
   return leaves;
 }
 
-/// Where nothing could be compared the one finding is what the code said.
+/// If nothing could be compared, the findings are about the answers.
 Diagnostic disagreement(const Model& model, const CertificateRow& row) {
   const std::string name = in_backticks(row.subject);
   const std::string found = fmt::format("{}", fmt::join(row.findings, "; "));
   if (row.samples > 0) return {Code::E717, model.name_span, name + ": " + row.worst, found};
-  return {Code::E717, {}, name + " " + row.worst + (found.empty() ? "" : ":\n" + found)};
+  return {Code::E717, {}, name + " " + row.worst + (found.empty() ? "" : "; " + found)};
 }
 
 }  // namespace

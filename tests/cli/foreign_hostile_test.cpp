@@ -1,0 +1,156 @@
+// elgen verify --foreign: code that crashes, hangs, writes where it should not, or answers what is
+// no answer.
+#include <catch2/catch.hpp>
+
+#include "cli/foreign_testing.hpp"
+
+namespace elgen::test {
+
+TEST_CASE("a crash and a hang end the foreign code alone") {
+  const Foreign folder;
+  const std::string end = "  result[0] = a;\n";
+  const Outcome crash =
+      folder.judge_changed(end, end + "  static int calls;\n  if (++calls == 4) raise(SIGSEGV);\n");
+  INFO(crash.output << crash.errors);
+  CHECK(crash.status == 1);
+  CHECK(mentions(crash.output, "was ended by signal 11 (SIGSEGV), after 3 answers\n"));
+  CHECK(mentions(crash.errors, "`my_fd as forward_dynamics` was ended by signal 11 (SIGSEGV)"));
+  const Outcome hang =
+      folder.judge_changed(end, end + "  for (;;) sleep(1);\n", "--limit seconds=3");
+  INFO(hang.output << hang.errors);
+  CHECK(hang.status == 1);
+  CHECK(mentions(hang.output, "has not ended within 3 s, after 0 answers\n"));
+  folder.write("hang.py", "import time\nprint([1, 2], flush=True)\ntime.sleep(60)\n");
+  const Outcome command = folder.run(
+      "elgen verify --limit seconds=3 --foreign 'python3 hang.py' --function forward_dynamics " +
+      models + "/cart_pole.toml");
+  INFO(command.output << command.errors);
+  CHECK(command.status == 1);
+  CHECK(mentions(command.output, "has not ended within 3 s, after 1 answer\n"));
+}
+
+TEST_CASE("a library that stops, or ignores its alarm, ends within the limit") {
+  const Foreign folder;
+  const std::string end = "  result[0] = a;\n";
+  for (const char* const hang :
+       {"alarm(0); for (;;) sleep(1000);", "raise(SIGSTOP);",
+        "signal(SIGALRM, SIG_IGN); for (;;) sleep(1000);", "for (;;) write(1, q, 8);"}) {
+    INFO(hang);
+    const Outcome outcome =
+        folder.judge_changed(end, end + "  " + hang + "\n", "--limit seconds=2");
+    INFO(outcome.output << outcome.errors);
+    CHECK(outcome.status == 1);
+    CHECK(mentions(outcome.output, "has not ended within 2 s, after 0 answers\n"));
+  }
+}
+
+TEST_CASE("a library that writes before its result, or anywhere, is told") {
+  const Foreign folder;
+  const std::string end = "  result[0] = a;\n";
+  const std::string before = "writes before its result, after 0 answers";
+  const auto judged = [&](const std::string& text) {
+    const Outcome outcome = folder.judge_changed(end, end + text);
+    INFO(text << outcome.output);
+    CHECK(outcome.status == 1);
+    return outcome.errors;
+  };
+  CHECK(mentions(judged("  result[-1] = 7;\n"), before));
+  CHECK(mentions(judged("  for (int i = 1; i < 2000; ++i) result[-i] = 7;\n"), before));
+  CHECK(mentions(judged("  for (long i = 1; i < 100000000; ++i) result[-i] = 7;\n"), before));
+  CHECK(mentions(judged("  static int calls;\n  if (++calls == 3) result[-1] = 7;\n"),
+                 "writes before its result, after 2 answers"));
+}
+
+TEST_CASE("the words of a library are indented, and only told where it fails") {
+  const Foreign folder;
+  const std::string end = "  result[0] = a;\n";
+  const std::string words = R"(write(1, "[1, 2]\n::error::x\n", 18);)";
+  const Outcome right = folder.judge_changed(end, end + words);
+  INFO(right.output << right.errors);
+  CHECK(right.status == 0);
+  CHECK(right.errors.empty());
+  CHECK_FALSE(mentions(right.output, "error"));
+  const Outcome wrong = folder.judge_changed(end, end + words + " raise(SIGSEGV);");
+  INFO(wrong.output << wrong.errors);
+  CHECK(wrong.status == 1);
+  const std::string indented = "its words:\n    [1, 2]\n    ::error::x\n";
+  CHECK(mentions(wrong.output, indented));
+  CHECK(mentions(wrong.errors, "signal 11 (SIGSEGV), after 0 answers; " + indented));
+}
+
+TEST_CASE("a command that fails behind its last answer, or writes on, is told") {
+  const Foreign folder;
+  const std::string as = "--function forward_dynamics --samples 10";
+  const Outcome exits = folder.judge(script + "sys.exit(3)\n", as);
+  INFO(exits.output << exits.errors);
+  CHECK(exits.status == 1);
+  CHECK(mentions(exits.errors, "`forward_dynamics` exits 3, after 14 answers"));
+  const Outcome writes = folder.judge(script + "print([1, 2])\nprint('done')\n", as);
+  CHECK(writes.status == 1);
+  CHECK(mentions(writes.errors, "writes `[1, 2]` behind its last answer, after 14 answers"));
+  CHECK(folder.judge(script + "print()\n", as).status == 0);
+}
+
+TEST_CASE("numbers that no double holds are infinite, not 0") {
+  const Foreign folder;
+  folder.write("masses.toml", R"toml(format = 1
+[model]
+name = "masses"
+[[coordinate]]
+name = "x"
+unit = "m"
+[[coordinate]]
+name = "y"
+unit = "m"
+[parameters]
+m = { value = 2, unit = "kg" }
+[energy]
+T = "1/2*m*(dot(x)^2 + dot(y)^2)"
+)toml");
+  const auto judged = [&](const std::string& matrix) {
+    return folder.judge(
+        "import json, sys\nfor line in sys.stdin:\n"
+        "  m = json.loads(line)['p']['m']\n  print('" +
+            matrix + "' % (m, m))\n",
+        "--function mass_matrix", "masses.toml");
+  };
+  const Outcome large = judged("[%r, 1e310, -1e310, %r]");
+  INFO(large.output << large.errors);
+  CHECK(large.status == 1);
+  CHECK(mentions(large.output, "mass_matrix[x, y] is inf, the oracle says 0"));
+  CHECK(judged("[%r, 1e-400, -1e-400, %r]").status == 0);
+}
+
+TEST_CASE("a wrong count of numbers, NaN and what is no number are told") {
+  const Foreign folder;
+  const std::string end = "  result[0] = a;\n";
+  CHECK(mentions(folder.judge_changed(end, end + "  result[2] = a;\n").output,
+                 "gives 3 numbers for 2 x 1 entries\n"));
+  CHECK(mentions(folder.judge_changed("  result[1] =", "  const real lost =").output,
+                 "gives 1 number for 2 x 1 entries\n"));
+  const std::string as = "--function forward_dynamics";
+  CHECK(mentions(folder.judge("print([1, 2, 3])\n", as).output,
+                 "gives 3 numbers for 2 x 1 entries\n"));
+  const Outcome in_c = folder.judge_changed("(g * s - c * a) / l", "NAN");
+  INFO(in_c.output);
+  CHECK(in_c.status == 1);
+  CHECK(mentions(in_c.output, "forward_dynamics.acceleration[theta] is nan, the oracle says "));
+  CHECK(mentions(in_c.output, "found      at rest already\n"));
+  CHECK(mentions(folder.judge(replaced(script, "return [a, ", "return [math.nan, "), as).output,
+                 "forward_dynamics.acceleration[x] is nan, the oracle says "));
+  CHECK(mentions(folder.judge("print('ready')\n", as).output,
+                 "answers `ready`, which is no list of numbers, after 0 answers\n"));
+  CHECK(mentions(folder.judge("print([1, 2])\n", as).output, "ends early, after 1 answer\n"));
+}
+
+TEST_CASE("the words of a command that fails are shown") {
+  const Foreign folder;
+  const Outcome outcome = folder.judge("raise ValueError('no such pole')\n", "--function bias");
+  CHECK(outcome.status == 1);
+  CHECK(mentions(outcome.errors,
+                 "error[E717]: `bias` exits 1, after 0 answers; its words:\n"
+                 "    Traceback"));
+  CHECK(mentions(outcome.errors, "\n    ValueError: no such pole"));
+}
+
+}  // namespace elgen::test
