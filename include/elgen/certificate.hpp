@@ -32,6 +32,7 @@ enum class Obstacle : std::uint8_t {
   undefined,  ///< outside of the domain: 1/0, sqrt(-1)
   singular,   ///< M is singular: a pole, a gimbal
   unsettled,  ///< 1000 digits do not tell whether program and oracle are one: 1 - cos(1e-300)
+  unmet,      ///< no step of Newton puts it on the constraints
 };
 
 /// The evidence for a row.

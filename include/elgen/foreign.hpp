@@ -11,9 +11,10 @@
 
 namespace elgen {
 
-/// A function of the code, and the output whose first field it should be.
+/// A function of the code, and the output that it should be.
 struct ForeignClaim {
   std::string output = {};
+  std::string field = {};  ///< the field that it should be alone; empty: as many as it answers
   std::string name = {};
 };
 
@@ -27,12 +28,14 @@ struct ForeignOptions {
 };
 
 /// A row for each claim: values are compared with 64 digits at states in the declared ranges, at
-/// rest, with inputs alone, moving, both, and with other parameters. Where they differ the row
-/// finds when, under which convention they would be right at all states, and which parameters the
-/// code ignores; a diagnostic E717 says so, too. The scene has the outputs. E601 of a
-/// name that is not one output, E603 of `dynamics`, which has no field of its own; E716 where
-/// nothing can be called. Cost: the oracle at each state, and of what differs once for each of up
-/// to 300 conventions.
+/// rest, with inputs alone, moving, both, and with other parameters; with constraints at states
+/// that are moved onto them, and states that no step of Newton puts there are counted as skipped.
+/// The count of numbers says which fields an answer has: the first, all without pivots and
+/// remainders, all, or another one alone. Where they differ the row finds when, under which
+/// convention they would be right at all states, and which parameters the code ignores; a
+/// diagnostic E717 says so, too. The scene has the outputs. E601 of a name that is not one output
+/// or field, E603 of `dynamics`, which has no field of its own; E716 where nothing can be called.
+/// Cost: the oracle at each state, and of what differs once for each of up to 300 conventions.
 [[nodiscard]] Result<Verification> judge_foreign(const CheckedModel& checked,
                                                  const ForeignOptions& options);
 

@@ -26,8 +26,8 @@ struct ForeignAnswers {
   std::string said = {};
 };
 
-/// The numbers that the function gives at each state, which should be those of the first field of
-/// an output, in order. It takes what emitted code takes, but all parameters of the model. The
+/// The numbers that the function gives at each state, which should be those of fields of an output,
+/// in order. It takes what emitted code takes, but all parameters of the model. The
 /// function of a library is called in a process of its own and has a pointer to doubles for each
 /// argument, the result behind them. A command gets a line of JSON for each state and answers with
 /// a line of numbers in brackets. E716 where nothing can be called.

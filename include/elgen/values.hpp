@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,8 @@ struct ValueTable {
   int digits = 17;        ///< significant ones, which are right to the last
   std::vector<ValueFunction> functions = {};
   std::vector<ValueRecord> records = {};
+  /// Of test vectors of a model with constraints: the states that no step of Newton puts there.
+  std::optional<std::size_t> unmet = {};
 };
 
 struct StateOptions {
@@ -64,8 +67,9 @@ struct VectorOptions {
 };
 
 /// At states of exact doubles: the start of the model, then in turn at rest without inputs, moving
-/// inside the ranges, and moving with other parameters. Where a function has no value it has no
-/// record; E521 where it has none at all, E633 where it reads a function left open.
+/// inside the ranges, and moving with other parameters. States of a model with constraints are
+/// moved onto them, except for outputs that say how far off a state is. Where a function has no
+/// value it has no record; E521 where it has none at all, E633 where it reads a function left open.
 [[nodiscard]] Result<ValueTable> test_vectors(const CheckedModel& checked, const Program& program,
                                               const VectorOptions& options);
 

@@ -202,10 +202,13 @@ void add_states(CLI::App& command, VerifyOptions& verify) {
       ->check(CLI::Range(1U, most_jobs));
 }
 
-/// "forward_dynamics=my_fd": without a name there, that of the output.
+/// "linearization.B=my_B": without a name there, what stands before it.
 ForeignClaim claim_of(const std::string& text) {
-  const std::string output = text.substr(0, text.find('='));
-  return {output, output.size() + 1 < text.size() ? text.substr(output.size() + 1) : output};
+  const std::string claimed = text.substr(0, text.find('='));
+  const std::string output = claimed.substr(0, claimed.find('.'));
+  const std::string field = claimed.substr(std::min(output.size() + 1, claimed.size()));
+  return {output, field,
+          claimed.size() + 1 < text.size() ? text.substr(claimed.size() + 1) : claimed};
 }
 
 void add_foreign(CLI::App& command, ForeignOptions& foreign) {
@@ -217,8 +220,9 @@ void add_foreign(CLI::App& command, ForeignOptions& foreign) {
       "judge code that elgen did not write: a shared library, or a command that answers lines");
   code->type_name("CODE");
   CLI::Option* const function = command.add_option_function<std::vector<std::string>>(
-      "--function", add_claims, "the output that a function of it should be, and its name there");
-  function->type_name("OUTPUT[=NAME]")->allow_extra_args(false)->needs(code);
+      "--function", add_claims,
+      "the output, or a field of it, that a function should be, and its name there");
+  function->type_name("OUTPUT[.FIELD][=NAME]")->allow_extra_args(false)->needs(code);
   code->needs(function);
   const auto refused_nan = [](const std::string& word) {
     const bool is_nan = CLI::detail::to_lower(word).find("nan") != std::string::npos;

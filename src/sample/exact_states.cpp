@@ -75,6 +75,32 @@ void scale_to_length_one(const Model& model, State& state) {
   if (scaled) state.q = std::move(*scaled);
 }
 
+std::optional<State> on_constraints(const Model& model, const State& state) {
+  if (model.constraints.empty()) return state;
+  std::optional<State> there = oracle_assembled(model, state);
+  if (!there) return std::nullopt;
+  const OracleValues moved = oracle_values(model, {.kind = OutputKind::projected}, *there);
+  if (!moved) return std::nullopt;
+  const auto middle = moved->begin() + static_cast<std::ptrdiff_t>(there->q.size());
+  there->q.assign(moved->begin(), middle);
+  there->v.assign(middle, moved->end());
+  return there;
+}
+
+bool is_compared_on_constraints(const Model& model, OutputKind output) {
+  return !model.constraints.empty() && output != OutputKind::constraint_residual &&
+         output != OutputKind::projected;
+}
+
+State compared_state(const Model& model, OutputKind output, const State& drawn, State kept) {
+  if (output == OutputKind::completed) kept.v = drawn.v;
+  if (output_row(output).takes.has_any(Opcode::momentum)) {
+    OracleValues momenta = oracle_values(model, {.kind = OutputKind::momentum}, kept);
+    if (momenta) kept.momenta = std::move(*momenta);
+  }
+  return kept;
+}
+
 State with_leaves(const Model& model, State state, const std::vector<StatedLeaf>& leaves) {
   const auto place = [&leaves](Opcode kind, std::uint32_t number, cl_R& value) {
     for (const StatedLeaf& leaf : leaves) {

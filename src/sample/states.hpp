@@ -32,6 +32,20 @@ void scale_to_length_one(const Model& model, State& state);
 [[nodiscard]] State with_leaves(const Model& model, State state,
                                 const std::vector<StatedLeaf>& leaves);
 
+/// The state moved onto the constraints to all digits: one more step of Newton than a pose asks
+/// for. The state itself without constraints; none if no steps lead there.
+[[nodiscard]] std::optional<State> on_constraints(const Model& model, const State& state);
+
+/// Whether values of an output are compared at states on the constraints. constraint_residual and
+/// projected would be 0 and the state itself there.
+[[nodiscard]] bool is_compared_on_constraints(const Model& model, OutputKind output);
+
+/// The state at which values of such an output are compared, from a drawn state and the same on the
+/// constraints: `completed` takes the rates that were drawn, and functions of momenta take the
+/// momenta of the rates.
+[[nodiscard]] State compared_state(const Model& model, OutputKind output, const State& drawn,
+                                   State kept);
+
 enum class Region : std::uint8_t {
   nominal,    ///< uniform over the ranges; parameters at their value
   near_zero,  ///< the same, but near a zero of a sum that was typed (verify/states)

@@ -18,6 +18,7 @@
 
 #include "elgen/wording.hpp"
 #include "emit/interface/code_interface.hpp"
+#include "model/requests.hpp"
 #include "model/state_text.hpp"
 #include "numbers/exact_number.hpp"
 #include "toolchain/forked.hpp"
@@ -36,7 +37,7 @@ struct ForeignCalls {
   const Model& model;
   const std::vector<Arguments<double>>& states;
   std::vector<Opcode> arguments;
-  std::size_t entries;  ///< of each answer
+  std::size_t entries;  ///< of each answer, at most
 };
 
 /// A NaN that nothing computes.
@@ -159,7 +160,7 @@ Result<ForeignAnswers> ask_library(const ForeignCalls& calls) {
   if (answers.failure.empty() && (answered < count || !end.succeeded())) {
     answers.failure = how_it_ended(calls, end.ending, end.status);
   }
-  answers.said = quoted_text(memory.words.take());
+  answers.said = quoted_lines(memory.words.take());
   return answers;
 }
 
@@ -174,7 +175,7 @@ std::string request_line(const ForeignCalls& calls, const Arguments<double>& sta
 
 /// Whole lines: a process that was ended may have begun one.
 ForeignAnswers read_answers(const ForeignCalls& calls, const ProcessResult& process) {
-  ForeignAnswers answers{{}, {}, quoted_text(process.errors)};
+  ForeignAnswers answers{{}, {}, quoted_lines(process.errors)};
   std::string_view rest = process.output;
   while (!rest.empty()) {
     const std::size_t end = rest.find('\n');
@@ -215,13 +216,21 @@ Result<ForeignAnswers> ask_command(const ForeignCalls& calls) {
                     in_backticks(function.code) + " is no file, and no command that could be run"};
 }
 
+/// Those of all fields of an output.
+std::size_t most_entries(const Model& model, const OutputRequest& output) {
+  const std::size_t of_one = std::size_t{output.rows} * output.columns;
+  const std::size_t fields = output_row(output.kind).fields.size();
+  return fields == 1 ? of_one : first_entry_of(model, output, fields);
+}
+
 }  // namespace
 
 Result<ForeignAnswers> call_foreign(const ForeignFunction& function, const Model& model,
                                     const OutputRequest& output,
                                     const std::vector<Arguments<double>>& states) {
-  const ForeignCalls calls{function, model, states, arguments_of(model, {.kind = output.kind}),
-                           std::size_t{output.rows} * output.columns};
+  const ForeignCalls calls{function, model, states,
+                           arguments_of(model, {.kind = output.kind, .user = output.user}),
+                           most_entries(model, output)};
   std::error_code error;
   const bool is_file = std::filesystem::is_regular_file(function.code, error);
   return is_file ? ask_library(calls) : ask_command(calls);

@@ -44,6 +44,9 @@ class Child {
   [[nodiscard]] int status() const;
 
  private:
+  /// Ends all that is left of the group, and waits for the child.
+  void end_group();
+
   pid_t id_;
   int state_ = 0;
   bool has_ended_ = false;

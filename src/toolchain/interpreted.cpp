@@ -220,7 +220,7 @@ class InterpretedModel final : public CompiledModel {
   [[nodiscard]] std::string why_silent(const ProcessResult& process, std::size_t answers) const {
     const std::string ended = ending_text(process.ending, process.status, seconds_);
     const std::string after = answers == 0 ? "" : ", after " + counted(answers, "answer");
-    return fmt::format("{} {}{}{}", command(), ended, after, quoted_text(process.errors));
+    return fmt::format("{} {}{}{}", command(), ended, after, quoted_lines(process.errors));
   }
 
  private:

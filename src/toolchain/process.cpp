@@ -240,7 +240,7 @@ std::string plain_text(std::string_view text) {
   return plain;
 }
 
-std::string quoted_text(std::string_view text) {
+std::string quoted_lines(std::string_view text) {
   std::istringstream lines(plain_text(text));
   std::string quoted;
   for (std::string line; std::getline(lines, line);) quoted += "\n    " + line;

@@ -60,6 +60,6 @@ struct ProcessResult {
 
 /// The same behind what says whose words they are: ":", then each line indented, so that no line
 /// looks like one of ours. Empty for a text without lines.
-[[nodiscard]] std::string quoted_text(std::string_view text);
+[[nodiscard]] std::string quoted_lines(std::string_view text);
 
 }  // namespace elgen

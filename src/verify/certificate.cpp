@@ -29,12 +29,13 @@ using Json = nlohmann::ordered_json;
 using OutputRows = std::pair<std::string, Rows>;
 
 constexpr std::array<std::string_view, 4> verdict_words{"holds", "FAILS", "skipped", "noted"};
-constexpr std::array<std::string_view, 4> obstacle_words{"overflow", "outside the domain",
-                                                         "singular", "where the oracle cannot say"};
+constexpr std::array<std::string_view, 5> obstacle_words{
+    "overflow", "outside the domain", "singular", "where the oracle cannot say",
+    "that no step of Newton puts on the constraints"};
 
 constexpr std::array<std::string_view, 4> verdict_names{"holds", "fails", "skipped", "noted"};
-constexpr std::array<std::string_view, 4> obstacle_names{"overflow", "undefined", "singular",
-                                                         "unsettled"};
+constexpr std::array<std::string_view, 5> obstacle_names{"overflow", "undefined", "singular",
+                                                         "unsettled", "unmet"};
 constexpr std::array<std::string_view, 4> evidence_names{"states", "proof", "zeros", "numbers"};
 
 template <class Enum, std::size_t size>

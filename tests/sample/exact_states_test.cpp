@@ -3,6 +3,7 @@
 
 #include "oracle/samples.hpp"
 #include "sample/states.hpp"
+#include "support/models.hpp"
 
 using namespace elgen;
 using namespace elgen::test;
@@ -61,4 +62,39 @@ TEST_CASE(
     CHECK(state.parameters[2] == 3);
     CHECK((state.parameters[3] >= exact("0.9") && state.parameters[3] <= (turn == 2 ? 2 : 50)));
   }
+}
+
+TEST_CASE("a state moves onto the constraints, as far as steps of Newton lead there") {
+  const CheckedModel rod = checked_model(model_text("bob", R"toml(
+[[coordinate]]
+name = "x"
+start = { value = 1, rate = 0 }
+[[coordinate]]
+name = "y"
+[parameters]
+l = { value = 1 }
+[energy]
+T = "1/2*l*(dot(x)^2 + dot(y)^2)"
+[[constraint]]
+name = "rod"
+equation = "x^2 + y^2 = l"
+)toml"));
+  State drawn = nominal_state(rod.model, rod.scene);
+  drawn.q = {exact("0.3"), exact("-0.7")};
+  drawn.v = {1, 2};
+  const auto kept = on_constraints(rod.model, drawn);
+  REQUIRE(kept);
+  // What is left of the 64 digits of the oracle.
+  const cl_R rounding = exact("1e-60");
+  const cl_R f = kept->q[0] * kept->q[0] + kept->q[1] * kept->q[1] - 1;
+  CHECK(cln::abs(f) < rounding);
+  CHECK(cln::abs(kept->q[0] * kept->v[0] + kept->q[1] * kept->v[1]) < rounding);
+  drawn.parameters[0] = -1;
+  CHECK_FALSE(on_constraints(rod.model, drawn));
+  CHECK(is_compared_on_constraints(rod.model, OutputKind::forward_dynamics));
+  CHECK_FALSE(is_compared_on_constraints(rod.model, OutputKind::constraint_residual));
+  const ModelBuilder free = cart_pole();
+  const State state = nominal_state(free.model, {});
+  CHECK(on_constraints(free.model, state)->q == state.q);
+  CHECK_FALSE(is_compared_on_constraints(free.model, OutputKind::forward_dynamics));
 }

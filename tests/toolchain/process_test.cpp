@@ -159,9 +159,9 @@ TEST_CASE("numbers beyond doubles are infinite or 0") {
 }
 
 TEST_CASE("the words of others are indented lines") {
-  CHECK(elgen::quoted_text("elgen: ok\n::error::x\n") == ":\n    elgen: ok\n    ::error::x");
-  CHECK(elgen::quoted_text("a") == ":\n    a");
-  CHECK(elgen::quoted_text("").empty());
+  CHECK(elgen::quoted_lines("elgen: ok\n::error::x\n") == ":\n    elgen: ok\n    ::error::x");
+  CHECK(elgen::quoted_lines("a") == ":\n    a");
+  CHECK(elgen::quoted_lines("").empty());
 }
 
 TEST_CASE_METHOD(Fixture, "an interrupt ends the program, and reaches us afterwards") {

@@ -174,10 +174,7 @@ class SceneReader {
   void read_outputs() {
     const EntrySyntax* outputs = find_entry(syntax_, "outputs");
     if (!options_.outputs.empty()) {
-      for (const Span& word : option_words(options_.outputs)) {
-        OutputRequest* output = request(std::string(covered_text(word)), word);
-        if (output != nullptr) read_step({}, *output, context_.report);
-      }
+      for (const Span& word : option_words(options_.outputs)) request_named(outputs, word);
       if (options_.step) request_step(*options_.step);
     } else if (outputs != nullptr) {
       for (const KeySyntax& key : outputs->keys) read_output(key);
@@ -191,6 +188,30 @@ class SceneReader {
     check_function_names();
     check_dynamics();
     check_step();
+  }
+
+  /// The entry of a step in the scene that has this name, the standard one or a new one.
+  const KeySyntax* step_named(const EntrySyntax* outputs, const std::string& name) const {
+    if (outputs == nullptr) return nullptr;
+    const bool is_standard = find_request(model_, name).has_value();
+    const auto found = std::ranges::find_if(outputs->keys, [&](const KeySyntax& key) {
+      const OutputRow* const row = find_output(key.key);
+      if (row == nullptr || !row->steps) return false;
+      const KeySyntax* const rename = key.value.find("rename");
+      return is_standard ? key.key == name : rename != nullptr && rename->value.text == name;
+    });
+    return found == outputs->keys.end() ? nullptr : &*found;
+  }
+
+  /// An output that an option names. The scene says the method of a step.
+  void request_named(const EntrySyntax* outputs, const Span& word) {
+    const std::string name(covered_text(word));
+    if (find_request(scene_, name) != nullptr) return;
+    const KeySyntax* const key = step_named(outputs, name);
+    OutputRequest* const output = request(key == nullptr ? name : key->key, word);
+    if (output == nullptr) return;
+    read_step(key == nullptr ? ValueSyntax() : key->value, *output, context_.report);
+    output->name = name;
   }
 
   /// A run goes by it.

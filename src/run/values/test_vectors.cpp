@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <optional>
 #include <set>
 #include <string>
@@ -22,7 +23,8 @@ constexpr int digits_of_double = 17;
 
 struct VectorState {
   const char* place = "";
-  State state = {};
+  State drawn = {};
+  std::optional<State> kept = {};  ///< the same on the constraints, as far as Newton puts it there
 };
 
 State start_of(const Subject& subject) {
@@ -45,6 +47,26 @@ VectorState state_number(const Subject& subject, std::size_t number, Sampler& dr
     list->assign(list->size(), cl_R(0));
   }
   return {"rest", std::move(state)};
+}
+
+/// The states of a run of vectors, in exact doubles.
+std::vector<VectorState> drawn_states(const Subject& subject, const VectorOptions& options) {
+  Sampler draw(options.seed);
+  std::vector<VectorState> states;
+  for (std::size_t i = 0; i < options.samples; ++i) {
+    VectorState& next = states.emplace_back(state_number(subject, i, draw));
+    next.drawn = exact_state(subject, arguments_at<double>(next.drawn));
+    next.kept = on_constraints(subject.model, next.drawn);
+  }
+  return states;
+}
+
+/// The state at which an output is evaluated; none if it should be on the constraints and is not.
+std::optional<State> state_for(const Subject& subject, OutputKind output, const VectorState& at) {
+  if (!is_compared_on_constraints(subject.model, output)) return at.drawn;
+  if (!at.kept) return std::nullopt;
+  const State state = compared_state(subject.model, output, at.drawn, *at.kept);
+  return exact_state(subject, arguments_at<double>(state));
 }
 
 /// The digits of `size` that a value keeps which rounding takes no farther than u E.
@@ -103,17 +125,18 @@ Result<ValueTable> test_vectors(const CheckedModel& checked, const Program& prog
   Diagnostics errors = refuse_open_functions(checked.model, program);
   if (!errors.empty()) return errors;
   const Subject subject{checked.model, checked.scene, program};
-  Sampler draw(options.seed);
-  std::vector<VectorState> states;
-  for (std::size_t i = 0; i < options.samples; ++i) {
-    VectorState& next = states.emplace_back(state_number(subject, i, draw));
-    next.state = exact_state(subject, arguments_at<double>(next.state));
-  }
+  const std::vector<VectorState> states = drawn_states(subject, options);
   ValueTable table = table_of(checked, digits_of_double);
+  if (!checked.model.constraints.empty()) {
+    const auto is_unmet = [](const VectorState& at) { return !at.kept; };
+    table.unmet = static_cast<std::size_t>(std::ranges::count_if(states, is_unmet));
+  }
   for (std::size_t i = 0; i < table.functions.size(); ++i) {
     const std::size_t known = table.records.size();
     for (const VectorState& at : states) {
-      std::optional<ValueRecord> record = record_at(table, i, at.place, at.state);
+      const auto state = state_for(subject, table.functions[i].output.kind, at);
+      if (!state) continue;
+      std::optional<ValueRecord> record = record_at(table, i, at.place, *state);
       if (!record) continue;
       record->digits = digits_of(subject, table.functions[i], *record);
       table.records.push_back(std::move(*record));

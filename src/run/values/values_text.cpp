@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/text_table.hpp"
+#include "elgen/wording.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "model/state_text.hpp"
 #include "run/values/records.hpp"
@@ -147,9 +148,11 @@ std::string to_json(const ValueTable& table) {
   for (const ValueFunction& f : table.functions) functions.push_back(function_json(table, f));
   std::vector<std::string> records;
   for (const ValueRecord& record : table.records) records.push_back(record_json(table, record));
+  const std::string unmet =
+      table.unmet ? fmt::format(" \"off_constraints\": {},\n", *table.unmet) : "";
   return fmt::format(
-      "{{\"name\": \"{}\",\n \"functions\": [\n  {}\n ],\n \"values\": [\n  {}\n ]}}\n", table.name,
-      fmt::join(functions, ",\n  "), fmt::join(records, ",\n  "));
+      "{{\"name\": \"{}\",\n{} \"functions\": [\n  {}\n ],\n \"values\": [\n  {}\n ]}}\n",
+      table.name, unmet, fmt::join(functions, ",\n  "), fmt::join(records, ",\n  "));
 }
 
 std::string to_csv(const ValueTable& table) {
@@ -186,11 +189,17 @@ std::string to_csv(const ValueTable& table) {
 }
 
 std::string to_header(const ValueTable& table) {
+  std::string where;
+  if (table.unmet) {
+    where = fmt::format(
+        "\n   States are on the constraints; no step of Newton puts {} there, which {} left out.",
+        counted(*table.unmet, "state"), *table.unmet == 1 ? "is" : "are");
+  }
   std::string text = fmt::format(
       "/* Test vectors of {0}: arguments of its functions, and values, row-major, field after\n"
-      "   field. A double keeps so many digits of each. */\n"
+      "   field. A double keeps so many digits of each.{2} */\n"
       "#ifndef {1}_VECTORS_H\n#define {1}_VECTORS_H\n",
-      table.name, capitals(table.name));
+      table.name, capitals(table.name), where);
   for (std::size_t i = 0; i < table.functions.size(); ++i) {
     const ValueFunction& function = table.functions[i];
     std::string rows;

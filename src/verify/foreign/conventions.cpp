@@ -169,18 +169,17 @@ State our_state(const Convention& convention, State theirs) {
   return theirs;
 }
 
-std::vector<cl_R> their_values(const Convention& convention, const OutputRequest& output,
-                               const std::vector<cl_R>& ours) {
-  const OutputRow& row = output_row(output.kind);
-  const FieldRow& field = row.fields.front();
-  const bool is_rate =
-      row.solves || field.unit == UnitRule::row || field.unit == UnitRule::row_per_second;
-  Numbers values = times(map_of(convention, field.rows, is_rate), ours, output.columns);
-  const bool is_place = field.rows == Extent::coordinates && field.unit == UnitRule::row;
+std::vector<cl_R> their_values(const Convention& convention, OutputKind output,
+                               const ForeignField& field, const std::vector<cl_R>& ours) {
+  const FieldRow& row = *field.row;
+  const bool is_rate = output_row(output).solves || row.unit == UnitRule::row ||
+                       row.unit == UnitRule::row_per_second;
+  Numbers values = times(map_of(convention, row.rows, is_rate), ours, field.columns);
+  const bool is_place = row.rows == Extent::coordinates && row.unit == UnitRule::row;
   if (is_place) values = turned(convention, values, 1);
-  const MatrixXi of_columns = map_of(convention, field.columns, false);
-  values = times(of_columns, transposed(values, output.columns), output.rows);
-  return transposed(values, output.rows);
+  const MatrixXi of_columns = map_of(convention, row.columns, false);
+  values = times(of_columns, transposed(values, field.columns), field.rows);
+  return transposed(values, field.rows);
 }
 
 }  // namespace elgen

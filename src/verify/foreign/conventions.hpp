@@ -11,7 +11,7 @@
 
 #include "elgen/model.hpp"
 #include "elgen/oracle.hpp"
-#include "elgen/scene.hpp"
+#include "verify/foreign/fields.hpp"
 
 namespace elgen {
 
@@ -30,9 +30,9 @@ struct Convention {
 /// The state that is `theirs` to others.
 [[nodiscard]] State our_state(const Convention& convention, State theirs);
 
-/// Values of the first field of an output, as others have them.
-[[nodiscard]] std::vector<cln::cl_R> their_values(const Convention& convention,
-                                                  const OutputRequest& output,
+/// Values of a field of an output, as others have them.
+[[nodiscard]] std::vector<cln::cl_R> their_values(const Convention& convention, OutputKind output,
+                                                  const ForeignField& field,
                                                   const std::vector<cln::cl_R>& ours);
 
 }  // namespace elgen

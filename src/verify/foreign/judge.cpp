@@ -1,4 +1,4 @@
-// judge_foreign: states in five situations, so that the states at which code is wrong say what is.
+// judge_foreign: the situations of the states at which code is wrong say what is wrong.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -18,6 +18,8 @@
 #include "program/evaluate/subject.hpp"
 #include "sample/states.hpp"
 #include "verify/foreign/conventions.hpp"
+#include "verify/foreign/fields.hpp"
+#include "verify/foreign/situations.hpp"
 #include "verify/states/tally.hpp"
 
 namespace elgen {
@@ -27,10 +29,6 @@ using cln::cl_R;
 using Numbers = std::vector<cl_R>;
 using States = std::vector<Arguments<double>>;
 
-/// States take turns in them; `driven`: with inputs and accelerations, but without rates.
-enum class Situation : std::uint8_t { whole, rest, driven, moving, varied };
-constexpr std::size_t situations = 5;
-
 struct ForeignSample {
   Situation situation;
   State state;
@@ -38,57 +36,16 @@ struct ForeignSample {
   std::vector<double> answer;
 };
 
-/// The entry of an answer that is farthest off, in parts of the largest entry.
+/// The entry of an answer that is farthest off, in parts of the largest entry of its field.
 struct Deviation {
   double error = 0;
-  std::size_t entry = 0;
+  std::size_t place = 0;  ///< in the answer
+  std::size_t field = 0;
+  std::size_t entry = 0;  ///< of the field
 };
 
 /// A thousand roundings of 2^-24.
 constexpr double digits_of_float = 6e-5;
-
-States states_of(const Subject& subject, const ForeignOptions& options) {
-  Sampler draw(options.seed);
-  const LeafValues<Range> ranges = ranges_of(subject);
-  States states;
-  for (std::size_t i = 0; i < options.states; ++i) {
-    const auto situation = static_cast<Situation>(i % situations);
-    Arguments<double>& state = states.emplace_back(drawn_within(subject, ranges, draw));
-    const bool is_at_rest = situation == Situation::rest;
-    if (is_at_rest || situation == Situation::driven) {
-      for (auto* const rates : {&state.v, &state.momenta}) std::ranges::fill(*rates, 0.0);
-    }
-    if (is_at_rest || situation == Situation::moving) {
-      for (auto* const drive : {&state.a, &state.u}) std::ranges::fill(*drive, 0.0);
-    }
-    if (situation != Situation::varied) continue;
-    constexpr std::size_t half_to_twice = 2;  // a turn in which parameters are that
-    const State drawn = drawn_state(subject.model, subject.scene, draw, half_to_twice);
-    state.parameters = arguments_at<double>(drawn).parameters;
-  }
-  return states;
-}
-
-double with_other_value(const Model& model, std::uint32_t parameter, double value) {
-  const auto range = declared_range(model, Opcode::parameter, parameter);
-  const double larger = value == 0 ? 1 : value * 1.25;
-  return range && range->high < exact_value(larger) ? value * 0.75 : larger;
-}
-
-/// "forward_dynamics.acceleration[theta]"
-std::string name_of_entry(const Model& model, const OutputRequest& output, std::size_t entry) {
-  const FieldRow& field = output_row(output.kind).fields.front();
-  const std::size_t columns = output.columns;
-  std::string name = output.name + (field.name.empty() ? "" : ".") + std::string(field.name);
-  if (output.rows * columns == 1) return name;
-  name += "[" + line_labels(model, {field.rows, output.user, output.rows})[entry / columns].text();
-  if (columns > 1) {
-    name +=
-        ", " +
-        line_labels(model, {field.columns, output.user, output.columns})[entry % columns].text();
-  }
-  return name + "]";
-}
 
 /// "inputs", "accelerations": what an output takes of both.
 std::string_view drive_of(const OutputRequest& output) {
@@ -97,38 +54,46 @@ std::string_view drive_of(const OutputRequest& output) {
   return takes.has_any(Opcode::input) ? "inputs or accelerations" : "accelerations";
 }
 
+/// The entries of one field in a list of those of all.
+Numbers part_of(const Numbers& values, std::size_t first, std::size_t size) {
+  const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first);
+  return {begin, begin + static_cast<std::ptrdiff_t>(size)};
+}
+
 /// The row of one claim. Answers are compared with the oracle, then explained.
 class ForeignJudge {
  public:
-  ForeignJudge(const Subject& subject, const ForeignOptions& options, const OutputRequest& output)
-      : subject_(subject), options_(options), output_(output) {}
+  /// `fields`: those that the claim is about.
+  ForeignJudge(const Subject& subject, const ForeignOptions& options, const OutputRequest& output,
+               ForeignFields fields)
+      : subject_(subject), options_(options), output_(output), fields_(std::move(fields)) {}
 
   /// E716.
   Result<CertificateRow> judge(const ForeignClaim& claim) {
-    States states = states_of(subject_, options_);
-    std::vector<std::uint32_t> changed;
-    for (std::uint32_t i = 0; i < subject_.model.parameters.size(); ++i) {
-      if (subject_.scene.specialisation.fixed.count(i) > 0) continue;
-      changed.push_back(i);
-      double& value = states.emplace_back(states.front()).parameters[i];
-      value = with_other_value(subject_.model, i, value);
-    }
-    const auto answers = call_foreign({options_.code, claim.name, options_.seconds}, subject_.model,
-                                      output_, states);
-    if (!answers) return answers.diagnostics;
+    states_ = states_of(subject_, options_, output_.kind);
     row_.check = "foreign code vs oracle";
     row_.output = output_.name;
-    row_.subject = claim.name + (claim.name == output_.name ? "" : " as " + output_.name);
+    const std::string claimed = claim.output + (claim.field.empty() ? "" : ".") + claim.field;
+    row_.subject = claim.name + (claim.name == claimed ? "" : " as " + claimed);
     row_.formula = "|f - f*| / max |f*| in 64 digits";
     row_.tolerance = fmt::format("{:g} of the largest entry", options_.tolerance);
-    if (!all_answered(*answers, states)) return row_;
-    compare(*answers, states);
+    if (is_compared_on_constraints(subject_.model, output_.kind)) {
+      row_.tolerance += ", at states on the constraints";
+    }
+    if (states_.values.empty()) return unmet_row();
+    States called = states_.values;
+    const std::vector<std::uint32_t> changed = add_changed_parameters(subject_, called);
+    const auto answers = call_foreign({options_.code, claim.name, options_.seconds}, subject_.model,
+                                      output_, called);
+    if (!answers) return answers.diagnostics;
+    if (!all_answered(*answers, called)) return row_;
+    compare(*answers);
     if (row_.verdict != Verdict::fails) return row_;
     find(when());
     if (tally_.worst() <= digits_of_float) {
       find(fmt::format("agrees at all states to {:.0e}, the digits of float", tally_.worst()));
     } else {
-      find(ignored(*answers, states, changed));
+      find(ignored(*answers, called, changed));
       find(factor());
       find(convention());
     }
@@ -140,25 +105,38 @@ class ForeignJudge {
     if (!finding.empty()) row_.findings.push_back(finding);
   }
 
-  [[nodiscard]] OracleValues truth_at(const State& state) const {
-    OracleValues values = oracle_values(subject_.model, output_, state);
-    if (values) values->resize(std::size_t{output_.rows} * output_.columns);
-    return values;
+  CertificateRow unmet_row() {
+    row_.verdict = Verdict::skipped;
+    row_.worst = "no step of Newton puts any state on the constraints";
+    row_.skipped = {{Obstacle::unmet, states_.unmet}};
+    return row_;
   }
 
-  [[nodiscard]] Deviation deviation(const std::vector<double>& answer, const Numbers& truth) const {
-    const cl_R scale = cln::max(largest_of(truth), least_);
-    Deviation worst;
-    for (std::size_t i = 0; i < truth.size(); ++i) {
-      const cl_R difference = cln::abs(exact_value(answer[i]) - truth[i]);
-      const bool is_told = std::isfinite(answer[i]) && !cln::zerop(scale);
-      double error = is_told ? ScalarTraits<double>::from_real(difference / scale)
-                             : std::numeric_limits<double>::infinity();
-      if (std::isfinite(answer[i]) && cln::zerop(difference)) error = 0;
-      if (error > worst.error) worst = {error, i};
+  /// The entries of the fields that are compared.
+  [[nodiscard]] OracleValues truth_at(const State& state) const {
+    const OracleValues values = oracle_values(subject_.model, output_, state);
+    if (!values) return std::nullopt;
+    Numbers all;
+    for (const ForeignField& field : fields_) {
+      if (field.first + field.size() > values->size()) return std::nullopt;
+      const Numbers part = part_of(*values, field.first, field.size());
+      all.insert(all.end(), part.begin(), part.end());
     }
-    return worst;
+    return all;
   }
+
+  /// The largest entry of each field.
+  [[nodiscard]] Numbers largest_by_field(const Numbers& values) const {
+    Numbers largest;
+    std::size_t first = 0;
+    for (const ForeignField& field : fields_) {
+      largest.push_back(largest_of(part_of(values, first, field.size())));
+      first += field.size();
+    }
+    return largest;
+  }
+
+  [[nodiscard]] Deviation deviation(const std::vector<double>& answer, const Numbers& truth) const;
 
   /// Whether these values are what code gives at all states.
   [[nodiscard]] bool agrees(
@@ -169,43 +147,14 @@ class ForeignJudge {
     });
   }
 
-  /// Otherwise the row says why, and the first state without an answer. Code that fails behind its
-  /// last answer has none either: nobody knows what it wrote.
-  bool all_answered(const ForeignAnswers& answers, const States& states) {
-    const std::size_t entries = std::size_t{output_.rows} * output_.columns;
-    const auto other = std::ranges::find_if(
-        answers.values, [entries](const auto& values) { return values.size() != entries; });
-    const auto at = static_cast<std::size_t>(other - answers.values.begin());
-    if (at == states.size() && answers.failure.empty()) return true;
-    row_.verdict = Verdict::fails;
-    if (at < states.size()) row_.where = describe(subject_, exact_state(subject_, states[at]));
-    row_.worst = other == answers.values.end()
-                     ? fmt::format("{}, after {}", answers.failure, counted(at, "answer"))
-                     : fmt::format("gives {} for {} x {} entries", counted(other->size(), "number"),
-                                   output_.rows, output_.columns);
-    if (!answers.said.empty()) find("its words" + answers.said);
-    return false;
-  }
-
-  void compare(const ForeignAnswers& answers, const States& states);
+  bool all_answered(const ForeignAnswers& answers, const States& states);
+  void compare(const ForeignAnswers& answers);
 
   [[nodiscard]] bool is_wrong(Situation situation) const {
     return wrong_[static_cast<std::size_t>(situation)].value_or(false);
   }
 
-  [[nodiscard]] std::string when() const {
-    const std::string_view drive = drive_of(output_);
-    const bool moves = is_wrong(Situation::moving);
-    const bool drives = is_wrong(Situation::driven);
-    if (is_wrong(Situation::rest)) return "at rest already";
-    if (!std::ranges::all_of(wrong_, &std::optional<bool>::has_value)) return {};
-    if (moves && drives) return fmt::format("when moving, and with {}; agrees at rest", drive);
-    if (moves) return "only when moving: agrees at rest";
-    if (drives) return fmt::format("only with {}: agrees without", drive);
-    if (is_wrong(Situation::whole)) return fmt::format("only when moving with {}", drive);
-    return "only where parameters are varied: agrees at those of the file";
-  }
-
+  [[nodiscard]] std::string when() const;
   [[nodiscard]] std::string ignored(const ForeignAnswers& answers, const States& states,
                                     const std::vector<std::uint32_t>& changed) const;
   [[nodiscard]] std::string factor() const;
@@ -214,45 +163,111 @@ class ForeignJudge {
   const Subject& subject_;
   const ForeignOptions& options_;
   const OutputRequest& output_;
+  ForeignFields fields_;  ///< of the claim; once there are answers, those that these have
+  ForeignStates states_ = {};
   CertificateRow row_ = {};
   std::vector<ForeignSample> samples_ = {};
-  cl_R least_ = 0;
+  Numbers least_ = {};  ///< by field
   Tally tally_ = {};
-  std::array<std::optional<bool>, situations> wrong_ = {};  ///< none: nothing compared there
+  std::array<std::optional<bool>, situation_count> wrong_ = {};  ///< none: nothing compared there
 };
 
-/// Where all entries of a state are smaller than 1e-6 of the largest at all states, they are held
+Deviation ForeignJudge::deviation(const std::vector<double>& answer, const Numbers& truth) const {
+  const Numbers largest = largest_by_field(truth);
+  Deviation worst;
+  std::size_t place = 0;
+  for (std::size_t k = 0; k < fields_.size(); ++k) {
+    const cl_R scale = cln::max(largest[k], least_[k]);
+    for (std::size_t i = 0; i < fields_[k].size(); ++i, ++place) {
+      const double given = answer[place];
+      const cl_R difference = cln::abs(exact_value(given) - truth[place]);
+      const bool is_told = std::isfinite(given) && !cln::zerop(scale);
+      double error = is_told ? ScalarTraits<double>::from_real(difference / scale)
+                             : std::numeric_limits<double>::infinity();
+      if (std::isfinite(given) && cln::zerop(difference)) error = 0;
+      if (error > worst.error) worst = {error, place, k, i};
+    }
+  }
+  return worst;
+}
+
+/// Otherwise the row says why, and the first state without an answer. Code that fails behind its
+/// last answer has none either: nobody knows what it wrote.
+bool ForeignJudge::all_answered(const ForeignAnswers& answers, const States& states) {
+  const ForeignFields claimed = fields_;
+  const std::size_t count = answers.values.empty() ? 0 : answers.values.front().size();
+  fields_ = answered_fields(claimed, count);
+  if (fields_.empty()) fields_ = {claimed.front()};
+  const auto other = std::ranges::find_if(
+      answers.values, [this](const auto& values) { return values.size() != size_of(fields_); });
+  const auto at = static_cast<std::size_t>(other - answers.values.begin());
+  if (at == states.size() && answers.failure.empty()) return true;
+  row_.verdict = Verdict::fails;
+  if (at < states.size()) row_.where = describe(subject_, exact_state(subject_, states[at]));
+  if (other == answers.values.end()) {
+    row_.worst = fmt::format("{}, after {}", answers.failure, counted(at, "answer"));
+  } else {
+    const ForeignField& first = fields_.front();
+    const std::string shape = fields_.size() == 1
+                                  ? fmt::format("{} x {}", first.rows, first.columns)
+                                  : std::to_string(size_of(fields_));
+    row_.worst = fmt::format("gives {} for {} entries", counted(other->size(), "number"), shape);
+    if (claimed.size() > 1) find("its fields are " + sizes_text(claimed));
+  }
+  if (!answers.said.empty()) find("its words" + answers.said);
+  return false;
+}
+
+/// Where all entries of a field are smaller than 1e-6 of the largest at all states, they are held
 /// to that: terms that cancel on paper leave 1e-16 of it.
-void ForeignJudge::compare(const ForeignAnswers& answers, const States& states) {
-  for (std::size_t i = 0; i < options_.states; ++i) {
-    State state = exact_state(subject_, states[i]);
+void ForeignJudge::compare(const ForeignAnswers& answers) {
+  least_.assign(fields_.size(), 0);
+  for (std::size_t i = 0; i < states_.values.size(); ++i) {
+    State state = exact_state(subject_, states_.values[i]);
     const OracleValues truth = truth_at(state);
     if (!truth) {
       tally_.skip();
       continue;
     }
-    least_ = cln::max(least_, largest_of(*truth) * power_of_ten(-6));
-    const auto situation = static_cast<Situation>(i % situations);
-    samples_.push_back({situation, std::move(state), *truth, answers.values[i]});
+    const Numbers largest = largest_by_field(*truth);
+    for (std::size_t k = 0; k < largest.size(); ++k) {
+      least_[k] = cln::max(least_[k], largest[k] * power_of_ten(-6));
+    }
+    samples_.push_back({states_.situations[i], std::move(state), *truth, answers.values[i]});
   }
   for (const auto& [situation, state, truth, answer] : samples_) {
-    const auto [error, entry] = deviation(answer, truth);
+    const auto [error, place, field, entry] = deviation(answer, truth);
     std::optional<bool>& is_wrong = wrong_[static_cast<std::size_t>(situation)];
     is_wrong = is_wrong.value_or(false) || error > options_.tolerance;
     if (!tally_.add(error, state)) continue;
     row_.worst = fmt::format("{} is {:.10g}, the oracle says {:.10g}",
-                             name_of_entry(subject_.model, output_, entry), answer[entry],
-                             ScalarTraits<double>::from_real(truth[entry]));
+                             name_of_entry(subject_.model, output_, fields_[field], entry),
+                             answer[place], ScalarTraits<double>::from_real(truth[place]));
   }
   tally_.tell(row_, subject_, options_.tolerance);
+  if (states_.unmet > 0) row_.skipped.push_back({Obstacle::unmet, states_.unmet});
   if (samples_.empty()) {
     row_.worst = "the oracle has no value at any of the states";
   } else if (row_.verdict == Verdict::holds) {
     const std::string where = counted(samples_.size(), "state");
     row_.worst = fmt::format("agrees at {} to {:.1g}", where, tally_.worst());
+    if (!fields_.front().row->name.empty()) row_.worst += " in " + names_text(fields_);
   } else if (std::isfinite(tally_.worst())) {
     row_.worst += fmt::format(": {:.1e} of the largest entry", tally_.worst());
   }
+}
+
+std::string ForeignJudge::when() const {
+  const std::string_view drive = drive_of(output_);
+  const bool moves = is_wrong(Situation::moving);
+  const bool drives = is_wrong(Situation::driven);
+  if (is_wrong(Situation::rest)) return "at rest already";
+  if (!std::ranges::all_of(wrong_, &std::optional<bool>::has_value)) return {};
+  if (moves && drives) return fmt::format("when moving, and with {}; agrees at rest", drive);
+  if (moves) return "only when moving: agrees at rest";
+  if (drives) return fmt::format("only with {}: agrees without", drive);
+  if (is_wrong(Situation::whole)) return fmt::format("only when moving with {}", drive);
+  return "only where parameters are varied: agrees at those of the file";
 }
 
 /// `changed` are the parameters that the states behind those that are compared change, one each, in
@@ -265,8 +280,9 @@ std::string ForeignJudge::ignored(const ForeignAnswers& answers, const States& s
   for (const cl_R& value : *truth) before.push_back(ScalarTraits<double>::from_real(value));
   std::vector<std::string> names;
   for (std::size_t i = 0; i < changed.size(); ++i) {
-    if (answers.values[options_.states + i] != answers.values.front()) continue;
-    const OracleValues now = truth_at(exact_state(subject_, states[options_.states + i]));
+    const std::size_t other = states_.values.size() + i;
+    if (answers.values[other] != answers.values.front()) continue;
+    const OracleValues now = truth_at(exact_state(subject_, states[other]));
     if (!now || deviation(before, *now).error <= options_.tolerance) continue;
     names.push_back(in_backticks(subject_.model.parameters[changed[i]].name));
   }
@@ -294,9 +310,15 @@ std::string ForeignJudge::factor() const {
 std::string ForeignJudge::convention() const {
   for (const Convention& convention : conventions(subject_.model)) {
     const auto expected = [&](const ForeignSample& sample) {
-      OracleValues values = truth_at(our_state(convention, sample.state));
-      if (values) values = their_values(convention, output_, *values);
-      return values;
+      const OracleValues ours = truth_at(our_state(convention, sample.state));
+      if (!ours) return ours;
+      Numbers theirs;
+      for (const ForeignField& field : fields_) {
+        const Numbers part = part_of(*ours, theirs.size(), field.size());
+        const Numbers changed = their_values(convention, output_.kind, field, part);
+        theirs.insert(theirs.end(), changed.begin(), changed.end());
+      }
+      return OracleValues(std::move(theirs));
     };
     if (agrees(expected))
       return "agrees at all states under another convention: " + convention.name;
@@ -323,6 +345,25 @@ Diagnostic disagreement(const Model& model, const CertificateRow& row) {
   return {Code::E717, {}, name + " " + row.worst + (found.empty() ? "" : "; " + found)};
 }
 
+/// The fields that a claim is about. E601, E603.
+Result<ForeignFields> claimed_fields(const CheckedModel& checked, const ForeignClaim& claim) {
+  const std::string name = in_backticks(claim.output);
+  const OutputRequest* const output = find_request(checked.scene, claim.output);
+  if (output == nullptr) return Diagnostic{Code::E601, {}, name + " is not one output"};
+  if (output_row(output->kind).repeats) {
+    return Diagnostic{Code::E603, {}, name + " repeats other outputs", "name one of these"};
+  }
+  ForeignFields fields = fields_of(checked.model, *output);
+  if (claim.field.empty()) return fields;
+  const std::string names = names_text(fields);
+  std::erase_if(fields, [&](const ForeignField& field) { return field.row->name != claim.field; });
+  if (!fields.empty()) return fields;
+  return Diagnostic{Code::E601,
+                    {},
+                    name + " has no field " + in_backticks(claim.field),
+                    names.empty() ? "" : "its fields are " + names};
+}
+
 }  // namespace
 
 Result<Verification> judge_foreign(const CheckedModel& checked, const ForeignOptions& options) {
@@ -333,13 +374,10 @@ Result<Verification> judge_foreign(const CheckedModel& checked, const ForeignOpt
   Verification result;
   result.certificate = {model.name, scene.name.empty() ? "full" : scene.name, options.seed, {}};
   for (const ForeignClaim& claim : options.claims) {
-    const OutputRequest* const output = find_request(scene, claim.output);
-    const std::string name = in_backticks(claim.output);
-    if (output == nullptr) return Diagnostic{Code::E601, {}, name + " is not one output"};
-    if (output_row(output->kind).repeats) {
-      return Diagnostic{Code::E603, {}, name + " repeats other outputs", "name one of these"};
-    }
-    Result<CertificateRow> row = ForeignJudge(subject, options, *output).judge(claim);
+    const Result<ForeignFields> fields = claimed_fields(checked, claim);
+    if (!fields) return fields.diagnostics;
+    const OutputRequest& output = *find_request(scene, claim.output);
+    Result<CertificateRow> row = ForeignJudge(subject, options, output, *fields).judge(claim);
     if (!row) return row.diagnostics;
     if (row->verdict == Verdict::fails) result.diagnostics.push_back(disagreement(model, *row));
     result.certificate.rows.push_back(std::move(*row));

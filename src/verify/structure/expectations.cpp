@@ -127,24 +127,10 @@ std::optional<Sample> value_sample(const ExpectedEntry& entry, const SampledPoin
   return Sample{*written, (*derived.entries)[index], cln::max(derived.scale, cln::abs(*written))};
 }
 
-/// A state that keeps the constraints to all digits: one more step than a pose asks for. None where
-/// there is none near this one.
-std::optional<State> kept(const Model& model, const State& state) {
-  if (model.constraints.empty()) return state;
-  std::optional<State> there = oracle_assembled(model, state);
-  if (!there) return std::nullopt;
-  const OracleValues moved = oracle_values(model, {.kind = OutputKind::projected}, *there);
-  if (!moved) return std::nullopt;
-  const auto middle = moved->begin() + static_cast<std::ptrdiff_t>(there->q.size());
-  there->q.assign(moved->begin(), middle);
-  there->v.assign(middle, moved->end());
-  return there;
-}
-
 /// The state with the acceleration that it has; none where M is singular, or the constraints cannot
 /// be kept.
 std::optional<State> motion_at(const Model& model, const State& start) {
-  std::optional<State> state = kept(model, start);
+  std::optional<State> state = on_constraints(model, start);
   if (!state) return std::nullopt;
   const OracleValues solution =
       oracle_values(model, {.kind = OutputKind::forward_dynamics}, *state);

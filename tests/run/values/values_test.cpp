@@ -215,6 +215,34 @@ TEST_CASE("states are the start, then at rest, moving, and with other parameters
   }
 }
 
+TEST_CASE("states of vectors are on the constraints, but where values tell how far off they are") {
+  const Vectors vectors(file_of("pendulum_xy"), {.samples = 7},
+                        "gravity,forward_dynamics,constraint_residual");
+  REQUIRE(vectors.table);
+  const Json table = Json::parse(to_json(*vectors.table));
+  CHECK(table["off_constraints"] == 0);
+  std::size_t residuals = 0;
+  for (const Json& record : table["values"]) {
+    INFO(record);
+    const double x = record["q"][0];
+    const double y = record["q"][1];
+    const double l = record["p"]["l"];
+    // Coordinates are rounded once, and so are squares and sums.
+    const bool is_on_rod = std::abs(x * x + y * y - l * l) <= 1e-15 * (1 + l * l);
+    const bool is_residual = record["function"] == "constraint_residual";
+    if (record["state"] != "start") CHECK(is_on_rod != is_residual);
+    residuals += is_residual ? 1 : 0;
+    if (record["function"] != "forward_dynamics") continue;
+    const double vx = record["v"][0];
+    const double vy = record["v"][1];
+    CHECK(std::abs(x * vx + y * vy) <= 1e-15 * (1 + std::abs(x * vx)));
+  }
+  CHECK(residuals == 7);
+  CHECK(table["values"].size() == 21);
+  CHECK(mentions(to_header(*vectors.table), "no step of Newton puts 0 states there"));
+  CHECK_FALSE(mentions(to_json(*Vectors(block, {.samples = 1}).table), "off_constraints"));
+}
+
 TEST_CASE("vectors are the same for a seed, and others for another") {
   const auto text = [](std::uint64_t seed) {
     return to_json(*Vectors(block, {.samples = 4, .seed = seed}, "kinetic_energy").table);

@@ -1,0 +1,75 @@
+// Sizes alone tell which fields an answer has: a list of numbers has no names.
+#include "verify/foreign/fields.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <numeric>
+
+#include "model/requests.hpp"
+
+namespace elgen {
+std::size_t size_of(const ForeignFields& fields) {
+  return std::accumulate(
+      fields.begin(), fields.end(), std::size_t{0},
+      [](std::size_t sum, const ForeignField& field) { return sum + field.size(); });
+}
+
+ForeignFields fields_of(const Model& model, const OutputRequest& output) {
+  const auto& rows = output_row(output.kind).fields;
+  // Poses have a shape of their own.
+  if (rows.size() == 1) return {{&rows.front(), 0, output.rows, output.columns}};
+  ForeignFields fields;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const bool is_given =
+        !rows[i].is_remainder || !output_row(output.kind).steps || output.iterations > 0;
+    const ForeignField field{&rows[i], first_entry_of(model, output, i),
+                             extent_of(model, rows[i].rows, output.user),
+                             extent_of(model, rows[i].columns, output.user)};
+    if (is_given && field.size() > 0) fields.push_back(field);
+  }
+  return fields;
+}
+
+ForeignFields answered_fields(const ForeignFields& fields, std::size_t count) {
+  std::vector<ForeignFields> choices{{}, fields, fields};
+  if (!fields.empty()) choices.front() = {fields.front()};
+  std::erase_if(choices[1], [](const ForeignField& field) {
+    return field.row->rows == Extent::pivots || field.row->is_remainder;
+  });
+  for (const ForeignField& field : fields) choices.push_back({field});
+  for (const ForeignFields& choice : choices) {
+    if (size_of(choice) == count) return choice;
+  }
+  return {};
+}
+
+std::string names_text(const ForeignFields& fields) {
+  std::vector<std::string_view> names;
+  for (const ForeignField& field : fields) names.push_back(field.row->name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string sizes_text(const ForeignFields& fields) {
+  std::vector<std::string> texts;
+  for (const ForeignField& field : fields) {
+    texts.push_back(fmt::format("{} ({})", field.row->name, field.size()));
+  }
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::string name_of_entry(const Model& model, const OutputRequest& output,
+                          const ForeignField& field, std::size_t entry) {
+  const FieldRow& row = *field.row;
+  const auto label = [&](Extent extent, std::size_t count, std::size_t line) {
+    return line_labels(model, {extent, output.user, static_cast<std::uint32_t>(count)})[line]
+        .text();
+  };
+  std::string name = output.name + (row.name.empty() ? "" : ".") + std::string(row.name);
+  if (field.size() == 1) return name;
+  name += "[" + label(row.rows, field.rows, entry / field.columns);
+  if (field.columns > 1) name += ", " + label(row.columns, field.columns, entry % field.columns);
+  return name + "]";
+}
+
+}  // namespace elgen
