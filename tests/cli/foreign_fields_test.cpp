@@ -110,6 +110,21 @@ TEST_CASE("outputs that say how far off a state is are judged off the constraint
   CHECK(judged("x * vx + y * vy").status == 1);
 }
 
+TEST_CASE("code that is right off the constraints holds, though no digit is left on them") {
+  const Foreign folder;
+  folder.write("rod.toml", rod() + "[[output]]\nname = \"stretch\"\nvalue = \"x^2 + y^2 - l^2\"\n");
+  const auto judged = [&](const std::string& answer) {
+    const std::string text =
+        "import json, sys\nfor line in sys.stdin:\n  call = json.loads(line)\n"
+        "  p, (x, y) = call['p'], call['q']\n  print(json.dumps([";
+    return folder.judge(text + answer + "]))\n", "--function stretch", "rod.toml");
+  };
+  const Outcome right = judged("x * x + y * y - p['l'] ** 2");
+  INFO(right.output << right.errors);
+  CHECK(right.status == 0);
+  CHECK(judged("x * x - y * y - p['l'] ** 2").status == 1);
+}
+
 TEST_CASE("states that no step of Newton puts on the constraints are counted") {
   const Foreign folder;
   folder.write("wall.toml",

@@ -50,10 +50,10 @@ double with_other_value(const Model& model, std::uint32_t parameter, double valu
 
 }  // namespace
 
-ForeignStates states_of(const Subject& subject, const ForeignOptions& options, OutputKind output) {
+ForeignStates states_of(const Subject& subject, const ForeignOptions& options, OutputKind output,
+                        bool is_moved) {
   Sampler draw(options.seed);
   const LeafValues<Range> ranges = ranges_of(subject);
-  const bool is_moved = is_compared_on_constraints(subject.model, output);
   ForeignStates states;
   for (std::size_t i = 0; i < options.states; ++i) {
     const auto situation = static_cast<Situation>(i % situation_count);
@@ -66,6 +66,12 @@ ForeignStates states_of(const Subject& subject, const ForeignOptions& options, O
     states.situations.push_back(situation);
   }
   return states;
+}
+
+std::string_view drive_of(const OutputRequest& output) {
+  const LeafSet takes = output.takes;
+  if (!takes.has_any(Opcode::acceleration)) return "inputs";
+  return takes.has_any(Opcode::input) ? "inputs or accelerations" : "accelerations";
 }
 
 std::vector<std::uint32_t> add_changed_parameters(const Subject& subject,

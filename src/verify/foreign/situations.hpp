@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "elgen/foreign.hpp"
@@ -21,9 +22,12 @@ struct ForeignStates {
   std::size_t unmet = 0;  ///< how many states are not among them: off the constraints
 };
 
-/// The drawn states for an output; with constraints they are moved onto them.
+/// The drawn states for an output; `is_moved`: moved onto the constraints.
 [[nodiscard]] ForeignStates states_of(const Subject& subject, const ForeignOptions& options,
-                                      OutputKind output);
+                                      OutputKind output, bool is_moved);
+
+/// "inputs", "accelerations": what an output takes of both.
+[[nodiscard]] std::string_view drive_of(const OutputRequest& output);
 
 /// Appends for each parameter that may vary the first state with another value of it.
 [[nodiscard]] std::vector<std::uint32_t> add_changed_parameters(
