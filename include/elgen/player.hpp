@@ -11,7 +11,8 @@
 namespace elgen {
 
 /// The run that the page opens with: rk4, verlet or midpoint in steps of one length.
-/// E620 for another method, E647 for another order, E913 with `every` or `hold`.
+/// E620 for another method, E621 for too many steps, E647 for another order, E913 with `every` or
+/// `hold`.
 [[nodiscard]] Diagnostics refuse_player(const SimulationOptions& options);
 
 /// The options by which derived_for_run makes the program of the page: JavaScript, with the outputs

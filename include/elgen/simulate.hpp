@@ -95,6 +95,7 @@ struct Trajectory {
   /// time act, less the work they did: E - E0 - int v.(B u + Q - dD/dv) dt + int dL/dt dt, and of
   /// constraints that move by themselves - int v.A^T lambda dt.
   Drift energy = {};
+  bool loses_energy = false;        ///< in steps of one length, more than 10 % of the scale of E648
   std::vector<Drift> momenta = {};  ///< of what is cyclic, and free of forces and constraints
   /// Drifts of the model's `conserved`, which holds at u = 0; none where a scene locks or expands.
   std::vector<ConservedDrift> conserved = {};
@@ -130,10 +131,10 @@ struct Trajectory {
 [[nodiscard]] Result<CheckedModel> assembled_model(const CheckedModel& checked, const cln::cl_R& t);
 
 /// Runs from the model's start, assembled, by what was compiled; where that is null, in the
-/// evaluator. Ends where M or the constraints lose rank, and warns where energy is lost by more
-/// than the tolerance allows. E201 of `show` and `path`, E518, E538, E620, E621, E623, E624, E647,
-/// E648. Cost: one step of the program, or a few calls of the equations of motion, per step, and of
-/// the energies for each.
+/// evaluator. Ends where M or the constraints lose rank, and warns if energy is lost: by more
+/// than the tolerance allows, or in steps of one length by 1 % of max |T| + (max V - min V). E201
+/// of `show` and `path`, E518, E538, E620, E621, E623, E624, E647, E648. Cost: one step of the
+/// program, or a few calls of the equations of motion, per step, and of the energies for each.
 [[nodiscard]] Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
                                           const CompiledModel* compiled,
                                           const SimulationOptions& options);

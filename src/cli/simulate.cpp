@@ -165,8 +165,9 @@ ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& give
   const Result<Trajectory> trajectory = trajectory_of(global, options, products);
   const ExitCode told = report(global, trajectory.diagnostics);
   if (!trajectory) return told;
-  const ExitCode printed =
-      print(global, wants_json(global) ? to_json(*trajectory) : to_text(*trajectory));
+  const ExitCode judged = trajectory->loses_energy ? ExitCode::differs : told;
+  const ExitCode printed = std::max(
+      judged, print(global, wants_json(global) ? to_json(*trajectory) : to_text(*trajectory)));
   if (options.output.file.empty()) return printed;
   const auto written = write_output(global, options.output, (*format).text(*trajectory));
   return std::max(printed, report(global, written.diagnostics));

@@ -77,6 +77,43 @@ TEST_CASE("player: the browser has the state of simulate") {
   CHECK(count(said.output, "holds") == 2);
 }
 
+TEST_CASE("player: the line of the state says what energy the steps lost") {
+  if (!is_installed("chromium", "chromium --version")) return;
+  const Pages folder;
+  folder.write("orbit.toml", R"toml(format = 1
+[model]
+name = "orbit"
+[[coordinate]]
+name = "x"
+start = { value = 1, rate = 0 }
+[[coordinate]]
+name = "y"
+start = { value = 0, rate = 0.01 }
+[energy]
+T = "1/2*(dot(x)^2 + dot(y)^2)"
+V = "-1/sqrt(x^2 + y^2)"
+)toml");
+  const auto state_after = [&](const std::string& seconds, const std::string& options) {
+    folder.write("moved.html",
+                 replaced(folder.page("orbit.toml", options), "</body>",
+                          "<script>pause(); run_until(" + seconds + "); pause();</script></body>"));
+    const Outcome shown = folder.run(
+        "chromium --headless=new --no-sandbox --disable-gpu --disable-dev-shm-usage "
+        "--force-prefers-reduced-motion --virtual-time-budget=5000 --dump-dom moved.html");
+    const std::size_t begin = shown.output.find("<output id=\"state\"");
+    REQUIRE(begin != std::string::npos);
+    return shown.output.substr(begin, shown.output.find("</output>", begin) - begin);
+  };
+  for (const std::string method : {"rk4", "verlet"}) {
+    const std::string options = "--method " + method + " --step 0.01";
+    CHECK(
+        mentions(state_after("5", options), " % of its scale: a shorter step shows what is true"));
+    const std::string kept = state_after("0.5", options);
+    CHECK(mentions(kept, ">t = 0.5, x = "));
+    CHECK_FALSE(mentions(kept, "E - E0"));
+  }
+}
+
 TEST_CASE("player: verlet and midpoint step by the emitted step") {
   const Pages folder;
   const std::string text = folder.page(shipped("simple_pendulum"), "--method verlet --step 0.01");

@@ -223,6 +223,7 @@ std::string player_model(const CheckedModel& checked, const Program& program, co
   json["power"] = {{"has_time", conservation.has_time},
                    {"is_forced", conservation.is_forced},
                    {"has_moving_constraints", has_moving_constraints(model)}};
+  json["is_whole"] = has_whole_lagrangian(model);
   json["unit_of_energy"] = has_units(model) ? "J" : "";
   json["run"] = run_json(options);
   return escaped(json.dump(-1, ' ', true), {{'<', "\\u003c"}});

@@ -43,6 +43,28 @@ TemplateData calls_data(const Model& model, const Program& program, LanguageId l
   });
 }
 
+/// Three years. A step that is a ten-thousandth of a longer run shows no motion.
+constexpr double longest_time = 1e8;
+
+/// A browser makes some 1e5 steps a second, so that more of them take minutes.
+constexpr double most_steps = 1e7;
+
+/// E621: runs that no browser comes to the end of.
+Diagnostics refuse_length(const SimulationOptions& options) {
+  if (options.time > longest_time) {
+    return {{Code::E621,
+             {},
+             fmt::format("`--time {:g}` is longer than {:g}, the longest run of a page",
+                         options.time, longest_time)}};
+  }
+  if (!options.step || options.time / *options.step <= most_steps) return {};
+  return {
+      {Code::E621,
+       {},
+       fmt::format("`--step {:g}` makes more than {:g} steps of a page", *options.step, most_steps),
+       "a page takes a ten-thousandth of the run unless it is given"}};
+}
+
 /// Longer derivations are left out: `show --what steps` has them.
 constexpr std::size_t longest_derivation = 200'000;
 
@@ -73,6 +95,7 @@ Diagnostics refuse_player(const SimulationOptions& options) {
                        fmt::format("a page does not run by `{}`", options.method),
                        "`--method rk4`, `verlet` or `midpoint`"});
   }
+  for (const Diagnostic& each : refuse_length(options)) refused.push_back(each);
   if (options.every) {
     refused.push_back({Code::E913, {}, "`--every` is of rows, and a page has none"});
   }

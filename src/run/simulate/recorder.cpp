@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "run/simulate/start.hpp"
 #include "run/steps/methods.hpp"
 
 namespace elgen {
@@ -16,6 +17,15 @@ namespace {
 /// A step's error is estimated by a method of lower order, so most runs stay far within the
 /// tolerance. The estimate may be too small by this factor if a step is long for its order.
 constexpr double energy_margin = 10;
+
+/// Runs of steps of one length are looked at in plots, where 1 % of the scale is seen. A run that
+/// loses 10 % of it is of another system.
+constexpr double told_loss = 0.01;
+constexpr double refused_loss = 0.1;
+
+/// E is a sum of many rounded terms, whose rounding is all that changes it near rest: some thousand
+/// of them, each of 2e-16.
+constexpr double rounding_share = 1e-12;
 
 bool is_finite(const Numbers& values) {
   return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
@@ -44,6 +54,7 @@ Recorder::Recorder(System& system, const SimulationOptions& options, const Traje
       conserved_(system.conserved()),
       tolerance_(options.step ? 0 : options.tolerance.value_or(default_tolerance)),
       of_momenta_(system.cyclic().size()),
+      start_(start),
       last_(start) {
   const double* const q = start.state.data();
   energy_at_start_ = system.energy(q, system.v_of(start.state), start.t);
@@ -61,7 +72,11 @@ Diagnostics Recorder::add(const TrajectorySample& sample) {
   }
   const double part = (sample.t - options_.from) / options_.time;
   const double deviation = energy - energy_at_start_ - sample.state.back();
-  energy_.add(part, sample.after, deviation, system_.magnitude(q, v, sample.t));
+  const EnergyParts parts = system_.energy_parts(q, v, sample.t);
+  energy_.add(part, sample.after, deviation, parts.magnitude());
+  largest_kinetic_ = std::max(largest_kinetic_, std::abs(parts.kinetic));
+  lowest_potential_ = std::min(lowest_potential_, parts.potential);
+  highest_potential_ = std::max(highest_potential_, parts.potential);
   if (tolerance_ > 0 && warnings_.empty()) look_at_energy(sample, energy);
   if (!of_momenta_.empty()) add_momenta(sample, part);
   add_conserved(sample);
@@ -82,7 +97,7 @@ Diagnostic Recorder::ended(std::string_view why, std::string_view besides) const
           "a shorter step, or a smaller tolerance, shows whether the method is to blame"};
 }
 
-void Recorder::finish(Trajectory& trajectory) && {
+Diagnostics Recorder::finish(Trajectory& trajectory) && {
   const double* const q = last_.state.data();
   trajectory.last = row(last_, system_.energy(q, system_.v_of(last_.state), last_.t));
   trajectory.rows = std::move(rows_);
@@ -95,6 +110,72 @@ void Recorder::finish(Trajectory& trajectory) && {
   }
   trajectory.conserved = std::move(conserved_);
   if (!system_.model().constraints.empty()) trajectory.constraints.emplace().largest = offset_;
+  if (tolerance_ == 0) {
+    judge_energy(trajectory);
+    judge_conserved(trajectory.conserved);
+  }
+  return std::move(warnings_);
+}
+
+double Recorder::energy_scale() const {
+  if (!system_.has_energies()) return energy_.scale();
+  return largest_kinetic_ + (highest_potential_ - lowest_potential_);
+}
+
+/// A symmetric step lets the energy swing about what it keeps, so that its means are compared.
+void Recorder::judge_energy(Trajectory& trajectory) {
+  const Drift& drift = trajectory.energy;
+  const bool is_symmetric = step_of_run(options_).has_value();
+  const double lost = (is_symmetric ? std::abs(drift.secular) : drift.worst) * drift.scale;
+  const double scale = energy_scale();
+  if (!(lost > told_loss * scale) || lost <= rounding_share * energy_.scale()) return;
+  trajectory.loses_energy = lost > refused_loss * scale;
+  const std::string_view measure = system_.has_energies()
+                                       ? "the largest |T| and the range of V together"
+                                       : "the largest |v.p| + |L|";
+  warnings_.push_back({Code::E648,
+                       {},
+                       fmt::format("{} {} {:.1e}, {:.3g} % of {}, {:.6g}", drift.name,
+                                   is_symmetric ? "drifts by" : "goes as far as", lost,
+                                   100 * lost / scale, measure, scale),
+                       "a shorter `--step`, or `--method dopri5` without one, shows what is true"});
+}
+
+void Recorder::judge_conserved(const std::vector<ConservedDrift>& conserved) {
+  Numbers scales = conserved_scales(start_);
+  const Numbers last = conserved_scales(last_);
+  for (std::size_t i = 0; i < scales.size(); ++i) {
+    const ConservedDrift& entry = conserved[i];
+    const double scale = std::max(scales[i], last[i]);
+    if (!(entry.drift > told_loss * scale) ||
+        !is_visible_move(entry.start, entry.start + entry.drift))
+      continue;
+    warnings_.push_back(
+        {Code::E648,
+         {},
+         fmt::format("`{}` of `conserved` goes as far as {:.1e} from its start, {:.6g}", entry.text,
+                     entry.drift, entry.start),
+         "a shorter `--step` shows what is true; with inputs it need not stay"});
+  }
+}
+
+/// sum |dC/dx| |x| over q and v, which is not small if the terms of C cancel.
+Numbers Recorder::conserved_scales(const TrajectorySample& sample) const {
+  Numbers state = sample.state;
+  const auto values = [&] {
+    return system_.conserved_values(state.data(), system_.v_of(state), sample.t);
+  };
+  const Numbers here = values();
+  Numbers scales(here.size());
+  for (std::size_t i = 0; i + 1 < state.size(); ++i) {
+    state[i] *= 1 + told_loss;
+    const Numbers moved = values();
+    for (std::size_t k = 0; k < here.size(); ++k) {
+      scales[k] += std::abs(moved[k] - here[k]) / told_loss;
+    }
+    state[i] = sample.state[i];
+  }
+  return scales;
 }
 
 std::string_view Recorder::energy_name() const {

@@ -1,6 +1,7 @@
 // Recorder: what is kept of a run: rows, and the drifts of what should stay.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -64,11 +65,10 @@ class Recorder {
   /// Why the run ends at the last sample; `besides` is said of it.
   [[nodiscard]] Diagnostic ended(std::string_view why, std::string_view besides = "") const;
 
-  /// E648 where E - E0 - work went farther than the tolerance of the steps allows.
-  [[nodiscard]] const Diagnostics& warnings() const { return warnings_; }
-
-  /// Puts the rows that were kept into `trajectory`.
-  void finish(Trajectory& trajectory) &&;
+  /// Puts the rows that were kept into `trajectory`. E648: E - E0 - work went farther than the
+  /// tolerance of the steps allows, or in steps of one length farther than 1 % of the scale, as
+  /// may an entry of `conserved`.
+  Diagnostics finish(Trajectory& trajectory) &&;
 
  private:
   /// Multipliers are found by the inputs of the sample, since others may be held by now.
@@ -78,6 +78,11 @@ class Recorder {
   void add_momenta(const TrajectorySample& sample, double part);
   void add_conserved(const TrajectorySample& sample);
   void add_offset(const TrajectorySample& sample);
+  /// max |T| + (max V - min V) until now; max (|v.p| + |L|) where only L is known.
+  [[nodiscard]] double energy_scale() const;
+  void judge_energy(Trajectory& trajectory);
+  void judge_conserved(const std::vector<ConservedDrift>& conserved);
+  [[nodiscard]] Numbers conserved_scales(const TrajectorySample& sample) const;
 
   System& system_;
   const SimulationOptions& options_;
@@ -87,12 +92,16 @@ class Recorder {
   std::vector<ConservedDrift> conserved_;
   ConstraintOffset offset_ = {};
   DriftMeter energy_ = {};
+  double largest_kinetic_ = 0;
+  double lowest_potential_ = std::numeric_limits<double>::infinity();
+  double highest_potential_ = -std::numeric_limits<double>::infinity();
   double tolerance_ = 0;  ///< of a step; 0: steps of one length
   double allowed_ = 0;    ///< the largest |E - E0 - work|, by the steps until now
   Diagnostics warnings_ = {};
   std::vector<DriftMeter> of_momenta_;
   std::vector<std::vector<double>> rows_ = {};
   std::vector<double> work_ = {};  ///< until each
+  TrajectorySample start_;
   TrajectorySample last_;
 };
 

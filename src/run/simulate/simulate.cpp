@@ -73,9 +73,8 @@ class Run {
     Trajectory trajectory;
     trajectory.steps = steps_;
     trajectory.nanoseconds = elapsed_.count() * 1e9 / static_cast<double>(steps_);
-    const Diagnostics warnings = recorder_.warnings();
-    std::move(recorder_).finish(trajectory);
-    return {std::move(trajectory), warnings};
+    Diagnostics warnings = std::move(recorder_).finish(trajectory);
+    return {std::move(trajectory), std::move(warnings)};
   }
 
  private:

@@ -300,7 +300,7 @@ double System::energy(const double* q, const double* v, double t) {
   return result;
 }
 
-double System::magnitude(const double* q, const double* v, double t) {
+EnergyParts System::energy_parts(const double* q, const double* v, double t) {
   double whole = 0;
   double part = 0;
   if (has_energies()) {
@@ -311,7 +311,7 @@ double System::magnitude(const double* q, const double* v, double t) {
     momentum(q, v, t, force_.data());
     for (std::size_t i = 0; i < velocities(); ++i) part += v[i] * force_[i];
   }
-  return std::abs(part) + std::abs(whole - part);
+  return {part, whole - part};
 }
 
 ConstraintOffset System::offset(const double* q, const double* v, double t) {

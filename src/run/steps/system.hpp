@@ -9,6 +9,7 @@
 // some where they move by themselves.
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <span>
@@ -46,6 +47,14 @@ template <class Scalar = double>
 
 /// Whether a constraint does work, by f_t or by what of phi is left at rest.
 [[nodiscard]] bool has_moving_constraints(const Model& model);
+
+/// T and V; v.p and -L where only L is known.
+struct EnergyParts {
+  double kinetic = 0;
+  double potential = 0;
+
+  [[nodiscard]] double magnitude() const { return std::abs(kinetic) + std::abs(potential); }
+};
 
 /// The law of an input, and the limits at which it is cut off.
 struct InputLaw {
@@ -125,8 +134,7 @@ class System {
   [[nodiscard]] bool has_energies() const {
     return function(OutputKind::kinetic_energy) != nullptr;
   }
-  /// |T| + |V|; |v.p| + |L| where only L is known.
-  [[nodiscard]] double magnitude(const double* q, const double* v, double t);
+  [[nodiscard]] EnergyParts energy_parts(const double* q, const double* v, double t);
   /// How far a state is off the constraints.
   [[nodiscard]] ConstraintOffset offset(const double* q, const double* v, double t);
   /// Whether a step may change lengths of quaternions, or leave the constraints.

@@ -1,0 +1,122 @@
+// Energy that runs by steps of one length lose: what is told, what ends with 1, and what is right.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "run/simulate/compiled_model.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+/// A planar orbit that passes its centre at a distance of 5e-5.
+std::string orbit(const std::string& energy) {
+  return model_text("orbit", R"toml([[coordinate]]
+name = "x"
+start = { value = 1, rate = 0 }
+[[coordinate]]
+name = "y"
+start = { value = 0, rate = 0.01 }
+[energy]
+)toml" + energy);
+}
+
+const std::string kinetic = "T = \"1/2*(dot(x)^2 + dot(y)^2)\"\n";
+
+Result<Trajectory> by_rk4(const std::string& text, double step, double time,
+                          const SceneOptions& given = {}) {
+  const CompiledSystem system(text, given);
+  return simulate(system.checked(), system.program(), nullptr, steps_of("rk4", step, time));
+}
+
+/// The message of the one E648; "" where nothing is told.
+std::string told(const Result<Trajectory>& run) {
+  REQUIRE(run);
+  if (run.diagnostics.empty()) return "";
+  CHECK(run.diagnostics.size() == 1);
+  CHECK(run.diagnostics.front().code == Code::E648);
+  return run.diagnostics.front().message;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "an orbit that steps throw out of its well loses its energy, whatever V is measured from") {
+  for (const std::string offset : {"", " + 1000000", " - 1000000"}) {
+    INFO(offset);
+    const auto run = by_rk4(orbit(kinetic + "V = \"-1/sqrt(x^2 + y^2)" + offset + "\"\n"), 0.01, 5);
+    CHECK(mentions(told(run), "E - E0 goes as far as 1.9e+02, 74.8 % of the largest |T| and the "));
+    CHECK(run->loses_energy);
+    CHECK(run->last.front() == 5);
+  }
+}
+
+TEST_CASE("an energy given whole is judged by |v.p| + |L|") {
+  const auto run =
+      by_rk4(orbit("L = \"1/2*(dot(x)^2 + dot(y)^2) + 1/sqrt(x^2 + y^2)\"\n"), 0.01, 5);
+  CHECK(mentions(told(run), " of the largest |v.p| + |L|, "));
+  CHECK(run->loses_energy);
+}
+
+TEST_CASE("short steps lose nothing, and a system at rest has nothing to lose") {
+  const std::string far = orbit(kinetic + "V = \"-1/sqrt(x^2 + y^2)\"\n");
+  const auto kept = by_rk4(far, 0.01, 1);
+  CHECK(told(kept).empty());
+  CHECK_FALSE(kept->loses_energy);
+  const auto still = by_rk4(orbit(kinetic), 0.01, 1, start_options("dot(y)=0"));
+  CHECK(told(still).empty());
+  // Rounding of V is more than T there.
+  const std::string top = model_text("top", R"toml([[coordinate]]
+name = "q"
+start = { value = "pi", rate = 0 }
+[energy]
+T = "1/2*dot(q)^2"
+V = "-7.3*cos(q) + 1/3"
+)toml");
+  CHECK(told(by_rk4(top, 0.01, 2)).empty());
+}
+
+TEST_CASE("the work of forces and inputs is no loss") {
+  CHECK(told(by_rk4(spring_text(), 0.01, 5, start_options("", "u=-dot(x)"))).empty());
+}
+
+TEST_CASE("between 1 and 10 % a loss is told, and that is all") {
+  const auto run = by_rk4(spring_text(), 0.4, 10);
+  CHECK(mentions(told(run), " % of the largest |T| and the range of V together, "));
+  CHECK_FALSE(run->loses_energy);
+}
+
+TEST_CASE("verlet and midpoint may swing, and may not drift") {
+  const auto run = [](const std::string& method, double step, double time) {
+    const CompiledSystem spring(spring_text());
+    return spring.run(steps_of(method, step, time));
+  };
+  const auto swings = run("verlet", 0.4, 1000);
+  CHECK(told(swings).empty());
+  CHECK(swings->energy.worst > 0.15);
+  CHECK_FALSE(swings->loses_energy);
+  CHECK(told(run("midpoint", 0.1, 20)).empty());
+  const CompiledSystem thrown(orbit(kinetic + "V = \"-1/sqrt(x^2 + y^2)\"\n"));
+  const auto lost = thrown.run(steps_of("verlet", 0.01, 5));
+  CHECK(mentions(told(lost), "E - E0 drifts by "));
+  CHECK(lost->loses_energy);
+}
+
+TEST_CASE("an entry of conserved is told of, and is no reason to fail") {
+  const std::string text = spring_text() + "[[expect]]\nconserved = [\"E\"]\n";
+  CHECK(told(by_rk4(text, 0.01, 5)).empty());
+  const auto run = by_rk4(text, 0.01, 5, start_options("", "u=1"));
+  CHECK(mentions(told(run), "`E` of `conserved` goes as far as "));
+  CHECK_FALSE(run->loses_energy);
+  // Terms that cancel: y and its rate stay 0.
+  const std::string turn = orbit(kinetic + "V = \"-1/sqrt(x^2 + y^2)\"\n") +
+                           "[[expect]]\nconserved = [\"x*dot(y) - y*dot(x)\"]\n";
+  CHECK(told(by_rk4(turn, 0.001, 0.5, start_options("dot(y)=0"))).empty());
+}
+
+TEST_CASE("runs that choose their steps are judged by their tolerance") {
+  const CompiledSystem system(orbit(kinetic + "V = \"-1/sqrt(x^2 + y^2)\"\n"));
+  const auto run = system.run({.time = 5});
+  CHECK(told(run).empty());
+  CHECK_FALSE(run->loses_energy);
+}
