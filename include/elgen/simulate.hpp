@@ -131,10 +131,11 @@ struct Trajectory {
 [[nodiscard]] Result<CheckedModel> assembled_model(const CheckedModel& checked, const cln::cl_R& t);
 
 /// Runs from the model's start, assembled, by what was compiled; where that is null, in the
-/// evaluator. Ends where M or the constraints lose rank, and warns if energy is lost: by more
-/// than the tolerance allows, or in steps of one length by 1 % of max |T| + (max V - min V). E201
-/// of `show` and `path`, E518, E538, E620, E621, E623, E624, E647, E648. Cost: one step of the
-/// program, or a few calls of the equations of motion, per step, and of the energies for each.
+/// evaluator. Ends where M or the constraints lose rank, or a motion slides along a kink, and warns
+/// if energy is lost: by more than the tolerance allows, or in steps of one length by 1 % of max
+/// |T| + (max V - min V). E201 of `show` and `path`, E518, E538, E620, E621, E623, E624, E647,
+/// E648. Cost: one step of the program, or a few calls of the equations of motion, per step, and of
+/// the energies for each.
 [[nodiscard]] Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
                                           const CompiledModel* compiled,
                                           const SimulationOptions& options);

@@ -68,7 +68,7 @@ Diagnostics Recorder::add(const TrajectorySample& sample) {
   const double* const v = system_.v_of(sample.state);
   const double energy = system_.energy(q, v, sample.t);
   if (!is_finite(sample.state) || !std::isfinite(energy)) {
-    return {ended("the numbers are no longer finite")};
+    return {ended("the numbers are no longer finite", "", usual_remedy)};
   }
   const double part = (sample.t - options_.from) / options_.time;
   const double deviation = energy - energy_at_start_ - sample.state.back();
@@ -89,12 +89,13 @@ Diagnostics Recorder::add(const TrajectorySample& sample) {
   return {};
 }
 
-Diagnostic Recorder::ended(std::string_view why, std::string_view besides) const {
+Diagnostic Recorder::ended(std::string_view why, std::string_view besides,
+                           std::string_view remedy) const {
   return {Code::E624,
           {},
           fmt::format("{} after t = {:.6g}, where {}{}", why, last_.t, system_.text_of(last_.state),
                       besides),
-          "a shorter step, or a smaller tolerance, shows whether the method is to blame"};
+          std::string(remedy)};
 }
 
 Diagnostics Recorder::finish(Trajectory& trajectory) && {

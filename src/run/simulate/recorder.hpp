@@ -62,8 +62,9 @@ class Recorder {
   /// E624 where a number is not finite, with the last state that was.
   [[nodiscard]] Diagnostics add(const TrajectorySample& sample);
 
-  /// Why the run ends at the last sample; `besides` is said of it.
-  [[nodiscard]] Diagnostic ended(std::string_view why, std::string_view besides = "") const;
+  /// Why the run ends at the last sample; `besides` is said of it, and what helps.
+  [[nodiscard]] Diagnostic ended(std::string_view why, std::string_view besides,
+                                 std::string_view remedy) const;
 
   /// Puts the rows that were kept into `trajectory`. E648: E - E0 - work went farther than the
   /// tolerance of the steps allows, or in steps of one length farther than 1 % of the scale, as

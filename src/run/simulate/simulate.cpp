@@ -99,7 +99,7 @@ class Run {
       if (!reached) {
         Diagnostics wrong = flush();
         if (!wrong.empty()) return wrong;
-        return {recorder_.ended(stepper_.obstacle(), ranks_.weakest())};
+        return {recorder_.ended(stepper_.obstacle(), ranks_.weakest(), stepper_.remedy())};
       }
       ++steps_;
       current_.after = *reached - current_.t;

@@ -15,6 +15,9 @@
 
 namespace elgen {
 
+inline constexpr std::string_view usual_remedy =
+    "a shorter step, or a smaller tolerance, shows whether the method is to blame";
+
 /// One step after another from the begin of an interval to its end.
 class Stepper {
  public:
@@ -31,6 +34,9 @@ class Stepper {
 
   /// Why not.
   [[nodiscard]] virtual std::string_view obstacle() const = 0;
+
+  /// What helps then.
+  [[nodiscard]] virtual std::string_view remedy() const { return usual_remedy; }
 };
 
 /// A method (System&) with restart() and step(state, t, h), in steps of one length.

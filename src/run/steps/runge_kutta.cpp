@@ -1,29 +1,37 @@
 // rk4 and dopri5 by Boost.odeint: classical Runge and Kutta's method, and Dormand and Prince's of
-// order 5 with an estimate of its error. Laws of inputs are asked for at every stage. Hairer,
-// Norsett, Wanner, Solving Ordinary Differential Equations I, 2nd ed., sec. II.1 and II.5.
+// order 5 with an estimate of its error, which ends a step at a kink of the forces. Laws of inputs
+// are asked for at every stage. Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I,
+// 2nd ed., sec. II.1, II.5 and II.6.
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+#include <cmath>
 #include <limits>
+#include <string>
 
 #include "run/steps/methods.hpp"
+#include "run/steps/pieces.hpp"
 
 namespace elgen {
 namespace {
 
 namespace odeint = boost::numeric::odeint;
 
-/// d(q, v, W)/dt as odeint asks for it.
+/// As odeint asks for them.
 struct StateRates {
   System* system;
 
   void operator()(const Numbers& state, Numbers& rates, double t) const {
-    const double* const q = state.data();
-    const double* const v = system->v_of(state);
-    system->coordinate_rates(q, v, rates.data());
-    system->acceleration(q, v, t, system->v_of(rates));
-    System::work_of(rates) = system->power(q, v, t);
+    system->find_rates(state, rates, t);
+  }
+};
+
+struct PieceRates {
+  Pieces* pieces;
+
+  void operator()(const Numbers& state, Numbers& rates, double t) const {
+    pieces->find_rates(state, rates, t);
   }
 };
 
@@ -60,12 +68,13 @@ class RungeKutta {
   Steps steps_ = {};
 };
 
-/// Steps as long as their estimated error allows.
+/// Steps as long as their estimated error allows, none of them over a kink.
 template <class Steps>
 class AdaptedSteps final : public Stepper {
  public:
   AdaptedSteps(System& system, const StepRule& rule)
       : system_(system),
+        pieces_(system, rule.tolerance),
         steps_(odeint::make_controlled(rule.tolerance, rule.tolerance, Steps())),
         shortest_(rule.shortest) {}
 
@@ -77,37 +86,110 @@ class AdaptedSteps final : public Stepper {
   }
 
   std::optional<double> step(Numbers& state) override {
+    const double begin = t_;
+    const bool is_first = !has_begun_ && pieces_.has_kinks();
+    has_begun_ = true;
+    if (is_first) pieces_.enter(state, state, t_);
+    if (!advance(state)) return std::nullopt;
+    const bool is_tiny = t_ - begin < tiny();
+    const bool is_at_kink = tiny_steps_ > 0 || has_crossed_;
+    has_crossed_ = false;
+    tiny_steps_ = is_tiny && is_at_kink ? tiny_steps_ + 1 : 0;
+    if (tiny_steps_ < most_tiny_steps) return t_;
+    obstacle_ = "the motion slides along the kink of " + pieces_.last_kink();
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::string_view obstacle() const override { return obstacle_; }
+
+  [[nodiscard]] std::string_view remedy() const override {
+    if (tiny_steps_ < most_tiny_steps) return Stepper::remedy();
+    return "a smooth stand-in is tanh(x/width), and `--method rk4 --step` goes on";
+  }
+
+ private:
+  /// Friction that is not held changes its side in each of them, and time stands still.
+  static constexpr int most_tiny_steps = 1000;
+
+  /// A 1e-9 of the run.
+  [[nodiscard]] double tiny() const { return 1e3 * shortest_; }
+
+  /// One step, to `t_`; false where it is too short to be made.
+  bool advance(Numbers& state) {
     const double spacing =
         std::numeric_limits<double>::epsilon() * std::max(std::abs(t_), std::abs(end_));
     const double shortest = std::max(shortest_, 4 * spacing);
     while (true) {
-      const bool is_last = length_ >= end_ - t_;
-      double h = is_last ? end_ - t_ : length_;
-      if (h < shortest && !is_last) return std::nullopt;
-      const auto result = steps_.try_step(StateRates{&system_}, state, t_, h);
+      // From both sides to the edge.
+      const double half = (edge_ - t_) / 2;
+      if (half < shortest) return cross(state, shortest);
+      const double wanted = std::min(length_, half);
+      const bool is_last = wanted >= end_ - t_;
+      double h = is_last ? end_ - t_ : wanted;
+      if (h < shortest && !is_last) return false;
+      const bool is_cut = h < length_;
+      const double begin = t_;
+      const double tried = h;
+      before_ = state;
+      pieces_.stay();
+      const auto result = steps_.try_step(PieceRates{&pieces_}, state, t_, h);
+      if (pieces_.is_left()) {
+        state = before_;
+        t_ = begin;
+        edge_ = begin + tried;
+        forget(steps_);
+        continue;
+      }
       if (result == odeint::fail) {
         length_ = h;
         continue;
       }
-      // A step that the end made short says little of the length of the next one.
-      length_ = is_last ? std::max(length_, h) : h;
+      // A step that was cut short says little of the length of the next one.
+      length_ = is_cut ? std::max(length_, h) : h;
       if (is_last) t_ = end_;
       put_back(system_, steps_, state, t_);
-      return t_;
+      pieces_.keep(state);
+      return true;
     }
   }
 
-  [[nodiscard]] std::string_view obstacle() const override {
-    return "the step that the tolerance asks for is too short to be made";
+  /// Over the edge of a piece by a step of Euler's method, so short that nothing else changes.
+  bool cross(Numbers& state, double shortest) {
+    before_ = state;
+    Numbers slope(state.size());
+    pieces_.find_rates(before_, slope, t_);
+    double h = 0;
+    pieces_.stay();
+    for (double next = shortest; !pieces_.is_left() && h < tiny() && t_ + h < end_; next *= 2) {
+      h = std::min(next, end_ - t_);
+      for (std::size_t i = 0; i < state.size(); ++i) state[i] = before_[i] + h * slope[i];
+      Numbers unused(state.size());
+      pieces_.find_rates(state, unused, t_ + h);
+    }
+    t_ = t_ + h < end_ ? t_ + h : end_;
+    if (pieces_.is_left()) pieces_.enter(before_, state, t_);
+    has_crossed_ = pieces_.is_left();
+    edge_ = std::numeric_limits<double>::infinity();
+    length_ = 2 * tiny();
+    put_back(system_, steps_, state, t_);
+    pieces_.keep(state);
+    forget(steps_);
+    return true;
   }
 
- private:
   System& system_;
+  Pieces pieces_;
   typename odeint::result_of::make_controlled<Steps>::type steps_;
   double shortest_;
   double t_ = 0;
   double end_ = 0;
-  double length_ = 0;  ///< of the next step
+  double length_ = 0;                                      ///< of the next step
+  double edge_ = std::numeric_limits<double>::infinity();  ///< a time beyond the end of the piece
+  bool has_begun_ = false;
+  bool has_crossed_ = false;
+  int tiny_steps_ = 0;  ///< one after another since a kink was crossed
+  Numbers before_ = {};
+  std::string obstacle_ = "the step that the tolerance asks for is too short to be made";
 };
 
 template <class Steps>

@@ -207,11 +207,13 @@ void System::coordinate_rates(const double* q, const double* v, double* rates) {
   }
 }
 
-void System::find_force(const double* q, const double* v, double t) {
+void System::find_passive_force(const double* q, const double* v, double t) {
   call(OutputKind::applied_force, q, v, t, force_.data());
   call(OutputKind::dissipation, q, v, t, more_force_.data());
   for (std::size_t i = 0; i < velocities(); ++i) force_[i] -= more_force_[i];
-  if (has_moving_constraints_) add_constraint_force(q, v, t);
+}
+
+void System::add_input_force(const double* q, const double* v, double t) {
   if (function(OutputKind::input_matrix) == nullptr) return;
   call(OutputKind::input_matrix, q, v, t, matrix_.data());
   const Numbers& u = at_.u;
@@ -230,6 +232,21 @@ void System::add_constraint_force(const double* q, const double* v, double t) {
   }
 }
 
+void System::find_rates(const Numbers& state, Numbers& rates, double t) {
+  const double* const q = state.data();
+  const double* const v = v_of(state);
+  coordinate_rates(q, v, rates.data());
+  acceleration(q, v, t, v_of(rates));
+  work_of(rates) = power(q, v, t);
+}
+
+const Numbers& System::applied_force(const double* q, const double* v, double t) {
+  (void)inputs(q, v, t);
+  find_passive_force(q, v, t);
+  add_input_force(q, v, t);
+  return force_;
+}
+
 double System::power(const double* q, const double* v, double t) {
   if (does_work()) (void)inputs(q, v, t);
   return held_power(q, v, t);
@@ -238,7 +255,9 @@ double System::power(const double* q, const double* v, double t) {
 double System::held_power(const double* q, const double* v, double t) {
   double sum = conservation_.has_time ? explicit_power(q, v, t) : 0;
   if (!conservation_.is_forced && !has_moving_constraints_) return sum;
-  find_force(q, v, t);
+  find_passive_force(q, v, t);
+  if (has_moving_constraints_) add_constraint_force(q, v, t);
+  add_input_force(q, v, t);
   for (std::size_t i = 0; i < velocities(); ++i) sum += v[i] * force_[i];
   return sum;
 }

@@ -91,6 +91,7 @@ class System {
 
   /// Inputs keep what their laws are here, until held again.
   void hold(const double* q, const double* v, double t);
+  [[nodiscard]] bool holds_inputs() const { return is_held_; }
   /// By the laws, which see the angles that are shown, inside `limits`; 0 where there is no law.
   [[nodiscard]] const Numbers& inputs(const double* q, const double* v, double t);
   /// q as rows show it: an angle with `wrap` in (-pi, pi].
@@ -99,7 +100,10 @@ class System {
   /// The value of an expression of the model in q, v and t.
   [[nodiscard]] double value(ExpressionId expression, const double* q, const double* v,
                              double t) const {
-    return StateFunction(model_, expression, at_)(q, v, t);
+    return state_function(expression)(q, v, t);
+  }
+  [[nodiscard]] StateFunction state_function(ExpressionId expression) const {
+    return {model_, expression, at_};
   }
 
   /// The result of the program's `step` of length h from a state, with its inputs there: q, v, and
@@ -115,6 +119,10 @@ class System {
   [[nodiscard]] std::span<const double> multipliers(const double* q, const double* v, double t,
                                                     const Numbers& inputs);
   void coordinate_rates(const double* q, const double* v, double* rates);
+  /// d(q, v, W)/dt
+  void find_rates(const Numbers& state, Numbers& rates, double t);
+  /// B u + Q - dD/dv
+  [[nodiscard]] const Numbers& applied_force(const double* q, const double* v, double t);
   /// v.F - dL/dt; 0 where no work is done.
   [[nodiscard]] double power(const double* q, const double* v, double t);
   /// The same with the inputs that were last asked for.
@@ -162,8 +170,9 @@ class System {
     return callees_[static_cast<std::size_t>(kind)].function;
   }
   void call(OutputKind kind, const double* q, const double* v, double t, double* result);
-  /// F, to `force_`.
-  void find_force(const double* q, const double* v, double t);
+  /// F to `force_`, without inputs.
+  void find_passive_force(const double* q, const double* v, double t);
+  void add_input_force(const double* q, const double* v, double t);
   void add_constraint_force(const double* q, const double* v, double t);
   [[nodiscard]] double explicit_power(const double* q, const double* v, double t) const;
 

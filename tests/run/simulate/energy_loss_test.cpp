@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "run/simulate/compiled_model.hpp"
+#include "support/shell.hpp"
 
 using namespace elgen;
 using namespace elgen::test;

@@ -1,0 +1,67 @@
+// The calls with a kink below forces and laws, and their arguments.
+#include "run/steps/kinks.hpp"
+
+#include "elgen/references.hpp"
+#include "elgen/wording.hpp"
+
+namespace elgen {
+namespace {
+
+/// The velocity that is the only leaf below some expressions, apart from parameters.
+std::optional<std::size_t> only_rate(const Model& model, const std::vector<ExpressionId>& roots) {
+  std::optional<std::size_t> rate;
+  for (const ExpressionId id : reached(model, roots)) {
+    const Expression& node = model.expressions[id];
+    if (node.kind == ExpressionKind::time_derivative) return std::nullopt;
+    if (node.kind != ExpressionKind::leaf || is_leaf(node, Opcode::parameter)) continue;
+    if (!is_leaf(node, Opcode::velocity) || (rate && *rate != node.index)) return std::nullopt;
+    rate = node.index;
+  }
+  return rate;
+}
+
+}  // namespace
+
+KinkWatch::KinkWatch(System& system) : system_(system) {
+  const Model& model = system.model();
+  std::vector<ExpressionId> of_forces;
+  for (const Force& force : model.forces) {
+    of_forces.insert(of_forces.end(), force.value.begin(), force.value.end());
+  }
+  std::vector<ExpressionId> of_laws;
+  for (const Input& input : model.inputs) {
+    if (input.law) of_laws.push_back(*input.law);
+  }
+  for (const ExpressionId id : reached(model, of_forces)) add(id, false);
+  for (const ExpressionId id : reached(model, of_laws)) add(id, true);
+}
+
+void KinkWatch::add(ExpressionId call, bool is_of_law) {
+  const Model& model = system_.model();
+  const Expression& node = model.expressions[call];
+  if (node.kind != ExpressionKind::function || !is_kinked(node.function)) return;
+  if (is_one_number(model, call)) return;
+  Kink& kink = kinks_.emplace_back(Kink{call, is_of_law, only_rate(model, node.operands)});
+  for (const ExpressionId argument : node.operands) {
+    kink.arguments.push_back(system_.state_function(argument));
+  }
+}
+
+std::vector<int> KinkWatch::sides(const Numbers& state, double t) {
+  const double* const v = system_.v_of(state);
+  std::vector<int> all;
+  for (Kink& kink : kinks_) {
+    const bool is_still = kink.is_of_law && system_.holds_inputs();
+    const double* const q = kink.is_of_law ? system_.shown(state.data()).data() : state.data();
+    double side = is_still ? 0 : kink.arguments.front()(q, v, t);
+    if (!is_still && kink.arguments.size() > 1) side -= kink.arguments.back()(q, v, t);
+    all.push_back(side > 0 ? 1 : side < 0 ? -1 : 0);
+  }
+  return all;
+}
+
+std::string KinkWatch::text_of(std::size_t kink) const {
+  return in_backticks(system_.model().expressions[kinks_[kink].call].span);
+}
+
+}  // namespace elgen

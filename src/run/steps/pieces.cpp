@@ -1,0 +1,189 @@
+// Sides of kinks, the shares that hold rates, and which rates they can hold.
+#include "run/steps/pieces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "numbers/echelon.hpp"
+
+namespace elgen {
+namespace {
+
+/// Of a rate at its kink: held, or off it on one side.
+enum class Place : std::uint8_t { held, above, below };
+
+/// s of a + W s = 0 in the rows of held rates; 0 of those above, 1 of those below. None if W is
+/// singular there.
+std::optional<Numbers> shares_of(const Numbers& a, const Numbers& w,
+                                 const std::vector<Place>& places) {
+  const std::size_t n = a.size();
+  Numbers equations;
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool is_held = places[i] == Place::held;
+    for (std::size_t k = 0; k < n; ++k) {
+      equations.push_back(is_held ? w[i * n + k] : i == k ? 1 : 0);
+    }
+    equations.push_back(is_held ? -a[i] : places[i] == Place::below ? 1 : 0);
+  }
+  LargestPivot<double> field;
+  const Echelon<LargestPivot<double>> echelon(field, equations, n + 1, n);
+  if (!echelon.is_defined() || echelon.rank() < n) return std::nullopt;
+  return echelon.solution();
+}
+
+/// The place that contradicts nothing, of a rate whose place does.
+Place mended(Place place, double share, double acceleration) {
+  if (place == Place::above) return acceleration < 0 ? Place::held : place;
+  if (place == Place::below) return acceleration > 0 ? Place::held : place;
+  return share < 0 ? Place::above : share > 1 ? Place::below : place;
+}
+
+/// Of each rate: held with 0 <= s <= 1; or above with s = 0 and a >= 0; or below with s = 1 and
+/// a <= 0. The first rate that contradicts changes its place: Murty, Mathematical Programming 5
+/// (1973) 213, whose rule ends if W is a P-matrix, as B M^-1 B^T is. None if it does not.
+std::vector<Place> places_of(const Numbers& a, const Numbers& w) {
+  const std::size_t n = a.size();
+  const std::size_t most_turns = 1000;  // more than were seen of 20 rates
+  std::vector<Place> places(n, Place::held);
+  for (std::size_t turn = 0; turn < most_turns; ++turn) {
+    const std::optional<Numbers> shares = shares_of(a, w, places);
+    if (!shares) return {};
+    bool is_right = true;
+    for (std::size_t i = 0; i < n && is_right; ++i) {
+      double acceleration = a[i];
+      for (std::size_t k = 0; k < n; ++k) acceleration += w[i * n + k] * (*shares)[k];
+      const Place place = mended(places[i], (*shares)[i], acceleration);
+      is_right = place == places[i];
+      places[i] = place;
+    }
+    if (is_right) return places;
+  }
+  return {};
+}
+
+}  // namespace
+
+void Pieces::find_rates(const Numbers& state, Numbers& rates, double t) {
+  if (kinks_.empty()) return system_.find_rates(state, rates, t);
+  const std::vector<int> now = kinks_.sides(state, t);
+  for (std::size_t k = 0; k < now.size(); ++k) {
+    if (now[k] != 0 && now[k] != sides_[k] && !is_held(k)) is_left_ = true;
+  }
+  if (held_.empty()) return system_.find_rates(state, rates, t);
+  const Response found = response(state, t, held_);
+  const std::optional<Numbers> shares = shares_of(found.accelerations, found.acceleration_changes,
+                                                  std::vector<Place>(held_.size(), Place::held));
+  rates = found.above;
+  for (std::size_t k = 0; k < held_.size(); ++k) {
+    const double share = shares ? (*shares)[k] : -1;
+    if (!(share >= 0 && share <= 1)) is_left_ = true;
+    for (std::size_t i = 0; i < rates.size(); ++i) rates[i] += share * found.changes[k][i];
+  }
+  system_.coordinate_rates(state.data(), system_.v_of(state), rates.data());
+  for (const HeldRate& held : held_) system_.v_of(rates)[held.rate] = 0;
+}
+
+Pieces::Response Pieces::response(const Numbers& state, double t,
+                                  const std::vector<HeldRate>& held) const {
+  Numbers at = state;
+  double* const v = system_.v_of(at);
+  for (const HeldRate& each : held) v[each.rate] = each.value + nudge(each.value);
+  Response result;
+  result.above.resize(state.size());
+  system_.find_rates(at, result.above, t);
+  for (const HeldRate& each : held) {
+    Numbers& change = result.changes.emplace_back(state.size());
+    v[each.rate] = each.value - nudge(each.value);
+    system_.find_rates(at, change, t);
+    v[each.rate] = each.value + nudge(each.value);
+    for (std::size_t i = 0; i < change.size(); ++i) change[i] -= result.above[i];
+  }
+  for (const HeldRate& row : held) {
+    result.accelerations.push_back(system_.v_of(result.above)[row.rate]);
+    for (Numbers& change : result.changes) {
+      result.acceleration_changes.push_back(system_.v_of(change)[row.rate]);
+    }
+  }
+  return result;
+}
+
+/// A thousandth of the error of a step, and more than rounding.
+double Pieces::nudge(double value) const {
+  const double least = 8 * std::numeric_limits<double>::epsilon();
+  return std::max(tolerance_ / 1000, least) * (1 + std::abs(value));
+}
+
+bool Pieces::is_held(std::size_t kink) const {
+  const std::optional<std::size_t> rate = kinks_.rate_of(kink);
+  return rate && std::ranges::count(held_, *rate, &HeldRate::rate) > 0;
+}
+
+void Pieces::enter(const Numbers& before, Numbers& state, double t) {
+  const std::vector<int> now = kinks_.sides(state, t);
+  sides_.resize(now.size());
+  std::vector<HeldRate> candidates = held_;
+  for (std::size_t k = 0; k < now.size(); ++k) {
+    const bool is_crossed = now[k] * sides_[k] < 0;
+    if (is_held(k) || (now[k] != 0 && !is_crossed)) continue;
+    last_kink_ = kinks_.text_of(k);
+    const std::optional<std::size_t> rate = kinks_.rate_of(k);
+    if (!rate || std::ranges::count(candidates, *rate, &HeldRate::rate) > 0) continue;
+    const HeldRate held{*rate, root(k, before, state, t)};
+    if (can_hold(held, state, t)) candidates.push_back(held);
+  }
+  hold(candidates, state, t);
+  sides_ = kinks_.sides(state, t);
+}
+
+/// The value of the rate at which the side changes, between two states; 0 if it is nearly 0.
+double Pieces::root(std::size_t kink, Numbers from, const Numbers& to, double t) {
+  double& v = system_.v_of(from)[*kinks_.rate_of(kink)];
+  double low = v;
+  double high = system_.v_of(to)[*kinks_.rate_of(kink)];
+  const int side = sides_[kink];
+  const int halvings = std::numeric_limits<double>::digits;  // then both are neighbours
+  for (int i = 0; i < halvings && low != high; ++i) {
+    v = low + (high - low) / 2;
+    (kinks_.sides(from, t)[kink] == side ? low : high) = v;
+  }
+  return std::abs(high) < nudge(0) ? 0 : high;
+}
+
+/// Whether the force jumps on that rate alone, upwards below it. What damping changes over such a
+/// distance is far less than 1e-6 of a jump.
+bool Pieces::can_hold(const HeldRate& held, Numbers state, double t) const {
+  const auto forces = [&](double rate) {
+    system_.v_of(state)[held.rate] = rate;
+    return system_.applied_force(state.data(), system_.v_of(state), t);
+  };
+  Numbers jump = forces(held.value - nudge(held.value));
+  const Numbers above = forces(held.value + nudge(held.value));
+  for (std::size_t i = 0; i < jump.size(); ++i) jump[i] -= above[i];
+  const double own = std::exchange(jump[held.rate], 0);
+  return own > 0 &&
+         std::ranges::all_of(jump, [own](double other) { return std::abs(other) <= 1e-6 * own; });
+}
+
+void Pieces::hold(const std::vector<HeldRate>& candidates, Numbers& state, double t) {
+  held_.clear();
+  const Response found = response(state, t, candidates);
+  const std::vector<Place> places = places_of(found.accelerations, found.acceleration_changes);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const HeldRate& each = candidates[k];
+    double& v = system_.v_of(state)[each.rate];
+    if (places[k] == Place::held) held_.push_back(each);
+    v = each.value;
+    if (places[k] == Place::above) v += nudge(each.value);
+    if (places[k] == Place::below) v -= nudge(each.value);
+  }
+}
+
+void Pieces::keep(Numbers& state) const {
+  for (const HeldRate& held : held_) system_.v_of(state)[held.rate] = held.value;
+}
+
+}  // namespace elgen
