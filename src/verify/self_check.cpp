@@ -23,8 +23,14 @@ constexpr std::size_t checked_work = 16'000;
 /// Many models have a value at a small part of the states that are drawn.
 constexpr std::size_t draws_per_state = 8;
 
+/// Nodes of the energies that the oracle evaluates in the time of an instruction of the program.
+/// They count if they are many more: ten thousand points that move by one coordinate.
+constexpr std::size_t nodes_per_instruction = 8;
+
 std::size_t states_checked(const Subject& subject) {
-  return std::clamp(checked_work / work_of_state(subject), least_checked, most_checked);
+  const std::size_t nodes = reached(subject.model, equation_roots(subject.model)).size();
+  const std::size_t work = std::max(work_of_state(subject), nodes / nodes_per_instruction);
+  return std::clamp(checked_work / work, least_checked, most_checked);
 }
 
 /// Entries that rest on a zero that nobody proved. `dynamics` repeats the others and does not

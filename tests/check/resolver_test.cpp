@@ -222,7 +222,17 @@ TEST_CASE("sqrt is the power 1/2, delta a number, sum a sum") {
   CHECK(points_potential("c*x^2*delta(1, 1) + c*delta(1, 2)") == "energy V = c*x^2*1 + c*0\n");
   CHECK(points_potential("sum(i, 2, 2, i*c*x^2)") == "energy V = 2*c*x^2\n");
   CHECK(points_potential("sum(i, 1, 2, sum(j, i, 2, delta(i, j)*c*x^2))") ==
-        "energy V = (1*c*x^2 + 0*c*x^2) + 1*c*x^2\n");
+        "energy V = 2*c*x^2\n");
+}
+
+TEST_CASE("terms of a sum that differ in a number only are one term") {
+  CHECK(points_potential("sum(i, 1, 3, i*c*x^2 - c*x*y/(2*i))") ==
+        "energy V = 6*c*x^2 + -11/12*c*x*y\n");
+  CHECK(points_potential("sum(i, 1, 10000, i*c*x^2)") == "energy V = 50005000*c*x^2\n");
+  CHECK(points_potential("sum(i, 1, 3, (i - 2)*c*x^2)") == "energy V = 0\n");
+  // Unlike ones stay as they are typed.
+  CHECK(points_potential("sum(i, 1, 2, c*x^2*sin(i*x/y))") ==
+        "energy V = c*x^2*sin(1*x/y) + c*x^2*sin(2*x/y)\n");
 }
 
 TEST_CASE("a sum over no index is 0") {

@@ -9,6 +9,7 @@
 #include <map>
 #include <utility>
 
+#include "check/expressions/like_terms.hpp"
 #include "check/expressions/resolver.hpp"
 #include "check/names/reserved_names.hpp"
 #include "elgen/functions.hpp"
@@ -224,6 +225,7 @@ std::optional<ExpressionId> Resolver::resolve_sum(const ExpressionSyntax& call) 
     if (!term) return std::nullopt;
     sum.operands.push_back(*term);
   }
+  if (sum.operands.size() > 1) sum.operands = with_like_terms_added(context_, sum.operands);
   if (sum.operands.empty()) return push_number(0, call.span);
   return sum.operands.size() == 1 ? std::optional(sum.operands.front()) : push(std::move(sum));
 }

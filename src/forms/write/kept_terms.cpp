@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "forms/write/digit_rows.hpp"
+#include "numbers/random.hpp"
 
 namespace elgen {
 namespace {
@@ -21,6 +22,8 @@ class Triangles : GraphTerms {
   bool replace_one(std::vector<Ref>& terms) {
     std::vector<ScaledTerm> parts;
     for (const Ref term : terms) parts.push_back(scaled(term));
+    std::vector<std::uint64_t> keys;
+    for (const ScaledTerm& part : parts) keys.push_back(key_of(part.factors));
     for (std::size_t k = 0; k < terms.size(); ++k) {
       ScaledTerm mixed = parts[k];
       const auto cosine = std::ranges::find_if(mixed.factors, [&](const Operand& factor) {
@@ -29,9 +32,11 @@ class Triangles : GraphTerms {
       if (cosine == mixed.factors.end()) continue;
       const Ref angle = argument_of(graph_.node(cosine->node));
       mixed.factors.erase(cosine);
+      const std::uint64_t key = 2 * key_of(mixed.factors);
       for (std::size_t i = 0; i < terms.size(); ++i) {
         for (std::size_t j = i + 1; j < terms.size(); ++j) {
-          if (i == k || j == k || !may_be_triangle(parts[i], parts[j], mixed)) continue;
+          if (i == k || j == k || keys[i] + keys[j] != key) continue;
+          if (!may_be_triangle(parts[i], parts[j], mixed)) continue;
           const std::optional<Ref> triangle = of_triangle(parts[i], parts[j], mixed, angle);
           if (!triangle) continue;
           terms[k] = *triangle;
@@ -45,6 +50,16 @@ class Triangles : GraphTerms {
   }
 
  private:
+  /// The key of a product is the sum of its factors' keys. So the keys of C a^2 and C b^2 sum to
+  /// twice that of C a b: few of the many triples of a long sum do.
+  static std::uint64_t key_of(const std::vector<Operand>& factors) {
+    std::uint64_t key = 0;
+    for (const Operand& factor : factors) {
+      key += Random(factor.node).next() * static_cast<std::uint64_t>(std::int64_t{factor.weight});
+    }
+    return key;
+  }
+
   /// The coefficients of C a^2, C b^2 and 2 C a b.
   static bool may_be_triangle(const ScaledTerm& first, const ScaledTerm& second,
                               const ScaledTerm& mixed) {
