@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "elgen/leaves.hpp"
@@ -33,6 +34,9 @@ struct LeafNames : LeafValues<std::string> {
 [[nodiscard]] Assumption assumption_of(const LeafNames& leaves, std::uint32_t parameter);
 
 [[nodiscard]] LeafNames leaf_names(const Model& model);
+
+/// Whether a coordinate, parameter, input, function, prescribed motion or definition has the name.
+[[nodiscard]] bool has_value_named(const Model& model, std::string_view name);
 
 /// The name of the leaf E in `conserved`: `energy_function` where the model calls something else E.
 [[nodiscard]] std::string energy_name(const Model& model);

@@ -45,15 +45,17 @@ LeafNames leaf_names(const Model& model) {
   return leaves;
 }
 
+bool has_value_named(const Model& model, std::string_view name) {
+  const auto has = [name](const auto& entries) {
+    return std::ranges::any_of(entries, [name](const auto& entry) { return entry.name == name; });
+  };
+  return has(model.coordinates) || has(model.parameter_arrays) || has(model.inputs) ||
+         has(model.functions) || has(model.prescribed) || has(model.definitions);
+}
+
 std::string energy_name(const Model& model) {
   const std::string name(leaf_row(Opcode::energy).symbol);
-  const auto has = [&name](const auto& entries) {
-    return std::ranges::any_of(entries, [&name](const auto& entry) { return entry.name == name; });
-  };
-  const bool is_taken = has(model.coordinates) || has(model.parameter_arrays) ||
-                        has(model.inputs) || has(model.functions) || has(model.prescribed) ||
-                        has(model.definitions);
-  return is_taken ? "energy_function" : name;
+  return has_value_named(model, name) ? "energy_function" : name;
 }
 
 Assumption assumption_of(const LeafNames& leaves, std::uint32_t parameter) {

@@ -285,6 +285,24 @@ TEST_CASE("bodies turn in the axes of the world and in their own") {
   CHECK(count(sphere.page(), "\n  turn: ") == 6);
 }
 
+TEST_CASE("the integral of dL has a name that no value of the model has") {
+  const auto pushed = [](const std::string& input, const std::string& mass) {
+    return FoundSymmetries(
+        model_text("pushed", "[[coordinate]]\nname = \"x\"\n[parameters]\nm = " + mass +
+                                 "\n[energy]\nT = \"1/2*m*dot(x)^2\"\n[[input]]\nname = \"" +
+                                 input + "\"\non = \"x\"\n"));
+  };
+  const std::string named = pushed("F", "1").page();
+  INFO(named);
+  CHECK(mentions(named, " - F_1,   F_1 = m*x"));
+  CHECK(mentions(named, "d/dt = t*F"));
+  CHECK_FALSE(mentions(named, "F = m*x"));
+  CHECK(mentions(pushed("u", "1").page(), " - F,   F = m*x"));
+  // The letters of books are distinct, too.
+  const FoundSymmetries drawn = pushed("u", "{ value = 1, latex = \"F\" }");
+  CHECK(mentions(latex_document(symmetries_page(drawn.checked(), drawn.found())), "F' = F x"));
+}
+
 TEST_CASE("pages are read in the notations of books") {
   const FoundSymmetries found(model_file("cart_pole"));
   const Page sheet = symmetries_page(found.checked(), found.found());

@@ -11,7 +11,9 @@
 #include "analyse/formulas.hpp"
 #include "analyse/generators.hpp"
 #include "elgen/analysis_pages.hpp"
+#include "elgen/leaf_names.hpp"
 #include "formula/glyphs.hpp"
+#include "model/symbols.hpp"
 #include "print/analyses/page_parts.hpp"
 
 namespace elgen {
@@ -94,6 +96,18 @@ Formula change_of(const PageForms& known, const Symmetry& symmetry) {
 
 // Integrals
 
+/// "F", or "F_1", "F_2", ... if the model has a value of that name.
+std::string name_of_total(const Model& model) {
+  std::string name = "F";
+  for (int i = 1; has_value_named(model, name); ++i) name = fmt::format("F_{}", i);
+  return name;
+}
+
+/// A symbol that no value of the model has, neither as text nor in LaTeX.
+Formula free_symbol(const Model& model, const std::string& name) {
+  return symbol_formula(name, ModelSymbols(model).distinct(symbol_of_name(name)));
+}
+
 /// "p(x)" = "m*dot(x)"; "p(x)*t - F", "F" = "m*x"; "E" = "…" with a note.
 struct IntegralLine {
   Formula left = {};
@@ -138,7 +152,7 @@ IntegralLine integral_of(const PageForms& known, const Symmetry& symmetry, bool 
   Formula names = read_or_words(known, symmetry.by_names);
   IntegralLine result{.note = note_on(symmetry, loses_energy)};
   if (!is_nothing(symmetry.total)) {
-    const Formula total = typed_formula("F");
+    const Formula total = free_symbol(known.model, name_of_total(known.model));
     Formulas terms = names.kind == FormulaKind::sum ? names.parts : Formulas{names};
     terms.push_back(negative(total));
     result.left = sum_of(std::move(terms));
@@ -149,7 +163,7 @@ IntegralLine integral_of(const PageForms& known, const Symmetry& symmetry, bool 
           row_of({std::move(result.left), prose(","), total, prose("has no closed form")});
     }
   } else if (turns(known.model, symmetry)) {  // written out it is as long as its components again
-    result.equation = equation(typed_formula("I"), std::move(names));
+    result.equation = equation(free_symbol(known.model, "I"), std::move(names));
   } else if (std::optional<Formula> closed = known.read(symmetry.closed)) {
     result.equation = equation(std::move(names), std::move(*closed));
   } else {
@@ -240,18 +254,19 @@ std::string sampled(const Symmetries& symmetries) {
 }
 
 /// The verdict on the integrals: "conserved: proved; ".
-std::string verdict(const Symmetries& symmetries) {
+std::string verdict(const Model& model, const Symmetries& symmetries) {
   if (symmetries.all.empty()) return {};
   const bool are_proved = std::ranges::all_of(symmetries.all, &Symmetry::is_proved);
   const bool is_free = std::ranges::all_of(symmetries.all, is_nothing, &Symmetry::rate);
   return fmt::format("{}: {}; ", is_free ? "conserved" : "conserved where d/dt is 0",
-                     are_proved            ? "proved"
-                     : symmetries.is_exact ? "dL = dF/dt is proved"
-                                           : sampled(symmetries));
+                     are_proved ? "proved"
+                     : symmetries.is_exact
+                         ? fmt::format("dL = d{}/dt is proved", name_of_total(model))
+                         : sampled(symmetries));
 }
 
 /// "conserved: proved; these are all of this form (9 unknowns, exactly)"
-std::string claim_of(const Symmetries& symmetries) {
+std::string claim_of(const Model& model, const Symmetries& symmetries) {
   const std::size_t count = symmetries.all.size();
   if (!symmetries.is_exact && symmetries.states == 0) {
     return "not decided: no state within the ranges has a value";
@@ -261,7 +276,7 @@ std::string claim_of(const Symmetries& symmetries) {
   const bool is_generic = symmetries.sampled_elsewhere == count &&
                           std::ranges::none_of(symmetries.all, &Symmetry::is_special);
   const bool agrees = symmetries.states > 0 && symmetries.sampled == count;
-  std::string line = verdict(symmetries);
+  std::string line = verdict(model, symmetries);
   if (symmetries.is_complete) {
     line += fmt::format("{} of this form ({}, exactly)", subject, unknowns);
   } else if (is_generic) {
@@ -320,7 +335,7 @@ Page symmetries_page(const CheckedModel& checked, const Symmetries& symmetries) 
   PageForms known(checked.model, symmetries.forms);
   Page page{.title = subject_of(checked, symmetries)};
   if (!symmetries.all.empty()) page.sections = sections_of(known, symmetries);
-  page.sections.push_back({.doc = claim_of(symmetries)});
+  page.sections.push_back({.doc = claim_of(checked.model, symmetries)});
   std::string list;
   for (const std::string& name : stated_integrals(checked, known, symmetries)) {
     list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", name);
