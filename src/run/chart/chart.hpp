@@ -8,15 +8,9 @@
 #include <string>
 #include <vector>
 
-namespace elgen {
+#include "formula/glyphs.hpp"
 
-[[nodiscard]] inline std::string escaped_for_xml(const std::string& text) {
-  std::string result;
-  for (const char letter : text) {
-    result += letter == '&' ? "&amp;" : letter == '<' ? "&lt;" : std::string(1, letter);
-  }
-  return result;
-}
+namespace elgen {
 
 /// The opening tag, a white ground, and the title of the plot, in the topmost 30 pixels.
 [[nodiscard]] inline std::string svg_start(double width, double height, const std::string& title) {
@@ -25,7 +19,7 @@ namespace elgen {
       "viewBox=\"0 0 {0} {1}\" font-family=\"sans-serif\" font-size=\"12\">\n"
       "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
       "<text x=\"14\" y=\"22\" font-size=\"14\" font-weight=\"bold\">{2}</text>\n",
-      width, height, escaped_for_xml(title));
+      width, height, xml_text(title));
 }
 
 [[nodiscard]] inline std::string svg_grid_line(double x1, double y1, double x2, double y2) {
@@ -38,13 +32,13 @@ namespace elgen {
 [[nodiscard]] inline std::string svg_label(double x, double y, const char* anchor,
                                            const std::string& text) {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor,
-                     escaped_for_xml(text));
+                     xml_text(text));
 }
 
 /// The title of a part of the plot, in bold, from x on.
 [[nodiscard]] inline std::string svg_title(double x, double y, const std::string& text) {
   return fmt::format("<text x=\"{}\" y=\"{}\" font-weight=\"bold\">{}</text>\n", x, y,
-                     escaped_for_xml(text));
+                     xml_text(text));
 }
 
 /// A line across a chart, and the text at its end.

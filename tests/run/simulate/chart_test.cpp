@@ -16,6 +16,9 @@ TEST_CASE("a plot starts with its size, a white ground and its title") {
 TEST_CASE("texts are escaped, positions have a tenth of a pixel") {
   CHECK(svg_label(1.04, 2, "end", "a<b & c") ==
         "<text x=\"1.0\" y=\"2.0\" text-anchor=\"end\">a&lt;b &amp; c</text>\n");
+  // XML forbids ]]> in text.
+  CHECK(svg_title(1, 2, "a[b[1]]>0") ==
+        "<text x=\"1\" y=\"2\" font-weight=\"bold\">a[b[1]]&gt;0</text>\n");
   CHECK(svg_title(1, 2, "a<b") == "<text x=\"1\" y=\"2\" font-weight=\"bold\">a&lt;b</text>\n");
   CHECK(svg_grid_line(0, 1, 2, 3.26) ==
         "<line x1=\"0.0\" y1=\"1.0\" x2=\"2.0\" y2=\"3.3\" stroke=\"#ddd\"/>\n");
