@@ -1,4 +1,4 @@
-// The order of the stages, and the only place that knows it:
+// The order of the stages up to the files and their self-check:
 //
 //     parse -> check -> inspect -> formulate -> specialise -> derive -> lower -> cancel (with
 //     outputs composed of their parts) -> present -> choose -> typeset -> emit -> self-check
