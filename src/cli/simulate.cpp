@@ -9,6 +9,7 @@
 #include <functional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/files/data_formats.hpp"
@@ -61,11 +62,32 @@ Products shown_for_run(const SimulateOptions& options, const Inputs& inputs,
   return derived_for_run(inputs, std::move(pipeline), step_of_run(options.run));
 }
 
+/// E910 where rows take more memory than there is: t, q, v and E of each, as numbers and as texts
+/// of two characters at least.
+Diagnostics refuse_rows(const SimulationOptions& run, const Model& model, const Limits& limits) {
+  if (!run.every) return {};
+  const std::size_t numbers = model.coordinates.size() + model.velocities.size() + 2;
+  const std::size_t bytes = sizeof(std::vector<double>) + numbers * (sizeof(double) + 2);
+  const double rows = run.time / *run.every;
+  if (rows * static_cast<double>(bytes) <= static_cast<double>(limits.memory_mib) * 0x1p20)
+    return {};
+  return {{Code::E910,
+           {},
+           fmt::format("`--every {}` gives {:.3g} rows, which take more than {} MiB of memory",
+                       *run.every, rows, limits.memory_mib),
+           "give a longer `--every`, or raise --limit memory_mib=N"}};
+}
+
 Result<Trajectory> trajectory_of(const GlobalOptions& global, const SimulateOptions& options,
                                  const Products& products) {
+  SimulationOptions run = options.run;
+  const bool has_rows = !options.output.file.empty() || wants_json(global);
+  if (has_rows && !run.every) run.every = run.time / default_rows;
+  Diagnostics refused = refuse_rows(run, products.checked->model, global.limits);
+  if (!refused.empty()) return refused;
   const Progress progress(options.input);
   Result<CompiledHeaders> headers = CompiledHeaders();
-  if (!step_of_run(options.run)) {
+  if (!step_of_run(run)) {
     progress.stage("compile");
     headers = compiled_for_run(products, global.limits);
     if (!headers) return headers.diagnostics;
@@ -74,9 +96,6 @@ Result<Trajectory> trajectory_of(const GlobalOptions& global, const SimulateOpti
       headers->empty() ? nullptr : headers->front().functions.get();
   progress.stage("simulate");
   renew_time_limit(global.limits);
-  SimulationOptions run = options.run;
-  const bool has_rows = !options.output.file.empty() || wants_json(global);
-  if (has_rows && !run.every) run.every = run.time / default_rows;
   run.watch = estimate_of_run(global, progress, run.from, run.time);
   return simulate(*products.checked, *products.program, compiled, run);
 }
@@ -148,7 +167,7 @@ ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& give
   if (!refused.empty()) return report(global, refused);
   Result<DataFormat<Trajectory>> format;
   if (!options.output.file.empty()) {
-    format = format_of<Trajectory>(options.output.file);
+    format = format_of<Trajectory>(options.output.file, data_formats<Trajectory>, "html");
     if (!format) return report(global, format.diagnostics);
     refused = refuse_place(options.output);
     if (!refused.empty()) return report(global, refused);

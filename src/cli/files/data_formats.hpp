@@ -2,10 +2,12 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "elgen/diagnostic.hpp"
 
@@ -24,18 +26,25 @@ inline constexpr std::array data_formats{
     DataFormat<Data>{"json", [](const Data& data) { return to_json(data); }},
     DataFormat<Data>{"svg", [](const Data& data) { return to_svg(data); }}};
 
-/// By the ending of its name; E913 where that says nothing.
+/// By the ending of its name; E913 where that says nothing. `other`: a format that the command
+/// writes by itself.
 template <class Data>
 [[nodiscard]] Result<DataFormat<Data>> format_of(
-    const std::string& file, const std::array<DataFormat<Data>, 3>& formats = data_formats<Data>) {
+    const std::string& file, const std::array<DataFormat<Data>, 3>& formats = data_formats<Data>,
+    std::string_view other = {}) {
+  std::vector<std::string> endings;
   for (const DataFormat<Data>& format : formats) {
-    if (file.ends_with(fmt::format(".{}", format.name))) return format;
+    endings.push_back(fmt::format(".{}", format.name));
+    if (file.ends_with(endings.back())) return format;
   }
-  return Diagnostic{Code::E913,
-                    {},
-                    fmt::format("`{}` ends in none of .{}, .{} and .{}", file, formats[0].name,
-                                formats[1].name, formats[2].name),
-                    "the ending says what is written"};
+  if (!other.empty()) endings.push_back(fmt::format(".{}", other));
+  const std::string last = endings.back();
+  endings.pop_back();
+  return Diagnostic{
+      Code::E913,
+      {},
+      fmt::format("`{}` ends in none of {} and {}", file, fmt::join(endings, ", "), last),
+      "the ending says what is written"};
 }
 
 }  // namespace elgen::cli
