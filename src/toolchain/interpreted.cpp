@@ -252,7 +252,7 @@ Result<CompiledHeaders> interpret(const EmittedFiles& files, const DriverInput& 
                                   const Limits& limits) {
   const SourceSpelling& spelling = source_spelling(input.scene.emission.language);
   const std::string ending = fmt::format(".{}", language_row(spelling.language).ending);
-  const std::string driver = "elgen_driver" + ending;
+  const std::string driver = "elgen-driver" + ending;  // no model has a hyphen in its name
   Result<TemporaryDirectory> directory = directory_with(
       {},
       {{input.scene.base_name + ending, files.files.at(path_of(input.scene, ArtifactId::source))},

@@ -45,4 +45,23 @@ TEST_CASE("an interpreter may write of its own, but not end before its last answ
   CHECK(mentions(ending.output, "mine` exits 9, after 3 answers"));
 }
 
+TEST_CASE("an interpreter may be isolated, and a model may be called as the driver was") {
+  if (!is_installed("python3", "python3 --version")) return;
+  for (const std::string python : {"export PYTHON='python3 -I';", "export PYTHONSAFEPATH=1;"}) {
+    INFO(python);
+    const Outcome isolated = run(python + verified);
+    INFO(isolated.output + isolated.errors);
+    CHECK(isolated.status == 0);
+    CHECK(mentions(isolated.output, " 0 fail, 0 skipped"));
+  }
+  const Workspace workspace;
+  workspace.write("driver.toml",
+                  "format = 1\n[model]\nname = \"elgen_driver\"\n[[coordinate]]\nname = \"q\"\n"
+                  "[energy]\nT = \"1/2*dot(q)^2\"\nV = \"cos(q)\"\n");
+  const Outcome named = workspace.run("elgen verify --samples 2 --language python driver.toml");
+  INFO(named.output + named.errors);
+  CHECK(named.status == 0);
+  CHECK(mentions(named.output, " 0 fail, 0 skipped"));
+}
+
 }  // namespace elgen::test

@@ -107,6 +107,35 @@ TEST_CASE("matlab: reserved words get an underscore, long names of values are cu
   CHECK(judged.status == 0);
 }
 
+TEST_CASE("matlab: functions that a module or its driver calls name no module, but values") {
+  const Matlab folder;
+  const auto rotor = [](const std::string& model, const std::string& coordinate,
+                        const std::string& parameter) {
+    return "format = 1\n[model]\nname = \"" + model + "\"\n[[coordinate]]\nname = \"" + coordinate +
+           "\"\n[parameters]\n" + parameter + " = 2\n[energy]\nT = \"1/2*" + parameter + "*dot(" +
+           coordinate + ")^2\"\nV = \"" + parameter + "*cos(" + coordinate + ")\"\n";
+  };
+  for (const std::string name : {"size", "numel", "all", "mod", "printf", "methods"}) {
+    INFO(name);
+    folder.write(name + ".toml", rotor(name, "q", "J"));
+    const Outcome refused = folder.run("elgen generate --language matlab -o x " + name + ".toml");
+    CHECK(refused.status == 2);
+    CHECK(mentions(refused.errors, "[E701]: `" + name + "` cannot name a module"));
+  }
+  if (!has_octave()) return;
+  folder.write("values.toml", rotor("rotor", "size", "numel"));
+  // The file and the functions of the driver have names that no model has.
+  folder.write("elgen_driver.toml", rotor("elgen_driver", "q", "J"));
+  folder.write("flat.toml", rotor("flat", "q", "J"));
+  folder.write("functions.toml", rotor("functions", "q", "J"));
+  const Outcome judged = folder.run(
+      "elgen verify --samples 2 --language matlab values.toml elgen_driver.toml flat.toml "
+      "functions.toml");
+  INFO(judged.output + judged.errors);
+  CHECK(judged.status == 0);
+  CHECK(count(judged.output, " 0 fail, 0 skipped") == 4);
+}
+
 TEST_CASE("matlab: vectors are columns, several results a struct, what is empty has its shape") {
   if (!has_octave()) return;
   const Matlab folder;
