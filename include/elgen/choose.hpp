@@ -5,10 +5,11 @@
 // closed form is the cancelled, collected equation: for small models it is cheaper and more
 // accurate, since cancelling terms are gone. Both are lowered and counted after sharing. The
 // cheaper one is kept, the closed one on a tie, unless the scene asks for one. A closed form that
-// loses digits which the recursive one keeps is never taken. If digits are lost where sums cancel,
-// entries are rewritten and the other form is considered (choose/text_errors.hpp): with balance if
-// many are lost and the cost is little higher, with accuracy if any are, never with speed. Guards
-// against states that algebra ignores, and the order of evaluation, come last (choose/finish.hpp).
+// loses digits which the recursive one keeps is never taken. If many digits are lost where sums
+// cancel, or any in a scene for float alone, entries are rewritten and the other form is considered
+// (choose/text_errors.hpp): it is taken if it costs little more. Nothing of this happens if the
+// scene prefers speed. Guards against states that algebra ignores, and the order of evaluation,
+// come last (choose/finish.hpp).
 #pragma once
 
 #include <optional>
@@ -28,8 +29,8 @@ struct FormCosts {
   OperationCounts recursive = {};
   std::optional<OperationCounts> closed = {};  ///< none: given up, or far beyond the recursive form
   /// The largest error of a form at points where sums cancel, relative to |x| and to the least
-  /// error of all known rewritings (choose/text_errors.hpp). x is the entry if the scene prefers
-  /// accuracy, else the largest entry of its field. None if it was not needed.
+  /// error of all known rewritings (choose/text_errors.hpp). x is the largest entry of the field;
+  /// of V and its derivatives it is the entry itself. None if it was not needed.
   std::optional<double> recursive_loss = {};
   std::optional<double> closed_loss = {};
   /// The number of the first entry that is inaccurate in every closed form tried, while the
