@@ -20,7 +20,8 @@ struct ValueField {
   std::vector<std::string> units = {};    ///< of each entry; "" where it has none
 };
 
-/// An output as a function: its arguments of which the model has some, and its fields.
+/// An output as a function: its arguments of which the model has some, inputs in any case, and its
+/// fields.
 struct ValueFunction {
   OutputRequest output = {};
   std::vector<Opcode> takes = {};

@@ -70,7 +70,9 @@ ValueField field_of(const Model& model, const OutputRequest& output, const Field
 ValueFunction function_of(const Model& model, const OutputRequest& output) {
   ValueFunction function{output,
                          arguments_of(model, Function{.kind = output.kind, .user = output.user})};
-  std::erase_if(function.takes, [&](Opcode kind) { return leaf_count(model, kind) == 0; });
+  // Emitted functions take u whether the model has inputs or not.
+  std::erase_if(function.takes,
+                [&](Opcode kind) { return kind != Opcode::input && leaf_count(model, kind) == 0; });
   for (const FieldRow& row : output_row(output.kind).fields) {
     const bool is_explicit_step = output_row(output.kind).steps && output.iterations == 0;
     const bool is_left_out = (row.rows == Extent::pivots && output.without_pivots) ||

@@ -95,6 +95,7 @@ std::string struct_text(const ValueTable& table, const ValueFunction& function) 
   std::string text;
   for (const Opcode kind : function.takes) {
     const std::vector<std::string> names = leaf_texts(table.model, kind);
+    if (names.empty()) continue;  // C has no empty arrays
     text += fmt::format("  double {}{}; /* {} */\n", leaf_row(kind).symbol,
                         is_single(kind) ? "" : fmt::format("[{}]", names.size()),
                         fmt::join(names, ", "));
@@ -114,6 +115,7 @@ std::string initializer(const ValueTable& table, const ValueRecord& record) {
   std::string text;
   for (const Opcode kind : table.functions[record.function].takes) {
     const auto* const list = list_of(record.state, kind);
+    if (list != nullptr && list->empty()) continue;
     text += list == nullptr ? decimal_text(leaf_of(record.state, kind, 0), table.digits) + ", "
                             : fmt::format("{{{}}}, ", decimal_texts(*list, table.digits));
   }
@@ -159,7 +161,7 @@ std::string to_csv(const ValueTable& table) {
   const LeafSet kinds = taken_by(table);
   std::string text = "function,field,row,column,unit,value,digits,state";
   for (const LeafRow& row : leaf_table()) {
-    if (!kinds.has_any(row.id)) continue;
+    if (!kinds.has_any(row.id) || leaf_count(table.model, row.id) == 0) continue;
     text += fmt::format(",{}", fmt::join(leaf_texts(table.model, row.id), ","));
   }
   text += "\n";

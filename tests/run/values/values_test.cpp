@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <utility>
 
 #include "elgen/pipeline.hpp"
 #include "support/models.hpp"
@@ -124,6 +125,31 @@ TEST_CASE("the state is the start, and what is stated beside it") {
       evaluated(block, options_of("dot(dot(x))=3", "inverse_dynamics"))["values"][0];
   CHECK(stated["a"] == Json{3.0});
   CHECK(stated["value"] == Json{12.0});
+}
+
+TEST_CASE("functions with inputs have an empty list of them in models without inputs") {
+  for (const auto& [text, inputs] :
+       {std::pair{block, 1U}, std::pair{block.substr(0, block.find("[[input]]")), 0U}}) {
+    const Vectors vectors(text, {.samples = 2}, "forward_dynamics,mass_matrix");
+    REQUIRE(vectors.table);
+    const Json object = Json::parse(to_json(*vectors.table));
+    REQUIRE(object["functions"].size() == 2);
+    for (const Json& function : object["functions"]) {
+      const bool takes_inputs = function["name"] == "forward_dynamics";
+      REQUIRE(function["takes"].contains("u") == takes_inputs);
+      if (takes_inputs) CHECK(function["takes"]["u"].size() == inputs);
+    }
+    REQUIRE(object["values"].size() == 4);
+    for (const Json& record : object["values"]) {
+      const bool takes_inputs = record["function"] == "forward_dynamics";
+      REQUIRE(record.contains("u") == takes_inputs);
+      if (takes_inputs) CHECK(record["u"].size() == inputs);
+    }
+    // C has no empty arrays, and rows have no empty names.
+    CHECK(mentions(to_header(*vectors.table), "double u[") == (inputs > 0));
+    CHECK(mentions(to_csv(*vectors.table),
+                   inputs > 0 ? ",state,m,x,dot(x),u\n" : ",state,m,x,dot(x)\n"));
+  }
 }
 
 TEST_CASE("momenta are those of the rates, or stated") {
