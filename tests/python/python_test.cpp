@@ -53,6 +53,10 @@ TEST_CASE("SymPy proves every closed form that a model expects") { check_script(
 
 TEST_CASE("mpmath has the 50 digits of the oracle") { check_script("mpmath_digits"); }
 
+TEST_CASE("numbers that no double is are exact in SymPy and mpmath") {
+  check_script("exact_numbers");
+}
+
 TEST_CASE("numba has the bits of CPython") { check_script("numba_bits"); }
 
 TEST_CASE("the Jacobian of torch is the linearization") { check_script("torch_jacobian"); }

@@ -7,6 +7,7 @@
 
 #include "base/ascii.hpp"
 #include "emit/interface/code_interface.hpp"
+#include "emit/source/exact_numbers.hpp"
 #include "emit/text/layout.hpp"
 #include "numbers/scalar_literal.hpp"
 
@@ -56,7 +57,8 @@ class SourceDialect final : public Dialect {
       : Dialect(model, program, scene.emission.language, "."),
         scene_(scene),
         spelling_(source_spelling(scene.emission.language)),
-        members_(members_of(model, program.leaves)) {}
+        members_(members_of(model, program.leaves)),
+        numbers_(model, program, spelling_) {}
 
   std::string leaf(Opcode kind, std::uint32_t number) const override {
     if (kind != Opcode::parameter) {
@@ -70,7 +72,10 @@ class SourceDialect final : public Dialect {
 
   FormulaText constant(const Constant& constant) const override {
     const bool is_negative = cln::minusp(constant.value);
-    return {source_literal(constant.value), is_negative ? Binding::negation : Binding::atom};
+    const std::string name = numbers_.name_of(constant);
+    const std::string text =
+        name.empty() ? source_literal(constant.value) : (is_negative ? "-" : "") + name;
+    return {text, is_negative ? Binding::negation : Binding::atom};
   }
 
   bool has_pairs() const override { return false; }
@@ -191,6 +196,7 @@ class SourceDialect final : public Dialect {
   const Scene& scene_;
   const SourceSpelling& spelling_;
   std::vector<ParameterMember> members_;
+  ExactNumbers numbers_;
 };
 
 }  // namespace

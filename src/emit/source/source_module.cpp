@@ -4,15 +4,14 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <set>
 #include <utility>
 
 #include "base/ascii.hpp"
-#include "elgen/real.hpp"
 #include "emit/code/function_docs.hpp"
 #include "emit/code/header_data.hpp"
 #include "emit/interface/code_interface.hpp"
+#include "emit/source/exact_numbers.hpp"
 #include "emit/source/source_dialect.hpp"
 #include "emit/text/emission_checks.hpp"
 #include "emit/text/emission_input.hpp"
@@ -92,55 +91,6 @@ Texts parameter_lines(const EmissionInput& input, bool documented) {
   return lines;
 }
 
-/// The factor of pi, where the form is pi or a rational number times pi.
-std::optional<cln::cl_RA> factor_of_pi(const ConstantForm& form) {
-  if (form.kind == ConstantKind::pi) return cln::cl_RA(1);
-  if (form.kind != ConstantKind::product || form.parts.size() != 2) return std::nullopt;
-  const ConstantPart& first = form.parts[0];
-  const ConstantPart& second = form.parts[1];
-  const bool is_multiple = first.weight == 1 && second.weight == 1 &&
-                           first.form.kind == ConstantKind::rational &&
-                           second.form.kind == ConstantKind::pi;
-  return is_multiple ? std::optional(first.form.number) : std::nullopt;
-}
-
-std::string fraction(const cln::cl_RA& number, const char* more) {
-  return fmt::format("({}, {}{})", exact_text(cln::numerator(number)),
-                     exact_text(cln::denominator(number)), more);
-}
-
-/// "(1, 10)", "(1, 2, True)" with pi, "'0.8660…'": the number that a double stands for.
-std::string exact_value_text(const Constant& constant) {
-  if (is_rational(constant)) return fraction(cln::rational(cln::abs(constant.value)), "");
-  const auto factor = factor_of_pi(constant.form);
-  if (factor) return fraction(cln::abs(*factor), ", True");
-  constexpr int digits = 60;
-  return fmt::format("\"{}\"", literal_text(rounded_decimal(cln::abs(constant.value), digits)));
-}
-
-/// The numbers of the equations and the parameters that are no doubles, by their literals.
-std::string exact_numbers(const EmissionInput& input) {
-  std::vector<Constant> constants = executed_constants(input.program);
-  for (const ParameterArray& array : emitted_parameters(input.model, input.program)) {
-    for (const cln::cl_R& value : values_of(input.model, array)) {
-      if (is_rational(value)) constants.push_back(rational_constant(cln::rational(value)));
-    }
-  }
-  std::map<double, std::set<std::string>> exact;
-  for (const Constant& constant : constants) {
-    const double nearest = ScalarTraits<double>::from_real(cln::abs(constant.value));
-    if (is_rational(constant) && exact_value(nearest) == cln::abs(constant.value)) continue;
-    exact[nearest].insert(exact_value_text(constant));
-  }
-  Texts pairs;
-  for (const auto& [nearest, values] : exact) {
-    if (values.size() > 1) continue;  // nobody could tell which one the double stands for
-    pairs.push_back(fmt::format("{}: {}", source_literal(exact_value(nearest)), *values.begin()));
-  }
-  return in_lines(source_spelling(input.scene.emission.language),
-                  "exact = ", fmt::format("{{{}}}", fmt::join(pairs, ", ")));
-}
-
 /// The functions of the library that the module calls, by its names.
 Texts called_functions(const Program& program, const SourceSpelling& spelling) {
   Texts names;
@@ -214,7 +164,13 @@ void set_reflection(TemplateData& data, const EmissionInput& input) {
   data.set("imports",
            section_if(!imported.empty(),
                       TemplateRow{{"names", fmt::format("{}", fmt::join(imported, ", "))}}));
-  data.set("exact", exact_numbers(input));
+  const ExactNumbers exact(input.model, input.program, spelling);
+  data.set("exact",
+           in_lines(spelling, "exact = ", fmt::format("{{{}}}", fmt::join(exact.entries(), ", "))));
+  data.set("numbers", rows_data(exact.named(), [](const auto& number) {
+             return TemplateRow{{"name", number.first},
+                                {"value", source_literal(exact_value(number.second))}};
+           }));
   data.set("library", library(spelling, called));
   data.set("branching", source_list(spelling.texts, quoted(branching_functions(input))));
   data.set(

@@ -1,0 +1,129 @@
+// Exact numbers: constants of functions first, then values of parameters.
+#include "emit/source/exact_numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "elgen/real.hpp"
+#include "emit/interface/code_interface.hpp"
+#include "emit/source/source_dialect.hpp"
+#include "numbers/exact_number.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr int digits_of_decimals = 60;
+
+/// The factor of pi, where the form is pi or a rational number times pi.
+std::optional<cln::cl_RA> factor_of_pi(const ConstantForm& form) {
+  if (form.kind == ConstantKind::pi) return cln::cl_RA(1);
+  if (form.kind != ConstantKind::product || form.parts.size() != 2) return std::nullopt;
+  const ConstantPart& first = form.parts[0];
+  const ConstantPart& second = form.parts[1];
+  const bool is_multiple = first.weight == 1 && second.weight == 1 &&
+                           first.form.kind == ConstantKind::rational &&
+                           second.form.kind == ConstantKind::pi;
+  return is_multiple ? std::optional(first.form.number) : std::nullopt;
+}
+
+/// Digits alone: with an exponent, an integer would be a float of the language.
+std::string fraction(const cln::cl_RA& number, const char* more) {
+  return fmt::format("({}, {}{})", integer_text(cln::numerator(number)),
+                     integer_text(cln::denominator(number)), more);
+}
+
+double nearest_double(const cln::cl_R& value) {
+  return ScalarTraits<double>::from_real(cln::abs(value));
+}
+
+std::string digits_of(const cln::cl_R& value) {
+  return literal_text(rounded_decimal(cln::abs(value), digits_of_decimals));
+}
+
+/// "(1, 10)", "(1, 2, True)" with pi, "'0.8660…'"; empty for a double.
+std::string entry_text(const Constant& constant) {
+  const cln::cl_R magnitude = cln::abs(constant.value);
+  if (is_rational(constant)) {
+    const bool is_double = exact_value(nearest_double(magnitude)) == magnitude;
+    return is_double ? "" : fraction(cln::rational(magnitude), "");
+  }
+  const auto factor = factor_of_pi(constant.form);
+  if (factor) return fraction(cln::abs(*factor), ", True");
+  return fmt::format("\"{}\"", digits_of(magnitude));
+}
+
+/// A value of a parameter, whose form is not known.
+Constant constant_with(const cln::cl_R& value) {
+  if (is_rational(value)) return rational_constant(cln::rational(value));
+  Constant constant{value};
+  constant.form.kind = ConstantKind::sum;
+  return constant;
+}
+
+std::string entry(const std::string& key, const std::string& text) {
+  return fmt::format("{}: {}", key, text);
+}
+
+}  // namespace
+
+ExactNumbers::ExactNumbers(const Model& model, const Program& program,
+                           const SourceSpelling& spelling) {
+  if (spelling.named_number.empty()) return;
+  const std::vector<ParameterArray> parameters = emitted_parameters(model, program);
+  for (const Constant& constant : executed_constants(program)) add(constant, true);
+  for (const ParameterArray& array : parameters) {
+    for (const cln::cl_R& value : values_of(model, array)) add(constant_with(value), false);
+  }
+  name_numbers(spelling);
+  for (const ParameterArray& array : parameters) {
+    const std::string name = "p." + spelt_name(spelling.language, array.name);
+    std::size_t number = 0;
+    for (const cln::cl_R& value : values_of(model, array)) {
+      add_parameter(array.is_array ? fmt::format("{}[{}]", name, ++number) : name, value);
+    }
+  }
+}
+
+std::string ExactNumbers::name_of(const Constant& constant) const {
+  const auto group = numbers_.find(nearest_double(constant.value));
+  if (group == numbers_.end() || group->second.size() == 1) return {};
+  const auto number = std::ranges::find(group->second, digits_of(constant.value), &Number::digits);
+  return number == group->second.end() ? std::string() : number->name;
+}
+
+void ExactNumbers::add(const Constant& constant, bool is_executed) {
+  if (cln::zerop(constant.value)) return;
+  std::vector<Number>& group = numbers_[nearest_double(constant.value)];
+  std::string text = entry_text(constant);
+  const std::string digits = digits_of(constant.value);
+  auto known = std::ranges::find(group, digits, &Number::digits);
+  if (known == group.end()) known = group.insert(known, Number{digits, text});
+  known->is_constant = known->is_constant || is_executed;
+  if (known->text.starts_with('"')) known->text = std::move(text);
+  if (known->text.empty()) std::rotate(group.begin(), known, known + 1);
+}
+
+void ExactNumbers::name_numbers(const SourceSpelling& spelling) {
+  for (auto& [nearest, group] : numbers_) {
+    const std::string literal = source_literal(exact_value(nearest));
+    if (!group.front().text.empty()) entries_.push_back(entry(literal, group.front().text));
+    for (auto number = group.begin() + 1; number != group.end(); ++number) {
+      if (!number->is_constant) continue;
+      number->name = fmt::format(fmt::runtime(spelling.named_number), named_.size() + 1);
+      named_.emplace_back(number->name, nearest);
+      entries_.push_back(entry(fmt::format("\"{}\"", number->name), number->text));
+    }
+  }
+}
+
+void ExactNumbers::add_parameter(const std::string& name, const cln::cl_R& value) {
+  if (cln::zerop(value)) return;
+  const std::vector<Number>& group = numbers_.at(nearest_double(value));
+  const auto number = std::ranges::find(group, digits_of(value), &Number::digits);
+  if (number == group.begin()) return;
+  entries_.push_back(entry(fmt::format("\"{}\"", name), number->text));
+}
+
+}  // namespace elgen

@@ -1,0 +1,52 @@
+// exact_numbers: the numbers that the doubles of a module stand for, as entries of a dictionary.
+//
+//     0.1                       0.1: (1, 10)
+//     1/3*pi                    1.0471975511965976: (1, 3, True)
+//     1 and 99999999999999999/10^17, which have one double
+//                               _number_1 = 1.0, and "_number_1": (99999999999999999, 100000…)
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "elgen/model.hpp"
+#include "elgen/program.hpp"
+#include "elgen/spellings.hpp"
+
+namespace elgen {
+
+/// Of several numbers with one double, the one that is this double keeps the literal, else the
+/// first one. Another constant has a name, another value of a parameter an entry "p.m".
+class ExactNumbers {
+ public:
+  /// None where the language has no names for them.
+  ExactNumbers(const Model& model, const Program& program, const SourceSpelling& spelling);
+
+  /// "_number_1": the name of a constant or of its negative; empty if it is a literal.
+  [[nodiscard]] std::string name_of(const Constant& constant) const;
+
+  /// The names with their doubles.
+  [[nodiscard]] const std::vector<std::pair<std::string, double>>& named() const { return named_; }
+  [[nodiscard]] const std::vector<std::string>& entries() const { return entries_; }
+
+ private:
+  struct Number {
+    std::string digits = {};   ///< the magnitude in 60 digits; equal ones are one number
+    std::string text = {};     ///< in an entry; empty for a double
+    bool is_constant = false;  ///< of a function
+    std::string name = {};
+  };
+
+  /// Adds a number, or finds it in another form: a fraction replaces a decimal.
+  void add(const Constant& constant, bool is_executed);
+  void name_numbers(const SourceSpelling& spelling);
+  void add_parameter(const std::string& name, const cln::cl_R& value);
+
+  std::map<double, std::vector<Number>> numbers_ = {};  ///< the first one keeps the literal
+  std::vector<std::pair<std::string, double>> named_ = {};
+  std::vector<std::string> entries_ = {};
+};
+
+}  // namespace elgen

@@ -1,0 +1,71 @@
+// exact_numbers: fractions by their digits, one entry for each number, names for numbers whose
+// double another one has.
+#include "emit/source/exact_numbers.hpp"
+
+#include "fixture.hpp"
+
+using namespace elgen;
+
+namespace {
+
+using Texts = std::vector<std::string>;
+
+ExactNumbers numbers_of(const std::string& constants, const cln::cl_R& m,
+                        LanguageId language = LanguageId::python) {
+  Model model;
+  elgen::testing::add_parameter(model, "m", m, "1");
+  const Program program = elgen::testing::read_program("parameters m\nfunction gravity\n" +
+                                                       constants + "  result 3 1 = 0 1 2\n");
+  return {model, program, source_spelling(language)};
+}
+
+}  // namespace
+
+TEST_CASE("fractions have the digits of integers, doubles no entry") {
+  const ExactNumbers exact = numbers_of(
+      "  0 = parameter m\n  1 = constant 1380649/100000000000000000000000000000\n"
+      "  2 = constant 30000000000000000000000000\n",
+      cln::cl_RA(1) / 4);
+  CHECK(exact.entries() == Texts{"1.380649e-23: (1380649, 100000000000000000000000000000)",
+                                 "3e+25: (30000000000000000000000000, 1)"});
+  CHECK(exact.named().empty());
+}
+
+TEST_CASE("of numbers with one double the double keeps the literal, others have names") {
+  const ExactNumbers exact = numbers_of(
+      "  0 = parameter m\n  1 = constant -99999999999999999999/100000000000000000000\n"
+      "  2 = constant 1/3\n",
+      1);
+  CHECK(exact.entries() == Texts{"0.3333333333333333: (1, 3)",
+                                 "\"_number_1\": (99999999999999999999, 100000000000000000000)"});
+  REQUIRE(exact.named().size() == 1);
+  CHECK(exact.named().front() == std::pair<std::string, double>{"_number_1", 1.0});
+  const cln::cl_RA near = 1 - 1 / elgen::testing::ten_to(20);
+  CHECK(exact.name_of(rational_constant(near)) == "_number_1");
+  CHECK(exact.name_of(rational_constant(-near)) == "_number_1");
+  CHECK(exact.name_of(rational_constant(1)).empty());
+  CHECK(exact.name_of(rational_constant(cln::cl_RA(1) / 3)).empty());
+}
+
+TEST_CASE("a value of a parameter whose double a constant has is told by the parameter's name") {
+  const ExactNumbers exact =
+      numbers_of("  0 = parameter m\n  1 = constant 1/3\n  2 = constant 2\n",
+                 cln::cl_RA(cln::cl_I("33333333333333333333")) / elgen::testing::ten_to(20));
+  CHECK(exact.entries() == Texts{"0.3333333333333333: (1, 3)",
+                                 "\"p.m\": (33333333333333333333, 100000000000000000000)"});
+}
+
+TEST_CASE("two forms of one number are one number") {
+  const ExactNumbers exact = numbers_of(
+      "  0 = parameter m\n  1 = constant 2/9*sin(1/2*pi) + 2/3*cos(1/2*pi)\n"
+      "  2 = constant 2/9\n",
+      1);
+  CHECK(exact.entries() == Texts{"0.2222222222222222: (2, 9)"});
+}
+
+TEST_CASE("languages without names have no exact numbers") {
+  CHECK(numbers_of("  0 = parameter m\n  1 = constant 1/3\n  2 = constant 2\n", 1,
+                   LanguageId::javascript)
+            .entries()
+            .empty());
+}
