@@ -1,4 +1,5 @@
-// Both roots are written over one divisor, with their common factor in front.
+// Both roots are written over one divisor, with their common factor in front, unless what is under
+// the root is a square.
 #include "analyse/frequencies.hpp"
 
 #include <cln/integer.h>
@@ -24,10 +25,8 @@ class FrequencyForms {
     std::vector<SquaredFrequency> all;
     for (const RestBlock& block : coupled()) {
       const std::vector<std::uint32_t>& joined = block.coordinates;
-      const auto square = joined.size() == 1   ? of_one(joined[0])
-                          : joined.size() == 2 ? of_two(joined[0], joined[1])
-                                               : std::nullopt;
-      if (square) all.push_back(*square);
+      if (joined.size() == 1) add_one(all, joined[0]);
+      if (joined.size() == 2) add_two(all, joined[0], joined[1]);
     }
     return all;
   }
@@ -54,13 +53,13 @@ class FrequencyForms {
   }
 
   /// K/M
-  std::optional<SquaredFrequency> of_one(std::size_t i) {
+  void add_one(std::vector<SquaredFrequency>& all, std::size_t i) {
     const Value square = Arithmetic(forms_.algebra).divide(k(i, i), m(i, i));
-    return square ? std::optional(SquaredFrequency{*square}) : std::nullopt;
+    if (square) all.push_back({*square});
   }
 
   /// The roots b/2a -+ sqrt((b/2a)^2 - c/a) of a x^2 - b x + c = det(K - x M).
-  std::optional<SquaredFrequency> of_two(std::size_t i, std::size_t j) {
+  void add_two(std::vector<SquaredFrequency>& all, std::size_t i, std::size_t j) {
     Arithmetic at(forms_.algebra);
     const auto determinant = [&](const Fraction& x, const Fraction& y, const Fraction& z) {
       return at.subtract(at.multiply(x, y), at.multiply(z, z));
@@ -72,23 +71,47 @@ class FrequencyForms {
         at.subtract(at.add(at.multiply(m(i, i), k(j, j)), at.multiply(m(j, j), k(i, i))), mixed);
     const Value middle = at.divide(b, at.multiply(fraction_of(cln::cl_RA(2)), a));
     const Value square = at.subtract(at.multiply(middle, middle), at.divide(c, a));
-    return middle && square ? pair_of_roots(*middle, *square) : std::nullopt;
+    if (middle && square) add_pair(all, *middle, *square);
   }
 
   /// middle -+ sqrt(square) with their common divisor d and common factor s: s (middle d/s -+
-  /// sqrt(square d^2/s^2))/d.
-  std::optional<SquaredFrequency> pair_of_roots(const Fraction& middle, const Fraction& square) {
-    if (square.numerator.empty()) return SquaredFrequency{middle};
+  /// sqrt(square d^2/s^2))/d. Two formulas if the root is a sum; its sign is any, as both are
+  /// there.
+  void add_pair(std::vector<SquaredFrequency>& all, const Fraction& middle,
+                const Fraction& square) {
+    if (square.numerator.empty()) {
+      all.push_back({middle});
+      return;
+    }
     Arithmetic at(forms_.algebra);
     const Fraction d = whole_divisor_of(middle);
     const Value left = at.multiply(middle, d);
     const Value right = at.multiply(square, at.multiply(d, d));
-    if (!left || !right) return std::nullopt;
+    if (!left || !right) return;
+    if (const auto sum = sum_squared_to(*right)) {
+      const Value root = at.divide(*sum, d);
+      const Value first = at.subtract(middle, root);
+      const Value second = at.add(middle, root);
+      if (!first || !second) return;
+      all.push_back({*first});
+      all.push_back({*second});
+      return;
+    }
     const Fraction s = shared_factor(*left, *right);
     const Value above = at.divide(left, s);
     const Value root = at.square_root(at.divide(right, at.multiply(s, s)));
-    if (!above || !root) return std::nullopt;
-    return SquaredFrequency{*above, root, s, d};
+    if (above && root) all.push_back({*above, root, s, d});
+  }
+
+  /// The sum with rational coefficients whose square is x; none if there is none.
+  static std::optional<Fraction> sum_squared_to(const Fraction& x) {
+    const Gaussian& lead = x.numerator.rbegin()->second;
+    cln::cl_RA root;
+    const bool is_square = x.denominator.empty() && cln::zerop(lead.imaginary) &&
+                           cln::plusp(lead.real) && cln::sqrtp(lead.real, &root);
+    if (!is_square) return std::nullopt;
+    const auto sum = square_root(scaled(x.numerator, {cln::recip(lead.real), 0}));
+    return sum ? std::optional(fraction_of(scaled(*sum, {root, 0}))) : std::nullopt;
   }
 
   /// The smallest form that clears the divisors of x and makes its coefficients whole.

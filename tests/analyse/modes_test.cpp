@@ -155,6 +155,76 @@ TEST_CASE("equal pendulums: w^2 = g/l (2 -+ sqrt 2)") {
   CHECK(page.find("w^2 = g*(2 -+ sqrt(2))\n") != std::string::npos);
 }
 
+TEST_CASE("a root of a square is taken: a cylinder inside a hollow cylinder") {
+  const std::string text = R"toml(format = 1
+[model]
+name = "cylinders"
+[[coordinate]]
+name = "theta"
+unit = "rad"
+[[coordinate]]
+name = "phi"
+unit = "rad"
+[parameters]
+M = { value = 2, unit = "kg", assume = "positive" }
+m = { value = 1, unit = "kg", assume = "positive" }
+a = { value = 0.5, unit = "m", assume = "positive" }
+b = { value = 0.1, unit = "m", assume = "positive" }
+g = { value = 9.81, unit = "m/s^2" }
+[[body]]
+name = "outer"
+mass = "M"
+com = ["0", "0"]
+inertia = "M*a^2"
+spin = "-dot(phi)"
+[[body]]
+name = "inner"
+mass = "m"
+com = ["-(a - b)*sin(theta)", "-(a - b)*cos(theta)"]
+inertia = "1/2*m*b^2"
+spin = "-(a*dot(phi) - (a - b)*dot(theta))/b"
+[gravity]
+vector = ["0", "-g"]
+)toml";
+  const Motions cylinders = motions(text, "theta=0");
+  const std::string page =
+      text_of(modes_page(cylinders.checked, cylinders.equilibria, cylinders.all));
+  INFO(page);
+  CHECK(page.find("w^2 = 0\n") != std::string::npos);
+  CHECK(page.find("sqrt") == std::string::npos);
+  CHECK(page.find("-+") == std::string::npos);
+}
+
+TEST_CASE("Stumpff's functions of 0 are numbers on the page of small motions") {
+  const std::string text = R"toml(format = 1
+[model]
+name = "soft"
+[[coordinate]]
+name = "q"
+unit = "rad"
+range = [-2, 2]
+[parameters]
+m = { value = 0.1, unit = "kg", assume = "positive" }
+L = { value = 0.3, unit = "m", assume = "positive" }
+k = { value = 0.2, unit = "N*m", assume = "positive" }
+g = { value = 9.81, unit = "m/s^2" }
+[[point]]
+name = "tip"
+mass = "m"
+at = )toml";
+  const std::string rest = "\n[energy]\nV = \"1/2*k*q^2\"\n[gravity]\nvector = [\"0\", \"-g\"]\n";
+  for (const std::string at : {R"toml(["L*q*cosc(q)", "-L*sinc(q)"])toml",
+                               R"toml(["L*(1 - cos(q))/q", "-L*sin(q)/q"])toml"}) {
+    const Motions soft = motions(text + at + rest, "q=0");
+    const std::string page = text_of(modes_page(soft.checked, soft.equilibria, soft.all));
+    INFO(page);
+    CHECK(page.find("cosc") == std::string::npos);
+    CHECK(page.find("stumpff") == std::string::npos);
+    // (k + g L m/3)/(m L^2/4)
+    CHECK(squares(soft.all[0])[0] == Approx((0.2 + 9.81 * 0.3 * 0.1 / 3) / (0.1 * 0.09 / 4)));
+  }
+}
+
 TEST_CASE("a molecule on a line: 0, k/m, k (1/m + 2/M)") {
   const std::string text = R"(format = 1
 [model]
