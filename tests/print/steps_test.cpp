@@ -165,3 +165,41 @@ TEST_CASE("the lines of every derivation are printed as they are read") {
     CHECK(read_latex(latex(glyphs)) == glyphs);
   }
 }
+
+TEST_CASE("a prescribed angle with a root in it stands by its name, a short one written out") {
+  const auto orbit = [](const std::string& angle) {
+    return R"toml(format = 1
+[model]
+name = "dumbbell"
+[[coordinate]]
+name = "theta"
+unit = "rad"
+[parameters]
+m = { value = 50, unit = "kg", assume = "positive" }
+l = { value = 10, unit = "m", assume = "positive" }
+Ro = { value = 7e6, unit = "m", assume = "positive" }
+mu = { value = 4e14, unit = "m^3/s^2", assume = "positive" }
+w = { value = 1e-3, unit = "1/s", assume = "positive" }
+[[prescribed]]
+name = "nu"
+unit = "rad"
+value = ")toml" +
+           angle + R"toml("
+[[point]]
+name = "a"
+at = ["Ro*cos(nu) + l*cos(nu + theta)", "Ro*sin(nu) + l*sin(nu + theta)"]
+mass = "m"
+[gravity]
+vector = ["0", "-w^2*Ro"]
+)toml";
+  };
+  const std::string by_name = Derivation(orbit("sqrt(mu/Ro^3)*t")).text();
+  INFO(by_name);
+  CHECK(has(by_name, "nu = t*sqrt(mu/Ro^3)"));
+  CHECK(has(by_name, "cos(nu + theta)"));
+  CHECK_FALSE(has(by_name, "(t*sqrt(mu/Ro^3)"));
+  const std::string written_out = Derivation(orbit("w*t")).text();
+  INFO(written_out);
+  CHECK(has(written_out, "cos(w*t"));
+  CHECK_FALSE(has(written_out, "nu = "));
+}

@@ -38,6 +38,9 @@ struct TypedForms {
   /// declared, with gravity after the masses (m g l).
   std::vector<std::uint32_t> places = {};
   std::vector<bool> are_accelerations = {};  ///< by parameter; g
+  /// By prescribed function: its one term, if that has a root or a function. Angles are written by
+  /// its name.
+  std::vector<Polynomial> prescribed = {};
 };
 
 /// Cost: one closed form per typed sum. Models with more than 200 sums, such as robots, get none.

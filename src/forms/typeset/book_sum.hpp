@@ -49,8 +49,9 @@ enum class BookFactorKind : std::uint8_t {
   sine,    ///< of `angle`
   cosine,  ///< of `angle`
   tangent,
-  sum,  ///< in brackets
-  name  ///< a definition of the model, whose value is `sum`
+  sum,        ///< in brackets
+  name,       ///< a definition of the model, whose value is `sum`
+  prescribed  ///< a prescribed function of the model, whose value is `sum`
 };
 
 struct BookFactor {
@@ -60,7 +61,7 @@ struct BookFactor {
   AtomId atom = 0;
   Monomial angle = {};
   BookSum sum;
-  std::uint32_t definition = 0;  ///< of a name, in Model::definitions
+  std::uint32_t definition = 0;  ///< of a name, in Model::definitions or Model::prescribed
 };
 
 /// The number of printed factors, including those in sums, but not 1. A name counts as one factor,

@@ -83,6 +83,18 @@ std::optional<TypedSum> typed_sum(ClosedForms& forms, const Model& model,
   return sum;
 }
 
+/// The value of an expression of one term with a root or a function; else the empty sum.
+Polynomial long_term(ClosedForms& forms, const Model& model, const FixedParameters& fixed,
+                     ExpressionId id) {
+  const std::optional<Fraction> form = closed_form(forms, model, fixed, id);
+  if (!form || !form->denominator.empty() || form->numerator.size() != 1) return {};
+  const bool is_long = std::ranges::any_of(atoms_of(form->numerator), [&forms](AtomId atom) {
+    const AtomKind kind = forms.algebra.atoms[atom].kind;
+    return kind == AtomKind::root || kind == AtomKind::call;
+  });
+  return is_long ? form->numerator : Polynomial{};
+}
+
 /// Whether each parameter has this unit or is a leaf of one of the expressions.
 std::vector<bool> marked(const Model& model, const Unit& unit,
                          const std::vector<ExpressionId>& expressions) {
@@ -208,6 +220,9 @@ TypedForms typed_forms(Algebra& algebra, const Model& model, const FixedParamete
   result.places = order.places();
   if (is_robot) return result;
   ClosedForms forms{std::move(algebra), {}};
+  for (const NamedExpression& function : model.prescribed) {
+    result.prescribed.push_back(long_term(forms, model, fixed, function.value));
+  }
   for (const ExpressionId id : ids) {
     std::optional<TypedSum> sum = typed_sum(forms, model, fixed, id);
     const auto is_same = [&](const TypedSum& known) {

@@ -297,6 +297,7 @@ Function typeset_value(const Model& model, const Algebra& algebra, const Fractio
   Algebra own = algebra;
   TypedForms typed = typed_forms(own, model, {});
   for (TypedSum& sum : typed.sums) sum.definition.reset();
+  typed.prescribed.clear();
   const Function shape{.fields = {Field{"", 1, 1, {0}}}};
   Function book = written(shape, [&](Function& result) {
     BookWriter write(model, own, typed, program, result);

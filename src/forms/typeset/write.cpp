@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "forms/present/polynomial.hpp"
+
 namespace elgen {
 namespace {
 
@@ -155,9 +157,12 @@ std::uint32_t BookWriter::factor(const BookFactor& factor) {
       return trigonometric(FunctionId::tan, factor.angle);
     case BookFactorKind::sum:
       return (*this)(factor.sum);
-    case BookFactorKind::name: {
+    case BookFactorKind::name:
+    case BookFactorKind::prescribed: {
+      const bool is_definition = factor.kind == BookFactorKind::name;
+      const auto& named = is_definition ? model_.definitions : model_.prescribed;
       const std::uint32_t value = (*this)(factor.sum);
-      function_.names[value] = model_.definitions[factor.definition].identifier;
+      function_.names[value] = named[factor.definition].identifier;
       return value;
     }
   }
@@ -175,12 +180,26 @@ std::uint32_t BookWriter::angle(const Monomial& parts) {
   BookSum sum;
   for (const AtomPower& part : parts) {
     const Atom& exponential = algebra_.atoms[part.atom];
-    for (BookProduct& term : arranger.in_front(exponential.arguments[0]).terms) {
+    for (BookProduct& term : angle_term(exponential.arguments[0]).terms) {
       term.number = term.number * part.exponent / exponential.divisor;
       sum.terms.push_back(std::move(term));
     }
   }
   return angles_.emplace(parts, (*this)(positive_first(std::move(sum)))).first->second;
+}
+
+/// The argument of an exponential, by the name of a prescribed function if it is a multiple of one.
+BookSum BookWriter::angle_term(const Fraction& argument) {
+  for (std::uint32_t i = 0; i < typed_.prescribed.size(); ++i) {
+    const Polynomial& value = typed_.prescribed[i];
+    if (value.empty() || !argument.denominator.empty()) continue;
+    const auto ratio = ratio_of(argument.numerator, value);
+    if (!ratio) continue;
+    BookFactor name{
+        .kind = BookFactorKind::prescribed, .sum = arranger.in_front({value, {}}), .definition = i};
+    return {{BookProduct{*ratio, {std::move(name)}}}};
+  }
+  return arranger.in_front(argument);
 }
 
 std::uint32_t BookWriter::atom(AtomId id) {

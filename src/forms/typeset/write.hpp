@@ -18,6 +18,7 @@ class BookWriter {
       : arranger(algebra, typed),
         model_(model),
         algebra_(algebra),
+        typed_(typed),
         program_(program),
         function_(function),
         instructions_(function) {}
@@ -35,12 +36,14 @@ class BookWriter {
   [[nodiscard]] std::uint32_t factor(const BookFactor& factor);
   [[nodiscard]] std::uint32_t trigonometric(FunctionId function, const Monomial& angle);
   [[nodiscard]] std::uint32_t angle(const Monomial& parts);
+  [[nodiscard]] BookSum angle_term(const Fraction& argument);
   [[nodiscard]] std::uint32_t atom(AtomId id);
   [[nodiscard]] std::uint32_t new_atom(AtomId id);
   [[nodiscard]] std::uint32_t number(const cln::cl_RA& value);
 
   const Model& model_;
   const Algebra& algebra_;
+  const TypedForms& typed_;
   Program& program_;
   Function& function_;
   Instructions instructions_;
