@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "elgen/diagnostic.hpp"
@@ -33,6 +34,10 @@ namespace elgen {
 /// Whether `[routh]` of a scene can take a coordinate out, as E635 judges: L does not change with
 /// it, and no input, no force and no D acts on it or contains it. Cost: as of find_momenta().
 [[nodiscard]] bool is_cyclic(const CheckedModel& checked, std::uint32_t coordinate);
+
+/// "`sin(c)/c` is 0/0 there; …", which names `sinc` and `cosc`; "" if no quotient of sines or
+/// cosines is 0/0 at the state. Cost: that of the oracle for each quotient.
+[[nodiscard]] std::string quotient_hint(const Model& model, const State& state);
 
 /// "0.5 m of `loop_x`, 0.1 m of `loop_y`": what f is, or where that is 0 what r is.
 [[nodiscard]] std::string what_is_left(const Model& model, const Assembly& at);

@@ -105,8 +105,12 @@ Diagnostics refuse_start(System& system, const Numbers& state, double t) {
         is_of_mass ? leaf_text(system.leaves(), Opcode::velocity, static_cast<std::uint32_t>(i))
                    : model.constraints[i - a.size()].name;
     const std::string value = std::isfinite(pivot) ? fmt::format("{:.1e}", pivot) : "no number";
-    return {singular(fmt::format("{} is singular at the start: the relative pivot of `{}` is {}",
-                                 is_of_mass ? "M" : "A M^-1 A^T", name, value))};
+    Diagnostic refused =
+        singular(fmt::format("{} is singular at the start: the relative pivot of `{}` is {}",
+                             is_of_mass ? "M" : "A M^-1 A^T", name, value));
+    const std::string hint = quotient_hint(model, start_state(model, {}));
+    if (!hint.empty()) refused.hint = hint;
+    return {std::move(refused)};
   }
   return {};
 }

@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "elgen/inspect.hpp"
 #include "elgen/leaf_names.hpp"
 #include "elgen/simulate.hpp"
 #include "elgen/wording.hpp"
@@ -65,6 +66,7 @@ Result<ValueTable> state_values(const CheckedModel& checked, const StateOptions&
     if (record) table.records.push_back(std::move(*record));
     if (!record) errors.push_back(no_value(output.name, output.span));
   }
+  if (!errors.empty()) errors.front().hint = quotient_hint(checked.model, *state);
   return {std::move(table), std::move(errors)};
 }
 
