@@ -65,6 +65,9 @@ struct Algebra {
   /// Sums that stay whole, each as a function of one entry: as it is typed, since a canonical form
   /// forgets a^2 sin^2 + b^2 cos^2. Null where there are none.
   std::shared_ptr<const Program> sums = {};
+  /// stumpff(x, k) of k > 0 is no atom, but its quotient over powers of x: it has no value at x =
+  /// 0.
+  bool has_quotients = false;
 };
 
 struct ClosedField {
@@ -91,6 +94,11 @@ struct PresentBudget {
 
 /// The closed forms of a program's functions. Cost: at most `budget`, about 0.4 us a product.
 [[nodiscard]] ClosedForms present(const Program& program, const PresentBudget& budget = {});
+
+/// Closed forms in which stumpff(x, k) of k > 0 is the quotient that it is at x != 0, so that its
+/// relations to sines and cosines are seen: sin(x)/x, (1 - cos(x))/x^2, and so on.
+[[nodiscard]] ClosedForms present_quotients(const Program& program,
+                                            const PresentBudget& budget = {});
 
 /// The sums of a program that may stay whole, each a function of one entry, none twice: the bases
 /// of powers and the arguments of roots, quotients and functions other than sines, cosines and
@@ -119,8 +127,8 @@ enum class ZeroProof : std::uint8_t {
   not_zero,  ///< another sum of leaves, numbers, pi, sines and cosines, which has one form
 };
 
-/// Proofs by the closed form of each entry, in the order of the fields. A form that is given up is
-/// no proof. Cost: that of the forms, within the budget.
+/// Proofs by the closed form of each entry, in the order of the fields, or else by that with
+/// quotients. A form that is given up is no proof. Cost: that of the forms, within the budget.
 [[nodiscard]] std::vector<ZeroProof> proved_zeros(const Program& program, Function function,
                                                   const PresentBudget& budget = {});
 

@@ -312,6 +312,9 @@ struct Model {
   std::string reference = {};
 
   std::vector<Expression> expressions = {};
+  /// Quotients as they are typed, which expressions of the same number stand for: sin(q)/q, 0/0 at
+  /// q = 0, for stumpff(q, 1). Printing names these; all else computes with `expressions`.
+  std::map<ExpressionId, Expression> typed = {};
   std::vector<Coordinate> coordinates = {};  ///< q
   std::vector<Velocity> velocities = {};     ///< v
   std::vector<Rotation> rotations = {};
@@ -396,7 +399,7 @@ std::uint32_t append_rotation(Model& model, Rotation rotation);
   return {!model.rotations.empty(), !model.constraints.empty()};
 }
 
-/// Prints an expression in the model language, with the names of the model.
+/// Prints an expression in the model language, as it is typed, with the names of the model.
 [[nodiscard]] std::string to_string(const Model& model, ExpressionId expression);
 
 }  // namespace elgen

@@ -127,6 +127,9 @@ struct Program {
   std::vector<Function> readable = {};
 };
 
+/// Whether some function calls it.
+[[nodiscard]] bool calls(const Program& program, FunctionId function);
+
 /// Whether an instruction loads the number 0.
 [[nodiscard]] bool loads_zero(const Program& program, const Instruction& instruction);
 /// Whether every entry of the function does.

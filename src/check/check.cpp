@@ -135,6 +135,7 @@ Result<CheckedModel> check(const FileSyntax& model, const FileSyntax* scene,
   note_wanted(context.model, scene, options);
   judge(context, model, scene, options);
   if (options.shows_motion && context.report.errors() == 0) add_shown_outputs(context.model);
+  if (context.report.errors() == 0) write_quotients(context);
   if (context.report.errors() == 0) reduce_model(context);
   if (context.report.errors() == 0) check_constraints(context);
   Scene checked_scene = read_scene(context, scene, options);

@@ -14,7 +14,8 @@ class FormulaMaker {
       : model_(model), name_(name) {}
 
   [[nodiscard]] Formula operator()(ExpressionId id) const {
-    const Expression& node = model_.expressions[id];
+    const auto typed = model_.typed.find(id);
+    const Expression& node = typed == model_.typed.end() ? model_.expressions[id] : typed->second;
     switch (node.kind) {
       case ExpressionKind::number:
         return number_formula(node.number);
@@ -53,7 +54,8 @@ class FormulaMaker {
     Formulas terms;
     for (const ExpressionId operand : node.operands) {
       const Expression& term = model_.expressions[operand];
-      const bool is_negative = !terms.empty() && term.kind == ExpressionKind::negate;
+      const bool is_negative =
+          !terms.empty() && term.kind == ExpressionKind::negate && !model_.typed.contains(operand);
       terms.push_back(is_negative ? negative((*this)(term.operands[0])) : (*this)(operand));
     }
     return sum_of(std::move(terms));

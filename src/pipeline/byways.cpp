@@ -16,6 +16,7 @@
 #include "elgen/compose.hpp"
 #include "elgen/integrate.hpp"
 #include "elgen/lower.hpp"
+#include "elgen/references.hpp"
 #include "elgen/steps.hpp"
 #include "elgen/typeset.hpp"
 #include "model/requests.hpp"
@@ -132,6 +133,31 @@ std::vector<std::string> other_masses(const Model& model, const std::vector<Enti
   return names;
 }
 
+/// The model with the quotients that its file has in the place of Stumpff's functions; none if the
+/// file has these functions, too, which then stand on its pages.
+std::optional<CheckedModel> with_quotients(const CheckedModel& checked) {
+  if (checked.model.typed.empty()) return std::nullopt;
+  CheckedModel result = checked;
+  Model& model = result.model;
+  for (const auto& [id, quotient] : checked.model.typed) model.expressions[id] = quotient;
+  const bool has_series =
+      std::ranges::any_of(reached(model, equation_roots(model)), [&model](ExpressionId id) {
+        const Expression& node = model.expressions[id];
+        return node.kind == ExpressionKind::function && node.function == FunctionId::stumpff;
+      });
+  return has_series ? std::nullopt : std::optional(std::move(result));
+}
+
+/// The chosen program with the forms of its pages.
+Program typeset_choice(const ClosedForms& forms, const Choice& choice,
+                       const CheckedModel& checked) {
+  const auto typed = with_quotients(checked);
+  if (!typed) return typeset(checked, forms, choice.program);
+  Program derived = choice.program;
+  derived.functions.resize(forms.functions.size());  // steps behind them have no forms
+  return typeset(*typed, present_quotients(derived), choice.program);
+}
+
 /// Whether a row of the equations of motion has a closed form that is short enough, by the inverse
 /// dynamics: with the budget of the derivation, and for a tenth of its work.
 bool has_short_row(const Lagrangian& lagrangian, const CheckedModel& checked,
@@ -220,7 +246,9 @@ Result<ReadableSteps> readable_steps(const Lagrangian& lagrangian, const Checked
   Result<Program> lowered = lower(derived->equations, derived->requests, limits);
   if (!lowered) return lowered.diagnostics;
   const Program recursive = cancel(std::move(*lowered));
-  ReadableSteps result{typeset_steps(checked, present(recursive), recursive),
+  const auto typed = with_quotients(checked);
+  const ClosedForms forms = typed ? present_quotients(recursive) : present(recursive);
+  ReadableSteps result{typeset_steps(typed ? *typed : checked, forms, recursive),
                        {},
                        other_masses(checked.model, derived->masses)};
   for (const Entity& mass : derived->masses) {
@@ -245,7 +273,7 @@ Result<Book> book_of(const Lagrangian& lagrangian, const ClosedForms& forms, con
                      const CheckedModel& checked, const Limits& limits) {
   if (!checked.scene.emission.page) return Book{};
   return book_or_code(choice.program, [&] {
-    Book book{typeset(checked, forms, choice.program), {}};
+    Book book{typeset_choice(forms, choice, checked), {}};
     const bool is_exact = !checked.model.approximation;
     if (!is_exact || !has_readable_terms(choice.program, forms)) return book;
     const bool has_rows = find_function(choice.program, OutputKind::bias) != nullptr ||

@@ -70,6 +70,14 @@ std::vector<std::uint32_t> entries_of(const Function& function) {
   return entries;
 }
 
+bool calls(const Program& program, FunctionId function) {
+  return std::ranges::any_of(program.functions, [function](const Function& each) {
+    return std::ranges::any_of(each.instructions, [function](const Instruction& i) {
+      return i.opcode == Opcode::call && i.function == function;
+    });
+  });
+}
+
 bool has_pivots(const Function& function) {
   return std::ranges::find(function.fields, "relative_pivots", &Field::name) !=
          function.fields.end();

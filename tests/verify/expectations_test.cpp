@@ -45,9 +45,13 @@ void check_holds(const System& system) {
   }
 }
 
+const std::string on_a_rod = R"toml(["l*sin(theta)", "-l*cos(theta)"])toml";
+const std::string on_an_arc = R"toml(["l*(1 - cos(theta))/theta", "-l*sin(theta)/theta"])toml";
+const std::string on_an_arc_by_names = R"toml(["l*theta*cosc(theta)", "-l*sinc(theta)"])toml";
+
 /// A pendulum that is derived, with one expectation.
 struct DerivedPendulum {
-  explicit DerivedPendulum(const std::string& expect)
+  explicit DerivedPendulum(const std::string& expect, const std::string& bob = on_a_rod)
       : checked(checked_model(model_text("pendulum", R"toml([[coordinate]]
 name = "theta"
 [parameters]
@@ -56,8 +60,8 @@ l = 3
 g = 9.81
 [[point]]
 name = "bob"
-at = ["l*sin(theta)", "-l*cos(theta)"]
 mass = "m"
+at = )toml" + bob + R"toml(
 [gravity]
 vector = ["0", "-g"]
 [[expect]]
@@ -212,6 +216,25 @@ TEST_CASE("what is written in another form is proved, what is wrong is not") {
   }
 }
 
+TEST_CASE("Stumpff's functions are proved to be quotients, and wrong quotients are not") {
+  for (const std::string& bob : {on_an_arc, on_an_arc_by_names}) {
+    for (const auto& [expect, evidence] :
+         {std::pair{"mass_matrix = [[\"m*l^2*(2 + theta^2 - 2*cos(theta) - "
+                    "2*theta*sin(theta))/theta^4\"]]\n",
+                    Evidence::proof},
+          std::pair{"gravity = [\"m*g*l*(sin(theta)/theta - cos(theta))/theta\"]\n",
+                    Evidence::proof},
+          std::pair{"gravity = [\"m*g*l*theta*(cosc(theta) - stumpff(theta, 3))\"]\n",
+                    Evidence::proof},
+          std::pair{"conserved = [\"E\"]\n", Evidence::proof},
+          std::pair{"gravity = [\"m*g*l*(sin(theta)/theta + cos(theta))/theta\"]\n",
+                    Evidence::states}}) {
+      INFO(bob << expect);
+      CHECK(DerivedPendulum(expect, bob).evidence() == evidence);
+    }
+  }
+}
+
 TEST_CASE("without closed forms, and where an entry rests on a sampled zero, nothing is proved") {
   for (const char* expect : {"forward_dynamics = [\"-g/l*sin(theta)\"]\n", "conserved = [\"E\"]\n",
                              "conserved = [\"1/2*m*l^2*dot(theta)^2 - m*g*l*cos(theta)\"]\n"}) {
@@ -241,6 +264,11 @@ TEST_CASE("a wrong closed form is answered by the terms that differ") {
     INFO(expect);
     CHECK(DerivedPendulum(expect).hint() == words);
   }
+  const std::string hint =
+      DerivedPendulum("gravity = [\"m*g*l*(sin(theta)/theta + cos(theta))/theta\"]\n", on_an_arc)
+          .hint();
+  CHECK_FALSE(hint.empty());
+  CHECK(hint.find("stumpff") == std::string::npos);
 }
 
 TEST_CASE("a wrong equation is answered by the terms that differ from a multiple of its row") {

@@ -93,6 +93,13 @@ ExpressionId NodeBuilder::call(FunctionId function, ExpressionId argument) {
   return number(nearest);
 }
 
+ExpressionId NodeBuilder::stumpff(ExpressionId argument, int order) {
+  const ExpressionId k = number(order);
+  return push({.kind = ExpressionKind::function,
+               .function = FunctionId::stumpff,
+               .operands = {argument, k}});
+}
+
 ExpressionId NodeBuilder::rate(ExpressionId a) {
   if (context_.constants[a]) return no_expression;
   const Expression& node = context_.model.expressions[a];

@@ -29,6 +29,7 @@ class NodeBuilder {
   ExpressionId divide(ExpressionId a, ExpressionId b);
   ExpressionId power(ExpressionId base, const cln::cl_RA& exponent);
   ExpressionId call(FunctionId function, ExpressionId argument);
+  ExpressionId stumpff(ExpressionId argument, int order);
   ExpressionId rate(ExpressionId a);
 
   ExpressionId dot(const Vector3& a, const Vector3& b);

@@ -17,6 +17,10 @@ void check_mechanics(Context& context, const std::vector<Traits>& traits);
 /// Which velocities are in some energy: T, L, or the motion of a point or body with mass.
 [[nodiscard]] std::vector<bool> moving_velocities(const Model& model);
 
+/// Writes sin(a)/a, (1 - cos(a))/a and (1 - cos(a))/a^2 by Stumpff's functions if a is a multiple
+/// of a coordinate, in what equations and outputs are made of. Fills Model::typed.
+void write_quotients(Context& context);
+
 /// E535, E536, E539 of the constraints of a model that is reduced.
 void check_constraints(Context& context);
 

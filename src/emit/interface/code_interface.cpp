@@ -210,12 +210,6 @@ bool needs_order(const Function& function) {
       });
 }
 
-bool calls(const Program& program, FunctionId function) {
-  return has_instruction(program, [function](const Instruction& i) {
-    return i.opcode == Opcode::call && i.function == function;
-  });
-}
-
 bool calls_sines(const Program& program) {
   return calls(program, FunctionId::sin) || calls(program, FunctionId::cos);
 }

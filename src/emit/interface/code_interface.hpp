@@ -101,9 +101,6 @@ struct DeclaredArray {
 [[nodiscard]] std::vector<std::string_view> library_calls(const Program& program,
                                                           std::size_t arity);
 
-/// Whether some function calls it.
-[[nodiscard]] bool calls(const Program& program, FunctionId function);
-
 /// Whether some function calls a sine or a cosine.
 [[nodiscard]] bool calls_sines(const Program& program);
 

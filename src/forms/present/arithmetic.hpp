@@ -66,6 +66,7 @@ class Arithmetic {
   Value exponential_of_term(const Monomial& monomial, const cln::cl_RA& coefficient);
   Value circle_twelfths(long twelfths);
   Value sine_or_cosine(FunctionId function, const Fraction& x);
+  Value stumpff_quotient(const Fraction& x, const cln::cl_I& order);
 
   Algebra& algebra_;
   std::size_t work_;

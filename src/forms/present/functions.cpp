@@ -6,6 +6,7 @@
 
 #include "forms/present/arithmetic.hpp"
 #include "forms/present/polynomial.hpp"
+#include "numbers/enclosed_number.hpp"
 
 namespace elgen {
 
@@ -20,6 +21,10 @@ constexpr int largest_prime = 10'000;
 bool is_pi(const Algebra& algebra, const Monomial& monomial) {
   return monomial.size() == 1 && monomial[0].exponent == 1 &&
          algebra.atoms[monomial[0].atom].kind == AtomKind::pi;
+}
+
+std::optional<cl_RA> rational_number(const Fraction& x) {
+  return x.denominator.empty() ? rational_value(x.numerator) : std::nullopt;
 }
 
 /// The sign that makes the leading coefficient positive.
@@ -142,11 +147,27 @@ Value Arithmetic::sine_or_cosine(FunctionId function, const Fraction& x) {
   return multiply(both, fraction_of(Polynomial{{Monomial{}, half}}));
 }
 
+/// stumpff(x, 1) = sin(x)/x, stumpff(x, 2) = (1 - cos(x))/x^2, and on from these by
+/// stumpff(x, k) = (1/(k - 2)! - stumpff(x, k - 2))/x^2. None at x = 0.
+Value Arithmetic::stumpff_quotient(const Fraction& x, const cl_I& order) {
+  if (order == 0) return sine_or_cosine(FunctionId::cos, x);
+  if (order == 1) return divide(sine_or_cosine(FunctionId::sin, x), x);
+  const auto below = static_cast<unsigned>(cln::cl_I_to_ulong(order - 2));
+  const Fraction first = fraction_of(cln::recip(cl_RA(cln::factorial(below))));
+  return divide(subtract(first, stumpff_quotient(x, order - 2)), multiply(x, x));
+}
+
 /// log1p, expm1 and hypot are written by log, exp and a root.
 Value Arithmetic::call(FunctionId function, const Value& x, const Value& y) {
   const FunctionRow& row = function_row(function);
   if (!x || (row.arity > 1 && !y)) return std::nullopt;
   const Fraction one = fraction_of(cl_RA(1));
+  const auto first = rational_number(*x);
+  const auto last = row.arity > 1 ? rational_number(*y) : first;
+  const auto known = first && last ? known_value(function, *first, *last) : std::nullopt;
+  if (known) return fraction_of(*known);
+  const bool is_quotient = algebra_.has_quotients && function == FunctionId::stumpff;
+  if (is_quotient && last && cln::plusp(*last)) return stumpff_quotient(*x, cln::numerator(*last));
   if (is_circular(function)) return sine_or_cosine(function, *x);
   if (function == FunctionId::tan) {
     const Value sine = sine_or_cosine(FunctionId::sin, *x);

@@ -45,6 +45,17 @@ ZeroProof proof_of(const Algebra& algebra, const std::optional<Fraction>& form) 
   return is_decided ? ZeroProof::not_zero : ZeroProof::open;
 }
 
+/// The proofs of the entries of the only function.
+std::vector<ZeroProof> proofs_of(const ClosedForms& forms) {
+  std::vector<ZeroProof> result;
+  for (const ClosedField& field : forms.functions[0].fields) {
+    for (const std::optional<Fraction>& form : field.entries) {
+      result.push_back(proof_of(forms.algebra, form));
+    }
+  }
+  return result;
+}
+
 /// Appends the closed forms of every function's entries, within one budget; a function that repeats
 /// others has none. values_of(arithmetic, function): those of all its instructions.
 template <class ValuesOf>
@@ -66,6 +77,14 @@ void present_functions(const Program& program, const PresentBudget& budget, Clos
     }
     left -= share - arithmetic.work();
   }
+}
+
+ClosedForms present_over(Algebra algebra, const Program& program, const PresentBudget& budget) {
+  ClosedForms forms{std::move(algebra), {}};
+  present_functions(program, budget, forms, [&](Arithmetic& arithmetic, const Function& function) {
+    return fold<Value>(arithmetic, program, function);
+  });
+  return forms;
 }
 
 /// x, and x with whole sums.
@@ -145,11 +164,11 @@ bool is_independent(const Algebra& algebra, AtomId id) {
 }
 
 ClosedForms present(const Program& program, const PresentBudget& budget) {
-  ClosedForms forms;
-  present_functions(program, budget, forms, [&](Arithmetic& arithmetic, const Function& function) {
-    return fold<Value>(arithmetic, program, function);
-  });
-  return forms;
+  return present_over({}, program, budget);
+}
+
+ClosedForms present_quotients(const Program& program, const PresentBudget& budget) {
+  return present_over({.has_quotients = true}, program, budget);
 }
 
 ClosedForms present(const Program& program, Program whole_sums, const PresentBudget& budget) {
@@ -176,13 +195,13 @@ bool proved_equal(ClosedForms& forms, const Fraction& x, const Fraction& y) {
 std::vector<ZeroProof> proved_zeros(const Program& program, Function function,
                                     const PresentBudget& budget) {
   function.kind = OutputKind::momentum;  // any but `dynamics`, which has no closed form of its own
-  const ClosedForms forms =
-      present({program.leaves, program.constants, {std::move(function)}}, budget);
-  std::vector<ZeroProof> result;
-  for (const ClosedField& field : forms.functions[0].fields) {
-    for (const std::optional<Fraction>& form : field.entries) {
-      result.push_back(proof_of(forms.algebra, form));
-    }
+  const Program alone{program.leaves, program.constants, {std::move(function)}};
+  std::vector<ZeroProof> result = proofs_of(present(alone, budget));
+  const bool is_open = std::ranges::find(result, ZeroProof::open) != result.end();
+  if (!is_open || !calls(alone, FunctionId::stumpff)) return result;
+  const std::vector<ZeroProof> by_quotients = proofs_of(present_quotients(alone, budget));
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (result[i] == ZeroProof::open) result[i] = by_quotients[i];
   }
   return result;
 }

@@ -212,6 +212,11 @@ std::vector<SampledPoint> points_of(const Model& model, const Expectation& expec
 
 /// How the forms differ; "" where there are none, or it is too long to be read.
 std::string difference_text(const ExpectedEntry& entry, Proofs& proofs) {
+  // The author of quotients reads of quotients.
+  if (!entry.subject.model.typed.empty() && proofs.quotients() != nullptr) {
+    Proofs by_quotients(entry.subject, proofs.quotients());
+    return difference_text(entry, by_quotients);
+  }
   const std::optional<Fraction> written = proofs.written(entry.of, entry.index);
   if (!written || entry.of.is_conserved()) return {};
   if (entry.of.are_equations()) return difference_from_motion(proofs, *written);

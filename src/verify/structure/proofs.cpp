@@ -88,6 +88,17 @@ std::optional<Fraction> Proofs::along_motion(const Fraction& form) const {
 }
 
 bool Proofs::holds(const Expectation& expectation, std::size_t entry) {
+  if (holds_as_it_is(expectation, entry)) return true;
+  if (forms_ == nullptr || !calls(subject_.program, FunctionId::stumpff)) return false;
+  if (!quotients_) {
+    Program derived = subject_.program;
+    derived.functions.resize(forms_->functions.size());  // steps behind them have no forms
+    quotients_ = present_quotients(derived);
+  }
+  return Proofs(subject_, &*quotients_).holds_as_it_is(expectation, entry);
+}
+
+bool Proofs::holds_as_it_is(const Expectation& expectation, std::size_t entry) {
   if (expectation.is_conserved()) return conserved(expectation, entry);
   const bool is_equation = expectation.are_equations();
   const std::optional<Fraction> right = is_equation ? std::nullopt : derived(expectation, entry);

@@ -18,7 +18,8 @@ class Proofs {
   Proofs(const Subject& subject, ClosedForms* forms) : subject_(subject), forms_(forms) {}
 
   /// An entry equals that of the output derived, is constant along the motion at u = 0, or vanishes
-  /// along it, as the expectation says. False says nothing.
+  /// along it, as the expectation says, with Stumpff's functions as they are or as their quotients.
+  /// False says nothing.
   [[nodiscard]] bool holds(const Expectation& expectation, std::size_t entry);
 
   /// The form of an entry as the file gives it, and as it is derived; none where there is none, or
@@ -34,6 +35,8 @@ class Proofs {
   [[nodiscard]] std::optional<Fraction> along_motion(const Fraction& form) const;
 
   [[nodiscard]] const Subject& subject() const { return subject_; }
+  /// The forms with quotients; null until a proof has asked for them.
+  [[nodiscard]] ClosedForms* quotients() { return quotients_ ? &*quotients_ : nullptr; }
   /// Null: there are no forms.
   [[nodiscard]] Algebra* algebra() const { return forms_ == nullptr ? nullptr : &forms_->algebra; }
 
@@ -42,9 +45,11 @@ class Proofs {
                                      std::size_t entry) const;
   [[nodiscard]] Replacements momenta() const;
   [[nodiscard]] bool conserved(const Expectation& expectation, std::size_t entry);
+  [[nodiscard]] bool holds_as_it_is(const Expectation& expectation, std::size_t entry);
 
   const Subject& subject_;
   ClosedForms* forms_;
+  std::optional<ClosedForms> quotients_ = {};  ///< made for the first proof that asks for them
 };
 
 }  // namespace elgen

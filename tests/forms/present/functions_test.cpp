@@ -39,6 +39,37 @@ TEST_CASE("roots of numbers are roots of primes") {
   CHECK_FALSE(s.arithmetic.square_root(fraction_of(cln::cl_RA(-1))));
 }
 
+TEST_CASE("calls of numbers that have rational values are these") {
+  Space s;
+  const Value zero = fraction_of(cln::cl_RA(0));
+  const auto series = [&](int k) {
+    return s.arithmetic.call(FunctionId::stumpff, zero, fraction_of(cln::cl_RA(k)));
+  };
+  CHECK(series(2) == fraction_of(cln::cl_RA(1) / 2));
+  CHECK(series(3) == fraction_of(cln::cl_RA(1) / 6));
+  CHECK(series(-3) == fraction_of(cln::cl_RA(1) / 6));
+  CHECK(s.arithmetic.call(FunctionId::exp, zero, {}) == fraction_of(cln::cl_RA(1)));
+  CHECK(s.atoms(AtomKind::call) == 0);
+  (void)s.arithmetic.call(FunctionId::exp, fraction_of(cln::cl_RA(1)), {});
+  CHECK(s.atoms(AtomKind::call) == 1);
+}
+
+TEST_CASE("Stumpff's functions are atoms, or their quotients where the algebra has these") {
+  for (const bool has_quotients : {false, true}) {
+    Space s{.algebra = {.has_quotients = has_quotients}};
+    const auto series = [&](int k) {
+      return s.arithmetic.call(FunctionId::stumpff, s.x, fraction_of(cln::cl_RA(k)));
+    };
+    const Value sine = s.arithmetic.call(FunctionId::sin, s.x, {});
+    const Value cube = s.arithmetic.power(s.x, 3);
+    CHECK((s.arithmetic.multiply(s.x, series(1)) == sine) == has_quotients);
+    CHECK((s.arithmetic.multiply(cube, series(3)) == s.arithmetic.subtract(s.x, sine)) ==
+          has_quotients);
+    (void)series(-1);
+    CHECK(s.atoms(AtomKind::call) == (has_quotients ? 1 : 3));
+  }
+}
+
 TEST_CASE("constants are taken apart by their form") {
   Space s;
   const ConstantForm pi{.kind = ConstantKind::pi, .parts = {}};

@@ -1,0 +1,235 @@
+// Quotients that are 0/0 where a coordinate is 0 become Stumpff's functions, which have values
+// there:
+//
+//     L*(1 - cos(q))/q        ->   L*q*stumpff(q, 2)
+//     sin(kappa*L)/kappa      ->   stumpff(kappa*L, 1)*L
+//
+// by sin(a) = a stumpff(a, 1) and 1 - cos(a) = a^2 stumpff(a, 2), a = c q. This comes before any
+// derivation, since a derivative of such a quotient is none any more. Nodes of the arena change in
+// place, so that whatever refers to them stays; Model::typed keeps them as they were.
+#include <cln/integer.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "check/expressions/node_builder.hpp"
+#include "check/judge/judge.hpp"
+#include "elgen/references.hpp"
+
+namespace elgen {
+namespace {
+
+/// base^exponent, or stumpff(base, order)^exponent if the order is not 0.
+struct Factor {
+  ExpressionId base = 0;
+  std::int64_t exponent = 1;
+  int order = 0;
+};
+
+/// sin(argument), or 1 - cos(argument) with order 2; `is_negative` of cos(argument) - 1.
+struct VanishingFactor {
+  ExpressionId argument = 0;
+  int order = 1;
+  bool is_negative = false;
+};
+
+/// A product of powers, through definitions. Longer products are left alone: a product
+/// of definitions may have exponentially many factors.
+class Product {
+ public:
+  Product(const Model& model, ExpressionId id) : model_(model) { multiply(id, 1); }
+
+  [[nodiscard]] bool is_long() const { return visits_ > most_visits; }
+
+  /// Coordinates in the denominator.
+  [[nodiscard]] std::vector<std::uint32_t> divisors() const {
+    std::vector<std::uint32_t> result;
+    for (const Factor& power : factors_) {
+      const Expression& node = model_.expressions[power.base];
+      const bool divides = power.order == 0 && power.exponent < 0;
+      if (divides && is_leaf(node, Opcode::coordinate)) result.push_back(node.index);
+    }
+    return result;
+  }
+
+  /// Cancels a coordinate in the denominator against factors that vanish with it. False, and no
+  /// change, if it would stay there.
+  bool cancel(std::uint32_t coordinate) {
+    const std::vector<Factor> before = factors_;
+    const bool was_negative = is_negative_;
+    while (exponent_of(coordinate) < 0) {
+      const auto factor = factor_with(coordinate, exponent_of(coordinate) < -1 ? 2 : 1);
+      if (!factor) break;
+      write_series(*factor);
+    }
+    if (exponent_of(coordinate) >= 0 && !is_long()) return true;
+    factors_ = before;
+    is_negative_ = was_negative;
+    return false;
+  }
+
+  [[nodiscard]] ExpressionId node(NodeBuilder& nodes) const {
+    std::vector<ExpressionId> above;
+    std::vector<ExpressionId> below;
+    for (const auto& [base, exponent, order] : factors_) {
+      if (exponent == 0) continue;
+      const std::int64_t size = exponent < 0 ? -exponent : exponent;
+      const ExpressionId value = order == 0 ? base : nodes.stumpff(base, order);
+      (exponent < 0 ? below : above)
+          .push_back(size == 1 ? value : nodes.power(value, cln::cl_I(static_cast<long>(size))));
+    }
+    ExpressionId result = nodes.multiply(above);
+    if (!below.empty()) result = nodes.divide(result, nodes.multiply(below));
+    return is_negative_ ? nodes.negate(result) : result;
+  }
+
+ private:
+  static constexpr std::size_t most_visits = 100;
+
+  /// The expression that a definition stands for.
+  [[nodiscard]] ExpressionId followed(ExpressionId id) const {
+    while (model_.expressions[id].kind == ExpressionKind::definition) {
+      id = model_.definitions[model_.expressions[id].index].value;
+    }
+    return id;
+  }
+
+  void multiply(ExpressionId id, std::int64_t exponent) {
+    if (++visits_ > most_visits) return;
+    id = followed(id);
+    const Expression& node = model_.expressions[id];
+    switch (node.kind) {
+      case ExpressionKind::negate:
+        is_negative_ = is_negative_ != (exponent % 2 != 0);
+        multiply(node.operands[0], exponent);
+        return;
+      case ExpressionKind::multiply:
+        for (const ExpressionId operand : node.operands) multiply(operand, exponent);
+        return;
+      case ExpressionKind::divide:
+        multiply(node.operands[0], exponent);
+        multiply(node.operands[1], -exponent);
+        return;
+      case ExpressionKind::power:
+        if (cln::denominator(node.number) != 1) break;
+        multiply(node.operands[0], exponent * cln::cl_I_to_long(cln::numerator(node.number)));
+        return;
+      default:
+        break;
+    }
+    add({id, exponent});
+  }
+
+  void add(const Factor& factor) {
+    const auto known = std::ranges::find_if(factors_, [&](const Factor& power) {
+      return power.order == factor.order && is_same(power.base, factor.base);
+    });
+    if (known == factors_.end()) {
+      factors_.push_back(factor);
+    } else {
+      known->exponent += factor.exponent;
+    }
+  }
+
+  /// Leaves are not shared in the arena.
+  [[nodiscard]] bool is_same(ExpressionId x, ExpressionId y) const {
+    const Expression& a = model_.expressions[x];
+    const Expression& b = model_.expressions[y];
+    return x == y || (a.kind == ExpressionKind::leaf && is_leaf(b, a.leaf) && a.index == b.index &&
+                      a.operands.empty());
+  }
+
+  [[nodiscard]] std::int64_t exponent_of(std::uint32_t coordinate) const {
+    for (const Factor& power : factors_) {
+      const Expression& node = model_.expressions[power.base];
+      const bool is_it = is_leaf(node, Opcode::coordinate) && node.index == coordinate;
+      if (power.order == 0 && is_it) return power.exponent;
+    }
+    return 0;
+  }
+
+  [[nodiscard]] std::optional<VanishingFactor> vanishing(ExpressionId id) const {
+    const Expression& node = model_.expressions[id];
+    if (node.kind == ExpressionKind::function && node.function == FunctionId::sin) {
+      return VanishingFactor{node.operands[0]};
+    }
+    if (node.kind != ExpressionKind::add || node.operands.size() != 2) return std::nullopt;
+    for (const auto& [first, second] : {std::pair{node.operands[0], node.operands[1]},
+                                        std::pair{node.operands[1], node.operands[0]}}) {
+      const Expression& number = model_.expressions[followed(first)];
+      const Product other(model_, second);
+      if (number.kind != ExpressionKind::number || other.factors_.size() != 1) continue;
+      const auto& [base, exponent, order] = other.factors_.front();
+      const Expression& cosine = model_.expressions[base];
+      const bool is_cosine = cosine.kind == ExpressionKind::function &&
+                             cosine.function == FunctionId::cos && exponent == 1;
+      if (!is_cosine || number.number != (other.is_negative_ ? 1 : -1)) continue;
+      return VanishingFactor{cosine.operands[0], 2, !other.is_negative_};
+    }
+    return std::nullopt;
+  }
+
+  /// The place of a power of a factor whose argument is a multiple of the coordinate; of the wanted
+  /// order if there is one.
+  [[nodiscard]] std::optional<std::size_t> factor_with(std::uint32_t coordinate, int wanted) const {
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < factors_.size(); ++i) {
+      if (factors_[i].order != 0 || factors_[i].exponent <= 0) continue;
+      const auto factor = vanishing(factors_[i].base);
+      if (!factor || Product(model_, factor->argument).exponent_of(coordinate) != 1) continue;
+      if (!found || factor->order == wanted) found = i;
+    }
+    return found;
+  }
+
+  /// sin(a) -> a stumpff(a, 1), 1 - cos(a) -> a^2 stumpff(a, 2), once.
+  void write_series(std::size_t place) {
+    const VanishingFactor factor = *vanishing(factors_[place].base);
+    --factors_[place].exponent;
+    is_negative_ = is_negative_ != factor.is_negative;
+    multiply(factor.argument, factor.order);
+    add({factor.argument, 1, factor.order});
+  }
+
+  const Model& model_;
+  std::vector<Factor> factors_ = {};
+  bool is_negative_ = false;
+  std::size_t visits_ = 0;
+};
+
+/// The product without the coordinates that can be cancelled; none where there are no such.
+std::optional<Product> cancelled(const Model& model, ExpressionId id) {
+  Product product(model, id);
+  bool is_changed = false;
+  if (product.is_long()) return std::nullopt;
+  for (const std::uint32_t coordinate : product.divisors()) {
+    if (product.cancel(coordinate)) is_changed = true;
+  }
+  return is_changed ? std::optional(std::move(product)) : std::nullopt;
+}
+
+}  // namespace
+
+void write_quotients(Context& context) {
+  Model& model = context.model;
+  std::vector<ExpressionId> roots = equation_roots(model);
+  for (const UserOutput& output : model.outputs) {
+    const std::vector<ExpressionId> own = output_roots(output);
+    roots.insert(roots.end(), own.begin(), own.end());
+  }
+  std::vector<ExpressionId> all = reached(model, roots);
+  std::ranges::reverse(all);  // a product before its factors
+  for (const ExpressionId id : all) {
+    const ExpressionKind kind = model.expressions[id].kind;
+    if (kind != ExpressionKind::multiply && kind != ExpressionKind::divide) continue;
+    const auto product = cancelled(model, id);
+    if (!product) continue;
+    const Expression typed = model.expressions[id];
+    NodeBuilder nodes(context, typed.span);
+    const ExpressionId value = product->node(nodes);
+    model.typed.emplace(id, typed);
+    model.expressions[id] = model.expressions[value];
+  }
+}
+
+}  // namespace elgen

@@ -1,0 +1,169 @@
+// Quotients that are 0/0 where a coordinate is 0: they have values there, outputs too, and pages
+// print them as they are typed.
+#include <cmath>
+
+#include "elgen/oracle.hpp"
+#include "elgen/page.hpp"
+#include "pipeline/pipeline_testing.hpp"
+
+namespace elgen::test {
+namespace {
+
+constexpr double nothing = 1e300;
+
+/// A potential, and its value at q = 0, r = 1/2, or nothing where it has none there.
+struct QuotientRow {
+  std::string potential;
+  double at_zero;
+};
+
+const std::string with_potential = R"toml(format = 1
+[model]
+name = "arm"
+[[coordinate]]
+name = "q"
+[[coordinate]]
+name = "r"
+[parameters]
+L = 0.25
+[define]
+a = "L*q"
+s = "sin(a)"
+c = "cos(a)"
+b = "sqrt(q^2 + (r - 1/2)^2)"
+[energy]
+T = "1/2*dot(q)^2 + 1/2*dot(r)^2"
+V = ")toml";
+
+CheckedModel checked_arm(const std::string& potential) {
+  PipelineOptions options;
+  options.goals = {Goal::check};
+  Products products = run_pipeline(inputs_of(with_potential + potential + "\"\n"), options);
+  INFO(format(products.diagnostics));
+  REQUIRE(products.checked);
+  return std::move(*products.checked);
+}
+
+std::optional<double> potential_at(const Model& model, const cln::cl_RA& q) {
+  State state = nominal_state(model, {});
+  state.q = {q, cln::cl_RA(1) / 2};
+  const auto value = oracle_expression(model, *model.energies.V, state);
+  return value ? std::optional(cln::double_approx(*value)) : std::nullopt;
+}
+
+Model as_typed(Model model) {
+  for (const auto& [id, quotient] : model.typed) model.expressions[id] = quotient;
+  model.typed.clear();
+  return model;
+}
+
+const std::string soft = R"toml(format = 1
+[model]
+name = "soft"
+[[coordinate]]
+name = "q"
+unit = "rad"
+range = [-2, 2]
+[parameters]
+m = { value = 0.1, unit = "kg", assume = "positive" }
+L = { value = 0.3, unit = "m", assume = "positive" }
+g = { value = 9.81, unit = "m/s^2" }
+[gravity]
+vector = ["0", "-g"]
+[[output]]
+name = "pose"
+value = ["x(tip)", "y(tip)"]
+jacobian = true
+[[point]]
+name = "tip"
+mass = "m"
+at = )toml";
+const std::string by_quotients = R"toml(["L*(1 - cos(q))/q", "-L*sin(q)/q"])toml";
+const std::string by_functions = R"toml(["L*q*cosc(q)", "-L*sinc(q)"])toml";
+
+std::string steps_of(const std::string& at) {
+  PipelineOptions options;
+  options.goals = {Goal::steps};
+  const Products products = run_pipeline(inputs_of(soft + at + "\n"), options);
+  INFO(format(products.diagnostics));
+  REQUIRE(products.steps);
+  return text_of(steps_page(products.checked->model, products.checked->scene, *products.steps));
+}
+
+}  // namespace
+
+TEST_CASE("quotients of sines and cosines have values at 0, and the same elsewhere") {
+  for (const auto& [potential, at_zero] :
+       std::vector<QuotientRow>{{"sin(q)/q", 1},
+                                {"L*sin(2*q)/q", 0.5},
+                                {"1/q*L*sin(q)*r", 0.125},
+                                {"sin(L*q)/(L*q)", 1},
+                                {"sin(-q)/q", -1},
+                                {"-L/q*sin(q)", -0.25},
+                                {"sin(q*r)/q", 0.5},
+                                {"sin(q*r)/(q*r)", 1},
+                                {"sin(q/2)/(q/2)", 1},
+                                {"sin(q)*q^(-1)", 1},
+                                {"(sin(q)/q)^2", 1},
+                                {"sin(q)^2/q^2", 1},
+                                {"sin(q)^2/q", 0},
+                                {"(1 - cos(q))/q", 0},
+                                {"(1 - cos(2*q))/q^2", 2},
+                                {"(cos(q) - 1)/q^2", -0.5},
+                                {"(1 - cos(-q))/(3*q)", 0},
+                                {"(-cos(L*q) + 1)/(L*q)/q", 0.125},
+                                {"sin(q)*(1 - cos(q))/q^3", 0.5},
+                                {"r*s/q", 0.125},
+                                {"s/a", 1},
+                                {"(1 - c)/a^2", 0.5},
+                                {"(1 - c)/q", 0},
+                                {"2 + r*(1 - cos(q))/q^2", 2.25}}) {
+    INFO(potential);
+    const Model model = checked_arm(potential).model;
+    REQUIRE_FALSE(model.typed.empty());
+    const Model typed = as_typed(model);
+    CHECK_FALSE(potential_at(typed, 0));
+    CHECK(potential_at(model, 0).value_or(nothing) == Approx(at_zero).margin(1e-15));
+    for (const cln::cl_RA& q : {cln::cl_RA(-7) / 5, cln::cl_RA(3) / 10}) {
+      const auto right = potential_at(typed, q);
+      REQUIRE(right);
+      // 60 digits, rounded once more to double.
+      CHECK(potential_at(model, q).value_or(nothing) == Approx(*right).epsilon(1e-15).margin(0));
+    }
+    const std::string text = to_string(model, *model.energies.V);
+    CHECK(text == to_string(typed, *model.energies.V));
+    CHECK(text.find("sinc") == std::string::npos);
+  }
+}
+
+TEST_CASE("quotients that stay 0/0, that have poles or other arguments are left alone") {
+  for (const std::string potential :
+       {"sin(q)/q^2", "cos(q)/q", "(1 + cos(q))/q", "(2 - cos(q))/q", "sin(r)/q", "sin(q + r)/q",
+        "sin(b)/b", "sin(L)/L", "(1 - cos(q))/q^3", "q/sin(q)", "tan(q)/q", "sin(q^2)/q",
+        "sin(q)/(1 + q)", "L*sin(q)"}) {
+    INFO(potential);
+    CHECK(checked_arm(potential).model.typed.empty());
+  }
+}
+
+TEST_CASE("a soft arm that is typed by quotients moves through q = 0") {
+  const Products products = derived(inputs_of(soft + by_quotients + "\n"), PipelineOptions{});
+  const Model& model = products.checked->model;
+  const State straight = start_state(model, products.checked->scene);
+  const auto mass = oracle_values(model, {.kind = OutputKind::mass_matrix}, straight);
+  REQUIRE(mass);
+  CHECK(cln::double_approx(mass->front()) == Approx(0.1 * 0.09 / 4).epsilon(1e-15));
+  for (const Function& function : products.program->functions) {
+    CHECK(function.sampled_zeros.empty());
+  }
+}
+
+TEST_CASE("pages print quotients where these are typed, and functions where those are") {
+  const std::string typed = steps_of(by_quotients);
+  CHECK(typed.find("tip = (L*(1 - cos(q))/q, -L/q*sin(q))") != std::string::npos);
+  CHECK(typed.find("stumpff") == std::string::npos);
+  const std::string named = steps_of(by_functions);
+  CHECK(named.find("tip = (L*q*cosc(q), -L*sinc(q))") != std::string::npos);
+}
+
+}  // namespace elgen::test
