@@ -206,6 +206,10 @@ inline constexpr std::array operation_columns{OperationColumn{"add", &OperationC
 /// Empty when all hold; otherwise the first broken invariant, named with function and instruction.
 [[nodiscard]] std::string check_invariants(const Program& program);
 
+/// Throws std::logic_error with the first broken invariant, in every build: E912. Linear in the
+/// instructions.
+void require_invariants(const Program& program);
+
 [[nodiscard]] std::string dump(const Program& program);
 
 /// The names of values for which nothing tells what they are: code has a hash of their content,

@@ -38,7 +38,10 @@ auto of_owner(const Model& model, LeafOwner owner, const F& f)
 LeafNames leaf_names(const Model& model) {
   const auto name = [](Opcode, const auto& entry) { return entry.name; };
   const auto single = [](Opcode kind) { return kind == Opcode::time ? "t" : ""; };
-  LeafNames leaves{leaves_of<std::string>(model, name, single), model.uses_time};
+  // Outputs of a page may name t in a model whose equations do not.
+  const auto takes_time = [](const UserOutput& o) { return o.takes.has_any(Opcode::time); };
+  LeafNames leaves{leaves_of<std::string>(model, name, single),
+                   model.uses_time || std::ranges::any_of(model.outputs, takes_time)};
   leaves.momenta.clear();
   leaves.reference.clear();
   for (const Parameter& p : model.parameters) leaves.assumptions.push_back(p.assumption);

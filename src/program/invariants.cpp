@@ -5,8 +5,8 @@
 // entries, and unused operand slots are zero (so that equal means equal bytes).
 #include <fmt/core.h>
 
-#include <set>
-#include <tuple>
+#include <stdexcept>
+#include <unordered_set>
 
 #include "elgen/program.hpp"
 
@@ -108,13 +108,12 @@ std::string broken_function(const Program& program, const Function& function) {
   }
   const std::string repetition = broken_repetition(function);
   if (!repetition.empty()) return repetition;
-  std::set<std::tuple<Opcode, FunctionId, std::uint32_t, std::uint32_t, bool>> seen;
+  std::unordered_set<Instruction, InstructionHash> seen;
   for (std::size_t at = 0; at < function.instructions.size(); ++at) {
     const std::string broken = broken_instruction(program, function, at);
     if (!broken.empty()) return fmt::format("instruction {}: {}", at, broken);
-    const Instruction& i = function.instructions[at];
     if (at >= first_repeated(function)) continue;
-    if (!seen.emplace(i.opcode, i.function, i.a, i.b, i.is_inner).second) {
+    if (!seen.insert(function.instructions[at]).second) {
       return fmt::format("instruction {}: computed before", at);
     }
   }
@@ -135,6 +134,11 @@ std::string check_invariants(const Program& program) {
     if (!broken.empty()) return fmt::format("function `{}`: {}", function.name, broken);
   }
   return "";
+}
+
+void require_invariants(const Program& program) {
+  const std::string broken = check_invariants(program);
+  if (!broken.empty()) throw std::logic_error(broken);
 }
 
 }  // namespace elgen

@@ -38,6 +38,21 @@ TEST_CASE("all stages run in their order and give a checked program and its file
   CHECK(stages(products) == expected);
 }
 
+TEST_CASE("a program for a page knows t where only what is conserved names it") {
+  for (const char* const name : {"atwood", "free_body", "relativistic_particle",
+                                 "triatomic_molecule", "two_body", "two_particles"}) {
+    INFO(name);
+    PipelineOptions options;
+    options.goals = {Goal::choose};
+    CHECK_FALSE(test::derived(model(name), options).program->leaves.uses_time);
+    options.scene.shows_motion = true;
+    const Products page = test::derived(model(name), options);
+    CHECK_FALSE(page.checked->model.uses_time);
+    CHECK(page.program->leaves.uses_time);
+    CHECK(check_invariants(*page.program) == "");
+  }
+}
+
 TEST_CASE("a mistake of a stage leaves what the stages before it found") {
   const std::string text =
       "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"x\"\n[parameters]\nm = 1\n"

@@ -122,11 +122,14 @@ TEST_CASE("derivatives of steps are those of the oracle's differences") {
        {std::pair("double_pendulum", "\"midpoint\", iterations = 3"),
         std::pair("cart_pole", "\"rk4\""), std::pair("quadrotor", "\"rk4\""),
         std::pair("pendulum_in_lift", "\"rk4\""), std::pair("two_link_arm", "\"rk4\""),
+        // Steps of these negate values.
+        std::pair("simple_pendulum", "\"midpoint\""), std::pair("elastic_pendulum", "\"midpoint\""),
         std::pair("chain", "\"midpoint\", order = 4, iterations = 2")}) {
     INFO(name);
     const Products products = checked_products(model_file(name), stepping(method));
     INFO(format(products.diagnostics));
     CHECK(products.self_check);
+    CHECK(check_invariants(*products.program) == "");
   }
 }
 

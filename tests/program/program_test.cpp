@@ -112,8 +112,11 @@ TEST_CASE("every invariant is watched, and names function and instruction") {
       "coordinates x\nfunction bias\n  0 = coordinate x\n  1 = sin 0\n  2 = multiply 0 1\n"
       "  result 1 1 = 2\n");
   CHECK(check_invariants(program) == "");
+  CHECK_NOTHROW(require_invariants(program));
   row.damage(program.functions[0]);
-  CHECK(check_invariants(program) == std::string("function `bias`: ") + row.broken);
+  const std::string broken = std::string("function `bias`: ") + row.broken;
+  CHECK(check_invariants(program) == broken);
+  CHECK_THROWS_MATCHES(require_invariants(program), std::logic_error, Catch::Message(broken));
 }
 
 TEST_CASE("repetitions do the same on operands of their own") {

@@ -5,7 +5,6 @@
 #include <cln/exception.h>
 #include <fmt/core.h>
 
-#include <cassert>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -103,7 +102,7 @@ Result<Program> lower(const EquationsOfMotion& equations, const std::vector<Outp
     Diagnostics errors = lower_output(equations, request, limits, program);
     if (!errors.empty()) return errors;
   }
-  assert(check_invariants(program).empty());
+  require_invariants(program);
   return program;
 }
 

@@ -2,7 +2,6 @@
 #include "elgen/cancel.hpp"
 
 #include <algorithm>
-#include <cassert>
 
 #include "elgen/closed_forms.hpp"
 #include "forms/cancel/vanishing.hpp"
@@ -124,7 +123,7 @@ Program cancel(Program program) {
     if (zeros.proved.empty() && zeros.sampled.empty()) continue;
     function = without(zeros, function, program);
   }
-  assert(check_invariants(program).empty());
+  require_invariants(program);
   return program;
 }
 

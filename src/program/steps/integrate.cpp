@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 #include <numeric>
 
 #include "elgen/step_methods.hpp"
@@ -220,7 +219,7 @@ Diagnostics add_step(const CheckedModel& checked, const OutputRequest& step, con
   }
   function.sampled_zeros = sampled_zeros(calls, function);
   program.functions.push_back(pruned(function));
-  assert(check_invariants(program).empty());
+  require_invariants(program);
   return {};
 }
 

@@ -87,6 +87,7 @@ class Tangents {
     if (da == zero_ && db == zero_) return zero_;
     switch (i.opcode) {
       case Opcode::negate:
+        return with(i.opcode, da);
       case Opcode::add:
       case Opcode::subtract:
         return with(i.opcode, da, db);
