@@ -5,11 +5,17 @@
 // value is a mistake in elgen and throws std::logic_error.
 #pragma once
 
-#include <kainjow/mustache.hpp>
 #include <map>
 #include <string>
 #include <string_view>
 #include <vector>
+
+// As packages install it, or the header alone, as it is published.
+#if __has_include(<kainjow/mustache.hpp>)
+#include <kainjow/mustache.hpp>
+#else
+#include <mustache.hpp>
+#endif
 
 namespace elgen {
 

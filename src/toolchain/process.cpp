@@ -12,8 +12,8 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <optional>
@@ -30,6 +30,30 @@ namespace elgen {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// "SIGSEGV", of the signals that end a process; "unknown". Only glibc has sigabbrev_np.
+std::string_view signal_name(int signal) {
+  constexpr std::array<std::pair<int, std::string_view>, 16> names{{
+      {SIGABRT, "SIGABRT"},
+      {SIGALRM, "SIGALRM"},
+      {SIGBUS, "SIGBUS"},
+      {SIGFPE, "SIGFPE"},
+      {SIGHUP, "SIGHUP"},
+      {SIGILL, "SIGILL"},
+      {SIGINT, "SIGINT"},
+      {SIGKILL, "SIGKILL"},
+      {SIGPIPE, "SIGPIPE"},
+      {SIGQUIT, "SIGQUIT"},
+      {SIGSEGV, "SIGSEGV"},
+      {SIGSYS, "SIGSYS"},
+      {SIGTERM, "SIGTERM"},
+      {SIGTRAP, "SIGTRAP"},
+      {SIGXCPU, "SIGXCPU"},
+      {SIGXFSZ, "SIGXFSZ"},
+  }};
+  const auto* const row = std::ranges::find(names, signal, &decltype(names)::value_type::first);
+  return row == names.end() ? "unknown" : row->second;
+}
 
 /// As the system wants them, with a null at the end.
 std::vector<char*> pointers(std::vector<std::string>& texts) {
@@ -201,25 +225,23 @@ std::string ending_text(Ending ending, int status, std::uint64_t seconds) {
   if (ending == Ending::not_started) return "could not be run";
   if (ending == Ending::out_of_time) return fmt::format("has not ended within {} s", seconds);
   if (ending != Ending::signalled) return fmt::format("exits {}", status);
-  const char* const name = ::sigabbrev_np(status - 128);
-  return fmt::format("was ended by signal {} (SIG{})", status - 128, name == nullptr ? "" : name);
+  return fmt::format("was ended by signal {} ({})", status - 128, signal_name(status - 128));
 }
 
 std::optional<std::vector<double>> numbers_in(std::string_view line) {
   constexpr std::string_view between = "[], \t\r";
+  const std::string text(line);  // strtod reads as far as a null
   std::vector<double> numbers;
-  const char* const end = line.data() + line.size();
-  for (const char* at = line.data(); at != end;) {
+  const char* const end = text.data() + text.size();
+  for (const char* at = text.data(); at != end;) {
     if (between.find(*at) != std::string_view::npos) {
       ++at;
       continue;
     }
-    const auto [stop, error] = std::from_chars(at, end, numbers.emplace_back());
-    if (error == std::errc::invalid_argument) return std::nullopt;
-    // from_chars leaves the number as it was: 1e400 is inf, 1e-400 is 0.
-    if (error == std::errc::result_out_of_range) {
-      numbers.back() = std::strtod(std::string(at, stop).c_str(), nullptr);
-    }
+    // libc++ before 20 has no from_chars of double. Nothing sets another locale than "C".
+    char* stop = nullptr;
+    numbers.push_back(std::strtod(at, &stop));
+    if (stop == at) return std::nullopt;
     at = stop;
   }
   return numbers;

@@ -180,6 +180,19 @@ std::vector<std::string> later_includes(const SourceTree& tree) {
   return found;
 }
 
+std::vector<std::string> joins_without_ranges(const SourceTree& tree) {
+  std::vector<std::string> found;
+  for (const auto& [path, text] : tree) {
+    // In two parts: this file does not write it.
+    if (!is_code(path) || !mentions(text, std::string("fmt::") + "join(")) continue;
+    const std::vector<std::string> names = included_names(text);
+    if (std::count(names.begin(), names.end(), "fmt/ranges.h") == 0) {
+      found.push_back(path + ": writes fmt::join without <fmt/ranges.h>");
+    }
+  }
+  return found;
+}
+
 std::vector<std::string> include_cycles(const SourceTree& tree) {
   Includes includes = includes_of(tree);
   std::vector<std::string> found;

@@ -52,6 +52,8 @@ using Includes = std::map<std::string, std::vector<std::string>>;
 [[nodiscard]] std::vector<std::string> includes_beside(const SourceTree& tree);
 /// Everything is in namespace elgen, except what stands beside the pipeline: urdf, oracle, cli.
 [[nodiscard]] std::vector<std::string> unusual_namespaces(const SourceTree& tree);
+/// Files that write fmt::join without fmt's header of ranges, which has it from version 11 on.
+[[nodiscard]] std::vector<std::string> joins_without_ranges(const SourceTree& tree);
 [[nodiscard]] std::vector<std::string> long_files(const SourceTree& tree, std::size_t most_lines);
 
 }  // namespace elgen::test

@@ -138,6 +138,16 @@ TEST_CASE("rooms have an order, and nouns stand before those of their folder") {
                   "src/first/rules/rule.hpp: reaches the later src/first/core.hpp"});
 }
 
+TEST_CASE("fmt::join without its header is found") {
+  SourceTree tree = small_tree();
+  const std::string use = "std::string text() { return f(fmt::joi" + std::string("n(x, y)); }\n");
+  tree["src/first/core.hpp"] += "#include <fmt/ranges.h>\n" + use;
+  CHECK(joins_without_ranges(tree).empty());
+  tree["src/first/apple.cpp"] += "#include <fmt/format.h>\n" + use;
+  CHECK(joins_without_ranges(tree) ==
+        Sentences{"src/first/apple.cpp: writes fmt::join without <fmt/ranges.h>"});
+}
+
 TEST_CASE("a long file is found, one of the greatest length is not") {
   SourceTree tree = small_tree();
   tree["tests/first/apple_test.cpp"] = "\n\n\n\n";
@@ -165,6 +175,10 @@ TEST_CASE("this project writes includes as paths from src") {
 
 TEST_CASE("this project has one namespace, and three beside the pipeline") {
   CHECK(unusual_namespaces(project()) == Sentences{});
+}
+
+TEST_CASE("this project includes fmt's header of ranges with fmt::join") {
+  CHECK(joins_without_ranges(project()) == Sentences{});
 }
 
 TEST_CASE("this project has no file over 400 lines") {

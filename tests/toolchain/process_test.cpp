@@ -69,9 +69,20 @@ TEST_CASE("stdin has the text that is given, however long") {
   CHECK(elgen::run_apart({"cat"}, 60, 100).output.empty());
 }
 
+TEST_CASE("numbers of an answer are read to the bit, beyond the range of double as infinite or 0") {
+  CHECK(elgen::numbers_in("[[0.1, -2e-3],\t[5, 1e-310]]") ==
+        std::vector<double>{0.1, -2e-3, 5, 1e-310});
+  CHECK(elgen::numbers_in("1e400 -1e400 1e-400") == std::vector<double>{HUGE_VAL, -HUGE_VAL, 0});
+  CHECK(elgen::numbers_in("")->empty());
+  CHECK_FALSE(elgen::numbers_in("[1, two]"));
+  CHECK_FALSE(elgen::numbers_in(std::string("1 \0 2", 5)));
+}
+
 TEST_CASE("how a process ended is told by its status or the name of its signal") {
   CHECK(elgen::ending_text(Ending::exited, 3) == "exits 3");
   CHECK(elgen::ending_text(Ending::signalled, 128 + SIGABRT) == "was ended by signal 6 (SIGABRT)");
+  CHECK(elgen::ending_text(Ending::signalled, 128 + SIGXFSZ) == "was ended by signal 25 (SIGXFSZ)");
+  CHECK(elgen::ending_text(Ending::signalled, 128 + 40) == "was ended by signal 40 (unknown)");
   CHECK(elgen::words_of_command(" python3  mine.py ") ==
         std::vector<std::string>{"python3", "mine.py"});
 }

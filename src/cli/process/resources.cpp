@@ -94,11 +94,13 @@ void* other_memory(void* old, std::size_t /*size*/, std::size_t size) {
 
 void no_memory(void* old, std::size_t /*size*/) { std::free(old); }
 
-void limit(int resource, std::uint64_t value) {
+/// A resource is an enumeration of glibc's, and an int in musl.
+template <class Resource>
+void limit(Resource resource, std::uint64_t value) {
   rlimit both{};
-  if (::getrlimit(static_cast<__rlimit_resource>(resource), &both) != 0) return;
+  if (::getrlimit(resource, &both) != 0) return;
   both.rlim_cur = std::min<rlim_t>(value, both.rlim_max);
-  ::setrlimit(static_cast<__rlimit_resource>(resource), &both);
+  ::setrlimit(resource, &both);
 }
 
 }  // namespace
