@@ -78,7 +78,7 @@ struct KeyChange {
 enum class EntryVerdict : std::uint8_t {
   identical,       ///< computed alike
   equal,           ///< written differently
-  not_told_apart,  ///< equal at all points, which proves nothing of roots and kinks
+  not_told_apart,  ///< no point shows a difference, which proves nothing of roots and kinks
   different,
   added,
   removed,

@@ -80,13 +80,17 @@ bool is_known_argument(const FunctionRow& row, const Running<Number>& x,
   return is_known(x, is_entire ? max(abs(x.value), Number(1)) : abs(x.value), rounding);
 }
 
+bool is_far_out(const FunctionRow& row, const Real& x) {
+  static const Real far(cln::cl_R(1 << 20));
+  return row.far_values && far < abs(x);
+}
+
 /// The value of an exponential function so far out that 64 digits do not tell it from its limit;
 /// the exponent of exp(1e300) would leave even CLN's range. Infinite limits are beyond the overflow
 /// threshold.
 std::optional<Real> limit_value(const FunctionRow& row, const Real& x,
                                 const Rounding<Real>& rounding) {
-  static const Real far(cln::cl_R(1 << 20));
-  if (!row.far_values || !(far < abs(x))) return std::nullopt;
+  if (!is_far_out(row, x)) return std::nullopt;
   const double limit = cln::plusp(x.value()) ? row.far_values->right : row.far_values->left;
   if (std::isfinite(limit)) return Real(static_cast<int>(limit));
   const Real infinite = rounding.largest * Real(32);
@@ -106,6 +110,10 @@ Dual<Number> with_slope(FunctionId function, const Number& x, const Number& y, b
 }
 
 }  // namespace
+
+bool takes_limit(FunctionId function, const Real& x, const Real& y) {
+  return is_far_out(function_row(far_out(function, y < Real())), x);
+}
 
 bool is_power_of_two(const Real& x) {
   if (!x.is_defined() || is_zero(x)) return false;

@@ -63,6 +63,11 @@ template <class Number>
 [[nodiscard]] Running<Number> running_leaf(const cln::cl_R& value,
                                            const Rounding<Number>& rounding);
 
+/// Whether the rules take the limit of a function for its value: that of an exponential one at |x|
+/// > 2^20, where 64 digits do not tell them apart. A limit of 0 is no divisor. Of one argument: y =
+/// x.
+[[nodiscard]] bool takes_limit(FunctionId function, const Real& x, const Real& y);
+
 /// The leaves are given exactly, or each is rounded once, so that at an angle of 1e6 both cos(q +
 /// 1) and cos(q)*cos(1) - sin(q)*sin(1) have as few digits as the angle itself.
 enum class Leaves : std::uint8_t { exact, rounded };

@@ -137,7 +137,7 @@ void add_diff(CLI::App& app, Action& action) {
       ->delimiter(',')
       ->allow_extra_args(false);
   command->add_flag("--strict", options->strict,
-                    "roots and kinks that 64 points do not tell apart are different");
+                    "entries that 64 points do not tell apart are different");
   command->add_flag("--list", options->lists_all, "list every key and every entry");
   command
       ->add_option("--format", options->format,

@@ -33,9 +33,9 @@ class PointDrawer {
     const bool is_computed = std::ranges::count(variables, true) == 0;
     std::vector<Seen> seen;
     for (const std::uint32_t entry : entries_of(function)) {
-      const Instruction& i = function.instructions[entry];
-      seen.push_back(is_computed && is_one_sided(i, values) ? Seen::other
-                                                            : judged(i, values, values[entry]));
+      const bool is_lone =
+          is_computed && !is_limited_[entry] && is_one_sided(function.instructions[entry], values);
+      seen.push_back(is_lone ? Seen::other : judged(function, entry, values));
     }
     return seen;
   }
@@ -46,7 +46,7 @@ class PointDrawer {
     const std::vector<Running<Real>> values = values_at(point, function, variables);
     std::vector<Seen> seen;
     for (const std::uint32_t entry : entries_of(function)) {
-      seen.push_back(judged(function.instructions[entry], values, values[entry]));
+      seen.push_back(judged(function, entry, values));
     }
     return seen;
   }
@@ -57,11 +57,24 @@ class PointDrawer {
                                        const std::vector<bool>& variables) {
     const RunningErrorRules<Real> rules{point};
     std::vector<Running<Real>> values;
+    is_limited_.clear();
     for (std::size_t i = 0; i < function.instructions.size(); ++i) {
+      is_limited_.push_back(!variables[i] && is_limited(function.instructions[i], values));
       values.push_back(variables[i] ? scaled(draw_.number())
                                     : folded(rules, program_, function.instructions[i], values));
     }
     return values;
+  }
+
+  /// Whether a value is made of the limit of a function: 1/exp(-2^21) divides by it.
+  [[nodiscard]] bool is_limited(const Instruction& i,
+                                const std::vector<Running<Real>>& values) const {
+    const std::size_t operands = operand_count(i);
+    if (operands == 0) return false;
+    const std::uint32_t last = operands > 1 ? i.b : i.a;
+    if (is_limited_[i.a] || is_limited_[last]) return true;
+    return i.opcode == Opcode::call &&
+           takes_limit(i.function, values[i.a].value, values[last].value);
   }
 
   [[nodiscard]] Running<Real> scaled(const cln::cl_RA& number) const {
@@ -89,12 +102,15 @@ class PointDrawer {
     return operand_count(i) > 1 && values[i.a].value.is_defined() != values[i.b].value.is_defined();
   }
 
-  /// Nothing is seen where rounding in 64 digits hides more than the last digits of the terms, or,
-  /// where these are 0, of leaves, which are about 1.
-  static Seen judged(const Instruction& i, const std::vector<Running<Real>>& values,
-                     const Running<Real>& x) {
+  /// Nothing is seen of limits, nor where rounding in 64 digits hides more than the last digits of
+  /// the terms, or, where these are 0, of leaves, which are about 1.
+  [[nodiscard]] Seen judged(const Function& function, std::uint32_t entry,
+                            const std::vector<Running<Real>>& values) const {
     static const Real share(power_of_ten(-45));
     static const Real hidden(power_of_ten(-25));
+    const Instruction& i = function.instructions[entry];
+    const Running<Real>& x = values[entry];
+    if (is_limited_[entry]) return Seen::nothing;
     if (!x.value.is_defined() || !x.error.is_defined()) return Seen::nothing;
     const Real noise = abs(x.error) * share;
     if (abs(x.value).value() > noise.value()) return Seen::other;
@@ -107,6 +123,7 @@ class PointDrawer {
   const Program& program_;
   Sampler draw_{seed_of_zeros};
   std::size_t points_ = 0;
+  std::vector<bool> is_limited_ = {};  ///< of the instructions at the last point
 };
 
 /// The entries, by their numbers, that nothing speaks against.
@@ -136,8 +153,8 @@ LeafValues<Running<Real>> point_of(const Arguments<double>& state) {
 }
 
 /// Whether each entry is zero at as many points as are asked for, of those at which it has a value:
-/// the states, and as many others.
-std::vector<bool> zero_everywhere(const Function& function, const std::vector<bool>& variables,
+/// the states, and as many others. `nothing`: at fewer, and no point shows another value.
+std::vector<Seen> seen_everywhere(const Function& function, const std::vector<bool>& variables,
                                   const std::vector<Arguments<double>>& states, PointDrawer& draw) {
   std::vector<std::size_t> zeros(entry_count(function));
   std::vector<bool> may_vanish(zeros.size(), true);
@@ -156,10 +173,12 @@ std::vector<bool> zero_everywhere(const Function& function, const std::vector<bo
     }
     if (is_decided) break;
   }
+  std::vector<Seen> result;
   for (std::size_t i = 0; i < zeros.size(); ++i) {
-    if (zeros[i] < zero_points) may_vanish[i] = false;
+    const Seen unless_other = zeros[i] < zero_points ? Seen::nothing : Seen::zero;
+    result.push_back(may_vanish[i] ? unless_other : Seen::other);
   }
-  return may_vanish;
+  return result;
 }
 
 /// The verdict on every entry of a function that nothing is proved of.
@@ -167,13 +186,17 @@ std::vector<Zero> sampled(const Program& program, const Function& function,
                           const std::vector<Arguments<double>>& states, PointDrawer& draw) {
   const std::vector<bool> variables = unknowns(program, function);
   const std::vector<bool> none(variables.size(), false);
-  const std::vector<bool> vanish = zero_everywhere(function, variables, {}, draw);
-  const bool is_analytic = std::ranges::count(variables, true) == 0;
-  const std::vector<bool> agree =
-      is_analytic ? vanish : zero_everywhere(function, none, states, draw);
+  const std::vector<Seen> seen = seen_everywhere(function, variables, {}, draw);
+  const bool is_settled =
+      std::ranges::count(variables, true) == 0 && std::ranges::count(seen, Seen::nothing) == 0;
+  const std::vector<Seen> as_computed =
+      is_settled ? seen : seen_everywhere(function, none, states, draw);
   std::vector<Zero> result;
-  for (std::size_t i = 0; i < vanish.size(); ++i) {
-    result.push_back(vanish[i] ? Zero::sampled : agree[i] ? Zero::not_decided : Zero::no);
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const bool differs = as_computed[i] == Seen::other;
+    result.push_back(seen[i] == Seen::zero ? Zero::sampled
+                     : differs             ? Zero::no
+                                           : Zero::not_decided);
   }
   return result;
 }

@@ -9,7 +9,8 @@ namespace elgen {
 /// A value vanishes at a point where |x| <= 1e-45 E in 64 digits, E the running error of x.
 enum class Zero : std::uint8_t {
   no,
-  not_decided,  ///< vanishes at `zero_points` points or more, but is not analytic: another may tell
+  not_decided,  ///< no point shows another value, but it is not analytic, or vanishes at fewer than
+                ///< `zero_points`: another point may tell
   sampled,      ///< analytic (program/network/analytic.hpp), and vanishes at `zero_points` points
   proved,       ///< its closed form is the empty sum
 };

@@ -335,6 +335,10 @@ const Rewriting definitions[]{
      "[energy]\nT = \"1/2*m*(1 + sinh(x)^2)*dot(x)^2\"\n", "1 + sinh", "1 - sinh"},
     {"exponentials", "x", 0, "[energy]\nT = \"1/2*m*dot(x)^2\"\nV = \"k*cosh(x)\"\n",
      "[energy]\nT = \"1/2*m*dot(x)^2\"\nV = \"k*(exp(x) + 1/exp(x))/2\"\n", "+ 1/exp", "- 1/exp"},
+    {"a hyperbolic function by exponentials in a denominator", "x", 0,
+     "[energy]\nT = \"1/2*m*dot(x)^2\"\nV = \"k*tanh(x)\"\n",
+     "[energy]\nT = \"1/2*m*dot(x)^2\"\nV = \"k*(exp(2*x) - 1)/(1 + 1/exp(-2*x))\"\n", "exp(-2*x)",
+     "exp(-3*x)"},
     {"a rod that turns with time, and a point", "x", 0,
      "[[point]]\nname = \"bead\"\nat = [\"x*cos(c*t)\", \"x*sin(c*t)\"]\nmass = \"m\"\n"
      "[gravity]\nvector = [\"0\", \"-g\"]\n",
