@@ -45,6 +45,22 @@ using OracleValues = std::optional<std::vector<cln::cl_R>>;
 [[nodiscard]] OracleValues oracle_values(const Model& model, const OutputRequest& output,
                                          const State& state);
 
+/// Values whose first 60 digits more digits do not change; a value is 0 where it is exactly, or
+/// where none of the digits shows another one that could be seen in them.
+struct SettledValues {
+  OracleValues values = {};
+  bool is_told = true;  ///< false where the digits do not tell, or numbers are too large
+};
+inline constexpr unsigned most_settled_digits = 2000;
+
+/// All entries of an output, by two evaluations or more.
+[[nodiscard]] SettledValues settled_values(const Model& model, const OutputRequest& output,
+                                           const State& state);
+
+/// Likewise of one expression of the model: one entry.
+[[nodiscard]] SettledValues settled_expression(const Model& model, ExpressionId expression,
+                                               const State& state);
+
 /// Slope of w . (M a + bias - B u) where q moves along x and v along y; a and u are the state's and
 /// stay; w, x, y have one entry per velocity. For a rotation x is its rotation vector in its axes.
 [[nodiscard]] std::optional<cln::cl_R> oracle_residual_slope(const Model& model, const State& state,

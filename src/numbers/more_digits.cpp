@@ -9,6 +9,7 @@ namespace {
 
 thread_local unsigned all_digits = 0;
 thread_local unsigned lost_digits = 0;
+thread_local unsigned hidden_digits = 0;
 
 /// Real agrees to 50 digits of 64 with a bound that knows the slope of a sine, and the oracle
 /// promises 60 of 95: so many may go.
@@ -34,5 +35,9 @@ bool MoreDigits::grow() {
 unsigned MoreDigits::count() { return all_digits; }
 
 void MoreDigits::lose(unsigned digits) { lost_digits = std::max(lost_digits, digits); }
+
+void MoreDigits::hide(unsigned digits) { hidden_digits = std::max(hidden_digits, digits); }
+
+unsigned MoreDigits::hidden() { return std::exchange(hidden_digits, 0U); }
 
 }  // namespace elgen

@@ -14,6 +14,12 @@ class MoreDigits {
   /// Arithmetic tells of an angle with so many digits before its point.
   static void lose(unsigned digits);
 
+  /// Arithmetic tells of an exponential: a sum may hide numbers so many digits smaller than itself.
+  static void hide(unsigned digits);
+
+  /// The most that it told since the last call.
+  [[nodiscard]] static unsigned hidden();
+
  private:
   template <class Computation>
   friend auto with_digits(unsigned digits, const Computation& computation);

@@ -5,7 +5,9 @@
 #include <cln/real.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <optional>
 
 #include "numbers/enclosed_number.hpp"
 #include "numbers/exact_number.hpp"
@@ -48,8 +50,18 @@ bool is_periodic(FunctionId function) {
   return is_circular(function) || function == FunctionId::tan || function == FunctionId::stumpff;
 }
 
+/// The largest exponent of the argument of an exponential: CLN overflows beyond without a word.
+constexpr std::int64_t maximal_exponent = 30;
+
+/// tanh and expm1 far out: +-1, where that is the value in all digits.
+std::optional<Real> limit_far_out(FunctionId function, const cln::cl_F& x) {
+  const std::optional<FarValues>& far = function_row(function).far_values;
+  if (!far || cln::float_exponent(x) < maximal_exponent) return std::nullopt;
+  const double limit = cln::minusp(x) ? far->left : far->right;
+  return std::abs(limit) == 1 ? std::optional(Real(exact_value(limit))) : std::nullopt;
+}
+
 bool in_domain(FunctionId function, const cln::cl_F& x) {
-  constexpr std::int64_t maximal_exponent = 30;  // beyond, CLN's overflow without a word
   const FunctionRow& row = function_row(function);
   if (is_periodic(function)) return cln::float_exponent(x) < maximal_angle_exponent;
   if (row.far_values) return cln::float_exponent(x) < maximal_exponent;
@@ -70,6 +82,7 @@ Real called(FunctionId function, const Real& x, const Real& y) {
   if (!both(x, y)) return Real::undefined();
   if (is_kinked(function)) return Real(function_value(function, number(x), number(y)));
   const FunctionId far = far_out(function, cln::minusp(number(y)));
+  if (const auto limit = limit_far_out(function, number(x))) return *limit;
   const bool is_origin = cln::zerop(number(x)) && cln::zerop(number(y));
   if (function == FunctionId::atan2 && is_origin) return Real();  // as the C library has it
   return guarded(in_domain(far, number(x)), [&] {

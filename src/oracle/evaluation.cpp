@@ -16,15 +16,6 @@ Generators time_generator(unsigned k) { return generator(first_time_generator + 
 /// The time generators beyond the first `order`.
 Generators beyond(unsigned order) { return all_generators & ~(time_generator(order) - 1); }
 
-/// The nilpotent part of x: some power of it vanishes.
-Jet nilpotent(const Jet& x) {
-  Jet result;
-  for (const auto& [generators, coefficient] : x.terms()) {
-    if (generators != 0 && !cln::zerop(coefficient)) result = result + Jet(generators, coefficient);
-  }
-  return result;
-}
-
 /// s = e_1 + ... + e_order
 Jet elapsed_time(unsigned order) {
   Jet s;
@@ -124,9 +115,9 @@ Jet Evaluation::open_value(const Expression& e, unsigned time_order) const {
   };
   std::vector<Jet> moves;
   for (const ExpressionId argument : e.operands) {
-    moves.push_back(nilpotent(operand(argument, time_order)));
+    moves.push_back(operand(argument, time_order).nilpotent());
   }
-  const auto is_still = [](const Jet& x) { return x.terms().empty(); };
+  const auto is_still = [](const Jet& x) { return x.is_zero(); };
   Jet result = motion_.f[e.index];
   for (std::uint32_t i = 0; i < moves.size(); ++i) {
     if (is_still(moves[i])) continue;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <optional>
 
 #include "numbers/exact_number.hpp"
 
@@ -16,6 +17,14 @@ namespace {
 using cln::cl_R;
 
 bool is_exact_zero(const cl_R& x) { return is_rational(x) && cln::zerop(x); }
+
+/// The generators of a product of terms: the sum of disjoint sets is their union, and grades that
+/// vanish carry over.
+std::optional<Generators> product_of(Generators x, Generators y) {
+  const std::uint64_t product = std::uint64_t{x} + y;
+  if ((x & y & all_generators) != 0 || product >> 32 != 0) return std::nullopt;
+  return static_cast<Generators>(product);
+}
 
 /// Newton's r <- r (2 - y r) doubles the number of powers of s that are right.
 Jet graded_reciprocal(const Jet& y) {
@@ -28,10 +37,16 @@ Jet graded_reciprocal(const Jet& y) {
 /// 1 / (y0 + y1 e) = r - r^2 y1 e with r = 1 / y0.
 Jet reciprocal(const Jet& y) {
   const Generators support = y.support();
-  if (support == 0) return graded_reciprocal(y);
-  const Generators top = std::bit_floor(support);
-  const Jet r = reciprocal(y.without(top));
-  return r - r * r * y.tangent(top) * Jet(top, 1);
+  Jet result;
+  if (support == 0) {
+    result = graded_reciprocal(y);
+  } else {
+    const Generators top = std::bit_floor(support);
+    const Jet r = reciprocal(y.without(top));
+    result = r - r * r * y.tangent(top) * Jet(top, 1);
+  }
+  result.depend_on(y, Jet());
+  return result;
 }
 
 using cln::cl_I;
@@ -80,22 +95,68 @@ Jet composed(const Jet& x, const Jet& y, const Function& f) {
 /// generators; a few angles may be between them.
 constexpr std::size_t remembered_calls = 32;
 
-/// As numbers, and exact alike.
-bool is_same(const Jet& x, const Jet& y) {
-  return std::ranges::equal(x.terms(), y.terms(), [](const Jet::Term& a, const Jet::Term& b) {
-    return a.first == b.first && is_rational(a.second) == is_rational(b.second) &&
-           a.second == b.second;
-  });
-}
-
 bool is_graded(const Jet& x) { return x.lowest_grade() != 0; }
 
+/// The power of a displacement by which a function leaves its value where it has no derivative:
+/// acos(1 - d) is sqrt(2 d) to lowest order. None elsewhere.
+std::optional<cl_RA> bend_of(FunctionId function, const Jet& x, const Jet& y) {
+  switch (function) {
+    case FunctionId::asin:
+    case FunctionId::acos:
+      if (cln::abs(x.real()) == 1) return cl_RA(1) / 2;
+      break;
+    case FunctionId::hypot:
+      if (cln::zerop(x.real()) && cln::zerop(y.real())) return cl_RA(1);
+      break;
+    default:
+      break;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
+
+bool is_same(const Jet& x, const Jet& y) {
+  const auto is_same_term = [](const Jet::Term& a, const Jet::Term& b) {
+    return a.first == b.first && is_rational(a.second) == is_rational(b.second) &&
+           a.second == b.second;
+  };
+  return x.moving_ == y.moving_ && x.order_ == y.order_ && x.unknown_ == y.unknown_ &&
+         std::ranges::equal(x.terms_, y.terms_, is_same_term);
+}
 
 Jet::Jet(const cl_R& real) : Jet(0, real) {}
 
 Jet::Jet(Generators generators, const cl_R& coefficient) {
-  if (!is_exact_zero(coefficient)) terms_.emplace_back(generators, coefficient);
+  if (is_exact_zero(coefficient)) return;
+  terms_.emplace_back(generators, coefficient);
+  moving_ = generators & all_generators;
+  if (moving_ != 0) order_ = static_cast<unsigned>(std::popcount(moving_));
+}
+
+Jet Jet::bent(const cl_R& real, Generators moving, const cl_RA& order) {
+  if (order < 1) throw OutsideDomain("an infinite derivative");
+  Jet result(real);
+  result.moving_ = moving;
+  result.order_ = cln::cl_I_to_uint(cln::floor1(order));
+  const int first_unknown = cln::cl_I_to_int(cln::ceiling1(order));
+  for (Generators some = moving; some != 0; some = (some - 1) & moving) {
+    if (std::popcount(some) >= first_unknown) result.unknown_.push_back(some);
+  }
+  std::ranges::reverse(result.unknown_);
+  return result;
+}
+
+void Jet::depend_on(const Jet& x, const Jet& y) {
+  moving_ = x.moving_ | y.moving_;
+  order_ = std::min(x.order_, y.order_);
+}
+
+/// All terms of the first power stand in a jet.
+unsigned Jet::order() const {
+  const auto is_first = [](Generators g) { return std::has_single_bit(g & all_generators); };
+  if (order_ != 1 || std::ranges::any_of(unknown_, is_first)) return order_;
+  return std::ranges::any_of(terms_, is_first, &Term::first) ? 1 : 2;
 }
 
 void Jet::add(Generators generators, const cl_R& coefficient) {
@@ -110,6 +171,9 @@ void Jet::add(Generators generators, const cl_R& coefficient) {
 }
 
 cl_R Jet::coefficient(Generators generators) const {
+  if (std::ranges::binary_search(unknown_, generators)) {
+    throw OutsideDomain("a derivative that does not exist");
+  }
   for (const auto& [present, value] : terms_) {
     if (present == generators) return value;
   }
@@ -119,7 +183,13 @@ cl_R Jet::coefficient(Generators generators) const {
 Generators Jet::support() const {
   Generators all = 0;
   for (const auto& [present, value] : terms_) all |= present & all_generators;
+  for (const Generators present : unknown_) all |= present & all_generators;
   return all;
+}
+
+void Jet::add_unknown(Generators generators) {
+  const auto at = std::ranges::lower_bound(unknown_, generators);
+  if (at == unknown_.end() || *at != generators) unknown_.insert(at, generators);
 }
 
 Generators Jet::lowest_grade() const {
@@ -136,12 +206,27 @@ Jet Jet::part(Generators of, Generators exactly) const {
   for (const auto& [present, value] : terms_) {
     if ((present & of) == exactly) result.terms_.emplace_back(present & ~exactly, value);
   }
+  for (const Generators present : unknown_) {
+    if ((present & of) == exactly) result.unknown_.push_back(present & ~exactly);
+  }
+  result.moving_ = moving_ & ~of;
+  const auto taken = static_cast<unsigned>(std::popcount(exactly & all_generators));
+  if (result.moving_ != 0) result.order_ = order_ > taken ? order_ - taken : 1;
   return result;
 }
 
 Jet Jet::ungraded() const {
   Jet result;
   for (const auto& [present, value] : terms_) result.add(present & all_generators, value);
+  for (const Generators present : unknown_) result.add_unknown(present & all_generators);
+  result.depend_on(*this, Jet());
+  return result;
+}
+
+Jet Jet::nilpotent() const {
+  Jet result = *this;
+  std::erase_if(result.terms_, [](const Term& t) { return t.first == 0 || cln::zerop(t.second); });
+  std::erase(result.unknown_, Generators{0});
   return result;
 }
 
@@ -160,6 +245,9 @@ Jet operator+(const Jet& x, const Jet& y) {
   result.terms_.reserve(x.terms_.size() + y.terms_.size());
   result.terms_ = x.terms_;
   for (const auto& [present, value] : y.terms_) result.add(present, value);
+  result.unknown_ = x.unknown_;
+  for (const Generators present : y.unknown_) result.add_unknown(present);
+  result.depend_on(x, y);
   return result;
 }
 
@@ -169,29 +257,50 @@ Jet operator-(const Jet& x) {
   return result;
 }
 
+/// x y - x0 y0 = x0 (y - y0) + (x - x0) y0 + (x - x0) (y - y0)
+void Jet::depend_on_factors(const Jet& x, const Jet& y) {
+  const auto is_still = [](Generators g) { return (g & all_generators) == 0; };
+  const auto has_real = [&](const Jet& z) {
+    return std::ranges::any_of(z.terms_, is_still, &Term::first) ||
+           std::ranges::any_of(z.unknown_, is_still);
+  };
+  order_ = std::min(never, x.order_ + y.order_);
+  if (has_real(x)) order_ = std::min(order_, y.order_);
+  if (has_real(y)) order_ = std::min(order_, x.order_);
+  moving_ = order_ == never ? 0 : x.moving_ | y.moving_;
+}
+
 Jet operator*(const Jet& x, const Jet& y) {
   Jet result;
   result.terms_.reserve(x.terms_.size() * y.terms_.size());
   for (const auto& [in_x, x_value] : x.terms_) {
     for (const auto& [in_y, y_value] : y.terms_) {
-      // The sum of disjoint sets is their union; grades that vanish carry over.
-      const std::uint64_t product = std::uint64_t{in_x} + in_y;
-      const bool vanishes = (in_x & in_y & all_generators) != 0 || product >> 32 != 0;
-      if (!vanishes) result.add(static_cast<Generators>(product), x_value * y_value);
+      if (const auto both = product_of(in_x, in_y)) result.add(*both, x_value * y_value);
     }
   }
+  const auto add_unknown = [&result](Generators one, Generators other) {
+    if (const auto both = product_of(one, other)) result.add_unknown(*both);
+  };
+  for (const Generators in_x : x.unknown_) {
+    for (const auto& [in_y, y_value] : y.terms_) add_unknown(in_x, in_y);
+    for (const Generators in_y : y.unknown_) add_unknown(in_x, in_y);
+  }
+  for (const Generators in_y : y.unknown_) {
+    for (const auto& [in_x, x_value] : x.terms_) add_unknown(in_x, in_y);
+  }
+  result.depend_on_factors(x, y);
   return result;
 }
 
 Jet operator-(const Jet& x, const Jet& y) { return x + (-y); }
 
 Jet operator/(const Jet& x, const Jet& y) {
-  if (y.support() != 0 || y.lowest_grade() != 0) return x * reciprocal(y);
-  Jet result;
-  for (const auto& [present, value] : x.terms()) {
-    result = result + Jet(present, quotient(value, y.real()));
-  }
-  return x.terms().empty() ? Jet(quotient(0, y.real())) : result;
+  if (y.moving_ != 0 || y.lowest_grade() != 0) return x * reciprocal(y);
+  const cl_R divisor = y.real();
+  if (x.terms_.empty()) (void)quotient(0, divisor);
+  Jet result = x;
+  for (auto& [present, value] : result.terms_) value = quotient(value, divisor);
+  return result;
 }
 
 Jet JetFunctions::value(FunctionId function, const Jet& x, const Jet& y) {
@@ -200,7 +309,17 @@ Jet JetFunctions::value(FunctionId function, const Jet& x, const Jet& y) {
     return composed(x, y,
                     [&](const Jet& at_x, const Jet& at_y) { return value(function, at_x, at_y); });
   }
-  if (support == 0) return real_.value(function, x.real(), y.real());
+  const std::optional<cl_RA> bend = bend_of(function, x, y);
+  const Generators moving = x.moving() | y.moving();
+  if (bend && moving != 0) {
+    const cl_RA order = *bend * std::min(x.order(), y.order());
+    return Jet::bent(real_.value(function, x.real(), y.real()), moving, order);
+  }
+  if (support == 0) {
+    Jet result = real_.value(function, x.real(), y.real());
+    if (!is_kinked(function)) result.depend_on(x, y);
+    return result;
+  }
   const auto known = std::ranges::find_if(known_, [&](const Call& call) {
     return call.function == function && is_same(call.x, x) && is_same(call.y, y);
   });
@@ -210,7 +329,8 @@ Jet JetFunctions::value(FunctionId function, const Jet& x, const Jet& y) {
   const Jet y0 = y.without(top);
   const Jet f = value(function, x0, y0);
   const Gradient slope = gradient(function, x0, y0, f);
-  const Jet result = f + (slope.x * x.tangent(top) + slope.y * y.tangent(top)) * Jet(top, 1);
+  Jet result = f + (slope.x * x.tangent(top) + slope.y * y.tangent(top)) * Jet(top, 1);
+  if (!is_kinked(function)) result.depend_on(x, y);
   known_.push_front({function, x, y, result});
   if (known_.size() > remembered_calls) known_.pop_back();
   return result;
@@ -249,13 +369,21 @@ Jet JetFunctions::power(const Jet& x, const cl_RA& exponent) {
   if (support == 0 && is_graded(x)) {
     return composed(x, Jet(), [&](const Jet& at, const Jet&) { return power(at, exponent); });
   }
-  if (support == 0) {
-    return cln::zerop(x.real()) ? power_of_zero(exponent) : Jet(real_power(x.real(), exponent));
+  const bool is_zero = cln::zerop(x.real());
+  if (is_zero && exponent > 0 && x.moving() != 0 && !is_graded(x)) {
+    return Jet::bent(0, x.moving(), exponent * x.order());
   }
-  const Generators top = std::bit_floor(support);
-  const Jet x0 = x.without(top);
-  const Jet slope = Jet(exponent) * power(x0, exponent - 1);
-  return power(x0, exponent) + slope * x.tangent(top) * Jet(top, 1);
+  Jet result;
+  if (support == 0) {
+    result = is_zero ? power_of_zero(exponent) : Jet(real_power(x.real(), exponent));
+  } else {
+    const Generators top = std::bit_floor(support);
+    const Jet x0 = x.without(top);
+    const Jet slope = Jet(exponent) * power(x0, exponent - 1);
+    result = power(x0, exponent) + slope * x.tangent(top) * Jet(top, 1);
+  }
+  result.depend_on(x, Jet());
+  return result;
 }
 
 }  // namespace elgen::oracle

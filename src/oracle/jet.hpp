@@ -17,6 +17,11 @@
 // applied to one generator after another, so that only real functions are left. Powers of s turn
 // into generators first: with e = e_1 + ... + e_n, f(x0 + x1(s) e) has at e_1 ... e_j j! times the
 // part of f(x0 + x1(s)) of degree j in x1.
+//
+// A jet also knows what it depends on, since x^2 at x = 0 has no terms left: the generators, and
+// the lowest power of them by which it may leave its real part. sqrt(x^2) leaves 0 by the power 1
+// and has a bend there: its derivatives are unknown coefficients. Whoever asks for one is outside
+// of the domain; a product with an exact zero, as sqrt(x^2)^2 has it, does not hold it any more.
 #pragma once
 #include <cln/rational.h>
 #include <cln/real.h>
@@ -56,11 +61,21 @@ class Jet {
   Jet(Generators generators, const cln::cl_R& coefficient);
 
   [[nodiscard]] const std::vector<Term>& terms() const { return terms_; }
+  /// OutsideDomain where it is unknown.
   [[nodiscard]] cln::cl_R coefficient(Generators generators) const;
   [[nodiscard]] cln::cl_R real() const { return coefficient(0); }
 
+  /// No coefficient but exact zeros.
+  [[nodiscard]] bool is_zero() const { return terms_.empty() && unknown_.empty(); }
+
   /// All generators that occur.
   [[nodiscard]] Generators support() const;
+
+  /// All generators that it may depend on.
+  [[nodiscard]] Generators moving() const { return moving_; }
+
+  /// At least the lowest power of them by which it leaves its real part.
+  [[nodiscard]] unsigned order() const;
 
   /// The factor of a generator: the derivative, itself a jet in the others.
   [[nodiscard]] Jet tangent(Generators one) const { return part(one, one); }
@@ -80,25 +95,46 @@ class Jet {
   /// Every coefficient without its sign.
   [[nodiscard]] Jet magnitudes() const;
 
+  /// Without the real part, and without zeros that are floats: some power of it vanishes.
+  [[nodiscard]] Jet nilpotent() const;
+
+  /// Depends on what x and y depend on, as a function of both does.
+  void depend_on(const Jet& x, const Jet& y);
+
+  /// A number to which |d|^order is added, d a displacement along the generators: derivatives of
+  /// lower order are 0, the others unknown. OutsideDomain where the first one is infinite.
+  [[nodiscard]] static Jet bent(const cln::cl_R& real, Generators moving, const cln::cl_RA& order);
+
   /// Too long rationals become floats.
   void shorten();
 
   friend Jet operator+(const Jet& x, const Jet& y);
   friend Jet operator-(const Jet& x);
   friend Jet operator*(const Jet& x, const Jet& y);
+  /// OutsideDomain where the real part of y is zero.
+  friend Jet operator/(const Jet& x, const Jet& y);
+  /// As numbers, and exact alike.
+  friend bool is_same(const Jet& x, const Jet& y);
 
  private:
   /// The coefficient of exactly these generators `of` some.
   [[nodiscard]] Jet part(Generators of, Generators exactly) const;
   void add(Generators generators, const cln::cl_R& coefficient);
+  void add_unknown(Generators generators);
+  void depend_on_factors(const Jet& x, const Jet& y);
 
-  std::vector<Term> terms_ = {};  ///< ascending in their generators, no exact zeros
+  /// The order of what does not move.
+  static constexpr unsigned never = 255;
+
+  std::vector<Term> terms_ = {};          ///< ascending in their generators, no exact zeros
+  std::vector<Generators> unknown_ = {};  ///< whose coefficients do not exist
+  Generators moving_ = 0;
+  unsigned order_ = never;
 };
 
 [[nodiscard]] Jet operator-(const Jet& x, const Jet& y);
 
-/// OutsideDomain where the real part of y is zero.
-[[nodiscard]] Jet operator/(const Jet& x, const Jet& y);
+[[nodiscard]] bool is_same(const Jet& x, const Jet& y);
 
 class JetFunctions {
  public:
@@ -106,7 +142,7 @@ class JetFunctions {
   [[nodiscard]] Jet value(FunctionId function, const Jet& x, const Jet& y = {});
 
   /// x ^ exponent. Whole exponents take every x (negative ones every x but 0), others x > 0, and
-  /// x = 0 where the value or derivative asked for exists there.
+  /// x = 0 where the value exists there; derivatives that do not are unknown.
   [[nodiscard]] Jet power(const Jet& x, const cln::cl_RA& exponent);
 
  private:

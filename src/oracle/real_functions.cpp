@@ -21,8 +21,8 @@ using cln::cl_RA;
 /// exp of more than this exceeds every scalar type by far, and CLN would take minutes.
 const cl_R largest_exponent = 1'000'000;
 
-/// Beyond it tanh is +-1 to working precision: 1 - tanh(x) < 2 exp(-2 x).
-const cl_R tanh_saturation = 200;
+/// Beyond it tanh is +-1 to working precision: 1 - tanh(x) < 2 exp(-2 x), and exp(-4) < 0.1.
+cl_R tanh_saturation() { return 200 + 2 * MoreDigits::count(); }
 
 /// An angle beyond 2^20000 has left every built-in scalar long before.
 constexpr long largest_angle_exponent = 20'000;
@@ -41,7 +41,7 @@ cl_F widened(const cl_R& x) {
   const cl_F f = cln::the<cl_F>(x);
   const auto bits = cln::float_exponent(f);
   if (bits <= 0) return f;
-  if (bits > largest_angle_exponent) throw OutsideDomain("argument too large to reduce");
+  if (bits > largest_angle_exponent) throw BeyondReach("argument too large to reduce");
   const unsigned digits = static_cast<unsigned>(bits) / 3 + 1;
   MoreDigits::lose(digits);
   return cln::cl_float(f, cln::float_format(all_digits() + digits));
@@ -51,8 +51,15 @@ cl_R rounded(const cl_R& x) {
   return is_rational(x) ? x : cl_R(cln::cl_float(cln::the<cl_F>(x), working_format()));
 }
 
+/// e^x is 10^(0.43 x), and squares of it hide twice as many digits.
+void hide_exponential(const cl_R& x) {
+  const cl_R size = cln::min(cln::abs(x), largest_exponent);
+  MoreDigits::hide(cln::cl_I_to_uint(cln::ceiling1(size)));
+}
+
 cl_R checked_exponent(const cl_R& x) {
-  if (cln::abs(x) > largest_exponent) throw OutsideDomain("exponential too large");
+  if (cln::abs(x) > largest_exponent) throw BeyondReach("exponential too large");
+  hide_exponential(x);
   return widened(x);
 }
 
@@ -69,7 +76,8 @@ cl_R angle(const cl_R& sine, const cl_R& cosine) {
 }
 
 cl_R hyperbolic_tangent(const cl_R& x) {
-  if (cln::abs(x) > tanh_saturation) return as_float(cln::signum(x));
+  hide_exponential(x);
+  if (cln::abs(x) > tanh_saturation()) return as_float(cln::signum(x));
   return cln::tanh(widened(x));
 }
 
@@ -94,6 +102,10 @@ cl_R logarithm_of_sum(const cl_R& x) {
 
 /// e^x - 1 = x + x^2/2! + …, where the difference loses digits.
 cl_R exponential_less_one(const cl_R& x) {
+  if (x < -largest_exponent) {
+    hide_exponential(x);
+    return as_float(-1);
+  }
   if (cln::abs(x) > cl_RA(1) / 2) return cln::exp(checked_exponent(x)) - 1;
   cl_R term = as_float(x);
   cl_R sum = term;

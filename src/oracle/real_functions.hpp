@@ -33,6 +33,11 @@ struct OutsideDomain : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The quantity may be defined, but a number in it is larger than any that is computed.
+struct BeyondReach : OutsideDomain {
+  using OutsideDomain::OutsideDomain;
+};
+
 /// `x` in working precision, unless it already is a float.
 [[nodiscard]] cln::cl_R as_float(const cln::cl_R& x);
 

@@ -126,6 +126,35 @@ TEST_CASE("verify: numbers at a state are right to a share of the largest") {
                  "0.00101937 of the largest entry, more than 1e-12, at q = (1.5708)"));
 }
 
+/// A potential that is 1 everywhere, of terms of x^2, with this expectation at x.
+Outcome verified_at(const std::string& x, const std::string& keys) {
+  const Workspace workspace;
+  workspace.write("model.toml", R"toml(format = 1
+[model]
+name = "cancels"
+[[coordinate]]
+name = "x"
+[parameters]
+k = 2
+l = 1
+[energy]
+T = "dot(x)^2"
+V = "1/2*k*(x^2 - (x - l)*(x + l))"
+[[expect]]
+at = { x = )toml" + x + " }\n" + keys);
+  return workspace.run("elgen verify --quick model.toml");
+}
+
+TEST_CASE("verify: numbers at a state are looked at in more digits where terms cancel") {
+  CHECK(verified_at("1e100", "potential_energy = \"1\"\ngravity = [0]\n").status == 0);
+  CHECK(verified_at("1e100", "potential_energy = \"0\"\n").status == 1);
+  CHECK(verified_at("1", "potential_energy = \"1\"\n").status == 0);
+  const Outcome untold = verified_at("\"10^1500\"", "potential_energy = \"0\"\n");
+  INFO(untold.output);
+  CHECK(mentions(untold.output, "skipped"));
+  CHECK(mentions(untold.output, "1 where the oracle cannot say"));
+}
+
 TEST_CASE("verify: inputs, momenta, parameters and components of rotations are named at a state") {
   CHECK(verified("cart_pole",
                  "at = { u = 1, theta = 0, M = 2, m = 1, l = 1 }\n"

@@ -33,6 +33,14 @@ TEST_CASE("functions and their inverses") {
   CHECK(near(sin(x) * sin(x) + cos(x) * cos(x), Real(1)));
 }
 
+TEST_CASE("far out tanh and expm1 have their limit, and the other exponentials no value") {
+  CHECK(near(expm1(real("-1e10")), Real(-1)));
+  CHECK(near(tanh(real("1e10")), Real(1)));
+  CHECK(near(tanh(real("-1e10")), Real(-1)));
+  CHECK_FALSE(expm1(real("1e10")).is_defined());
+  CHECK_FALSE(exp(real("-1e10")).is_defined());
+}
+
 TEST_CASE("atan2 takes the ordinate first and knows the quadrant") {
   CHECK(near(atan2(real("1"), real("-1")), Real(cln::pi(Real::format()) * 3 / 4)));
   CHECK(near(atan2(real("-1"), real("1")), Real(-cln::pi(Real::format()) / 4)));

@@ -159,6 +159,34 @@ TEST_CASE("the square root has a value at zero, and a derivative above it") {
   CHECK(functions.power(Jet(4) + Jet(e0, 1), exact("1/2")).coefficient(e0) == exact("1/4"));
 }
 
+TEST_CASE("a root of a square has no derivative, and its square has the one of the radicand") {
+  JetFunctions functions;
+  const cl_RA half = cl_RA(1) / 2;
+  const Jet x(e0, 1);
+  const Jet y(e1, 1);
+  const Jet root = functions.power(x * x + y * y, half);
+  CHECK(root.real() == 0);
+  CHECK_THROWS_AS(root.coefficient(e0), OutsideDomain);
+  CHECK_THROWS_AS(root.tangent(e1).real(), OutsideDomain);
+  CHECK(root.without(e0 | e1).is_zero());
+  CHECK((root * root).coefficient(e0) == 0);
+  CHECK_THROWS_AS((root * root).coefficient(e0 | e1), OutsideDomain);
+  CHECK_THROWS_AS((root - Jet(1)).coefficient(e0), OutsideDomain);
+  CHECK((root * Jet(0)).is_zero());
+  CHECK(functions.power(x * x + y * y, half * 3).coefficient(e0) == 0);
+  CHECK(functions.value(FunctionId::cos, root).coefficient(e0) == 0);
+  CHECK_THROWS_AS(functions.value(FunctionId::exp, root).coefficient(e0), OutsideDomain);
+  CHECK(functions.power(Jet(4) + x * x, half).coefficient(e0) == 0);
+}
+
+TEST_CASE("what does not move has no bend") {
+  JetFunctions functions;
+  const Jet still = Jet(e0, 1) * Jet(0);
+  CHECK(functions.power(still, cl_RA(1) / 2).coefficient(e0) == 0);
+  CHECK(functions.value(FunctionId::acos, Jet(1) + still).coefficient(e0) == 0);
+  CHECK_THROWS_AS(functions.value(FunctionId::acos, Jet(1) + Jet(e0, 1)), OutsideDomain);
+}
+
 TEST_CASE("functions of s are their Taylor polynomials") {
   JetFunctions functions;
   const Jet s(graded_symbol(4), 1);

@@ -1,46 +1,18 @@
 // Records: fields by the output table, and values with digits that are right to the last.
 #include "run/values/records.hpp"
 
-#include <cln/float.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "elgen/wording.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "model/output_units.hpp"
 #include "model/requests.hpp"
-#include "numbers/exact_number.hpp"
-#include "numbers/more_digits.hpp"
 
 namespace elgen {
 namespace {
-
-using cln::cl_R;
-
-/// Floats of a state get zeros behind their digits, more than the oracle computes with.
-cl_R lengthened(const cl_R& x) {
-  constexpr unsigned all_digits = 260;
-  if (is_rational(x)) return x;
-  return cln::cl_float(x, cln::float_format(all_digits));
-}
-
-/// The oracle's values with 120 digits more than its 95. One that is 1e-20 of what it was with 60
-/// more, or was 0 there, is the rounding of terms that cancel: 0 in 155 digits of these.
-OracleValues settled_values(const Model& model, const OutputRequest& output, const State& state) {
-  static const cl_R share_of_a_zero = power_of_ten(-20);
-  const auto with_more = [&](unsigned digits) {
-    return with_digits(digits,
-                       [&] { return oracle_values(model, output, map_leaves(lengthened, state)); });
-  };
-  const OracleValues before = with_more(60);
-  OracleValues values = with_more(120);
-  if (!before || !values) return std::nullopt;
-  for (std::size_t i = 0; i < values->size(); ++i) {
-    const cl_R largest_zero = cln::abs((*before)[i]) * share_of_a_zero;
-    if (cln::abs((*values)[i]) <= largest_zero || cln::zerop((*before)[i])) (*values)[i] = 0;
-  }
-  return values;
-}
 
 std::vector<std::string> labels_of(const Model& model, const FieldLines& lines) {
   const Extent extent = lines.extent;
@@ -94,11 +66,22 @@ ValueTable table_of(const CheckedModel& checked, int digits) {
   return table;
 }
 
-std::optional<ValueRecord> record_at(const ValueTable& table, std::size_t function,
-                                     std::string place, const State& state) {
+Diagnostic no_value(std::string_view name, const Span& span, const SettledValues& settled) {
+  const std::string text = settled.is_told
+                               ? "has no value at this state"
+                               : fmt::format(
+                                     "cannot be told at this state: {} digits do not tell its "
+                                     "values from 0, or a number in them is too large",
+                                     most_settled_digits);
+  return {Code::E521, span, in_backticks(name) + " " + text};
+}
+
+Result<ValueRecord> record_at(const ValueTable& table, std::size_t function, std::string place,
+                              const State& state) {
   const OutputRequest& output = table.functions[function].output;
-  OracleValues values = settled_values(table.model, output, state);
-  if (!values) return std::nullopt;
+  SettledValues settled = settled_values(table.model, output, state);
+  OracleValues& values = settled.values;
+  if (!values) return no_value(output.name, output.span, settled);
   if (output.without_pivots) {
     const auto pivots = values->begin() + extent_of(table.model, Extent::velocities);
     values->erase(pivots, pivots + extent_of(table.model, Extent::pivots));

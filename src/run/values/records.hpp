@@ -1,7 +1,8 @@
 // records: a function at a state, as the oracle has it.
 #pragma once
 
-#include <optional>
+#include <string>
+#include <string_view>
 
 #include "elgen/values.hpp"
 
@@ -10,8 +11,12 @@ namespace elgen {
 /// A table of the outputs of a scene, those that hold others left out, without records.
 [[nodiscard]] ValueTable table_of(const CheckedModel& checked, int digits);
 
-/// None where the function has no value at the state.
-[[nodiscard]] std::optional<ValueRecord> record_at(const ValueTable& table, std::size_t function,
-                                                   std::string place, const State& state);
+/// E521 where the function has no value at the state, or none that can be told.
+[[nodiscard]] Result<ValueRecord> record_at(const ValueTable& table, std::size_t function,
+                                            std::string place, const State& state);
+
+/// E521 of a name whose settled values are lacking.
+[[nodiscard]] Diagnostic no_value(std::string_view name, const Span& span,
+                                  const SettledValues& settled);
 
 }  // namespace elgen

@@ -1,12 +1,11 @@
 // Values at the state that options state: its leaves one kind after another, then the outputs.
 #include <algorithm>
-#include <optional>
+#include <iterator>
 #include <utility>
 
 #include "elgen/inspect.hpp"
 #include "elgen/leaf_names.hpp"
 #include "elgen/simulate.hpp"
-#include "elgen/wording.hpp"
 #include "run/values/records.hpp"
 #include "sample/states.hpp"
 
@@ -14,10 +13,6 @@ namespace elgen {
 namespace {
 
 using cln::cl_R;
-
-Diagnostic no_value(std::string_view name, const Span& span) {
-  return {Code::E521, span, in_backticks(name) + " has no value at this state"};
-}
 
 /// The leaves in `--state` of kinds that a start does not have.
 std::vector<StatedLeaf> stated_leaves(const Model& model, const State& start) {
@@ -40,9 +35,9 @@ Result<State> stated_state(const CheckedModel& checked, const std::vector<Stated
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
     const Input& input = model.inputs[i];
     if (!input.law) continue;
-    const std::optional<cl_R> value = oracle_expression(model, *input.law, state);
-    if (!value) return no_value(input.name, model.expressions[*input.law].span);
-    state.u[i] = *value;
+    const SettledValues law = settled_expression(model, *input.law, state);
+    if (!law.values) return no_value(input.name, model.expressions[*input.law].span, law);
+    state.u[i] = law.values->front();
   }
   return state;
 }
@@ -61,10 +56,9 @@ Result<ValueTable> state_values(const CheckedModel& checked, const StateOptions&
   if (!state) return state.diagnostics;
   Diagnostics errors;
   for (std::size_t i = 0; i < table.functions.size(); ++i) {
-    std::optional<ValueRecord> record = record_at(table, i, "state", *state);
-    const OutputRequest& output = table.functions[i].output;
+    Result<ValueRecord> record = record_at(table, i, "state", *state);
     if (record) table.records.push_back(std::move(*record));
-    if (!record) errors.push_back(no_value(output.name, output.span));
+    std::ranges::move(record.diagnostics, std::back_inserter(errors));
   }
   if (!errors.empty()) errors.front().hint = quotient_hint(checked.model, *state);
   return {std::move(table), std::move(errors)};

@@ -136,7 +136,7 @@ Result<ValueTable> test_vectors(const CheckedModel& checked, const Program& prog
     for (const VectorState& at : states) {
       const auto state = state_for(subject, table.functions[i].output.kind, at);
       if (!state) continue;
-      std::optional<ValueRecord> record = record_at(table, i, at.place, *state);
+      Result<ValueRecord> record = record_at(table, i, at.place, *state);
       if (!record) continue;
       record->digits = digits_of(subject, table.functions[i], *record);
       table.records.push_back(std::move(*record));

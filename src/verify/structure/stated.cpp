@@ -1,5 +1,6 @@
 // Factors of equations are quotients of a term of the equation by one of the row that holds the
-// same rates: those of accelerations first. Numbers are compared in 60 digits.
+// same rates: those of accelerations first. Numbers are compared in 60 digits that more
+// digits do not change.
 #include "verify/structure/stated.hpp"
 
 #include <fmt/format.h>
@@ -117,13 +118,16 @@ std::string row_text(const Model& model, const Algebra& algebra, std::size_t row
                      is_plain ? "" : ", times ", is_plain ? "" : text);
 }
 
-/// The field of an expectation by the oracle; empty where it has no value.
-std::vector<cl_R> field_at(const Model& model, const Expectation& expectation, const State& state) {
+/// The field of an expectation by the oracle.
+SettledValues field_at(const Model& model, const Expectation& expectation, const State& state) {
   const auto request = find_request(model, expectation.output);
-  const OracleValues all = request ? oracle_values(model, *request, state) : std::nullopt;
+  if (!request) return {};
+  SettledValues field = settled_values(model, *request, state);
   const std::size_t end = expectation.first + expectation.entries.size();
-  if (!all || all->size() < end) return {};
-  return {all->begin() + expectation.first, all->begin() + static_cast<std::ptrdiff_t>(end)};
+  if (!field.values || field.values->size() < end) return {.is_told = field.is_told};
+  const auto first = field.values->begin();
+  field.values = std::vector(first + expectation.first, first + static_cast<std::ptrdiff_t>(end));
+  return field;
 }
 
 /// As many digits as doubles keep.
@@ -192,24 +196,31 @@ void check_numbers(ExpectationReport& report, const Expectation& expectation,
   const Model& model = subject.model;
   const State state = with_leaves(model, start_state(model, {}), expectation.at->leaves);
   const std::string where = describe(subject, state);
-  const std::vector<cl_R> field = field_at(model, expectation, state);
+  const SettledValues settled = field_at(model, expectation, state);
+  const std::vector<cl_R> field = settled.values.value_or(std::vector<cl_R>());
   const cl_R largest = largest_of(field);
   const std::string within = short_text(expectation.at->within);
   for (std::size_t index = 0; index < expectation.entries.size(); ++index) {
     const ExpectedEntry entry{expectation, index, subject};
-    const auto written = oracle_expression(model, entry.expression(), state);
+    const SettledValues number = settled_expression(model, entry.expression(), state);
     CertificateRow& row = report.rows.emplace_back(blank_row(entry));
     row.output += " at a state";
     row.tolerance = fmt::format("{} of the largest entry, at the state of the file", within);
-    if (!written || field.empty()) {
+    if (!settled.is_told || !number.is_told) {
+      row.verdict = Verdict::skipped;
+      row.skipped = {{Obstacle::unsettled, 1}};
+      continue;
+    }
+    if (!number.values || field.empty()) {
       row.verdict = Verdict::fails;
       row.worst = "no value";
       report.diagnostics.push_back(
           {Code::E510, entry.span(), fmt::format("{} has no value at {}", name_of(entry), where)});
       continue;
     }
-    const cl_R difference = *written - field[index];
-    const cl_R scale = cln::zerop(largest) ? cln::abs(*written) : largest;
+    const cl_R written = number.values->front();
+    const cl_R difference = written - field[index];
+    const cl_R scale = cln::zerop(largest) ? cln::abs(written) : largest;
     const cl_R share = cln::zerop(difference) ? cl_R(0) : cln::abs(difference) / scale;
     row.samples = 1;
     row.worst = fmt::format("{} of the largest entry", short_text(share));
@@ -219,7 +230,7 @@ void check_numbers(ExpectationReport& report, const Expectation& expectation,
     report.diagnostics.push_back(
         {Code::E510, entry.span(),
          fmt::format("{} is {} in the file, {} as derived, {} too much: {}, more than {}, at {}",
-                     name_of(entry), digits_of(*written), digits_of(field[index]),
+                     name_of(entry), digits_of(written), digits_of(field[index]),
                      short_text(difference), row.worst, within, where)});
   }
 }

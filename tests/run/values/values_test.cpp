@@ -219,6 +219,64 @@ TEST_CASE("an output without a value is an error beside the values of the others
   CHECK(values.diagnostics[0].message == "`y` has no value at this state");
 }
 
+/// The message of the one output without a value.
+std::string refused(const std::string& text, const std::string& state, const std::string& output) {
+  const CheckedModel checked = checked_model(text, options_of(state, output));
+  const Result<ValueTable> values = state_values(checked, {});
+  REQUIRE(values.diagnostics.size() == 1);
+  return values.diagnostics[0].message;
+}
+
+TEST_CASE("an output that no digits tell is an error of its own words") {
+  const std::string text = block + "[[output]]\nname = \"y\"\nvalue = \"1 - cos(x^4)\"\n";
+  CHECK(evaluated(text, options_of("x=1e-25", "y"))["values"][0]["value"][0] ==
+        Approx(5e-201).epsilon(1e-15));
+  CHECK(refused(text, "x=1e-300", "y") ==
+        "`y` cannot be told at this state: 2000 digits do not tell its values from 0, or a number "
+        "in them is too large");
+}
+
+TEST_CASE("a spring of length 0 has no force at its anchor, and vectors leave the state out") {
+  const std::string spring = model_text("spring", R"toml(
+[[coordinate]]
+name = "x"
+[[coordinate]]
+name = "y"
+[parameters]
+F = 40
+[energy]
+T = "dot(x)^2 + dot(y)^2"
+V = "F*sqrt(x^2 + y^2)"
+)toml");
+  CHECK(refused(spring, "x=0, y=0", "gravity") == "`gravity` has no value at this state");
+  CHECK(evaluated(spring, options_of("x=3, y=4", "gravity"))["values"][0]["value"][0] == 24.0);
+  const Vectors vectors(spring, {.samples = 3}, "gravity,potential_energy");
+  REQUIRE(vectors.table);
+  const Json records = Json::parse(to_json(*vectors.table))["values"];
+  REQUIRE(records.size() == 5);
+  CHECK(records[0]["function"] == "gravity");
+  CHECK(records[0]["state"] == "rest");
+  CHECK(records[2]["function"] == "potential_energy");
+  CHECK(records[2]["state"] == "start");
+}
+
+TEST_CASE("what cancels in 1e100 is seen, and the rest is 0") {
+  const std::string text = model_text("large", R"toml(
+[[coordinate]]
+name = "x"
+[parameters]
+k = 2
+l = 1
+[energy]
+T = "dot(x)^2"
+V = "1/2*k*(x^2 - (x - l)*(x + l))"
+)toml");
+  const Json values = evaluated(text, options_of("x=1e100", "potential_energy,gravity"))["values"];
+  CHECK(values[0]["function"] == "gravity");
+  CHECK(values[0]["value"] == Json{0.0});
+  CHECK(values[1]["value"] == Json{1.0});
+}
+
 TEST_CASE("states are the start, then at rest, moving, and with other parameters") {
   const Vectors vectors(block, {.samples = 7}, "kinetic_energy,forward_dynamics");
   REQUIRE(vectors.table);

@@ -1,0 +1,131 @@
+// Settled values: evaluated in twice as many digits again and again, until these change nothing.
+//
+// A value that has no right digit yet is the rounding of what cancels: it falls with every look, as
+// a zero does. It is taken for 0 where the earlier of two looks had the digits in which Taylor's
+// formula of the expressions would show another value: 1 - cos(1e-100) is 5e-201, which 155 digits
+// do not show.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "elgen/oracle.hpp"
+#include "numbers/exact_number.hpp"
+#include "oracle/mechanics.hpp"
+#include "oracle/output_values.hpp"
+#include "oracle/real_functions.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_R;
+using oracle::working_digits;
+
+/// Digits more than the oracle's own.
+constexpr unsigned digits_of_first_look = 60;
+constexpr unsigned digits_of_last_look = 1920;
+static_assert(working_digits + digits_of_last_look >= most_settled_digits);
+
+/// Of a value of which 60 are printed.
+constexpr int digits_that_stay = 62;
+
+/// Floats of a state get zeros behind their digits, more than a look computes with.
+State lengthened(const State& state, unsigned digits) {
+  constexpr unsigned spare_digits = 45;
+  const cln::float_format_t format = cln::float_format(working_digits + digits + spare_digits);
+  return map_leaves(
+      [&](const cl_R& x) { return is_rational(x) ? x : cl_R(cln::cl_float(x, format)); }, state);
+}
+
+/// The digits in which cancelled terms show: those of eighth powers of the leaves and literals.
+unsigned digits_of_powers(const Model& model, const State& state) {
+  double farthest = 0;
+  const auto look = [&farthest](const cl_R& x) {
+    farthest = std::max(farthest, std::abs(decimal_exponent(x)));
+  };
+  for_each_leaf([&](Opcode, std::uint32_t, const cl_R& x) { look(x); }, state);
+  for (const Expression& e : model.expressions) {
+    if (e.kind == ExpressionKind::number) look(e.number);
+  }
+  return static_cast<unsigned>(std::min(8 * farthest, 1e6));
+}
+
+struct Look {
+  OracleValues values = {};
+  bool is_beyond = false;  ///< some number is too large to compute
+  unsigned hidden = 0;     ///< digits that exponentials may hide
+};
+
+using Computation = std::function<std::vector<cl_R>(const State&)>;
+
+Look look_at(const Computation& values, const State& state, unsigned digits) {
+  Look look;
+  (void)MoreDigits::hidden();
+  const State longer = lengthened(state, digits);
+  const auto noting = [&] {
+    try {
+      return values(longer);
+    } catch (const oracle::BeyondReach&) {
+      look.is_beyond = true;
+      throw;
+    }
+  };
+  look.values = with_digits(digits, [&] { return oracle::guarded(noting); });
+  look.hidden = MoreDigits::hidden();
+  return look;
+}
+
+/// What a value is after two looks; none where they do not tell. `tells`: the first has the digits
+/// to show whatever is not 0.
+std::optional<cl_R> settled_value(const cl_R& before, const cl_R& now, bool tells) {
+  static const cl_R share_that_stays = power_of_ten(-digits_that_stay);
+  static const cl_R share_of_a_zero = power_of_ten(-20);
+  const bool stays = cln::abs(now - before) <= cln::abs(now) * share_that_stays;
+  const bool is_zero =
+      cln::zerop(now) || cln::zerop(before) || cln::abs(now) <= cln::abs(before) * share_of_a_zero;
+  if (is_rational(now) ? stays : stays && !is_zero) return now;
+  return is_zero && tells ? std::optional<cl_R>(0) : std::nullopt;
+}
+
+/// What both looks tell; none where they do not.
+std::optional<SettledValues> settled_by(const Look& before, const Look& now, bool tells) {
+  const bool lacks = !before.values && !now.values;
+  if (lacks && tells) return SettledValues{};
+  if (!before.values || !now.values) return std::nullopt;
+  std::vector<cl_R> values;
+  for (std::size_t i = 0; i < now.values->size(); ++i) {
+    const auto value = settled_value((*before.values)[i], (*now.values)[i], tells);
+    if (!value) return std::nullopt;
+    values.push_back(*value);
+  }
+  return SettledValues{std::move(values)};
+}
+
+SettledValues settled(const Model& model, const State& state, const Computation& values) {
+  const SettledValues untold{.is_told = false};
+  const unsigned telling = digits_of_powers(model, state);
+  Look before = look_at(values, state, digits_of_first_look);
+  for (unsigned digits = digits_of_first_look; digits < digits_of_last_look; digits *= 2) {
+    Look now = look_at(values, state, 2 * digits);
+    if (before.is_beyond || now.is_beyond) return untold;
+    const bool tells = working_digits + digits >= std::max({telling, before.hidden, now.hidden});
+    if (const auto found = settled_by(before, now, tells)) return *found;
+    before = std::move(now);
+  }
+  return untold;
+}
+
+}  // namespace
+
+SettledValues settled_values(const Model& model, const OutputRequest& output, const State& state) {
+  return settled(model, state,
+                 [&](const State& at) { return oracle::output_values(model, output, at); });
+}
+
+SettledValues settled_expression(const Model& model, ExpressionId expression, const State& state) {
+  return settled(model, state, [&](const State& at) {
+    const oracle::Motion motion = oracle::motion_of(at);
+    return std::vector<cl_R>{oracle::Evaluation(model, motion).value(expression).real()};
+  });
+}
+
+}  // namespace elgen

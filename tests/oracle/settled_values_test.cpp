@@ -1,0 +1,136 @@
+// Settled values: 0 where the value is 0, a small one where it is small, and none where there is
+// none or the digits do not tell.
+#include <catch2/catch.hpp>
+
+#include "elgen/oracle.hpp"
+#include "numbers/exact_number.hpp"
+#include "support/models.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+using cln::cl_R;
+
+namespace {
+
+/// A model of x and y with this V and `[[output]]` value.
+CheckedModel of_energy(const std::string& V, const std::string& value = "x") {
+  return checked_model(model_text("plane", R"toml(
+[[coordinate]]
+name = "x"
+[[coordinate]]
+name = "y"
+[parameters]
+k = 4
+l = 3
+[energy]
+T = "1/2*(dot(x)^2 + dot(y)^2)"
+V = ")toml" + V + "\"\n[[output]]\nname = \"value\"\nvalue = \"" +
+                                               value + "\"\n"));
+}
+
+State at(const CheckedModel& checked, const cl_R& x, const cl_R& y = 0) {
+  State state = start_state(checked.model, checked.scene);
+  state.q = {x, y};
+  return state;
+}
+
+SettledValues gravity(const std::string& V, const cl_R& x = 0, const cl_R& y = 0) {
+  const CheckedModel checked = of_energy(V);
+  return settled_values(checked.model, {.kind = OutputKind::gravity}, at(checked, x, y));
+}
+
+void check_gravity_is_zero(const std::string& V) {
+  INFO(V);
+  const SettledValues force = gravity(V);
+  REQUIRE(force.values);
+  CHECK(*force.values == std::vector<cl_R>{0, 0});
+}
+
+void check_gravity_lacks(const std::string& V) {
+  INFO(V);
+  const SettledValues force = gravity(V);
+  CHECK_FALSE(force.values);
+  CHECK(force.is_told);
+}
+
+/// Of an `[[output]]`.
+SettledValues value_at(const std::string& value, const cl_R& x) {
+  const CheckedModel checked = of_energy("0*k*l*x*y", value);
+  return settled_expression(checked.model, checked.model.outputs[0].values[0], at(checked, x));
+}
+
+void check_share(const SettledValues& settled, const cl_R& truth) {
+  REQUIRE(settled.values);
+  CHECK(cln::abs(settled.values->front() - truth) <= cln::abs(truth) * power_of_ten(-60));
+}
+
+}  // namespace
+
+TEST_CASE("an energy with a bend has a value at it, and no force") {
+  for (const char* V : {"k*sqrt(x^2 + y^2)", "k*sqrt(x^2) + y", "k*hypot(x, y)", "k*acos(cos(x))",
+                        "k*asin(1 - x^2)", "k/2*(sqrt(x^2 + y^2) - l)^2", "exp(sqrt(x^2 + y^2))",
+                        "k*sqrt(sin(x)^2 + y^2)", "k*sqrt(x^2/(1 + x^2))",
+                        "k*sqrt(1 - 1/(1 + x^2))", "k*sqrt(2 - 2*cos(x))"}) {
+    check_gravity_lacks(V);
+    const CheckedModel checked = of_energy(V);
+    CHECK(settled_values(checked.model, {.kind = OutputKind::potential_energy}, at(checked, 0))
+              .values);
+  }
+}
+
+TEST_CASE("an energy whose bend has a higher order has the force 0") {
+  for (const char* V :
+       {"(x^2 + y^2)^(3/2)", "k/2*(sqrt(x^2 + y^2))^2", "k/2*hypot(x, y)^2", "k*sqrt(x^4 + y^4)",
+        "cos(sqrt(x^2 + y^2))", "k*y*sqrt(x^2)", "x*sqrt(x^2 + y^2)"}) {
+    check_gravity_is_zero(V);
+  }
+}
+
+TEST_CASE("beside the bend there is a force") {
+  const SettledValues force = gravity("k*sqrt(x^2 + y^2)", 3, 4);
+  REQUIRE(force.values);
+  check_share(force, cln::cl_RA(12) / 5);
+}
+
+TEST_CASE("second derivatives at a bend are lacking where first ones are not") {
+  const CheckedModel checked = of_energy("k*(x^2)^(3/4)");
+  const OutputRequest slopes{.kind = OutputKind::linearization};
+  CHECK(gravity("k*(x^2)^(3/4)").values);
+  CHECK_FALSE(settled_values(checked.model, slopes, at(checked, 0)).values);
+  CHECK(settled_values(checked.model, slopes, at(checked, 1)).values);
+}
+
+TEST_CASE("digits grow until a small value shows") {
+  check_share(value_at("1 - cos(x)", power_of_ten(-100)), power_of_ten(-200) / 2);
+  check_share(value_at("x^2 - (x - 1)*(x + 1)", power_of_ten(100)), 1);
+  check_share(value_at("log(1 - cos(x)) + 200*log(10) + log(2)", power_of_ten(-100)),
+              -power_of_ten(-200) / 12);
+  check_share(value_at("(1 + exp(-x) - 1)*exp(x)", 1000), 1);
+  check_share(value_at("(1 - tanh(x))*(1 + exp(2*x))", 400), 2);
+  check_share(value_at("expm1(-x)", power_of_ten(10)), -1);
+}
+
+TEST_CASE("what cancels on paper is 0") {
+  for (const long exponent : {-100, -40, -1, 0, 1, 30}) {
+    INFO(exponent);
+    const SettledValues zero = value_at("sin(x/3)^2 + cos(x/3)^2 - 1", power_of_ten(exponent));
+    REQUIRE(zero.values);
+    CHECK(zero.values->front() == 0);
+  }
+}
+
+TEST_CASE("what the digits do not tell is not told") {
+  for (const auto& [value, x] : {std::pair<std::string, cl_R>{"1 - cos(x)", power_of_ten(-1000)},
+                                 {"1 - tanh(x)", 100'000},
+                                 {"1 + exp(-x) - 1", 5000},
+                                 {"exp(-x)", power_of_ten(10)},
+                                 {"1/(1 - cos(x))", power_of_ten(-1000)}}) {
+    INFO(value);
+    const SettledValues untold = value_at(value, x);
+    CHECK_FALSE(untold.is_told);
+    CHECK_FALSE(untold.values);
+  }
+  const SettledValues none = value_at("sqrt(x)", -1);
+  CHECK(none.is_told);
+  CHECK_FALSE(none.values);
+}
