@@ -57,6 +57,7 @@ struct CertificateRow {
   Evidence evidence = Evidence::states;
   std::size_t samples = 0;                   ///< states at which it was compared
   std::vector<SkippedStates> skipped = {};   ///< and at which it could not be
+  std::size_t skipped_inside = 0;            ///< of these in double, inside the ranges
   std::optional<double> loss = {};           ///< largest, in u R; 10^digits of the scalar at most
   std::optional<double> loss_of_field = {};  ///< the same in u of the largest entry of its field
   std::string worst = {};                    ///< the figure; why nothing was compared
@@ -132,6 +133,8 @@ struct SelfCheck {
   bool lacks_value = false;        ///< the failure: an output is undefined at all states
   std::optional<Span> place = {};  ///< then: the first expression of it that is
   std::string remedy = {};         ///< and what may be done
+  std::size_t inside = 0;          ///< states visited inside the ranges
+  std::size_t infinite = 0;        ///< of these, where a value overflows double and is not finite
 };
 [[nodiscard]] SelfCheck self_check(const Model& model, const Scene& scene, const Program& program);
 
@@ -139,7 +142,8 @@ struct SelfCheck {
 [[nodiscard]] std::string lost_text(double digits);
 
 /// "compared with 60-digit arithmetic at 32 states; at most 0.4 digits lost"; "; 3 outside the
-/// domain" where some are; and "2 entries rest on zeros found at 64 points, not proved".
+/// domain" where some are; "; not finite in double at 11 of 16 states inside the ranges" where
+/// these are more than a tenth; and "2 entries rest on zeros found at 64 points, not proved".
 [[nodiscard]] std::string receipt(const SelfCheck& result);
 
 }  // namespace elgen

@@ -123,6 +123,13 @@ std::optional<std::size_t> fewest_states(const Rows& rows, bool with_loss) {
   return fewest;
 }
 
+/// The most states inside the ranges at which one of the rows was not compared.
+std::size_t most_skipped_inside(const Rows& rows) {
+  std::size_t most = 0;
+  for (const CertificateRow* row : rows) most = std::max(most, row->skipped_inside);
+  return most;
+}
+
 /// "9 checks, at 276 states, at most 0.4 digits lost", "4 checks, proved"
 std::string summary(const Rows& rows) {
   const std::size_t failed = count_of(rows, Verdict::fails);
@@ -136,6 +143,8 @@ std::string summary(const Rows& rows) {
   }
   const auto states = fewest_states(rows, loss.has_value());
   if (states) text += ", at " + counted(*states, "state");
+  const std::size_t skipped = most_skipped_inside(rows);
+  if (skipped > 0) text += fmt::format(", {} inside the ranges skipped", skipped);
   if (loss) text += ", " + lost_text(std::log10(*loss));
   if (rests_on(rows, Evidence::proof)) text += ", some proved";
   if (rests_on(rows, Evidence::zeros)) text += ", rests on zeros that are not proved";

@@ -79,6 +79,7 @@ class SelfChecking {
     states_.push_back(visit.state());
     bool is_compared = false;
     bool is_outside = false;
+    is_infinite_ = false;
     for (std::size_t index = 0; index < subject_.program.functions.size(); ++index) {
       const Regime regime = look_at(visit, index);
       is_compared = is_compared || regime == Regime::regular || regime == Regime::ill_conditioned;
@@ -87,6 +88,10 @@ class SelfChecking {
       if (!result_.failure.empty()) break;
     }
     result_.outside += is_outside ? 1 : 0;
+    if (sample.region == Region::nominal) {
+      ++result_.inside;
+      result_.infinite += is_infinite_ ? 1 : 0;
+    }
     result_.states += is_compared || !result_.failure.empty() ? 1 : 0;
   }
 
@@ -109,6 +114,7 @@ class SelfChecking {
     for (const FieldPlace& place : field_places(subject_, index)) {
       const Finding finding = visit.look_at(place, draw_);
       regime = worse(regime, finding.regime);
+      if (finding.regime == Regime::overflow && !finding.is_finite) is_infinite_ = true;
       if (finding.loss) {
         loss_ = std::max(loss_.value_or(0), finding.loss->of_entry.figure);
         result_.digits_lost = digits_lost(*loss_, ScalarKind::double_precision);
@@ -169,6 +175,7 @@ class SelfChecking {
   const Subject& subject_;
   Sampler draw_{1};
   std::vector<bool> without_value_;  ///< by function
+  bool is_infinite_ = false;         ///< a value at the state that is visited
   std::vector<State> states_ = {};
   std::optional<double> loss_ = {};  ///< the largest
   SelfCheck result_ = {};
@@ -194,6 +201,10 @@ std::string receipt(const SelfCheck& result) {
       fmt::format("compared with 60-digit arithmetic at {}", counted(result.states, "state"));
   if (result.digits_lost) text += "; " + lost_text(*result.digits_lost);
   if (result.outside > 0) text += fmt::format("; {} outside the domain", result.outside);
+  if (result.infinite * 10 > result.inside) {
+    text += fmt::format("; not finite in double at {} of {} inside the ranges", result.infinite,
+                        counted(result.inside, "state"));
+  }
   if (result.sampled_zeros == 0) return text;
   const bool is_one = result.sampled_zeros == 1;
   return text + fmt::format("; {} entr{} on zeros found at {} points, not proved",

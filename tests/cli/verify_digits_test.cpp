@@ -65,4 +65,30 @@ TEST_CASE("where no more digits are to be had, the oracle cannot say, and states
   CHECK(mentions(outcome.output, " where the oracle cannot say"));
 }
 
+TEST_CASE("ranges in which values overflow are said by generate and verify") {
+  const Workspace workspace;
+  const auto write = [&workspace](const std::string& name, const std::string& range,
+                                  const std::string& potential) {
+    workspace.write(name + ".toml", "format = 1\n[model]\nname = \"" + name +
+                                        "\"\n[[coordinate]]\nname = \"x\"\nrange = " + range +
+                                        "\n[parameters]\nF = 5\n"
+                                        "w = { value = 0.05, assume = \"positive\" }\n"
+                                        "[energy]\nT = \"1/2*dot(x)^2\"\nV = \"" +
+                                        potential + "\"\n");
+  };
+  write("soft_distance", "[-50, 50]", "F*w*log(cosh(x/w))");
+  write("wall", "[-50, 50]", "F*w*exp(x/w)");
+  write("near_wall", "[-5, 5]", "F*w*exp(x/w)");
+  for (const std::string name : {"soft_distance", "wall", "near_wall"}) {
+    const Outcome written = workspace.run("elgen generate -o out " + name + ".toml");
+    const Outcome verified = workspace.run("elgen verify --quick " + name + ".toml");
+    INFO(written.errors + verified.output);
+    CHECK(written.status == 0);
+    CHECK(verified.status == 0);
+    const bool overflows = name != "near_wall";
+    CHECK(mentions(written.errors, "; not finite in double at ") == overflows);
+    CHECK(mentions(verified.output, " inside the ranges skipped") == overflows);
+  }
+}
+
 }  // namespace elgen::test

@@ -84,6 +84,14 @@ TEST_CASE("a loss is said to be of the states at which it was measured, the fewe
   CHECK(to_text(bits).find("linearization  1 check, at 264 states\n") != std::string::npos);
 }
 
+TEST_CASE("states inside the ranges that were skipped stand in the line of the output") {
+  Certificate certificate = sample();
+  certificate.rows[1].skipped_inside = 2;
+  CHECK(to_text(certificate)
+            .find("3 checks, at 276 states, 2 inside the ranges skipped, at most 0.4 digits") !=
+        std::string::npos);
+}
+
 TEST_CASE("what was not compared at all is skipped with the reason") {
   CertificateRow row = row_of("compiled code vs program", "compiled code", Verdict::skipped);
   row.worst = "<Eigen/Core> is not installed";

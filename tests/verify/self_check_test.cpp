@@ -159,6 +159,40 @@ TEST_CASE("the receipt and the certificate tell of zeros that nobody proved") {
   CHECK(rows[0].worst == "in entries 1, 2");
 }
 
+/// V = exp(factor th), of angles in a turn.
+System exponential(const std::string& factor) {
+  return system_of(pendulum().V("exp(" + factor + "*th)").model,
+                   "parameters m l g\ncoordinates th\nfunction potential_energy\n  0 = constant " +
+                       factor +
+                       "\n  1 = coordinate th\n  2 = multiply 0 1\n  3 = exp 2\n"
+                       "  result 1 1 = 3\n");
+}
+
+TEST_CASE("states inside the ranges whose values overflow are counted, and said") {
+  const SelfCheck overflows = check(exponential("1000"));
+  INFO(overflows.failure);
+  CHECK(overflows.failure.empty());
+  CHECK(overflows.infinite > 0);
+  CHECK(overflows.infinite < overflows.inside);
+  CHECK(receipt(overflows).find(fmt::format("; not finite in double at {} of {} states inside the "
+                                            "ranges",
+                                            overflows.infinite, overflows.inside)) !=
+        std::string::npos);
+  const SelfCheck finite = check(exponential("100"));
+  CHECK(finite.inside > 0);
+  CHECK(finite.infinite == 0);
+  CHECK(receipt(finite).find("finite") == std::string::npos);
+}
+
+TEST_CASE("the certificate counts states inside the ranges that it skips") {
+  const auto text = [](const System& system) {
+    return to_text(
+        verify(system.model, system.scene, system.program, {}, {16, true, 1}).certificate);
+  };
+  CHECK(text(exponential("1000")).find(" inside the ranges skipped") != std::string::npos);
+  CHECK(text(exponential("100")).find(" skipped, ") == std::string::npos);
+}
+
 TEST_CASE("nothing to check is nothing wrong") {
   CHECK(check(system_of(pendulum().model, "")).failure.empty());
 }
@@ -171,4 +205,9 @@ TEST_CASE("the receipt says what was done, and what was found") {
   CHECK(receipt({30, 0.42, "", 0, 4}) ==
         "compared with 60-digit arithmetic at 30 states; at most 0.4 digits lost; 4 outside the "
         "domain");
+  CHECK(receipt({.states = 32, .inside = 20, .infinite = 2}) ==
+        "compared with 60-digit arithmetic at 32 states");
+  CHECK(receipt({.states = 32, .inside = 20, .infinite = 3}) ==
+        "compared with 60-digit arithmetic at 32 states; not finite in double at 3 of 20 states "
+        "inside the ranges");
 }

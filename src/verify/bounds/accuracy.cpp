@@ -23,7 +23,8 @@ struct FieldRecord {
   std::vector<double> errors = {};  ///< at nominal states
   std::size_t compared = 0;         ///< states
   std::map<Obstacle, std::size_t> skipped = {};
-  std::string mistake = {};  ///< the first, and where
+  std::size_t skipped_inside = 0;  ///< of nominal states in double
+  std::string mistake = {};        ///< the first, and where
   std::string mistake_at = {};
 };
 
@@ -33,8 +34,10 @@ Obstacle obstacle_of(Regime regime) {
   return regime == Regime::unsettled ? Obstacle::unsettled : Obstacle::undefined;
 }
 
-void add(FieldRecord& record, const Finding& finding, const Subject& subject, const State& state) {
+void add(FieldRecord& record, const Finding& finding, bool is_inside, const Subject& subject,
+         const State& state) {
   if (!finding.is_compared) ++record.skipped[obstacle_of(finding.regime)];
+  record.skipped_inside += !finding.is_compared && is_inside ? 1 : 0;
   if (record.mistake.empty() && !finding.mistake.empty()) {
     record.mistake = finding.mistake;
     record.mistake_at = describe(subject, state);
@@ -72,6 +75,7 @@ CertificateRow row_of(const FieldRecord& record, std::string_view scalar,
                     : "x = x* in exact arithmetic, by one random projection";
   row.samples = record.compared;
   for (const auto& [obstacle, states] : record.skipped) row.skipped.push_back({obstacle, states});
+  row.skipped_inside = record.skipped_inside;
   row.tolerance =
       "50 digits of E + |x*|, E the running error of x; NaN and infinity fail where exact "
       "arithmetic stays below max/16 and E is known";
@@ -244,10 +248,13 @@ std::vector<CertificateRow> rows_at(const Subject& subject,
   std::map<const Function*, LostDigits> losses;
   visit_all(subject, states, options, [&](std::size_t i, const Findings& findings) {
     const State state = exact_state(subject, states[i].values);
+    // Ranges are chosen for double: most that have an exponential leave float.
+    const bool is_inside =
+        scalar_kind<Scalar> == ScalarKind::double_precision && states[i].region == Region::nominal;
     for (std::size_t k = 0; k < records.size(); ++k) {
       if (!findings[k]) continue;
       FieldRecord& record = records[k];
-      add(record, *findings[k], subject, state);
+      add(record, *findings[k], is_inside, subject, state);
       losses[record.place.function].add(record.place, *findings[k], subject, state, i);
       as_users.add(subject_of(record.place, scalar), findings[k]->users, state, i);
       wide.add(subject_of(record.place, scalar), findings[k]->wide, state, i);

@@ -159,6 +159,13 @@ Mismatch Visit<Scalar>::differing_projection(const FieldPlace& place, Sampler& d
 }
 
 template <class Scalar>
+bool Visit<Scalar>::has_finite_values(const FieldPlace& place) const {
+  const auto first = values_.begin() + static_cast<std::ptrdiff_t>(place.first);
+  const auto size = static_cast<std::ptrdiff_t>(place.field().entries.size());
+  return std::all_of(first, first + size, [](Scalar x) { return std::isfinite(x); });
+}
+
+template <class Scalar>
 void Visit<Scalar>::measure(const FieldPlace& place, Finding& finding) const {
   const std::size_t operations = place.function->instructions.size();
   for (std::size_t i = 0; i < place.field().entries.size(); ++i) {
@@ -291,6 +298,7 @@ auto Visit<Scalar>::found(const FieldPlace& place, Sampler& draw) -> Look {
   Finding& finding = look.finding;
   finding.regime = exact_->regime;
   finding.is_compared = has_values(finding.regime);
+  finding.is_finite = has_finite_values(place);
   // At ordinary states the oracle is asked all the same: what has a value there must have one here.
   if (!finding.is_compared && sample_.region != Region::nominal) return look;
   look.mismatch = options_.comparison == Comparison::entries ? differing_entry(place, finding)

@@ -50,6 +50,7 @@ struct CodeFinding {
 struct Finding {
   Regime regime = Regime::regular;  ///< of the program, or of the oracle where that has no value
   bool is_compared = false;         ///< exact values with the oracle's
+  bool is_finite = true;            ///< rounded values are
   std::string mistake = {};         ///< an exact value that is not the oracle's, or no number
   std::vector<double> errors = {};  ///< of entries that are not 0, in ulp; of remainders in u E
   std::optional<Loss> loss = {};    ///< none where it is not asked for, or cannot be told
@@ -99,6 +100,7 @@ class Visit {
   /// Against the entries from `first` on that another function has.
   [[nodiscard]] Mismatch differing_from(const FieldPlace& place, const Function& other,
                                         std::size_t first, std::string_view name);
+  [[nodiscard]] bool has_finite_values(const FieldPlace& place) const;
   void measure(const FieldPlace& place, Finding& finding) const;
   /// `judge`: what entry i has to be, and the size that its error is measured in, times u.
   template <class Judge>

@@ -21,9 +21,9 @@ namespace {
 /// Calls `pass` with every member, one after another.
 template <class AnyFinding, class Pass>
 void each_member(AnyFinding& finding, const Pass& pass) {
-  auto& [regime, is_compared, mistake, errors, loss, users, wide] = finding;
+  auto& [regime, is_compared, is_finite, mistake, errors, loss, users, wide] = finding;
   const auto all = [&pass](auto&... members) { (pass(members), ...); };
-  all(regime, is_compared, mistake, errors, loss, users.error, users.mistake, wide.error,
+  all(regime, is_compared, is_finite, mistake, errors, loss, users.error, users.mistake, wide.error,
       wide.mistake);
 }
 
