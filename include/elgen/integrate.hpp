@@ -9,9 +9,10 @@
 //     midpoint  M w = p + h/2 dp/dt - b at (q + h/2 w, w, t + h/2), iterated from w = v,
 //               q += h w,   p += h dp/dt;   p = dL/dv = M v + b,   dp/dt = dL/dq + F
 //
-// Quaternions are divided by their length wherever they were moved, so that f is asked for at
-// rotations alone: the same order, since f has no part along them. Hairer, Norsett, Wanner, Solving
-// Ordinary Differential Equations I, 2nd ed., sec. II.1; Hairer, Lubich, Wanner, Geometric
+// With `projected` one step of Newton back to the constraints follows, at t + h: a call of that
+// output. Quaternions are divided by their length wherever they were moved, so that f is asked for
+// at rotations alone: the same order, since f has no part along them. Hairer, Norsett, Wanner,
+// Solving Ordinary Differential Equations I, 2nd ed., sec. II.1; Hairer, Lubich, Wanner, Geometric
 // Numerical Integration, 2nd ed., sec. I.1.4 and VIII.6.
 #pragma once
 

@@ -83,6 +83,7 @@ struct Function {
   std::uint32_t user = 0;        ///< which user output, for the user_* kinds; of `step` its method
   std::uint32_t iterations = 0;  ///< of a `step` whose method is implicit
   std::uint32_t composed_order = 0;  ///< of a `step` whose method is composed; 0: it is not
+  bool projects = false;             ///< of a `step`: back onto the constraints behind it
   std::string name = {};
   Form form = Form::recursive;
   std::vector<Instruction> instructions = {};

@@ -78,6 +78,7 @@ struct OutputRequest {
   std::optional<Form> form = {};     ///< asked for; otherwise the cheaper one
   std::uint32_t iterations = 0;      ///< of a `step` whose method is implicit
   std::uint32_t composed_order = 0;  ///< of a `step` whose method is composed; 0: it is not
+  bool projects = false;             ///< of a `step`: back onto the constraints behind it
   bool without_pivots = false;       ///< of what gives them otherwise
 };
 

@@ -207,6 +207,10 @@ void compare_methods(Changes& changes, const OutputRequest& old, const OutputReq
   } else if (old.iterations != now.iterations) {
     changes.add(Impact::different, "{} has {} where it had {}", in_backticks(now.name),
                 counted(now.iterations, "iteration"), old.iterations);
+  } else if (old.projects != now.projects) {
+    changes.add(Impact::different, "{} {}", in_backticks(now.name),
+                now.projects ? "ends on the constraints where it drifted off them"
+                             : "drifts off the constraints where it ended on them");
   }
 }
 

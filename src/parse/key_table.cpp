@@ -193,6 +193,8 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"scene.outputs.*", "order", integer, optional, true,
      "of verlet and midpoint: 2 (unless given), 4 or 8"},
     {"scene.outputs.*", "iterations", integer, optional, true, "of midpoint, 1 to 20"},
+    {"scene.outputs.*", "projected", boolean, optional, true,
+     "of `step`; true: back onto the constraints behind it"},
     {"scene.outputs.*", "pivots", boolean, optional, true,
      "of forward_dynamics; false: without relative_pivots"},
     {"scene.outputs.*", "independent", expression_list, optional, true,

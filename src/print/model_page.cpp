@@ -174,6 +174,15 @@ std::string sentence(const std::string& text) {
   return has_end ? text : text + ".";
 }
 
+/// A step does not put a state back onto the constraints by itself.
+std::string drift_of_step(const Model& model, const Function& function) {
+  if (model.constraints.empty()) return {};
+  return function.projects
+             ? " One step of Newton back to the constraints follows, that of `projected`."
+             : " Called in a loop it drifts off the constraints: call `projected` after every "
+               "step, or write `step = { projected = true }`.";
+}
+
 }  // namespace
 
 Heading heading(const Model& model, const Function& function) {
@@ -200,9 +209,9 @@ std::string output_doc(const Model& model, const Function& function) {
   if (row.steps) {
     const StepMethodRow& method = step_methods[function.user];
     const bool is_composed = function.composed_order > 0;
-    return fmt::format("{} {}.", row.doc,
-                       fmt::format(fmt::runtime(method.doc),
-                                   is_composed ? function.composed_order : method.order));
+    const std::string step =
+        fmt::format(fmt::runtime(method.doc), is_composed ? function.composed_order : method.order);
+    return fmt::format("{} {}.{}", row.doc, step, drift_of_step(model, function));
   }
   if (function.kind == OutputKind::completed) return doc_of_completed(model);
   if (!row.of_user) {

@@ -58,6 +58,7 @@ std::string heading(const Function& function) {
     std::string numbers = std::to_string(function.user);
     if (function.iterations > 0) numbers += fmt::format(" {}", function.iterations);
     if (function.composed_order > 0) numbers += fmt::format(" order {}", function.composed_order);
+    if (function.projects) numbers += " projected";
     return fmt::format("function {} = {} {}\n", function.name, row.name, numbers);
   }
   if (row.name == function.name) return fmt::format("function {}\n", row.name);

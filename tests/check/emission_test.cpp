@@ -210,6 +210,24 @@ TEST_CASE("orders that a method does not have are E647") {
   CHECK_THAT(said_of("bias = { order = 4 }"), Catch::StartsWith("E103 5:10 `bias` has no `order`"));
 }
 
+TEST_CASE("a step of a model with constraints may project, no other output does") {
+  const std::string wall = block("[[constraint]]\nname = \"wall\"\nequation = \"x = 0\"\n");
+  const auto projects = [&](const std::string& more) {
+    const std::string entry = "step = { method = \"rk4\"" + more + " }";
+    return checked(wall, outputs(entry)).scene.outputs[0].projects;
+  };
+  CHECK_FALSE(projects(""));
+  CHECK_FALSE(projects(", projected = false"));
+  CHECK(projects(", projected = true"));
+  CHECK(said_of("step = { method = \"rk4\", projected = true }") ==
+        "E539 5:26 `projected` needs a `[[constraint]]`, and the model has none\n");
+  CHECK(said_of("step = { method = \"rk4\", projected = false }").empty());
+  CHECK(said_of("step_derivatives = { method = \"rk4\", projected = true }") ==
+        "E103 5:38 `step_derivatives` has no `projected`: `step` has one\n");
+  CHECK_THAT(said_of("bias = { projected = true }"),
+             Catch::StartsWith("E103 5:10 `bias` has no `projected`"));
+}
+
 TEST_CASE("a model alone has no step") {
   for (const OutputRequest& output : checked(block("")).scene.outputs) {
     CHECK(output.kind != OutputKind::step);

@@ -176,11 +176,14 @@ TEST_CASE("javascript: vectors are typed, matrices arrays of rows, what is empty
       "console.log(M[0][0].toFixed(3), typeof cart.kinetic_energy(p, q, v));\n"
       "console.log(kind(cart.linearization(p, q, v, [0]).B));\n"
       "console.log(Object.keys(a).join(' '), cart.is_regular(a.relative_pivots));\n"
+      "const left = [[1, 1], [200 * 2 ** -52, 1], [1, NaN], [0, 1]].map((x) => "
+      "cart.digits_left(x));\n"
+      "console.log(left.map((x) => x.toFixed(2)).join(' '));\n"
       "console.log(kind(pendulum.input_limits), kind(pendulum.input_names));");
   INFO(said.errors);
   CHECK(said.output ==
         "Float64Array 2\nArray 2 Float64Array 2\n1.200 number\nArray 4\n"
-        "acceleration relative_pivots true\nArray 0 Array 0\n");
+        "acceleration relative_pivots true\n15.35 2.00 0.00 0.00\nArray 0 Array 0\n");
 }
 
 TEST_CASE("javascript: rk4 runs as templates/README.md shows") {
@@ -203,10 +206,11 @@ TEST_CASE("javascript: an output is not called as what the module has of its own
   folder.write_scene("renamed", models + "/cart_pole.toml",
                      "[outputs]\ngravity = { rename = \"Math\" }\n"
                      "momentum = { rename = \"sign_of\" }\n"
-                     "bias = { rename = \"parameter_names\" }\nmass_matrix = true\n");
+                     "bias = { rename = \"parameter_names\" }\n"
+                     "mass_matrix = { rename = \"digits_left\" }\n");
   const Outcome renamed = folder.run("elgen generate renamed.scene.toml");
   CHECK(renamed.status == 2);
-  CHECK(count(renamed.errors, "[E701]") == 3);
+  CHECK(count(renamed.errors, "[E701]") == 4);
 }
 
 }  // namespace elgen::test

@@ -150,11 +150,13 @@ TEST_CASE("matlab: vectors are columns, several results a struct, what is empty 
       "disp(fieldnames(cart_pole_m.forward_dynamics(p, q, v, 0)).')\n"
       "disp(size(simple_pendulum_m.input_limits))\ndisp(size(simple_pendulum_m.input_names))\n"
       "p.m = 0.2;\nm = cart_pole_m.mass_matrix(p, [0; 0]);\nprintf('%.3f\\n', m(1, 1))\n"
-      "disp(cart_pole_m.is_regular(cart_pole_m.forward_dynamics(p, q, v, 0).relative_pivots))");
+      "disp(cart_pole_m.is_regular(cart_pole_m.forward_dynamics(p, q, v, 0).relative_pivots))\n"
+      "left = @(x) cart_pole_m.digits_left(x);\n"
+      "printf('%.2f ', left([1; 1]), left([200 * eps; 1]), left([1; NaN]), left([0; 1]))");
   INFO(said.errors);
   CHECK(said.output ==
         "   2   1\n   2   2\n{\n  [1,1] = acceleration\n  [1,2] = relative_pivots\n}\n"
-        "   0   2\n   1   0\n1.200\n1\n");
+        "   0   2\n   1   0\n1.200\n1\n15.35 2.00 0.00 0.00 ");
 }
 
 TEST_CASE("matlab: ode45 integrates as templates/README.md shows") {
@@ -182,10 +184,11 @@ TEST_CASE("matlab: keys of compiled code are refused, and so is a name for the m
   CHECK(mentions(stored.errors, "[E611]"));
   folder.write_scene("renamed", "odd.toml",
                      "[outputs]\ngravity = { rename = \"sign_of\" }\n"
-                     "momentum = { rename = \"odd_m\" }\nmass_matrix = true\n");
+                     "momentum = { rename = \"odd_m\" }\n"
+                     "mass_matrix = { rename = \"digits_left\" }\n");
   const Outcome renamed = folder.run("elgen generate renamed.scene.toml");
   CHECK(renamed.status == 2);
-  CHECK(count(renamed.errors, "[E701]") == 2);
+  CHECK(count(renamed.errors, "[E701]") == 3);
 }
 
 }  // namespace elgen::test

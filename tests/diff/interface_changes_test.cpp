@@ -123,6 +123,9 @@ TEST_CASE("another method of a step, or another number of its iterations, is ano
       "different: `step` has 3 iterations where it had 8\n");
   CHECK(seen_by_callers(spring(), spring(), step("verlet\", order = 8"), step("verlet\"")) ==
         "different: `step` is of order 2 where it was of order 8\n");
+  const std::string held = spring() + "[[constraint]]\nname = \"wall\"\nequation = \"x = 0\"\n";
+  CHECK(seen_by_callers(held, held, step("rk4\""), step("rk4\", projected = true")) ==
+        "different: `step` ends on the constraints where it drifted off them\n");
 }
 
 TEST_CASE("an output of another shape does not compile") {

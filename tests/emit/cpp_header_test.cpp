@@ -27,6 +27,8 @@ TEST_CASE("helpers stand only where they are used") {
   Subject subject = cart_pole();
   const std::string with_pivots = cpp_text(subject);
   CHECK(mentions(with_pivots, "bool is_regular("));
+  CHECK(mentions(with_pivots, "Scalar digits_left("));
+  CHECK_FALSE(mentions(with_pivots, "row of A"));
   CHECK(mentions(with_pivots, "Scalar number_1_3()"));
   CHECK_FALSE(mentions(with_pivots, "sign_of"));
   CHECK_FALSE(mentions(with_pivots, "filled"));
@@ -36,6 +38,7 @@ TEST_CASE("helpers stand only where they are used") {
   const std::string with_kinks = cpp_text(subject);
   CHECK(mentions(with_kinks, "Scalar sign_of(const Scalar& x)"));
   CHECK_FALSE(mentions(with_kinks, "is_regular"));
+  CHECK_FALSE(mentions(with_kinks, "digits_left"));
   CHECK_FALSE(mentions(with_kinks, "number_"));
 }
 

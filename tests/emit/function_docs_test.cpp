@@ -75,6 +75,25 @@ TEST_CASE("a step says its method, not what it computes") {
             " symplectic.", "", "     v += h/2 a(q, t), q += h v, v += h/2 a(q, t + h)"});
 }
 
+TEST_CASE("a step of a model with constraints says that it drifts, or ends on them") {
+  Subject subject = cart_pole();
+  const auto said = [&](const std::string& kind) {
+    subject.program = elgen::testing::read_program(
+        "coordinates x\nstep\nfunction step = step 0" + kind +
+        "\n  0 = coordinate x\n"
+        "  1 = step\n  result coordinates 1 1 = 0\n  result rates 1 1 = 1\n");
+    std::string text;
+    for (const std::string& line : docs(subject, 0)) text += line;
+    return text;
+  };
+  CHECK_THAT(said(""), !Catch::Contains("constraints"));
+  subject.model.constraints.emplace_back();
+  CHECK_THAT(said(""), Catch::Contains("it drifts off the constraints: call `projected`"));
+  CHECK_THAT(said(" projected"), Catch::Contains("back to the constraints follows") &&
+                                     Catch::Contains("then, at t + h, q - M^-1 A^T"));
+  CHECK_THAT(said(" projected"), !Catch::Contains("drifts"));
+}
+
 TEST_CASE("a step that is composed says its order, and over which parts it goes") {
   Subject subject = cart_pole();
   subject.program = elgen::testing::read_program(

@@ -30,7 +30,8 @@ TEST_CASE("members of Parameters may not hide what their defaults need") {
 }
 
 TEST_CASE("functions may not have the name of anything else in the header") {
-  for (const char* name : {"constant", "coordinate_count", "is_regular", "number_pi", "std"}) {
+  for (const char* name :
+       {"constant", "coordinate_count", "is_regular", "digits_left", "number_pi", "std"}) {
     Subject subject = cart_pole();
     subject.program.functions[0].name = name;
     const Diagnostics diagnostics = name_diagnostics(subject);
@@ -82,8 +83,8 @@ TEST_CASE("without parameters there is no struct of them, and no argument") {
 }
 
 TEST_CASE("names of the header and of other functions' helpers are E701") {
-  for (const char* name : {"parameters", "is_regular", "forward_dynamics_result", "gravity_part_2",
-                           "gravity_workspace"}) {
+  for (const char* name : {"parameters", "is_regular", "digits_left", "forward_dynamics_result",
+                           "gravity_part_2", "gravity_workspace"}) {
     Subject subject = in_c();
     subject.program.functions[0].name = name;
     INFO(name);

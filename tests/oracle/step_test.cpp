@@ -63,6 +63,22 @@ TEST_CASE("a composition goes over its parts one after another") {
   CHECK(oracle::step(b.model, request, at_one(b)) == Values{part.q[0], part.v[0]});
 }
 
+TEST_CASE("a projected step ends on the constraints of its end") {
+  ModelBuilder b;
+  b.coordinate("x").coordinate("y").T("x_d^2/2 + y_d^2/2").constraint("y - t*x");
+  State state = nominal_state(b.model, {});
+  state.q = {1, 0};
+  state.t = 1;
+  state.h = exact("1/2");
+  const OutputRequest request{.kind = OutputKind::step, .projects = true};
+  // At t = 3/2, of which y = 3/2 x is the line and dy = x + 3/2 dx that of the rates.
+  const Values next = oracle::step(b.model, request, state);
+  CHECK(agree(next[1], next[0] * 3 / 2, 50));
+  CHECK(agree(next[3], next[0] + next[2] * 3 / 2, 50));
+  const Values drifted = step_of(b, StepMethod::rk4, state);
+  CHECK_FALSE(agree(drifted[1], drifted[0] * 3 / 2, 5));
+}
+
 TEST_CASE("midpoint substitutes as often as is asked for, and says what is left") {
   const ModelBuilder b = spring();
   // w = 0, -1/4, -15/64; x in the middle 241/256; w + 1/4 241/256

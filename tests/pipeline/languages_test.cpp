@@ -44,6 +44,7 @@ void c_side(const SCALAR *q, const SCALAR *v, const SCALAR *a, const SCALAR *u, 
     to[i] = result.acceleration[i];
     to[n + i] = result.relative_pivots[i];
   }
+  to[2 * n] = NAME_c_digits_left(result.relative_pivots);
 }
 )source";
 
@@ -89,6 +90,7 @@ std::vector<SCALAR> plain(const State& s) {
   const auto result = h::forward_dynamics(p, q, v, u);
   add(to, result.acceleration);
   add(to, result.relative_pivots);
+  to.push_back(h::digits_left(result.relative_pivots));
   return to;
 }
 #define ON_EIGEN(h)                                                     \
@@ -100,6 +102,7 @@ std::vector<SCALAR> plain(const State& s) {
   const SCALAR energy = h::eigen::kinetic_energy(p, s.q, s.v);          \
   const Eigen::Matrix<SCALAR, n, k> B = h::eigen::input_matrix(p, s.q); \
   const auto result = h::eigen::forward_dynamics(p, s.q, s.v, s.u);     \
+  const SCALAR digits = h::eigen::digits_left(result.relative_pivots);  \
   Eigen::internal::set_is_malloc_allowed(true);                         \
   std::vector<SCALAR> to;                                               \
   for (int i = 0; i < n; ++i)                                           \
@@ -111,6 +114,7 @@ std::vector<SCALAR> plain(const State& s) {
     for (int j = 0; j < k; ++j) to.push_back(B(i, j));                  \
   add(to, result.acceleration);                                         \
   add(to, result.relative_pivots);                                      \
+  to.push_back(digits);                                                 \
   return to;
 std::vector<SCALAR> by_rows(const State& s) {
   ON_EIGEN(NAME_rows)

@@ -50,6 +50,9 @@ TEST_CASE("a program is printed with the names of the model, and reads back") {
       "  result rates 1 1 = 0\n"
       "function composed = step 1 order 8\n"
       "  0 = velocity theta\n"
+      "  result rates 1 1 = 0\n"
+      "function closed = step 0 projected\n"
+      "  0 = velocity theta\n"
       "  result rates 1 1 = 0\n";
   const Program program = testing::read_program(text);
   CHECK(dump(program) == text);
@@ -64,6 +67,8 @@ TEST_CASE("a program is printed with the names of the model, and reads back") {
   CHECK(program.functions.at(5).iterations == 8);
   CHECK(program.functions.at(5).composed_order == 0);
   CHECK(program.functions.at(6).composed_order == 8);
+  CHECK_FALSE(program.functions.at(6).projects);
+  CHECK(program.functions.at(7).projects);
 }
 
 TEST_CASE("comments and empty lines are passed over, names are kept") {

@@ -92,7 +92,7 @@ def used_names(path):
 def check_taken():
     """An output that is called like something that the module reads is refused."""
     used = set().union(*map(used_names, map(path_of, ("cart_pole", "quadrotor", "chain"))))
-    own = {"on", "exact", "Parameters", "NamedTuple", "is_regular", "coordinate_names", "parameter_units", "start_rates"}
+    own = {"on", "exact", "Parameters", "NamedTuple", "is_regular", "digits_left", "coordinate_names", "parameter_units", "start_rates"}
     assert len(used) > 10
     for name in sorted(used | own):
         said = refusals(model(outputs=[name]))

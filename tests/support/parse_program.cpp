@@ -120,7 +120,7 @@ class ProgramReader {
   std::string read_heading(const Words& words) {
     const bool renamed = words.size() > 3 && words[2] == "=";
     if (words.size() != 2 && !renamed)
-      return "expected `function NAME [= KIND [NUMBER [ITERATIONS] [order ORDER]]]`";
+      return "expected `function NAME [= KIND [NUMBER [ITERATIONS] [order ORDER] [projected]]]`";
     Function function;
     function.name = std::string(words[1]);
     const OutputRow* kind = nullptr;
@@ -130,8 +130,10 @@ class ProgramReader {
     if (kind == nullptr) return fmt::format("`{}` is no output", words[renamed ? 3 : 1]);
     function.kind = kind->kind;
     std::uint32_t* const numbers[] = {&function.user, &function.iterations};
-    for (std::size_t i = 4; i < words.size(); ++i) {
-      const bool is_order = words[i] == "order" && i + 1 < words.size();
+    function.projects = renamed && words.back() == "projected";
+    const std::size_t end = words.size() - (function.projects ? 1 : 0);
+    for (std::size_t i = 4; i < end; ++i) {
+      const bool is_order = words[i] == "order" && i + 1 < end;
       if (is_order) ++i;
       const auto value = number(words[i]);
       if (!value) return fmt::format("`{}` is not a number", words[i]);

@@ -29,7 +29,7 @@ std::string method_hint(const std::string& word) {
 }
 
 void refuse_keys(const ValueSyntax& entry, const OutputRequest& output, Report& report) {
-  for (const std::string_view name : {"method", "order", "iterations"}) {
+  for (const std::string_view name : {"method", "order", "iterations", "projected"}) {
     const KeySyntax* key = entry.find(name);
     if (key == nullptr) continue;
     report.add(Code::E103, key->key_span,
@@ -67,11 +67,25 @@ void read_order(const KeySyntax& key, OutputRequest& output, Report& report) {
   if (*found != method.order) output.composed_order = *found;
 }
 
+/// E103 where the output is no `step`, E539 where the model has no constraints.
+void read_projected(const Model& model, const KeySyntax& key, OutputRequest& output,
+                    Report& report) {
+  if (output.kind != OutputKind::step) {
+    return report.add(Code::E103, key.key_span,
+                      fmt::format("`{}` has no `projected`: `step` has one", output.name));
+  }
+  output.projects = key.value.boolean;
+  if (!output.projects || !model.constraints.empty()) return;
+  report.add(Code::E539, key.key_span,
+             "`projected` needs a `[[constraint]]`, and the model has none");
+}
+
 /// Sets method, order and iterations of a request for `step`, by the table of its entry; any other
 /// value says nothing. E103 where the output takes no method, E105 where it needs one, E620 where
 /// there is no such one, E626 where it does not iterate, or not so often, E647 where it has not the
 /// order.
-void read_step(const ValueSyntax& entry, OutputRequest& output, Report& report) {
+void read_step(const Model& model, const ValueSyntax& entry, OutputRequest& output,
+               Report& report) {
   if (!output_row(output.kind).steps) return refuse_keys(entry, output, report);
   const KeySyntax* method = entry.find("method");
   if (method == nullptr) {
@@ -92,6 +106,8 @@ void read_step(const ValueSyntax& entry, OutputRequest& output, Report& report) 
   if (iterations != nullptr) read_iterations(*iterations, output, report);
   const KeySyntax* order = entry.find("order");
   if (order != nullptr) read_order(*order, output, report);
+  const KeySyntax* projected = entry.find("projected");
+  if (projected != nullptr) read_projected(model, *projected, output, report);
 }
 
 /// Whether the entry of the output says that it gives its pivots. E103 where it has none.
@@ -210,7 +226,7 @@ class SceneReader {
     const KeySyntax* const key = step_named(outputs, name);
     OutputRequest* const output = request(key == nullptr ? name : key->key, word);
     if (output == nullptr) return;
-    read_step(key == nullptr ? ValueSyntax() : key->value, *output, context_.report);
+    read_step(model_, key == nullptr ? ValueSyntax() : key->value, *output, context_.report);
     output->name = name;
   }
 
@@ -285,7 +301,7 @@ class SceneReader {
     const KeySyntax* rename = key.value.find("rename");
     if (output != nullptr) {
       output->form = form_in(key.value.find("form"));
-      read_step(key.value, *output, context_.report);
+      read_step(model_, key.value, *output, context_.report);
       read_pivots(key.value, *output, context_.report);
       check_independent(key.value, *output, context_.report);
     }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "emit/c99/c99_dialect.hpp"
 #include "emit/code/function_docs.hpp"
@@ -65,10 +66,10 @@ Texts default_parameters(const EmissionInput& input) {
   return continued(std::move(lines));
 }
 
-constexpr std::array<std::string_view, 14> header_names{
+constexpr std::array<std::string_view, 15> header_names{
     "parameters", "is_regular",   "sign_of",       "smaller",     "larger",
     "stumpff",    "sine_of",      "cosine_of",     "sine_cosine", "sine_cosine_beyond",
-    "columns",    "load_columns", "store_columns", "interval"};
+    "columns",    "load_columns", "store_columns", "interval",    "digits_left"};
 
 /// Whether `name` is that of the struct, the workspace or a part of the function.
 bool is_helper(const std::string& name, const Function& function) {
@@ -127,6 +128,10 @@ std::string c99_header(const EmissionInput& input) {
   data.set("sine_function", is_float ? "sinf" : "sin");
   data.set("cosine_function", is_float ? "cosf" : "cos");
   data.set("hyperbolic_sine", is_float ? "sinhf" : "sinh");
+  data.set("logarithm", is_float ? "log10f" : "log10");
+  const double epsilon =
+      is_float ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon();
+  data.set("epsilon", c99_literal(exact_value(epsilon), c99_scalar(input.scene)));
   data.set("sine_cosine", c99_sines(input));
   data.set("memory", section_if(are_sines_in_line(input) || has_loops(input.program)));
   data.set("digits", is_float ? "1e9" : "1e17");

@@ -125,11 +125,16 @@ std::string too_long_note(const FunctionText& text) {
                      entry_count(text.function), text.sidecar);
 }
 
-Lines step_lines(const Function& step) {
+Lines step_lines(const Function& step, const Model& model) {
   const auto equation = fmt::runtime(step_methods[step.user].equation);
   std::istringstream text(fmt::format(equation, step.iterations));
   Lines lines;
   for (std::string line; std::getline(text, line);) append(lines, wrapped(line));
+  if (step.projects) {
+    const OutputRow& projected = output_row(OutputKind::projected);
+    append(lines, wrapped(fmt::format("then, at t + h, {}",
+                                      equation_of(projected, setting_of(model)).text)));
+  }
   if (step.composed_order == 0) return lines;
   std::vector<std::string> parts;
   for (const cln::cl_RA& part : step_parts(step.composed_order)) {
@@ -144,7 +149,7 @@ Lines step_lines(const Function& step) {
 Lines shown_equations(const FunctionText& text) {
   const OutputRow& row = output_row(text.function.kind);
   if (row.repeats) return {};
-  if (row.steps) return step_lines(text.function);
+  if (row.steps) return step_lines(text.function, text.model);
   const Lines all = listing(text);
   Lines lines = {equation_text(text.function, text.model), ""};
   append(lines, all.size() > longest_listing ? Lines{too_long_note(text)} : all);

@@ -127,6 +127,7 @@ void set_regular(TemplateData& data, const EmissionInput& input) {
   data.set("pivot_count", std::to_string(input.model.velocities.size() + constraints));
   data.set("what_is_regular",
            std::string(constraints > 0 ? "and A M^-1 A^T are regular" : "is regular"));
+  data.set("unseen", section_if(constraints > 0));
   data.set("regular", section_if(gives_pivots(input.program)));
 }
 

@@ -26,11 +26,11 @@ constexpr std::array<std::string_view, 24> emitted_names{
     "coordinate_names", "coordinate_ranges", "coordinate_units", "detail",
     "input_count",      "input_limits",      "input_names",      "input_units",
     "is_regular",       "parameter_count",   "rate_ranges",      "std"};
-constexpr std::array<std::string_view, 16> more_names{
-    "unbounded",        "velocity_count",    "velocity_names",   "velocity_units",
-    "result",           "OpenValues",        "open_value_count", "open_value_names",
-    "open_value_units", "Momenta",           "constraint_count", "Multipliers",
-    "constraint_names", "start_coordinates", "start_rates",      "regressor_names"};
+constexpr std::array<std::string_view, 17> more_names{
+    "unbounded",        "velocity_count",   "velocity_names",   "velocity_units",    "result",
+    "OpenValues",       "open_value_count", "open_value_names", "open_value_units",  "Momenta",
+    "constraint_count", "Multipliers",      "constraint_names", "start_coordinates", "start_rates",
+    "regressor_names",  "digits_left"};
 constexpr std::array<std::string_view, 5> eigen_names{"eigen", "Eigen", "Argument", "Matrix",
                                                       "Vector"};
 /// Members of Parameters hide these in the initialisers beside them.

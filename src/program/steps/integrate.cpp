@@ -20,6 +20,9 @@ constexpr NextState (*methods[])(const StepContext&) = {
 #undef ELGEN_STEP_METHOD
 };
 
+/// Methods for constraints make fewer calls, so that names of values differ.
+constexpr std::uint32_t number_behind_steps = 5;
+
 StepDomain domain_of(const OutputRequest& step) { return step_methods[step.user].domain; }
 
 void add_field(Function& function, std::string name, Places entries) {
@@ -84,6 +87,15 @@ std::vector<OutputKind> kinds_called(const OutputRequest& step) {
       break;
   }
   return {OutputKind::forward_dynamics, OutputKind::coordinate_rates};
+}
+
+/// Puts a state at the time t + h back onto the constraints.
+void project(const StepContext& step, NextState& moved) {
+  CallPoint at{.q = moved.q, .v = moved.v, .t = step.time_at(1), .number = number_behind_steps};
+  step.name(at);
+  const Function& projected = *find_function(step.calls, OutputKind::projected);
+  moved.q = step.compose.call(step.calls, projected, projected.fields[0], at);
+  moved.v = step.compose.call(step.calls, projected, projected.fields[1], at);
 }
 
 /// The reason why p is not M v + b along dq/dt = v; "" where there is none.
@@ -181,6 +193,7 @@ std::vector<OutputRequest> needed_for_step(const Model& model, const OutputReque
   std::vector<OutputRequest> needed;
   std::vector<OutputKind> kinds = kinds_called(step);
   if (takes_tangents(model, step)) kinds.push_back(OutputKind::forward_dynamics_derivatives);
+  if (step.projects) kinds.push_back(OutputKind::projected);
   for (const OutputKind kind : kinds) {
     OutputRequest request = request_of(model, kind, 0);
     if (!is_available(model, request)) continue;
@@ -207,9 +220,12 @@ Diagnostics add_step(const CheckedModel& checked, const OutputRequest& step, con
                     .user = step.user,
                     .iterations = step.iterations,
                     .composed_order = step.composed_order,
+                    .projects = step.projects,
                     .name = step.name};
   Composition compose(program, function);
-  NextState moved = methods[step.user](StepContext(checked, step, calls, compose));
+  const StepContext context(checked, step, calls, compose);
+  NextState moved = methods[step.user](context);
+  if (step.projects) project(context, moved);
   add_field(function, "coordinates", std::move(moved.q));
   add_field(function, "rates", std::move(moved.v));
   if (output_row(step.kind).differentiates) {

@@ -13,7 +13,8 @@ OutputRequest request_of(const Subject& subject, const Function& function, const
   const OutputRequest request{.kind = function.kind,
                               .user = function.user,
                               .iterations = function.iterations,
-                              .composed_order = function.composed_order};
+                              .composed_order = function.composed_order,
+                              .projects = function.projects};
   if (!output_row(function.kind).repeats) return request;
   const OutputRequest* member = find_request(subject.scene, field.name);
   return member != nullptr ? *member : request;

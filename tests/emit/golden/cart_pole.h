@@ -268,4 +268,16 @@ static inline bool cart_pole_is_regular(const double pivots[2],
   return true;
 }
 
+/// How many decimal digits of the accelerations are right at least, within 1.3: max(0, log10(least
+/// pivot/(2 epsilon))), 0 where a pivot is no number. They may have more.
+static inline double cart_pole_digits_left(const double pivots[2]) {
+  const double rounding = 2 * 2.220446049250313e-16;
+  double least = pivots[0];
+  if (!cart_pole_is_regular(pivots, rounding)) return 0;
+  for (int i = 1; i < 2; ++i) {
+    if (pivots[i] < least) least = pivots[i];
+  }
+  return log10(least / rounding);
+}
+
 #endif  // CART_POLE_H

@@ -594,4 +594,20 @@ template <class Scalar>
   return true;
 }
 
+/// How many decimal digits of the accelerations are right at least, within 1.3: max(0, log10(least
+/// pivot/tolerance)), 0 where a pivot is no number. They may have more.
+template <class Scalar>
+[[nodiscard]] ELGEN_FUNCTION Scalar digits_left(
+    const std::array<Scalar, velocity_count>& pivots,
+    const std::common_type_t<Scalar>& tolerance = std::numeric_limits<Scalar>::epsilon() *
+                                                  constant<Scalar>(2.0)) noexcept {
+  if (!is_regular<Scalar>(pivots, tolerance)) return constant<Scalar>(0.0);
+  Scalar least = pivots[0];
+  for (const Scalar& pivot : pivots) {
+    if (pivot < least) least = pivot;
+  }
+  using std::log10;
+  return log10(least / tolerance);
+}
+
 }  // namespace cart_pole

@@ -5,10 +5,27 @@
 #include <numbers>
 
 #include "elgen/step_methods.hpp"
+#include "oracle/samples.hpp"
 #include "program/steps/compiled_step.hpp"
 #include "run/simulate/compiled_model.hpp"
 
 namespace elgen::test {
+namespace {
+
+/// A pendulum whose rod becomes longer and shorter.
+const std::string swinging = model_text("swinging", R"toml([[coordinate]]
+name = "x"
+[[coordinate]]
+name = "y"
+[energy]
+T = "1/2*dot(x)^2 + 1/2*dot(y)^2"
+V = "y"
+[[constraint]]
+name = "rod"
+equation = "x^2 + y^2 = 1 + 1/2*sin(3*t)"
+)toml");
+
+}  // namespace
 
 TEST_CASE("one step of rk4 is off by h^5, of verlet by h^3") {
   const cln::cl_RA h = cln::cl_RA(1) / 100;
@@ -21,6 +38,30 @@ TEST_CASE("one step of rk4 is off by h^5, of verlet by h^3") {
   CHECK(local_order(rk4, somewhere(rk4), h) == Approx(5).margin(0.15));
   const Stepped verlet(shaken, "verlet");
   CHECK(local_order(verlet, somewhere(verlet), h) == Approx(3).margin(0.15));
+}
+
+TEST_CASE("a projected step is the step, then `projected`, to the bit") {
+  for (const std::string& model : {model_file("five_bar"), model_file("rolling_ball"), swinging}) {
+    const Stepped whole(model, "rk4", ", projected = true");
+    State state = somewhere(whole);
+    state.h = cln::cl_RA(1) / 100;
+    const Products parts = stepped({model, "rk4", "", "projected = true\n"});
+    REQUIRE(parts.program);
+    Arguments<double> at = arguments_at<double>(state);
+    const std::vector<double> moved = evaluate(*parts.program, parts.program->functions.back(), at);
+    at.t += at.h;
+    at.q.assign(moved.begin(), moved.begin() + static_cast<std::ptrdiff_t>(at.q.size()));
+    at.v.assign(moved.begin() + static_cast<std::ptrdiff_t>(at.q.size()), moved.end());
+    const Function& projected = *find_function(*parts.program, OutputKind::projected);
+    CHECK(whole.values<double>(state) == evaluate(*parts.program, projected, at));
+    CHECK(whole.values<double>(state) != moved);
+    const OracleValues slow = oracle_values(
+        whole.model(), {.kind = OutputKind::step, .projects = whole.function().projects}, state);
+    REQUIRE(slow);
+    const std::vector<cln::cl_R> exact_values = *defined_values(whole.values<Real>(state));
+    REQUIRE(slow->size() == exact_values.size());
+    for (std::size_t i = 0; i < slow->size(); ++i) CHECK(agree((*slow)[i], exact_values[i], 40));
+  }
 }
 
 TEST_CASE("one step of a composition is off by its order and 1 more") {
