@@ -167,8 +167,14 @@ struct LeafRates {
                                                          std::uint32_t coordinate,
                                                          std::size_t coordinates);
 
-/// Whether dx/dt = 0 is proved along the motion at u = 0; `accelerations` are those of the forward
-/// dynamics, one per velocity. False proves nothing.
+/// dx/dt along the motion at u = 0; `accelerations` are those of the forward dynamics, one per
+/// velocity. None beyond the budget, and of functions with kinks.
+[[nodiscard]] std::optional<Fraction> free_rate(ClosedForms& forms, const Fraction& x,
+                                                const std::vector<Fraction>& accelerations,
+                                                const std::vector<Fraction>& coordinate_rates = {},
+                                                const OpenTerms& open_values = {});
+
+/// Whether that rate is proved to be 0. False proves nothing.
 [[nodiscard]] bool proved_conserved(ClosedForms& forms, const Fraction& x,
                                     const std::vector<Fraction>& accelerations,
                                     const std::vector<Fraction>& coordinate_rates = {},

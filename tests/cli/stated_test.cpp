@@ -82,6 +82,102 @@ TEST_CASE("verify: an equation solved for an acceleration is compared with the a
   CHECK(mentions(judged.errors, "has the other sign"));
 }
 
+/// Two pulleys and three masses; the second of its equations has 4*M*m2, not 2*M*m2, below.
+const std::string three_masses = R"toml(format = 1
+[model]
+name = "three_masses"
+[[coordinate]]
+name = "l1"
+unit = "m"
+[[coordinate]]
+name = "l2"
+unit = "m"
+[parameters]
+m1 = { value = 3, unit = "kg" }
+m2 = { value = 1, unit = "kg" }
+M = { value = 2, unit = "kg" }
+g = { value = 9.81, unit = "m/s^2" }
+[energy]
+T = "1/2*m1*dot(l1)^2 + 1/2*m2*(dot(l2) - dot(l1))^2 + 1/2*M*(dot(l1) + dot(l2))^2"
+V = "-m1*g*l1 - m2*g*(l2 - l1) + M*g*(l1 + l2)"
+[[expect]]
+equations = ["(m1 - m2 - M)*g = (m1 + m2 + M)*dot(dot(l1)) + (M - m2)*dot(dot(l2))",
+             "dot(dot(l2)) = )toml";
+
+Outcome verified_masses(const std::string& acceleration) {
+  const Workspace workspace;
+  workspace.write("model.toml", three_masses + acceleration + "\"]\n");
+  return workspace.run("elgen verify --quick -q model.toml");
+}
+
+TEST_CASE("verify: numerators and denominators of stated accelerations are compared apart") {
+  CHECK(verified_masses("2*m1*(m2 - M)*g/(m1*M + m1*m2 + 4*M*m2)").status == 0);
+  const Outcome below = verified_masses("2*m1*(m2 - M)*g/(m1*M + m1*m2 + 2*M*m2)");
+  INFO(below.errors);
+  CHECK(below.status == 1);
+  CHECK(mentions(below.errors,
+                 "compared with the accelerations of the motion: in the denominator "
+                 "the term 4*"));
+  CHECK(mentions(below.errors, "has 1/2 of its factor"));
+  const Outcome above = verified_masses("2*m1*(m2 + M)*g/(m1*M + m1*m2 + 4*M*m2)");
+  INFO(above.errors);
+  CHECK(mentions(above.errors, "has the other sign"));
+  CHECK_FALSE(mentions(above.errors, "denominator"));
+  // Neither agrees: no term is named.
+  const Outcome both = verified_masses("m1*(3*m2 - M)*g/(m1*M + m1*m2 + 2*M*m2)");
+  INFO(both.errors);
+  CHECK(both.status == 1);
+  CHECK_FALSE(mentions(both.errors, "the term"));
+}
+
+TEST_CASE("verify: a square of an equation determines no acceleration") {
+  const auto judged = [](const std::string& equation) {
+    return verified("simple_pendulum", "equations = \"" + equation + "\"\n");
+  };
+  for (const std::string square :
+       {"dot(dot(theta))^2 = (g/l*sin(theta))^2", "abs(dot(dot(theta))) = abs(g/l*sin(theta))"}) {
+    const Outcome refused = judged(square);
+    INFO(square << refused.errors);
+    CHECK(refused.status == 2);
+    CHECK(mentions(refused.errors, "[E540]: a = ("));
+    CHECK(mentions(refused.errors, ") meets all equations, too, so the accelerations are not"));
+  }
+  CHECK(judged("exp(l*dot(dot(theta))/g) = exp(-sin(theta))").status == 0);
+  const std::string squared =
+      "\"(l*dot(dot(theta)) + cos(theta)*dot(dot(x)))^2 = (g*sin(theta))^2\"";
+  CHECK(verified("cart_pole", "equations = [" + cart_row + ", " + squared + "]\n").status == 2);
+}
+
+TEST_CASE("verify: a form that holds for the values of the file alone is told so") {
+  const std::string told = "it holds for the values of the parameters in the file";
+  const auto ball = [](const std::string& share) {
+    return verified("rolling_ball", "equations = [\"dot(dot(x)) = " + share +
+                                        "*g*sin(alpha)\", \"dot(dot(y)) = 0\", "
+                                        "\"dot(wz(ball)) = 0\"]\n");
+  };
+  const Outcome homogeneous = ball("5/7");
+  INFO(homogeneous.errors);
+  CHECK(homogeneous.status == 1);
+  CHECK(mentions(homogeneous.errors, told));
+  CHECK_FALSE(mentions(ball("3/7").errors, told));
+  CHECK(ball("m*r^2/(m*r^2 + J)").status == 0);
+}
+
+TEST_CASE("verify: the term that keeps a sum from being conserved is named") {
+  const std::string kinetic = "1/2*m*R^2*dot(theta)^2 ";
+  const std::string rest = "1/2*m*R^2*sin(theta)^2*Omega^2 - m*g*R*(cos(theta) - 1)";
+  const auto judged = [](const std::string& sum) {
+    return verified("rotating_hoop", "conserved = [\"" + sum + "\"]\n");
+  };
+  CHECK(judged(kinetic + "- " + rest).status == 0);
+  const Outcome sign = judged(kinetic + "+ " + rest);
+  INFO(sign.errors);
+  CHECK(sign.status == 1);
+  CHECK(mentions(sign.errors, "compared with a conserved quantity: the term "));
+  CHECK(mentions(sign.errors, "has the other sign"));
+  CHECK_FALSE(mentions(judged(kinetic + "+ m*R^2*theta^2*Omega^2").errors, "conserved quantity"));
+}
+
 TEST_CASE("verify: equations are proved, where they have a closed form") {
   const Outcome proved =
       verified("simple_pendulum", "equations = \"l*dot(dot(theta)) = -g*sin(theta)\"\n", "");

@@ -260,6 +260,9 @@ TEST_CASE("a wrong closed form is answered by the terms that differ") {
         std::pair{"gravity = [\"m*g*l*sin(theta) + m*g*l^2\"]\n", "the term m*g*l^2 is too much"},
         std::pair{"gravity = [\"0\"]\n", "the term m*g*l*sin(theta) is missing"},
         std::pair{"gravity = [\"m*g*l*sin(theta)\"]\n", ""},
+        std::pair{"gravity = [\"2*g*l*sin(theta)\"]\n",
+                  "2*g*l*sin(theta) stands in the place of m*g*l*sin(theta); it holds for the "
+                  "values of the parameters in the file"},
         std::pair{"conserved = [\"theta\"]\n", ""}}) {
     INFO(expect);
     CHECK(DerivedPendulum(expect).hint() == words);

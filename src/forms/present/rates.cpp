@@ -261,16 +261,21 @@ std::optional<Fraction> partial_derivative(ClosedForms& forms, const Fraction& x
   return rate_along(forms, x, alone);
 }
 
-bool proved_conserved(ClosedForms& forms, const Fraction& x,
-                      const std::vector<Fraction>& accelerations,
-                      const std::vector<Fraction>& coordinate_rates, const OpenTerms& open_values) {
+Value free_rate(ClosedForms& forms, const Fraction& x, const std::vector<Fraction>& accelerations,
+                const std::vector<Fraction>& coordinate_rates, const OpenTerms& open_values) {
   LeafRates free_motion{coordinate_rates, {}, {}, open_values, fraction_of(cl_RA(1))};
   for (const Fraction& acceleration : accelerations) {
     Value free = without_inputs(forms.algebra, acceleration);
-    if (!free) return false;
+    if (!free) return std::nullopt;
     free_motion.velocities.push_back(std::move(*free));
   }
-  const Value rate = rate_along(forms, x, free_motion);
+  return rate_along(forms, x, free_motion);
+}
+
+bool proved_conserved(ClosedForms& forms, const Fraction& x,
+                      const std::vector<Fraction>& accelerations,
+                      const std::vector<Fraction>& coordinate_rates, const OpenTerms& open_values) {
+  const Value rate = free_rate(forms, x, accelerations, coordinate_rates, open_values);
   return rate && rate->numerator.empty();
 }
 

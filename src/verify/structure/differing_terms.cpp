@@ -1,9 +1,11 @@
-// Both forms are brought over one denominator, and their numerators compared.
+// Both forms are brought over one denominator, and their numerators compared; or, as where sums
+// divide that differ, the denominators.
 #include "verify/structure/differing_terms.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <set>
 #include <vector>
 
@@ -44,14 +46,9 @@ std::string times_text(const cln::cl_RA& times) {
   return fmt::format("has {} {} its factor", number_text(times), is_part ? "of" : "times");
 }
 
-}  // namespace
-
-TermsByPowers terms_by_powers(const Algebra& algebra, const Polynomial& sum) {
-  return parts_by(algebra, sum, is_no_angle);
-}
-
-std::optional<DifferingTerms> differing_terms(Algebra& algebra, const Fraction& right,
-                                              const Fraction& written) {
+/// The terms of both forms over one denominator.
+std::optional<DifferingTerms> terms_over_one(Algebra& algebra, const Fraction& right,
+                                             const Fraction& written) {
   Arithmetic arithmetic(algebra, most_work_of_terms);
   const Value first = divisor_of(algebra, written);
   const Value once = arithmetic.multiply(right, first);
@@ -86,6 +83,49 @@ std::optional<DifferingTerms> differing_terms(Algebra& algebra, const Fraction& 
   return result;
 }
 
+bool has_divisor(const Fraction& form, std::uint32_t factor, std::int32_t exponent) {
+  const auto found = form.denominator.find(factor);
+  return found != form.denominator.end() && found->second >= exponent;
+}
+
+/// Whether what both forms have beside these terms is over divisors of both, so that these are
+/// terms of the forms as they stand.
+bool are_of_forms(Algebra& algebra, const Fraction& right, const Fraction& written,
+                  const DifferingTerms& terms) {
+  Arithmetic arithmetic(algebra, most_work_of_terms);
+  Value common = arithmetic.subtract(right, terms.missing);
+  for (const auto& [times, form] : terms.multiples) common = arithmetic.subtract(common, form);
+  return common && std::ranges::all_of(common->denominator, [&](const auto& divisor) {
+           return has_divisor(right, divisor.first, divisor.second) &&
+                  has_divisor(written, divisor.first, divisor.second);
+         });
+}
+
+/// How the denominator differs from the one that the numerator as written needs.
+std::optional<DifferingTerms> terms_of_denominators(Algebra& algebra, const Fraction& right,
+                                                    const Fraction& written) {
+  Arithmetic arithmetic(algebra, most_work_of_terms);
+  const Value own = divisor_of(algebra, written);
+  const Value needed = arithmetic.divide(arithmetic.multiply(written, own), right);
+  if (!needed || !needed->denominator.empty()) return std::nullopt;
+  auto terms = terms_over_one(algebra, *needed, *own);
+  if (terms) terms->of_denominator = true;
+  return terms;
+}
+
+}  // namespace
+
+TermsByPowers terms_by_powers(const Algebra& algebra, const Polynomial& sum) {
+  return parts_by(algebra, sum, is_no_angle);
+}
+
+std::optional<DifferingTerms> differing_terms(Algebra& algebra, const Fraction& right,
+                                              const Fraction& written) {
+  auto terms = terms_over_one(algebra, right, written);
+  if (!terms || are_of_forms(algebra, right, written, *terms)) return terms;
+  return terms_of_denominators(algebra, right, written);
+}
+
 std::string short_form(const Model& model, const Algebra& algebra, const Fraction& form) {
   const std::optional<Formula> formula = read_form(model, algebra, form);
   std::string text = formula ? text_of(*formula) : "";
@@ -113,7 +153,8 @@ std::string text_of(const Model& model, const Algebra& algebra, const DifferingT
   } else if (!surplus.empty()) {
     words.push_back(fmt::format("the term {} is too much", without_sign(surplus)));
   }
-  return is_read ? fmt::format("{}", fmt::join(words, ", ")) : "";
+  const std::string_view place = terms.of_denominator ? "in the denominator " : "";
+  return is_read ? fmt::format("{}{}", place, fmt::join(words, ", ")) : "";
 }
 
 }  // namespace elgen

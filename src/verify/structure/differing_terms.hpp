@@ -6,6 +6,10 @@
 //     written  m l^2 a + m g l cos(theta)     m*g*l*cos(theta) stands in the place of
 //     m*g*l*sin(theta)
 //
+//
+//     right    n/(a + 4 b)
+//     written  n/(a + 2 b)                    in the denominator the term 4*b has 1/2 of its factor
+//
 // Sines and cosines with the same powers of all else beside them are one term.
 #pragma once
 
@@ -29,9 +33,11 @@ struct DifferingTerms {
   std::map<cln::cl_RA, Fraction> multiples = {};
   Fraction missing = {};
   Fraction surplus = {};
+  bool of_denominator = false;  ///< all of these
 };
 
-/// None beyond the budget.
+/// None beyond the budget. Where divisors differ, a term over both of them may be in neither form:
+/// the denominators are compared then, if the numerators are multiples of each other, else nothing.
 [[nodiscard]] std::optional<DifferingTerms> differing_terms(Algebra& algebra, const Fraction& right,
                                                             const Fraction& written);
 

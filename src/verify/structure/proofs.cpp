@@ -64,17 +64,22 @@ Replacements Proofs::momenta() const {
   return result;
 }
 
-bool Proofs::conserved(const Expectation& expectation, std::size_t entry) {
+std::optional<Fraction> Proofs::free_rate(const Fraction& form) const {
   const auto accelerations = entries(OutputKind::forward_dynamics);
-  if (!accelerations) return false;
+  if (!accelerations) return std::nullopt;
+  const std::vector<Fraction> rates = coordinate_rates(*forms_, subject_.model);
+  const OpenTerms open_values =
+      open_terms(*forms_, subject_.model, subject_.scene.specialisation.fixed);
+  return elgen::free_rate(*forms_, form, *accelerations, rates, open_values);
+}
+
+bool Proofs::conserved(const Expectation& expectation, std::size_t entry) {
   auto own = written(expectation, entry);
   const bool has_momenta =
       holds_leaf(subject_.model, expectation.entries[entry], Opcode::momentum | Opcode::energy);
   if (own && has_momenta) own = substituted(forms_->algebra, *own, momenta());
-  const std::vector<Fraction> rates = coordinate_rates(*forms_, subject_.model);
-  const OpenTerms open_values =
-      open_terms(*forms_, subject_.model, subject_.scene.specialisation.fixed);
-  return own && proved_conserved(*forms_, *own, *accelerations, rates, open_values);
+  const std::optional<Fraction> rate = own ? free_rate(*own) : std::nullopt;
+  return rate && rate->numerator.empty();
 }
 
 std::optional<Fraction> Proofs::along_motion(const Fraction& form) const {

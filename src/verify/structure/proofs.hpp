@@ -34,6 +34,9 @@ class Proofs {
   /// With the accelerations of the motion in place of all others.
   [[nodiscard]] std::optional<Fraction> along_motion(const Fraction& form) const;
 
+  /// The rate along the motion at u = 0.
+  [[nodiscard]] std::optional<Fraction> free_rate(const Fraction& form) const;
+
   [[nodiscard]] const Subject& subject() const { return subject_; }
   /// The forms with quotients; null until a proof has asked for them.
   [[nodiscard]] ClosedForms* quotients() { return quotients_ ? &*quotients_ : nullptr; }

@@ -4,6 +4,7 @@
 #include "verify/structure/stated.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -67,6 +68,13 @@ std::vector<std::pair<Monomial, Fraction>> accelerated_terms(Algebra& algebra,
   return terms;
 }
 
+/// The form at a = 0.
+Value without_accelerations(const Model& model, Algebra& algebra, const Fraction& form) {
+  Replacements rest;
+  for (std::uint32_t i = 0; i < model.velocities.size(); ++i) rest[{Opcode::acceleration, i}] = {};
+  return substituted(algebra, form, rest);
+}
+
 /// The factors that turn a term of the row into one of the equation, each once.
 std::vector<Fraction> factors_of(Algebra& algebra, const Fraction& equation, const Fraction& row) {
   Arithmetic arithmetic(algebra);
@@ -100,6 +108,60 @@ std::vector<cl_R> slopes_of(const Model& model, const Expectation& equations, co
   return slopes;
 }
 
+/// The oracle has 60 digits; fifteen may cancel.
+const cl_R& rounding_of_equations() {
+  static const cl_R share = power_of_ten(-45);
+  return share;
+}
+
+cl_R inner_product(const std::vector<cl_R>& x, const std::vector<cl_R>& y) {
+  cl_R sum = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) sum = sum + x[i] * y[i];
+  return sum;
+}
+
+bool meets_all(const Model& model, const Expectation& equations, const State& motion,
+               const std::vector<cl_R>& slopes) {
+  const std::size_t n = motion.a.size();
+  for (std::size_t k = 0; k < equations.entries.size(); ++k) {
+    const auto row = slopes.begin() + static_cast<std::ptrdiff_t>(k * n);
+    const cl_R scale =
+        largest_of({row, row + static_cast<std::ptrdiff_t>(n)}) * largest_of(motion.a);
+    const auto value = oracle_expression(model, equations.entries[k], motion);
+    if (!value || cln::abs(*value) > scale * rounding_of_equations()) return false;
+  }
+  return true;
+}
+
+/// Another acceleration that meets all equations, as if one of them is a square: on the lines along
+/// which all others stay, where left - right is a parabola, or even about another point.
+std::optional<State> other_motion(const Model& model, const Expectation& equations,
+                                  const State& motion, const std::vector<cl_R>& slopes) {
+  const std::size_t n = motion.a.size();
+  for (std::size_t k = 0; k < equations.entries.size(); ++k) {
+    std::vector<cl_R> others = slopes;
+    std::fill_n(others.begin() + static_cast<std::ptrdiff_t>(k * n), n, cl_R(0));
+    for (const std::vector<cl_R>& along : null_space(others, row_scales(others, n))) {
+      const auto moved = [&](const cl_R& s) {
+        State state = motion;
+        for (std::size_t i = 0; i < n; ++i) state.a[i] = state.a[i] + s * along[i];
+        return state;
+      };
+      const auto one = oracle_expression(model, equations.entries[k], moved(1));
+      const auto two = oracle_expression(model, equations.entries[k], moved(2));
+      std::vector<cl_R> roots{-2 * inner_product(motion.a, along) / inner_product(along, along)};
+      const bool bends =
+          one && two && cln::abs(*two - 2 * *one) > rounding_of_equations() * cln::abs(*two);
+      if (bends) roots.push_back((*two - 4 * *one) / (*two - 2 * *one));
+      for (const cl_R& root : roots) {
+        const bool is_other = cln::abs(root) > rounding_of_equations() * largest_of(motion.a);
+        if (is_other && meets_all(model, equations, moved(root), slopes)) return moved(root);
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 /// The right form that is nearest so far.
 struct Nearest {
   std::string right = {};  ///< in words
@@ -130,6 +192,13 @@ SettledValues field_at(const Model& model, const Expectation& expectation, const
   return field;
 }
 
+/// "a = (1, -2) meets all equations, too"
+std::string also_met(const State& motion) {
+  std::vector<std::string> values;
+  for (const cl_R& a : motion.a) values.push_back(short_text(a));
+  return fmt::format("a = ({}) meets all equations, too", fmt::join(values, ", "));
+}
+
 /// As many digits as doubles keep.
 std::string digits_of(const cl_R& value) {
   return fmt::format("{:.15g}", ScalarTraits<double>::from_real(value));
@@ -154,13 +223,46 @@ std::string difference_from_motion(const Proofs& proofs, const Fraction& equatio
     }
   }
   const std::optional<Fraction> rest = proofs.along_motion(equation);
-  const Value right = rest ? arithmetic.subtract(equation, *rest) : std::nullopt;
-  auto terms = right ? differing_terms(algebra, *right, equation) : std::nullopt;
+  const Value written = without_accelerations(model, algebra, equation);
+  const Value right = rest ? arithmetic.subtract(written, *rest) : std::nullopt;
+  auto terms = right ? differing_terms(algebra, *right, *written) : std::nullopt;
   if (nearest.is_farther(terms)) nearest = {"the accelerations of the motion", std::move(terms)};
   const std::string text = nearest.terms ? text_of(model, algebra, *nearest.terms) : "";
   if (!text.empty()) return fmt::format("compared with {}: {}", nearest.right, text);
   const std::string whole = rest ? short_form(model, algebra, *rest) : "";
   return whole.empty() ? "" : fmt::format("left - right is {} along the motion", whole);
+}
+
+/// With rates r of all terms and r_t of a term t, all is conserved that has t (1 - r/r_t) in the
+/// place of t; it is told where that is a rational multiple of t.
+std::string difference_from_conserved(const Proofs& proofs, const Fraction& written) {
+  Algebra& algebra = *proofs.algebra();
+  Arithmetic arithmetic(algebra);
+  const Value divisor = divisor_of(algebra, written);
+  const Value sum = arithmetic.multiply(written, divisor);
+  const std::optional<Fraction> rate = proofs.free_rate(written);
+  if (!rate || !sum || !sum->denominator.empty()) return {};
+  const TermsByPowers terms = terms_by_powers(algebra, sum->numerator);
+  std::vector<std::string> words;
+  for (const auto& [powers, part] : terms) {
+    const Value term = arithmetic.divide(fraction_of(scaled(part, {1, 0}, powers)), divisor);
+    const auto own = term && terms.size() > 1 ? proofs.free_rate(*term) : std::nullopt;
+    const Value share = own ? arithmetic.divide(rate, own) : std::nullopt;
+    if (!share || !share->denominator.empty()) continue;
+    const std::optional<cln::cl_RA> number = rational_value(share->numerator);
+    if (!number || cln::zerop(*number)) continue;
+    DifferingTerms difference{.count = 1};
+    const cln::cl_RA factor = 1 - *number;
+    const Value right = arithmetic.multiply(term, fraction_of(factor));
+    if (!right) continue;
+    if (cln::zerop(factor)) difference.surplus = *term;
+    if (!cln::zerop(factor)) difference.multiples[1 / factor] = *right;
+    const std::string text = text_of(proofs.subject().model, algebra, difference);
+    if (!text.empty()) words.push_back(text);
+  }
+  return words.empty()
+             ? ""
+             : fmt::format("compared with a conserved quantity: {}", fmt::join(words, ", or "));
 }
 
 void check_rank(ExpectationReport& report, const Expectation& equations, const Subject& subject,
@@ -176,14 +278,17 @@ void check_rank(ExpectationReport& report, const Expectation& equations, const S
     const std::vector<cl_R> slopes = slopes_of(subject.model, equations, motion);
     if (slopes.empty()) continue;
     const std::size_t rank = n - null_space(slopes, row_scales(slopes, n)).size();
-    if (rank == n) continue;
+    const auto other =
+        rank < n ? std::nullopt : other_motion(subject.model, equations, motion, slopes);
+    if (rank == n && !other) continue;
     row.verdict = Verdict::fails;
-    row.worst = fmt::format("rank {} of {}", rank, n);
+    row.worst = rank < n ? fmt::format("rank {} of {}", rank, n) : "two accelerations";
     row.where = describe(subject, motion);
     report.diagnostics.push_back(
         {Code::E540, equations.span,
-         fmt::format("d(left - right)/da has {}, so the accelerations are not determined, at {}",
-                     row.worst, row.where)});
+         fmt::format("{}, so the accelerations are not determined, at {}",
+                     rank < n ? "d(left - right)/da has " + row.worst : also_met(*other),
+                     row.where)});
     break;
   }
   report.rows.push_back(std::move(row));

@@ -18,8 +18,14 @@ namespace elgen {
 /// as with constraints, or none is near.
 [[nodiscard]] std::string difference_from_motion(const Proofs& proofs, const Fraction& equation);
 
+/// The difference from a quantity that is constant at u = 0 and has another factor at one term:
+/// "compared with a conserved quantity: the term m*g*l*cos(theta) has the other sign"; "" if there
+/// is none. `written` names no momenta.
+[[nodiscard]] std::string difference_from_conserved(const Proofs& proofs, const Fraction& written);
+
 /// A row that says whether d(left - right)/da, with the rows of A below, has the rank of the
-/// velocities at these states, which have the accelerations of the motion; E540 where it has not.
+/// velocities at these states, which have the accelerations of the motion, and no other
+/// acceleration is found that meets all equations; E540 if not.
 void check_rank(ExpectationReport& report, const Expectation& equations, const Subject& subject,
                 const std::vector<State>& motions);
 
