@@ -218,14 +218,16 @@ std::optional<ExpressionId> Resolver::resolve_sum(const ExpressionSyntax& call) 
   const auto high = integer_value(call.operands[2], scope_, context_.report);
   if (!low || !high) return std::nullopt;
   Expression sum{.kind = ExpressionKind::add, .span = call.span};
+  LikeTerms like(context_);
   for (std::int64_t i = *low; i <= *high; ++i) {
+    const std::size_t begin = context_.model.expressions.size();
     scope_.push(index.text, i);
     const std::optional<ExpressionId> term = resolve(call.operands[3]);
     scope_.pop();
     if (!term) return std::nullopt;
-    sum.operands.push_back(*term);
+    like.add(*term, begin);
   }
-  if (sum.operands.size() > 1) sum.operands = with_like_terms_added(context_, sum.operands);
+  sum.operands = like.terms();
   if (sum.operands.empty()) return push_number(0, call.span);
   return sum.operands.size() == 1 ? std::optional(sum.operands.front()) : push(std::move(sum));
 }
