@@ -9,6 +9,7 @@
 
 #include "elgen/leaf_names.hpp"
 #include "elgen/references.hpp"
+#include "elgen/wording.hpp"
 #include "inspect/checks.hpp"
 
 namespace elgen {
@@ -90,11 +91,18 @@ Diagnostics inspect_left_out(const Inspected& subject) {
   for (const LeftOut& left_out : subject.scene.left_out) notes.push_back(note(left_out));
   const Model& whole = whole_of(subject.model);
   const PlacesLeft inputs = variables_left(whole).inputs;
-  for (std::size_t i = 0; i < whole.inputs.size(); ++i) {
-    if (inputs[i]) continue;
-    notes.push_back({Code::E616, whole.inputs[i].span,
-                     fmt::format("`{}` acts on what the scene locks alone, and is no input of it",
-                                 whole.inputs[i].name),
+  for (std::size_t i = 0; i < whole.inputs.size();) {
+    // The components of a wrench are one entry, and one note.
+    std::vector<std::string> names;
+    const Span& span = whole.inputs[i].span;
+    for (; i < whole.inputs.size() && whole.inputs[i].span.begin == span.begin; ++i) {
+      if (!inputs[i]) names.push_back(in_backticks(whole.inputs[i].name));
+    }
+    if (names.empty()) continue;
+    notes.push_back({Code::E616, span,
+                     fmt::format("{} {} on what the scene locks alone, and {} of it",
+                                 fmt::join(names, ", "), names.size() == 1 ? "acts" : "act",
+                                 names.size() == 1 ? "is no input" : "are no inputs"),
                      "`reaction` is the whole force there"});
   }
   return notes;

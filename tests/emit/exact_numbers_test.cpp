@@ -57,7 +57,7 @@ TEST_CASE("a value of a parameter whose double a constant has is told by the par
 
 TEST_CASE("two forms of one number are one number") {
   const ExactNumbers exact = numbers_of(
-      "  0 = parameter m\n  1 = constant 2/9*sin(1/2*pi) + 2/3*cos(1/2*pi)\n"
+      "  0 = parameter m\n  1 = constant 2/9*sin(1/2*pi)+2/3*cos(1/2*pi)\n"
       "  2 = constant 2/9\n",
       1);
   CHECK(exact.entries() == Texts{"0.2222222222222222: (2, 9)"});

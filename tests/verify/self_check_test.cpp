@@ -159,9 +159,11 @@ TEST_CASE("the receipt and the certificate tell of zeros that nobody proved") {
   CHECK(rows[0].worst == "in entries 1, 2");
 }
 
-/// V = exp(factor th), of angles in a turn.
+/// V = exp(factor th), th in [-1, 1].
 System exponential(const std::string& factor) {
-  return system_of(pendulum().V("exp(" + factor + "*th)").model,
+  ModelBuilder b;
+  b.coordinate("th").parameter("m", "1").parameter("l", "1").parameter("g", "1");
+  return system_of(b.T("th_d^2").V("exp(" + factor + "*th)").model,
                    "parameters m l g\ncoordinates th\nfunction potential_energy\n  0 = constant " +
                        factor +
                        "\n  1 = coordinate th\n  2 = multiply 0 1\n  3 = exp 2\n"

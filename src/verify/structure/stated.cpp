@@ -138,6 +138,7 @@ bool meets_all(const Model& model, const Expectation& equations, const State& mo
 std::optional<State> other_motion(const Model& model, const Expectation& equations,
                                   const State& motion, const std::vector<cl_R>& slopes) {
   const std::size_t n = motion.a.size();
+  if (!meets_all(model, equations, motion, slopes)) return std::nullopt;
   for (std::size_t k = 0; k < equations.entries.size(); ++k) {
     std::vector<cl_R> others = slopes;
     std::fill_n(others.begin() + static_cast<std::ptrdiff_t>(k * n), n, cl_R(0));
@@ -215,6 +216,9 @@ std::string difference_from_motion(const Proofs& proofs, const Fraction& equatio
   Nearest nearest;
   for (std::size_t i = 0; i < rows->size(); ++i) {
     for (const Fraction& factor : factors_of(algebra, equation, (*rows)[i])) {
+      // Over a sum that the author solved by, terms are not those of the row.
+      const Value divisor = divisor_of(algebra, factor);
+      if (!divisor || divisor->numerator.size() > 1) continue;
       const Value right = arithmetic.multiply(factor, (*rows)[i]);
       if (!right) continue;
       auto terms = differing_terms(algebra, *right, equation);

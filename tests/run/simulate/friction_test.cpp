@@ -266,7 +266,7 @@ value = "-sign(x)"
 }
 
 TEST_CASE("a motion that slides along another kink ends, with the name of the kink and a remedy") {
-  const std::string free = model_text("free", R"toml([[coordinate]]
+  const std::string free = model_text("loose", R"toml([[coordinate]]
 name = "x"
 start = { value = 1, rate = 0 }
 [[coordinate]]
