@@ -227,7 +227,7 @@ TEST_CASE("sqrt is the power 1/2, delta a number, sum a sum") {
 
 TEST_CASE("terms of a sum that differ in a number only are one term") {
   CHECK(points_potential("sum(i, 1, 3, i*c*x^2 - c*x*y/(2*i))") ==
-        "energy V = 6*c*x^2 + -11/12*c*x*y\n");
+        "energy V = 6*c*x^2 + (-11/12*c*x*y)\n");
   CHECK(points_potential("sum(i, 1, 10000, i*c*x^2)") == "energy V = 50005000*c*x^2\n");
   CHECK(points_potential("sum(i, 1, 3, (i - 2)*c*x^2)") == "energy V = 0\n");
   // Unlike ones stay as they are typed.

@@ -112,8 +112,9 @@ def check_imports():
     for path in map(path_of, models):
         tree = ast.parse(path.read_text())
         imports = [node for node in ast.walk(tree) if isinstance(node, (ast.Import, ast.ImportFrom))]
-        assert [node.module for node in imports] in (["math", "typing"], ["typing"]), path
-        named = {alias.name for node in imports for alias in node.names}
+        assert [node.module for node in imports] in (
+            ["math", "math", "typing"], ["math", "typing"], ["typing"]), path
+        named = {alias.asname or alias.name for node in imports for alias in node.names}
         read = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
         assert named <= read, (path, named - read)
     far = "*".join(["10^64"] * 5)

@@ -15,8 +15,10 @@ namespace {
 /// A pendulum whose rod becomes longer and shorter.
 const std::string swinging = model_text("swinging", R"toml([[coordinate]]
 name = "x"
+start = { value = 0.6, rate = 0 }
 [[coordinate]]
 name = "y"
+start = { value = -0.8, rate = 0 }
 [energy]
 T = "1/2*dot(x)^2 + 1/2*dot(y)^2"
 V = "y"
