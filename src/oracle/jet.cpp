@@ -152,7 +152,7 @@ void Jet::depend_on(const Jet& x, const Jet& y) {
   order_ = std::min(x.order_, y.order_);
 }
 
-/// All terms of the first power stand in a jet.
+/// A jet has all its terms of the first power, so that without one the order is 2 or more.
 unsigned Jet::order() const {
   const auto is_first = [](Generators g) { return std::has_single_bit(g & all_generators); };
   if (order_ != 1 || std::ranges::any_of(unknown_, is_first)) return order_;
@@ -264,9 +264,11 @@ void Jet::depend_on_factors(const Jet& x, const Jet& y) {
     return std::ranges::any_of(z.terms_, is_still, &Term::first) ||
            std::ranges::any_of(z.unknown_, is_still);
   };
-  order_ = std::min(never, x.order_ + y.order_);
-  if (has_real(x)) order_ = std::min(order_, y.order_);
-  if (has_real(y)) order_ = std::min(order_, x.order_);
+  const unsigned of_x = x.order();
+  const unsigned of_y = y.order();
+  order_ = std::min(never, of_x + of_y);
+  if (has_real(x)) order_ = std::min(order_, of_y);
+  if (has_real(y)) order_ = std::min(order_, of_x);
   moving_ = order_ == never ? 0 : x.moving_ | y.moving_;
 }
 

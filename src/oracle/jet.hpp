@@ -18,10 +18,10 @@
 // into generators first: with e = e_1 + ... + e_n, f(x0 + x1(s) e) has at e_1 ... e_j j! times the
 // part of f(x0 + x1(s)) of degree j in x1.
 //
-// A jet also knows what it depends on, since x^2 at x = 0 has no terms left: the generators, and
-// the lowest power of them by which it may leave its real part. sqrt(x^2) leaves 0 by the power 1
-// and has a bend there: its derivatives are unknown coefficients. Whoever asks for one is outside
-// of the domain; a product with an exact zero, as sqrt(x^2)^2 has it, does not hold it any more.
+// x^2 at x = 0 has no terms left. So a jet also knows the generators that it depends on, and the
+// lowest power of them by which it may leave its real part. sqrt(x^2) leaves 0 by the power 1: it
+// has a bend there, and its derivatives are unknown coefficients. Reading one throws OutsideDomain;
+// a product with an exact zero, as in sqrt(x^2)^2, drops it.
 #pragma once
 #include <cln/rational.h>
 #include <cln/real.h>
@@ -74,7 +74,7 @@ class Jet {
   /// All generators that it may depend on.
   [[nodiscard]] Generators moving() const { return moving_; }
 
-  /// At least the lowest power of them by which it leaves its real part.
+  /// A lower bound of the power of displacements along them by which it leaves its real part.
   [[nodiscard]] unsigned order() const;
 
   /// The factor of a generator: the derivative, itself a jet in the others.
@@ -123,7 +123,7 @@ class Jet {
   void add_unknown(Generators generators);
   void depend_on_factors(const Jet& x, const Jet& y);
 
-  /// The order of what does not move.
+  /// The order of a constant.
   static constexpr unsigned never = 255;
 
   std::vector<Term> terms_ = {};          ///< ascending in their generators, no exact zeros

@@ -179,7 +179,17 @@ TEST_CASE("a root of a square has no derivative, and its square has the one of t
   CHECK(functions.power(Jet(4) + x * x, half).coefficient(e0) == 0);
 }
 
-TEST_CASE("what does not move has no bend") {
+TEST_CASE("a root of a square of a sum without first derivatives has a derivative") {
+  JetFunctions functions;
+  const cl_RA half = cl_RA(1) / 2;
+  const Jet versine = Jet(1) - functions.value(FunctionId::cos, Jet(e0, 1));
+  CHECK(functions.power(versine * versine, half).coefficient(e0) == 0);
+  CHECK_THROWS_AS(functions.power(versine, half).coefficient(e0), OutsideDomain);
+  const Jet sine = functions.value(FunctionId::sin, Jet(e0, 1));
+  CHECK_THROWS_AS(functions.power(sine * sine, half).coefficient(e0), OutsideDomain);
+}
+
+TEST_CASE("a jet that does not move has no bend") {
   JetFunctions functions;
   const Jet still = Jet(e0, 1) * Jet(0);
   CHECK(functions.power(still, cl_RA(1) / 2).coefficient(e0) == 0);
