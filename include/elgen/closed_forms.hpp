@@ -168,17 +168,12 @@ struct LeafRates {
                                                          std::size_t coordinates);
 
 /// dx/dt along the motion at u = 0; `accelerations` are those of the forward dynamics, one per
-/// velocity. None beyond the budget, and of functions with kinks.
+/// velocity. The empty sum proves that x is conserved. None beyond the budget, and of functions
+/// with kinks.
 [[nodiscard]] std::optional<Fraction> free_rate(ClosedForms& forms, const Fraction& x,
                                                 const std::vector<Fraction>& accelerations,
                                                 const std::vector<Fraction>& coordinate_rates = {},
                                                 const OpenTerms& open_values = {});
-
-/// Whether that rate is proved to be 0. False proves nothing.
-[[nodiscard]] bool proved_conserved(ClosedForms& forms, const Fraction& x,
-                                    const std::vector<Fraction>& accelerations,
-                                    const std::vector<Fraction>& coordinate_rates = {},
-                                    const OpenTerms& open_values = {});
 
 /// One expression of the model over the same atoms; `fixed` parameters are numbers. None where it
 /// outgrows the budget.

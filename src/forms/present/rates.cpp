@@ -272,11 +272,4 @@ Value free_rate(ClosedForms& forms, const Fraction& x, const std::vector<Fractio
   return rate_along(forms, x, free_motion);
 }
 
-bool proved_conserved(ClosedForms& forms, const Fraction& x,
-                      const std::vector<Fraction>& accelerations,
-                      const std::vector<Fraction>& coordinate_rates, const OpenTerms& open_values) {
-  const Value rate = free_rate(forms, x, accelerations, coordinate_rates, open_values);
-  return rate && rate->numerator.empty();
-}
-
 }  // namespace elgen
