@@ -46,7 +46,7 @@ struct ValueTable {
   int digits = 17;        ///< significant ones, which are right to the last
   std::vector<ValueFunction> functions = {};
   std::vector<ValueRecord> records = {};
-  /// Of test vectors of a model with constraints: the states that no step of Newton puts there.
+  /// Of test vectors of a model with constraints: states that no step of Newton puts onto them.
   std::optional<std::size_t> unmet = {};
 };
 
@@ -58,8 +58,8 @@ inline constexpr int most_value_digits = 60;
 
 /// The outputs of a scene at the start of the model and what `--state` says beside it: otherwise
 /// accelerations are 0, momenta those of the rates. Inputs are what their laws say. E538; E521 of
-/// each output without a value, beside the others. Cost: two evaluations by the oracle, and as
-/// many as ten where terms cancel.
+/// each output without a value, beside the others. Cost: two evaluations by the oracle, up
+/// to six if terms cancel.
 [[nodiscard]] Result<ValueTable> state_values(const CheckedModel& checked,
                                               const StateOptions& options);
 
@@ -70,9 +70,9 @@ struct VectorOptions {
 
 /// At states of exact doubles: the start of the model, then in turn at rest without inputs, moving
 /// inside the ranges, and moving with other parameters. States of a model with constraints are
-/// moved onto them, except for outputs that say how far off a state is. Where a function has no
-/// value, or none that can be told, it has no record; E521 where it has none at all, E633 where it
-/// reads a function left open.
+/// moved onto them, except for outputs that say how far off a state is. A function has no record at
+/// a state at which it has no value, or none that can be told. E521 if it has no record at all,
+/// E633 if it reads a function left open.
 [[nodiscard]] Result<ValueTable> test_vectors(const CheckedModel& checked, const Program& program,
                                               const VectorOptions& options);
 

@@ -24,7 +24,7 @@ constexpr int digits_of_double = 17;
 struct VectorState {
   const char* place = "";
   State drawn = {};
-  std::optional<State> kept = {};  ///< the same on the constraints, as far as Newton puts it there
+  std::optional<State> kept = {};  ///< moved onto the constraints; none: no step of Newton does
 };
 
 State start_of(const Subject& subject) {
@@ -49,7 +49,7 @@ VectorState state_number(const Subject& subject, std::size_t number, Sampler& dr
   return {"rest", std::move(state)};
 }
 
-/// The states of a run of vectors, in exact doubles.
+/// The states of all functions, in exact doubles.
 std::vector<VectorState> drawn_states(const Subject& subject, const VectorOptions& options) {
   Sampler draw(options.seed);
   std::vector<VectorState> states;
@@ -61,7 +61,7 @@ std::vector<VectorState> drawn_states(const Subject& subject, const VectorOption
   return states;
 }
 
-/// The state at which an output is evaluated; none if it should be on the constraints and is not.
+/// The state at which an output is evaluated; none if no step of Newton puts it on the constraints.
 std::optional<State> state_for(const Subject& subject, OutputKind output, const VectorState& at) {
   if (!is_compared_on_constraints(subject.model, output)) return at.drawn;
   if (!at.kept) return std::nullopt;

@@ -191,17 +191,16 @@ std::string to_csv(const ValueTable& table) {
 }
 
 std::string to_header(const ValueTable& table) {
-  std::string where;
-  if (table.unmet) {
-    where = fmt::format(
-        "\n   States are on the constraints; no step of Newton puts {} there, which {} left out.",
-        counted(*table.unmet, "state"), *table.unmet == 1 ? "is" : "are");
-  }
+  const std::string unmet =
+      table.unmet.value_or(0) == 0
+          ? ""
+          : fmt::format("\n   {} left out: no step of Newton puts them on the constraints.",
+                        counted(*table.unmet, "state"));
   std::string text = fmt::format(
       "/* Test vectors of {0}: arguments of its functions, and values, row-major, field after\n"
       "   field. A double keeps so many digits of each.{2} */\n"
       "#ifndef {1}_VECTORS_H\n#define {1}_VECTORS_H\n",
-      table.name, capitals(table.name), where);
+      table.name, capitals(table.name), unmet);
   for (std::size_t i = 0; i < table.functions.size(); ++i) {
     const ValueFunction& function = table.functions[i];
     std::string rows;
