@@ -138,8 +138,11 @@ std::vector<LineLabel> line_labels(const Model& model, const FieldLines& lines) 
 }
 
 std::uint32_t first_entry_of(const Model& model, const OutputRequest& output, std::size_t field) {
+  const auto& fields = output_row(output.kind).fields;
+  // A pose has a shape of its own.
+  if (fields.size() == 1) return static_cast<std::uint32_t>(field) * output.rows * output.columns;
   std::uint32_t first = 0;
-  for (const FieldRow& row : output_row(output.kind).fields.first(field)) {
+  for (const FieldRow& row : fields.first(field)) {
     first += extent_of(model, row.rows, output.user) * extent_of(model, row.columns, output.user);
   }
   return first;

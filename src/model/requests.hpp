@@ -53,7 +53,8 @@ struct FieldLines {
 /// One label per row or column, distinct; 1 to `count` if they have no names.
 [[nodiscard]] std::vector<LineLabel> line_labels(const Model& model, const FieldLines& lines);
 
-/// The number of the first entry of a field. It counts every field before it in the output table.
+/// The number of the first entry of a field, or of entries if `field` is the number of fields. It
+/// counts every field before it in the output table.
 [[nodiscard]] std::uint32_t first_entry_of(const Model& model, const OutputRequest& output,
                                            std::size_t field);
 

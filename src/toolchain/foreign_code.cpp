@@ -1,6 +1,6 @@
 // Calls of foreign code. A library writes to memory that both processes see, so that all it has
 // computed before a crash is there; each result has room before and behind it, which shows how many
-// numbers were written, and where. That memory is not believed: the library may write anywhere.
+// numbers were written, and where. The library may write anywhere, so all that is read is checked.
 #include "elgen/foreign_code.hpp"
 
 #include <fmt/format.h>
@@ -123,8 +123,8 @@ void call_library(const ForeignCalls& calls, std::size_t slot, LibraryMemory& me
   }
 }
 
-/// The results of this many calls, up to one with numbers before it, which is a failure. The next
-/// call, which has not ended, may have written there, too.
+/// The results of the calls that ended, up to the first one with numbers before it: a failure. The
+/// call that has not ended may have written there, too.
 ForeignAnswers results_of(const LibraryMemory& memory, std::size_t slot, std::size_t answered) {
   ForeignAnswers answers;
   for (std::size_t first = 0; first < memory.results.size(); first += slot) {
@@ -216,21 +216,15 @@ Result<ForeignAnswers> ask_command(const ForeignCalls& calls) {
                     in_backticks(function.code) + " is no file, and no command that could be run"};
 }
 
-/// Those of all fields of an output.
-std::size_t most_entries(const Model& model, const OutputRequest& output) {
-  const std::size_t of_one = std::size_t{output.rows} * output.columns;
-  const std::size_t fields = output_row(output.kind).fields.size();
-  return fields == 1 ? of_one : first_entry_of(model, output, fields);
-}
-
 }  // namespace
 
 Result<ForeignAnswers> call_foreign(const ForeignFunction& function, const Model& model,
                                     const OutputRequest& output,
                                     const std::vector<Arguments<double>>& states) {
+  const std::size_t fields = output_row(output.kind).fields.size();
   const ForeignCalls calls{function, model, states,
                            arguments_of(model, {.kind = output.kind, .user = output.user}),
-                           most_entries(model, output)};
+                           first_entry_of(model, output, fields)};
   std::error_code error;
   const bool is_file = std::filesystem::is_regular_file(function.code, error);
   return is_file ? ask_library(calls) : ask_command(calls);

@@ -19,7 +19,7 @@ enum class Ending : unsigned char {
 
 /// Seconds that stand for no limit: 34 years.
 inline constexpr std::uint64_t longest_run = 1U << 30U;
-/// The bytes of the words of another program that are kept.
+/// Bytes that are kept of another program's messages.
 inline constexpr std::size_t most_said = 1U << 14U;
 
 struct ProcessResult {
@@ -58,8 +58,8 @@ struct ProcessResult {
 /// UTF-8.
 [[nodiscard]] std::string plain_text(std::string_view text);
 
-/// The same behind what says whose words they are: ":", then each line indented, so that no line
-/// looks like one of ours. Empty for a text without lines.
+/// The same behind a colon, each line indented so that none looks like ours: ":\n    Traceback".
+/// Empty for a text without lines.
 [[nodiscard]] std::string quoted_lines(std::string_view text);
 
 }  // namespace elgen

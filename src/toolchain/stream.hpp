@@ -30,7 +30,7 @@ class Stream {
   /// Only the child's ends are left then.
   void close_writing() { (void)writing_.close(); }
 
-  /// Reads what is there: as much as a pipe holds, so that no child that writes on keeps us here.
+  /// Reads at most what a pipe holds: a child that never stops writing must not keep us here.
   void drain() {
     constexpr std::size_t largest_pipe = 1U << 20U;  // of Linux, without privileges
     std::array<char, 4096> part{};
