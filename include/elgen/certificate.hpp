@@ -57,7 +57,7 @@ struct CertificateRow {
   Evidence evidence = Evidence::states;
   std::size_t samples = 0;                   ///< states at which it was compared
   std::vector<SkippedStates> skipped = {};   ///< and at which it could not be
-  std::size_t skipped_inside = 0;            ///< of these in double, inside the ranges
+  std::size_t skipped_inside = 0;            ///< of these, in double and inside the ranges
   std::optional<double> loss = {};           ///< largest, in u R; 10^digits of the scalar at most
   std::optional<double> loss_of_field = {};  ///< the same in u of the largest entry of its field
   std::string worst = {};                    ///< the figure; why nothing was compared
@@ -134,7 +134,7 @@ struct SelfCheck {
   std::optional<Span> place = {};  ///< then: the first expression of it that is
   std::string remedy = {};         ///< and what may be done
   std::size_t inside = 0;          ///< states visited inside the ranges
-  std::size_t infinite = 0;        ///< of these, where a value overflows double and is not finite
+  std::size_t infinite = 0;        ///< of these, with a value that overflows double
 };
 [[nodiscard]] SelfCheck self_check(const Model& model, const Scene& scene, const Program& program);
 

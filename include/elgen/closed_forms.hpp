@@ -65,8 +65,7 @@ struct Algebra {
   /// Sums that stay whole, each as a function of one entry: as it is typed, since a canonical form
   /// forgets a^2 sin^2 + b^2 cos^2. Null where there are none.
   std::shared_ptr<const Program> sums = {};
-  /// stumpff(x, k) of k > 0 is no atom, but its quotient over powers of x: it has no value at x =
-  /// 0.
+  /// stumpff(x, k > 0) is no atom but its quotient over powers of x, which has no value at 0.
   bool has_quotients = false;
 };
 

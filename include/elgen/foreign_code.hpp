@@ -20,7 +20,7 @@ struct ForeignFunction {
 
 struct ForeignAnswers {
   std::vector<std::vector<double>> values = {};  ///< state by state, as far as it came
-  /// Why there are no more, or how code fails behind the last; empty: these are all.
+  /// Why there are no more, or how the code fails after the last one; empty: these are all.
   std::string failure = {};
   /// Its words on stderr, of a library on stdout too, as lines of a message: ":\n    Traceback".
   std::string said = {};

@@ -312,8 +312,8 @@ struct Model {
   std::string reference = {};
 
   std::vector<Expression> expressions = {};
-  /// Quotients as they are typed, which expressions of the same number stand for: sin(q)/q, 0/0 at
-  /// q = 0, for stumpff(q, 1). Printing names these; all else computes with `expressions`.
+  /// The typed form of expressions that were rewritten: sin(q)/q, which is 0/0 at q = 0, of
+  /// stumpff(q, 1). For pages and messages alone.
   std::map<ExpressionId, Expression> typed = {};
   std::vector<Coordinate> coordinates = {};  ///< q
   std::vector<Velocity> velocities = {};     ///< v

@@ -45,11 +45,11 @@ using OracleValues = std::optional<std::vector<cln::cl_R>>;
 [[nodiscard]] OracleValues oracle_values(const Model& model, const OutputRequest& output,
                                          const State& state);
 
-/// Values whose first 60 digits more digits do not change; a value is 0 where it is exactly, or
-/// where none of the digits shows another one that could be seen in them.
+/// Values whose first 60 digits stay if they are computed in more. A value is 0 if it is exactly 0,
+/// or rounding in so many digits that a value of terms of this size would show.
 struct SettledValues {
   OracleValues values = {};
-  bool is_told = true;  ///< false where the digits do not tell, or numbers are too large
+  bool is_told = true;  ///< false: the digits do not tell it from 0, or a number is too large
 };
 inline constexpr unsigned most_settled_digits = 2000;
 

@@ -63,9 +63,9 @@ template <class Number>
 [[nodiscard]] Running<Number> running_leaf(const cln::cl_R& value,
                                            const Rounding<Number>& rounding);
 
-/// Whether the rules take the limit of a function for its value: that of an exponential one at |x|
-/// > 2^20, where 64 digits do not tell them apart. A limit of 0 is no divisor. Of one argument: y =
-/// x.
+/// Whether the rules take the limit of a function for its value: of an exponential one if |x| >
+/// 2^20, since 64 digits do not tell them apart. A limit of 0 is no divisor. `y`: x if there is
+/// one argument.
 [[nodiscard]] bool takes_limit(FunctionId function, const Real& x, const Real& y);
 
 /// The leaves are given exactly, or each is rounded once, so that at an angle of 1e6 both cos(q +

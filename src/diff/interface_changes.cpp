@@ -264,7 +264,7 @@ void compare_shapes(Changes& changes, const Program& before, const Program& afte
   }
 }
 
-/// "x, y": the rows of a function that no list of the interface names, as those of `reaction`.
+/// "x, y": the rows of `reaction` and `cyclic_rates`, which no list of the interface names.
 std::string rows_of_its_own(const Model& model, const Function& function, const Renames& renames) {
   const Extent extent = field_row(function.kind, "").rows;
   if (extent != Extent::held && extent != Extent::cyclic) return {};
@@ -279,7 +279,7 @@ void compare_rows(Changes& changes, const Version& before, const Version& after,
                   const Renames& renames) {
   for (const Function& now : after.program.functions) {
     const auto old = std::ranges::find(before.program.functions, now.name, &Function::name);
-    if (old == before.program.functions.end()) continue;
+    if (old == before.program.functions.end() || old->kind != now.kind) continue;
     const std::string olds = rows_of_its_own(before.checked.model, *old, renames);
     const std::string news = rows_of_its_own(after.checked.model, now, {});
     if (olds == news) continue;

@@ -66,7 +66,7 @@ class PointDrawer {
     return values;
   }
 
-  /// Whether a value is made of the limit of a function: 1/exp(-2^21) divides by it.
+  /// Whether the rules took a limit for a value or one of its operands: 1/exp(-2^21) divides by 0.
   [[nodiscard]] bool is_limited(const Instruction& i,
                                 const std::vector<Running<Real>>& values) const {
     const std::size_t operands = operand_count(i);
@@ -102,8 +102,8 @@ class PointDrawer {
     return operand_count(i) > 1 && values[i.a].value.is_defined() != values[i.b].value.is_defined();
   }
 
-  /// Nothing is seen of limits, nor where rounding in 64 digits hides more than the last digits of
-  /// the terms, or, where these are 0, of leaves, which are about 1.
+  /// Nothing is seen of limits, nor if rounding in 64 digits hides more than the last digits of the
+  /// terms, or of leaves (about 1) if the terms are 0.
   [[nodiscard]] Seen judged(const Function& function, std::uint32_t entry,
                             const std::vector<Running<Real>>& values) const {
     static const Real share(power_of_ten(-45));

@@ -14,10 +14,10 @@ class MoreDigits {
   /// Arithmetic tells of an angle with so many digits before its point.
   static void lose(unsigned digits);
 
-  /// Arithmetic tells of an exponential: a sum may hide numbers so many digits smaller than itself.
+  /// Arithmetic tells of an exponential: a sum with it may hide terms so many digits smaller.
   static void hide(unsigned digits);
 
-  /// The most that it told since the last call.
+  /// The most digits that were told to hide() since the last call.
   [[nodiscard]] static unsigned hidden();
 
  private:

@@ -33,7 +33,7 @@ struct OutsideDomain : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The quantity may be defined, but a number in it is larger than any that is computed.
+/// The quantity may have a value, but a number in it is too large to be computed.
 struct BeyondReach : OutsideDomain {
   using OutsideDomain::OutsideDomain;
 };

@@ -1,9 +1,8 @@
-// Settled values: evaluated in twice as many digits again and again, until these change nothing.
+// Settled values: computed in twice as many digits each time, until their first digits stay.
 //
-// A value that has no right digit yet is the rounding of what cancels: it falls with every look, as
-// a zero does. It is taken for 0 where the earlier of two looks had the digits in which Taylor's
-// formula of the expressions would show another value: 1 - cos(1e-100) is 5e-201, which 155 digits
-// do not show.
+// While all terms cancel, a value is rounding and falls with every look, as a zero does. It is
+// taken for 0 if the earlier of two looks had the digits that would show the lowest powers of the
+// leaves: 1 - cos(1e-100) is 5e-201, which 155 digits do not show.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -36,7 +35,7 @@ State lengthened(const State& state, unsigned digits) {
       [&](const cl_R& x) { return is_rational(x) ? x : cl_R(cln::cl_float(x, format)); }, state);
 }
 
-/// The digits in which cancelled terms show: those of eighth powers of the leaves and literals.
+/// The digits that show eighth powers of the leaves and literals.
 unsigned digits_of_powers(const Model& model, const State& state) {
   double farthest = 0;
   const auto look = [&farthest](const cl_R& x) {
@@ -74,8 +73,8 @@ Look look_at(const Computation& values, const State& state, unsigned digits) {
   return look;
 }
 
-/// What a value is after two looks; none where they do not tell. `tells`: the first has the digits
-/// to show whatever is not 0.
+/// The value by two looks; none if it is not settled. `tells`: the first look has the digits to
+/// show a value that is not 0.
 std::optional<cl_R> settled_value(const cl_R& before, const cl_R& now, bool tells) {
   static const cl_R share_that_stays = power_of_ten(-digits_that_stay);
   static const cl_R share_of_a_zero = power_of_ten(-20);
@@ -86,7 +85,7 @@ std::optional<cl_R> settled_value(const cl_R& before, const cl_R& now, bool tell
   return is_zero && tells ? std::optional<cl_R>(0) : std::nullopt;
 }
 
-/// What both looks tell; none where they do not.
+/// All values by two looks; none if one is not settled.
 std::optional<SettledValues> settled_by(const Look& before, const Look& now, bool tells) {
   const bool lacks = !before.values && !now.values;
   if (lacks && tells) return SettledValues{};

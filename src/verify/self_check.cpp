@@ -23,8 +23,8 @@ constexpr std::size_t checked_work = 16'000;
 /// Many models have a value at a small part of the states that are drawn.
 constexpr std::size_t draws_per_state = 8;
 
-/// Nodes of the energies that the oracle evaluates in the time of an instruction of the program.
-/// They count if they are many more: ten thousand points that move by one coordinate.
+/// The oracle evaluates this many nodes of the energies while the program runs one instruction.
+/// They take longer than the program if ten thousand points move by one coordinate.
 constexpr std::size_t nodes_per_instruction = 8;
 
 std::size_t states_checked(const Subject& subject) {

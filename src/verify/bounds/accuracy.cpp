@@ -248,7 +248,7 @@ std::vector<CertificateRow> rows_at(const Subject& subject,
   std::map<const Function*, LostDigits> losses;
   visit_all(subject, states, options, [&](std::size_t i, const Findings& findings) {
     const State state = exact_state(subject, states[i].values);
-    // Ranges are chosen for double: most that have an exponential leave float.
+    // Ranges are chosen for double: with an exponential most of them overflow in float.
     const bool is_inside =
         scalar_kind<Scalar> == ScalarKind::double_precision && states[i].region == Region::nominal;
     for (std::size_t k = 0; k < records.size(); ++k) {

@@ -50,7 +50,7 @@ struct CodeFinding {
 struct Finding {
   Regime regime = Regime::regular;  ///< of the program, or of the oracle where that has no value
   bool is_compared = false;         ///< exact values with the oracle's
-  bool is_finite = true;            ///< rounded values are
+  bool is_finite = true;            ///< all rounded values
   std::string mistake = {};         ///< an exact value that is not the oracle's, or no number
   std::vector<double> errors = {};  ///< of entries that are not 0, in ulp; of remainders in u E
   std::optional<Loss> loss = {};    ///< none where it is not asked for, or cannot be told

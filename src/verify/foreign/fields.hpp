@@ -1,4 +1,4 @@
-// Fields: which numbers of an output an answer of foreign code has.
+// Fields: which fields of an output the numbers of foreign code are.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
-// judge_foreign: the situations of the states at which code is wrong say what is wrong.
+// judge_foreign: compares answers with the oracle, then explains in which situations they are
+// wrong.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -56,7 +57,7 @@ Numbers part_of(const Numbers& values, std::size_t first, std::size_t size) {
 /// The row of one claim. Answers are compared with the oracle, then explained.
 class ForeignJudge {
  public:
-  /// `fields`: those that the claim is about; `is_moved`: at states on the constraints.
+  /// `fields`: of the claim; `is_moved`: states are moved onto the constraints.
   ForeignJudge(const Subject& subject, const ForeignOptions& options, const OutputRequest& output,
                ForeignFields fields, bool is_moved)
       : subject_(subject),
@@ -158,7 +159,7 @@ class ForeignJudge {
   const Subject& subject_;
   const ForeignOptions& options_;
   const OutputRequest& output_;
-  ForeignFields fields_;  ///< of the claim; once there are answers, those that these have
+  ForeignFields fields_;  ///< of the claim; after the call, of the answers
   bool is_moved_;
   ForeignStates states_ = {};
   CertificateRow row_ = {};
@@ -187,8 +188,8 @@ Deviation ForeignJudge::deviation(const std::vector<double>& answer, const Numbe
   return worst;
 }
 
-/// Otherwise the row says why, and the first state without an answer. Code that fails behind its
-/// last answer has none either: nobody knows what it wrote.
+/// If not, the row says why, and names the first state without an answer. Answers of code that
+/// fails behind the last one are not believed.
 bool ForeignJudge::all_answered(const ForeignAnswers& answers, const States& states) {
   const ForeignFields claimed = fields_;
   const std::size_t count = answers.values.empty() ? 0 : answers.values.front().size();
@@ -214,8 +215,8 @@ bool ForeignJudge::all_answered(const ForeignAnswers& answers, const States& sta
   return false;
 }
 
-/// Where all entries of a field are smaller than 1e-6 of the largest at all states, they are held
-/// to that: terms that cancel on paper leave 1e-16 of it.
+/// If all entries of a field are smaller at a state than 1e-6 of the largest at all states, errors
+/// are parts of this bound: terms that cancel on paper leave 1e-16 of the largest.
 void ForeignJudge::compare(const ForeignAnswers& answers) {
   least_.assign(fields_.size(), 0);
   for (std::size_t i = 0; i < states_.values.size(); ++i) {
@@ -266,8 +267,8 @@ std::string ForeignJudge::when() const {
   return "only where parameters are varied: agrees at those of the file";
 }
 
-/// `changed` are the parameters that the states behind those that are compared change, one each, in
-/// the first of them.
+/// `changed`: the parameters that differ from the first state in the states behind the compared
+/// ones, one each.
 std::string ForeignJudge::ignored(const ForeignAnswers& answers, const States& states,
                                   const std::vector<std::uint32_t>& changed) const {
   const OracleValues truth = truth_at(exact_state(subject_, states.front()));
@@ -333,7 +334,7 @@ LeafNames leaves_for(const Model& model, const std::vector<OutputRequest>& outpu
   return leaves;
 }
 
-/// If nothing could be compared, the findings are about the answers.
+/// Without compared states the findings are about the answers.
 Diagnostic disagreement(const Model& model, const CertificateRow& row) {
   const std::string name = in_backticks(row.subject);
   const std::string found = fmt::format("{}", fmt::join(row.findings, "; "));
@@ -360,8 +361,8 @@ Result<ForeignFields> claimed_fields(const CheckedModel& checked, const ForeignC
                     names.empty() ? "" : "its fields are " + names};
 }
 
-/// The row of one claim. Code that is wrong on the constraints may be right off them: on them an
-/// output that says how far off a state is has no digits.
+/// The row of one claim. Code that fails on the constraints is judged off them, too: an output such
+/// as x^2 + y^2 - l^2 is all rounding on them.
 Result<CertificateRow> judged_row(const Subject& subject, const ForeignOptions& options,
                                   const ForeignFields& fields, const ForeignClaim& claim) {
   const OutputRequest& output = *find_request(subject.scene, claim.output);

@@ -1,4 +1,4 @@
-// Situations: states in five of them, so that the states at which code is wrong say what is wrong.
+// Situations: at rest, moving, driven and so on. Those in which code is wrong say what is wrong.
 #pragma once
 
 #include <cstddef>
@@ -15,11 +15,11 @@ namespace elgen {
 enum class Situation : std::uint8_t { whole, rest, driven, moving, varied };
 inline constexpr std::size_t situation_count = 5;
 
-/// The drawn states that code is called at. Behind them others may follow.
+/// The drawn states at which code is called.
 struct ForeignStates {
   std::vector<Arguments<double>> values = {};
   std::vector<Situation> situations = {};
-  std::size_t unmet = 0;  ///< how many states are not among them: off the constraints
+  std::size_t unmet = 0;  ///< states left out: no step of Newton puts them on the constraints
 };
 
 /// The drawn states for an output; `is_moved`: moved onto the constraints.
@@ -29,7 +29,8 @@ struct ForeignStates {
 /// "inputs", "accelerations": what an output takes of both.
 [[nodiscard]] std::string_view drive_of(const OutputRequest& output);
 
-/// Appends for each parameter that may vary the first state with another value of it.
+/// Appends a copy of the first state for each parameter that no scene fixes, with another value of
+/// that parameter. Returns these parameters.
 [[nodiscard]] std::vector<std::uint32_t> add_changed_parameters(
     const Subject& subject, std::vector<Arguments<double>>& states);
 

@@ -1,5 +1,5 @@
-// Both forms are brought over one denominator, and their numerators compared; or, as where sums
-// divide that differ, the denominators.
+// Compares the numerators of both forms over one denominator, or, if their own denominators are
+// different sums, these.
 #include "verify/structure/differing_terms.hpp"
 
 #include <fmt/format.h>
@@ -88,8 +88,8 @@ bool has_divisor(const Fraction& form, std::uint32_t factor, std::int32_t expone
   return found != form.denominator.end() && found->second >= exponent;
 }
 
-/// Whether what both forms have beside these terms is over divisors of both, so that these are
-/// terms of the forms as they stand.
+/// Whether the rest of both forms has only divisors that both have, so that these terms are terms
+/// of the forms as they are written.
 bool are_of_forms(Algebra& algebra, const Fraction& right, const Fraction& written,
                   const DifferingTerms& terms) {
   Arithmetic arithmetic(algebra, most_work_of_terms);
@@ -101,7 +101,7 @@ bool are_of_forms(Algebra& algebra, const Fraction& right, const Fraction& writt
          });
 }
 
-/// How the denominator differs from the one that the numerator as written needs.
+/// How the written denominator differs from the one with which the written numerator is right.
 std::optional<DifferingTerms> terms_of_denominators(Algebra& algebra, const Fraction& right,
                                                     const Fraction& written) {
   Arithmetic arithmetic(algebra, most_work_of_terms);

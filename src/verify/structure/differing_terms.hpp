@@ -6,7 +6,6 @@
 //     written  m l^2 a + m g l cos(theta)     m*g*l*cos(theta) stands in the place of
 //     m*g*l*sin(theta)
 //
-//
 //     right    n/(a + 4 b)
 //     written  n/(a + 2 b)                    in the denominator the term 4*b has 1/2 of its factor
 //
@@ -36,8 +35,8 @@ struct DifferingTerms {
   bool of_denominator = false;  ///< all of these
 };
 
-/// None beyond the budget. Where divisors differ, a term over both of them may be in neither form:
-/// the denominators are compared then, if the numerators are multiples of each other, else nothing.
+/// None beyond the budget. Over a product of different divisors a term may be in neither form: then
+/// the denominators are compared if the numerators are multiples of each other, else nothing.
 [[nodiscard]] std::optional<DifferingTerms> differing_terms(Algebra& algebra, const Fraction& right,
                                                             const Fraction& written);
 

@@ -31,7 +31,7 @@ constexpr const char* proof_of_rate = "proved: the rate is the empty canonical s
 constexpr const char* proof_of_equation = "proved: along the motion it is the empty canonical sum";
 /// Equations hold accelerations everywhere or nowhere, but for kinks: few states tell.
 constexpr std::size_t states_of_rank = 8;
-/// What holds for the values of the file alone is an identity in the state: few states tell.
+/// A form that holds for the values of the file alone is an identity in the state: few states tell.
 constexpr std::size_t states_of_values = 16;
 
 /// Where the model is sampled, and the sides of kinks that are not among it.
@@ -214,7 +214,7 @@ std::vector<SampledPoint> points_of(const Model& model, const Expectation& expec
 
 /// How the forms differ; "" where there are none, or it is too long to be read.
 std::string difference_text(const ExpectedEntry& entry, Proofs& proofs) {
-  // The author of quotients reads of quotients.
+  // Terms of typed quotients are told as quotients, not as functions of Stumpff.
   if (!entry.subject.model.typed.empty() && proofs.quotients() != nullptr) {
     Proofs by_quotients(entry.subject, proofs.quotients());
     return difference_text(entry, by_quotients);

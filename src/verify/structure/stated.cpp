@@ -133,8 +133,9 @@ bool meets_all(const Model& model, const Expectation& equations, const State& mo
   return true;
 }
 
-/// Another acceleration that meets all equations, as if one of them is a square: on the lines along
-/// which all others stay, where left - right is a parabola, or even about another point.
+/// Another acceleration that meets all equations, as that of a square does. It is searched on the
+/// lines on which the other equations stay: the second zero of a parabola, and the mirror image of
+/// the motion, for even functions of a.
 std::optional<State> other_motion(const Model& model, const Expectation& equations,
                                   const State& motion, const std::vector<cl_R>& slopes) {
   const std::size_t n = motion.a.size();
@@ -237,8 +238,8 @@ std::string difference_from_motion(const Proofs& proofs, const Fraction& equatio
   return whole.empty() ? "" : fmt::format("left - right is {} along the motion", whole);
 }
 
-/// With rates r of all terms and r_t of a term t, all is conserved that has t (1 - r/r_t) in the
-/// place of t; it is told where that is a rational multiple of t.
+/// If the sum has the rate r and its term t the rate r_t, the sum with t (1 - r/r_t) for t is
+/// conserved. It is told if r/r_t is a rational number.
 std::string difference_from_conserved(const Proofs& proofs, const Fraction& written) {
   Algebra& algebra = *proofs.algebra();
   Arithmetic arithmetic(algebra);

@@ -20,12 +20,12 @@ namespace elgen {
 
 /// The difference from a quantity that is constant at u = 0 and has another factor at one term:
 /// "compared with a conserved quantity: the term m*g*l*cos(theta) has the other sign"; "" if there
-/// is none. `written` names no momenta.
+/// is none, and of sums that hold momenta.
 [[nodiscard]] std::string difference_from_conserved(const Proofs& proofs, const Fraction& written);
 
-/// A row that says whether d(left - right)/da, with the rows of A below, has the rank of the
-/// velocities at these states, which have the accelerations of the motion, and no other
-/// acceleration is found that meets all equations; E540 if not.
+/// A row for the rank of d(left - right)/da with the rows of A below, at states with the
+/// accelerations of the motion. E540 if it is less than the number of velocities, or if another
+/// acceleration meets all equations, too.
 void check_rank(ExpectationReport& report, const Expectation& equations, const Subject& subject,
                 const std::vector<State>& motions);
 
