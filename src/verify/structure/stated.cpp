@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 
 #include "analyse/formulas.hpp"
@@ -114,12 +115,6 @@ const cl_R& rounding_of_equations() {
   return share;
 }
 
-cl_R inner_product(const std::vector<cl_R>& x, const std::vector<cl_R>& y) {
-  cl_R sum = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) sum = sum + x[i] * y[i];
-  return sum;
-}
-
 bool meets_all(const Model& model, const Expectation& equations, const State& motion,
                const std::vector<cl_R>& slopes) {
   const std::size_t n = motion.a.size();
@@ -134,30 +129,34 @@ bool meets_all(const Model& model, const Expectation& equations, const State& mo
 }
 
 /// Another acceleration that meets all equations, as that of a square does. It is searched on the
-/// lines on which the other equations stay: the second zero of a parabola, and the mirror image of
-/// the motion, for even functions of a.
+/// line on which all others stay, where left - right is f(s) and f(0) = 0: the other zero of a
+/// parabola, s = f'/(f' - f(1)), and the mirror image of d(left - right)/da a, for even functions.
 std::optional<State> other_motion(const Model& model, const Expectation& equations,
                                   const State& motion, const std::vector<cl_R>& slopes) {
   const std::size_t n = motion.a.size();
   if (!meets_all(model, equations, motion, slopes)) return std::nullopt;
   for (std::size_t k = 0; k < equations.entries.size(); ++k) {
     std::vector<cl_R> others = slopes;
-    std::fill_n(others.begin() + static_cast<std::ptrdiff_t>(k * n), n, cl_R(0));
+    const auto row = others.begin() + static_cast<std::ptrdiff_t>(k * n);
+    const std::vector<cl_R> own(row, row + static_cast<std::ptrdiff_t>(n));
+    std::fill_n(row, n, cl_R(0));
+    const auto slope_along = [&own](const std::vector<cl_R>& a) {
+      return std::inner_product(own.begin(), own.end(), a.begin(), cl_R(0));
+    };
     for (const std::vector<cl_R>& along : null_space(others, row_scales(others, n))) {
       const auto moved = [&](const cl_R& s) {
         State state = motion;
         for (std::size_t i = 0; i < n; ++i) state.a[i] = state.a[i] + s * along[i];
         return state;
       };
+      const cl_R slope = slope_along(along);
       const auto one = oracle_expression(model, equations.entries[k], moved(1));
-      const auto two = oracle_expression(model, equations.entries[k], moved(2));
-      std::vector<cl_R> roots{-2 * inner_product(motion.a, along) / inner_product(along, along)};
-      const bool bends =
-          one && two && cln::abs(*two - 2 * *one) > rounding_of_equations() * cln::abs(*two);
-      if (bends) roots.push_back((*two - 4 * *one) / (*two - 2 * *one));
-      for (const cl_R& root : roots) {
-        const bool is_other = cln::abs(root) > rounding_of_equations() * largest_of(motion.a);
-        if (is_other && meets_all(model, equations, moved(root), slopes)) return moved(root);
+      std::vector<cl_R> zeros{-2 * slope_along(motion.a) / slope};
+      const bool bends = one && cln::abs(*one - slope) > rounding_of_equations() * cln::abs(slope);
+      if (bends) zeros.push_back(slope / (slope - *one));
+      for (const cl_R& s : zeros) {
+        const bool is_other = cln::abs(s) > rounding_of_equations() * largest_of(motion.a);
+        if (is_other && meets_all(model, equations, moved(s), slopes)) return moved(s);
       }
     }
   }
