@@ -142,8 +142,8 @@ struct SelfCheck {
 [[nodiscard]] std::string lost_text(double digits);
 
 /// "compared with 60-digit arithmetic at 32 states; at most 0.4 digits lost"; "; 3 outside the
-/// domain" where some are; "; not finite in double at 11 of 16 states inside the ranges" where
-/// these are more than a tenth; and "2 entries rest on zeros found at 64 points, not proved".
+/// domain" if some are; "; not finite in double at 11 of 16 states inside the ranges" if these are
+/// more than a tenth; and "2 entries rest on zeros found at 64 points, not proved".
 [[nodiscard]] std::string receipt(const SelfCheck& result);
 
 }  // namespace elgen

@@ -34,8 +34,8 @@ struct ForeignOptions {
 /// remainders, all, or another one alone. Where they differ the row finds when, under which
 /// convention they would be right at all states, and which parameters the code ignores; a
 /// diagnostic E717 says so, too. The scene has the outputs. E601 of a name that is not one output
-/// or field, E603 of `dynamics`, which has no field of its own; E716 where nothing can be called.
-/// Cost: the oracle at each state, and of what differs once for each of up to 300 conventions.
+/// or field, E603 of `dynamics`, which has no field of its own; E716 if nothing can be called.
+/// Cost: the oracle at each state, and once for each of up to 300 conventions if answers differ.
 [[nodiscard]] Result<Verification> judge_foreign(const CheckedModel& checked,
                                                  const ForeignOptions& options);
 

@@ -104,7 +104,7 @@ std::string text_by_names_of(const std::string& stated, const SourcePointer& sou
   return model ? model->text : "";
 }
 
-/// E715 where the file has other bytes than the model, apart from the names of files.
+/// E715 if the file has other bytes than the model, apart from the names of files.
 ExitCode check_file(const GlobalOptions& global, const ImportCommand& options,
                     const SourcePointer& source, const std::string& text) {
   const Result<SourcePointer> file = read_source(options.checked, global.limits);

@@ -62,8 +62,8 @@ Products shown_for_run(const SimulateOptions& options, const Inputs& inputs,
   return derived_for_run(inputs, std::move(pipeline), step_of_run(options.run));
 }
 
-/// E910 where rows take more memory than there is: t, q, v and E of each, as numbers and as texts
-/// of two characters at least.
+/// E910 if rows take more memory than there is: each has t, q, v and E, as numbers and as texts of
+/// at least two characters.
 Diagnostics refuse_rows(const SimulationOptions& run, const Model& model, const Limits& limits) {
   if (!run.every) return {};
   const std::size_t numbers = model.coordinates.size() + model.velocities.size() + 2;

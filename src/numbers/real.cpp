@@ -53,7 +53,7 @@ bool is_periodic(FunctionId function) {
 /// The largest exponent of the argument of an exponential: CLN overflows beyond without a word.
 constexpr std::int64_t maximal_exponent = 30;
 
-/// tanh and expm1 far out: +-1, where that is the value in all digits.
+/// tanh and expm1 far out: +-1 if that is the value in all digits.
 std::optional<Real> limit_far_out(FunctionId function, const cln::cl_F& x) {
   const std::optional<FarValues>& far = function_row(function).far_values;
   if (!far || cln::float_exponent(x) < maximal_exponent) return std::nullopt;

@@ -61,7 +61,7 @@ class Jet {
   Jet(Generators generators, const cln::cl_R& coefficient);
 
   [[nodiscard]] const std::vector<Term>& terms() const { return terms_; }
-  /// OutsideDomain where it is unknown.
+  /// OutsideDomain if it is unknown.
   [[nodiscard]] cln::cl_R coefficient(Generators generators) const;
   [[nodiscard]] cln::cl_R real() const { return coefficient(0); }
 
@@ -102,7 +102,7 @@ class Jet {
   void depend_on(const Jet& x, const Jet& y);
 
   /// A number to which |d|^order is added, d a displacement along the generators: derivatives of
-  /// lower order are 0, the others unknown. OutsideDomain where the first one is infinite.
+  /// lower order are 0, the others unknown. OutsideDomain if the first one is infinite.
   [[nodiscard]] static Jet bent(const cln::cl_R& real, Generators moving, const cln::cl_RA& order);
 
   /// Too long rationals become floats.
@@ -111,7 +111,7 @@ class Jet {
   friend Jet operator+(const Jet& x, const Jet& y);
   friend Jet operator-(const Jet& x);
   friend Jet operator*(const Jet& x, const Jet& y);
-  /// OutsideDomain where the real part of y is zero.
+  /// OutsideDomain if the real part of y is zero.
   friend Jet operator/(const Jet& x, const Jet& y);
   /// As numbers, and exact alike.
   friend bool is_same(const Jet& x, const Jet& y);

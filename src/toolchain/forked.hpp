@@ -97,8 +97,8 @@ struct ForkedEnding {
 /// Calls work(0) ... work(count - 1), each in a fork of this process, and waits for all; where one
 /// fails, or an interrupt comes, the others are ended. The forks leave their results in a
 /// SharedArray, or in a file that is open before. `on_wait` is called five times a second
-/// meanwhile. After `seconds` by the clock of this process, and where a process uses up the
-/// processor time it may, the ending is out_of_time; one that throws exits 70.
+/// meanwhile. The ending is out_of_time after `seconds` by the clock of this process, and if a fork
+/// uses up its processor time; a fork that throws exits 70.
 [[nodiscard]] ForkedEnding run_forked(std::size_t count,
                                       const std::function<void(std::size_t)>& work,
                                       const std::function<void()>& on_wait,

@@ -26,8 +26,8 @@ inline constexpr std::array data_formats{
     DataFormat<Data>{"json", [](const Data& data) { return to_json(data); }},
     DataFormat<Data>{"svg", [](const Data& data) { return to_svg(data); }}};
 
-/// By the ending of its name; E913 where that says nothing. `other`: a format that the command
-/// writes by itself.
+/// By the ending of its name; E913 of any other ending. `other`: a format that the command writes
+/// by itself.
 template <class Data>
 [[nodiscard]] Result<DataFormat<Data>> format_of(
     const std::string& file, const std::array<DataFormat<Data>, 3>& formats = data_formats<Data>,

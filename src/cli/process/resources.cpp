@@ -35,7 +35,7 @@ constexpr bool has_shadow_memory = false;
 struct LastWords {
   DiagnosticStyle style = {};
   std::uint64_t seconds = 0;
-  std::array<std::string, 2> processor_time = {};  ///< the handler reads the one of `stage_now`
+  std::array<std::string, 2> processor_time = {};  ///< one is read while the other is written
   std::atomic<const std::string*> stage_now = nullptr;
   std::string waiting = {};
   std::string memory = {};
