@@ -328,7 +328,7 @@ TEST_CASE("states of vectors are on the constraints, but where values tell how f
 }
 
 TEST_CASE("states of vectors that no step of Newton puts on the constraints are counted") {
-  const std::string wall = model_text("wall", R"(
+  const std::string wall = model_text("wall", R"toml(
 [[coordinate]]
 name = "x"
 start = { value = 0.6, rate = 0 }
@@ -338,8 +338,12 @@ name = "y"
 d = { value = 1 }
 l = { value = 1.05 }
 [energy]
-T = "1/2*(dot(x)^2 + dot(y)^2)" [[constraint]] name = "wall" equation = "x^2 + d^2 = l^2") ");
-      const Vectors vectors(wall, {.samples = 7}, "forward_dynamics");
+T = "1/2*(dot(x)^2 + dot(y)^2)"
+[[constraint]]
+name = "wall"
+equation = "x^2 + d^2 = l^2"
+)toml");
+  const Vectors vectors(wall, {.samples = 7}, "forward_dynamics");
   REQUIRE(vectors.table);
   REQUIRE(vectors.table->unmet.value_or(0) > 0);
   CHECK(vectors.table->records.size() + *vectors.table->unmet == 7);
