@@ -145,7 +145,7 @@ TEST_CASE("verify: a square of an equation determines no acceleration") {
   CHECK(mentions(kinked.errors, "[E540]: "));
   CHECK(judged("exp(l*dot(dot(theta))/g) = exp(-sin(theta))").status == 0);
   const std::string row = "(l*dot(dot(theta)) + cos(theta)*dot(dot(x)))";
-  for (const std::string equation :
+  for (const std::string& equation :
        {row + "^2 = (g*sin(theta))^2", row + "^4 = (g*sin(theta))^4"}) {
     INFO(equation);
     CHECK(verified("cart_pole", "equations = [" + cart_row + ", \"" + equation + "\"]\n").status ==
