@@ -13,7 +13,6 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
-#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <optional>
@@ -30,30 +29,6 @@ namespace elgen {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// "SIGSEGV", of the signals that end a process; "unknown". Only glibc has sigabbrev_np.
-std::string_view signal_name(int signal) {
-  constexpr std::array<std::pair<int, std::string_view>, 16> names{{
-      {SIGABRT, "SIGABRT"},
-      {SIGALRM, "SIGALRM"},
-      {SIGBUS, "SIGBUS"},
-      {SIGFPE, "SIGFPE"},
-      {SIGHUP, "SIGHUP"},
-      {SIGILL, "SIGILL"},
-      {SIGINT, "SIGINT"},
-      {SIGKILL, "SIGKILL"},
-      {SIGPIPE, "SIGPIPE"},
-      {SIGQUIT, "SIGQUIT"},
-      {SIGSEGV, "SIGSEGV"},
-      {SIGSYS, "SIGSYS"},
-      {SIGTERM, "SIGTERM"},
-      {SIGTRAP, "SIGTRAP"},
-      {SIGXCPU, "SIGXCPU"},
-      {SIGXFSZ, "SIGXFSZ"},
-  }};
-  const auto* const row = std::ranges::find(names, signal, &decltype(names)::value_type::first);
-  return row == names.end() ? "unknown" : row->second;
-}
 
 /// As the system wants them, with a null at the end.
 std::vector<char*> pointers(std::vector<std::string>& texts) {
@@ -225,7 +200,8 @@ std::string ending_text(Ending ending, int status, std::uint64_t seconds) {
   if (ending == Ending::not_started) return "could not be run";
   if (ending == Ending::out_of_time) return fmt::format("has not ended within {} s", seconds);
   if (ending != Ending::signalled) return fmt::format("exits {}", status);
-  return fmt::format("was ended by signal {} ({})", status - 128, signal_name(status - 128));
+  // Nothing sets another locale than "C", and only glibc has sigabbrev_np.
+  return fmt::format("was ended by signal {} ({})", status - 128, ::strsignal(status - 128));
 }
 
 std::optional<std::vector<double>> numbers_in(std::string_view line) {

@@ -46,7 +46,8 @@ struct ProcessResult {
 /// The words between blanks: what a shell without quotes makes of a command.
 [[nodiscard]] std::vector<std::string> words_of_command(const std::string& text);
 
-/// "could not be run", "was ended by signal 11 (SIGSEGV)", "exits 1", "has not ended within 60 s"
+/// "could not be run", "was ended by signal 11 (Segmentation fault)", "exits 1", "has not ended
+/// within 60 s"
 [[nodiscard]] std::string ending_text(Ending ending, int status, std::uint64_t seconds = 0);
 
 /// All numbers of a line, NaN and infinities among them, between blanks, commas and brackets; none

@@ -13,8 +13,9 @@ TEST_CASE("a crash and a hang end the foreign code alone") {
       folder.judge_changed(end, end + "  static int calls;\n  if (++calls == 4) raise(SIGSEGV);\n");
   INFO(crash.output << crash.errors);
   CHECK(crash.status == 1);
-  CHECK(mentions(crash.output, "was ended by signal 11 (SIGSEGV), after 3 answers\n"));
-  CHECK(mentions(crash.errors, "`my_fd as forward_dynamics` was ended by signal 11 (SIGSEGV)"));
+  CHECK(mentions(crash.output, "was ended by signal 11 (Segmentation fault), after 3 answers\n"));
+  CHECK(mentions(crash.errors,
+                 "`my_fd as forward_dynamics` was ended by signal 11 (Segmentation fault)"));
   const Outcome hang =
       folder.judge_changed(end, end + "  for (;;) sleep(1);\n", "--limit seconds=3");
   INFO(hang.output << hang.errors);
@@ -75,7 +76,7 @@ TEST_CASE("the words of a library are indented, and only told where it fails") {
   CHECK(wrong.status == 1);
   const std::string indented = "its words:\n    [1, 2]\n    ::error::x\n";
   CHECK(mentions(wrong.output, indented));
-  CHECK(mentions(wrong.errors, "signal 11 (SIGSEGV), after 0 answers; " + indented));
+  CHECK(mentions(wrong.errors, "signal 11 (Segmentation fault), after 0 answers; " + indented));
 }
 
 TEST_CASE("a command that fails behind its last answer, or writes on, is told") {

@@ -78,11 +78,13 @@ TEST_CASE("numbers of an answer are read to the bit, beyond the range of double 
   CHECK_FALSE(elgen::numbers_in(std::string("1 \0 2", 5)));
 }
 
-TEST_CASE("how a process ended is told by its status or the name of its signal") {
+TEST_CASE("how a process ended is told by its status or its signal") {
   CHECK(elgen::ending_text(Ending::exited, 3) == "exits 3");
-  CHECK(elgen::ending_text(Ending::signalled, 128 + SIGABRT) == "was ended by signal 6 (SIGABRT)");
-  CHECK(elgen::ending_text(Ending::signalled, 128 + SIGXFSZ) == "was ended by signal 25 (SIGXFSZ)");
-  CHECK(elgen::ending_text(Ending::signalled, 128 + 40) == "was ended by signal 40 (unknown)");
+  CHECK(elgen::ending_text(Ending::signalled, 128 + SIGABRT) == "was ended by signal 6 (Aborted)");
+  CHECK(elgen::ending_text(Ending::signalled, 128 + SIGXFSZ) ==
+        "was ended by signal 25 (File size limit exceeded)");
+  CHECK(elgen::ending_text(Ending::signalled, 128 + 40) ==
+        "was ended by signal 40 (Real-time signal 6)");
   CHECK(elgen::words_of_command(" python3  mine.py ") ==
         std::vector<std::string>{"python3", "mine.py"});
 }
