@@ -35,17 +35,22 @@ State lengthened(const State& state, unsigned digits) {
       [&](const cl_R& x) { return is_rational(x) ? x : cl_R(cln::cl_float(x, format)); }, state);
 }
 
-/// The digits that show eighth powers of the leaves and literals.
+/// Digits of a number before or behind its point: 1 + 1e-100 is 1e-100 in a difference.
+double size_in_digits(const cl_R& x) {
+  if (!is_rational(x)) return std::abs(decimal_exponent(x));
+  const auto r = cln::the<cln::cl_RA>(x);
+  return std::max(decimal_exponent(cln::numerator(r)), decimal_exponent(cln::denominator(r)));
+}
+
+/// The digits that show eighth powers of the leaves and literals, and of their differences.
 unsigned digits_of_powers(const Model& model, const State& state) {
-  double farthest = 0;
-  const auto look = [&farthest](const cl_R& x) {
-    farthest = std::max(farthest, std::abs(decimal_exponent(x)));
-  };
+  double most = 0;
+  const auto look = [&most](const cl_R& x) { most = std::max(most, size_in_digits(x)); };
   for_each_leaf([&](Opcode, std::uint32_t, const cl_R& x) { look(x); }, state);
   for (const Expression& e : model.expressions) {
     if (e.kind == ExpressionKind::number) look(e.number);
   }
-  return static_cast<unsigned>(std::min(8 * farthest, 1e6));
+  return static_cast<unsigned>(std::min(8 * most, 1e6));
 }
 
 struct Look {
@@ -102,8 +107,11 @@ std::optional<SettledValues> settled_by(const Look& before, const Look& now, boo
 SettledValues settled(const Model& model, const State& state, const Computation& values) {
   const SettledValues untold{.is_told = false};
   const unsigned telling = digits_of_powers(model, state);
-  Look before = look_at(values, state, digits_of_first_look);
-  for (unsigned digits = digits_of_first_look; digits < digits_of_last_look; digits *= 2) {
+  // With fewer digits both looks may agree on 1 for 1 + (1 - cos(e))/e^2.
+  unsigned digits = digits_of_first_look;
+  while (2 * digits < digits_of_last_look && working_digits + digits < telling) digits *= 2;
+  Look before = look_at(values, state, digits);
+  for (; digits < digits_of_last_look; digits *= 2) {
     Look now = look_at(values, state, 2 * digits);
     if (before.is_beyond || now.is_beyond) return untold;
     const bool tells = working_digits + digits >= std::max({telling, before.hidden, now.hidden});

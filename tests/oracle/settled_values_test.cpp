@@ -102,6 +102,8 @@ TEST_CASE("second derivatives at a bend are lacking where first ones are not") {
 
 TEST_CASE("digits grow until a small value shows") {
   check_share(value_at("1 - cos(x)", power_of_ten(-100)), power_of_ten(-200) / 2);
+  check_share(value_at("1 - cos(x - 1)", 1 + power_of_ten(-100)), power_of_ten(-200) / 2);
+  check_share(value_at("(1 - cos(x)^2 - x^2)/x^4", power_of_ten(-150)), -cln::cl_RA(1) / 3);
   check_share(value_at("x^2 - (x - 1)*(x + 1)", power_of_ten(100)), 1);
   check_share(value_at("log(1 - cos(x)) + 200*log(10) + log(2)", power_of_ten(-100)),
               -power_of_ten(-200) / 12);
