@@ -23,6 +23,9 @@ namespace elgen {
 /// Roots of an [[output]].
 [[nodiscard]] std::vector<ExpressionId> output_roots(const UserOutput& output);
 
+/// Roots of the equations of motion and of every [[output]].
+[[nodiscard]] std::vector<ExpressionId> all_roots(const Model& model);
+
 /// The roots and everything below them, each once, operands before their users, in a model without
 /// cycles. Cost: one visit per expression.
 [[nodiscard]] std::vector<ExpressionId> reached(const Model& model,

@@ -214,13 +214,9 @@ class NamedConstants {
 
 /// Closed forms are not among them: they are judged where they are compared.
 std::vector<ExpressionId> roots_of(const Model& model) {
-  std::vector<ExpressionId> roots = equation_roots(model);
+  std::vector<ExpressionId> roots = all_roots(model);
   for (const NamedExpression& definition : model.definitions) roots.push_back(definition.value);
   for (const NamedExpression& function : model.prescribed) roots.push_back(function.value);
-  for (const UserOutput& output : model.outputs) {
-    const auto own = output_roots(output);
-    roots.insert(roots.end(), own.begin(), own.end());
-  }
   return roots;
 }
 

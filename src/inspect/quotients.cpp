@@ -23,12 +23,7 @@ std::string quotient_hint(const Model& model, const State& state) {
     const std::optional<cln::cl_R> value = oracle_expression(model, id, state);
     return value && cln::zerop(*value);
   };
-  std::vector<ExpressionId> roots = equation_roots(model);
-  for (const UserOutput& output : model.outputs) {
-    const std::vector<ExpressionId> own = output_roots(output);
-    roots.insert(roots.end(), own.begin(), own.end());
-  }
-  for (const ExpressionId id : reached(model, roots)) {
+  for (const ExpressionId id : reached(model, all_roots(model))) {
     const Expression& node = model.expressions[id];
     const bool is_sought = node.kind == ExpressionKind::divide && is_zero(node.operands[1]) &&
                            is_zero(node.operands[0]) && holds_sinusoid(model, node.operands[0]);

@@ -161,6 +161,15 @@ std::vector<ExpressionId> output_roots(const UserOutput& output) {
   return roots;
 }
 
+std::vector<ExpressionId> all_roots(const Model& model) {
+  std::vector<ExpressionId> roots = equation_roots(model);
+  for (const UserOutput& output : model.outputs) {
+    const std::vector<ExpressionId> own = output_roots(output);
+    roots.insert(roots.end(), own.begin(), own.end());
+  }
+  return roots;
+}
+
 std::vector<ExpressionId> reached(const Model& model, const std::vector<ExpressionId>& roots) {
   return search(model, roots, references).order;
 }

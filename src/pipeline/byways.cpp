@@ -141,7 +141,7 @@ std::optional<CheckedModel> with_quotients(const CheckedModel& checked) {
   Model& model = result.model;
   for (const auto& [id, quotient] : checked.model.typed) model.expressions[id] = quotient;
   const bool has_series =
-      std::ranges::any_of(reached(model, equation_roots(model)), [&model](ExpressionId id) {
+      std::ranges::any_of(reached(model, all_roots(model)), [&model](ExpressionId id) {
         const Expression& node = model.expressions[id];
         return node.kind == ExpressionKind::function && node.function == FunctionId::stumpff;
       });

@@ -164,6 +164,10 @@ TEST_CASE("pages print quotients where these are typed, and functions where thos
   CHECK(typed.find("stumpff") == std::string::npos);
   const std::string named = steps_of(by_functions);
   CHECK(named.find("tip = (L*q*cosc(q), -L*sinc(q))") != std::string::npos);
+  // A function that only an [[output]] names would be printed as its quotient.
+  const std::string in_output = "\n[[output]]\nname = \"s\"\nvalue = \"stumpff(q, 3)\"";
+  const std::string mixed = steps_of(by_quotients + in_output);
+  CHECK(mixed.find("tip = (L*q*cosc(q), -L*sinc(q))") != std::string::npos);
 }
 
 }  // namespace elgen::test
