@@ -34,6 +34,7 @@ struct Constraint {
   std::string doc = {};
   Span span = {};  ///< of the name of its entry
   Span equation_span = {};
+  std::string equality = {};  ///< "z(P[i]) = z(Q)", of points that coincide
 };
 
 /// What is to be written if these rows of `coincide` constrain nothing. Empty for a row of

@@ -97,8 +97,12 @@ class ConstraintReader {
     const std::uint32_t dimension = std::min(components(p), components(q));
     for (std::uint32_t axis = 0; axis < dimension; ++axis) {
       const ExpressionId value = nodes.subtract(component(p, axis), component(q, axis));
-      add(std::string(1, "xyz"[axis]), value, list.span);
-      if (context_.has_units) context_.model.constraints.back().unit = find_unit("m");
+      const std::string name(1, "xyz"[axis]);
+      add(name, value, list.span);
+      Constraint& row = context_.model.constraints.back();
+      row.equality =
+          name + "(" + list.items[0].text + ") = " + name + "(" + list.items[1].text + ")";
+      if (context_.has_units) row.unit = find_unit("m");
     }
   }
 
