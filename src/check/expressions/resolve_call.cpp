@@ -1,15 +1,13 @@
 // Resolver, calls: the functions of functions.def, those of composite_functions.def, those of
-// resolve_motion.cpp, and those that are expanded here:
+// resolve_motion.cpp and resolve_sum.cpp, and those that are expanded here:
 //
 //     dot(q) -> rate    delta(i, j) -> 0 or 1    p(q) -> momentum
-//     sum(i, a, b, e) -> e[a] + … + e[b], 0 where b < a
 #include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <map>
 #include <utility>
 
-#include "check/expressions/like_terms.hpp"
 #include "check/expressions/resolver.hpp"
 #include "check/names/reserved_names.hpp"
 #include "elgen/functions.hpp"
@@ -203,33 +201,6 @@ std::optional<ExpressionId> Resolver::resolve_multiplier(const ExpressionSyntax&
                       suggestion(name, words_in(all, &Constraint::name),
                                  all.empty() ? "no constraint is declared before it" : ""));
   return std::nullopt;
-}
-
-std::optional<ExpressionId> Resolver::resolve_sum(const ExpressionSyntax& call) {
-  if (!has_arity(call, 4)) return std::nullopt;
-  const ExpressionSyntax& index = call.operands[0];
-  if (index.kind != SyntaxKind::name || !index.operands.empty()) {
-    context_.report.add(Code::E210, index.span,
-                        in_backticks(index.span) + " is not the name of a running index",
-                        "write `sum(i, 1, n, …)`");
-    return std::nullopt;
-  }
-  const auto low = integer_value(call.operands[1], scope_, context_.report);
-  const auto high = integer_value(call.operands[2], scope_, context_.report);
-  if (!low || !high) return std::nullopt;
-  Expression sum{.kind = ExpressionKind::add, .span = call.span};
-  LikeTerms like(context_);
-  for (std::int64_t i = *low; i <= *high; ++i) {
-    const std::size_t begin = context_.model.expressions.size();
-    scope_.push(index.text, i);
-    const std::optional<ExpressionId> term = resolve(call.operands[3]);
-    scope_.pop();
-    if (!term) return std::nullopt;
-    like.add(*term, begin);
-  }
-  sum.operands = like.terms();
-  if (sum.operands.empty()) return push_number(0, call.span);
-  return sum.operands.size() == 1 ? std::optional(sum.operands.front()) : push(std::move(sum));
 }
 
 std::optional<ExpressionId> Resolver::resolve_delta(const ExpressionSyntax& call) {

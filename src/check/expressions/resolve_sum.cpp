@@ -1,0 +1,148 @@
+// Resolver, sums: sum(i, a, b, e) -> e[a] + … + e[b], 0 if b < a. Terms that differ in a rational
+// factor only are one term, since each of ten thousand would be differentiated and compared:
+//
+//     1*k*x + 2*k*x + 3*k*x + y   ->   6*k*x + y
+#include <algorithm>
+#include <vector>
+
+#include "check/expressions/node_builder.hpp"
+#include "check/expressions/resolver.hpp"
+#include "check/names/integers.hpp"
+
+namespace elgen {
+namespace {
+
+/// Terms that one text makes are of few kinds, or each is of its own.
+constexpr std::size_t most_kinds = 16;
+
+/// number * factors / divisors
+struct Product {
+  ExpressionId term = 0;
+  cln::cl_RA number = 1;
+  std::vector<ExpressionId> factors = {};
+  std::vector<ExpressionId> divisors = {};
+  bool is_added = false;  ///< its number includes that of another term
+};
+
+class LikeTerms {
+ public:
+  explicit LikeTerms(Context& context) : context_(context) {}
+
+  /// Adds the term that was resolved last; `begin` is the first of its nodes.
+  void add(ExpressionId term, std::size_t begin) {
+    const bool is_tried = kinds_.size() <= most_kinds;
+    if (is_tried && add_products(term)) return context_.truncate(begin);
+    terms_.push_back(term);
+    if (!is_tried) others_.push_back(term);
+  }
+
+  /// The operands of the sum. If no two terms are alike, these are the terms as they are.
+  [[nodiscard]] std::vector<ExpressionId> terms() {
+    if (std::ranges::none_of(kinds_, &Product::is_added)) return terms_;
+    std::vector<ExpressionId> all;
+    for (const Product& kind : kinds_) {
+      if (kind.number != 0) all.push_back(kind.is_added ? written(kind) : kind.term);
+    }
+    all.insert(all.end(), others_.begin(), others_.end());
+    return all;
+  }
+
+ private:
+  [[nodiscard]] const Expression& node(ExpressionId id) const {
+    return context_.model.expressions[id];
+  }
+
+  /// False if the nodes of the term are needed: one of its products is the first of its kind.
+  bool add_products(ExpressionId term) {
+    if (node(term).kind == ExpressionKind::add) {
+      bool are_known = true;
+      for (const ExpressionId operand : node(term).operands) {
+        are_known = add_products(operand) && are_known;
+      }
+      return are_known;
+    }
+    Product product{.term = term};
+    multiply(product, term, false);
+    const auto like = std::ranges::find_if(kinds_, [&](const Product& kind) {
+      return are_same(kind.factors, product.factors) && are_same(kind.divisors, product.divisors);
+    });
+    if (like == kinds_.end()) {
+      kinds_.push_back(std::move(product));
+      return false;
+    }
+    like->number = like->number + product.number;
+    like->is_added = true;
+    return true;
+  }
+
+  void multiply(Product& product, ExpressionId id, bool is_divisor) const {
+    const Expression& e = node(id);
+    if (e.kind == ExpressionKind::number) {
+      product.number = is_divisor ? product.number / e.number : product.number * e.number;
+    } else if (e.kind == ExpressionKind::negate) {
+      product.number = -product.number;
+      multiply(product, e.operands.front(), is_divisor);
+    } else if (e.kind == ExpressionKind::multiply) {
+      for (const ExpressionId factor : e.operands) multiply(product, factor, is_divisor);
+    } else if (e.kind == ExpressionKind::divide) {
+      multiply(product, e.operands.front(), is_divisor);
+      multiply(product, e.operands.back(), !is_divisor);
+    } else {
+      (is_divisor ? product.divisors : product.factors).push_back(id);
+    }
+  }
+
+  [[nodiscard]] bool are_same(const std::vector<ExpressionId>& a,
+                              const std::vector<ExpressionId>& b) const {
+    return std::ranges::equal(a, b, [this](ExpressionId i, ExpressionId k) {
+      const Expression& x = node(i);
+      const Expression& y = node(k);
+      return x.kind == y.kind && x.leaf == y.leaf && x.function == y.function &&
+             x.index == y.index && x.number == y.number && are_same(x.operands, y.operands);
+    });
+  }
+
+  ExpressionId written(const Product& product) {
+    NodeBuilder nodes(context_, node(product.term).span);
+    std::vector<ExpressionId> factors{nodes.number(product.number)};
+    factors.insert(factors.end(), product.factors.begin(), product.factors.end());
+    const ExpressionId top = nodes.multiply(factors);
+    return product.divisors.empty() ? top : nodes.divide(top, nodes.multiply(product.divisors));
+  }
+
+  Context& context_;
+  std::vector<ExpressionId> terms_ = {};   ///< with nodes in the model
+  std::vector<Product> kinds_ = {};        ///< by which later terms are found
+  std::vector<ExpressionId> others_ = {};  ///< terms after `most_kinds`
+};
+
+}  // namespace
+
+std::optional<ExpressionId> Resolver::resolve_sum(const ExpressionSyntax& call) {
+  if (!has_arity(call, 4)) return std::nullopt;
+  const ExpressionSyntax& index = call.operands[0];
+  if (index.kind != SyntaxKind::name || !index.operands.empty()) {
+    context_.report.add(Code::E210, index.span,
+                        in_backticks(index.span) + " is not the name of a running index",
+                        "write `sum(i, 1, n, …)`");
+    return std::nullopt;
+  }
+  const auto low = integer_value(call.operands[1], scope_, context_.report);
+  const auto high = integer_value(call.operands[2], scope_, context_.report);
+  if (!low || !high) return std::nullopt;
+  Expression sum{.kind = ExpressionKind::add, .span = call.span};
+  LikeTerms like(context_);
+  for (std::int64_t i = *low; i <= *high; ++i) {
+    const std::size_t begin = context_.model.expressions.size();
+    scope_.push(index.text, i);
+    const std::optional<ExpressionId> term = resolve(call.operands[3]);
+    scope_.pop();
+    if (!term) return std::nullopt;
+    like.add(*term, begin);
+  }
+  sum.operands = like.terms();
+  if (sum.operands.empty()) return push_number(0, call.span);
+  return sum.operands.size() == 1 ? std::optional(sum.operands.front()) : push(std::move(sum));
+}
+
+}  // namespace elgen
