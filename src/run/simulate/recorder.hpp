@@ -62,7 +62,7 @@ class Recorder {
   /// E624 where a number is not finite, with the last state that was.
   [[nodiscard]] Diagnostics add(const TrajectorySample& sample);
 
-  /// Why the run ends at the last sample; `besides` is said of it, and what helps.
+  /// E624 at the last sample: why the run ends, what else is known, and what helps.
   [[nodiscard]] Diagnostic ended(std::string_view why, std::string_view besides,
                                  std::string_view remedy) const;
 

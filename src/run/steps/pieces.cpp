@@ -1,4 +1,4 @@
-// Sides of kinks, the shares that hold rates, and which rates they can hold.
+// Pieces: the sides of kinks, the rates that friction holds, and the forces that hold them.
 #include "run/steps/pieces.hpp"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ std::optional<Numbers> shares_of(const Numbers& a, const Numbers& w,
   return echelon.solution();
 }
 
-/// The place that contradicts nothing, of a rate whose place does.
+/// The next place of a rate, if its share or its acceleration contradicts this one.
 Place mended(Place place, double share, double acceleration) {
   if (place == Place::above) return acceleration < 0 ? Place::held : place;
   if (place == Place::below) return acceleration > 0 ? Place::held : place;
@@ -153,8 +153,8 @@ double Pieces::root(std::size_t kink, Numbers from, const Numbers& to, double t)
   return std::abs(high) < nudge(0) ? 0 : high;
 }
 
-/// Whether the force jumps on that rate alone, upwards below it. What damping changes over such a
-/// distance is far less than 1e-6 of a jump.
+/// Whether the force jumps on that rate alone, upwards below it. Over such a distance damping
+/// changes forces by far less than 1e-6 of a jump.
 bool Pieces::can_hold(const HeldRate& held, Numbers state, double t) const {
   const auto forces = [&](double rate) {
     system_.v_of(state)[held.rate] = rate;

@@ -39,7 +39,7 @@ class Pieces {
   /// or moved off it to the side to which they accelerate.
   void enter(const Numbers& before, Numbers& state, double t);
 
-  /// To be called after a step, which may round what is held.
+  /// To be called after a step, which may round held rates.
   void keep(Numbers& state) const;
 
   /// The kink at which the last piece ended; "" if none did.
@@ -50,7 +50,7 @@ class Pieces {
     std::size_t rate = 0;
     double value = 0;
   };
-  /// Rates with all held ones above their values, and what each changes below.
+  /// d(q, v, W)/dt with every held rate above its value, and the change if one is below it.
   struct Response {
     Numbers above = {};
     std::vector<Numbers> changes = {};
@@ -60,7 +60,7 @@ class Pieces {
 
   [[nodiscard]] Response response(const Numbers& state, double t,
                                   const std::vector<HeldRate>& held) const;
-  /// A distance from a kink at which its side is certain, and nothing else changes.
+  /// A distance from a kink at which its side is certain and all else hardly changes.
   [[nodiscard]] double nudge(double value) const;
   [[nodiscard]] bool is_held(std::size_t kink) const;
   [[nodiscard]] double root(std::size_t kink, Numbers from, const Numbers& to, double t);

@@ -18,22 +18,13 @@ namespace {
 
 namespace odeint = boost::numeric::odeint;
 
-/// As odeint asks for them.
-struct StateRates {
-  System* system;
-
-  void operator()(const Numbers& state, Numbers& rates, double t) const {
-    system->find_rates(state, rates, t);
-  }
-};
-
-struct PieceRates {
-  Pieces* pieces;
-
-  void operator()(const Numbers& state, Numbers& rates, double t) const {
-    pieces->find_rates(state, rates, t);
-  }
-};
+/// find_rates() of a System or of Pieces, as odeint calls it.
+template <class Source>
+auto rates_of(Source& source) {
+  return [&source](const Numbers& state, Numbers& rates, double t) {
+    source.find_rates(state, rates, t);
+  };
+}
 
 /// Forgets the rates at the end of the last step, where the method keeps them for the next one.
 template <class Steps>
@@ -41,7 +32,7 @@ void forget(Steps& steps) {
   if constexpr (requires { steps.reset(); }) steps.reset();
 }
 
-/// To be called after a step, at its end. StateRates at quaternions of another length, or off the
+/// To be called after a step, at its end. Rates at quaternions of another length, or off the
 /// constraints, are those of another state.
 template <class Steps>
 void put_back(System& system, Steps& steps, Numbers& state, double t) {
@@ -58,7 +49,7 @@ class RungeKutta {
   void restart() { forget(steps_); }
 
   bool step(Numbers& state, double t, double h) {
-    steps_.do_step(StateRates{&system_}, state, t, h);
+    steps_.do_step(rates_of(system_), state, t, h);
     put_back(system_, steps_, state, t + h);
     return true;
   }
@@ -108,19 +99,19 @@ class AdaptedSteps final : public Stepper {
   }
 
  private:
-  /// Friction that is not held changes its side in each of them, and time stands still.
+  /// Along a kink where no rate is held every step changes the side, and time hardly passes.
   static constexpr int most_tiny_steps = 1000;
 
-  /// A 1e-9 of the run.
+  /// 1e-9 of the run.
   [[nodiscard]] double tiny() const { return 1e3 * shortest_; }
 
-  /// One step, to `t_`; false where it is too short to be made.
+  /// One step, to `t_`; false if it is too short to be made.
   bool advance(Numbers& state) {
     const double spacing =
         std::numeric_limits<double>::epsilon() * std::max(std::abs(t_), std::abs(end_));
     const double shortest = std::max(shortest_, 4 * spacing);
     while (true) {
-      // From both sides to the edge.
+      // Steps halve the distance to the edge, since where the piece ends before it is not known.
       const double half = (edge_ - t_) / 2;
       if (half < shortest) return cross(state, shortest);
       const double wanted = std::min(length_, half);
@@ -132,7 +123,7 @@ class AdaptedSteps final : public Stepper {
       const double tried = h;
       before_ = state;
       pieces_.stay();
-      const auto result = steps_.try_step(PieceRates{&pieces_}, state, t_, h);
+      const auto result = steps_.try_step(rates_of(pieces_), state, t_, h);
       if (pieces_.is_left()) {
         state = before_;
         t_ = begin;
@@ -153,17 +144,17 @@ class AdaptedSteps final : public Stepper {
     }
   }
 
-  /// Over the edge of a piece by a step of Euler's method, so short that nothing else changes.
+  /// Leaves the piece by a step of Euler's method, so short that nothing else changes.
   bool cross(Numbers& state, double shortest) {
     before_ = state;
     Numbers slope(state.size());
+    Numbers unused(state.size());
     pieces_.find_rates(before_, slope, t_);
     double h = 0;
     pieces_.stay();
     for (double next = shortest; !pieces_.is_left() && h < tiny() && t_ + h < end_; next *= 2) {
       h = std::min(next, end_ - t_);
       for (std::size_t i = 0; i < state.size(); ++i) state[i] = before_[i] + h * slope[i];
-      Numbers unused(state.size());
       pieces_.find_rates(state, unused, t_ + h);
     }
     t_ = t_ + h < end_ ? t_ + h : end_;
