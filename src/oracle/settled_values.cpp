@@ -1,8 +1,12 @@
 // Settled values: computed in twice as many digits each time, until their first digits stay.
 //
 // While all terms cancel, a value is rounding and falls with every look, as a zero does. It is
-// taken for 0 if the earlier of two looks had the digits that would show the lowest powers of the
-// leaves: 1 - cos(1e-100) is 5e-201, which 155 digits do not show.
+// taken for 0 if the earlier of two looks had the digits in which Taylor's formula would show
+// another value: 1 - cos(1e-100) is 5e-201, which 155 digits do not show. A value that stays is
+// taken only then, too, or at the last look: in 155 digits log(exp(x)) - x is -x at x = 1e-300.
+//
+// Numbers of a state that are not rational, such as pi, have 100 digits. A value that falls with
+// these, such as sin(pi), is 0.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -24,7 +28,7 @@ constexpr unsigned digits_of_first_look = 60;
 constexpr unsigned digits_of_last_look = 1920;
 static_assert(working_digits + digits_of_last_look >= most_settled_digits);
 
-/// Of a value of which 60 are printed.
+/// Two more than are printed.
 constexpr int digits_that_stay = 62;
 
 /// Floats of a state get zeros behind their digits, more than a look computes with.
@@ -40,6 +44,29 @@ double size_in_digits(const cl_R& x) {
   if (!is_rational(x)) return std::abs(decimal_exponent(x));
   const auto r = cln::the<cln::cl_RA>(x);
   return std::max(decimal_exponent(cln::numerator(r)), decimal_exponent(cln::denominator(r)));
+}
+
+/// Fewer than the 100 of a state, by more than those of share_of_a_zero.
+constexpr unsigned digits_of_rounded_state = 60;
+
+/// A zero falls by so much from one look to the next.
+const cl_R& share_of_a_zero() {
+  static const cl_R share = power_of_ten(-20);
+  return share;
+}
+
+/// Floats of a state with fewer digits; none where all of its numbers are rational.
+std::optional<State> rounded(const State& state) {
+  static const cln::float_format_t format = cln::float_format(digits_of_rounded_state);
+  bool has_floats = false;
+  const State result = map_leaves(
+      [&](const cl_R& x) {
+        if (is_rational(x)) return x;
+        has_floats = true;
+        return cl_R(cln::cl_float(x, format));
+      },
+      state);
+  return has_floats ? std::optional(result) : std::nullopt;
 }
 
 /// The digits that show eighth powers of the leaves and literals, and of their differences.
@@ -78,30 +105,43 @@ Look look_at(const Computation& values, const State& state, unsigned digits) {
   return look;
 }
 
-/// The value by two looks; none if it is not settled. `tells`: the first look has the digits to
-/// show a value that is not 0.
-std::optional<cl_R> settled_value(const cl_R& before, const cl_R& now, bool tells) {
+struct Telling {
+  bool tells = false;  ///< the first look has the digits to show a value that is not 0
+  bool is_last = false;
+};
+
+/// The value by two looks; none if it is not settled.
+std::optional<cl_R> settled_value(const cl_R& before, const cl_R& now, const Telling& looks) {
   static const cl_R share_that_stays = power_of_ten(-digits_that_stay);
-  static const cl_R share_of_a_zero = power_of_ten(-20);
   const bool stays = cln::abs(now - before) <= cln::abs(now) * share_that_stays;
-  const bool is_zero =
-      cln::zerop(now) || cln::zerop(before) || cln::abs(now) <= cln::abs(before) * share_of_a_zero;
-  if (is_rational(now) ? stays : stays && !is_zero) return now;
-  return is_zero && tells ? std::optional<cl_R>(0) : std::nullopt;
+  const bool is_zero = cln::zerop(now) || cln::zerop(before) ||
+                       cln::abs(now) <= cln::abs(before) * share_of_a_zero();
+  if (is_rational(now) && stays) return now;
+  if (is_zero) return looks.tells ? std::optional<cl_R>(0) : std::nullopt;
+  return stays && (looks.tells || looks.is_last) ? std::optional(now) : std::nullopt;
 }
 
 /// All values by two looks; none if one is not settled.
-std::optional<SettledValues> settled_by(const Look& before, const Look& now, bool tells) {
+std::optional<SettledValues> settled_by(const Look& before, const Look& now, const Telling& looks) {
   const bool lacks = !before.values && !now.values;
-  if (lacks && tells) return SettledValues{};
+  if (lacks && looks.tells) return SettledValues{};
   if (!before.values || !now.values) return std::nullopt;
   std::vector<cl_R> values;
   for (std::size_t i = 0; i < now.values->size(); ++i) {
-    const auto value = settled_value((*before.values)[i], (*now.values)[i], tells);
+    const auto value = settled_value((*before.values)[i], (*now.values)[i], looks);
     if (!value) return std::nullopt;
     values.push_back(*value);
   }
   return SettledValues{std::move(values)};
+}
+
+/// Sets to 0 what falls with the digits of the numbers of a state.
+void clear_rounding(std::vector<cl_R>& settled, const OracleValues& at_rounded) {
+  if (!at_rounded) return;
+  for (std::size_t i = 0; i < settled.size(); ++i) {
+    const cl_R& there = (*at_rounded)[i];
+    if (cln::abs(settled[i]) <= cln::abs(there) * share_of_a_zero()) settled[i] = 0;
+  }
 }
 
 SettledValues settled(const Model& model, const State& state, const Computation& values) {
@@ -114,8 +154,14 @@ SettledValues settled(const Model& model, const State& state, const Computation&
   for (; digits < digits_of_last_look; digits *= 2) {
     Look now = look_at(values, state, 2 * digits);
     if (before.is_beyond || now.is_beyond) return untold;
-    const bool tells = working_digits + digits >= std::max({telling, before.hidden, now.hidden});
-    if (const auto found = settled_by(before, now, tells)) return *found;
+    const Telling looks{
+        .tells = working_digits + digits >= std::max({telling, before.hidden, now.hidden}),
+        .is_last = 2 * digits >= digits_of_last_look};
+    if (auto found = settled_by(before, now, looks)) {
+      const std::optional<State> rough = found->values ? rounded(state) : std::nullopt;
+      if (rough) clear_rounding(*found->values, look_at(values, *rough, 2 * digits).values);
+      return *found;
+    }
     before = std::move(now);
   }
   return untold;

@@ -258,6 +258,15 @@ TEST_CASE("verify: numbers at a state are looked at in more digits where terms c
   CHECK(mentions(untold.output, "1 where the oracle cannot say"));
 }
 
+TEST_CASE("verify: what vanishes at pi is 0 there") {
+  const auto upright = [](const std::string& gravity) {
+    return verified("simple_pendulum",
+                    "at = { theta = \"pi\" }\ngravity = [\"" + gravity + "\"]\n");
+  };
+  CHECK(upright("0").status == 0);
+  CHECK(upright("1e-90").status == 1);
+}
+
 TEST_CASE("verify: inputs, momenta, parameters and components of rotations are named at a state") {
   CHECK(verified("cart_pole",
                  "at = { u = 1, theta = 0, M = 2, m = 1, l = 1 }\n"

@@ -1,5 +1,7 @@
 // Settled values: 0 where the value is 0, a small one where it is small, and none where there is
 // none or the digits do not tell.
+#include <cln/real.h>
+
 #include <catch2/catch.hpp>
 
 #include "elgen/oracle.hpp"
@@ -110,6 +112,27 @@ TEST_CASE("digits grow until a small value shows") {
   check_share(value_at("(1 + exp(-x) - 1)*exp(x)", 1000), 1);
   check_share(value_at("(1 - tanh(x))*(1 + exp(2*x))", 400), 2);
   check_share(value_at("expm1(-x)", power_of_ten(10)), -1);
+}
+
+TEST_CASE("a value that stays is not believed while digits hide a part of it") {
+  // In 155 and 215 digits 1 - cos(1e-150) is 0, and k stays.
+  check_share(value_at("1e310*(1 - cos(x)) + k", power_of_ten(-150)), 5'000'000'004);
+  const SettledValues untold = value_at("log(exp(x)) - x", power_of_ten(-300));
+  CHECK_FALSE(untold.is_told);
+  CHECK_FALSE(untold.values);
+}
+
+TEST_CASE("what vanishes at pi is 0, and what is small there stays") {
+  const cl_R pi = cln::pi(cln::float_format(100));
+  for (const char* value : {"sin(x)", "k*(1 + cos(x))", "sin(3*x)^2 - l*tan(x)"}) {
+    INFO(value);
+    const SettledValues zero = value_at(value, pi);
+    REQUIRE(zero.values);
+    CHECK(zero.values->front() == 0);
+  }
+  check_share(value_at("sin(x)/1e40", pi / 2), power_of_ten(-40));
+  const cl_R tiny = pi * power_of_ten(-50);
+  check_share(value_at("sin(x)^2", tiny), tiny * tiny * (1 - tiny * tiny / 3));
 }
 
 TEST_CASE("a sum that cancels on paper is 0") {
