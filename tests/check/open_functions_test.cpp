@@ -156,4 +156,19 @@ TEST_CASE("a scene that closes a function is held to its arguments") {
   CHECK(messages(sampled("'x'", "x"), wanted) == reads("k*x*y", "y", "5:6"));
 }
 
+TEST_CASE("derivatives of a function whose name is refused are no unknown names") {
+  const auto called = [](const std::string& name) {
+    return messages(model_text(
+        "line", "[[coordinate]]\nname = \"x\"\n[[function]]\nname = \"" + name +
+                    "\"\nof = [\"x\"]\n[energy]\nT = \"dot(x)^2\"\nV = \"" + name +
+                    "\"\n[[expect]]\ngravity = [\"" + name + "_1\"]\nposition_gradient = [\"-" +
+                    name + "_1 + 0*" + name + "_11\"]\n"));
+  };
+  CHECK(called("I") == "E204 7:9 `I` is reserved: it is a macro of C or C++ | `J` is free\n");
+  CHECK(called("a_") ==
+        "E204 7:9 `a__1` is reserved: names with two underscores in a row belong to C++"
+        " | `a_1` is free\n");
+  CHECK(called("U").find("E20") == std::string::npos);
+}
+
 }  // namespace elgen::test

@@ -167,16 +167,17 @@ std::optional<std::uint32_t> declare_function(Context& context, const EntrySynta
     return context.symbols.declare({text, {}, name.span}, kind, number, context.report);
   };
   const std::uint32_t number = is_closed ? target : append_value(model, name.base, target, {});
-  if (!declare(name.base, is_closed ? SymbolKind::definition : SymbolKind::open_value, number)) {
-    return std::nullopt;
-  }
+  bool is_declared =
+      declare(name.base, is_closed ? SymbolKind::definition : SymbolKind::open_value, number);
   for (const std::vector<std::uint32_t>& by : derivatives(argument_count(entry))) {
     const std::string text = derivative_name(name.base, by);
-    const bool is_free = is_closed ? declare(text, SymbolKind::closed_derivative, 0)
-                                   : declare(text, SymbolKind::open_derivative,
-                                             append_value(model, text, target, by));
-    if (!is_free) return std::nullopt;
+    // Names of a function that is refused, which is said once, are not unknown, too.
+    if (!is_declared) context.symbols.mark_failed(text);
+    is_declared = is_declared && (is_closed ? declare(text, SymbolKind::closed_derivative, 0)
+                                            : declare(text, SymbolKind::open_derivative,
+                                                      append_value(model, text, target, by)));
   }
+  if (!is_declared) return std::nullopt;
   return target;
 }
 
