@@ -196,6 +196,20 @@ on = "theta"
   CHECK(mentions(judged(right, "gravity.B").errors, "error[E601]: `gravity` has no field `B`"));
 }
 
+TEST_CASE("code that answers 0 is right where terms cancel to 0") {
+  const Foreign folder;
+  const auto judged = [&](const std::string& answer) {
+    return folder.judge("import sys\nfor line in sys.stdin:\n  print(" + answer + ")\n",
+                        "--function drift", models + "/heavy_top.toml");
+  };
+  const Outcome zeros = judged("[0, 0, 0]");
+  INFO(zeros.output << zeros.errors);
+  CHECK(zeros.status == 0);
+  const Outcome other = judged("[0, 0.001, 0]");
+  CHECK(other.status == 1);
+  CHECK(mentions(other.output, "drift[theta] is 0.001, the oracle says 0\n"));
+}
+
 TEST_CASE("a step and its derivatives are those of the scene") {
   const Foreign folder;
   folder.write("forced.toml", R"toml(format = 1

@@ -6,6 +6,7 @@
 
 #include <numeric>
 
+#include "elgen/wording.hpp"
 #include "model/requests.hpp"
 
 namespace elgen {
@@ -70,6 +71,24 @@ std::string name_of_entry(const Model& model, const OutputRequest& output,
   name += "[" + label(row.rows, field.rows, entry / field.columns);
   if (field.columns > 1) name += ", " + label(row.columns, field.columns, entry % field.columns);
   return name + "]";
+}
+
+Result<ForeignFields> claimed_fields(const CheckedModel& checked, const ForeignClaim& claim) {
+  const std::string name = in_backticks(claim.output);
+  const OutputRequest* const output = find_request(checked.scene, claim.output);
+  if (output == nullptr) return Diagnostic{Code::E601, {}, name + " is not one output"};
+  if (output_row(output->kind).repeats) {
+    return Diagnostic{Code::E603, {}, name + " repeats other outputs", "name one of these"};
+  }
+  ForeignFields fields = fields_of(checked.model, *output);
+  if (claim.field.empty()) return fields;
+  const std::string names = names_text(fields);
+  std::erase_if(fields, [&](const ForeignField& field) { return field.row->name != claim.field; });
+  if (!fields.empty()) return fields;
+  return Diagnostic{Code::E601,
+                    {},
+                    name + " has no field " + in_backticks(claim.field),
+                    names.empty() ? "" : "its fields are " + names};
 }
 
 }  // namespace elgen

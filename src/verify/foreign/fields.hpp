@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "elgen/foreign.hpp"
 #include "elgen/model.hpp"
 #include "elgen/outputs.hpp"
 #include "elgen/scene.hpp"
@@ -32,6 +33,10 @@ using ForeignFields = std::vector<ForeignField>;
 /// The fields of an answer of `count` numbers: the first one, all without pivots and remainders,
 /// all, or another one alone, whatever fits first. Empty: none fits.
 [[nodiscard]] ForeignFields answered_fields(const ForeignFields& fields, std::size_t count);
+
+/// The fields that a claim is about. E601, E603.
+[[nodiscard]] Result<ForeignFields> claimed_fields(const CheckedModel& checked,
+                                                   const ForeignClaim& claim);
 
 /// "A, B"
 [[nodiscard]] std::string names_text(const ForeignFields& fields);

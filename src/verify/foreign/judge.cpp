@@ -54,6 +54,12 @@ Numbers part_of(const Numbers& values, std::size_t first, std::size_t size) {
   return {begin, begin + static_cast<std::ptrdiff_t>(size)};
 }
 
+/// Whether some field may hold nothing but what is left of terms up to 1e30 in 64 digits.
+bool may_be_rounding(const Numbers& largest) {
+  return std::ranges::any_of(largest,
+                             [](const cl_R& x) { return !cln::zerop(x) && x < power_of_ten(-30); });
+}
+
 /// The row of one claim. Answers are compared with the oracle, then explained.
 class ForeignJudge {
  public:
@@ -108,9 +114,16 @@ class ForeignJudge {
     return row_;
   }
 
-  /// The entries of the fields that are compared.
+  /// The entries of the fields that are compared; of terms that cancel the oracle has roundings,
+  /// which more digits tell from values.
   [[nodiscard]] OracleValues truth_at(const State& state) const {
-    const OracleValues values = oracle_values(subject_.model, output_, state);
+    OracleValues truth = compared(oracle_values(subject_.model, output_, state));
+    if (!truth || !may_be_rounding(largest_by_field(*truth))) return truth;
+    OracleValues told = compared(settled_values(subject_.model, output_, state).values);
+    return told ? told : truth;
+  }
+
+  [[nodiscard]] OracleValues compared(const OracleValues& values) const {
     if (!values) return std::nullopt;
     Numbers all;
     for (const ForeignField& field : fields_) {
@@ -340,25 +353,6 @@ Diagnostic disagreement(const Model& model, const CertificateRow& row) {
   const std::string found = fmt::format("{}", fmt::join(row.findings, "; "));
   if (row.samples > 0) return {Code::E717, model.name_span, name + ": " + row.worst, found};
   return {Code::E717, {}, name + " " + row.worst + (found.empty() ? "" : "; " + found)};
-}
-
-/// The fields that a claim is about. E601, E603.
-Result<ForeignFields> claimed_fields(const CheckedModel& checked, const ForeignClaim& claim) {
-  const std::string name = in_backticks(claim.output);
-  const OutputRequest* const output = find_request(checked.scene, claim.output);
-  if (output == nullptr) return Diagnostic{Code::E601, {}, name + " is not one output"};
-  if (output_row(output->kind).repeats) {
-    return Diagnostic{Code::E603, {}, name + " repeats other outputs", "name one of these"};
-  }
-  ForeignFields fields = fields_of(checked.model, *output);
-  if (claim.field.empty()) return fields;
-  const std::string names = names_text(fields);
-  std::erase_if(fields, [&](const ForeignField& field) { return field.row->name != claim.field; });
-  if (!fields.empty()) return fields;
-  return Diagnostic{Code::E601,
-                    {},
-                    name + " has no field " + in_backticks(claim.field),
-                    names.empty() ? "" : "its fields are " + names};
 }
 
 /// The row of one claim. Code that fails on the constraints is judged off them, too: an output such
