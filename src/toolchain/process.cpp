@@ -217,7 +217,8 @@ std::optional<std::vector<double>> numbers_in(std::string_view line) {
     // libc++ before 20 has no from_chars of double. Nothing sets another locale than "C".
     char* stop = nullptr;
     numbers.push_back(std::strtod(at, &stop));
-    if (stop == at) return std::nullopt;
+    const bool ends = stop == end || between.find(*stop) != std::string_view::npos;
+    if (stop == at || !ends) return std::nullopt;
     at = stop;
   }
   return numbers;

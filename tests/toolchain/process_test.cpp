@@ -75,6 +75,7 @@ TEST_CASE("numbers of an answer are read to the bit, beyond the range of double 
   CHECK(elgen::numbers_in("1e400 -1e400 1e-400") == std::vector<double>{HUGE_VAL, -HUGE_VAL, 0});
   CHECK(elgen::numbers_in("")->empty());
   CHECK_FALSE(elgen::numbers_in("[1, two]"));
+  CHECK_FALSE(elgen::numbers_in("[1.2.3]"));
   CHECK_FALSE(elgen::numbers_in(std::string("1 \0 2", 5)));
 }
 
