@@ -153,6 +153,11 @@ TEST_CASE("verify: a square of an equation determines no acceleration") {
   }
   const std::string cubed = "\"" + row + "^3 = (g*sin(theta))^3\"";
   CHECK(verified("cart_pole", "equations = [" + cart_row + ", " + cubed + "]\n").status == 0);
+  const Outcome other_sign = judged("dot(dot(theta)) = g/l*sin(theta)");
+  INFO(other_sign.errors);
+  CHECK(other_sign.status == 1);
+  CHECK(mentions(other_sign.errors, "has the other sign"));
+  CHECK_FALSE(mentions(other_sign.errors, "E540"));
 }
 
 TEST_CASE("verify: a form that holds for the values of the file alone is told so") {

@@ -131,10 +131,11 @@ bool meets_all(const Model& model, const Expectation& equations, const State& mo
 /// Another acceleration that meets all equations, as that of a square does. It is searched on the
 /// line on which all others stay, where left - right is f(s) and f(0) = 0: the other zero of a
 /// parabola, s = f'/(f' - f(1)), and the mirror image of d(left - right)/da a, for even functions.
+/// None if the motion does not meet them: with a wrong sign they may determine another one.
 std::optional<State> other_motion(const Model& model, const Expectation& equations,
                                   const State& motion, const std::vector<cl_R>& slopes) {
-  const std::size_t n = motion.a.size();
   if (!meets_all(model, equations, motion, slopes)) return std::nullopt;
+  const std::size_t n = motion.a.size();
   for (std::size_t k = 0; k < equations.entries.size(); ++k) {
     std::vector<cl_R> others = slopes;
     const auto row = others.begin() + static_cast<std::ptrdiff_t>(k * n);
