@@ -130,6 +130,70 @@ mass_matrix = [["M + m", "m*l*cos(theta)"], ["m*l*cos(theta)", "m*l^2"]]
             .empty());
 }
 
+TEST_CASE("a rail known by its curve: the slope as a function holds, as the message says") {
+  const std::string rail = R"toml(format = 1
+[model]
+name = "rail"
+[[coordinate]]
+name = "s"
+[[coordinate]]
+name = "th"
+[parameters]
+m = 2
+l = 0.4
+[[function]]
+name = "X"
+of = ["s"]
+)toml";
+  const std::string point = found(rail + R"toml([[point]]
+name = "bob"
+at = ["X + l*sin(th)", "-l*cos(th)"]
+mass = "m"
+)toml");
+  CHECK(mentions(point, "error[E319]: `X` is an open function, and a position takes none"));
+  CHECK(mentions(point, "`[[function]]` for the slope may stand in `[energy] T`"));
+  const std::string energy = found(rail + "[energy]\nT = \"m*dot(X)^2 + m*l^2*dot(th)^2\"\n");
+  CHECK(mentions(energy, "the rate is slope*dot(argument)"));
+  CHECK(disproved(rail + R"toml([[function]]
+name = "slope"
+of = ["s"]
+[energy]
+T = "1/2*m*(slope*dot(s))^2 + 1/2*m*((slope*dot(s) + l*cos(th)*dot(th))^2 + (l*sin(th)*dot(th))^2)"
+[[expect]]
+mass_matrix = [["2*m*slope^2", "m*l*slope*cos(th)"], ["m*l*slope*cos(th)", "m*l^2"]]
+velocity_force = ["2*m*slope*slope_1*dot(s)^2 - m*l*slope*sin(th)*dot(th)^2", "m*l*slope_1*cos(th)*dot(s)^2"]
+)toml")
+            .empty());
+}
+
+TEST_CASE("a commanded acceleration: the force -m*a holds, as the message says") {
+  const std::string text = found(cart_pole + R"toml([[point]]
+name = "bob"
+at = ["x + l*sin(theta)", "l*cos(theta)"]
+mass = "m"
+[[input]]
+name = "acc"
+[[constraint]]
+name = "command"
+kind = "velocity"
+equation = "dot(dot(x)) = acc"
+)toml");
+  CHECK(mentions(text, "error[E502]: `dot(dot(x))` is a second derivative"));
+  CHECK(mentions(text, "leave the coordinate out, and give each mass the force -m*a"));
+  CHECK_FALSE(mentions(found(pendulum + "[energy]\nV = \"dot(dot(theta))\"\n"), "-m*a"));
+  CHECK(disproved(pendulum + R"toml([gravity]
+vector = ["0", "-g"]
+[[input]]
+name = "acc"
+[[force]]
+at = "bob"
+value = ["-m*acc", "0"]
+[[expect]]
+equations = ["l*dot(dot(theta)) = -g*sin(theta) - acc*cos(theta)"]
+)toml")
+            .empty());
+}
+
 TEST_CASE("the sign of the potential: a mass that is pushed up is noted") {
   CHECK(mentions(found(pendulum + "[energy]\nV = \"-m*g*y(bob)\"\n"),
                  "note[E512]: V falls as `bob` rises"));

@@ -16,7 +16,7 @@ namespace elgen {
 namespace {
 
 constexpr Place position_equation{place::position_equation, place::of_configuration};
-constexpr Place velocity_equation{"a constraint on velocities", place::of_state};
+constexpr Place velocity_equation{place::velocity_equation, place::of_state};
 constexpr Place gain{"a gain", place::parameters_only};
 
 /// "link[3]" -> "link_x[3]"

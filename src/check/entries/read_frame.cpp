@@ -157,7 +157,7 @@ void write_motion(Context& context, Frame& frame) {
 }
 
 const RootRequest angle_request{{"an angle", place::of_configuration}, find_unit("rad")};
-const RootRequest length_request{{"a position", place::of_configuration}, find_unit("m")};
+const RootRequest length_request{{place::position, place::of_configuration}, find_unit("m")};
 constexpr std::array<std::string_view, 5> orientations{"rotate", "rpy", "dh", "quaternion",
                                                        "rotation"};
 

@@ -55,7 +55,7 @@ class BodyReader {
     if (com == nullptr || !values_.is_vector(com->value)) return;
     const bool in_frame = entry_.find("frame") != nullptr;
     const Place place = in_frame ? Place{"a centre of mass", place::parameters_only, Code::E506}
-                                 : Place{"a position", place::of_configuration};
+                                 : Place{place::position, place::of_configuration};
     body_.com = padded(values_.roots(com->value, {place, find_unit("m")}));
     body_.dimension = static_cast<std::uint32_t>(com->value.items.size());
   }
@@ -151,7 +151,7 @@ void read_point(ValueReader& values, const EntrySyntax& entry, std::uint32_t tar
   Point& point = context.model.points[target];
   const KeySyntax* at = entry.find("at");
   if (at != nullptr && values.is_vector(at->value)) {
-    const Place place{"a position", place::of_configuration};
+    const Place place{place::position, place::of_configuration};
     point.at = padded(values.roots(at->value, {place, find_unit("m")}));
     if (const KeySyntax* frame = entry.find("frame")) {
       if (const auto index = values.frame_or_world(frame->value)) {

@@ -37,6 +37,12 @@ constexpr const char* home_of_momenta =
 constexpr const char* home_of_multipliers = "it stands in an `[[output]]` with `motion = true`";
 constexpr const char* kind_of_rates = "equations of rates have `kind = \"velocity\"`";
 constexpr const char* varying_mass = "what varies is written out in `[energy] T`";
+constexpr const char* slope_here =
+    "a `[[function]]` for the slope may stand here: the rate is slope*dot(argument)";
+constexpr const char* slope_in_energy =
+    "a `[[function]]` for the slope may stand in `[energy] T`: the rate is slope*dot(argument)";
+constexpr const char* commanded_acceleration =
+    "of a commanded acceleration a: leave the coordinate out, and give each mass the force -m*a";
 
 Code code_of(Ingredient ingredient, const Place& place) {
   if (place.otherwise == Code::E319 && ingredient == uses_acceleration) return Code::E502;
@@ -54,6 +60,22 @@ bool brings_in(const Expression& node, const std::vector<Traits>& traits, Expres
   return true;
 }
 
+/// How the place takes what was meant; "" if it does not.
+std::string_view way_round(const Place& place, Ingredient ingredient) {
+  const bool is_constraint =
+      place.noun == place::position_equation || place.noun == place::velocity_equation;
+  if (ingredient == uses_kink) return smooth_stand_in;
+  if (ingredient == uses_momentum) return home_of_momenta;
+  if (ingredient == uses_multiplier) return home_of_multipliers;
+  if (is_constraint && ingredient == uses_rate) return kind_of_rates;
+  if (is_constraint && ingredient == uses_acceleration) return commanded_acceleration;
+  if (place.otherwise == Code::E506) return varying_mass;
+  const bool takes_functions = (place.allowed & uses_open_function) != 0;
+  if (takes_functions && ingredient == uses_open_derivative) return slope_here;
+  const bool is_position = place.noun == place::position;
+  return is_position && ingredient == uses_open_function ? slope_in_energy : "";
+}
+
 void report(Context& context, const WrittenExpression& root, const Expression& node,
             const IngredientRow& row) {
   const bool is_name = node.kind == ExpressionKind::definition ||
@@ -61,15 +83,8 @@ void report(Context& context, const WrittenExpression& root, const Expression& n
                        node.kind == ExpressionKind::prescribed;
   std::string message = in_backticks(node.span) + (is_name ? " contains " : " is ");
   message += std::string(row.noun) + ", and " + std::string(root.place.noun) + " takes none";
-  const bool is_constraint = root.place.noun == place::position_equation;
-  const bool is_rate = row.ingredient == uses_rate;
-  const std::string hint = row.ingredient == uses_kink          ? smooth_stand_in
-                           : row.ingredient == uses_momentum    ? home_of_momenta
-                           : row.ingredient == uses_multiplier  ? home_of_multipliers
-                           : is_constraint && is_rate           ? kind_of_rates
-                           : root.place.otherwise == Code::E506 ? varying_mass
-                                                                : "";
-  context.report.add(code_of(row.ingredient, root.place), node.span, std::move(message), hint);
+  context.report.add(code_of(row.ingredient, root.place), node.span, std::move(message),
+                     std::string(way_round(root.place, row.ingredient)));
 }
 
 void check_root(Context& context, const std::vector<Traits>& traits, WrittenExpression& root) {

@@ -21,7 +21,9 @@ inline constexpr Ingredients of_dissipation = of_energy | uses_open_rate;
 inline constexpr Ingredients of_force = of_dissipation | uses_input | uses_kink;
 inline constexpr Ingredients anything = of_force | uses_acceleration | uses_open_derivative;
 
+inline constexpr std::string_view position = "a position";
 inline constexpr std::string_view position_equation = "a constraint on positions";
+inline constexpr std::string_view velocity_equation = "a constraint on velocities";
 
 }  // namespace place
 
