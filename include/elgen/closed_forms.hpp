@@ -67,6 +67,8 @@ struct Algebra {
   std::shared_ptr<const Program> sums = {};
   /// stumpff(x, k > 0) is no atom but its quotient over powers of x, which has no value at 0.
   bool has_quotients = false;
+  /// exp, sinh, cosh and tanh are written by atoms exp(u/12), u a monomial over a denominator.
+  bool has_exponentials = false;
 };
 
 struct ClosedField {
@@ -99,6 +101,16 @@ struct PresentBudget {
 [[nodiscard]] ClosedForms present_quotients(const Program& program,
                                             const PresentBudget& budget = {});
 
+/// Closed forms for proofs alone: with these quotients, and with exp, sinh, cosh and tanh written
+/// by powers of few exponentials, so that these relations are seen:
+///
+///     exp(a + b) = exp(a) exp(b),  1/exp(-a) = exp(a),  tanh(a) = (exp(2 a) - 1)/(exp(2 a) + 1)
+[[nodiscard]] ClosedForms present_for_proofs(const Program& program,
+                                             const PresentBudget& budget = {});
+
+/// Whether forms for proofs take a function apart that present() has as an atom.
+[[nodiscard]] bool is_taken_apart(FunctionId function);
+
 /// The sums of a program that may stay whole, each a function of one entry, none twice: the bases
 /// of powers and the arguments of roots, quotients and functions other than sines, cosines and
 /// tangents, and the factors of these, where they hold a coordinate or t.
@@ -126,8 +138,8 @@ enum class ZeroProof : std::uint8_t {
   not_zero,  ///< another sum of leaves, numbers, pi, sines and cosines, which has one form
 };
 
-/// Proofs by the closed form of each entry, in the order of the fields, or else by that with
-/// quotients. A form that is given up is no proof. Cost: that of the forms, within the budget.
+/// Proofs by the closed form of each entry, in the order of the fields, or else by its form for
+/// proofs. A form that is given up is no proof. Cost: that of the forms, within the budget.
 [[nodiscard]] std::vector<ZeroProof> proved_zeros(const Program& program, Function function,
                                                   const PresentBudget& budget = {});
 

@@ -67,6 +67,12 @@ struct FunctionRow {
   return id == FunctionId::sin || id == FunctionId::cos;
 }
 
+/// exp, and the functions that are quotients of sums of its powers.
+[[nodiscard]] constexpr bool has_exponential_form(FunctionId id) {
+  return id == FunctionId::exp || id == FunctionId::sinh || id == FunctionId::cosh ||
+         id == FunctionId::tanh;
+}
+
 /// The function that one is like far out: stumpff(x, k) of k < 0 is like cosh(x).
 [[nodiscard]] constexpr FunctionId far_out(FunctionId id, bool has_negative_order) {
   return id == FunctionId::stumpff && has_negative_order ? FunctionId::cosh : id;

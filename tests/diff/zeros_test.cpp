@@ -48,13 +48,23 @@ TEST_CASE("what has no value anywhere is not taken for zero") {
                 "  5 = square_root 4\n  6 = subtract 5 0\n  result 1 1 = 6\n") == Zero::no);
 }
 
-TEST_CASE("1/exp(-2x) is exp(2x), also at points so far out that values are limits") {
+TEST_CASE("1/sqrt(exp(-2x)) is exp(x), also at points so far out that values are limits") {
   const std::string quotient =
-      "  2 = add 1 1\n  3 = exp 2\n  4 = negate 2\n  5 = exp 4\n  6 = constant 1\n"
-      "  7 = divide 6 5\n";
-  CHECK(zero_of(quotient + "  8 = subtract 7 3\n  result 1 1 = 8\n") == Zero::sampled);
-  CHECK(zero_of(quotient + "  8 = constant 1000000000001/1000000000000\n  9 = multiply 8 3\n"
-                           "  10 = subtract 7 9\n  result 1 1 = 10\n") == Zero::no);
+      "  2 = add 1 1\n  3 = exp 1\n  4 = negate 2\n  5 = exp 4\n  6 = square_root 5\n"
+      "  7 = constant 1\n  8 = divide 7 6\n";
+  CHECK(zero_of(quotient + "  9 = subtract 8 3\n  result 1 1 = 9\n") == Zero::sampled);
+  CHECK(zero_of(quotient + "  9 = constant 1000000000001/1000000000000\n  10 = multiply 9 3\n"
+                           "  11 = subtract 8 10\n  result 1 1 = 11\n") == Zero::no);
+}
+
+TEST_CASE("tanh(x) is proved to be (exp(2x) - 1)/(1 + 1/exp(-2x)), and not with exp(-3x)") {
+  for (const auto& [factor, verdict] : {std::pair{"-2", Zero::proved}, std::pair{"-3", Zero::no}}) {
+    CHECK(zero_of("  2 = constant " + std::string(factor) +
+                  "\n  3 = multiply 2 1\n  4 = exp 3\n  5 = constant 1\n  6 = divide 5 4\n"
+                  "  7 = add 5 6\n  8 = add 1 1\n  9 = exp 8\n  10 = subtract 9 5\n"
+                  "  11 = divide 10 7\n  12 = tanh 1\n  13 = subtract 12 11\n"
+                  "  result 1 1 = 13\n") == verdict);
+  }
 }
 
 TEST_CASE("nothing is taken for zero because its rounding hides it") {

@@ -235,6 +235,19 @@ TEST_CASE("Stumpff's functions are proved to be quotients, and wrong quotients a
   }
 }
 
+TEST_CASE("quotients of exponentials are proved, and wrong ones are not") {
+  for (const auto& [expect, evidence] :
+       {std::pair{"gravity = [\"m*g*l*sin(theta)*exp(theta)*exp(-theta)\"]\n", Evidence::proof},
+        std::pair{"conserved = [\"E*tanh(theta)*(1 + exp(-2*theta))/(1 - exp(-2*theta))\"]\n",
+                  Evidence::proof},
+        std::pair{"gravity = [\"m*g*l*sin(theta)*exp(theta)*exp(-theta/2)\"]\n", Evidence::states},
+        std::pair{"conserved = [\"E*tanh(theta)*(1 + exp(-2*theta))/(1 - exp(-3*theta))\"]\n",
+                  Evidence::states}}) {
+    INFO(expect);
+    CHECK(DerivedPendulum(expect).evidence() == evidence);
+  }
+}
+
 TEST_CASE("without closed forms, and where an entry rests on a sampled zero, nothing is proved") {
   for (const char* expect : {"forward_dynamics = [\"-g/l*sin(theta)\"]\n", "conserved = [\"E\"]\n",
                              "conserved = [\"1/2*m*l^2*dot(theta)^2 - m*g*l*cos(theta)\"]\n"}) {

@@ -67,6 +67,8 @@ class Arithmetic {
   Value circle_twelfths(long twelfths);
   Value sine_or_cosine(FunctionId function, const Fraction& x);
   Value stumpff_quotient(const Fraction& x, const cln::cl_I& order);
+  Value real_exponential(const Fraction& x);
+  Value by_exponentials(FunctionId function, const Fraction& x);
 
   Algebra& algebra_;
   std::size_t work_;

@@ -18,6 +18,9 @@ namespace {
 /// Larger primes stay together under one root.
 constexpr int largest_prime = 10'000;
 
+/// Powers of exponentials beyond could overflow when they are multiplied.
+constexpr int most_exponent = 1'000'000;
+
 bool is_pi(const Algebra& algebra, const Monomial& monomial) {
   return monomial.size() == 1 && monomial[0].exponent == 1 &&
          algebra.atoms[monomial[0].atom].kind == AtomKind::pi;
@@ -105,7 +108,7 @@ Value Arithmetic::exponential_of_term(const Monomial& monomial, const cl_RA& coe
   const cl_RA twelfths = coefficient * angle_parts;
   const cl_I divisor = cln::denominator(twelfths);
   const cl_I exponent = cln::numerator(twelfths);
-  if (cln::abs(exponent) > 1'000'000) return std::nullopt;
+  if (cln::abs(exponent) > most_exponent) return std::nullopt;
   const long power = cln::cl_I_to_long(exponent);
   if (is_pi(algebra_, monomial) && divisor == 1) return circle_twelfths(power);
   const Fraction unit = atom({.kind = AtomKind::circular,
@@ -157,6 +160,44 @@ Value Arithmetic::stumpff_quotient(const Fraction& x, const cl_I& order) {
   return divide(subtract(first, stumpff_quotient(x, order - 2)), multiply(x, x));
 }
 
+/// e^x: the product over the terms of x of powers of e^(m/12), m a monomial, or i times it, over
+/// the denominator of x. If x holds sines, the factors are complex, and their product is e^x.
+Value Arithmetic::real_exponential(const Fraction& x) {
+  Monomial result;
+  const auto multiply_by = [&](const Monomial& monomial, const cl_RA& coefficient, Gaussian unit) {
+    const cl_RA parts = coefficient * angle_parts;
+    const cl_I exponent = cln::numerator(parts);
+    if (cln::abs(exponent) > most_exponent) return false;
+    if (cln::zerop(exponent)) return true;
+    const Gaussian part =
+        elgen::product(unit, {1 / cl_RA(cln::denominator(parts) * angle_parts), 0});
+    const Fraction base =
+        atom({.kind = AtomKind::call,
+              .function = FunctionId::exp,
+              .arguments = {Fraction{Polynomial{{monomial, part}}, x.denominator}}});
+    const auto power = static_cast<std::int32_t>(cln::cl_I_to_long(exponent));
+    result = elgen::product(result, elgen::power(base.numerator.begin()->first, power));
+    return true;
+  };
+  for (const auto& [monomial, coefficient] : x.numerator) {
+    if (!multiply_by(monomial, coefficient.real, {1, 0})) return std::nullopt;
+    if (!multiply_by(monomial, coefficient.imaginary, {0, 1})) return std::nullopt;
+  }
+  return fraction_of(Polynomial{{result, Gaussian{1, 0}}});
+}
+
+/// exp, sinh, cosh and tanh by e^x and e^-x.
+Value Arithmetic::by_exponentials(FunctionId function, const Fraction& x) {
+  const Value forward = real_exponential(x);
+  if (function == FunctionId::exp) return forward;
+  const Value backward = power(forward, -1);
+  const Value half = fraction_of(cl_RA(1) / 2);
+  const Value sine = multiply(half, subtract(forward, backward));
+  const Value cosine = multiply(half, add(forward, backward));
+  if (function == FunctionId::tanh) return divide(sine, cosine);
+  return function == FunctionId::sinh ? sine : cosine;
+}
+
 /// log1p, expm1 and hypot are written by log, exp and a root.
 Value Arithmetic::call(FunctionId function, const Value& x, const Value& y) {
   const FunctionRow& row = function_row(function);
@@ -169,6 +210,8 @@ Value Arithmetic::call(FunctionId function, const Value& x, const Value& y) {
   const bool is_quotient = algebra_.has_quotients && function == FunctionId::stumpff;
   if (is_quotient && last && cln::plusp(*last)) return stumpff_quotient(*x, cln::numerator(*last));
   if (is_circular(function)) return sine_or_cosine(function, *x);
+  if (algebra_.has_exponentials && has_exponential_form(function))
+    return by_exponentials(function, *x);
   if (function == FunctionId::tan) {
     const Value sine = sine_or_cosine(FunctionId::sin, *x);
     return divide(sine, sine_or_cosine(FunctionId::cos, *x));

@@ -171,6 +171,15 @@ ClosedForms present_quotients(const Program& program, const PresentBudget& budge
   return present_over({.has_quotients = true}, program, budget);
 }
 
+ClosedForms present_for_proofs(const Program& program, const PresentBudget& budget) {
+  return present_over({.has_quotients = true, .has_exponentials = true}, program, budget);
+}
+
+bool is_taken_apart(FunctionId function) {
+  return function == FunctionId::stumpff || function == FunctionId::expm1 ||
+         has_exponential_form(function);
+}
+
 ClosedForms present(const Program& program, Program whole_sums, const PresentBudget& budget) {
   ClosedForms forms;
   Arithmetic plain(forms.algebra, budget.products_per_function, budget.terms);
@@ -198,10 +207,13 @@ std::vector<ZeroProof> proved_zeros(const Program& program, Function function,
   const Program alone{program.leaves, program.constants, {std::move(function)}};
   std::vector<ZeroProof> result = proofs_of(present(alone, budget));
   const bool is_open = std::ranges::find(result, ZeroProof::open) != result.end();
-  if (!is_open || !calls(alone, FunctionId::stumpff)) return result;
-  const std::vector<ZeroProof> by_quotients = proofs_of(present_quotients(alone, budget));
+  const bool has_other_forms = std::ranges::any_of(function_table(), [&](const FunctionRow& row) {
+    return is_taken_apart(row.id) && calls(alone, row.id);
+  });
+  if (!is_open || !has_other_forms) return result;
+  const std::vector<ZeroProof> others = proofs_of(present_for_proofs(alone, budget));
   for (std::size_t i = 0; i < result.size(); ++i) {
-    if (result[i] == ZeroProof::open) result[i] = by_quotients[i];
+    if (result[i] == ZeroProof::open) result[i] = others[i];
   }
   return result;
 }

@@ -10,6 +10,19 @@
 
 namespace elgen {
 
+namespace {
+
+/// Whether forms for proofs of the program, or of what the file expects, are other ones.
+bool has_other_forms(const Subject& subject) {
+  const auto is_other = [](const Expression& e) {
+    return e.kind == ExpressionKind::function && is_taken_apart(e.function);
+  };
+  return std::ranges::any_of(subject.model.expressions, is_other) ||
+         calls(subject.program, FunctionId::stumpff);
+}
+
+}  // namespace
+
 const Fraction* Proofs::find(const OutputRequest& request, std::string_view field,
                              std::size_t entry) const {
   const std::vector<Function>& functions = subject_.program.functions;
@@ -94,13 +107,21 @@ std::optional<Fraction> Proofs::along_motion(const Fraction& form) const {
 
 bool Proofs::holds(const Expectation& expectation, std::size_t entry) {
   if (holds_as_it_is(expectation, entry)) return true;
-  if (forms_ == nullptr || !calls(subject_.program, FunctionId::stumpff)) return false;
-  if (!quotients_) {
+  if (forms_ == nullptr || !has_other_forms(subject_)) return false;
+  if (!other_forms_) {
     Program derived = subject_.program;
     derived.functions.resize(forms_->functions.size());  // steps behind them have no forms
-    quotients_ = present_quotients(derived);
+    other_forms_ = present_for_proofs(derived);
   }
-  return Proofs(subject_, &*quotients_).holds_as_it_is(expectation, entry);
+  return Proofs(subject_, &*other_forms_).holds_as_it_is(expectation, entry);
+}
+
+ClosedForms* Proofs::quotients() {
+  const auto is_power = [](const Atom& atom) {
+    return atom.kind == AtomKind::call && has_exponential_form(atom.function);
+  };
+  const bool is_typed = other_forms_ && std::ranges::none_of(other_forms_->algebra.atoms, is_power);
+  return is_typed ? &*other_forms_ : nullptr;
 }
 
 bool Proofs::holds_as_it_is(const Expectation& expectation, std::size_t entry) {

@@ -18,8 +18,8 @@ class Proofs {
   Proofs(const Subject& subject, ClosedForms* forms) : subject_(subject), forms_(forms) {}
 
   /// An entry equals that of the output derived, is constant along the motion at u = 0, or vanishes
-  /// along it, as the expectation says, with Stumpff's functions as they are or as their quotients.
-  /// False says nothing.
+  /// along it, as the expectation says, by the forms or else by forms for proofs. False says
+  /// nothing.
   [[nodiscard]] bool holds(const Expectation& expectation, std::size_t entry);
 
   /// The form of an entry as the file gives it, and as it is derived; none where there is none, or
@@ -38,8 +38,9 @@ class Proofs {
   [[nodiscard]] std::optional<Fraction> free_rate(const Fraction& form) const;
 
   [[nodiscard]] const Subject& subject() const { return subject_; }
-  /// The forms with quotients; null until a proof has asked for them.
-  [[nodiscard]] ClosedForms* quotients() { return quotients_ ? &*quotients_ : nullptr; }
+  /// The forms with quotients; null until a proof has asked for forms for proofs, and if these hold
+  /// powers of exponentials, which nobody has typed.
+  [[nodiscard]] ClosedForms* quotients();
   /// Null: there are no forms.
   [[nodiscard]] Algebra* algebra() const { return forms_ == nullptr ? nullptr : &forms_->algebra; }
 
@@ -52,7 +53,7 @@ class Proofs {
 
   const Subject& subject_;
   ClosedForms* forms_;
-  std::optional<ClosedForms> quotients_ = {};  ///< made for the first proof that asks for them
+  std::optional<ClosedForms> other_forms_ = {};  ///< made for the first proof that asks for them
 };
 
 }  // namespace elgen

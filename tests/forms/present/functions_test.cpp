@@ -70,6 +70,41 @@ TEST_CASE("Stumpff's functions are atoms, or their quotients where the algebra h
   }
 }
 
+TEST_CASE("exponentials are atoms, or powers of few where the algebra has these") {
+  for (const bool has_exponentials : {false, true}) {
+    Space s{.algebra = {.has_exponentials = has_exponentials}};
+    Arithmetic& a = s.arithmetic;
+    const auto call = [&a](FunctionId function, const Value& x) {
+      return a.call(function, x, Value());
+    };
+    const auto exp = [&](const Value& x) { return call(FunctionId::exp, x); };
+    const Value one = fraction_of(cln::cl_RA(1));
+    const Value y = a.leaf(Opcode::coordinate, 1);
+    const Value half = a.divide(s.x, fraction_of(cln::cl_RA(2)));
+    const Value sine = call(FunctionId::sin, s.x);
+    const Value quotient = a.divide(s.x, a.add(one, y));
+    CHECK((a.multiply(exp(s.x), exp(a.negate(s.x))) == one) == has_exponentials);
+    CHECK((a.multiply(exp(quotient), exp(a.divide(y, a.add(one, y)))) ==
+           exp(a.divide(a.add(s.x, y), a.add(one, y)))) == has_exponentials);
+    for (const Value& u : {half, s.x, y, one, sine, a.pi()}) {
+      CHECK((a.power(exp(u), 2) == exp(a.add(u, u))) == has_exponentials);
+      CHECK((a.multiply(exp(u), exp(s.x)) == exp(a.add(u, s.x))) == has_exponentials);
+      CHECK(a.power(exp(u), 3) != exp(a.add(u, u)));
+      const Value squared = exp(a.add(u, u));
+      const Value tangent = a.divide(a.subtract(squared, one), a.add(squared, one));
+      const Value difference = a.subtract(call(FunctionId::tanh, u), tangent);
+      REQUIRE(difference);
+      CHECK(difference->numerator.empty() == has_exponentials);
+    }
+    const Value hyperbola =
+        a.subtract(a.power(call(FunctionId::cosh, y), 2), a.power(call(FunctionId::sinh, y), 2));
+    CHECK((hyperbola == one) == has_exponentials);
+    CHECK((a.subtract(call(FunctionId::cosh, y), call(FunctionId::sinh, y)) == exp(a.negate(y))) ==
+          has_exponentials);
+    CHECK(call(FunctionId::sinh, y) != call(FunctionId::cosh, y));
+  }
+}
+
 TEST_CASE("constants are taken apart by their form") {
   Space s;
   const ConstantForm pi{.kind = ConstantKind::pi, .parts = {}};

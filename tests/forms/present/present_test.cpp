@@ -82,6 +82,21 @@ TEST_CASE("atoms that may depend on each other prove nothing") {
                "  result 1 1 = 10\n") == Proofs{ZeroProof::open});
 }
 
+TEST_CASE("exp(x + m) is proved to be exp(x)*exp(m), closed forms keep them as they are") {
+  const std::string code =
+      "  2 = add 0 1\n  3 = exp 2\n  4 = exp 0\n  5 = exp 1\n  6 = multiply 4 5\n"
+      "  7 = subtract 3 6\n  8 = subtract 3 5\n  9 = expm1 2\n  10 = subtract 9 6\n"
+      "  11 = constant 1\n  12 = add 10 11\n  result 3 1 = 7 8 12\n";
+  CHECK(proved(code) == Proofs{ZeroProof::zero, ZeroProof::open, ZeroProof::zero});
+  const ClosedForms forms =
+      present(testing::read_program("parameters m\ncoordinates x\nfunction gravity\n"
+                                    "  0 = parameter m\n  1 = coordinate x\n" +
+                                    code));
+  const auto& entry = forms.functions[0].fields[0].entries[0];
+  REQUIRE(entry);
+  CHECK(entry->numerator.size() == 2);
+}
+
 TEST_CASE("a form that is given up proves nothing") {
   CHECK(proved(circle, {.products_per_function = 1, .products = 1, .terms = 1}) ==
         Proofs{ZeroProof::open, ZeroProof::open});
