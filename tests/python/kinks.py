@@ -1,4 +1,5 @@
-"""Functions that branch on a number: they have values in `math` and mpmath; arrays and symbols are refused in words."""
+"""Functions that branch on a number: they have values in `math`, in mpmath, and of each element of numpy's arrays;
+symbols are refused in words."""
 from generated import arguments, flat, functions_of, module_of, root, state, value_at
 
 code = module_of(root / "tests/emit/compiled/functions.toml")
@@ -21,18 +22,47 @@ def check_values():
     assert all(value_at(each, state(code, 1)) for each in functions_of(code))
 
 
+def installed(package):
+    try:
+        return __import__(package)
+    except ImportError:
+        print(f"skipped: {package} of Python is not installed")
+        return None
+
+
+def check_arrays():
+    numpy = installed("numpy")
+    if numpy is None:
+        return
+    p = code.Parameters()
+    functions = code.on(numpy)
+    # The series of stumpff(theta, -4) ends at theta^2 = 12.
+    angles = [-7.5, -3.4641, -1.0, -1e-300, 0.0, 0.25, 3.0, 3.5, 20.0]
+    found = functions.gravity(p, [0.0, numpy.array([angles, angles])])[1]
+    assert found.shape == (2, len(angles)) and found.dtype == float
+    for column, angle in enumerate(angles):
+        one = code.gravity(p, [0.0, angle])[1]
+        assert max(abs(found[:, column] - one)) <= 1e-12 * abs(one), angle
+    rates = [-2.0, -p.w / 3, 0.0, 0.0005, 7.0]
+    found = functions.applied_force(p, [0.0, 0.0], [numpy.array(rates), 0.0])[0]
+    assert list(found) == [code.applied_force(p, [0.0, 0.0], [rate, 0.0])[0] for rate in rates]
+    # Numbers stay those of `math`, which has no value at inf; an array has a NaN there alone.
+    assert functions.gravity(p, [0.0, 0.25]) == code.gravity(p, [0.0, 0.25])
+    assert value_at(code.gravity, {"p": p, "q": [0.0, float("inf")]}) is None
+    with numpy.errstate(all="ignore"):
+        found = functions.gravity(p, [0.0, numpy.array([numpy.inf, 0.25])])[1]
+    assert numpy.isnan(found[0]) and abs(found[1] / code.gravity(p, [0.0, 0.25])[1] - 1) < 1e-12
+
+
 def check_refusals():
-    for package in ("numpy", "sympy"):
-        try:
-            space = __import__(package)
-        except ImportError:
-            print(f"skipped: {package} of Python is not installed")
-            continue
-        said = refusal(space, "applied_force")
-        assert said in [f"{name} branches on one number: {package} has arrays or symbols" for name in ("sign", "min")]
-        assert refusal(space, "gravity").startswith("stumpff branches on one number")
-        assert code.on(space).mass_matrix(code.Parameters(), [0.0, 0.0])[0][0] == 0.6
-        assert code.on(space) is code.on(space)
+    space = installed("sympy")
+    if space is None:
+        return
+    said = refusal(space, "applied_force")
+    assert said in [f"{name} branches on one number: sympy has arrays or symbols" for name in ("sign", "min")]
+    assert refusal(space, "gravity").startswith("stumpff branches on one number")
+    assert code.on(space).mass_matrix(code.Parameters(), [0.0, 0.0])[0][0] == 0.6
+    assert code.on(space) is code.on(space)
 
 
 def check_missing():
@@ -52,5 +82,6 @@ def check_missing():
 
 
 check_values()
+check_arrays()
 check_refusals()
 check_missing()
