@@ -31,8 +31,9 @@ namespace elgen {
 [[nodiscard]] std::vector<OutputRequest> needed_for_step(const Model& model,
                                                          const OutputRequest& step);
 
-/// The reason why kick, drift, kick is not symplectic or explicit; "" where there is none.
-/// `program` has mass_matrix, momentum and bias: what these do not depend on they do not read.
+/// The reason why kick, drift, kick is not symplectic or explicit; "" where there is none. There
+/// are no rotations (E622 of the scene). `program` has mass_matrix, momentum and bias: what these
+/// do not depend on they do not read.
 [[nodiscard]] std::string not_separable(const CheckedModel& checked, const Program& program);
 
 /// Appends the function of the request to `program`. `calls`: what needed_for_step says, in chosen

@@ -109,4 +109,21 @@ TEST_CASE("a rotation turns exactly one frame") {
   CHECK(messages(flying_top("", alone)) == "E513 18:9 `f` is the `rotation` of no [[frame]]\n");
 }
 
+TEST_CASE("symplectic steps of a rotation are refused before any value is asked for") {
+  const auto said = [](const std::string& method, const std::string& more = {}) {
+    const std::string sliding = "[[coordinate]]\nname = \"x\"\n[energy]\nT = \"J*dot(x)^2\"\n";
+    return messages(
+        flying_top("", sliding),
+        {.scene = "format = 1\nmodel = \"m.toml\"\nname = \"s\"\n[outputs]\n" + method + more});
+  };
+  const std::string hint = " is not for this system: `e` is a rotation | `rk4` takes any model\n";
+  const std::string midpoint = "step = { method = \"midpoint\" }\n";
+  CHECK(said(midpoint) == "E622 5:1 `midpoint`" + hint);
+  CHECK(said("step_derivatives = { method = \"verlet\" }\n") == "E622 5:1 `verlet`" + hint);
+  for (const std::string& right : {said("step = { method = \"rk4\" }\n"),
+                                   said(midpoint, "[lock]\ne = { value = [1, 0, 0, 0] }\n")}) {
+    CHECK(right.find("E622") == std::string::npos);
+  }
+}
+
 }  // namespace elgen::test

@@ -31,6 +31,16 @@ void read_batch(Context& context, const FileSyntax* syntax, Scene& scene);
 void read_inner(Context& context, const FileSyntax* syntax, const SceneOptions& options,
                 Scene& scene);
 
+/// Sets method, order and iterations of a request for `step`, by the table of its entry; any other
+/// value says nothing. E103 where the output takes no method, E105 where it needs one, E620 where
+/// there is no such one, E626 where it does not iterate, or not so often, E647 where it has not the
+/// order.
+void read_step(const Model& model, const ValueSyntax& entry, OutputRequest& output, Report& report);
+
+/// Symplectic methods know of no constraints (E539) and of no rotations (E622). What else they need
+/// is seen where M and the forces are derived.
+void check_steps(Context& context, const std::vector<OutputRequest>& outputs);
+
 /// Sets Numerics::max_error and its ranges, those of the options last. E640, E630, E606.
 void read_promise(Context& context, const FileSyntax* syntax, const SceneOptions& options,
                   Numerics& numerics);

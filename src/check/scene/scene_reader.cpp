@@ -1,7 +1,5 @@
 // Scene: outputs in the order of the table, fixed parameters, scalars and emission.
-#include <cln/integer.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -20,95 +18,6 @@
 
 namespace elgen {
 namespace {
-
-/// The method that a word is nearest to, or all of them.
-std::string method_hint(const std::string& word) {
-  const std::vector<std::string> names = words_in(step_methods, &StepMethodRow::name);
-  return suggestion(word, names,
-                    fmt::format("one of {}, which are straight-line code", fmt::join(names, ", ")));
-}
-
-void refuse_keys(const ValueSyntax& entry, const OutputRequest& output, Report& report) {
-  for (const std::string_view name : {"method", "order", "iterations", "projected"}) {
-    const KeySyntax* key = entry.find(name);
-    if (key == nullptr) continue;
-    report.add(Code::E103, key->key_span,
-               fmt::format("`{}` has no `{}`: `step` has one", output.name, name));
-  }
-}
-
-void read_iterations(const KeySyntax& key, OutputRequest& output, Report& report) {
-  const StepMethodRow& method = step_methods[output.user];
-  if (method.iterations == 0) {
-    return report.add(Code::E626, key.key_span,
-                      fmt::format("`{}` is explicit: it iterates nothing", method.name));
-  }
-  const cln::cl_RA& count = key.value.expression.value;
-  if (count < 1 || count > most_step_iterations) {
-    return report.add(Code::E626, key.value.span,
-                      fmt::format("`iterations` {} is not one of 1 to {}",
-                                  in_backticks(key.value.span), most_step_iterations));
-  }
-  output.iterations = cln::cl_I_to_uint(cln::floor1(count));
-}
-
-void read_order(const KeySyntax& key, OutputRequest& output, Report& report) {
-  const StepMethodRow& method = step_methods[output.user];
-  const std::vector<std::uint32_t> orders = step_orders(method.order);
-  const auto found = std::ranges::find_if(orders, [&key](std::uint32_t order) {
-    return key.value.expression.value == cln::cl_RA(order);
-  });
-  if (found == orders.end()) {
-    return report.add(
-        Code::E647, key.value.span,
-        fmt::format("`{}` has no order {}", method.name, in_backticks(key.value.span)),
-        fmt::format("it has {}", fmt::join(orders, ", ")));
-  }
-  if (*found != method.order) output.composed_order = *found;
-}
-
-/// E103 where the output is no `step`, E539 where the model has no constraints.
-void read_projected(const Model& model, const KeySyntax& key, OutputRequest& output,
-                    Report& report) {
-  if (output.kind != OutputKind::step) {
-    return report.add(Code::E103, key.key_span,
-                      fmt::format("`{}` has no `projected`: `step` has one", output.name));
-  }
-  output.projects = key.value.boolean;
-  if (!output.projects || !model.constraints.empty()) return;
-  report.add(Code::E539, key.key_span,
-             "`projected` needs a `[[constraint]]`, and the model has none");
-}
-
-/// Sets method, order and iterations of a request for `step`, by the table of its entry; any other
-/// value says nothing. E103 where the output takes no method, E105 where it needs one, E620 where
-/// there is no such one, E626 where it does not iterate, or not so often, E647 where it has not the
-/// order.
-void read_step(const Model& model, const ValueSyntax& entry, OutputRequest& output,
-               Report& report) {
-  if (!output_row(output.kind).steps) return refuse_keys(entry, output, report);
-  const KeySyntax* method = entry.find("method");
-  if (method == nullptr) {
-    return report.add(Code::E105, output.span,
-                      fmt::format("`{}` needs a `method`, which a scene gives it", output.name),
-                      method_hint(""));
-  }
-  const auto found = std::ranges::find(step_methods, method->value.text, &StepMethodRow::name);
-  if (found == step_methods.end()) {
-    const std::string& word = method->value.text;
-    return report.add(Code::E620, method->value.span,
-                      fmt::format("`{}` has no method {}", output.name, in_backticks(word)),
-                      method_hint(word));
-  }
-  output.user = static_cast<std::uint32_t>(found - step_methods.begin());
-  output.iterations = found->iterations;
-  const KeySyntax* iterations = entry.find("iterations");
-  if (iterations != nullptr) read_iterations(*iterations, output, report);
-  const KeySyntax* order = entry.find("order");
-  if (order != nullptr) read_order(*order, output, report);
-  const KeySyntax* projected = entry.find("projected");
-  if (projected != nullptr) read_projected(model, *projected, output, report);
-}
 
 /// Whether the entry of the output says that it gives its pivots. E103 where it has none.
 void read_pivots(const ValueSyntax& entry, OutputRequest& output, Report& report) {
@@ -203,7 +112,7 @@ class SceneReader {
     std::ranges::stable_sort(scene_.outputs, precedes);
     check_function_names();
     check_dynamics();
-    check_step();
+    check_steps(context_, scene_.outputs);
   }
 
   /// The entry of a step in the scene that has this name, the standard one or a new one.
@@ -259,20 +168,6 @@ class SceneReader {
                             "`dynamics` holds the chosen outputs that take neither a nor u, and "
                             "none is chosen");
       }
-    }
-  }
-
-  /// Symplectic methods know of no constraints.
-  void check_step() {
-    if (model_.constraints.empty()) return;
-    for (const OutputRequest& output : scene_.outputs) {
-      if (!output_row(output.kind).steps) continue;
-      const StepMethodRow& method = step_methods[output.user];
-      if (method.domain == StepDomain::any) continue;
-      context_.report.add({Code::E539, output.span,
-                           fmt::format("`{}` does not know of constraints", method.name),
-                           "`rk4`, with `projected` after each step, keeps to them",
-                           model_.constraints.front().span, "constrained here"});
     }
   }
 

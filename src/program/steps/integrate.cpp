@@ -98,20 +98,12 @@ void project(const StepContext& step, NextState& moved) {
   moved.v = step.compose.call(step.calls, projected, projected.fields[1], at);
 }
 
-/// The reason why p is not M v + b along dq/dt = v; "" where there is none.
-std::string not_quadratic(const Model& model) {
-  if (!model.rotations.empty()) {
-    return fmt::format("`{}` is a rotation", model.rotations.front().name);
-  }
-  return model.quadratic ? "" : "L is not quadratic in the rates";
-}
-
 std::string refusal(const CheckedModel& checked, const OutputRequest& step, const Program& calls) {
   switch (domain_of(step)) {
     case StepDomain::separable:
       return not_separable(checked, calls);
-    case StepDomain::quadratic:
-      return not_quadratic(checked.model);
+    case StepDomain::quadratic:  // p is M v + b
+      return checked.model.quadratic ? "" : "L is not quadratic in the rates";
     case StepDomain::any:
       break;
   }
@@ -178,9 +170,6 @@ void StepContext::name(const CallPoint& at) const {
 }
 
 std::string not_separable(const CheckedModel& checked, const Program& program) {
-  if (const auto& rotations = checked.model.rotations; !rotations.empty()) {
-    return fmt::format("`{}` is a rotation", rotations.front().name);
-  }
   const std::string of_mass = leaf_read(program, OutputKind::mass_matrix,
                                         Opcode::coordinate | Opcode::time | Opcode::velocity);
   if (!of_mass.empty()) return fmt::format("M depends on `{}`", of_mass);

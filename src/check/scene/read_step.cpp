@@ -1,0 +1,124 @@
+// Steps of a scene: their methods, orders and iterations, and models that a method is not for.
+#include <cln/integer.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "base/report.hpp"
+#include "check/scene/scene.hpp"
+#include "elgen/step_methods.hpp"
+#include "elgen/wording.hpp"
+
+namespace elgen {
+namespace {
+
+/// The method that a word is nearest to, or all of them.
+std::string method_hint(const std::string& word) {
+  const std::vector<std::string> names = words_in(step_methods, &StepMethodRow::name);
+  return suggestion(word, names,
+                    fmt::format("one of {}, which are straight-line code", fmt::join(names, ", ")));
+}
+
+void refuse_keys(const ValueSyntax& entry, const OutputRequest& output, Report& report) {
+  for (const std::string_view name : {"method", "order", "iterations", "projected"}) {
+    const KeySyntax* key = entry.find(name);
+    if (key == nullptr) continue;
+    report.add(Code::E103, key->key_span,
+               fmt::format("`{}` has no `{}`: `step` has one", output.name, name));
+  }
+}
+
+void read_iterations(const KeySyntax& key, OutputRequest& output, Report& report) {
+  const StepMethodRow& method = step_methods[output.user];
+  if (method.iterations == 0) {
+    return report.add(Code::E626, key.key_span,
+                      fmt::format("`{}` is explicit: it iterates nothing", method.name));
+  }
+  const cln::cl_RA& count = key.value.expression.value;
+  if (count < 1 || count > most_step_iterations) {
+    return report.add(Code::E626, key.value.span,
+                      fmt::format("`iterations` {} is not one of 1 to {}",
+                                  in_backticks(key.value.span), most_step_iterations));
+  }
+  output.iterations = cln::cl_I_to_uint(cln::floor1(count));
+}
+
+void read_order(const KeySyntax& key, OutputRequest& output, Report& report) {
+  const StepMethodRow& method = step_methods[output.user];
+  const std::vector<std::uint32_t> orders = step_orders(method.order);
+  const auto found = std::ranges::find_if(orders, [&key](std::uint32_t order) {
+    return key.value.expression.value == cln::cl_RA(order);
+  });
+  if (found == orders.end()) {
+    return report.add(
+        Code::E647, key.value.span,
+        fmt::format("`{}` has no order {}", method.name, in_backticks(key.value.span)),
+        fmt::format("it has {}", fmt::join(orders, ", ")));
+  }
+  if (*found != method.order) output.composed_order = *found;
+}
+
+/// E103 where the output is no `step`, E539 where the model has no constraints.
+void read_projected(const Model& model, const KeySyntax& key, OutputRequest& output,
+                    Report& report) {
+  if (output.kind != OutputKind::step) {
+    return report.add(Code::E103, key.key_span,
+                      fmt::format("`{}` has no `projected`: `step` has one", output.name));
+  }
+  output.projects = key.value.boolean;
+  if (!output.projects || !model.constraints.empty()) return;
+  report.add(Code::E539, key.key_span,
+             "`projected` needs a `[[constraint]]`, and the model has none");
+}
+
+}  // namespace
+
+void read_step(const Model& model, const ValueSyntax& entry, OutputRequest& output,
+               Report& report) {
+  if (!output_row(output.kind).steps) return refuse_keys(entry, output, report);
+  const KeySyntax* method = entry.find("method");
+  if (method == nullptr) {
+    return report.add(Code::E105, output.span,
+                      fmt::format("`{}` needs a `method`, which a scene gives it", output.name),
+                      method_hint(""));
+  }
+  const auto found = std::ranges::find(step_methods, method->value.text, &StepMethodRow::name);
+  if (found == step_methods.end()) {
+    const std::string& word = method->value.text;
+    return report.add(Code::E620, method->value.span,
+                      fmt::format("`{}` has no method {}", output.name, in_backticks(word)),
+                      method_hint(word));
+  }
+  output.user = static_cast<std::uint32_t>(found - step_methods.begin());
+  output.iterations = found->iterations;
+  const KeySyntax* iterations = entry.find("iterations");
+  if (iterations != nullptr) read_iterations(*iterations, output, report);
+  const KeySyntax* order = entry.find("order");
+  if (order != nullptr) read_order(*order, output, report);
+  const KeySyntax* projected = entry.find("projected");
+  if (projected != nullptr) read_projected(model, *projected, output, report);
+}
+
+void check_steps(Context& context, const std::vector<OutputRequest>& outputs) {
+  const Model& model = context.model;
+  for (const OutputRequest& output : outputs) {
+    if (!output_row(output.kind).steps) continue;
+    const StepMethodRow& method = step_methods[output.user];
+    if (method.domain == StepDomain::any) continue;
+    if (!model.constraints.empty()) {
+      context.report.add({Code::E539, output.span,
+                          fmt::format("`{}` does not know of constraints", method.name),
+                          "`rk4`, with `projected` after each step, keeps to them",
+                          model.constraints.front().span, "constrained here"});
+    } else if (!model.rotations.empty() && context.report.errors() == 0) {
+      // Beside errors the model has also those that the scene locks.
+      context.report.add(Code::E622, output.span,
+                         fmt::format("`{}` is not for this system: `{}` is a rotation", method.name,
+                                     model.rotations.front().name),
+                         "`rk4` takes any model");
+    }
+  }
+}
+
+}  // namespace elgen
