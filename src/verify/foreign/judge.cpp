@@ -27,13 +27,13 @@ namespace elgen {
 namespace {
 
 using cln::cl_R;
-using Numbers = std::vector<cl_R>;
+using RealNumbers = std::vector<cl_R>;
 using States = std::vector<Arguments<double>>;
 
 struct ForeignSample {
   Situation situation;
   State state;
-  Numbers truth;
+  RealNumbers truth;
   std::vector<double> answer;
 };
 
@@ -49,13 +49,13 @@ struct Deviation {
 constexpr double digits_of_float = 6e-5;
 
 /// The entries of one field in a list of those of all.
-Numbers part_of(const Numbers& values, std::size_t first, std::size_t size) {
+RealNumbers part_of(const RealNumbers& values, std::size_t first, std::size_t size) {
   const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first);
   return {begin, begin + static_cast<std::ptrdiff_t>(size)};
 }
 
 /// Whether some field may hold nothing but what is left of terms up to 1e30 in 64 digits.
-bool may_be_rounding(const Numbers& largest) {
+bool may_be_rounding(const RealNumbers& largest) {
   return std::ranges::any_of(largest,
                              [](const cl_R& x) { return !cln::zerop(x) && x < power_of_ten(-30); });
 }
@@ -125,18 +125,18 @@ class ForeignJudge {
 
   [[nodiscard]] OracleValues compared(const OracleValues& values) const {
     if (!values) return std::nullopt;
-    Numbers all;
+    RealNumbers all;
     for (const ForeignField& field : fields_) {
       if (field.first + field.size() > values->size()) return std::nullopt;
-      const Numbers part = part_of(*values, field.first, field.size());
+      const RealNumbers part = part_of(*values, field.first, field.size());
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;
   }
 
   /// The largest entry of each field.
-  [[nodiscard]] Numbers largest_by_field(const Numbers& values) const {
-    Numbers largest;
+  [[nodiscard]] RealNumbers largest_by_field(const RealNumbers& values) const {
+    RealNumbers largest;
     std::size_t first = 0;
     for (const ForeignField& field : fields_) {
       largest.push_back(largest_of(part_of(values, first, field.size())));
@@ -145,7 +145,8 @@ class ForeignJudge {
     return largest;
   }
 
-  [[nodiscard]] Deviation deviation(const std::vector<double>& answer, const Numbers& truth) const;
+  [[nodiscard]] Deviation deviation(const std::vector<double>& answer,
+                                    const RealNumbers& truth) const;
 
   /// Whether these values are what code gives at all states.
   [[nodiscard]] bool agrees(
@@ -177,13 +178,14 @@ class ForeignJudge {
   ForeignStates states_ = {};
   CertificateRow row_ = {};
   std::vector<ForeignSample> samples_ = {};
-  Numbers least_ = {};  ///< by field
+  RealNumbers least_ = {};  ///< by field
   Tally tally_ = {};
   std::array<std::optional<bool>, situation_count> wrong_ = {};  ///< none: nothing compared there
 };
 
-Deviation ForeignJudge::deviation(const std::vector<double>& answer, const Numbers& truth) const {
-  const Numbers largest = largest_by_field(truth);
+Deviation ForeignJudge::deviation(const std::vector<double>& answer,
+                                  const RealNumbers& truth) const {
+  const RealNumbers largest = largest_by_field(truth);
   Deviation worst;
   std::size_t place = 0;
   for (std::size_t k = 0; k < fields_.size(); ++k) {
@@ -239,7 +241,7 @@ void ForeignJudge::compare(const ForeignAnswers& answers) {
       tally_.skip();
       continue;
     }
-    const Numbers largest = largest_by_field(*truth);
+    const RealNumbers largest = largest_by_field(*truth);
     for (std::size_t k = 0; k < largest.size(); ++k) {
       least_[k] = cln::max(least_[k], largest[k] * power_of_ten(-6));
     }
@@ -308,7 +310,7 @@ std::string ForeignJudge::factor() const {
   const auto entry = static_cast<std::size_t>(largest - first.truth.begin());
   const cl_R quotient = exact_value(first.answer[entry]) / *largest;
   const auto scaled = [&](const ForeignSample& sample) {
-    Numbers values = sample.truth;
+    RealNumbers values = sample.truth;
     for (cl_R& value : values) value = value * quotient;
     return OracleValues(std::move(values));
   };
@@ -322,10 +324,10 @@ std::string ForeignJudge::convention() const {
     const auto expected = [&](const ForeignSample& sample) {
       const OracleValues ours = truth_at(our_state(convention, sample.state));
       if (!ours) return ours;
-      Numbers theirs;
+      RealNumbers theirs;
       for (const ForeignField& field : fields_) {
-        const Numbers part = part_of(*ours, theirs.size(), field.size());
-        const Numbers changed = their_values(convention, output_.kind, field, part);
+        const RealNumbers part = part_of(*ours, theirs.size(), field.size());
+        const RealNumbers changed = their_values(convention, output_.kind, field, part);
         theirs.insert(theirs.end(), changed.begin(), changed.end());
       }
       return OracleValues(std::move(theirs));
