@@ -37,7 +37,7 @@ struct Constraint {
   std::string equality = {};  ///< "z(P[i]) = z(Q)", of points that coincide
 };
 
-/// What is to be written if these rows of `coincide` constrain nothing. Empty for a row of
+/// The equation to write if these rows of `coincide` constrain nothing. Empty for a row of
 /// `equation`, and if no row remains.
 ///
 ///     coincide = ["P", "Q"], y   ->   "`equation = ["x(P) = x(Q)", "z(P) = z(Q)"]` is enough"

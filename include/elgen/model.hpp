@@ -310,10 +310,8 @@ struct Model {
   std::string title = {};
   std::string description = {};
   std::string reference = {};
-
   std::vector<Expression> expressions = {};
-  /// The typed form of expressions that were rewritten: sin(q)/q, which is 0/0 at q = 0, of
-  /// stumpff(q, 1). For pages and messages alone.
+  /// Rewritten expressions as they were typed, for pages: sin(q)/q of stumpff(q, 1).
   std::map<ExpressionId, Expression> typed = {};
   std::vector<Coordinate> coordinates = {};  ///< q
   std::vector<Velocity> velocities = {};     ///< v
@@ -349,8 +347,7 @@ struct Model {
 
   bool quadratic = true;        ///< T - V (or L) is at most quadratic in the rates
   bool without_pivots = false;  ///< of forward_dynamics, unless a scene says otherwise
-  /// t occurs in an energy, a point, a force or an output: every function takes t
-  bool uses_time = false;
+  bool uses_time = false;       ///< in an energy, a point, a force or an output: functions take t
   /// T may have terms of degree 1 or 0 in the rates, or V of degree 1; otherwise drift is 0
   bool may_drift = false;
 };
@@ -372,16 +369,14 @@ std::uint32_t append_rotation(Model& model, Rotation rotation);
   return model.variant.whole ? *model.variant.whole : model;
 }
 
-/// The velocities of the whole model whose locks ask for the force that holds them: those, in the
-/// order of v, that the output `reaction` has a row for.
+/// The velocities of the whole model that `reaction` has a row for, in the order of v.
 [[nodiscard]] inline std::vector<std::uint32_t> held_velocities(const Model& model) {
   return model.variant.whole ? velocities_with_reaction(model.variant.locks)
                              : std::vector<std::uint32_t>{};
 }
 
-/// Where the variables of the whole model go as the held ones leave. An input leaves if it acts on
-/// locked velocities alone and no wanted output names it; of a wrench, also the components that act
-/// on nothing, if another one leaves.
+/// Where variables of the whole model go as held ones leave. Inputs leave that act on locks alone,
+/// with their wrench, unless a wanted output names them.
 [[nodiscard]] VariablesLeft variables_left(const Model& whole);
 
 /// Whether the Lagrangian is R: cyclic coordinates have been taken out.

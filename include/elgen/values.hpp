@@ -46,7 +46,7 @@ struct ValueTable {
   int digits = 17;        ///< significant ones, which are right to the last
   std::vector<ValueFunction> functions = {};
   std::vector<ValueRecord> records = {};
-  /// Of test vectors of a model with constraints: states that no step of Newton puts onto them.
+  /// The number of states that no Newton step puts onto the constraints; of test vectors alone.
   std::optional<std::size_t> unmet = {};
 };
 

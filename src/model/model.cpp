@@ -63,10 +63,10 @@ bool is_locked(const Model& whole, std::uint32_t velocity) {
 }
 
 /// The velocities that a force does work on: none, locked ones alone, or others too.
-enum class Reach : std::uint8_t { nothing, locks, others };
+enum class WorkReach : std::uint8_t { nothing, locks, others };
 
-Reach reach_of(const Model& whole, const Force& force) {
-  if (force.on) return is_locked(whole, *force.on) ? Reach::locks : Reach::others;
+WorkReach reach_of(const Model& whole, const Force& force) {
+  if (force.on) return is_locked(whole, *force.on) ? WorkReach::locks : WorkReach::others;
   std::vector<ExpressionId> roots;
   for (const auto& point : {force.at, force.from}) {
     if (point)
@@ -76,14 +76,14 @@ Reach reach_of(const Model& whole, const Force& force) {
     if (frame)
       roots.insert(roots.end(), whole.frames[*frame].spin.begin(), whole.frames[*frame].spin.end());
   }
-  Reach reach = Reach::nothing;
+  WorkReach reach = WorkReach::nothing;
   for (const ExpressionId id : reached(whole, roots)) {
     const Expression& node = whole.expressions[id];
     const bool is_place = is_leaf(node, Opcode::coordinate);
     if (!is_place && !is_leaf(node, Opcode::velocity)) continue;
     const std::uint32_t velocity = is_place ? whole.coordinates[node.index].velocity : node.index;
-    if (!is_locked(whole, velocity)) return Reach::others;
-    reach = Reach::locks;
+    if (!is_locked(whole, velocity)) return WorkReach::others;
+    reach = WorkReach::locks;
   }
   return reach;
 }
@@ -91,8 +91,8 @@ Reach reach_of(const Model& whole, const Force& force) {
 PlacesLeft inputs_left(const Model& whole) {
   PlacesLeft left(whole.inputs.size());
   if (whole.variant.locks.empty()) return left;
-  std::vector<Reach> reaches(whole.inputs.size(), Reach::nothing);
-  const auto note = [&](Reach reach, const std::vector<ExpressionId>& roots) {
+  std::vector<WorkReach> reaches(whole.inputs.size(), WorkReach::nothing);
+  const auto note = [&](WorkReach reach, const std::vector<ExpressionId>& roots) {
     for (const ExpressionId id : reached(whole, roots)) {
       const Expression& node = whole.expressions[id];
       if (!is_leaf(node, Opcode::input)) continue;
@@ -101,21 +101,23 @@ PlacesLeft inputs_left(const Model& whole) {
   };
   for (const Force& force : whole.forces) note(reach_of(whole, force), force.value);
   for (const UserOutput& output : whole.outputs) {
-    if (output.is_wanted) note(Reach::others, output.values);
+    if (output.is_wanted) note(WorkReach::others, output.values);
   }
   for (std::uint32_t i = 0; i < whole.inputs.size(); ++i) {
     const std::optional<std::uint32_t>& on = whole.inputs[i].on;
-    if (on) reaches[i] = std::max(reaches[i], is_locked(whole, *on) ? Reach::locks : Reach::others);
+    if (on)
+      reaches[i] =
+          std::max(reaches[i], is_locked(whole, *on) ? WorkReach::locks : WorkReach::others);
   }
-  const std::vector<Reach> alone = reaches;
+  const std::vector<WorkReach> alone = reaches;
   for (std::uint32_t i = 0; i < whole.inputs.size(); ++i) {
     // A force at a place that never moves leaves with the torque of its wrench.
-    for (std::uint32_t k = 0; k < whole.inputs.size() && alone[i] == Reach::nothing; ++k) {
+    for (std::uint32_t k = 0; k < whole.inputs.size() && alone[i] == WorkReach::nothing; ++k) {
       const bool is_of_wrench =
           whole.inputs[i].is_external && whole.inputs[k].span.begin == whole.inputs[i].span.begin;
-      if (is_of_wrench && alone[k] == Reach::locks) reaches[i] = Reach::locks;
+      if (is_of_wrench && alone[k] == WorkReach::locks) reaches[i] = WorkReach::locks;
     }
-    if (reaches[i] == Reach::locks) left.remove(i, 1);
+    if (reaches[i] == WorkReach::locks) left.remove(i, 1);
   }
   return left;
 }

@@ -100,17 +100,10 @@ bool is_graded(const Jet& x) { return x.lowest_grade() != 0; }
 /// The power of a displacement by which a function leaves its value where it has no derivative:
 /// acos(1 - d) is sqrt(2 d) to lowest order. None elsewhere.
 std::optional<cl_RA> bend_of(FunctionId function, const Jet& x, const Jet& y) {
-  switch (function) {
-    case FunctionId::asin:
-    case FunctionId::acos:
-      if (cln::abs(x.real()) == 1) return cl_RA(1) / 2;
-      break;
-    case FunctionId::hypot:
-      if (cln::zerop(x.real()) && cln::zerop(y.real())) return cl_RA(1);
-      break;
-    default:
-      break;
-  }
+  const bool is_arc = function == FunctionId::asin || function == FunctionId::acos;
+  if (is_arc && cln::abs(x.real()) == 1) return cl_RA(1) / 2;
+  const bool is_origin = cln::zerop(x.real()) && cln::zerop(y.real());
+  if (function == FunctionId::hypot && is_origin) return cl_RA(1);
   return std::nullopt;
 }
 

@@ -146,7 +146,7 @@ void report_unknown(const TomlEntry& key, const TableContext& table, FileReading
                  suggestion(key.key, candidates));
 }
 
-/// What may stand there: the start of every file, or the words to choose from.
+/// The hint: the first line of every file, or the words to choose from.
 std::string hint_of_missing(const KeyRow& row) {
   if (row.key == "format") return "a file starts with `format = 1`";
   const std::vector<std::string_view> words = choice_words(row);

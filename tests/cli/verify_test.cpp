@@ -375,12 +375,11 @@ TEST_CASE("all samples are visited, however many") {
 TEST_CASE("processor time is that of each process, and ends all of them") {
   const Workspace workspace;
   write_rotor(workspace);
-  const Outcome outcome = workspace.run(
-      "elgen verify --quick --samples 200000 --jobs 2 --limit seconds=1 one.scene.toml");
+  const std::string command = "elgen verify --quick --samples 200000 --jobs 2 --limit seconds=1 ";
+  const Outcome outcome = workspace.run(command + "one.scene.toml");
   CHECK(outcome.status == 3);
-  CHECK(outcome.errors ==
-        "elgen: error[E909]: 1 s of processor time are over, in `accuracy in double`\n"
-        "      raised by --limit seconds=N\n");
+  CHECK(
+      mentions(outcome.errors, "[E909]: 1 s of processor time are over, in `accuracy in double`"));
 }
 
 TEST_CASE("an interrupt ends the processes that share states, and leaves no files") {

@@ -20,7 +20,7 @@ namespace elgen {
 namespace {
 
 /// base^exponent, or stumpff(base, order)^exponent if the order is not 0.
-struct Factor {
+struct PowerFactor {
   ExpressionId base = 0;
   std::int64_t exponent = 1;
   int order = 0;
@@ -44,7 +44,7 @@ class Product {
   /// Coordinates in the denominator.
   [[nodiscard]] std::vector<std::uint32_t> divisors() const {
     std::vector<std::uint32_t> result;
-    for (const Factor& power : factors_) {
+    for (const PowerFactor& power : factors_) {
       const Expression& node = model_.expressions[power.base];
       const bool divides = power.order == 0 && power.exponent < 0;
       if (divides && is_leaf(node, Opcode::coordinate)) result.push_back(node.index);
@@ -55,7 +55,7 @@ class Product {
   /// Cancels a coordinate in the denominator against factors that vanish with it. False, and no
   /// change, if it would stay there.
   bool cancel(std::uint32_t coordinate) {
-    const std::vector<Factor> before = factors_;
+    const std::vector<PowerFactor> before = factors_;
     const bool was_negative = is_negative_;
     while (exponent_of(coordinate) < 0) {
       const auto factor = factor_with(coordinate, exponent_of(coordinate) < -1 ? 2 : 1);
@@ -120,8 +120,8 @@ class Product {
     add({id, exponent});
   }
 
-  void add(const Factor& factor) {
-    const auto known = std::ranges::find_if(factors_, [&](const Factor& power) {
+  void add(const PowerFactor& factor) {
+    const auto known = std::ranges::find_if(factors_, [&](const PowerFactor& power) {
       return power.order == factor.order && is_same(power.base, factor.base);
     });
     if (known == factors_.end()) {
@@ -140,7 +140,7 @@ class Product {
   }
 
   [[nodiscard]] std::int64_t exponent_of(std::uint32_t coordinate) const {
-    for (const Factor& power : factors_) {
+    for (const PowerFactor& power : factors_) {
       const Expression& node = model_.expressions[power.base];
       const bool is_it = is_leaf(node, Opcode::coordinate) && node.index == coordinate;
       if (power.order == 0 && is_it) return power.exponent;
@@ -192,7 +192,7 @@ class Product {
   }
 
   const Model& model_;
-  std::vector<Factor> factors_ = {};
+  std::vector<PowerFactor> factors_ = {};
   bool is_negative_ = false;
   std::size_t visits_ = 0;
 };

@@ -17,7 +17,7 @@
 
 namespace elgen {
 
-/// Of several numbers with one double, the one that is this double keeps the literal, else the
+/// Several numbers may have one double. The number that is this double keeps the literal, else the
 /// first one. Another constant has a name, another value of a parameter an entry "p.m".
 class ExactNumbers {
  public:

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "forms/write/digit_rows.hpp"
-#include "numbers/random.hpp"
 
 namespace elgen {
 namespace {
@@ -50,12 +49,13 @@ class Triangles : GraphTerms {
   }
 
  private:
-  /// The key of a product is the sum of its factors' keys. So the keys of C a^2 and C b^2 sum to
-  /// twice that of C a b: few of the many triples of a long sum do.
+  /// Keys add up as products multiply, so that the keys of C a^2 and C b^2 sum to twice that of
+  /// C a b. Few other triples of a long sum do: cubes of the nodes' numbers seldom agree.
   static std::uint64_t key_of(const std::vector<Operand>& factors) {
     std::uint64_t key = 0;
-    for (const Operand& factor : factors) {
-      key += Random(factor.node).next() * static_cast<std::uint64_t>(std::int64_t{factor.weight});
+    for (const auto& [node, weight] : factors) {
+      const std::uint64_t number = node;
+      key += number * number * number * static_cast<std::uint64_t>(std::int64_t{weight});
     }
     return key;
   }

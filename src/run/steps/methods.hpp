@@ -35,7 +35,7 @@ class Stepper {
   /// Why not.
   [[nodiscard]] virtual std::string_view obstacle() const = 0;
 
-  /// What helps then.
+  /// The hint of an error then.
   [[nodiscard]] virtual std::string_view remedy() const { return usual_remedy; }
 };
 

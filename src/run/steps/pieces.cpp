@@ -13,21 +13,21 @@
 namespace elgen {
 namespace {
 
-/// Of a rate at its kink: held, or off it on one side.
-enum class Place : std::uint8_t { held, above, below };
+/// A rate is held at its kink, or off it on one side.
+enum class RatePlace : std::uint8_t { held, above, below };
 
 /// s of a + W s = 0 in the rows of held rates; 0 of those above, 1 of those below. None if W is
 /// singular there.
 std::optional<Numbers> shares_of(const Numbers& a, const Numbers& w,
-                                 const std::vector<Place>& places) {
+                                 const std::vector<RatePlace>& places) {
   const std::size_t n = a.size();
   Numbers equations;
   for (std::size_t i = 0; i < n; ++i) {
-    const bool is_held = places[i] == Place::held;
+    const bool is_held = places[i] == RatePlace::held;
     for (std::size_t k = 0; k < n; ++k) {
       equations.push_back(is_held ? w[i * n + k] : i == k ? 1 : 0);
     }
-    equations.push_back(is_held ? -a[i] : places[i] == Place::below ? 1 : 0);
+    equations.push_back(is_held ? -a[i] : places[i] == RatePlace::below ? 1 : 0);
   }
   LargestPivot<double> field;
   const Echelon<LargestPivot<double>> echelon(field, equations, n + 1, n);
@@ -36,19 +36,19 @@ std::optional<Numbers> shares_of(const Numbers& a, const Numbers& w,
 }
 
 /// The next place of a rate, if its share or its acceleration contradicts this one.
-Place mended(Place place, double share, double acceleration) {
-  if (place == Place::above) return acceleration < 0 ? Place::held : place;
-  if (place == Place::below) return acceleration > 0 ? Place::held : place;
-  return share < 0 ? Place::above : share > 1 ? Place::below : place;
+RatePlace mended(RatePlace place, double share, double acceleration) {
+  if (place == RatePlace::above) return acceleration < 0 ? RatePlace::held : place;
+  if (place == RatePlace::below) return acceleration > 0 ? RatePlace::held : place;
+  return share < 0 ? RatePlace::above : share > 1 ? RatePlace::below : place;
 }
 
-/// Of each rate: held with 0 <= s <= 1; or above with s = 0 and a >= 0; or below with s = 1 and
+/// Each rate is held with 0 <= s <= 1; or above with s = 0 and a >= 0; or below with s = 1 and
 /// a <= 0. The first rate that contradicts changes its place: Murty, Mathematical Programming 5
 /// (1973) 213, whose rule ends if W is a P-matrix, as B M^-1 B^T is. None if it does not.
-std::vector<Place> places_of(const Numbers& a, const Numbers& w) {
+std::vector<RatePlace> places_of(const Numbers& a, const Numbers& w) {
   const std::size_t n = a.size();
   const std::size_t most_turns = 1000;  // more than were seen of 20 rates
-  std::vector<Place> places(n, Place::held);
+  std::vector<RatePlace> places(n, RatePlace::held);
   for (std::size_t turn = 0; turn < most_turns; ++turn) {
     const std::optional<Numbers> shares = shares_of(a, w, places);
     if (!shares) return {};
@@ -56,7 +56,7 @@ std::vector<Place> places_of(const Numbers& a, const Numbers& w) {
     for (std::size_t i = 0; i < n && is_right; ++i) {
       double acceleration = a[i];
       for (std::size_t k = 0; k < n; ++k) acceleration += w[i * n + k] * (*shares)[k];
-      const Place place = mended(places[i], (*shares)[i], acceleration);
+      const RatePlace place = mended(places[i], (*shares)[i], acceleration);
       is_right = place == places[i];
       places[i] = place;
     }
@@ -76,7 +76,7 @@ void Pieces::find_rates(const Numbers& state, Numbers& rates, double t) {
   if (held_.empty()) return system_.find_rates(state, rates, t);
   const Response found = response(state, t, held_);
   const std::optional<Numbers> shares = shares_of(found.accelerations, found.acceleration_changes,
-                                                  std::vector<Place>(held_.size(), Place::held));
+                                                  std::vector<RatePlace>(held_.size(), RatePlace::held));
   rates = found.above;
   for (std::size_t k = 0; k < held_.size(); ++k) {
     const double share = shares ? (*shares)[k] : -1;
@@ -171,14 +171,14 @@ bool Pieces::can_hold(const HeldRate& held, Numbers state, double t) const {
 void Pieces::hold(const std::vector<HeldRate>& candidates, Numbers& state, double t) {
   held_.clear();
   const Response found = response(state, t, candidates);
-  const std::vector<Place> places = places_of(found.accelerations, found.acceleration_changes);
+  const std::vector<RatePlace> places = places_of(found.accelerations, found.acceleration_changes);
   for (std::size_t k = 0; k < places.size(); ++k) {
     const HeldRate& each = candidates[k];
     double& v = system_.v_of(state)[each.rate];
-    if (places[k] == Place::held) held_.push_back(each);
+    if (places[k] == RatePlace::held) held_.push_back(each);
     v = each.value;
-    if (places[k] == Place::above) v += nudge(each.value);
-    if (places[k] == Place::below) v -= nudge(each.value);
+    if (places[k] == RatePlace::above) v += nudge(each.value);
+    if (places[k] == RatePlace::below) v -= nudge(each.value);
   }
 }
 
