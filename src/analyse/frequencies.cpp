@@ -1,5 +1,5 @@
-// Both roots are written over one divisor, with their common factor in front, unless what is under
-// the root is a square.
+// Both roots are written over one divisor, with their common factor in front, unless the radicand
+// is a square.
 #include "analyse/frequencies.hpp"
 
 #include <cln/integer.h>
@@ -75,8 +75,8 @@ class FrequencyForms {
   }
 
   /// middle -+ sqrt(square) with their common divisor d and common factor s: s (middle d/s -+
-  /// sqrt(square d^2/s^2))/d. Two formulas if the root is a sum; its sign is any, as both are
-  /// there.
+  /// sqrt(square d^2/s^2))/d. Two formulas if the radicand is a square; both signs occur, so
+  /// that of the root does not matter.
   void add_pair(std::vector<SquaredFrequency>& all, const Fraction& middle,
                 const Fraction& square) {
     if (square.numerator.empty()) {

@@ -30,7 +30,7 @@ struct SquaredFrequency {
   Fraction divisor = {};
 };
 
-/// One for each block of one or two of `size` coordinates, two if the root of two is a sum; empty
+/// One for each block of one or two of `size` coordinates, two if the radicand is a square; empty
 /// if M or K is unknown.
 [[nodiscard]] std::vector<SquaredFrequency> squared_frequencies(ClosedForms& forms,
                                                                 const FormsAtRest& at_rest,

@@ -1,4 +1,4 @@
-// Quotients of sines and cosines that are 0/0 at a state, which check did not write otherwise.
+// Quotients of sines and cosines that check left as they are, and that are 0/0 at a state.
 #include <fmt/format.h>
 
 #include <algorithm>

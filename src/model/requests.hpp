@@ -47,7 +47,7 @@ struct LineLabel {
 struct FieldLines {
   Extent extent = Extent::one;
   std::uint32_t user = 0;   ///< as in extent_of
-  std::uint32_t count = 1;  ///< of rows or columns without a name, as those of an [[output]]
+  std::uint32_t count = 1;  ///< of lines without names, as in an [[output]]
 };
 
 /// One label per row or column, distinct; 1 to `count` if they have no names.

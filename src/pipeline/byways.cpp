@@ -133,8 +133,8 @@ std::vector<std::string> other_masses(const Model& model, const std::vector<Enti
   return names;
 }
 
-/// The model with the quotients that its file has in the place of Stumpff's functions; none if the
-/// file has these functions, too, which then stand on its pages.
+/// The model with the quotients of its file instead of Stumpff's functions; none if the file has
+/// these functions, too: then the pages print them.
 std::optional<CheckedModel> with_quotients(const CheckedModel& checked) {
   if (checked.model.typed.empty()) return std::nullopt;
   CheckedModel result = checked;

@@ -63,7 +63,7 @@ std::string child_text(const Element& parent, const Element& child) {
   return fmt::format("{} in `<{}>`", in_backticks("<" + child.name + ">"), parent.name);
 }
 
-/// E822 for the child or what it contains; false where none of them changes the mechanics.
+/// E822 for the child, or for elements inside it; false if none changes the mechanics.
 bool warn_of_mechanics(const Element& parent, const Element& child, Diagnostics& found) {
   if (const Extension* extension = extension_of(child)) {
     found.push_back(lost(child.span, child_text(parent, child), extension->remedy));

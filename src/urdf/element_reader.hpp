@@ -48,8 +48,8 @@ class ElementReader {
   /// Takes what has no part in the motion, silently.
   void ignore(std::initializer_list<std::string_view> names);
 
-  /// E815 for every attribute and child that was not taken; E822 for those that change the
-  /// mechanics, also inside of a child.
+  /// E815 for every attribute and child that was not taken, or E822 if it, or an element inside it,
+  /// changes the mechanics.
   void note_the_rest() const;
 
  private:

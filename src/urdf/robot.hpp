@@ -116,7 +116,7 @@ struct Robot {
 struct RobotReading {
   const Limits& limits;
   Diagnostics& found;
-  std::string file = {};  ///< what the robot's file is called; empty: its own name
+  std::string file = {};  ///< the name of the file; empty: that of the source
 };
 
 /// E802 to E806, E811, E813, E814, E822; notes E815. Missing values keep their defaults.

@@ -70,8 +70,8 @@ class ConstraintReader {
                         in_backticks(key.value.span) + " is negative: errors would grow");
   }
 
-  /// A row for each component that both points have. A point that is not known has as many as
-  /// others, so that the count of equations has no error, too.
+  /// A row for each component that both points have. A point that is not known counts as a usual
+  /// one: too few equations would be a second error.
   void read_points(const ValueSyntax& list) {
     if (list.items.size() != 2) {
       context_.report.add(Code::E104, list.span,

@@ -13,7 +13,7 @@ void declare_size(Context& context, const KeySyntax& key) {
   const auto value = integer_value(key.value.expression, nothing, context.report);
   if (!value) return;
   (void)context.symbols.declare({key.key, {}, key.key_span}, SymbolKind::size, 0, context.report);
-  context.sizes[key.key] = *value;  // also by a name that is refused, which indices use
+  context.sizes[key.key] = *value;  // also if the name is refused: indices may use it
 }
 
 void override_size(Context& context, const KeySyntax& key) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array<std::string_view, 4> keys_of_numbers{"range", "wrap", "singular", "armature"};
 
-/// The root, exact where it is rational.
+/// The root, exact if it is rational.
 cln::cl_R square_root(const cln::cl_R& square) {
   cln::cl_RA root = 0;
   const bool is_exact = is_rational(square) && cln::sqrtp(cln::rational(square), &root);
@@ -62,7 +62,7 @@ std::optional<std::vector<cln::cl_R>> constants(ValueReader& values, const Value
   return result;
 }
 
-/// Scaled to length 1, as a lock is.
+/// Scales the quaternion to length 1, as locks do.
 void read_start_value(ValueReader& values, const ValueSyntax& value, const Rotation& rotation) {
   const auto quaternion = constants(values, value, quaternion_size);
   if (!quaternion) return;

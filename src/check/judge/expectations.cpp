@@ -285,8 +285,7 @@ void read_small(Context& context, const std::optional<StatedState>& at, const Ke
   }
 }
 
-/// Whether the entry is made of something that has an error of its own. Planar points have a z that
-/// is absent, too, so the node alone does not say so.
+/// Whether a node below the entry is missing: because of an error, or as the z of a planar point.
 bool has_failed(const Model& model, ExpressionId entry) {
   return std::ranges::count(reached(model, {entry}), no_expression) > 0;
 }

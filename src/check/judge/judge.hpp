@@ -18,7 +18,7 @@ void check_mechanics(Context& context, const std::vector<Traits>& traits);
 [[nodiscard]] std::vector<bool> moving_velocities(const Model& model);
 
 /// Writes sin(a)/a, (1 - cos(a))/a and (1 - cos(a))/a^2 by Stumpff's functions if a is a multiple
-/// of a coordinate, in what equations and outputs are made of. Fills Model::typed.
+/// of a coordinate, in equations and outputs. Fills Model::typed.
 void write_quotients(Context& context);
 
 /// E535, E536, E539 of the constraints of a model that is reduced.

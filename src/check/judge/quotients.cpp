@@ -1,12 +1,11 @@
-// Quotients that are 0/0 where a coordinate is 0 become Stumpff's functions, which have values
-// there:
+// Quotients that are 0/0 if a coordinate is 0 become Stumpff's functions, which have values there:
 //
 //     L*(1 - cos(q))/q        ->   L*q*stumpff(q, 2)
 //     sin(kappa*L)/kappa      ->   stumpff(kappa*L, 1)*L
 //
 // by sin(a) = a stumpff(a, 1) and 1 - cos(a) = a^2 stumpff(a, 2), a = c q. This comes before any
-// derivation, since a derivative of such a quotient is none any more. Nodes of the arena change in
-// place, so that whatever refers to them stays; Model::typed keeps them as they were.
+// derivation, since derivatives of such quotients are not recognised. Nodes of the arena change in
+// place, so that references to them stay valid; Model::typed keeps the old ones.
 #include <cln/integer.h>
 
 #include <algorithm>
@@ -26,7 +25,7 @@ struct PowerFactor {
   int order = 0;
 };
 
-/// sin(argument), or 1 - cos(argument) with order 2; `is_negative` of cos(argument) - 1.
+/// sin(argument), or 1 - cos(argument) with order 2; `is_negative`: cos(argument) - 1.
 struct VanishingFactor {
   ExpressionId argument = 0;
   int order = 1;
@@ -169,8 +168,8 @@ class Product {
     return std::nullopt;
   }
 
-  /// The place of a power of a factor whose argument is a multiple of the coordinate; of the wanted
-  /// order if there is one.
+  /// The index of sin(a) or 1 - cos(a) with a multiple a of the coordinate, if possible of the
+  /// wanted order.
   [[nodiscard]] std::optional<std::size_t> factor_with(std::uint32_t coordinate, int wanted) const {
     std::optional<std::size_t> found;
     for (std::size_t i = 0; i < factors_.size(); ++i) {
@@ -197,7 +196,7 @@ class Product {
   std::size_t visits_ = 0;
 };
 
-/// The product without the coordinates that can be cancelled; none where there are no such.
+/// The product after cancelling; none if no coordinate cancels.
 std::optional<Product> cancelled(const Model& model, ExpressionId id) {
   Product product(model, id);
   bool is_changed = false;

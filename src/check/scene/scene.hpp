@@ -69,8 +69,8 @@ void read_values(Context& context, const Scene& scene, const SceneOptions& optio
 /// a rotation, a locked one, all of them, or the name of the momentum is taken.
 void read_held(Context& context, const FileSyntax* scene);
 
-/// Sets UserOutput::is_wanted: by a scene without `[outputs]` all are, else those that it or an
-/// option names, by any of their functions.
+/// Sets UserOutput::is_wanted. A scene without `[outputs]` wants all; otherwise an output is wanted
+/// if the scene or an option names one of its functions.
 void note_wanted(Model& model, const FileSyntax* scene, const SceneOptions& options);
 
 /// Adds the outputs of a page that moves to a model: those of ShownValues that have values.

@@ -1,5 +1,5 @@
-// shown_outputs: which outputs of a model are wanted, and what a page that moves needs beside the
-// outputs of a run.
+// shown_outputs: which outputs of a model are wanted, and the outputs that a page that moves adds
+// to those of a run.
 #include <fmt/format.h>
 
 #include <algorithm>

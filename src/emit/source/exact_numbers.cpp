@@ -16,7 +16,7 @@ namespace {
 
 constexpr int digits_of_decimals = 60;
 
-/// The factor of pi, where the form is pi or a rational number times pi.
+/// The factor of pi, if the form is pi or a rational number times pi.
 std::optional<cln::cl_RA> factor_of_pi(const ConstantForm& form) {
   if (form.kind == ConstantKind::pi) return cln::cl_RA(1);
   if (form.kind != ConstantKind::product || form.parts.size() != 2) return std::nullopt;

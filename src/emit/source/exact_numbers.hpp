@@ -21,7 +21,7 @@ namespace elgen {
 /// first one. Another constant has a name, another value of a parameter an entry "p.m".
 class ExactNumbers {
  public:
-  /// None where the language has no names for them.
+  /// Empty if the language has no names for numbers.
   ExactNumbers(const Model& model, const Program& program, const SourceSpelling& spelling);
 
   /// "_number_1": the name of a constant or of its negative; empty if it is a literal.

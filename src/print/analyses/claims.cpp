@@ -141,7 +141,7 @@ void add_search(Formulas& clauses, const PageForms& known, const Equilibria& equ
   }
 }
 
-/// Which limit ended the search, and what looks at more.
+/// The limit that ended the search, and the option that raises it.
 std::string limit_text(const Equilibria& equilibria) {
   const std::string& limit = equilibria.limit;
   if (limit.empty()) return {};

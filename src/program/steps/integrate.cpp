@@ -20,8 +20,9 @@ constexpr NextState (*methods[])(const StepContext&) = {
 #undef ELGEN_STEP_METHOD
 };
 
-/// Methods for constraints make fewer calls, so that names of values differ.
-constexpr std::uint32_t number_behind_steps = 5;
+/// Behind the four calls of rk4, the only method of models with constraints: names of values
+/// differ.
+constexpr std::uint32_t number_of_projected = 5;
 
 StepDomain domain_of(const OutputRequest& step) { return step_methods[step.user].domain; }
 
@@ -91,7 +92,7 @@ std::vector<OutputKind> kinds_called(const OutputRequest& step) {
 
 /// Puts a state at the time t + h back onto the constraints.
 void project(const StepContext& step, NextState& moved) {
-  CallPoint at{.q = moved.q, .v = moved.v, .t = step.time_at(1), .number = number_behind_steps};
+  CallPoint at{.q = moved.q, .v = moved.v, .t = step.time_at(1), .number = number_of_projected};
   step.name(at);
   const Function& projected = *find_function(step.calls, OutputKind::projected);
   moved.q = step.compose.call(step.calls, projected, projected.fields[0], at);

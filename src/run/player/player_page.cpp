@@ -49,7 +49,7 @@ constexpr double longest_time = 1e8;
 /// A browser makes some 1e5 steps a second, so that more of them take minutes.
 constexpr double most_steps = 1e7;
 
-/// E621: runs that no browser comes to the end of.
+/// E621: runs that take a browser too long.
 Diagnostics refuse_length(const SimulationOptions& options) {
   if (options.time > longest_time) {
     return {{Code::E621,

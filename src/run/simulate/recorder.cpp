@@ -18,8 +18,8 @@ namespace {
 /// tolerance. The estimate may be too small by this factor if a step is long for its order.
 constexpr double energy_margin = 10;
 
-/// Runs of steps of one length are looked at in plots, where 1 % of the scale is seen. A run that
-/// loses 10 % of it is of another system.
+/// Of the scale, in steps of one length: a plot shows a loss of 1 %, and a run that loses 10 % is
+/// that of another system.
 constexpr double told_loss = 0.01;
 constexpr double refused_loss = 0.1;
 
@@ -123,7 +123,7 @@ double Recorder::energy_scale() const {
   return largest_kinetic_ + (highest_potential_ - lowest_potential_);
 }
 
-/// A symmetric step lets the energy swing about what it keeps, so that its means are compared.
+/// The energy of a symmetric step swings about a constant, so that means are compared.
 void Recorder::judge_energy(Trajectory& trajectory) {
   const Drift& drift = trajectory.energy;
   const bool is_symmetric = step_of_run(options_).has_value();

@@ -67,8 +67,8 @@ class Recorder {
                                  std::string_view remedy) const;
 
   /// Puts the rows that were kept into `trajectory`. E648: E - E0 - work went farther than the
-  /// tolerance of the steps allows, or in steps of one length farther than 1 % of the scale, as
-  /// may an entry of `conserved`.
+  /// tolerance of the steps allows; in steps of one length it, or an entry of `conserved`, went
+  /// farther than 1 % of its scale.
   Diagnostics finish(Trajectory& trajectory) &&;
 
  private:
@@ -79,7 +79,7 @@ class Recorder {
   void add_momenta(const TrajectorySample& sample, double part);
   void add_conserved(const TrajectorySample& sample);
   void add_offset(const TrajectorySample& sample);
-  /// max |T| + (max V - min V) until now; max (|v.p| + |L|) where only L is known.
+  /// max |T| + (max V - min V) until now; max (|v.p| + |L|) if only L is known.
   [[nodiscard]] double energy_scale() const;
   void judge_energy(Trajectory& trajectory);
   void judge_conserved(const std::vector<ConservedDrift>& conserved);

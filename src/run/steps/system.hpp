@@ -48,7 +48,7 @@ template <class Scalar = double>
 /// Whether a constraint does work, by f_t or by what of phi is left at rest.
 [[nodiscard]] bool has_moving_constraints(const Model& model);
 
-/// T and V; v.p and -L where only L is known.
+/// T and V; v.p and -L if only L is known.
 struct EnergyParts {
   double kinetic = 0;
   double potential = 0;
