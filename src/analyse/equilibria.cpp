@@ -1,5 +1,4 @@
 // Equilibria of a system are all combinations of equilibria of its blocks.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

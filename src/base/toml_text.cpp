@@ -1,7 +1,6 @@
 // Quoting, and columns: each but the last is padded to its widest cell.
 #include "base/toml_text.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

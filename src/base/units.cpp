@@ -5,7 +5,6 @@
 // reaches.
 #include "elgen/units.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // elgen explain NAME: what an error code means and how to mend it, the keys of an entry of model
 // and scene files (`coordinate`, `scene.outputs`), what an output is, a function of the language,
 // or a name in [[expect]].
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

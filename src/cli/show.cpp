@@ -1,5 +1,4 @@
 // elgen show: prints the equations of one input on stdout, in notations for people or programs.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

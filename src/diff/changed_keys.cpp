@@ -1,6 +1,5 @@
 // changed_keys: two parsed trees side by side. Expressions are compared as trees, so that blanks
 // and brackets that change nothing are no change.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // diff_text: a report in lines with labels, as text and as Markdown. Lines that systems share are
 // said once. Equations stand in blocks of code, in which no sign is a mark of Markdown.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

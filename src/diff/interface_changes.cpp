@@ -1,5 +1,4 @@
 // interface_changes: what callers name, count, order and scale.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

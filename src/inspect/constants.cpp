@@ -9,7 +9,6 @@
 #include "check/names/constants.hpp"
 
 #include <cln/real_ring.h>
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

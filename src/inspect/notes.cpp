@@ -2,7 +2,6 @@
 // pass over the arena, before anything was locked, marks what is used), E619 the outputs that the
 // built-in scene `full` does without, one note per reason, and E627 a force with tanh, as it stands
 // in for dry friction, in a linearization asked for by name, and E616 inputs of locks.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

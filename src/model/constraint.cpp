@@ -1,7 +1,6 @@
 // Constraint: the equations that remain of points that coincide if some constrain nothing.
 #include "elgen/constraint.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // A state in JSON. Numbers are printed by exact arithmetic, as doubles lack the digits.
 #include "model/state_text.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,4 @@
 // Keys of one table: unknown, missing and unsupported ones, and the value of each as its row says.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // display: widths are in letters, a measure that LaTeX, GitHub and HTML pages share.
 #include "print/display.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

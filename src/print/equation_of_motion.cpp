@@ -3,7 +3,6 @@
 // variables stand on a few lines; rates are named where some function knows of them. Conserved
 // quantities follow from the entries that are 0. Where constraints hold, multipliers act beside the
 // inputs; both sides of a constraint stand as the expressions of the model, names as names.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // model_page: the variables of a model and the equations of its outputs, under the symbols and
 // definitions of the output table.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <utility>

@@ -1,5 +1,4 @@
 // scene_notes: facts about a scene that a reader of its equations needs.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "elgen/page.hpp"

@@ -3,7 +3,6 @@
 // coordinate.
 #include "print/steps.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

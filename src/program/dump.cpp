@@ -6,7 +6,6 @@
 //       0 = parameter m
 //       1 = multiply 0 0  ; m_squared
 //       result 1 1 = 1
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "elgen/program.hpp"

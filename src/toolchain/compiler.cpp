@@ -1,5 +1,4 @@
 // The user's compiler: $CXX where it is set, else c++, g++, clang++, whichever answers first.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gnu/libc-version.h>
 #include <sys/utsname.h>

@@ -1,6 +1,5 @@
 // The drivers of C++: of the header on arrays, of the one on types of Eigen, and of the one in a
 // wider scalar.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "elgen/artifacts.hpp"

@@ -7,7 +7,6 @@
 // Other lines are somebody's else: they are not read.
 #include "toolchain/interpreted.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cstdlib>

@@ -11,7 +11,6 @@
 //     }
 //
 // A header in a wider scalar has emitted::wide::inverse_dynamics.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 // why the owner goes. Files are written below them as they would be below the output folder.
 #include "toolchain/workshop.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // The text of a model file: what the robot is made of first, then the tables.
 #include "urdf/draft.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

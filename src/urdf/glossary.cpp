@@ -2,7 +2,6 @@
 // keeps it.
 #include "urdf/glossary.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

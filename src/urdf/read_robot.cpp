@@ -2,7 +2,6 @@
 // link moves in its parent, and what limits, brakes and drives it), and the rotors of its
 // transmissions. Elements that xacro would have expanded are refused, because what they stand for
 // is missing.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

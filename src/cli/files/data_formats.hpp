@@ -1,7 +1,6 @@
 // data_formats: how tables and rows are written, by the name of the format or the ending of a file.
 #pragma once
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <array>

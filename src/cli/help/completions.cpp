@@ -1,5 +1,4 @@
 // completions: one list of commands, a template for each shell.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 // and sine and cosine where they are in line.
 #include "emit/c99/c99_dialect.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "emit/interface/code_interface.hpp"

@@ -1,7 +1,6 @@
 // c99_header: the C99 header, from the template c99/header.h.mustache. Every name of the header
 // begins with the prefix of the scene, so that functions can collide with each other's helpers
 // only, and with the few names the header has for itself (E701).
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -4,7 +4,6 @@
 
 #include <cln/integer.h>
 #include <cln/rational.h>
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 // Beyond `longest_listing` lines the entries are left to the sidecar.
 #include "emit/code/function_docs.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // batch_header: the functions of the other header on arrays of states, as the template
 // cpp/batch.hpp.mustache lays it out. Each loads packs, calls the other header, stores.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 // ordered scalar takes.
 #include "emit/cpp/cpp_dialect.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

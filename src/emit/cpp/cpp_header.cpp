@@ -1,6 +1,5 @@
 // cpp_header: the C++17 headers, from the templates of cpp/, on arrays and on Eigen's matrices. An
 // array is one line where it fits, one element a line where not.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // wide_header: the functions of the other header in a wider scalar, as the template
 // cpp/wide.hpp.mustache lays it out. Each widens its arguments, calls the other header, rounds; but
 // a step of accelerations in float is written out.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

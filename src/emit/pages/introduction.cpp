@@ -1,7 +1,6 @@
 // introduction: the first screen of a header. Rates are listed if a function depends on them.
 #include "emit/pages/introduction.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

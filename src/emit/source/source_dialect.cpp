@@ -2,7 +2,6 @@
 // its rows are vectors.
 #include "emit/source/source_dialect.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "base/ascii.hpp"

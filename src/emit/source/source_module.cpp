@@ -1,5 +1,4 @@
 // source_module: a module in an interpreted language, from the template of the language.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // layout: where lines break. Columns are counted in bytes; only user text is ever wider than ASCII.
 #include "emit/text/layout.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

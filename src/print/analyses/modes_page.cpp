@@ -1,6 +1,5 @@
 // The page of small motions: M and K in closed form if the point has one, w^2 as formulas for
 // blocks of one or two coordinates, then numbers.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

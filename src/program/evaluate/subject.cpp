@@ -5,7 +5,6 @@
 #include <cln/ffloat.h>
 #include <cln/float.h>
 #include <cln/integer.h>
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // player_model: one function for each list that the script reads.
 #include "run/player/player_model.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // player_page: the functions of the program as a script, the model as JSON, the equations as
 // MathML, in one file.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 // are timed in blocks, between which what they reached is looked at.
 #include "elgen/simulate.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

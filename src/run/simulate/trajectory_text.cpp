@@ -1,6 +1,5 @@
 // A trajectory in a few lines, for people; for programs as a table, and as an object with the table
 // in it.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // The rows, each with what makes its steps, their names, and the numbers of a run.
 #include "run/steps/methods.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // The functions of a system, called on flat numbers, and the work that is done on it.
 #include "run/steps/system.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

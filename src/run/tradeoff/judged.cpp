@@ -1,5 +1,4 @@
 // judged: ranks, the order of the rows, the Pareto front, and the picked row.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -5,7 +5,6 @@
 //     parameters arguments, fixed
 //     ->   10 designs: sines of 1e-7 are in packs of double alone
 #include <cln/rational.h>
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // scene_text: what a scene says, as TOML, with the choices of a design in the place of its own.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // A table as SVG: worst errors over costs, both logarithmic. Shapes say the value of the first
 // dimension, numbers which design it is; the Pareto front is filled and joined by a staircase.
 // Lines below the list of designs say so on the plot itself.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

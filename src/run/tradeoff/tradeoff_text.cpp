@@ -1,6 +1,5 @@
 // A table in columns for people, with a star at rows of the Pareto front, and one for programs;
 // both show the picked row.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // Test vectors: states in turn, and how many digits of each value doubles keep.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // Tables of values: for people, as an object, as rows of entries, and as arrays of C.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // Sizes alone tell which fields an answer has: a list of numbers has no names.
 #include "verify/foreign/fields.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <numeric>

@@ -1,6 +1,5 @@
 // judge_foreign: compares answers with the oracle, then explains in which situations they are
 // wrong.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

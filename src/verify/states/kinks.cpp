@@ -1,7 +1,6 @@
 // Kinks: a side is the sign of the argument, or of the difference of two.
 #include "verify/states/kinks.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 // different sums, these.
 #include "verify/structure/differing_terms.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 // digits do not change.
 #include "verify/structure/stated.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
