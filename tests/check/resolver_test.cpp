@@ -229,10 +229,25 @@ TEST_CASE("terms of a sum that differ in a number only are one term") {
   CHECK(points_potential("sum(i, 1, 3, i*c*x^2 - c*x*y/(2*i))") ==
         "energy V = 6*c*x^2 + (-11/12*c*x*y)\n");
   CHECK(points_potential("sum(i, 1, 10000, i*c*x^2)") == "energy V = 50005000*c*x^2\n");
-  CHECK(points_potential("sum(i, 1, 3, (i - 2)*c*x^2)") == "energy V = 0\n");
+  CHECK(points_potential("sum(i, 1, 3, (i - 2)*c*x^2)") == "energy V = c*x^2 - c*x^2\n");
   // Unlike ones stay as they are typed.
   CHECK(points_potential("sum(i, 1, 2, c*x^2*sin(i*x/y))") ==
         "energy V = c*x^2*sin(1*x/y) + c*x^2*sin(2*x/y)\n");
+}
+
+TEST_CASE("errors in like terms of a sum are those of the terms, also where these cancel") {
+  check_rows({{"sum(i, 1, 3, i*c*x)", "E403 21:6 `sum(i, 1, 3, i*c*x)` is in N, but V is in J\n"},
+              {"c*x^2 + sum(i, -1, 1, i*c*x)",
+               "E401 21:14 `sum(i, -1, 1, i*c*x)` is in N, but the sum is in J\n"},
+              {"sum(i, -1, 1, i*abs(x)*c*x)",
+               "E315 21:22 `abs(x)` is a function with a kink, and V takes none | a smooth "
+               "stand-in is tanh(x/width)\n"}},
+             points_error);
+  // Numbers of more digits than constants may have are not added, nor are quotients by 0.
+  const Model model =
+      checked(two_points + "V = \"sum(i, 1, 2, c*x^2*1e300^10 + c*x^2/1e300^10)\"\n").model;
+  CHECK(model.expressions[*model.energies.V].operands.size() == 2);
+  CHECK(points_potential("sum(i, 0, 1, c*x^3/(i*y))") == "energy V = c*x^3/(0*y) + c*x^3/(1*y)\n");
 }
 
 TEST_CASE("a sum over no index is 0") {

@@ -36,12 +36,18 @@ class LikeTerms {
     if (!is_tried) others_.push_back(term);
   }
 
-  /// The operands of the sum. If no two terms are alike, these are the terms as they are.
-  [[nodiscard]] std::vector<ExpressionId> terms() {
+  /// The operands of the sum, which is written at `span`. If no two terms are alike, these are the
+  /// terms as they are. Terms that cancel stay as a difference, whose units are judged.
+  [[nodiscard]] std::vector<ExpressionId> terms(const Span& span) {
     if (std::ranges::none_of(kinds_, &Product::is_added)) return terms_;
+    const bool is_whole_sum = kinds_.size() == 1 && others_.empty();
     std::vector<ExpressionId> all;
-    for (const Product& kind : kinds_) {
-      if (kind.number != 0) all.push_back(kind.is_added ? written(kind) : kind.term);
+    for (Product& kind : kinds_) {
+      const Span place = is_whole_sum ? span : node(kind.term).span;
+      const bool cancels = kind.is_added && cln::zerop(kind.number);
+      if (cancels) kind.number = 1;
+      all.push_back(kind.is_added ? written(kind, place) : kind.term);
+      if (cancels) all.push_back(NodeBuilder(context_, place).negate(all.back()));
     }
     all.insert(all.end(), others_.begin(), others_.end());
     return all;
@@ -63,8 +69,14 @@ class LikeTerms {
     }
     Product product{.term = term};
     multiply(product, term, false);
+    // A quotient by 0 is an error of its own, told at its place.
+    const bool has_value = std::ranges::none_of(product.divisors, [this](ExpressionId id) {
+      return node(id).kind == ExpressionKind::number;
+    });
+    if (!has_value) product = {.term = term, .factors = {term}};
     const auto like = std::ranges::find_if(kinds_, [&](const Product& kind) {
-      return are_same(kind.factors, product.factors) && are_same(kind.divisors, product.divisors);
+      return are_same(kind.factors, product.factors) && are_same(kind.divisors, product.divisors) &&
+             digit_count(kind.number + product.number) <= largest_exact_digits;
     });
     if (like == kinds_.end()) {
       kinds_.push_back(std::move(product));
@@ -77,7 +89,7 @@ class LikeTerms {
 
   void multiply(Product& product, ExpressionId id, bool is_divisor) const {
     const Expression& e = node(id);
-    if (e.kind == ExpressionKind::number) {
+    if (e.kind == ExpressionKind::number && !(is_divisor && cln::zerop(e.number))) {
       product.number = is_divisor ? product.number / e.number : product.number * e.number;
     } else if (e.kind == ExpressionKind::negate) {
       product.number = -product.number;
@@ -102,8 +114,8 @@ class LikeTerms {
     });
   }
 
-  ExpressionId written(const Product& product) {
-    NodeBuilder nodes(context_, node(product.term).span);
+  ExpressionId written(const Product& product, const Span& span) {
+    NodeBuilder nodes(context_, span);
     std::vector<ExpressionId> factors{nodes.number(product.number)};
     factors.insert(factors.end(), product.factors.begin(), product.factors.end());
     const ExpressionId top = nodes.multiply(factors);
@@ -140,7 +152,7 @@ std::optional<ExpressionId> Resolver::resolve_sum(const ExpressionSyntax& call) 
     if (!term) return std::nullopt;
     like.add(*term, begin);
   }
-  sum.operands = like.terms();
+  sum.operands = like.terms(call.span);
   if (sum.operands.empty()) return push_number(0, call.span);
   return sum.operands.size() == 1 ? std::optional(sum.operands.front()) : push(std::move(sum));
 }
