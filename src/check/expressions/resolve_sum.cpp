@@ -36,8 +36,8 @@ class LikeTerms {
     if (!is_tried) others_.push_back(term);
   }
 
-  /// The operands of the sum, which is written at `span`. If no two terms are alike, these are the
-  /// terms as they are. Terms that cancel stay as a difference, whose units are judged.
+  /// The operands of the sum at `span`. If no two terms are alike, these are the terms as they are.
+  /// Terms that cancel become a difference, whose units and place are judged.
   [[nodiscard]] std::vector<ExpressionId> terms(const Span& span) {
     if (std::ranges::none_of(kinds_, &Product::is_added)) return terms_;
     const bool is_whole_sum = kinds_.size() == 1 && others_.empty();
@@ -69,11 +69,11 @@ class LikeTerms {
     }
     Product product{.term = term};
     multiply(product, term, false);
-    // A quotient by 0 is an error of its own, told at its place.
-    const bool has_value = std::ranges::none_of(product.divisors, [this](ExpressionId id) {
+    // Check reports a quotient by 0 later, at the text of the quotient.
+    const bool divides_by_zero = std::ranges::any_of(product.divisors, [this](ExpressionId id) {
       return node(id).kind == ExpressionKind::number;
     });
-    if (!has_value) product = {.term = term, .factors = {term}};
+    if (divides_by_zero) product = {.term = term, .factors = {term}};
     const auto like = std::ranges::find_if(kinds_, [&](const Product& kind) {
       return are_same(kind.factors, product.factors) && are_same(kind.divisors, product.divisors) &&
              digit_count(kind.number + product.number) <= largest_exact_digits;
