@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t most_kinds = 16;
 
 /// number * factors / divisors
-struct Product {
+struct ScaledProduct {
   ExpressionId term = 0;
   cln::cl_RA number = 1;
   std::vector<ExpressionId> factors = {};
@@ -39,10 +39,10 @@ class LikeTerms {
   /// The operands of the sum at `span`. If no two terms are alike, these are the terms as they are.
   /// Terms that cancel become a difference, whose units and place are judged.
   [[nodiscard]] std::vector<ExpressionId> terms(const Span& span) {
-    if (std::ranges::none_of(kinds_, &Product::is_added)) return terms_;
+    if (std::ranges::none_of(kinds_, &ScaledProduct::is_added)) return terms_;
     const bool is_whole_sum = kinds_.size() == 1 && others_.empty();
     std::vector<ExpressionId> all;
-    for (Product& kind : kinds_) {
+    for (ScaledProduct& kind : kinds_) {
       const Span place = is_whole_sum ? span : node(kind.term).span;
       const bool cancels = kind.is_added && cln::zerop(kind.number);
       if (cancels) kind.number = 1;
@@ -67,14 +67,14 @@ class LikeTerms {
       }
       return are_known;
     }
-    Product product{.term = term};
+    ScaledProduct product{.term = term};
     multiply(product, term, false);
     // Check reports a quotient by 0 later, at the text of the quotient.
     const bool divides_by_zero = std::ranges::any_of(product.divisors, [this](ExpressionId id) {
       return node(id).kind == ExpressionKind::number;
     });
     if (divides_by_zero) product = {.term = term, .factors = {term}};
-    const auto like = std::ranges::find_if(kinds_, [&](const Product& kind) {
+    const auto like = std::ranges::find_if(kinds_, [&](const ScaledProduct& kind) {
       return are_same(kind.factors, product.factors) && are_same(kind.divisors, product.divisors) &&
              digit_count(kind.number + product.number) <= largest_exact_digits;
     });
@@ -87,7 +87,7 @@ class LikeTerms {
     return true;
   }
 
-  void multiply(Product& product, ExpressionId id, bool is_divisor) const {
+  void multiply(ScaledProduct& product, ExpressionId id, bool is_divisor) const {
     const Expression& e = node(id);
     if (e.kind == ExpressionKind::number && !(is_divisor && cln::zerop(e.number))) {
       product.number = is_divisor ? product.number / e.number : product.number * e.number;
@@ -114,7 +114,7 @@ class LikeTerms {
     });
   }
 
-  ExpressionId written(const Product& product, const Span& span) {
+  ExpressionId written(const ScaledProduct& product, const Span& span) {
     NodeBuilder nodes(context_, span);
     std::vector<ExpressionId> factors{nodes.number(product.number)};
     factors.insert(factors.end(), product.factors.begin(), product.factors.end());
@@ -124,7 +124,7 @@ class LikeTerms {
 
   Context& context_;
   std::vector<ExpressionId> terms_ = {};   ///< with nodes in the model
-  std::vector<Product> kinds_ = {};        ///< by which later terms are found
+  std::vector<ScaledProduct> kinds_ = {};  ///< by which later terms are found
   std::vector<ExpressionId> others_ = {};  ///< terms after `most_kinds`
 };
 

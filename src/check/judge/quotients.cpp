@@ -32,6 +32,22 @@ struct VanishingFactor {
   bool is_negative = false;
 };
 
+/// The expression that a definition stands for.
+ExpressionId followed(const Model& model, ExpressionId id) {
+  while (model.expressions[id].kind == ExpressionKind::definition) {
+    id = model.definitions[model.expressions[id].index].value;
+  }
+  return id;
+}
+
+/// Leaves are not shared in the arena.
+bool is_same(const Model& model, ExpressionId x, ExpressionId y) {
+  const Expression& a = model.expressions[x];
+  const Expression& b = model.expressions[y];
+  return x == y || (a.kind == ExpressionKind::leaf && is_leaf(b, a.leaf) && a.index == b.index &&
+                    a.operands.empty());
+}
+
 /// A product of powers, through definitions. Longer products are left alone: a product
 /// of definitions may have exponentially many factors.
 class Product {
@@ -85,17 +101,9 @@ class Product {
  private:
   static constexpr std::size_t most_visits = 100;
 
-  /// The expression that a definition stands for.
-  [[nodiscard]] ExpressionId followed(ExpressionId id) const {
-    while (model_.expressions[id].kind == ExpressionKind::definition) {
-      id = model_.definitions[model_.expressions[id].index].value;
-    }
-    return id;
-  }
-
   void multiply(ExpressionId id, std::int64_t exponent) {
     if (++visits_ > most_visits) return;
-    id = followed(id);
+    id = followed(model_, id);
     const Expression& node = model_.expressions[id];
     switch (node.kind) {
       case ExpressionKind::negate:
@@ -121,21 +129,13 @@ class Product {
 
   void add(const PowerFactor& factor) {
     const auto known = std::ranges::find_if(factors_, [&](const PowerFactor& power) {
-      return power.order == factor.order && is_same(power.base, factor.base);
+      return power.order == factor.order && is_same(model_, power.base, factor.base);
     });
     if (known == factors_.end()) {
       factors_.push_back(factor);
     } else {
       known->exponent += factor.exponent;
     }
-  }
-
-  /// Leaves are not shared in the arena.
-  [[nodiscard]] bool is_same(ExpressionId x, ExpressionId y) const {
-    const Expression& a = model_.expressions[x];
-    const Expression& b = model_.expressions[y];
-    return x == y || (a.kind == ExpressionKind::leaf && is_leaf(b, a.leaf) && a.index == b.index &&
-                      a.operands.empty());
   }
 
   [[nodiscard]] std::int64_t exponent_of(std::uint32_t coordinate) const {
@@ -155,7 +155,7 @@ class Product {
     if (node.kind != ExpressionKind::add || node.operands.size() != 2) return std::nullopt;
     for (const auto& [first, second] : {std::pair{node.operands[0], node.operands[1]},
                                         std::pair{node.operands[1], node.operands[0]}}) {
-      const Expression& number = model_.expressions[followed(first)];
+      const Expression& number = model_.expressions[followed(model_, first)];
       const Product other(model_, second);
       if (number.kind != ExpressionKind::number || other.factors_.size() != 1) continue;
       const auto& [base, exponent, order] = other.factors_.front();
