@@ -105,13 +105,13 @@ Look look_at(const Computation& values, const State& state, unsigned digits) {
   return look;
 }
 
-struct Telling {
+struct LookPair {
   bool tells = false;  ///< the first look has the digits to show a value that is not 0
   bool is_last = false;
 };
 
 /// The value by two looks; none if it is not settled.
-std::optional<cl_R> settled_value(const cl_R& before, const cl_R& now, const Telling& looks) {
+std::optional<cl_R> settled_value(const cl_R& before, const cl_R& now, const LookPair& looks) {
   static const cl_R share_that_stays = power_of_ten(-digits_that_stay);
   const bool stays = cln::abs(now - before) <= cln::abs(now) * share_that_stays;
   const bool is_zero = cln::zerop(now) || cln::zerop(before) ||
@@ -122,7 +122,8 @@ std::optional<cl_R> settled_value(const cl_R& before, const cl_R& now, const Tel
 }
 
 /// All values by two looks; none if one is not settled.
-std::optional<SettledValues> settled_by(const Look& before, const Look& now, const Telling& looks) {
+std::optional<SettledValues> settled_by(const Look& before, const Look& now,
+                                        const LookPair& looks) {
   const bool lacks = !before.values && !now.values;
   if (lacks && looks.tells) return SettledValues{};
   if (!before.values || !now.values) return std::nullopt;
@@ -154,7 +155,7 @@ SettledValues settled(const Model& model, const State& state, const Computation&
   for (; digits < digits_of_last_look; digits *= 2) {
     Look now = look_at(values, state, 2 * digits);
     if (before.is_beyond || now.is_beyond) return untold;
-    const Telling looks{
+    const LookPair looks{
         .tells = working_digits + digits >= std::max({telling, before.hidden, now.hidden}),
         .is_last = 2 * digits >= digits_of_last_look};
     if (auto found = settled_by(before, now, looks)) {

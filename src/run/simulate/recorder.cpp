@@ -18,8 +18,8 @@ namespace {
 /// tolerance. The estimate may be too small by this factor if a step is long for its order.
 constexpr double energy_margin = 10;
 
-/// Of the scale, in steps of one length: a plot shows a loss of 1 %, and a run that loses 10 % is
-/// that of another system.
+/// Shares of the scale, in steps of one length: a plot shows a loss of 1 %, and a run that loses 10
+/// % is that of another system.
 constexpr double told_loss = 0.01;
 constexpr double refused_loss = 0.1;
 

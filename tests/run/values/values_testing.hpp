@@ -1,0 +1,81 @@
+// Values and vectors of models, for tests of both.
+#pragma once
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "elgen/pipeline.hpp"
+#include "elgen/values.hpp"
+#include "support/models.hpp"
+#include "support/shell.hpp"
+
+namespace elgen::test {
+
+using Json = nlohmann::json;
+
+inline std::string file_of(const std::string& name) {
+  return read_text(std::string(ELGEN_SOURCE_DIR) + "/models/" + name + ".toml");
+}
+
+inline std::vector<SourcePointer> option(const std::string& text) {
+  return {make_source("command line", text)};
+}
+
+inline SceneOptions options_of(const std::string& state, const std::string& outputs) {
+  SceneOptions options;
+  options.states_all = true;
+  options.close_functions = true;
+  if (!state.empty()) options.starts = option(state);
+  if (!outputs.empty()) options.outputs = option(outputs);
+  return options;
+}
+
+/// The record of a function as JSON, at the state of these options.
+inline Json evaluated(const std::string& text, const SceneOptions& given,
+                      const StateOptions& how = {}) {
+  const CheckedModel checked = checked_model(text, given);
+  const Result<ValueTable> values = state_values(checked, how);
+  REQUIRE(values);
+  return Json::parse(to_json(*values));
+}
+
+/// Derived, with vectors of it.
+class Vectors {
+ public:
+  explicit Vectors(const std::string& text, const VectorOptions& options = {},
+                   const std::string& outputs = {})
+      : products_(derived(text, outputs)),
+        table(test_vectors(*products_.checked, *products_.program, options)) {}
+
+ private:
+  static Products derived(const std::string& text, const std::string& outputs) {
+    PipelineOptions pipeline;
+    pipeline.goals = {Goal::choose};
+    if (!outputs.empty()) pipeline.scene.outputs = option(outputs);
+    Products products = run_pipeline({make_source("test.toml", text), nullptr}, pipeline);
+    REQUIRE(products.program);
+    return products;
+  }
+
+  Products products_;
+
+ public:
+  Result<ValueTable> table;
+};
+
+inline const std::string block = model_text("block", R"(
+[[coordinate]]
+name = "x"
+start = { value = 2, rate = -1 }
+[parameters]
+m = { value = 4 }
+[energy]
+T = "1/2*m*dot(x)^2"
+[[input]]
+name = "u"
+on = "x"
+)");
+
+}  // namespace elgen::test
