@@ -118,8 +118,8 @@ TEST_CASE("symplectic steps of a rotation are refused before any value is asked 
   };
   const std::string hint = " is not for this system: `e` is a rotation | `rk4` takes any model\n";
   const std::string midpoint = "step = { method = \"midpoint\" }\n";
-  CHECK(said(midpoint) == "E622 5:1 `midpoint`" + hint);
-  CHECK(said("step_derivatives = { method = \"verlet\" }\n") == "E622 5:1 `verlet`" + hint);
+  CHECK(said(midpoint).find("E622 5:1 `midpoint`" + hint) == 0);
+  CHECK(said("step_derivatives = { method = \"verlet\" }\n").find("E622 5:1 `verlet`" + hint) == 0);
   for (const std::string& right : {said("step = { method = \"rk4\" }\n"),
                                    said(midpoint, "[lock]\ne = { value = [1, 0, 0, 0] }\n")}) {
     CHECK(right.find("E622") == std::string::npos);

@@ -31,6 +31,7 @@ a = "L*q"
 s = "sin(a)"
 c = "cos(a)"
 b = "sqrt(q^2 + (r - 1/2)^2)"
+R = "L/q"
 [energy]
 T = "1/2*dot(q)^2 + 1/2*dot(r)^2"
 V = ")toml";
@@ -117,7 +118,13 @@ TEST_CASE("quotients of sines and cosines have values at 0, and the same elsewhe
                                 {"s/a", 1},
                                 {"(1 - c)/a^2", 0.5},
                                 {"(1 - c)/q", 0},
-                                {"2 + r*(1 - cos(q))/q^2", 2.25}}) {
+                                {"2 + r*(1 - cos(q))/q^2", 2.25},
+                                {"L/q - L*cos(q)/q", 0},
+                                {"r + R - R*cos(q)", 0.5},
+                                {"R*cos(q) - R + r*(R - R*cos(a))/q", 0.00390625},
+                                {"(2 - 2*cos(q))/q^2", 1},
+                                {"(L - L*cos(q))/q", 0},
+                                {"(q/sin(q))^(-1)", 1}}) {
     INFO(potential);
     const Model model = checked_arm(potential).model;
     REQUIRE_FALSE(model.typed.empty());
@@ -140,7 +147,8 @@ TEST_CASE("quotients that stay 0/0, that have poles or other arguments are left 
   for (const std::string potential :
        {"sin(q)/q^2", "cos(q)/q", "(1 + cos(q))/q", "(2 - cos(q))/q", "sin(r)/q", "sin(q + r)/q",
         "sin(b)/b", "sin(L)/L", "(1 - cos(q))/q^3", "q/sin(q)", "tan(q)/q", "sin(q^2)/q",
-        "sin(q)/(1 + q)", "L*sin(q)"}) {
+        "sin(q)/(1 + q)", "L*sin(q)", "L/q - L*cos(r)/q", "R + R*cos(q)", "R - 2*R*cos(q)",
+        "1/q^3 - cos(q)/q^3", "r - r*cos(q)"}) {
     INFO(potential);
     CHECK(checked_arm(potential).model.typed.empty());
   }

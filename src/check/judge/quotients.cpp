@@ -2,10 +2,11 @@
 //
 //     L*(1 - cos(q))/q        ->   L*q*stumpff(q, 2)
 //     sin(kappa*L)/kappa      ->   stumpff(kappa*L, 1)*L
+//     x + L/q - L/q*cos(q)    ->   x + L*q*stumpff(q, 2)
 //
-// by sin(a) = a stumpff(a, 1) and 1 - cos(a) = a^2 stumpff(a, 2), a = c q. This comes before any
-// derivation, since derivatives of such quotients are not recognised. Nodes of the arena change in
-// place, so that references to them stay valid; Model::typed keeps the old ones.
+// by sin(a) = a stumpff(a, 1) and X - X cos(a) = X a^2 stumpff(a, 2), a = c q. This comes before
+// any derivation, since derivatives of such quotients are not recognised. Nodes of the arena change
+// in place, so that references to them stay valid; Model::typed keeps the old ones.
 #include <cln/integer.h>
 
 #include <algorithm>
@@ -25,11 +26,11 @@ struct PowerFactor {
   int order = 0;
 };
 
-/// sin(argument), or 1 - cos(argument) with order 2; `is_negative`: cos(argument) - 1.
+/// sin(argument), or with order 2 `whole` - `whole` cos(argument).
 struct VanishingFactor {
   ExpressionId argument = 0;
   int order = 1;
-  bool is_negative = false;
+  std::optional<ExpressionId> whole = {};
 };
 
 /// The expression that a definition stands for.
@@ -40,10 +41,11 @@ ExpressionId followed(const Model& model, ExpressionId id) {
   return id;
 }
 
-/// Leaves are not shared in the arena.
+/// Leaves and numbers are not shared in the arena.
 bool is_same(const Model& model, ExpressionId x, ExpressionId y) {
   const Expression& a = model.expressions[x];
   const Expression& b = model.expressions[y];
+  if (a.kind == ExpressionKind::number) return b.kind == a.kind && a.number == b.number;
   return x == y || (a.kind == ExpressionKind::leaf && is_leaf(b, a.leaf) && a.index == b.index &&
                     a.operands.empty());
 }
@@ -53,6 +55,18 @@ bool is_same(const Model& model, ExpressionId x, ExpressionId y) {
 class Product {
  public:
   Product(const Model& model, ExpressionId id) : model_(model) { multiply(id, 1); }
+
+  /// Of two terms X and -X cos(a): X a^2 stumpff(a, 2). None of other terms, or if a coordinate
+  /// would stay in the denominator.
+  [[nodiscard]] static std::optional<Product> joined(const Model& model, ExpressionId whole,
+                                                     ExpressionId part) {
+    const auto factor = versine(model, whole, part);
+    if (!factor) return std::nullopt;
+    Product product(model);
+    product.multiply_series(*factor);
+    if (product.is_long() || !product.divisors().empty()) return std::nullopt;
+    return product;
+  }
 
   [[nodiscard]] bool is_long() const { return visits_ > most_visits; }
 
@@ -72,7 +86,7 @@ class Product {
   bool cancel(std::uint32_t coordinate) {
     const std::vector<PowerFactor> before = factors_;
     const bool was_negative = is_negative_;
-    while (exponent_of(coordinate) < 0) {
+    while (exponent_of(coordinate) < 0 && !is_long()) {
       const auto factor = factor_with(coordinate, exponent_of(coordinate) < -1 ? 2 : 1);
       if (!factor) break;
       write_series(*factor);
@@ -101,11 +115,17 @@ class Product {
  private:
   static constexpr std::size_t most_visits = 100;
 
+  explicit Product(const Model& model) : model_(model) {}
+
   void multiply(ExpressionId id, std::int64_t exponent) {
     if (++visits_ > most_visits) return;
     id = followed(model_, id);
     const Expression& node = model_.expressions[id];
     switch (node.kind) {
+      case ExpressionKind::number:
+        if (cln::abs(node.number) != 1) break;
+        is_negative_ = is_negative_ != (node.number < 0 && exponent % 2 != 0);
+        return;
       case ExpressionKind::negate:
         is_negative_ = is_negative_ != (exponent % 2 != 0);
         multiply(node.operands[0], exponent);
@@ -147,6 +167,22 @@ class Product {
     return 0;
   }
 
+  /// Of X and -X cos(a), by their quotient.
+  [[nodiscard]] static std::optional<VanishingFactor> versine(const Model& model,
+                                                              ExpressionId whole,
+                                                              ExpressionId part) {
+    Product quotient(model, part);
+    quotient.multiply(whole, -1);
+    std::erase_if(quotient.factors_, [](const PowerFactor& power) { return power.exponent == 0; });
+    if (quotient.is_long() || !quotient.is_negative_ || quotient.factors_.size() != 1) return {};
+    const auto& [base, exponent, order] = quotient.factors_.front();
+    const Expression& cosine = model.expressions[base];
+    const bool is_cosine = cosine.kind == ExpressionKind::function &&
+                           cosine.function == FunctionId::cos && exponent == 1;
+    if (!is_cosine) return {};
+    return VanishingFactor{cosine.operands[0], 2, whole};
+  }
+
   [[nodiscard]] std::optional<VanishingFactor> vanishing(ExpressionId id) const {
     const Expression& node = model_.expressions[id];
     if (node.kind == ExpressionKind::function && node.function == FunctionId::sin) {
@@ -181,11 +217,15 @@ class Product {
     return found;
   }
 
-  /// sin(a) -> a stumpff(a, 1), 1 - cos(a) -> a^2 stumpff(a, 2), once.
+  /// sin(a) -> a stumpff(a, 1), X - X cos(a) -> X a^2 stumpff(a, 2), once.
   void write_series(std::size_t place) {
     const VanishingFactor factor = *vanishing(factors_[place].base);
     --factors_[place].exponent;
-    is_negative_ = is_negative_ != factor.is_negative;
+    multiply_series(factor);
+  }
+
+  void multiply_series(const VanishingFactor& factor) {
+    if (factor.whole) multiply(*factor.whole, 1);
     multiply(factor.argument, factor.order);
     add({factor.argument, 1, factor.order});
   }
@@ -207,6 +247,39 @@ std::optional<Product> cancelled(const Model& model, ExpressionId id) {
   return is_changed ? std::optional(std::move(product)) : std::nullopt;
 }
 
+/// The sum with terms X and -X cos(a) joined that hold 1/q; none if there are no such terms. Sums
+/// of more quotients are left alone, since each is compared with every other.
+std::optional<ExpressionId> joined_sum(NodeBuilder& nodes, const Model& model, ExpressionId id) {
+  constexpr std::size_t most_quotients = 100;
+  std::vector<ExpressionId> terms = model.expressions[id].operands;
+  std::vector<std::size_t> quotients;
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    if (!Product(model, terms[i]).divisors().empty()) quotients.push_back(i);
+  }
+  if (quotients.size() > most_quotients) return std::nullopt;
+  bool is_changed = false;
+  for (const std::size_t whole : quotients) {
+    for (const std::size_t part : quotients) {
+      const auto product = Product::joined(model, terms[whole], terms[part]);
+      if (!product) continue;
+      terms[whole] = product->node(nodes);
+      terms[part] = no_expression;
+      is_changed = true;
+    }
+  }
+  return is_changed ? std::optional(nodes.add(terms)) : std::nullopt;
+}
+
+/// The node that stands for a product or a sum, by series; none if it is written as it was.
+std::optional<ExpressionId> by_series(NodeBuilder& nodes, const Model& model, ExpressionId id) {
+  const ExpressionKind kind = model.expressions[id].kind;
+  if (kind == ExpressionKind::add) return joined_sum(nodes, model, id);
+  const bool is_product = kind == ExpressionKind::multiply || kind == ExpressionKind::divide ||
+                          kind == ExpressionKind::power;
+  const auto product = is_product ? cancelled(model, id) : std::nullopt;
+  return product ? std::optional(product->node(nodes)) : std::nullopt;
+}
+
 }  // namespace
 
 void write_quotients(Context& context) {
@@ -214,15 +287,11 @@ void write_quotients(Context& context) {
   std::vector<ExpressionId> all = reached(model, all_roots(model));
   std::ranges::reverse(all);  // a product before its factors
   for (const ExpressionId id : all) {
-    const ExpressionKind kind = model.expressions[id].kind;
-    if (kind != ExpressionKind::multiply && kind != ExpressionKind::divide) continue;
-    const auto product = cancelled(model, id);
-    if (!product) continue;
-    const Expression typed = model.expressions[id];
-    NodeBuilder nodes(context, typed.span);
-    const ExpressionId value = product->node(nodes);
-    model.typed.emplace(id, typed);
-    model.expressions[id] = model.expressions[value];
+    NodeBuilder nodes(context, model.expressions[id].span);
+    const std::optional<ExpressionId> written = by_series(nodes, model, id);
+    if (!written) continue;
+    model.typed.emplace(id, model.expressions[id]);
+    model.expressions[id] = model.expressions[*written];
   }
 }
 
