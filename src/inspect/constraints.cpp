@@ -70,7 +70,15 @@ bool creeps(const Model& model, const Assembly& at) {
                      [](const cl_R& f) { return cln::abs(f) < power_of_ten(-12); });
 }
 
-Diagnostic not_assembled(const Model& model, const std::optional<Assembly>& at) {
+/// Where coordinates and rates start; open functions have any values.
+State full_start(const Inspected& subject) {
+  State state = start_state(subject.model, subject.scene);
+  state.f = sampled_state(subject, 0).f;
+  return state;
+}
+
+Diagnostic not_assembled(const Inspected& subject, const std::optional<Assembly>& at) {
+  const Model& model = subject.model;
   if (at && creeps(model, *at)) {
     return {
         Code::E537, model.constraints.front().span,
@@ -78,18 +86,12 @@ Diagnostic not_assembled(const Model& model, const std::optional<Assembly>& at) 
         "are not determined there",
         "give another `start`, or an equation that is not flat or touched there"};
   }
+  const std::string quotient = at ? "" : quotient_hint(model, full_start(subject));
   const std::string left = at ? what_is_left(model, *at) : "no value";
   return {Code::E538, model.constraints.front().span,
           fmt::format("no {} near the start meet the constraints: what is left is {}",
                       at && at->has_pose ? "rates" : "coordinates", left),
-          "give the coordinates a `start` near a pose that exists"};
-}
-
-/// Where coordinates and rates start; open functions have any values.
-State full_start(const Inspected& subject) {
-  State state = start_state(subject.model, subject.scene);
-  state.f = sampled_state(subject, 0).f;
-  return state;
+          quotient.empty() ? "give the coordinates a `start` near a pose that exists" : quotient};
 }
 
 /// From anywhere, then from ever nearer to a pose, in turns with parameters of their own.
@@ -253,7 +255,7 @@ Diagnostics inspect_constraints(const Inspected& subject) {
   Diagnostics errors = without_effects(subject);
   if (!errors.empty()) return errors;
   const std::optional<Assembly> start = oracle_assembly(model, full_start(subject));
-  if (!start || !start->has_rates) return {not_assembled(model, start)};
+  if (!start || !start->has_rates) return {not_assembled(subject, start)};
   errors = redundant_equations(subject, start->state);
   if (errors.empty()) errors = undetermined_inputs(subject, start->state);
   return errors.empty() ? undetermined_rest(subject, start->state) : errors;

@@ -66,10 +66,13 @@ Result<CheckedModel> assembled_model(const CheckedModel& checked, const cln::cl_
   start.t = t;
   const std::optional<Assembly> at = oracle_assembly(model, start, named_start(model));
   if (at && at->has_rates) return started_at(checked, at->state);
+  const std::string quotient = at ? "" : quotient_hint(model, start);
   const std::optional<State> near = oracle_assembled(model, std::move(start));
   if (!near) {
-    return Diagnostic{
-        Code::E538, {}, "near the start no pose meets the constraints", start_elsewhere};
+    return Diagnostic{Code::E538,
+                      {},
+                      "near the start no pose meets the constraints",
+                      quotient.empty() ? start_elsewhere : quotient};
   }
   CheckedModel moved = started_at(checked, *near);
   if (keeps_named(model, moved.model)) return moved;
