@@ -63,6 +63,18 @@ TEST_CASE("two forms of one number are one number") {
   CHECK(exact.entries() == Texts{"0.2222222222222222: (2, 9)"});
 }
 
+TEST_CASE("of two literals that Python would compute with each other the second has a name") {
+  const std::string three = "  0 = parameter m\n  1 = constant 1\n  2 = constant 3\n";
+  const ExactNumbers divided = numbers_of(three + "  3 = divide 1 2\n", 1);
+  CHECK(divided.entries() == Texts{"\"_number_1\": (3, 1)"});
+  CHECK(divided.name_of(rational_constant(3)) == "_number_1");
+  CHECK(divided.name_of(rational_constant(1)).empty());
+  const ExactNumbers negative =
+      numbers_of("  0 = parameter m\n  1 = constant 2/3\n  2 = negate 1\n  3 = multiply 1 2\n", 1);
+  CHECK(negative.entries() == Texts{"0.6666666666666666: (2, 3)", "\"_number_1\": (2, 3)"});
+  CHECK(numbers_of(three + "  3 = multiply 0 2\n", 1).entries().empty());
+}
+
 TEST_CASE("languages without names have no exact numbers") {
   CHECK(numbers_of("  0 = parameter m\n  1 = constant 1/3\n  2 = constant 2\n", 1,
                    LanguageId::javascript)

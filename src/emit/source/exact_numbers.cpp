@@ -62,6 +62,15 @@ Constant constant_with(const cln::cl_R& value) {
   return constant;
 }
 
+/// The constant that an instruction loads, or the negative of which it is; null if it is none, or
+/// 0.
+const Constant* literal_at(const Program& program, const Function& function, std::uint32_t place) {
+  const Instruction& i = function.instructions[place];
+  if (i.opcode == Opcode::negate) return literal_at(program, function, i.a);
+  if (i.opcode != Opcode::constant || cln::zerop(program.constants[i.a].value)) return nullptr;
+  return &program.constants[i.a];
+}
+
 std::string entry(const std::string& key, const std::string& text) {
   return fmt::format("{}: {}", key, text);
 }
@@ -76,6 +85,7 @@ ExactNumbers::ExactNumbers(const Model& model, const Program& program,
   for (const ParameterArray& array : parameters) {
     for (const cln::cl_R& value : values_of(model, array)) add(constant_with(value), false);
   }
+  note_folded(program);
   name_numbers(spelling);
   for (const ParameterArray& array : parameters) {
     const std::string name = "p." + spelt_name(spelling.language, array.name);
@@ -88,7 +98,7 @@ ExactNumbers::ExactNumbers(const Model& model, const Program& program,
 
 std::string ExactNumbers::name_of(const Constant& constant) const {
   const auto group = numbers_.find(nearest_double(constant.value));
-  if (group == numbers_.end() || group->second.size() == 1) return {};
+  if (group == numbers_.end()) return {};
   const auto number = std::ranges::find(group->second, digits_of(constant.value), &Number::digits);
   return number == group->second.end() ? std::string() : number->name;
 }
@@ -105,15 +115,30 @@ void ExactNumbers::add(const Constant& constant, bool is_executed) {
   if (known->text.empty()) std::rotate(group.begin(), known, known + 1);
 }
 
+void ExactNumbers::note_folded(const Program& program) {
+  for (const Function& function : program.functions) {
+    for (const Instruction& i : function.instructions) {
+      if (operand_count(i) != 2 || i.opcode == Opcode::call) continue;
+      const Constant* const second = literal_at(program, function, i.b);
+      if (second == nullptr || literal_at(program, function, i.a) == nullptr) continue;
+      std::vector<Number>& group = numbers_.at(nearest_double(second->value));
+      std::ranges::find(group, digits_of(second->value), &Number::digits)->is_folded = true;
+    }
+  }
+}
+
 void ExactNumbers::name_numbers(const SourceSpelling& spelling) {
   for (auto& [nearest, group] : numbers_) {
     const std::string literal = source_literal(exact_value(nearest));
     if (!group.front().text.empty()) entries_.push_back(entry(literal, group.front().text));
-    for (auto number = group.begin() + 1; number != group.end(); ++number) {
-      if (!number->is_constant) continue;
-      number->name = fmt::format(fmt::runtime(spelling.named_number), named_.size() + 1);
-      named_.emplace_back(number->name, nearest);
-      entries_.push_back(entry(fmt::format("\"{}\"", number->name), number->text));
+    for (Number& number : group) {
+      const bool is_literal = &number == &group.front() && !number.is_folded;
+      if (is_literal || !number.is_constant) continue;
+      const std::string& text = number.text;
+      number.name = fmt::format(fmt::runtime(spelling.named_number), named_.size() + 1);
+      named_.emplace_back(number.name, nearest);
+      entries_.push_back(entry(fmt::format("\"{}\"", number.name),
+                               text.empty() ? fraction(exact_value(nearest), "") : text));
     }
   }
 }

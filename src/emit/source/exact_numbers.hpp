@@ -4,6 +4,8 @@
 //     1/3*pi                    1.0471975511965976: (1, 3, True)
 //     1 and 99999999999999999/10^17, which have one double
 //                               _number_1 = 1.0, and "_number_1": (99999999999999999, 100000…)
+//     1/3, which Python divides when it reads the module
+//                               _number_1 = 3.0, and "_number_1": (3, 1)
 #pragma once
 
 #include <map>
@@ -18,7 +20,8 @@
 namespace elgen {
 
 /// Several numbers may have one double. The number that is this double keeps the literal, else the
-/// first one. Another constant has a name, another value of a parameter an entry "p.m".
+/// first one. Another constant has a name, another value of a parameter an entry "p.m". So has the
+/// second of two constants that are added, subtracted, multiplied or divided.
 class ExactNumbers {
  public:
   /// Empty if the language has no names for numbers.
@@ -36,11 +39,13 @@ class ExactNumbers {
     std::string digits = {};   ///< the magnitude in 60 digits; equal ones are one number
     std::string text = {};     ///< in an entry; empty for a double
     bool is_constant = false;  ///< of a function
+    bool is_folded = false;    ///< the language would compute it with another literal
     std::string name = {};
   };
 
   /// Adds a number, or finds it in another form: a fraction replaces a decimal.
   void add(const Constant& constant, bool is_executed);
+  void note_folded(const Program& program);
   void name_numbers(const SourceSpelling& spelling);
   void add_parameter(const std::string& name, const cln::cl_R& value);
 
