@@ -54,20 +54,12 @@ bool is_same(const Model& model, ExpressionId x, ExpressionId y) {
 /// of definitions may have exponentially many factors.
 class Product {
  public:
+  explicit Product(const Model& model) : model_(model) {}
   Product(const Model& model, ExpressionId id) : model_(model) { multiply(id, 1); }
 
-  /// Of two terms X and -X cos(a): X a^2 stumpff(a, 2). None of other terms, or if a coordinate
-  /// would stay in the denominator.
-  [[nodiscard]] static std::optional<Product> joined(const Model& model, ExpressionId whole,
-                                                     ExpressionId part) {
-    const auto factor = versine(model, whole, part);
-    if (!factor) return std::nullopt;
-    Product product(model);
-    product.multiply_series(*factor);
-    if (product.is_long() || !product.divisors().empty()) return std::nullopt;
-    return product;
-  }
-
+  [[nodiscard]] const Model& model() const { return model_; }
+  [[nodiscard]] const std::vector<PowerFactor>& factors() const { return factors_; }
+  [[nodiscard]] bool is_negative() const { return is_negative_; }
   [[nodiscard]] bool is_long() const { return visits_ > most_visits; }
 
   /// Coordinates in the denominator.
@@ -81,41 +73,14 @@ class Product {
     return result;
   }
 
-  /// Cancels a coordinate in the denominator against factors that vanish with it. False, and no
-  /// change, if it would stay there.
-  bool cancel(std::uint32_t coordinate) {
-    const std::vector<PowerFactor> before = factors_;
-    const bool was_negative = is_negative_;
-    while (exponent_of(coordinate) < 0 && !is_long()) {
-      const auto factor = factor_with(coordinate, exponent_of(coordinate) < -1 ? 2 : 1);
-      if (!factor) break;
-      write_series(*factor);
+  [[nodiscard]] std::int64_t exponent_of(std::uint32_t coordinate) const {
+    for (const PowerFactor& power : factors_) {
+      const Expression& node = model_.expressions[power.base];
+      const bool is_it = is_leaf(node, Opcode::coordinate) && node.index == coordinate;
+      if (power.order == 0 && is_it) return power.exponent;
     }
-    if (exponent_of(coordinate) >= 0 && !is_long()) return true;
-    factors_ = before;
-    is_negative_ = was_negative;
-    return false;
+    return 0;
   }
-
-  [[nodiscard]] ExpressionId node(NodeBuilder& nodes) const {
-    std::vector<ExpressionId> above;
-    std::vector<ExpressionId> below;
-    for (const auto& [base, exponent, order] : factors_) {
-      if (exponent == 0) continue;
-      const std::int64_t size = exponent < 0 ? -exponent : exponent;
-      const ExpressionId value = order == 0 ? base : nodes.stumpff(base, order);
-      (exponent < 0 ? below : above)
-          .push_back(size == 1 ? value : nodes.power(value, cln::cl_I(static_cast<long>(size))));
-    }
-    ExpressionId result = nodes.multiply(above);
-    if (!below.empty()) result = nodes.divide(result, nodes.multiply(below));
-    return is_negative_ ? nodes.negate(result) : result;
-  }
-
- private:
-  static constexpr std::size_t most_visits = 100;
-
-  explicit Product(const Model& model) : model_(model) {}
 
   void multiply(ExpressionId id, std::int64_t exponent) {
     if (++visits_ > most_visits) return;
@@ -153,82 +118,27 @@ class Product {
     });
     if (known == factors_.end()) {
       factors_.push_back(factor);
-    } else {
-      known->exponent += factor.exponent;
+    } else if ((known->exponent += factor.exponent) == 0) {
+      factors_.erase(known);
     }
   }
 
-  [[nodiscard]] std::int64_t exponent_of(std::uint32_t coordinate) const {
-    for (const PowerFactor& power : factors_) {
-      const Expression& node = model_.expressions[power.base];
-      const bool is_it = is_leaf(node, Opcode::coordinate) && node.index == coordinate;
-      if (power.order == 0 && is_it) return power.exponent;
+  [[nodiscard]] ExpressionId node(NodeBuilder& nodes) const {
+    std::vector<ExpressionId> above;
+    std::vector<ExpressionId> below;
+    for (const auto& [base, exponent, order] : factors_) {
+      const std::int64_t size = exponent < 0 ? -exponent : exponent;
+      const ExpressionId value = order == 0 ? base : nodes.stumpff(base, order);
+      (exponent < 0 ? below : above)
+          .push_back(size == 1 ? value : nodes.power(value, cln::cl_I(static_cast<long>(size))));
     }
-    return 0;
+    ExpressionId result = nodes.multiply(above);
+    if (!below.empty()) result = nodes.divide(result, nodes.multiply(below));
+    return is_negative_ ? nodes.negate(result) : result;
   }
 
-  /// Of X and -X cos(a), by their quotient.
-  [[nodiscard]] static std::optional<VanishingFactor> versine(const Model& model,
-                                                              ExpressionId whole,
-                                                              ExpressionId part) {
-    Product quotient(model, part);
-    quotient.multiply(whole, -1);
-    std::erase_if(quotient.factors_, [](const PowerFactor& power) { return power.exponent == 0; });
-    if (quotient.is_long() || !quotient.is_negative_ || quotient.factors_.size() != 1) return {};
-    const auto& [base, exponent, order] = quotient.factors_.front();
-    const Expression& cosine = model.expressions[base];
-    const bool is_cosine = cosine.kind == ExpressionKind::function &&
-                           cosine.function == FunctionId::cos && exponent == 1;
-    if (!is_cosine) return {};
-    return VanishingFactor{cosine.operands[0], 2, whole};
-  }
-
-  [[nodiscard]] std::optional<VanishingFactor> vanishing(ExpressionId id) const {
-    const Expression& node = model_.expressions[id];
-    if (node.kind == ExpressionKind::function && node.function == FunctionId::sin) {
-      return VanishingFactor{node.operands[0]};
-    }
-    if (node.kind != ExpressionKind::add || node.operands.size() != 2) return std::nullopt;
-    for (const auto& [first, second] : {std::pair{node.operands[0], node.operands[1]},
-                                        std::pair{node.operands[1], node.operands[0]}}) {
-      const Expression& number = model_.expressions[followed(model_, first)];
-      const Product other(model_, second);
-      if (number.kind != ExpressionKind::number || other.factors_.size() != 1) continue;
-      const auto& [base, exponent, order] = other.factors_.front();
-      const Expression& cosine = model_.expressions[base];
-      const bool is_cosine = cosine.kind == ExpressionKind::function &&
-                             cosine.function == FunctionId::cos && exponent == 1;
-      if (!is_cosine || number.number != (other.is_negative_ ? 1 : -1)) continue;
-      return VanishingFactor{cosine.operands[0], 2, !other.is_negative_};
-    }
-    return std::nullopt;
-  }
-
-  /// The index of sin(a) or 1 - cos(a) with a multiple a of the coordinate, if possible of the
-  /// wanted order.
-  [[nodiscard]] std::optional<std::size_t> factor_with(std::uint32_t coordinate, int wanted) const {
-    std::optional<std::size_t> found;
-    for (std::size_t i = 0; i < factors_.size(); ++i) {
-      if (factors_[i].order != 0 || factors_[i].exponent <= 0) continue;
-      const auto factor = vanishing(factors_[i].base);
-      if (!factor || Product(model_, factor->argument).exponent_of(coordinate) != 1) continue;
-      if (!found || factor->order == wanted) found = i;
-    }
-    return found;
-  }
-
-  /// sin(a) -> a stumpff(a, 1), X - X cos(a) -> X a^2 stumpff(a, 2), once.
-  void write_series(std::size_t place) {
-    const VanishingFactor factor = *vanishing(factors_[place].base);
-    --factors_[place].exponent;
-    multiply_series(factor);
-  }
-
-  void multiply_series(const VanishingFactor& factor) {
-    if (factor.whole) multiply(*factor.whole, 1);
-    multiply(factor.argument, factor.order);
-    add({factor.argument, 1, factor.order});
-  }
+ private:
+  static constexpr std::size_t most_visits = 100;
 
   const Model& model_;
   std::vector<PowerFactor> factors_ = {};
@@ -236,15 +146,86 @@ class Product {
   std::size_t visits_ = 0;
 };
 
+/// X and -X cos(a) as X (1 - cos(a)).
+std::optional<VanishingFactor> versine(const Model& model, ExpressionId whole, ExpressionId part) {
+  Product quotient(model, part);
+  quotient.multiply(whole, -1);
+  if (quotient.is_long() || !quotient.is_negative() || quotient.factors().size() != 1) return {};
+  const auto& [base, exponent, order] = quotient.factors().front();
+  const Expression& cosine = model.expressions[base];
+  const bool is_cosine = cosine.kind == ExpressionKind::function &&
+                         cosine.function == FunctionId::cos && exponent == 1;
+  if (!is_cosine) return {};
+  return VanishingFactor{cosine.operands[0], 2, whole};
+}
+
+std::optional<VanishingFactor> vanishing(const Model& model, ExpressionId id) {
+  const Expression& node = model.expressions[id];
+  if (node.kind == ExpressionKind::function && node.function == FunctionId::sin) {
+    return VanishingFactor{node.operands[0]};
+  }
+  if (node.kind != ExpressionKind::add || node.operands.size() != 2) return std::nullopt;
+  const auto factor = versine(model, node.operands[0], node.operands[1]);
+  return factor ? factor : versine(model, node.operands[1], node.operands[0]);
+}
+
+/// sin(a) = a stumpff(a, 1), X - X cos(a) = X a^2 stumpff(a, 2)
+void multiply_series(Product& product, const VanishingFactor& factor) {
+  if (factor.whole) product.multiply(*factor.whole, 1);
+  product.multiply(factor.argument, factor.order);
+  product.add({factor.argument, 1, factor.order});
+}
+
+/// A factor sin(a) or 1 - cos(a) with a multiple a of the coordinate, if possible of the wanted
+/// order, and its base.
+std::optional<std::pair<ExpressionId, VanishingFactor>> factor_with(const Product& product,
+                                                                    std::uint32_t coordinate,
+                                                                    int wanted) {
+  std::optional<std::pair<ExpressionId, VanishingFactor>> found;
+  for (const auto& [base, exponent, order] : product.factors()) {
+    if (order != 0 || exponent <= 0) continue;
+    const auto factor = vanishing(product.model(), base);
+    if (!factor || Product(product.model(), factor->argument).exponent_of(coordinate) != 1)
+      continue;
+    if (!found || factor->order == wanted) found = {base, *factor};
+  }
+  return found;
+}
+
+/// Cancels a coordinate in the denominator against factors that vanish with it. None if it would
+/// stay there.
+std::optional<Product> without_divisor(Product product, std::uint32_t coordinate) {
+  while (product.exponent_of(coordinate) < 0 && !product.is_long()) {
+    const int wanted = product.exponent_of(coordinate) < -1 ? 2 : 1;
+    const auto factor = factor_with(product, coordinate, wanted);
+    if (!factor) return std::nullopt;
+    product.add({factor->first, -1});
+    multiply_series(product, factor->second);
+  }
+  return product.is_long() ? std::nullopt : std::optional(std::move(product));
+}
+
 /// The product after cancelling; none if no coordinate cancels.
 std::optional<Product> cancelled(const Model& model, ExpressionId id) {
-  Product product(model, id);
-  bool is_changed = false;
-  if (product.is_long()) return std::nullopt;
-  for (const std::uint32_t coordinate : product.divisors()) {
-    if (product.cancel(coordinate)) is_changed = true;
+  std::optional<Product> result;
+  const Product typed(model, id);
+  if (typed.is_long()) return std::nullopt;
+  for (const std::uint32_t coordinate : typed.divisors()) {
+    auto product = without_divisor(result.value_or(typed), coordinate);
+    if (product) result.emplace(*product);
   }
-  return is_changed ? std::optional(std::move(product)) : std::nullopt;
+  return result;
+}
+
+/// The terms X and -X cos(a) as X a^2 stumpff(a, 2). None if they are other terms, or if a
+/// coordinate would stay in the denominator.
+std::optional<Product> joined(const Model& model, ExpressionId whole, ExpressionId part) {
+  const auto factor = versine(model, whole, part);
+  if (!factor) return std::nullopt;
+  Product product(model);
+  multiply_series(product, *factor);
+  if (product.is_long() || !product.divisors().empty()) return std::nullopt;
+  return product;
 }
 
 /// The sum with terms X and -X cos(a) joined that hold 1/q; none if there are no such terms. Sums
@@ -260,7 +241,7 @@ std::optional<ExpressionId> joined_sum(NodeBuilder& nodes, const Model& model, E
   bool is_changed = false;
   for (const std::size_t whole : quotients) {
     for (const std::size_t part : quotients) {
-      const auto product = Product::joined(model, terms[whole], terms[part]);
+      const auto product = joined(model, terms[whole], terms[part]);
       if (!product) continue;
       terms[whole] = product->node(nodes);
       terms[part] = no_expression;
@@ -284,7 +265,12 @@ std::optional<ExpressionId> by_series(NodeBuilder& nodes, const Model& model, Ex
 
 void write_quotients(Context& context) {
   Model& model = context.model;
-  std::vector<ExpressionId> all = reached(model, all_roots(model));
+  std::vector<ExpressionId> roots = equation_roots(model);
+  for (const UserOutput& output : model.outputs) {
+    const std::vector<ExpressionId> own = output_roots(output);
+    roots.insert(roots.end(), own.begin(), own.end());
+  }
+  std::vector<ExpressionId> all = reached(model, roots);
   std::ranges::reverse(all);  // a product before its factors
   for (const ExpressionId id : all) {
     NodeBuilder nodes(context, model.expressions[id].span);
