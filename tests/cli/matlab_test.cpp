@@ -115,7 +115,8 @@ TEST_CASE("matlab: functions that a module or its driver calls name no module, b
            "\"\n[parameters]\n" + parameter + " = 2\n[energy]\nT = \"1/2*" + parameter + "*dot(" +
            coordinate + ")^2\"\nV = \"" + parameter + "*cos(" + coordinate + ")\"\n";
   };
-  for (const std::string name : {"size", "numel", "all", "mod", "printf", "methods"}) {
+  for (const std::string name : {"size", "numel", "all", "mod", "printf", "methods", "parameters",
+                                 "digits_left", "coordinate_names"}) {
     INFO(name);
     folder.write(name + ".toml", rotor(name, "q", "J"));
     const Outcome refused = folder.run("elgen generate --language matlab -o x " + name + ".toml");

@@ -177,6 +177,12 @@ void set_reflection(TemplateData& data, const EmissionInput& input) {
       in_lines(spelling, "_functions = ", source_list(spelling.texts, names_of_functions(input))));
 }
 
+/// Whether functions call each other by the name of the module, a class: a member of that name
+/// would be what makes an object of it.
+bool is_class(const SourceSpelling& spelling) {
+  return spelling.own_function.find("{1}") != std::string_view::npos;
+}
+
 /// The names of a module beside those of its outputs: its own is one where it calls by that.
 std::set<std::string> names_in_module(const Model& model, const Scene& scene,
                                       const Program& program) {
@@ -184,8 +190,26 @@ std::set<std::string> names_in_module(const Model& model, const Scene& scene,
   std::set<std::string> names;
   for (const DeclaredArray& array : all_arrays(model, program)) names.insert(array.name);
   for (const std::string& name : called_functions(program, spelling)) names.insert(name);
-  if (spelling.own_function.find("{1}") != std::string_view::npos) names.insert(scene.base_name);
+  if (is_class(spelling)) names.insert(scene.base_name);
   return names;
+}
+
+/// E701 where the language, or a class itself, has the name of the module.
+void check_module_name(const Model& model, const Scene& scene, const Program& program,
+                       Diagnostics& diagnostics) {
+  const SourceSpelling& spelling = source_spelling(scene.emission.language);
+  const std::string& name = scene.base_name;
+  const Span& span = scene.emission.name_space_span;
+  const auto arrays = all_arrays(model, program);
+  if (has_word(spelling.unnameable, name) || has_word(spelling.reserved, name)) {
+    diagnostics.push_back({Code::E701, span,
+                           fmt::format("`{}` cannot name a module: {} has the name for itself",
+                                       name, language_row(spelling.language).name),
+                           "rename the model or scene"});
+  } else if (is_class(spelling) && (has_word(spelling.taken, name) ||
+                                    std::ranges::count(arrays, name, &DeclaredArray::name) > 0)) {
+    diagnostics.push_back(taken_name(name, "module", span));
+  }
 }
 
 /// E701 where the language reads no names of this length.
@@ -229,13 +253,7 @@ Diagnostics source_check_names(const Model& model, const Scene& scene, const Pro
   const SourceSpelling& spelling = source_spelling(language);
   Diagnostics diagnostics;
   check_length(scene, scene.base_name, scene.emission.name_space_span, diagnostics);
-  if (has_word(spelling.unnameable, scene.base_name) ||
-      has_word(spelling.reserved, scene.base_name)) {
-    diagnostics.push_back({Code::E701, scene.emission.name_space_span,
-                           fmt::format("`{}` cannot name a module: {} has the name for itself",
-                                       scene.base_name, language_row(language).name),
-                           "rename the model or scene"});
-  }
+  check_module_name(model, scene, program, diagnostics);
   std::set<std::string> names;
   for (const ParameterArray& array : emitted_parameters(model, program)) {
     check_length(scene, array.name, array.span, diagnostics);
