@@ -102,22 +102,26 @@ class AdaptedSteps final : public Stepper {
   /// Along a kink where no rate is held every step changes the side, and time hardly passes.
   static constexpr int most_tiny_steps = 1000;
 
-  /// 1e-9 of the run.
-  [[nodiscard]] double tiny() const { return 1e3 * shortest_; }
+  /// The shortest step: 1e-12 of the run, and more than the spacing of times far from 0.
+  [[nodiscard]] double shortest() const {
+    const double spacing =
+        std::numeric_limits<double>::epsilon() * std::max(std::abs(t_), std::abs(end_));
+    return std::max(shortest_, 4 * spacing);
+  }
+
+  /// 1e-9 of the run, and more than the shortest step.
+  [[nodiscard]] double tiny() const { return std::max(1e3 * shortest_, 4 * shortest()); }
 
   /// One step, to `t_`; false if it is too short to be made.
   bool advance(Numbers& state) {
-    const double spacing =
-        std::numeric_limits<double>::epsilon() * std::max(std::abs(t_), std::abs(end_));
-    const double shortest = std::max(shortest_, 4 * spacing);
     while (true) {
       // Steps halve the distance to the edge, since where the piece ends before it is not known.
       const double half = (edge_ - t_) / 2;
-      if (half < shortest) return cross(state, shortest);
+      if (half < shortest()) return cross(state);
       const double wanted = std::min(length_, half);
       const bool is_last = wanted >= end_ - t_;
       double h = is_last ? end_ - t_ : wanted;
-      if (h < shortest && !is_last) return false;
+      if (h < shortest() && !is_last) return false;
       const bool is_cut = h < length_;
       const double begin = t_;
       const double tried = h;
@@ -145,14 +149,14 @@ class AdaptedSteps final : public Stepper {
   }
 
   /// Leaves the piece by a step of Euler's method, so short that nothing else changes.
-  bool cross(Numbers& state, double shortest) {
+  bool cross(Numbers& state) {
     before_ = state;
     Numbers slope(state.size());
     Numbers unused(state.size());
     pieces_.find_rates(before_, slope, t_);
     double h = 0;
     pieces_.stay();
-    for (double next = shortest; !pieces_.is_left() && h < tiny() && t_ + h < end_; next *= 2) {
+    for (double next = shortest(); !pieces_.is_left() && h < tiny() && t_ + h < end_; next *= 2) {
       h = std::min(next, end_ - t_);
       for (std::size_t i = 0; i < state.size(); ++i) state[i] = before_[i] + h * slope[i];
       pieces_.find_rates(state, unused, t_ + h);

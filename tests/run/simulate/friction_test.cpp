@@ -265,6 +265,15 @@ value = "-sign(x)"
   CHECK(last[2] == Approx(0).margin(1e-7));
 }
 
+TEST_CASE("kinks are crossed far from t = 0, where times are 2e-9 apart") {
+  const SceneOptions given = start_options("x=0.47", "u=-30*x");
+  const double right = end_of(block, {.time = 3}, given)[1];
+  const Result<Trajectory> far = run(block, {.from = 1e7, .time = 3}, given);
+  INFO(format(far.diagnostics));
+  REQUIRE(far);
+  CHECK(far->last[1] == Approx(right).margin(1e-6));
+}
+
 TEST_CASE("a motion that slides along another kink ends, with the name of the kink and a remedy") {
   const std::string free = model_text("loose", R"toml([[coordinate]]
 name = "x"
