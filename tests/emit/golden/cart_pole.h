@@ -268,7 +268,7 @@ static inline bool cart_pole_is_regular(const double pivots[2],
   return true;
 }
 
-/// How many decimal digits of the accelerations are right at least, within 1.3: max(0, log10(least
+/// How many decimal digits of the accelerations the pivots leave, within 1.3: max(0, log10(least
 /// pivot/(2 epsilon))), 0 where a pivot is no number. They may have more.
 static inline double cart_pole_digits_left(const double pivots[2]) {
   const double rounding = 2 * 2.220446049250313e-16;

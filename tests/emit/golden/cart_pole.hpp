@@ -594,7 +594,7 @@ template <class Scalar>
   return true;
 }
 
-/// How many decimal digits of the accelerations are right at least, within 1.3: max(0, log10(least
+/// How many decimal digits of the accelerations the pivots leave, within 1.3: max(0, log10(least
 /// pivot/tolerance)), 0 where a pivot is no number. They may have more.
 template <class Scalar>
 [[nodiscard]] ELGEN_FUNCTION Scalar digits_left(

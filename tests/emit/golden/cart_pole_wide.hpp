@@ -438,7 +438,7 @@ template <std::size_t Size>
   return ::cart_pole::is_regular<double>(pivots, tolerance);
 }
 
-/// How many decimal digits of the accelerations are right at least, within 1.3, before they are
+/// How many decimal digits of the accelerations the pivots leave, within 1.3, before they are
 /// rounded to double: max(0, log10(least pivot/tolerance)).
 [[nodiscard]] inline double digits_left(
     const std::array<double, velocity_count>& pivots,
