@@ -49,8 +49,8 @@ class Triangles : GraphTerms {
   }
 
  private:
-  /// Keys add up as products multiply. So the keys of C a^2 and C b^2 sum to twice the key of C a b,
-  /// which rules out most triples of a long sum: cubes of the nodes' numbers seldom agree.
+  /// Keys add up as products multiply. So the keys of C a^2 and C b^2 sum to twice the key of C a
+  /// b, which rules out most triples of a long sum: cubes of the nodes' numbers seldom agree.
   static std::uint64_t key_of(const std::vector<Operand>& factors) {
     std::uint64_t key = 0;
     for (const auto& [node, weight] : factors) {

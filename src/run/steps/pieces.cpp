@@ -75,8 +75,9 @@ void Pieces::find_rates(const Numbers& state, Numbers& rates, double t) {
   }
   if (held_.empty()) return system_.find_rates(state, rates, t);
   const Response found = response(state, t, held_);
-  const std::optional<Numbers> shares = shares_of(found.accelerations, found.acceleration_changes,
-                                                  std::vector<RatePlace>(held_.size(), RatePlace::held));
+  const std::optional<Numbers> shares =
+      shares_of(found.accelerations, found.acceleration_changes,
+                std::vector<RatePlace>(held_.size(), RatePlace::held));
   rates = found.above;
   for (std::size_t k = 0; k < held_.size(); ++k) {
     const double share = shares ? (*shares)[k] : -1;

@@ -191,6 +191,7 @@ T = "1/2*dot(x)^2"
     REQUIRE(kept);
     CHECK(kept.diagnostics.empty());
   }
-  CHECK(in_evaluator(hill, steps_of("rk4", 1e-2, 2)).diagnostics.front().message ==
-        "E - E0 goes as far as 1.0e+00, 66.7 % of the largest |T| and the range of V together, 1.5");
+  CHECK(
+      in_evaluator(hill, steps_of("rk4", 1e-2, 2)).diagnostics.front().message ==
+      "E - E0 goes as far as 1.0e+00, 66.7 % of the largest |T| and the range of V together, 1.5");
 }
