@@ -45,13 +45,18 @@ std::vector<cl_R> mass_at(const RestProgram& rest, const State& state) {
 
 bool breaks_chart(const RestProgram& rest, const RestPoint& point,
                   std::vector<ChartBreak>& breaks) {
-  if (!is_chart_broken(rest, point.state)) return false;
+  // Coordinates that no equation holds stand at their start, where the chart may break by chance.
+  State elsewhere = point.state;
+  for (std::uint32_t i = 0; i < point.coordinates.size(); ++i) {
+    if (point.coordinates[i].is_any) elsewhere = beside(std::move(elsewhere), i);
+  }
+  if (!is_chart_broken(rest, elsewhere)) return false;
   std::vector<std::uint32_t> held;
   std::vector<std::uint32_t> causes;
   for (std::uint32_t i = 0; i < point.coordinates.size(); ++i) {
     if (point.coordinates[i].is_any) continue;
     held.push_back(i);
-    if (!is_chart_broken(rest, beside(point.state, i))) causes.push_back(i);
+    if (!is_chart_broken(rest, beside(elsewhere, i))) causes.push_back(i);
   }
   for (const std::uint32_t i : causes.empty() ? held : causes) {
     const bool is_known = std::ranges::any_of(breaks, [&](const ChartBreak& known) {

@@ -10,6 +10,27 @@
 using namespace elgen;
 using namespace elgen::test;
 
+TEST_CASE("a free coordinate whose start breaks the chart hides no equilibria") {
+  // A particle in polar coordinates without a force: it rests anywhere.
+  const Analysed free = analysed(R"toml(format = 1
+[model]
+name = "polar"
+[[coordinate]]
+name = "a"
+unit = "m"
+[[coordinate]]
+name = "b"
+unit = "rad"
+[parameters]
+m = { value = 1, unit = "kg" }
+[energy]
+T = "m*(dot(a)^2 + dot(b)^2*a^2)/2"
+)toml");
+  REQUIRE(free.equilibria.points.size() == 1);
+  CHECK(free.equilibria.points[0].coordinates[0].is_any);
+  CHECK(free.equilibria.points[0].coordinates[1].is_any);
+}
+
 TEST_CASE("exact places are places at other values of the parameters") {
   int moved = 0;
   for (const char* const name : {"double_pendulum", "rotating_hoop", "elastic_pendulum", "chain"}) {
