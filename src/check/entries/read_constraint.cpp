@@ -2,6 +2,8 @@
 //
 //     name = "loop", coincide = ["P", "Q"]      ->   loop_x: x(P) - x(Q), loop_y: y(P) - y(Q)
 //     name = "loop", equation = ["a = b", …]    ->   loop_1: a - b, …
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -101,7 +103,7 @@ class ConstraintReader {
       add(name, value, list.span);
       Constraint& row = context_.model.constraints.back();
       row.equality =
-          name + "(" + list.items[0].text + ") = " + name + "(" + list.items[1].text + ")";
+          fmt::format("{0}({1}) = {0}({2})", name, list.items[0].text, list.items[1].text);
       if (context_.has_units) row.unit = find_unit("m");
     }
   }

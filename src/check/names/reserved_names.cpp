@@ -49,13 +49,14 @@ bool has_macro_prefix(std::string_view name) {
 bool is_in_file(const SourceText* source, std::string_view word) {
   if (source == nullptr) return false;
   const std::string_view text = source->text;
-  for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
+  for (std::size_t at = text.find(word); at != std::string_view::npos;
+       at = text.find(word, at + 1)) {
     const std::size_t end = at + word.size();
     const bool is_part = (at > 0 && is_word_character(text[at - 1])) ||
                          (end < text.size() && is_word_character(text[end]));
     const std::string_view before = text.substr(0, at);
     const std::string_view line = before.substr(before.rfind('\n') + 1);  // npos + 1 is 0
-    if (!is_part && line.find("unit") == line.npos) return true;
+    if (!is_part && line.find("unit") == std::string_view::npos) return true;
   }
   return false;
 }

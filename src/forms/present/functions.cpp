@@ -164,7 +164,8 @@ Value Arithmetic::stumpff_quotient(const Fraction& x, const cl_I& order) {
 /// the denominator of x. If x holds sines, the factors are complex, and their product is e^x.
 Value Arithmetic::real_exponential(const Fraction& x) {
   Monomial result;
-  const auto multiply_by = [&](const Monomial& monomial, const cl_RA& coefficient, Gaussian unit) {
+  const auto multiply_by = [&](const Monomial& monomial, const cl_RA& coefficient,
+                               const Gaussian& unit) {
     const cl_RA parts = coefficient * angle_parts;
     const cl_I exponent = cln::numerator(parts);
     if (cln::abs(exponent) > most_exponent) return false;
