@@ -94,7 +94,8 @@ TEST_CASE("mistakes are reported with the span of their line") {
       {"  result 1 1", "expected `result [NAME] ROWS COLUMNS = ENTRIES`"},
       {"  result 1 1 = a", "`a` is not a number"},
       {"function nothing", "`nothing` is no output"},
-      {"function", "expected `function NAME [= KIND [NUMBER [ITERATIONS] [order ORDER]]]`"},
+      {"function",
+       "expected `function NAME [= KIND [NUMBER [ITERATIONS] [order ORDER] [projected]]]`"},
   }));
   const std::string head = "coordinates x\nfunction bias\n  0 = coordinate x\n";
   const SourcePointer source = make_source("program", head + row.line + "\n");
