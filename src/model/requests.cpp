@@ -148,6 +148,10 @@ std::uint32_t first_entry_of(const Model& model, const OutputRequest& output, st
   return first;
 }
 
+bool gives_field(const OutputRequest& output, const FieldRow& field) {
+  return !field.is_remainder || !output_row(output.kind).steps || output.iterations > 0;
+}
+
 OutputRequest request_of(const Model& model, OutputKind kind, std::uint32_t user) {
   const OutputRow& row = output_row(kind);
   OutputRequest request;

@@ -58,6 +58,9 @@ struct FieldLines {
 [[nodiscard]] std::uint32_t first_entry_of(const Model& model, const OutputRequest& output,
                                            std::size_t field);
 
+/// Whether the output gives this field of its row: explicit steps leave no remainder.
+[[nodiscard]] bool gives_field(const OutputRequest& output, const FieldRow& field);
+
 /// The request for a kind, with the shape of its first field; `user` as in extent_of.
 [[nodiscard]] OutputRequest request_of(const Model& model, OutputKind kind, std::uint32_t user);
 

@@ -46,10 +46,9 @@ ValueFunction function_of(const Model& model, const OutputRequest& output) {
   std::erase_if(function.takes,
                 [&](Opcode kind) { return kind != Opcode::input && leaf_count(model, kind) == 0; });
   for (const FieldRow& row : output_row(output.kind).fields) {
-    const bool is_explicit_step = output_row(output.kind).steps && output.iterations == 0;
-    const bool is_left_out = (row.rows == Extent::pivots && output.without_pivots) ||
-                             (row.is_remainder && is_explicit_step);
-    if (!is_left_out) function.fields.push_back(field_of(model, output, row));
+    const bool is_left_out = row.rows == Extent::pivots && output.without_pivots;
+    if (!is_left_out && gives_field(output, row))
+      function.fields.push_back(field_of(model, output, row));
   }
   std::erase_if(function.fields, [](const ValueField& field) { return field.units.empty(); });
   return function;

@@ -21,12 +21,10 @@ ForeignFields fields_of(const Model& model, const OutputRequest& output) {
   if (rows.size() == 1) return {{&rows.front(), 0, output.rows, output.columns}};
   ForeignFields fields;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const bool is_given =
-        !rows[i].is_remainder || !output_row(output.kind).steps || output.iterations > 0;
     const ForeignField field{&rows[i], first_entry_of(model, output, i),
                              extent_of(model, rows[i].rows, output.user),
                              extent_of(model, rows[i].columns, output.user)};
-    if (is_given && field.size() > 0) fields.push_back(field);
+    if (gives_field(output, rows[i]) && field.size() > 0) fields.push_back(field);
   }
   return fields;
 }
