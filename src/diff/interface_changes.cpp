@@ -263,15 +263,16 @@ void compare_shapes(Changes& changes, const Program& before, const Program& afte
   }
 }
 
-/// "x, y": the rows of `reaction` and `cyclic_rates`, which no list of the interface names.
-std::string rows_of_its_own(const Model& model, const Function& function, const Renames& renames) {
+/// The names of the rows of `reaction` and `cyclic_rates`, which no list of the interface names.
+std::vector<std::string> rows_of_its_own(const Model& model, const Function& function,
+                                         const Renames& renames) {
   const Extent extent = field_row(function.kind, "").rows;
   if (extent != Extent::held && extent != Extent::cyclic) return {};
   std::vector<std::string> names;
   for (const LineLabel& line : line_labels(model, {extent})) {
     names.push_back(renamed(line.name, renames));
   }
-  return fmt::format("{}", fmt::join(names, ", "));
+  return names;
 }
 
 void compare_rows(Changes& changes, const Version& before, const Version& after,
@@ -279,11 +280,12 @@ void compare_rows(Changes& changes, const Version& before, const Version& after,
   for (const Function& now : after.program.functions) {
     const auto old = std::ranges::find(before.program.functions, now.name, &Function::name);
     if (old == before.program.functions.end() || old->kind != now.kind) continue;
-    const std::string olds = rows_of_its_own(before.checked.model, *old, renames);
-    const std::string news = rows_of_its_own(after.checked.model, now, {});
+    const std::vector<std::string> olds = rows_of_its_own(before.checked.model, *old, renames);
+    const std::vector<std::string> news = rows_of_its_own(after.checked.model, now, {});
     if (olds == news) continue;
     changes.add_silent(fmt::format("the rows of {} are {} where they were {}",
-                                   in_backticks(now.name), news, olds));
+                                   in_backticks(now.name), fmt::join(news, ", "),
+                                   fmt::join(olds, ", ")));
   }
 }
 
