@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <exception>
 #include <new>
+#include <optional>
 #include <string>
 
 namespace elgen::cli {
@@ -35,6 +36,7 @@ constexpr bool has_shadow_memory = false;
 struct LastWords {
   DiagnosticStyle style = {};
   std::uint64_t seconds = 0;
+  std::optional<std::string> stage = {};
   std::array<std::string, 2> processor_time = {};  ///< one is read while the other is written
   std::atomic<const std::string*> stage_now = nullptr;
   std::string waiting = {};
@@ -108,6 +110,7 @@ void limit(Resource resource, std::uint64_t value) {
 void set_resource_limits(const Limits& limits, const DiagnosticStyle& style) {
   last_words().style = style;
   last_words().seconds = limits.seconds;
+  last_words().stage.reset();
   name_stage("");
   last_words().memory = format({out_of_memory(limits)}, style);
   std::set_terminate(end_without_memory);
@@ -125,8 +128,11 @@ void set_resource_limits(const Limits& limits, const DiagnosticStyle& style) {
 
 void name_stage(const std::string& stage) {
   LastWords& words = last_words();
-  std::string& next = words.processor_time[words.stage_now == words.processor_time.data() ? 1 : 0];
   const std::string name = stage.substr(0, stage.find(','));  // "accuracy, state 3 of 8"
+  // verify calls this for each of many states.
+  if (words.stage == name) return;
+  words.stage = name;
+  std::string& next = words.processor_time[words.stage_now == words.processor_time.data() ? 1 : 0];
   const std::string place = name.empty() ? "" : fmt::format(", in `{}`", name);
   next =
       format({out_of_time(fmt::format("{} s of processor time are over{}", words.seconds, place))},
