@@ -1,0 +1,17 @@
+// local_names: the names of the values that a body declares.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "elgen/program.hpp"
+#include "emit/code/dialect.hpp"
+
+namespace elgen {
+
+/// Temporaries under names that are unique in the function; empty if a value is written out where
+/// it is used.
+[[nodiscard]] std::vector<std::string> local_names(const Dialect& dialect, const Program& program,
+                                                   const Function& function);
+
+}  // namespace elgen
