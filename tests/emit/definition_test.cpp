@@ -36,13 +36,14 @@ FunctionDefinition function_of(const Subject& subject, Storage storage = Storage
 TEST_CASE("a short function is one body") {
   const FunctionDefinition function = function_of(long_function(20));
   CHECK(function.parts.empty());
-  CHECK(function.workspace.empty());
+  CHECK(function.workspace.values.empty());
   CHECK(function.whole.body.find("return {{") != std::string::npos);
 }
 
 TEST_CASE("a long function calls its parts in order") {
   const FunctionDefinition function = function_of(long_function(longest_body));
   REQUIRE(function.parts.size() == 3);
+  CHECK(function.workspace.name == "GravityWorkspace");
   CHECK(function.whole.body ==
         "  Forces<Scalar> result;\n"
         "  detail::GravityWorkspace<Scalar> w;\n"
@@ -51,8 +52,8 @@ TEST_CASE("a long function calls its parts in order") {
         "  detail::gravity_part_3(result, w, p, q);\n"
         "  return result;\n");
   CHECK(function.whole.signature.find("Parameters<Scalar>& p") != std::string::npos);
-  CHECK(function.workspace.size() == 4);  // two at each cut
-  const std::string shared = "w." + function.workspace.front();
+  CHECK(function.workspace.values.size() == 4);  // two at each cut
+  const std::string shared = "w." + function.workspace.values.front();
   CHECK(function.parts[0].body.find("\n  " + shared + " = ") != std::string::npos);
   CHECK(function.parts[1].body.find(shared) != std::string::npos);
 }
@@ -135,7 +136,7 @@ TEST_CASE("repetitions are a loop over columns") {
 TEST_CASE("parts share the arrays of a loop") {
   const FunctionDefinition function = function_of(repeating_function(longest_body));
   REQUIRE(function.parts.size() == 3);
-  const std::vector<std::string>& shared = function.workspace;
+  const std::vector<std::string>& shared = function.workspace.values;
   CHECK(shared[shared.size() - 2] == "given[2]");
   CHECK(shared.back() == "solved[2]");
   const std::string& last = function.parts.back().body;

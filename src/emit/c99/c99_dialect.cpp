@@ -47,10 +47,10 @@ ColumnWords column_words(const std::string& prefix, std::uint32_t count) {
           prefix + "store_columns"};
 }
 
-class C99Dialect final : public Dialect {
+class C99Dialect final : public CompiledDialect {
  public:
   C99Dialect(const Model& model, const Scene& scene, const Program& program)
-      : Dialect(model, program, LanguageId::c99, "->"),
+      : CompiledDialect(model, program, LanguageId::c99, "->"),
         scalar_kind_(c99_scalar(scene)),
         scalar_(name_of(scalar_kind_)),
         prefix_(name_space(scene) + "_"),
@@ -212,8 +212,8 @@ std::string c99_literal(const cln::cl_R& value, ScalarKind scalar) {
   return signed_literal(value, scalar) + (is_float ? "f" : "");
 }
 
-std::unique_ptr<Dialect> c99_dialect(const Model& model, const Scene& scene,
-                                     const Program& program) {
+std::unique_ptr<CompiledDialect> c99_dialect(const Model& model, const Scene& scene,
+                                             const Program& program) {
   return std::make_unique<C99Dialect>(model, scene, program);
 }
 

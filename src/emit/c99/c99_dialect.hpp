@@ -10,7 +10,7 @@
 #include <string>
 
 #include "elgen/scene.hpp"
-#include "emit/code/dialect.hpp"
+#include "emit/code/compiled_dialect.hpp"
 
 namespace elgen {
 
@@ -20,7 +20,7 @@ namespace elgen {
 /// "9.81", "9.81f", "-0.5": a literal of the scalar.
 [[nodiscard]] std::string c99_literal(const cln::cl_R& value, ScalarKind scalar);
 
-[[nodiscard]] std::unique_ptr<Dialect> c99_dialect(const Model& model, const Scene& scene,
-                                                   const Program& program);
+[[nodiscard]] std::unique_ptr<CompiledDialect> c99_dialect(const Model& model, const Scene& scene,
+                                                           const Program& program);
 
 }  // namespace elgen

@@ -41,7 +41,7 @@ std::string start_of(std::size_t row, std::uint32_t count) {
 
 class LoopBody {
  public:
-  LoopBody(const Dialect& dialect, const Program& program, const Function& function,
+  LoopBody(const CompiledDialect& dialect, const Program& program, const Function& function,
            const ColumnLoop& loop, const std::vector<std::string>& names)
       : function_(function),
         loop_(loop),
@@ -154,8 +154,9 @@ std::string solved_name(const ColumnLoop& loop, const Function& function, std::u
   return fmt::format("solved[{}]", (row - loop.solved.begin()) * loop.count + inside / length);
 }
 
-std::string column_lines(const Dialect& dialect, const Program& program, const Function& function,
-                         const ColumnLoop& loop, const ColumnNames& names) {
+std::string column_lines(const CompiledDialect& dialect, const Program& program,
+                         const Function& function, const ColumnLoop& loop,
+                         const ColumnNames& names) {
   return LoopBody(dialect, program, function, loop, names.values).lines(names);
 }
 

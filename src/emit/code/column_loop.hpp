@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "elgen/program.hpp"
-#include "emit/code/dialect.hpp"
+#include "emit/code/compiled_dialect.hpp"
 
 namespace elgen {
 
@@ -41,7 +41,7 @@ struct ColumnNames {
 };
 
 /// The lines of the loop.
-[[nodiscard]] std::string column_lines(const Dialect& dialect, const Program& program,
+[[nodiscard]] std::string column_lines(const CompiledDialect& dialect, const Program& program,
                                        const Function& function, const ColumnLoop& loop,
                                        const ColumnNames& names);
 

@@ -22,15 +22,9 @@
 namespace elgen {
 namespace {
 
-/// Without repetitions where the language has no loops over columns.
-Function as_written(const Dialect& dialect, Function function) {
-  if (!dialect.rules().has_loops) function.repeated = {};
-  return function;
-}
-
 /// Whether a body of so many statements is in parts.
-bool is_cut(const Dialect& dialect, std::size_t statements) {
-  return statements > longest_body && dialect.rules().has_parts && dialect.inner() == nullptr;
+bool is_cut(const CompiledDialect& dialect, std::size_t statements) {
+  return statements > longest_body && dialect.inner() == nullptr;
 }
 
 void use(const Instruction& instruction, UsedNames& used) {
@@ -43,12 +37,12 @@ void use(const Instruction& instruction, UsedNames& used) {
 
 class DefinitionWriter {
  public:
-  DefinitionWriter(const Dialect& dialect, const Program& program, const Function& function,
+  DefinitionWriter(const CompiledDialect& dialect, const Program& program, const Function& function,
                    Storage storage)
       : dialect_(dialect),
         program_(program),
         function_(function),
-        ordered_(as_written(dialect, stored(function, storage))),
+        ordered_(stored(function, storage)),
         loop_(column_loop(ordered_)),
         names_(local_names(dialect, program, ordered_)),
         in_loop_{names_},
@@ -65,7 +59,7 @@ class DefinitionWriter {
     Sections cut = sections(all, section_length);
     if (loop_.count > 0) cut.crosses[loop_.first] = true;
     FunctionDefinition result;
-    result.workspace = take_shared(cut.crosses);
+    result.workspace = {dialect_.workspace_name(function_), take_shared(cut.crosses)};
     UsedNames passed_on;
     for (const LeafRow& leaf : leaf_table()) passed_on.variables.insert(leaf.symbol);
     result.whole = {dialect_.signature(function_, passed_on),
@@ -102,8 +96,8 @@ class DefinitionWriter {
     std::string lines;
     for (const Statement& statement : cut.parts[part]) {
       if (statement.is_entry && !is_given(statement)) {
-        lines += dialect_.assignment(dialect_.target(ordered_, statement.field, statement.index),
-                                     formulas_.entry(statement.instruction).text);
+        lines += assignment(dialect_.target(ordered_, statement.field, statement.index),
+                            formulas_.entry(statement.instruction).text);
       } else {
         lines += named_value(statement, !cut.crosses[statement.instruction]);
       }
@@ -116,18 +110,18 @@ class DefinitionWriter {
   [[nodiscard]] std::string named_value(const Statement& statement, bool is_declared) const {
     const std::uint32_t at = statement.instruction;
     if (is_given(statement)) {
-      return dialect_.assignment(fmt::format("{}[{}]", in_loop_.given, statement.index),
-                                 formulas_.entry(at).text);
+      return assignment(fmt::format("{}[{}]", in_loop_.given, statement.index),
+                        formulas_.entry(at).text);
     }
     if (is_loop(statement)) {
       return column_lines(dialect_, program_, ordered_, loop_, in_loop_);
     }
     const std::string& name = names_[at];
     const bool is_inner = ordered_.instructions[at].is_inner && dialect_.inner() != nullptr;
-    const Dialect& dialect = is_inner ? *dialect_.inner() : dialect_;
+    const CompiledDialect& dialect = is_inner ? *dialect_.inner() : dialect_;
     if (!statement.cosine) {
-      return dialect.assignment(is_declared ? dialect.declaration(name) : name,
-                                formulas_.definition(at).text);
+      return assignment(is_declared ? dialect.declaration(name) : name,
+                        formulas_.definition(at).text);
     }
     const FormulaText angle = formulas_.operand(at, ordered_.instructions[at].a);
     return dialect.pair(name, names_[*statement.cosine], angle, is_declared);
@@ -182,7 +176,7 @@ class DefinitionWriter {
     return used;
   }
 
-  const Dialect& dialect_;
+  const CompiledDialect& dialect_;
   const Program& program_;
   const Function& function_;
   const Function ordered_;
@@ -194,18 +188,18 @@ class DefinitionWriter {
 
 }  // namespace
 
-std::string assignments(const Dialect& dialect, const Function& function,
+std::string assignments(const CompiledDialect& dialect, const Function& function,
                         const FieldTexts& entries) {
   std::string lines;
   for (std::uint32_t field = 0; field < entries.size(); ++field) {
     for (std::uint32_t index = 0; index < entries[field].size(); ++index) {
-      lines += dialect.assignment(dialect.target(function, field, index), entries[field][index]);
+      lines += assignment(dialect.target(function, field, index), entries[field][index]);
     }
   }
   return lines;
 }
 
-FunctionDefinition definition(const Dialect& dialect, const Program& program,
+FunctionDefinition definition(const CompiledDialect& dialect, const Program& program,
                               const Function& function, Storage storage) {
   return DefinitionWriter(dialect, program, function, storage).definition();
 }

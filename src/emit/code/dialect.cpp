@@ -1,4 +1,4 @@
-// dialect: what C and C++ have in common.
+// dialect: what languages have in common, and what C and C++ have.
 #include "emit/code/dialect.hpp"
 
 #include <fmt/format.h>
@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <array>
 
+#include "emit/code/compiled_dialect.hpp"
+#include "emit/code/definition.hpp"
 #include "emit/interface/code_interface.hpp"
-#include "emit/text/layout.hpp"
 
 namespace elgen {
 namespace {
@@ -15,20 +16,6 @@ namespace {
 constexpr std::array<std::string_view, 4> names_of_loops{"given", "solved", "first", "at"};
 
 }  // namespace
-
-Dialect::Dialect(const Model& model, const Program& program, LanguageId language,
-                 std::string_view access)
-    : model_(model),
-      program_(program),
-      language_(language),
-      access_(access),
-      parameters_(parameter_members(model, program.leaves)) {}
-
-std::string Dialect::leaf(Opcode kind, std::uint32_t number) const {
-  if (kind == Opcode::parameter) return "p" + access_ + parameters_[number];
-  const std::string_view name = leaf_row(kind).symbol;
-  return is_single(kind) ? std::string(name) : fmt::format("{}[{}]", name, number);
-}
 
 FormulaText Dialect::square_root(const FormulaText& radicand) const {
   return called(library_function("sqrt"), {radicand});
@@ -54,12 +41,6 @@ std::string Dialect::temporary(const std::string& name) const {
   return hides ? name + "_" : name;
 }
 
-std::string Dialect::assignment(const std::string& target, const std::string& value) const {
-  return elgen::assignment(target, value);
-}
-
-std::string Dialect::shared(const std::string& name) const { return "w" + access_ + name; }
-
 std::vector<std::string_view> Dialect::argument_names_of(const Function& function) const {
   std::vector<std::string_view> names;
   for (const Opcode argument : arguments_of(model_, function, program_, language_)) {
@@ -71,5 +52,23 @@ std::vector<std::string_view> Dialect::argument_names_of(const Function& functio
 bool Dialect::is_number(const Function& function, const Field& field) const {
   return is_scalar(program_, function, field);
 }
+
+CompiledDialect::CompiledDialect(const Model& model, const Program& program, LanguageId language,
+                                 std::string_view access)
+    : Dialect(model, program, language),
+      access_(access),
+      parameters_(parameter_members(model, program.leaves)) {}
+
+std::string CompiledDialect::leaf(Opcode kind, std::uint32_t number) const {
+  if (kind == Opcode::parameter) return "p" + access_ + parameters_[number];
+  const std::string_view name = leaf_row(kind).symbol;
+  return is_single(kind) ? std::string(name) : fmt::format("{}[{}]", name, number);
+}
+
+FunctionDefinition CompiledDialect::definition(const Function& function, Storage storage) const {
+  return elgen::definition(*this, program(), function, storage);
+}
+
+std::string CompiledDialect::shared(const std::string& name) const { return "w" + access_ + name; }
 
 }  // namespace elgen

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "emit/code/definition.hpp"
 #include "emit/code/function_docs.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "emit/pages/introduction.hpp"
@@ -29,14 +28,13 @@ TemplateData struct_data(const FunctionText& text, const Dialect& dialect) {
       {"members", lines_data(documented_members(members, dialect.rules().comments))}};
 }
 
-TemplateData parts_data(const Function& function, const Dialect& dialect,
-                        const FunctionDefinition& definition) {
+TemplateData parts_data(const Function& function, const FunctionDefinition& definition) {
   const TemplateData parts = rows_data(definition.parts, [](const DefinitionText& part) {
     return TemplateRow{{"signature", part.signature}, {"body", part.body}};
   });
   return TemplateRow{{"function", function.name},
-                     {"workspace", dialect.workspace_name(function)},
-                     {"values", lines_data(definition.workspace)},
+                     {"workspace", definition.workspace.name},
+                     {"values", lines_data(definition.workspace.values)},
                      {"part", parts}};
 }
 
@@ -49,15 +47,13 @@ TemplateData function_data(const EmissionInput& input, const Dialect& dialect, s
                           input.scene.base_name + ".equations.json",
                           input.scene.emission};
   const bool has_struct = gives_struct(function);
-  const FunctionDefinition written =
-      definition(dialect, input.program, function, input.scene.emission.storage);
+  const FunctionDefinition written = dialect.definition(function, input.scene.emission.storage);
   const bool has_parts = !written.parts.empty();
   return TemplateRow{
       {"struct", section_if(has_struct, has_struct ? struct_data(text, dialect) : TemplateData())},
       {"summary", function_heading(text)},
       {"documentation", lines_data(dialect.documented(function_docs(text)))},
-      {"parts",
-       section_if(has_parts, has_parts ? parts_data(function, dialect, written) : TemplateData())},
+      {"parts", section_if(has_parts, has_parts ? parts_data(function, written) : TemplateData())},
       {"signature", written.whole.signature},
       {"body", written.whole.body}};
 }

@@ -84,10 +84,10 @@ ColumnWords column_words(std::string_view scope, std::uint32_t count) {
           "const typename Columns::Value", "Columns::load", "Columns::store"};
 }
 
-class CppDialect : public Dialect {
+class CppDialect : public CompiledDialect {
  public:
   CppDialect(const Model& model, const Program& program)
-      : Dialect(model, program, LanguageId::cpp, ".") {}
+      : CompiledDialect(model, program, LanguageId::cpp, ".") {}
 
   FormulaText constant(const Constant& constant) const override {
     const bool is_negative = cln::minusp(constant.value);
@@ -302,7 +302,7 @@ class MixedDialect final : public TypedDialect {
       : TypedDialect(model, program, "Scalar", name_space),
         inner_(model, program, "Inner", name_space) {}
 
-  const Dialect* inner() const override { return &inner_; }
+  const CompiledDialect* inner() const override { return &inner_; }
 
  private:
   TypedDialect inner_;
@@ -310,20 +310,20 @@ class MixedDialect final : public TypedDialect {
 
 }  // namespace
 
-std::unique_ptr<Dialect> cpp_dialect(const Model& model, const Program& program) {
+std::unique_ptr<CompiledDialect> cpp_dialect(const Model& model, const Program& program) {
   return std::make_unique<CppDialect>(model, program);
 }
 
-std::unique_ptr<Dialect> eigen_dialect(const Model& model, const Program& program) {
+std::unique_ptr<CompiledDialect> eigen_dialect(const Model& model, const Program& program) {
   return std::make_unique<EigenDialect>(model, program);
 }
 
-std::unique_ptr<Dialect> wide_dialect(const Model& model, const Program& program) {
+std::unique_ptr<CompiledDialect> wide_dialect(const Model& model, const Program& program) {
   return std::make_unique<WideDialect>(model, program);
 }
 
-std::unique_ptr<Dialect> mixed_dialect(const Model& model, const Program& program,
-                                       const std::string& name_space) {
+std::unique_ptr<CompiledDialect> mixed_dialect(const Model& model, const Program& program,
+                                               const std::string& name_space) {
   return std::make_unique<MixedDialect>(model, program, name_space);
 }
 

@@ -9,15 +9,19 @@
 #include <memory>
 #include <string>
 
-#include "emit/code/dialect.hpp"
+#include "emit/code/compiled_dialect.hpp"
 
 namespace elgen {
 
-[[nodiscard]] std::unique_ptr<Dialect> cpp_dialect(const Model& model, const Program& program);
-[[nodiscard]] std::unique_ptr<Dialect> eigen_dialect(const Model& model, const Program& program);
-[[nodiscard]] std::unique_ptr<Dialect> wide_dialect(const Model& model, const Program& program);
+[[nodiscard]] std::unique_ptr<CompiledDialect> cpp_dialect(const Model& model,
+                                                           const Program& program);
+[[nodiscard]] std::unique_ptr<CompiledDialect> eigen_dialect(const Model& model,
+                                                             const Program& program);
+[[nodiscard]] std::unique_ptr<CompiledDialect> wide_dialect(const Model& model,
+                                                            const Program& program);
 /// Inner instructions in `Inner`, beside the functions in a namespace.
-[[nodiscard]] std::unique_ptr<Dialect> mixed_dialect(const Model& model, const Program& program,
-                                                     const std::string& name_space);
+[[nodiscard]] std::unique_ptr<CompiledDialect> mixed_dialect(const Model& model,
+                                                             const Program& program,
+                                                             const std::string& name_space);
 
 }  // namespace elgen

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "base/ascii.hpp"
+#include "emit/code/local_names.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "emit/source/exact_numbers.hpp"
 #include "emit/text/layout.hpp"
@@ -53,7 +54,7 @@ std::string documentation_line(const SourceSpelling& spelling, std::string_view 
 class SourceDialect final : public Dialect {
  public:
   SourceDialect(const Model& model, const Scene& scene, const Program& program)
-      : Dialect(model, program, scene.emission.language, "."),
+      : Dialect(model, program, scene.emission.language),
         scene_(scene),
         spelling_(source_spelling(scene.emission.language)),
         members_(members_of(model, program.leaves)),
@@ -77,24 +78,57 @@ class SourceDialect final : public Dialect {
     return {text, is_negative ? Binding::negation : Binding::atom};
   }
 
-  bool has_pairs() const override { return false; }
-  std::string_view scalar() const override { return ""; }
   BodyRules rules() const override {
-    return {false,
-            false,
-            true,
+    return {true,
             spelling_.deepest,
             spelling_.longest_name,
             {spelling_.member_comment, spelling_.member_comment}};
   }
-  std::string declaration(const std::string& name) const override { return name; }
 
-  std::string assignment(const std::string& target, const std::string& value) const override {
-    return statement(fmt::format("{}{} = ", spelling_.local, target), value, Brackets::needed);
+  /// Named values, then all entries at once.
+  FunctionDefinition definition(const Function& function, Storage storage) const override {
+    Function ordered = stored(function, storage);
+    ordered.repeated = {};  // written out
+    const Texts names = local_names(*this, program(), ordered);
+    const FunctionFormulas formulas(program(), ordered, *this, names);
+    std::string lines;
+    for (std::uint32_t at = 0; at < names.size(); ++at) {
+      if (names[at].empty()) continue;
+      lines += statement(fmt::format("{}{} = ", spelling_.local, names[at]),
+                         formulas.definition(at).text, Brackets::needed);
+    }
+    FieldTexts entries;
+    for (const Field& field : ordered.fields) {
+      entries.emplace_back();
+      for (const std::uint32_t at : field.entries) {
+        entries.back().push_back(formulas.entry(at).text);
+      }
+    }
+    return {{signature(function), lines + returned(function, entries)}};
   }
 
-  std::string returned(const Function& function, const Function& /*ordered*/,
-                       const FieldTexts& entries) const override {
+  /// "acceleration: list"
+  std::string member(const Function& function, const Field& field) const override {
+    return filled(is_number(function, field) ? spelling_.number_member : spelling_.array_member,
+                  spelt_name(spelling_.language, field.name));
+  }
+
+  std::string struct_name(const Function& function) const override {
+    return camel_case(function.name);
+  }
+
+  Texts documented(Texts lines) const override {
+    for (std::string& line : lines) line = documentation_line(spelling_, line);
+    return lines;
+  }
+
+ private:
+  [[nodiscard]] std::string signature(const Function& function) const {
+    const std::string arguments = fmt::format("{}", fmt::join(argument_names_of(function), ", "));
+    return filled(spelling_.definition, spelt_name(spelling_.language, function.name), arguments);
+  }
+
+  [[nodiscard]] std::string returned(const Function& function, const FieldTexts& entries) const {
     if (!gives_struct(function)) {
       return statement(
           std::string(spelling_.result),
@@ -117,45 +151,6 @@ class SourceDialect final : public Dialect {
                      filled(spelling_.results, struct_name(function), all), Brackets::there);
   }
 
-  std::string opening(const Function& /*function*/, const UsedNames& /*used*/,
-                      bool /*is_part*/) const override {
-    return "";
-  }
-
-  std::string signature(const Function& function, const UsedNames& /*used*/) const override {
-    const std::string arguments = fmt::format("{}", fmt::join(argument_names_of(function), ", "));
-    return filled(spelling_.definition, spelt_name(spelling_.language, function.name), arguments);
-  }
-
-  /// "acceleration: list"
-  std::string member(const Function& function, const Field& field) const override {
-    return filled(is_number(function, field) ? spelling_.number_member : spelling_.array_member,
-                  spelt_name(spelling_.language, field.name));
-  }
-
-  std::string struct_name(const Function& function) const override {
-    return camel_case(function.name);
-  }
-
-  Texts documented(Texts lines) const override {
-    for (std::string& line : lines) line = documentation_line(spelling_, line);
-    return lines;
-  }
-
-  // Bodies have no pairs, parts, loops and assigned entries.
-  std::string pair(const std::string&, const std::string&, const FormulaText&,
-                   bool) const override {
-    return "";
-  }
-  ColumnWords columns(std::uint32_t) const override { return {}; }
-  std::string target(const Function&, std::uint32_t, std::uint32_t) const override { return ""; }
-  std::string part_signature(const Function&, std::size_t, const UsedNames&) const override {
-    return "";
-  }
-  std::string calling_body(const Function&, std::size_t) const override { return ""; }
-  std::string workspace_name(const Function&) const override { return ""; }
-
- private:
   [[nodiscard]] std::string statement(const std::string& start, const std::string& value,
                                       Brackets brackets) const {
     return statement_text(spelling_, start, value, brackets);
