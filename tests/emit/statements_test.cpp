@@ -12,12 +12,12 @@ namespace {
 
 using Numbers = std::vector<std::uint32_t>;
 
-Statement named(std::uint32_t instruction, Numbers uses) {
-  return {instruction, std::move(uses), {}, false, 0, 0};
+Statement assign(std::uint32_t instruction, Numbers uses) {
+  return Assign{instruction, {std::move(uses), {}}};
 }
 
 Statement entry(std::uint32_t index, Numbers uses) {
-  return {0, std::move(uses), {}, true, 0, index};
+  return Entry{0, 0, index, {std::move(uses), {}}};
 }
 
 /// Named instruction i uses some earlier ones, entries use any.
@@ -25,7 +25,7 @@ std::vector<Statement> random_body() {
   std::vector<Statement> body;
   const auto count = *rc::gen::inRange<std::uint32_t>(0, 40);
   for (std::uint32_t i = 0; i < count; ++i) {
-    body.push_back(named(i, i > 0 ? Numbers{*rc::gen::inRange<std::uint32_t>(0, i)} : Numbers{}));
+    body.push_back(assign(i, i > 0 ? Numbers{*rc::gen::inRange<std::uint32_t>(0, i)} : Numbers{}));
   }
   for (std::uint32_t index = 0; index < 4; ++index) {
     const bool uses_any = index % 2 == 1 && count > 0;
@@ -44,16 +44,15 @@ TEST_CASE("a shared value is one statement, before its uses") {
   const std::vector<Statement> all =
       statements(program.functions.front(), {"", "", "total", "", ""}, Pairing::joint);
   REQUIRE(all.size() == 3);
-  CHECK(all[0].instruction == 2);
-  CHECK_FALSE(all[0].is_entry);
-  CHECK(all[0].uses.empty());
-  CHECK(all[0].written == Numbers{2, 0, 1});
-  CHECK(all[1].is_entry);
-  CHECK(all[1].uses == Numbers{2});
-  CHECK(all[1].written == Numbers{4, 3});
-  CHECK(all[2].index == 1);
-  CHECK(all[2].uses == Numbers{2});
-  CHECK(all[2].written.empty());
+  CHECK(std::get<Assign>(all[0]).instruction == 2);
+  CHECK(operands_of(all[0]).uses.empty());
+  CHECK(operands_of(all[0]).written == Numbers{2, 0, 1});
+  CHECK(std::get<Entry>(all[1]).index == 0);
+  CHECK(operands_of(all[1]).uses == Numbers{2});
+  CHECK(operands_of(all[1]).written == Numbers{4, 3});
+  CHECK(std::get<Entry>(all[2]).index == 1);
+  CHECK(operands_of(all[2]).uses == Numbers{2});
+  CHECK(operands_of(all[2]).written.empty());
 }
 
 TEST_CASE("a sine and a cosine of one angle are one statement, where the language has one call") {
@@ -63,25 +62,26 @@ TEST_CASE("a sine and a cosine of one angle are one statement, where the languag
   const std::vector<std::string> names = {"", "", "sum", "sine", "cosine", "other"};
   const std::vector<Statement> joint = statements(program.functions.front(), names, Pairing::joint);
   REQUIRE(joint.size() == 3 + 3);
-  CHECK(joint[1].instruction == 3);
-  CHECK(joint[1].cosine == 4);
-  CHECK(joint[1].uses == Numbers{2});
-  CHECK(joint[1].written.empty());  // the calls are not spelt out
-  CHECK_FALSE(joint[2].cosine);
+  CHECK(named_by(joint[1]) == Numbers{3, 4});
+  CHECK(std::holds_alternative<Pair>(joint[1]));
+  CHECK(operands_of(joint[1]).uses == Numbers{2});
+  CHECK(operands_of(joint[1]).written.empty());  // the calls are not spelt out
+  CHECK(std::holds_alternative<Assign>(joint[2]));
   const std::vector<Statement> separate =
       statements(program.functions.front(), names, Pairing::separate);
   REQUIRE(separate.size() == 4 + 3);
-  CHECK(separate[1].written == Numbers{3});
-  CHECK_FALSE(separate[1].cosine);
+  CHECK(operands_of(separate[1]).written == Numbers{3});
+  CHECK(std::holds_alternative<Assign>(separate[1]));
 }
 
 TEST_CASE("an entry stands behind the last statement it uses") {
   const Sections cut = sections(
-      {named(0, {}), named(1, {0}), named(2, {1}), entry(0, {2}), entry(1, {0}), entry(2, {})}, 4);
+      {assign(0, {}), assign(1, {0}), assign(2, {1}), entry(0, {2}), entry(1, {0}), entry(2, {})},
+      4);
   REQUIRE(cut.parts.size() == 2);
   const auto is_entry = [&](std::size_t part, std::size_t item, std::uint32_t index) {
-    const Statement& found = cut.parts[part][item];
-    return found.is_entry && found.index == index;
+    const Entry* const found = std::get_if<Entry>(&cut.parts[part][item]);
+    return found != nullptr && found->index == index;
   };
   CHECK(is_entry(0, 0, 2));  // uses nothing
   CHECK(is_entry(0, 2, 1));  // behind the first
@@ -89,10 +89,28 @@ TEST_CASE("an entry stands behind the last statement it uses") {
   CHECK(cut.crosses == std::vector<bool>{false, true, false});
 }
 
+TEST_CASE("the loop stands behind what is given to it, and names its first instruction") {
+  Program program = elgen::testing::read_program(
+      "coordinates x y\nfunction gravity\n  0 = coordinate x\n  1 = coordinate y\n"
+      "  2 = add 0 1\n  3 = multiply 2 0\n  4 = multiply 2 1\n  result 2 1 = 3 4\n");
+  Function& function = program.functions.front();
+  function.repeated = {1, 2};
+  const std::vector<std::string> names = {"", "", "sum", "solved[0]", "solved[1]"};
+  const std::vector<Statement> all =
+      statements(function, names, Pairing::joint, column_loop(function));
+  REQUIRE(all.size() == 1 + 2 + 1 + 2);
+  CHECK(std::get<Given>(all[1]).instruction == 0);
+  CHECK(std::get<Given>(all[2]).instruction == 1);
+  CHECK(operands_of(all[2]).written == Numbers{1});
+  CHECK(named_by(all[2]).empty());
+  CHECK(std::get<Loop>(all[3]).first == 3);
+  CHECK(named_by(all[3]) == Numbers{3});
+  CHECK(operands_of(all[3]).uses == Numbers{2});
+  CHECK(operands_of(all[5]).uses == Numbers{3});  // of any column
+}
+
 TEST_CASE("a sine and a cosine of one statement cross together") {
-  Statement pair = named(0, {});
-  pair.cosine = 1;
-  const Sections cut = sections({pair, named(2, {0}), named(3, {1})}, 2);
+  const Sections cut = sections({Pair{0, 1}, assign(2, {0}), assign(3, {1})}, 2);
   REQUIRE(cut.parts.size() == 2);
   CHECK(cut.crosses == std::vector<bool>{true, true, false, false});
 }
@@ -110,11 +128,11 @@ TEST_CASE("parts are in order, full, and share exactly what crosses") {
       RC_ASSERT(cut.parts[part].size() == part_length || part + 1 == cut.parts.size());
       for (const Statement& statement : cut.parts[part]) {
         ++items;
-        for (const std::uint32_t used : statement.uses) {
+        for (const std::uint32_t used : operands_of(statement).uses) {
           RC_ASSERT(part_of[used] < cut.parts.size());  // computed before
           if (part_of[used] != part) crosses[used] = true;
         }
-        if (!statement.is_entry) part_of[statement.instruction] = part;
+        for (const std::uint32_t at : named_by(statement)) part_of[at] = part;
       }
     }
     RC_ASSERT(items == body.size());

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <variant>
 
 #include "emit/code/local_names.hpp"
 #include "emit/code/statements.hpp"
@@ -33,6 +34,33 @@ void use(const Instruction& instruction, UsedNames& used) {
   if (instruction.opcode != Opcode::call) return;
   const FunctionRow& row = function_row(instruction.function);
   if (row.own_name.empty() && !is_circular(row.id)) used.functions.insert(row.name);
+}
+
+/// The array or struct that a statement writes.
+void use_array(const Entry& /*entry*/, UsedNames& used) { used.variables.insert("result"); }
+void use_array(const Given& /*given*/, UsedNames& used) { used.variables.insert("w"); }
+void use_array(const Assign& /*assign*/, UsedNames& /*used*/) {}
+void use_array(const Pair& /*pair*/, UsedNames& /*used*/) {}
+void use_array(const Loop& /*loop*/, UsedNames& /*used*/) {}
+
+/// `crosses`: see Sections; empty in a body of one part.
+bool any_crosses(const std::vector<std::uint32_t>& instructions, const std::vector<bool>& crosses) {
+  return std::ranges::any_of(instructions,
+                             [&](std::uint32_t at) { return at < crosses.size() && crosses[at]; });
+}
+
+UsedNames used_names(const Function& function, const std::vector<Statement>& statements,
+                     const std::vector<bool>& crosses) {
+  UsedNames used;
+  for (const Statement& statement : statements) {
+    const Operands& operands = operands_of(statement);
+    for (const std::uint32_t at : operands.written) use(function.instructions[at], used);
+    std::visit([&](const auto& of) { use_array(of, used); }, statement);
+    if (any_crosses(named_by(statement), crosses) || any_crosses(operands.uses, crosses)) {
+      used.variables.insert("w");
+    }
+  }
+  return used;
 }
 
 class DefinitionWriter {
@@ -78,53 +106,62 @@ class DefinitionWriter {
     }
     FieldTexts entries(ordered_.fields.size());
     for (const Statement& statement : all) {
-      if (statement.is_entry && !is_given(statement)) {
-        entries[statement.field].push_back(formulas_.entry(statement.instruction).text);
+      if (const Entry* const entry = std::get_if<Entry>(&statement)) {
+        entries[entry->field].push_back(formulas_.entry(entry->instruction).text);
       } else {
-        lines += named_value(statement, true);
+        lines += written(statement, {});
       }
     }
-    const UsedNames used = used_names(all, {});
+    const UsedNames used = used_names(ordered_, all, {});
     const std::string returned = dialect_.returned(function_, ordered_, entries);
     return {dialect_.signature(function_, used),
             dialect_.opening(function_, used, false) + lines +
                 (returned.empty() ? assignments(dialect_, ordered_, entries) : returned)};
   }
 
-  /// A value that another part reads is assigned to the workspace, whose members have one type.
   [[nodiscard]] DefinitionText part_text(const Sections& cut, std::size_t part) const {
     std::string lines;
-    for (const Statement& statement : cut.parts[part]) {
-      if (statement.is_entry && !is_given(statement)) {
-        lines += assignment(dialect_.target(ordered_, statement.field, statement.index),
-                            formulas_.entry(statement.instruction).text);
-      } else {
-        lines += named_value(statement, !cut.crosses[statement.instruction]);
-      }
-    }
-    const UsedNames used = used_names(cut.parts[part], cut.crosses);
+    for (const Statement& statement : cut.parts[part]) lines += written(statement, cut.crosses);
+    const UsedNames used = used_names(ordered_, cut.parts[part], cut.crosses);
     return {dialect_.part_signature(function_, part, used),
             dialect_.opening(function_, used, true) + lines};
   }
 
-  [[nodiscard]] std::string named_value(const Statement& statement, bool is_declared) const {
-    const std::uint32_t at = statement.instruction;
-    if (is_given(statement)) {
-      return assignment(fmt::format("{}[{}]", in_loop_.given, statement.index),
-                        formulas_.entry(at).text);
-    }
-    if (is_loop(statement)) {
-      return column_lines(dialect_, program_, ordered_, loop_, in_loop_);
-    }
-    const std::string& name = names_[at];
+  /// A value that another part reads is assigned to the workspace, whose members have one type.
+  [[nodiscard]] std::string written(const Statement& statement,
+                                    const std::vector<bool>& crosses) const {
+    const bool is_declared = !any_crosses(named_by(statement), crosses);
+    return std::visit([&](const auto& of) { return text(of, is_declared); }, statement);
+  }
+
+  [[nodiscard]] std::string text(const Assign& assign, bool is_declared) const {
+    const std::uint32_t at = assign.instruction;
+    return assignment(is_declared ? dialect_of(at).declaration(names_[at]) : names_[at],
+                      formulas_.definition(at).text);
+  }
+
+  [[nodiscard]] std::string text(const Pair& pair, bool is_declared) const {
+    const FormulaText angle = formulas_.operand(pair.sine, ordered_.instructions[pair.sine].a);
+    return dialect_of(pair.sine).pair(names_[pair.sine], names_[pair.cosine], angle, is_declared);
+  }
+
+  [[nodiscard]] std::string text(const Entry& entry, bool /*is_declared*/) const {
+    return assignment(dialect_.target(ordered_, entry.field, entry.index),
+                      formulas_.entry(entry.instruction).text);
+  }
+
+  [[nodiscard]] std::string text(const Given& given, bool /*is_declared*/) const {
+    return assignment(fmt::format("{}[{}]", in_loop_.given, given.index),
+                      formulas_.entry(given.instruction).text);
+  }
+
+  [[nodiscard]] std::string text(const Loop& /*loop*/, bool /*is_declared*/) const {
+    return column_lines(dialect_, program_, ordered_, loop_, in_loop_);
+  }
+
+  [[nodiscard]] const CompiledDialect& dialect_of(std::uint32_t at) const {
     const bool is_inner = ordered_.instructions[at].is_inner && dialect_.inner() != nullptr;
-    const CompiledDialect& dialect = is_inner ? *dialect_.inner() : dialect_;
-    if (!statement.cosine) {
-      return assignment(is_declared ? dialect.declaration(name) : name,
-                        formulas_.definition(at).text);
-    }
-    const FormulaText angle = formulas_.operand(at, ordered_.instructions[at].a);
-    return dialect.pair(name, names_[*statement.cosine], angle, is_declared);
+    return is_inner ? *dialect_.inner() : dialect_;
   }
 
   /// The names of what crosses into other parts; it is spelt as shared from here on. All that is of
@@ -151,29 +188,6 @@ class DefinitionWriter {
     if (loop_.count == 0) return {};
     return {fmt::format("{}[{}]", in_loop_.given, loop_.given.size()),
             fmt::format("{}[{}]", in_loop_.solved, loop_.solved.size() * loop_.count)};
-  }
-
-  [[nodiscard]] bool is_given(const Statement& statement) const {
-    return statement.is_entry && statement.field == ordered_.fields.size();
-  }
-
-  [[nodiscard]] bool is_loop(const Statement& statement) const {
-    return !statement.is_entry && statement.instruction == loop_.first;
-  }
-
-  /// `crosses`: see Sections; empty in a body of one part.
-  [[nodiscard]] UsedNames used_names(const std::vector<Statement>& statements,
-                                     const std::vector<bool>& crosses) const {
-    UsedNames used;
-    const auto is_shared = [&](std::uint32_t at) { return at < crosses.size() && crosses[at]; };
-    for (const Statement& statement : statements) {
-      for (const std::uint32_t at : statement.written) use(ordered_.instructions[at], used);
-      const bool is_written = !statement.is_entry && is_shared(statement.instruction);
-      const bool is_read = std::any_of(statement.uses.begin(), statement.uses.end(), is_shared);
-      if (is_written || is_read || is_given(statement)) used.variables.insert("w");
-      if (statement.is_entry && !is_given(statement)) used.variables.insert("result");
-    }
-    return used;
   }
 
   const CompiledDialect& dialect_;

@@ -3,71 +3,87 @@
 #include "emit/code/statements.hpp"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "emit/interface/code_interface.hpp"
 
 namespace elgen {
 namespace {
 
-void collect(const Function& function, const std::vector<std::string>& names, std::uint32_t at,
-             Statement& statement) {
-  const bool is_definition = !statement.is_entry && at == statement.instruction;
-  const auto first = static_cast<std::uint32_t>(first_repeated(function));
-  if (!names[at].empty() && !is_definition) return statement.uses.push_back(std::min(at, first));
-  statement.written.push_back(at);
-  const Instruction& i = function.instructions[at];
-  if (operand_count(i) > 0) collect(function, names, i.a, statement);
-  if (operand_count(i) > 1) collect(function, names, i.b, statement);
-}
+/// Follows operands to named instructions. An instruction of the loop is named as the first one is.
+class OperandWalk {
+ public:
+  OperandWalk(const Function& function, const std::vector<std::string>& names)
+      : function_(function), names_(names) {}
 
-void sort_uses(Statement& statement) {
-  std::vector<std::uint32_t>& uses = statement.uses;
-  std::sort(uses.begin(), uses.end());
-  uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
-}
-
-/// The text of a sine and a cosine is their angle.
-Statement completed(const Function& function, const std::vector<std::string>& names,
-                    Statement statement) {
-  const std::uint32_t at = statement.instruction;
-  collect(function, names, statement.cosine ? function.instructions[at].a : at, statement);
-  sort_uses(statement);
-  return statement;
-}
-
-/// The numbers that are given to the loop, and the loop.
-void add_loop(const Function& function, const std::vector<std::string>& names,
-              const ColumnLoop& loop, std::vector<Statement>& all) {
-  const auto field = static_cast<std::uint32_t>(function.fields.size());
-  for (std::uint32_t index = 0; index < loop.given.size(); ++index) {
-    all.push_back(completed(function, names, {loop.given[index], {}, {}, true, field, index}));
+  /// What the definition of an instruction is made of, whether it has a name or not.
+  Operands definition(std::uint32_t at) {
+    write_out(at);
+    return found();
   }
-  Statement statement{.instruction = loop.first};
-  for (const std::uint32_t at : loop.shared) collect(function, names, at, statement);
-  sort_uses(statement);
-  all.push_back(std::move(statement));
-}
+
+  Operands values(const std::vector<std::uint32_t>& all) {
+    for (const std::uint32_t at : all) read(at);
+    return found();
+  }
+
+ private:
+  void read(std::uint32_t at) {
+    if (names_[at].empty()) return write_out(at);
+    operands_.uses.push_back(std::min(at, static_cast<std::uint32_t>(first_repeated(function_))));
+  }
+
+  void write_out(std::uint32_t at) {
+    operands_.written.push_back(at);
+    const Instruction& i = function_.instructions[at];
+    if (operand_count(i) > 0) read(i.a);
+    if (operand_count(i) > 1) read(i.b);
+  }
+
+  Operands found() {
+    std::vector<std::uint32_t>& uses = operands_.uses;
+    std::sort(uses.begin(), uses.end());
+    uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
+    return std::exchange(operands_, {});
+  }
+
+  const Function& function_;
+  const std::vector<std::string>& names_;
+  Operands operands_ = {};
+};
+
+using Named = std::vector<std::uint32_t>;
+
+Named names_of(const Assign& assign) { return {assign.instruction}; }
+Named names_of(const Pair& pair) { return {pair.sine, pair.cosine}; }
+Named names_of(const Entry& /*entry*/) { return {}; }
+Named names_of(const Given& /*given*/) { return {}; }
+Named names_of(const Loop& loop) { return {loop.first}; }
 
 /// Instructions are numbered in the order of evaluation.
 std::uint64_t place_of(const Statement& statement) {
-  if (!statement.is_entry) return 2 * (std::uint64_t{statement.instruction} + 1);
-  return statement.uses.empty() ? 0 : 2 * (std::uint64_t{statement.uses.back()} + 1) + 1;
+  const Named named = named_by(statement);
+  if (!named.empty()) return 2 * (std::uint64_t{named.front()} + 1);
+  const std::vector<std::uint32_t>& uses = operands_of(statement).uses;
+  return uses.empty() ? 0 : 2 * (std::uint64_t{uses.back()} + 1) + 1;
 }
 
-std::vector<Statement> ordered(std::vector<Statement> statements) {
-  std::stable_sort(
-      statements.begin(), statements.end(),
-      [](const Statement& a, const Statement& b) { return place_of(a) < place_of(b); });
-  return statements;
+/// Statements of one place keep their order.
+std::multimap<std::uint64_t, Statement> ordered(const std::vector<Statement>& statements) {
+  std::multimap<std::uint64_t, Statement> by_place;
+  for (const Statement& statement : statements) by_place.emplace(place_of(statement), statement);
+  return by_place;
 }
 
-/// One statement writes both of a sine and a cosine to the same place.
+/// One statement writes all its values to the same place.
 void cross_together(const Sections& cut, std::vector<bool>& crosses) {
   for (const std::vector<Statement>& part : cut.parts) {
     for (const Statement& statement : part) {
-      if (!statement.cosine) continue;
-      const bool is_shared = crosses[statement.instruction] || crosses[*statement.cosine];
-      crosses[statement.instruction] = crosses[*statement.cosine] = is_shared;
+      const Named named = named_by(statement);
+      const bool is_shared =
+          std::ranges::any_of(named, [&](std::uint32_t at) { return crosses[at]; });
+      for (const std::uint32_t at : named) crosses[at] = is_shared;
     }
   }
 }
@@ -77,14 +93,14 @@ std::vector<bool> crossing(const Sections& cut) {
   std::vector<bool> crosses;
   for (std::size_t part = 0; part < cut.parts.size(); ++part) {
     for (const Statement& statement : cut.parts[part]) {
-      for (const std::uint32_t used : statement.uses) {
+      for (const std::uint32_t used : operands_of(statement).uses) {
         if (part_of[used] != part) crosses[used] = true;
       }
-      if (statement.is_entry) continue;
-      const std::uint32_t last = statement.cosine.value_or(statement.instruction);
-      part_of.resize(last + 1);
-      crosses.resize(last + 1);
-      part_of[statement.instruction] = part_of[last] = part;
+      for (const std::uint32_t at : named_by(statement)) {
+        part_of.resize(at + 1);
+        crosses.resize(at + 1);
+        part_of[at] = part;
+      }
     }
   }
   cross_together(cut, crosses);
@@ -93,22 +109,35 @@ std::vector<bool> crossing(const Sections& cut) {
 
 }  // namespace
 
+const Operands& operands_of(const Statement& statement) {
+  return std::visit([](const auto& of) -> const Operands& { return of.operands; }, statement);
+}
+
+std::vector<std::uint32_t> named_by(const Statement& statement) {
+  return std::visit([](const auto& of) { return names_of(of); }, statement);
+}
+
 std::vector<Statement> statements(const Function& function, const std::vector<std::string>& names,
                                   Pairing pairing, const ColumnLoop& loop) {
+  OperandWalk walk(function, names);
   std::vector<Statement> all;
   for (std::uint32_t at = 0; at < first_repeated(function); ++at) {
     if (names[at].empty()) continue;
-    Statement statement{.instruction = at};
     if (pairing == Pairing::joint && is_sine_with_cosine(function, at)) {
-      statement.cosine = ++at;
+      all.emplace_back(Pair{at, at + 1, walk.values({function.instructions[at].a})});
+      ++at;
+    } else {
+      all.emplace_back(Assign{at, walk.definition(at)});
     }
-    all.push_back(completed(function, names, std::move(statement)));
   }
-  if (loop.count > 0) add_loop(function, names, loop, all);
+  for (std::uint32_t index = 0; index < loop.given.size(); ++index) {
+    all.emplace_back(Given{loop.given[index], index, walk.values({loop.given[index]})});
+  }
+  if (loop.count > 0) all.emplace_back(Loop{loop.first, walk.values(loop.shared)});
   for (std::uint32_t field = 0; field < function.fields.size(); ++field) {
     const std::vector<std::uint32_t>& entries = function.fields[field].entries;
     for (std::uint32_t index = 0; index < entries.size(); ++index) {
-      all.push_back(completed(function, names, {entries[index], {}, {}, true, field, index}));
+      all.emplace_back(Entry{entries[index], field, index, walk.values({entries[index]})});
     }
   }
   return all;
@@ -116,9 +145,9 @@ std::vector<Statement> statements(const Function& function, const std::vector<st
 
 Sections sections(const std::vector<Statement>& statements, std::size_t length_of_part) {
   Sections cut{.parts = {{}}};
-  for (Statement& statement : ordered(statements)) {
+  for (const auto& [place, statement] : ordered(statements)) {
     if (cut.parts.back().size() == length_of_part) cut.parts.emplace_back();
-    cut.parts.back().push_back(std::move(statement));
+    cut.parts.back().push_back(statement);
   }
   cut.crosses = crossing(cut);
   return cut;

@@ -8,8 +8,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "elgen/program.hpp"
@@ -17,18 +17,54 @@
 
 namespace elgen {
 
-/// A named value, the sine and cosine of an angle, an entry of a field, or a number that is given
-/// to the loop over columns, as an entry of one field more; or the loop, as a named value of the
-/// first instruction in it.
-struct Statement {
-  std::uint32_t instruction = 0;
+/// What a statement reads.
+struct Operands {
   std::vector<std::uint32_t> uses = {};     ///< named instructions, ascending, each once
   std::vector<std::uint32_t> written = {};  ///< instructions written out
-  bool is_entry = false;
-  std::uint32_t field = 0;                   ///< of an entry
-  std::uint32_t index = 0;                   ///< of an entry in its field
-  std::optional<std::uint32_t> cosine = {};  ///< computed at once with `instruction`, the sine
 };
+
+/// A named value.
+struct Assign {
+  std::uint32_t instruction = 0;
+  Operands operands = {};
+};
+
+/// The sine and the cosine of an angle, computed at once.
+struct Pair {
+  std::uint32_t sine = 0;
+  std::uint32_t cosine = 0;
+  Operands operands = {};
+};
+
+/// An entry of a field.
+struct Entry {
+  std::uint32_t instruction = 0;
+  std::uint32_t field = 0;
+  std::uint32_t index = 0;  ///< in its field
+  Operands operands = {};
+};
+
+/// A number that the loop over columns reads, in the array of them.
+struct Given {
+  std::uint32_t instruction = 0;
+  std::uint32_t index = 0;
+  Operands operands = {};
+};
+
+/// The loop over columns. Its first instruction stands for all values that it computes.
+struct Loop {
+  std::uint32_t first = 0;
+  Operands operands = {};
+};
+
+/// Whoever writes or sorts statements has an overload for each kind, so that the compiler names the
+/// places that lack a new one.
+using Statement = std::variant<Assign, Pair, Entry, Given, Loop>;
+
+[[nodiscard]] const Operands& operands_of(const Statement& statement);
+
+/// The instructions whose values have names from here on, ascending.
+[[nodiscard]] std::vector<std::uint32_t> named_by(const Statement& statement);
 
 /// Whether one statement computes the sine and the cosine of an angle, where both are needed.
 enum class Pairing : std::uint8_t { joint, separate };
