@@ -220,6 +220,11 @@ std::string source_lines(const SourceSpelling& spelling, const std::string& text
   return fmt::format("{}", fmt::join(wrap_expression(text, wrapping), "\n"));
 }
 
+std::string source_value(const SourceSpelling& spelling, const std::string& start,
+                         const std::string& text) {
+  return source_lines(spelling, text, {line_width - start.size(), "    "});
+}
+
 std::unique_ptr<Dialect> source_dialect(const Model& model, const Scene& scene,
                                         const Program& program) {
   return std::make_unique<SourceDialect>(model, scene, program);

@@ -27,6 +27,10 @@ namespace elgen {
 [[nodiscard]] std::string source_lines(const SourceSpelling& spelling, const std::string& text,
                                        Wrapping wrapping);
 
+/// What stands behind `start` at the head of a module, in lines.
+[[nodiscard]] std::string source_value(const SourceSpelling& spelling, const std::string& start,
+                                       const std::string& text);
+
 [[nodiscard]] std::unique_ptr<Dialect> source_dialect(const Model& model, const Scene& scene,
                                                       const Program& program);
 

@@ -2,7 +2,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <set>
 #include <utility>
 
@@ -10,22 +9,16 @@
 #include "emit/code/function_docs.hpp"
 #include "emit/code/header_data.hpp"
 #include "emit/interface/code_interface.hpp"
-#include "emit/source/exact_numbers.hpp"
+#include "emit/source/reflection.hpp"
 #include "emit/source/source_dialect.hpp"
 #include "emit/text/emission_checks.hpp"
 #include "emit/text/emission_input.hpp"
 #include "emit/text/layout.hpp"
-#include "numbers/exact_number.hpp"
 
 namespace elgen {
 namespace {
 
 using Texts = std::vector<std::string>;
-
-std::string in_lines(const SourceSpelling& spelling, const std::string& start,
-                     const std::string& text) {
-  return source_lines(spelling, text, {line_width - start.size(), "    "});
-}
 
 /// Names and units of parameters too, elements of arrays each.
 std::vector<DeclaredArray> all_arrays(const Model& model, const Program& program) {
@@ -52,7 +45,7 @@ TemplateData declared(const DeclaredArray& array, const SourceSpelling& spelling
                                                            : spelling.intervals;
   const std::string value = source_list(list, elements) + std::string(spelling.end);
   return TemplateRow{{"name", array.name},
-                     {"value", in_lines(spelling, array.name + " = ", value)}};
+                     {"value", source_value(spelling, array.name + " = ", value)}};
 }
 
 Texts literals(const Model& model, const ParameterArray& array) {
@@ -74,7 +67,7 @@ std::vector<Member> parameter_members(const EmissionInput& input) {
     const std::string value =
         (array.is_array ? source_list(spelling.numbers, values) : values.front()) +
         std::string(spelling.end_of_value);
-    const std::string lines = in_lines(spelling, fmt::format("{}{}", margin, start), value);
+    const std::string lines = source_value(spelling, fmt::format("{}{}", margin, start), value);
     members.push_back({fmt::format("{}{}", start, lines), parameter_doc(array)});
   }
   return members;
@@ -88,93 +81,6 @@ Texts parameter_lines(const EmissionInput& input, bool documented) {
   Texts lines;
   for (const Member& member : members) lines.push_back(member.declaration);
   return lines;
-}
-
-/// The functions of the library that the module calls, by its names.
-Texts called_functions(const Program& program, const SourceSpelling& spelling) {
-  Texts names;
-  for (const std::size_t arity : {1U, 2U}) {
-    for (const std::string_view name : library_calls(program, arity)) {
-      names.emplace_back(name == "abs" ? spelling.absolute : name);
-    }
-  }
-  const bool has_series = calls(program, FunctionId::stumpff);
-  if (has_series || calls(program, FunctionId::sin)) names.emplace_back("sin");
-  if (calls(program, FunctionId::cos)) names.emplace_back("cos");
-  if (has_series) names.emplace_back("sinh");
-  std::sort(names.begin(), names.end());
-  names.erase(std::unique(names.begin(), names.end()), names.end());
-  return names;
-}
-
-Texts quoted(Texts names) {
-  for (std::string& name : names) name = fmt::format("\"{}\"", name);
-  return names;
-}
-
-/// The function and its names in other libraries: arctan2, abs, Abs.
-std::string other_names(const SourceSpelling& spelling, const std::string& name) {
-  Texts names{name};
-  const bool is_inverse = name != "abs" && name.starts_with('a');
-  if (is_inverse) names.push_back("arc" + name.substr(1));
-  if (name == "fabs") names.insert(names.end(), {"abs", "Abs"});
-  return source_list(spelling.texts, quoted(std::move(names)));
-}
-
-std::string library(const SourceSpelling& spelling, const Texts& names) {
-  Texts pairs;
-  for (const std::string& name : names) {
-    pairs.push_back(fmt::format("\"{}\": {}", name, other_names(spelling, name)));
-  }
-  return in_lines(spelling, "_library = ", fmt::format("{{{}}}", fmt::join(pairs, ", ")));
-}
-
-/// The functions of the module that branch on a number; the template has all with kinks or none.
-Texts branching_functions(const EmissionInput& input) {
-  constexpr std::array kinks{FunctionId::sign, FunctionId::min, FunctionId::max};
-  const SourceSpelling& spelling = source_spelling(input.scene.emission.language);
-  const auto is_called = [&](FunctionId function) { return calls(input.program, function); };
-  Texts names;
-  const auto add = [&](FunctionId function) {
-    names.push_back(fmt::format(fmt::runtime(spelling.own_function),
-                                function_row(function).own_name, input.scene.base_name));
-  };
-  if (std::ranges::any_of(kinks, is_called)) std::ranges::for_each(kinks, add);
-  if (is_called(FunctionId::stumpff)) add(FunctionId::stumpff);
-  return names;
-}
-
-Texts names_of_functions(const EmissionInput& input) {
-  Texts names = branching_functions(input);
-  for (const Function& function : input.program.functions) {
-    names.push_back(spelt_name(input.scene.emission.language, function.name));
-  }
-  return names;
-}
-
-/// Sets imports and lists of functions, for which some templates have holes.
-void set_reflection(TemplateData& data, const EmissionInput& input) {
-  const SourceSpelling& spelling = source_spelling(input.scene.emission.language);
-  const Texts called = called_functions(input.program, spelling);
-  Texts imported = called;
-  const std::vector<DeclaredArray> arrays = all_arrays(input.model, input.program);
-  if (std::ranges::any_of(arrays, has_unbounded)) imported.emplace_back(spelling.unbounded);
-  std::sort(imported.begin(), imported.end());
-  data.set("imports",
-           section_if(!imported.empty(),
-                      TemplateRow{{"names", fmt::format("{}", fmt::join(imported, ", "))}}));
-  const ExactNumbers exact(input.model, input.program, spelling);
-  data.set("exact",
-           in_lines(spelling, "exact = ", fmt::format("{{{}}}", fmt::join(exact.entries(), ", "))));
-  data.set("numbers", rows_data(exact.named(), [](const auto& number) {
-             return TemplateRow{{"name", number.first},
-                                {"value", source_literal(exact_value(number.second))}};
-           }));
-  data.set("library", library(spelling, called));
-  data.set("branching", source_list(spelling.texts, quoted(branching_functions(input))));
-  data.set(
-      "all",
-      in_lines(spelling, "_functions = ", source_list(spelling.texts, names_of_functions(input))));
 }
 
 /// Whether functions call each other by the name of the module, a class: a member of that name
@@ -231,13 +137,14 @@ std::string filled_module(const EmissionInput& input, bool exported) {
   const SourceSpelling& spelling = source_spelling(language.id);
   data.set("exported", section_if(exported));
   data.set("export", exported ? "export " : "");
-  data.set("declared",
-           rows_data(all_arrays(input.model, input.program),
-                     [&](const DeclaredArray& array) { return declared(array, spelling); }));
+  const std::vector<DeclaredArray> arrays = all_arrays(input.model, input.program);
+  data.set("declared", rows_data(arrays, [&](const DeclaredArray& array) {
+             return declared(array, spelling);
+           }));
   data.set("parameters", lines_data(parameter_lines(input, exported)));
   data.set("count_of_pivots",
            std::to_string(input.model.velocities.size() + input.model.constraints.size()));
-  set_reflection(data, input);
+  set_reflection(data, input, std::ranges::any_of(arrays, has_unbounded));
   return header_text(fmt::format("{}/module.{}.mustache", language.name, language.ending), data,
                      spelling.most_empty);
 }

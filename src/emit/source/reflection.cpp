@@ -1,0 +1,108 @@
+// reflection: names of functions are looked up in the library and in the module; numbers are those
+// that functions and parameters have.
+#include "emit/source/reflection.hpp"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "emit/code/header_data.hpp"
+#include "emit/interface/code_interface.hpp"
+#include "emit/source/exact_numbers.hpp"
+#include "emit/source/source_dialect.hpp"
+#include "numbers/exact_number.hpp"
+
+namespace elgen {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+Texts quoted(Texts names) {
+  for (std::string& name : names) name = fmt::format("\"{}\"", name);
+  return names;
+}
+
+/// The function and its names in other libraries: arctan2, abs, Abs.
+std::string other_names(const SourceSpelling& spelling, const std::string& name) {
+  Texts names{name};
+  const bool is_inverse = name != "abs" && name.starts_with('a');
+  if (is_inverse) names.push_back("arc" + name.substr(1));
+  if (name == "fabs") names.insert(names.end(), {"abs", "Abs"});
+  return source_list(spelling.texts, quoted(std::move(names)));
+}
+
+std::string library(const SourceSpelling& spelling, const Texts& names) {
+  Texts pairs;
+  for (const std::string& name : names) {
+    pairs.push_back(fmt::format("\"{}\": {}", name, other_names(spelling, name)));
+  }
+  return source_value(spelling, "_library = ", fmt::format("{{{}}}", fmt::join(pairs, ", ")));
+}
+
+/// The functions of the module that branch on a number; the template has all with kinks or none.
+Texts branching_functions(const EmissionInput& input) {
+  constexpr std::array kinks{FunctionId::sign, FunctionId::min, FunctionId::max};
+  const SourceSpelling& spelling = source_spelling(input.scene.emission.language);
+  const auto is_called = [&](FunctionId function) { return calls(input.program, function); };
+  Texts names;
+  const auto add = [&](FunctionId function) {
+    names.push_back(fmt::format(fmt::runtime(spelling.own_function),
+                                function_row(function).own_name, input.scene.base_name));
+  };
+  if (std::ranges::any_of(kinks, is_called)) std::ranges::for_each(kinks, add);
+  if (is_called(FunctionId::stumpff)) add(FunctionId::stumpff);
+  return names;
+}
+
+Texts names_of_functions(const EmissionInput& input) {
+  Texts names = branching_functions(input);
+  for (const Function& function : input.program.functions) {
+    names.push_back(spelt_name(input.scene.emission.language, function.name));
+  }
+  return names;
+}
+
+}  // namespace
+
+Texts called_functions(const Program& program, const SourceSpelling& spelling) {
+  Texts names;
+  for (const std::size_t arity : {1U, 2U}) {
+    for (const std::string_view name : library_calls(program, arity)) {
+      names.emplace_back(name == "abs" ? spelling.absolute : name);
+    }
+  }
+  const bool has_series = calls(program, FunctionId::stumpff);
+  if (has_series || calls(program, FunctionId::sin)) names.emplace_back("sin");
+  if (calls(program, FunctionId::cos)) names.emplace_back("cos");
+  if (has_series) names.emplace_back("sinh");
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+void set_reflection(TemplateData& data, const EmissionInput& input, bool is_unbounded) {
+  const SourceSpelling& spelling = source_spelling(input.scene.emission.language);
+  const Texts called = called_functions(input.program, spelling);
+  Texts imported = called;
+  if (is_unbounded) imported.emplace_back(spelling.unbounded);
+  std::sort(imported.begin(), imported.end());
+  data.set("imports",
+           section_if(!imported.empty(),
+                      TemplateRow{{"names", fmt::format("{}", fmt::join(imported, ", "))}}));
+  const ExactNumbers exact(input.model, input.program, spelling);
+  data.set(
+      "exact",
+      source_value(spelling, "exact = ", fmt::format("{{{}}}", fmt::join(exact.entries(), ", "))));
+  data.set("numbers", rows_data(exact.named(), [](const auto& number) {
+             return TemplateRow{{"name", number.first},
+                                {"value", source_literal(exact_value(number.second))}};
+           }));
+  data.set("library", library(spelling, called));
+  data.set("branching", source_list(spelling.texts, quoted(branching_functions(input))));
+  data.set("all", source_value(spelling, "_functions = ",
+                               source_list(spelling.texts, names_of_functions(input))));
+}
+
+}  // namespace elgen
