@@ -55,6 +55,7 @@ struct SourceSpelling {
   std::string_view end_of_docs;      ///< is parted by a blank in them
   std::string_view own_function;     ///< of what the module has where its library has none
   std::string_view named_number;     ///< {0}: the number of a constant that has a name; or empty
+  bool has_reflection;               ///< its template has the holes of emit/source/reflection.hpp
   std::string_view absolute;         ///< |x| of a number
   std::string_view unbounded;        ///< an infinite number
   std::size_t most_empty;            ///< empty lines in a row, at most

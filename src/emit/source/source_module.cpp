@@ -144,7 +144,9 @@ std::string filled_module(const EmissionInput& input, bool exported) {
   data.set("parameters", lines_data(parameter_lines(input, exported)));
   data.set("count_of_pivots",
            std::to_string(input.model.velocities.size() + input.model.constraints.size()));
-  set_reflection(data, input, std::ranges::any_of(arrays, has_unbounded));
+  if (spelling.has_reflection) {
+    set_reflection(data, input, std::ranges::any_of(arrays, has_unbounded));
+  }
   return header_text(fmt::format("{}/module.{}.mustache", language.name, language.ending), data,
                      spelling.most_empty);
 }
