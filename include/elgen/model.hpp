@@ -302,9 +302,7 @@ inline constexpr std::uint32_t highest_order = 5;
 
 struct Model {
   SourcePointer source = {};
-  std::string canonical = {};       ///< the canonical text of its file, for stamps
-  SourcePointer scene_source = {};  ///< keeps spans of sizes and options alive
-  std::vector<SourcePointer> option_sources = {};
+  std::string canonical = {};  ///< the canonical text of its file, for stamps
   std::string name;
   Span name_span = {};
   std::string title = {};

@@ -153,7 +153,7 @@ struct SourcePaths {
 };
 
 struct Scene {
-  SourcePointer source = {};
+  SourcePointer source = {};  ///< its file; null: the built-in scene `full`
   SourcePaths paths = {};
   std::string name = {};       ///< "" for the built-in scene `full`
   std::string base_name = {};  ///< <model> or <model>_<scene>: folder, file stem, namespace
@@ -165,6 +165,8 @@ struct Scene {
   Emission emission = {};
   bool has_options = false;    ///< --outputs, --fix or --size changed it
   std::string canonical = {};  ///< its file and its options, for stamps; "" for full
+  /// The texts that spans of the model and of the scene point into, beside their files.
+  std::vector<SourcePointer> option_sources = {};
 };
 
 /// The request behind a function, or behind a field of `dynamics`; null where the scene has none of

@@ -21,17 +21,6 @@
 namespace elgen {
 namespace {
 
-/// Keeps the texts alive that spans of the model point into.
-void keep_sources(Model& model, const FileSyntax& syntax, const FileSyntax* scene,
-                  const SceneOptions& options) {
-  model.source = syntax.source;
-  model.scene_source = scene == nullptr ? nullptr : scene->source;
-  for (const auto* list : {&options.outputs, &options.fixed, &options.sizes, &options.values,
-                           &options.starts, &options.laws, &options.ranges}) {
-    model.option_sources.insert(model.option_sources.end(), list->begin(), list->end());
-  }
-}
-
 struct RowReader {
   std::string_view entry;
   void (*read)(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
@@ -122,7 +111,7 @@ void reduce_model(Context& context) {
 Result<CheckedModel> check(const FileSyntax& model, const FileSyntax* scene,
                            const SceneOptions& options, const Limits& limits) {
   Context context(limits);
-  keep_sources(context.model, model, scene, options);
+  context.model.source = model.source;
   context.model.canonical = stamped_text(model);
   context.has_units = uses_units(model);
   context.dimension = usual_dimension(model);

@@ -65,6 +65,7 @@ class SceneReader {
       : context_(context), model_(context.model), syntax_(syntax), options_(options) {}
 
   Scene read() {
+    keep_sources();
     read_header();
     read_fixed();
     read_regressor(context_, syntax_, scene_.specialisation.fixed);
@@ -81,6 +82,14 @@ class SceneReader {
   }
 
  private:
+  void keep_sources() {
+    if (syntax_ != nullptr) scene_.source = syntax_->source;
+    for (const auto* list : {&options_.outputs, &options_.fixed, &options_.sizes, &options_.values,
+                             &options_.starts, &options_.laws, &options_.ranges}) {
+      scene_.option_sources.insert(scene_.option_sources.end(), list->begin(), list->end());
+    }
+  }
+
   void read_header() {
     scene_.base_name = model_.name;
     scene_.paths = options_.paths;
@@ -89,7 +98,6 @@ class SceneReader {
       scene_.paths.scene = file_name(*syntax_->source);
     }
     if (const EntrySyntax* top = find_entry(syntax_, "")) {
-      scene_.source = syntax_->source;
       scene_.name = text_of(*top, "name");
       scene_.doc = text_of(*top, "doc");
       scene_.base_name += "_" + scene_.name;
