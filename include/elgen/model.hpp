@@ -234,7 +234,7 @@ struct Force {
   Span span = {};
 };
 
-/// The values of an output that is in no file, for a page that moves (SceneOptions::shows_motion).
+/// The values of an output that is in no file, for a page that moves (Purpose::shows_motion).
 enum class ShownValues : std::uint8_t { none, places, masses, laws, integrals };
 
 /// An [[output]]: its value, and with `jacobian` also d value/dq and the bias of its second rate. A

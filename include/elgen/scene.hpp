@@ -178,6 +178,41 @@ struct CheckedModel {
   Scene scene;
 };
 
+/// What a command needs of a checked model, besides what its scene says.
+struct Purpose {
+  /// `starts` may name accelerations, momenta, t and h, too (Model::stated).
+  bool states_all = false;
+  /// Functions left open are their samples, if the scene has no expression of them.
+  bool closes_functions = false;
+  /// Forward dynamics with relative pivots, whatever the model says: a run looks at them.
+  bool keeps_pivots = false;
+  /// Adds outputs that a page shows of a run: all places, the laws of inputs, what is conserved.
+  bool shows_motion = false;
+  /// Without the scene's `[approximate]`.
+  bool is_exact = false;
+  /// Keeps closed forms of more than 4096 nodes too. Otherwise they are read until there, so that
+  /// mistakes in them are reported, and dropped.
+  bool keeps_large_forms = false;
+};
+
+/// A row for each purpose of a command.
+namespace purpose {
+
+inline constexpr Purpose generate{};                      ///< also diff, show and vectors
+inline constexpr Purpose rest{.closes_functions = true};  ///< equilibria and modes
+inline constexpr Purpose evaluate{.states_all = true, .closes_functions = true};
+inline constexpr Purpose simulate{
+    .closes_functions = true, .keeps_pivots = true, .keeps_large_forms = true};
+/// Its table has no conserved quantities, so large closed forms are not needed.
+inline constexpr Purpose time_run{.closes_functions = true, .keeps_pivots = true};
+inline constexpr Purpose show_motion{
+    .closes_functions = true, .keeps_pivots = true, .shows_motion = true};
+inline constexpr Purpose verify{.keeps_large_forms = true};
+/// The exact model that `max_error` compares an expansion with.
+inline constexpr Purpose verify_expansion{.is_exact = true};
+
+}  // namespace purpose
+
 /// --outputs, --fix, --size and the like as given, each a source of its own so that errors can
 /// point into it.
 struct SceneOptions {
@@ -191,19 +226,7 @@ struct SceneOptions {
   std::vector<SourcePointer> starts = {};   ///< "theta=1,dot(theta)=0,attitude=[1,0,0,0]"
   std::vector<SourcePointer> laws = {};     ///< "u=-3*theta"
   std::vector<SourcePointer> ranges = {};   ///< "theta=-0.1..0.1"
-  /// `starts` may name accelerations, momenta, t and h, too (Model::stated).
-  bool states_all = false;
-  /// Functions left open are their samples, where the scene has no expression of them.
-  bool close_functions = false;
-  /// Forward dynamics with relative pivots, whatever the model says: a run looks at them.
-  bool keeps_pivots = false;
-  /// Adds outputs that a page shows of a run: all places, the laws of inputs, what is conserved.
-  bool shows_motion = false;
-  /// Without the scene's `[approximate]`: what its expansion is compared with.
-  bool is_exact = false;
-  /// Keep closed forms of more than 4096 nodes too: `verify` needs them. Without it they are read
-  /// until there, so that mistakes in them are reported, and dropped.
-  bool large_expectations = false;
+  Purpose purpose = purpose::generate;      ///< of the command that asks
 
   /// Whether the files are others than those of the scene.
   [[nodiscard]] bool change_files() const {

@@ -116,7 +116,7 @@ struct Trajectory {
 
 /// The model of a run with the outputs that it calls and the `step` that it goes by, whatever the
 /// scene asks for; the scene that is left emits C++ for double alone, of a `step` in packs too, or
-/// JavaScript where it `shows_motion`.
+/// JavaScript if the purpose is to show the motion. The caller says which purpose the run has.
 /// E622 where the method is not for the system.
 [[nodiscard]] Products derived_for_run(const Inputs& inputs, PipelineOptions options,
                                        const std::optional<ChosenStep>& step);

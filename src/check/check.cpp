@@ -85,8 +85,8 @@ void judge(Context& context, const FileSyntax& syntax, const FileSyntax* scene,
     note_arguments(context.model, traits);
     check_mechanics(context, traits);
   }
-  read_expectations(context, syntax, options.large_expectations);
-  if (!options.is_exact) read_approximation(context, scene);
+  read_expectations(context, syntax, options.purpose.keeps_large_forms);
+  if (!options.purpose.is_exact) read_approximation(context, scene);
   read_starts(context, options);
   read_laws(context, options);
   if (!has_order) return;
@@ -123,7 +123,8 @@ Result<CheckedModel> check(const FileSyntax& model, const FileSyntax* scene,
   read_held(context, scene);
   note_wanted(context.model, scene, options);
   judge(context, model, scene, options);
-  if (options.shows_motion && context.report.errors() == 0) add_shown_outputs(context.model);
+  if (options.purpose.shows_motion && context.report.errors() == 0)
+    add_shown_outputs(context.model);
   if (context.report.errors() == 0) write_quotients(context);
   if (context.report.errors() == 0) reduce_model(context);
   if (context.report.errors() == 0) check_constraints(context);

@@ -28,8 +28,7 @@ ExitCode evaluate_input(const GlobalOptions& global, const EvaluateOptions& opti
   if (!inputs) return report(global, inputs.diagnostics);
   PipelineOptions pipeline = pipeline_options(global, {Goal::check});
   pipeline.scene = options.scene;
-  pipeline.scene.states_all = true;
-  pipeline.scene.close_functions = true;
+  pipeline.scene.purpose = purpose::evaluate;
   const Products products = run_shown(options.input, *inputs, pipeline);
   const ExitCode checked = report_products(global, products);
   tell_times(global, products);

@@ -249,7 +249,7 @@ ExitCode show(const GlobalOptions& global, const ShowOptions& given) {
     if (is_place) pipeline.scene.starts = {make_source("--at", options.at)};
   }
   // Equilibria need one potential: open functions are replaced by their samples.
-  pipeline.scene.close_functions = subject.is_of_rest;
+  if (subject.is_of_rest) pipeline.scene.purpose = purpose::rest;
   if (subject.word.empty() && !options.what.empty()) {
     pipeline.scene.outputs = {make_source("command line", options.what)};
   }

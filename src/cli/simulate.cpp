@@ -115,7 +115,7 @@ SimulationOptions run_of_page(SimulationOptions run) {
 /// there are some.
 Products read_of_page(const SimulateOptions& options, const Inputs& inputs,
                       PipelineOptions pipeline, bool is_constrained) {
-  pipeline.scene.close_functions = true;
+  pipeline.scene.purpose = purpose::rest;
   pipeline.goals = {Goal::steps};
   if (!is_constrained) pipeline.goals.push_back(Goal::modes);
   return run_shown(options.input, inputs, pipeline);
@@ -176,7 +176,7 @@ ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& give
   if (!inputs) return report(global, inputs.diagnostics);
   PipelineOptions pipeline = pipeline_options(global, {Goal::choose});
   pipeline.scene = options.scene;
-  pipeline.scene.large_expectations = true;
+  pipeline.scene.purpose = purpose::simulate;
   const Products products = shown_for_run(options, *inputs, pipeline);
   const ExitCode derived = report_products(global, products);
   tell_times(global, products);

@@ -90,7 +90,7 @@ Result<std::vector<CertificateRow>> promised(const Inputs& inputs, const Product
     return promised_errors(checked, *products.program, compiled, options);
   }
   PipelineOptions pipeline{.limits = limits, .goals = {Goal::choose}};
-  pipeline.scene.is_exact = true;
+  pipeline.scene.purpose = purpose::verify_expansion;
   const Products exact = run_pipeline(inputs, pipeline);
   if (!exact.program) return exact.diagnostics;
   return promised_errors(*exact.checked, *exact.program, compiled, options);
@@ -141,7 +141,7 @@ ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& opt
   for (const ForeignClaim& claim : options.foreign.claims) {
     pipeline.scene.outputs.push_back(make_source("command line", claim.output));
   }
-  pipeline.scene.large_expectations = true;
+  pipeline.scene.purpose = purpose::verify;
   pipeline.scene.language = options.language;
   Products products = run_shown(path, inputs, pipeline);
   const ExitCode generated = report_products(global, products);

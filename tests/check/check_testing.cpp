@@ -46,7 +46,7 @@ Result<CheckedModel> run_check(const std::string& model, const Wanted& wanted) {
   options.fixed = as_options(wanted.fixed);
   options.sizes = as_options(wanted.sizes);
   options.ranges = as_options(wanted.ranges);
-  options.large_expectations = wanted.large_expectations;
+  options.purpose = wanted.purpose;
   Result<CheckedModel> result = check(*syntax, scene ? &*scene : nullptr, options, wanted.limits);
   // Spans of errors outlive this function.
   static std::vector<SourcePointer> alive;

@@ -18,7 +18,7 @@ struct Wanted {
   std::vector<std::string> sizes = {};
   std::vector<std::string> ranges = {};
   Limits limits = {};
-  bool large_expectations = false;
+  Purpose purpose = purpose::generate;
 };
 
 /// A scene of the model `block`, named `fast`; `more` starts on line 4.

@@ -203,7 +203,7 @@ TEST_CASE("big closed forms are kept only where they are asked for") {
   wanted.sizes = {"n=64"};
   CHECK(dumped(model, "expect mass", wanted).empty());
   CHECK(checked(model, wanted).model.expectations.size() == 1);
-  wanted.large_expectations = true;
+  wanted.purpose = purpose::verify;
   const Model large = checked(model, wanted).model;
   REQUIRE(large.expectations.size() == 2);
   CHECK(large.expectations[0].entries.size() == 64 * 64);

@@ -121,7 +121,7 @@ TEST_CASE("a scene or a sample closes an open function") {
   CHECK(closed_text(by_scene) == "V = k*x*y, 1 expected");
   CHECK(by_scene.scene.canonical.find("functions") != std::string::npos);
   SceneOptions options;
-  options.close_functions = true;
+  options.purpose = purpose::rest;
   CHECK(closed_text(checked_model(plane, options)) == "V = 1/2*k*(x^2 + y^2), 1 expected");
 }
 

@@ -67,7 +67,7 @@ TEST_CASE("a scene without its expansion") {
                                                "[approximate]\norder = 1\nabout = { x = 0 }\n"),
                                    {});
     SceneOptions options;
-    options.is_exact = is_exact;
+    if (is_exact) options.purpose = purpose::verify_expansion;
     const Result<CheckedModel> checked = check(*model, &*scene, options, {});
     REQUIRE(checked);
     return checked->model.approximation.has_value();

@@ -47,7 +47,7 @@ std::string found(const std::string& text) {
 std::string disproved(const std::string& text) {
   PipelineOptions options;
   options.goals = {Goal::emit};
-  options.scene.large_expectations = true;
+  options.scene.purpose = purpose::verify;
   Products products = run_pipeline(inputs_of(text), options);
   const auto& [model, scene] = *products.checked;
   VerifyOptions quick;

@@ -45,7 +45,7 @@ TEST_CASE("a program for a page knows t where only what is conserved names it") 
     PipelineOptions options;
     options.goals = {Goal::choose};
     CHECK_FALSE(test::derived(model(name), options).program->leaves.uses_time);
-    options.scene.shows_motion = true;
+    options.scene.purpose = purpose::show_motion;
     const Products page = test::derived(model(name), options);
     CHECK_FALSE(page.checked->model.uses_time);
     CHECK(page.program->leaves.uses_time);

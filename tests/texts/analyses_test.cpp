@@ -215,7 +215,7 @@ class FormulaReader {
 std::size_t expect_formulas(const SourcePointer& source) {
   PipelineOptions options;
   options.goals = {Goal::equilibria, Goal::modes};
-  options.scene.close_functions = true;
+  options.scene.purpose = purpose::rest;
   options.limits.boxes = 500;  // what is found is enough
   const Products products = run_pipeline({source, nullptr}, options);
   INFO(source->path << "\n" << source->text << "\n" << format(products.diagnostics));

@@ -141,7 +141,7 @@ std::string function_name(const EntrySyntax& function) {
 void read_closures(Context& context, const FileSyntax& model, const FileSyntax* scene,
                    const SceneOptions& options) {
   if (scene != nullptr) close_by_scene(context, model, *scene);
-  if (!options.close_functions) return;
+  if (!options.purpose.closes_functions) return;
   for (const EntrySyntax* function : functions_of(model)) close_by_sample(context, *function);
 }
 

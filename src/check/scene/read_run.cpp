@@ -160,8 +160,8 @@ void read_law(Context& context, const KeySyntax& key) {
 
 void read_starts(Context& context, const SceneOptions& options) {
   if (options.starts.empty()) return;
-  StartReader reader(
-      context, options.states_all ? places_of_state(context.model) : start_places(context.model));
+  StartReader reader(context, options.purpose.states_all ? places_of_state(context.model)
+                                                         : start_places(context.model));
   const auto keys = keys_of(context, options.starts, KeyType::expression_or_list);
   for (const KeySyntax& key : keys) reader.read(key);
 }

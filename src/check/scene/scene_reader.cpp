@@ -185,7 +185,7 @@ class SceneReader {
     for (OutputRequest& other : scene_.outputs) {
       if (!precedes(other, *found) && !precedes(*found, other)) return &other;
     }
-    if (options_.keeps_pivots) found->without_pivots = false;
+    if (options_.purpose.keeps_pivots) found->without_pivots = false;
     scene_.outputs.push_back(std::move(*found));
     return &scene_.outputs.back();
   }

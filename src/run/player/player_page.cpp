@@ -105,7 +105,7 @@ Diagnostics refuse_player(const SimulationOptions& options) {
 }
 
 PipelineOptions player_pipeline(PipelineOptions options) {
-  options.scene.shows_motion = true;
+  options.scene.purpose = purpose::show_motion;
   return options;
 }
 

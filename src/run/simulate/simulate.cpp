@@ -297,13 +297,11 @@ std::string outputs_of_run(const Model& model) {
 /// The model is checked once before, to know which outputs it has.
 Products derived_for_run(const Inputs& inputs, PipelineOptions options,
                          const std::optional<ChosenStep>& step) {
-  options.scene.close_functions = true;
-  options.scene.keeps_pivots = true;
   PipelineOptions first = options;
   first.goals = {Goal::check};
   Products checked = run_pipeline(inputs, first);
   if (!checked.checked) return checked;
-  const bool is_page = options.scene.shows_motion;
+  const bool is_page = options.scene.purpose.shows_motion;
   const Model& model = checked.checked->model;
   const std::string outputs = is_page ? outputs_of_page(model) : outputs_of_run(model);
   options.scene.outputs = {make_source("outputs of a run", outputs)};

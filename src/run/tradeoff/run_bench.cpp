@@ -104,8 +104,9 @@ class RunBench {
  private:
   Products derived(const std::optional<ChosenStep>& step) {
     process_.renew_time_limit();
-    const PipelineOptions options{
+    PipelineOptions options{
         .limits = process_.limits, .goals = {Goal::choose}, .on_stage = process_.on_stage};
+    options.scene.purpose = purpose::time_run;
     return derived_for_run(request_.inputs, options, step);
   }
 

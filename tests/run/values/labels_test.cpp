@@ -37,7 +37,7 @@ void check_labels(const CheckedModel& checked) {
 /// All outputs that a model can give, also those given by name only.
 CheckedModel with_all_outputs(const std::string& text, const FileSyntax* scene) {
   SceneOptions options;
-  options.close_functions = true;
+  options.purpose = purpose::rest;
   const CheckedModel checked = checked_model(text, scene, options);
   std::string names;
   for (const OutputRow& row : output_table()) {

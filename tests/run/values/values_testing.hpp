@@ -25,8 +25,7 @@ inline std::vector<SourcePointer> option(const std::string& text) {
 
 inline SceneOptions options_of(const std::string& state, const std::string& outputs) {
   SceneOptions options;
-  options.states_all = true;
-  options.close_functions = true;
+  options.purpose = purpose::evaluate;
   if (!state.empty()) options.starts = option(state);
   if (!outputs.empty()) options.outputs = option(outputs);
   return options;
