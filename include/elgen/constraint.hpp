@@ -2,6 +2,8 @@
 // model, locked ones and cyclic coordinates.
 #pragma once
 
+#include <cln/real.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -76,7 +78,9 @@ struct Lock : Held {
 struct Cyclic : Held {
   std::uint32_t parameter = 0;
   /// Made of numbers and parameters; none: the momentum at the start.
-  std::optional<ExpressionId> momentum = {};
+  std::optional<ExpressionId> form = {};
+  /// The value of the parameter: that of an option, else find_momenta() computes it.
+  std::optional<cln::cl_R> momentum = {};
 };
 
 /// The variables that a scene holds, and the whole model, in which they move. They are taken out

@@ -92,7 +92,6 @@ struct Parameter {
   Assumption assumption = Assumption::none;
   std::optional<Unit> unit = {};
   std::optional<ExpressionId> form = {};  ///< the value as written, where it is not rational
-  bool is_computed = false;  ///< a momentum of `[routh]` until find_momenta() gives it its value
 };
 
 /// A parameter as declared: one number, or `size` of them.

@@ -102,7 +102,7 @@ State starting_state(const CheckedModel& checked, const Model& moving) {
 }
 
 std::optional<cl_R> momentum_of(const Model& exact, const Cyclic& cyclic, const State& start) {
-  if (cyclic.momentum) return oracle_expression(exact, *cyclic.momentum, start);
+  if (cyclic.form) return oracle_expression(exact, *cyclic.form, start);
   return oracle_contraction(exact, {.kind = OutputKind::momentum}, start, {along(exact, cyclic)});
 }
 
@@ -114,20 +114,21 @@ Diagnostics find_momenta(CheckedModel& checked) {
   Diagnostics errors = not_cyclic({exact, checked.scene}, all);
   if (!errors.empty()) return errors;
   const State start = starting_state(checked, exact);
-  for (const Cyclic& cyclic : all) {
-    Parameter& parameter = checked.model.parameters[cyclic.parameter];
-    if (!parameter.is_computed) continue;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Cyclic& cyclic = all[i];
+    std::optional<cl_R>& known = checked.model.variant.cyclic[i].momentum;
+    if (known) continue;
     const std::optional<cl_R> momentum = momentum_of(exact, cyclic, start);
     if (!momentum) {
       errors.push_back({Code::E635, cyclic.span,
                         "the momentum of " + quoted_name(exact, cyclic) + " has no value" +
-                            (cyclic.momentum ? "" : " at the start")});
+                            (cyclic.form ? "" : " at the start")});
       continue;
     }
-    parameter.value = rounded(*momentum, 16);
-    parameter.is_computed = false;
+    known = rounded(*momentum, 16);
+    checked.model.parameters[cyclic.parameter].value = *known;
     const auto fixed = checked.scene.specialisation.fixed.find(cyclic.parameter);
-    if (fixed != checked.scene.specialisation.fixed.end()) fixed->second.number = parameter.value;
+    if (fixed != checked.scene.specialisation.fixed.end()) fixed->second.number = *known;
   }
   return errors;
 }

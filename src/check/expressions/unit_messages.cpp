@@ -128,7 +128,9 @@ void note_missing_units(Context& context) {
   for (const ParameterArray& array : model.parameter_arrays) {
     const Parameter& parameter = model.parameters[array.first];
     const bool is_silent = !parameter.unit && array.unit_text.empty();
-    if (is_silent && !parameter.is_computed) note(array.name, array.span);
+    const bool is_momentum =
+        std::ranges::count(model.variant.cyclic, array.first, &Cyclic::parameter) > 0;
+    if (is_silent && !is_momentum) note(array.name, array.span);
   }
   note_rows(model.inputs);
   note_rows(model.functions);

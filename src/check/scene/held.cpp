@@ -127,7 +127,7 @@ class HeldReader {
     Cyclic cyclic{*held, 0, {}};
     if (is_given) {
       const Place place{"a momentum", place::parameters_only};
-      cyclic.momentum = values_.scene_value(key.value, {place, unit_of(cyclic)});
+      cyclic.form = values_.scene_value(key.value, {place, unit_of(cyclic)});
     }
     model_.variant.cyclic.push_back(cyclic);
   }
@@ -162,6 +162,7 @@ class HeldReader {
   void declare_momentum(Cyclic& cyclic) {
     const Coordinate& coordinate = model_.coordinates[cyclic.coordinate];
     const std::string name = "p_" + coordinate.identifier;
+    cyclic.parameter = static_cast<std::uint32_t>(model_.parameters.size());
     if (const DeclaredName* const taken = context_.symbols.find(name)) {
       context_.report.add({Code::E635, cyclic.span,
                            in_backticks(name) + " is taken, which the momentum of " +
@@ -169,11 +170,9 @@ class HeldReader {
                            "", taken->span, "declared here"});
       return;
     }
-    cyclic.parameter = static_cast<std::uint32_t>(model_.parameters.size());
     if (!add_elements(context_, {name, {}, cyclic.span}, 1, false)) return;
     Parameter& momentum = model_.parameters.back();
     momentum.unit = unit_of(cyclic);
-    momentum.is_computed = true;
     ParameterArray& array = model_.parameter_arrays.back();
     if (momentum.unit) array.unit_text = to_string(*momentum.unit);
     if (!coordinate.latex.empty()) array.latex = "p_{" + coordinate.latex + "}";
@@ -190,6 +189,12 @@ class HeldReader {
 };
 
 }  // namespace
+
+void give_momentum(Model& model, std::uint32_t parameter, const cln::cl_R& value) {
+  for (Cyclic& cyclic : model.variant.cyclic) {
+    if (cyclic.parameter == parameter) cyclic.momentum = value;
+  }
+}
 
 void read_held(Context& context, const FileSyntax* scene) {
   HeldReader reader(context);

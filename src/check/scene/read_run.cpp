@@ -188,7 +188,7 @@ void read_values(Context& context, const Scene& scene, const SceneOptions& optio
       check_value(context, target, value->number, key.value.span);
       context.model.parameters[target].value = value->number;
       context.model.parameters[target].form = value->form;
-      context.model.parameters[target].is_computed = false;
+      give_momentum(context.model, target, value->number);
     }
   }
 }

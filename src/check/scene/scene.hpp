@@ -69,6 +69,9 @@ void read_values(Context& context, const Scene& scene, const SceneOptions& optio
 /// a rotation, a locked one, all of them, or the name of the momentum is taken.
 void read_held(Context& context, const FileSyntax* scene);
 
+/// Sets Cyclic::momentum if the parameter is a momentum, which find_momenta() then leaves.
+void give_momentum(Model& model, std::uint32_t parameter, const cln::cl_R& value);
+
 /// Sets UserOutput::is_wanted. A scene without `[outputs]` wants all; otherwise an output is wanted
 /// if the scene or an option names one of its functions.
 void note_wanted(Model& model, const FileSyntax* scene, const SceneOptions& options);

@@ -259,7 +259,7 @@ class SceneReader {
     if (value != nullptr) own = ValueReader(context_).constant_with_form(*value);
     for (const std::uint32_t target : targets) {
       if (own) check_value(context_, target, own->number, value->expression.span);
-      if (own) context_.model.parameters[target].is_computed = false;
+      if (own) give_momentum(context_.model, target, own->number);
       const Parameter& parameter = model_.parameters[target];
       scene_.specialisation.fixed[target] =
           own.value_or(FixedValue{parameter.value, parameter.form});
