@@ -43,9 +43,8 @@ struct Coordinate {
   std::string unit_text = {};     ///< as written
   std::optional<Interval> range = {};
   cln::cl_R start_value = 0;
-  bool is_start_named = false;  ///< by `--state`
-  bool wrap = false;            ///< an angle that may turn all the way round
-  std::uint32_t velocity = 0;   ///< of its rate in Model::velocities; the first one of its rotation
+  bool wrap = false;           ///< an angle that may turn all the way round
+  std::uint32_t velocity = 0;  ///< of its rate in Model::velocities; the first one of its rotation
   std::optional<std::uint32_t> rotation = {};  ///< whose component it is, in Model::rotations
   std::optional<ExpressionId> armature = {};   ///< adds 1/2 J v^2 to T
   std::optional<ExpressionId> singular = {};   ///< the chart breaks where this is zero
@@ -64,7 +63,6 @@ struct Velocity {
   std::optional<Unit> unit = {};               ///< of the velocity itself; none: not checked
   std::optional<Interval> rate_range = {};
   cln::cl_R start_rate = 0;
-  bool is_start_named = false;  ///< by `--state`
   Span span = {};
 };
 
@@ -337,8 +335,6 @@ struct Model {
   /// the whole model.
   Variant variant = {};
 
-  /// Accelerations, momenta, t and h that `--state` gives, by their texts: "dot(dot(theta))".
-  std::map<std::string, cln::cl_R> stated = {};
   std::vector<std::uint32_t> regressed = {};    ///< parameters in which forces are affine together
   std::vector<std::uint32_t> independent = {};  ///< velocities that determine the others, ascending
 

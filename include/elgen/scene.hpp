@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -152,6 +153,14 @@ struct SourcePaths {
   std::string scene = {};  ///< "" where the scene is the built-in one
 };
 
+/// The state that `--state` gives. Values of q and v are the start of the model.
+struct StatedStart {
+  std::set<std::string> coordinates = {};  ///< named, all four of a rotation
+  std::set<std::string> velocities = {};   ///< named, all three of a rotation
+  /// Accelerations, momenta, t and h, by their texts: "dot(dot(theta))".
+  std::map<std::string, cln::cl_R> others = {};
+};
+
 struct Scene {
   SourcePointer source = {};  ///< its file; null: the built-in scene `full`
   SourcePaths paths = {};
@@ -163,6 +172,7 @@ struct Scene {
   std::vector<LeftOut> left_out = {};  ///< empty where the scene names its outputs
   Numerics numerics = {};
   Emission emission = {};
+  StatedStart stated = {};
   bool has_options = false;    ///< --outputs, --fix or --size changed it
   std::string canonical = {};  ///< its file and its options, for stamps; "" for full
   /// The texts that spans of the model and of the scene point into, beside their files.
@@ -180,7 +190,7 @@ struct CheckedModel {
 
 /// What a command needs of a checked model, besides what its scene says.
 struct Purpose {
-  /// `starts` may name accelerations, momenta, t and h, too (Model::stated).
+  /// `starts` may name accelerations, momenta, t and h, too (StatedStart::others).
   bool states_all = false;
   /// Functions left open are their samples, if the scene has no expression of them.
   bool closes_functions = false;

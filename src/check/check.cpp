@@ -77,8 +77,8 @@ void note_arguments(Model& model, const std::vector<Traits>& traits) {
 
 /// Closed forms are read once it is known which outputs the model has, then judged with the rest,
 /// as is the point a scene expands about.
-void judge(Context& context, const FileSyntax& syntax, const FileSyntax* scene,
-           const SceneOptions& options) {
+void judge(Context& context, const FileSyntax& syntax, const FileSyntax* scene_syntax,
+           const SceneOptions& options, Scene& scene) {
   const bool has_order = check_cycles(context);
   if (has_order) {
     const std::vector<Traits> traits = find_traits(context.model);
@@ -86,8 +86,8 @@ void judge(Context& context, const FileSyntax& syntax, const FileSyntax* scene,
     check_mechanics(context, traits);
   }
   read_expectations(context, syntax, options.purpose.keeps_large_forms);
-  if (!options.purpose.is_exact) read_approximation(context, scene);
-  read_starts(context, options);
+  if (!options.purpose.is_exact) read_approximation(context, scene_syntax);
+  read_starts(context, options, scene);
   read_laws(context, options);
   if (!has_order) return;
   check_function_expressions(context);
@@ -122,13 +122,14 @@ Result<CheckedModel> check(const FileSyntax& model, const FileSyntax* scene,
   if (context.beyond_limits) return context.report.sorted();
   read_held(context, scene);
   note_wanted(context.model, scene, options);
-  judge(context, model, scene, options);
+  Scene checked_scene;
+  judge(context, model, scene, options, checked_scene);
   if (options.purpose.shows_motion && context.report.errors() == 0)
     add_shown_outputs(context.model);
   if (context.report.errors() == 0) write_quotients(context);
   if (context.report.errors() == 0) reduce_model(context);
   if (context.report.errors() == 0) check_constraints(context);
-  Scene checked_scene = read_scene(context, scene, options);
+  read_scene(context, scene, options, checked_scene);
   read_values(context, checked_scene, options);
   if (context.report.errors() > 0) return context.report.sorted();
   return {CheckedModel{std::move(context.model), std::move(checked_scene)},

@@ -19,7 +19,7 @@ struct StartPlace {
   std::uint32_t first = 0;  ///< of coordinates, or of velocities
   std::uint32_t count = 1;
   bool is_rate = false;
-  bool is_stated = false;  ///< by its name, in Model::stated
+  bool is_stated = false;  ///< by its name, in StatedStart::others
 };
 
 std::vector<StartPlace> start_places(const Model& model) {
@@ -59,8 +59,12 @@ std::vector<StartPlace> places_of_state(const Model& model) {
 
 class StartReader {
  public:
-  StartReader(Context& context, std::vector<StartPlace> places)
-      : context_(context), model_(context.model), values_(context), places_(std::move(places)) {}
+  StartReader(Context& context, std::vector<StartPlace> places, StatedStart& stated)
+      : context_(context),
+        model_(context.model),
+        values_(context),
+        places_(std::move(places)),
+        stated_(stated) {}
 
   void read(const KeySyntax& key) {
     const StartPlace* const place = place_of(key);
@@ -109,12 +113,12 @@ class StartReader {
 
   void give(const StartPlace& place, std::uint32_t index, const cln::cl_R& value) {
     if (place.is_stated) {
-      model_.stated[place.name] = value;
+      stated_.others[place.name] = value;
       return;
     }
     number(place, index) = value;
-    (place.is_rate ? model_.velocities[index].is_start_named
-                   : model_.coordinates[index].is_start_named) = true;
+    if (place.is_rate) stated_.velocities.insert(model_.velocities[index].name);
+    if (!place.is_rate) stated_.coordinates.insert(model_.coordinates[index].name);
   }
 
   void check_direction(const StartPlace& place, const Span& value) {
@@ -129,6 +133,7 @@ class StartReader {
   Model& model_;
   ValueReader values_;
   std::vector<StartPlace> places_;
+  StatedStart& stated_;
 };
 
 /// Gains are plain numbers, so the units of a law are not judged.
@@ -158,10 +163,12 @@ void read_law(Context& context, const KeySyntax& key) {
 
 }  // namespace
 
-void read_starts(Context& context, const SceneOptions& options) {
+void read_starts(Context& context, const SceneOptions& options, Scene& scene) {
   if (options.starts.empty()) return;
-  StartReader reader(context, options.purpose.states_all ? places_of_state(context.model)
-                                                         : start_places(context.model));
+  StartReader reader(
+      context,
+      options.purpose.states_all ? places_of_state(context.model) : start_places(context.model),
+      scene.stated);
   const auto keys = keys_of(context, options.starts, KeyType::expression_or_list);
   for (const KeySyntax& key : keys) reader.read(key);
 }

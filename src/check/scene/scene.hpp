@@ -12,10 +12,10 @@
 
 namespace elgen {
 
-/// E103, E105, E112, E518, E601–E611, E620, E505, E108. An option given replaces what the scene
-/// says of the same.
-[[nodiscard]] Scene read_scene(Context& context, const FileSyntax* syntax,
-                               const SceneOptions& options);
+/// Adds to what earlier steps have read into the scene. E103, E105, E112, E518, E601–E611, E620,
+/// E505, E108. An option given replaces what the scene says of the same.
+void read_scene(Context& context, const FileSyntax* syntax, const SceneOptions& options,
+                Scene& scene);
 
 /// E205, E204 of the namespace; E610 where the language is for one scalar and the scene asks for
 /// others; E611 for what the language, that of the options if they name one, does not have.
@@ -54,9 +54,9 @@ void read_independent(Context& context, const FileSyntax* scene);
 /// Fills Model::approximation. E614.
 void read_approximation(Context& context, const FileSyntax* scene);
 
-/// --state: Coordinate::start_value, Velocity::start_rate and Model::stated. E606, E612, and what
+/// --state: Coordinate::start_value, Velocity::start_rate and Scene::stated. E606, E612, and what
 /// is said of expressions.
-void read_starts(Context& context, const SceneOptions& options);
+void read_starts(Context& context, const SceneOptions& options, Scene& scene);
 
 /// --input: Input::law, which is judged with what the model says. E201, E606.
 void read_laws(Context& context, const SceneOptions& options);

@@ -61,10 +61,14 @@ std::string canonical_text(const FileSyntax* scene, const SceneOptions& options)
 
 class SceneReader {
  public:
-  SceneReader(Context& context, const FileSyntax* syntax, const SceneOptions& options)
-      : context_(context), model_(context.model), syntax_(syntax), options_(options) {}
+  SceneReader(Context& context, const FileSyntax* syntax, const SceneOptions& options, Scene& scene)
+      : context_(context),
+        model_(context.model),
+        syntax_(syntax),
+        options_(options),
+        scene_(scene) {}
 
-  Scene read() {
+  void read() {
     keep_sources();
     read_header();
     read_fixed();
@@ -78,7 +82,6 @@ class SceneReader {
     read_promise(context_, syntax_, options_, scene_.numerics);
     scene_.has_options = options_.change_files();
     scene_.canonical = canonical_text(syntax_, options_);
-    return std::move(scene_);
   }
 
  private:
@@ -292,13 +295,14 @@ class SceneReader {
   const Model& model_;
   const FileSyntax* syntax_;
   const SceneOptions& options_;
-  Scene scene_ = {};
+  Scene& scene_;
 };
 
 }  // namespace
 
-Scene read_scene(Context& context, const FileSyntax* syntax, const SceneOptions& options) {
-  return SceneReader(context, syntax, options).read();
+void read_scene(Context& context, const FileSyntax* syntax, const SceneOptions& options,
+                Scene& scene) {
+  SceneReader(context, syntax, options, scene).read();
 }
 
 }  // namespace elgen

@@ -24,11 +24,12 @@ Diagnostic singular(std::string message) {
   return {Code::E623, {}, std::move(message), start_elsewhere};
 }
 
-KeptStart named_start(const Model& model) {
+KeptStart named_start(const Model& model, const StatedStart& stated) {
   KeptStart kept;
   for (const Velocity& velocity : model.velocities) {
-    kept.positions.push_back(model.coordinates[velocity.coordinate].is_start_named);
-    kept.rates.push_back(velocity.is_start_named);
+    const std::string& coordinate = model.coordinates[velocity.coordinate].name;
+    kept.positions.push_back(stated.coordinates.contains(coordinate));
+    kept.rates.push_back(stated.velocities.contains(velocity.name));
   }
   return kept;
 }
@@ -45,13 +46,13 @@ CheckedModel started_at(CheckedModel checked, const State& state) {
 
 /// Whether what was named moved by less than is told: a state that was printed meets the
 /// constraints but for its last digits.
-bool keeps_named(const Model& model, const Model& moved) {
+bool keeps_named(const Model& model, const StatedStart& stated, const Model& moved) {
   const Numbers from = stated_start(model);
   const Numbers to = stated_start(moved);
   for (std::size_t i = 0; i < from.size(); ++i) {
     const std::size_t q = model.coordinates.size();
-    const bool is_named =
-        i < q ? model.coordinates[i].is_start_named : model.velocities[i - q].is_start_named;
+    const bool is_named = i < q ? stated.coordinates.contains(model.coordinates[i].name)
+                                : stated.velocities.contains(model.velocities[i - q].name);
     if (is_named && is_visible_move(from[i], to[i])) return false;
   }
   return true;
@@ -64,7 +65,8 @@ Result<CheckedModel> assembled_model(const CheckedModel& checked, const cln::cl_
   if (model.constraints.empty()) return checked;
   State start = start_state(model, checked.scene);
   start.t = t;
-  const std::optional<Assembly> at = oracle_assembly(model, start, named_start(model));
+  const std::optional<Assembly> at =
+      oracle_assembly(model, start, named_start(model, checked.scene.stated));
   if (at && at->has_rates) return started_at(checked, at->state);
   const std::string quotient = at ? "" : quotient_hint(model, start);
   const std::optional<State> near = oracle_assembled(model, std::move(start));
@@ -75,7 +77,7 @@ Result<CheckedModel> assembled_model(const CheckedModel& checked, const cln::cl_
                       quotient.empty() ? start_elsewhere : quotient};
   }
   CheckedModel moved = started_at(checked, *near);
-  if (keeps_named(model, moved.model)) return moved;
+  if (keeps_named(model, checked.scene.stated, moved.model)) return moved;
   return Diagnostic{
       Code::E538,
       {},

@@ -1,6 +1,8 @@
 // Values at the state that options state: its leaves one kind after another, then the outputs.
 #include <algorithm>
 #include <iterator>
+#include <map>
+#include <string>
 #include <utility>
 
 #include "elgen/inspect.hpp"
@@ -15,14 +17,15 @@ namespace {
 using cln::cl_R;
 
 /// The leaves in `--state` of kinds that a start does not have.
-std::vector<StatedLeaf> stated_leaves(const Model& model, const State& start) {
+std::vector<StatedLeaf> stated_leaves(const CheckedModel& checked, const State& start) {
   constexpr LeafSet kinds =
       Opcode::acceleration | Opcode::momentum | Opcode::reference | Opcode::time | Opcode::step;
+  const std::map<std::string, cl_R>& stated = checked.scene.stated.others;
   std::vector<StatedLeaf> leaves;
   const auto add = [&](Opcode kind, std::uint32_t number, const cl_R& /*value*/) {
     if (!kinds.has_any(kind)) return;
-    const auto found = model.stated.find(leaf_text(model, kind, number));
-    if (found != model.stated.end()) leaves.push_back({kind, number, found->second});
+    const auto found = stated.find(leaf_text(checked.model, kind, number));
+    if (found != stated.end()) leaves.push_back({kind, number, found->second});
   };
   for_each_leaf(add, start);
   return leaves;
@@ -47,7 +50,7 @@ Result<State> stated_state(const CheckedModel& checked, const std::vector<Stated
 Result<ValueTable> state_values(const CheckedModel& checked, const StateOptions& options) {
   ValueTable table = table_of(checked, options.digits);
   const State start = start_state(checked.model, checked.scene);
-  const std::vector<StatedLeaf> leaves = stated_leaves(checked.model, start);
+  const std::vector<StatedLeaf> leaves = stated_leaves(checked, start);
   const auto time = std::ranges::find(leaves, Opcode::time, &StatedLeaf::kind);
   const cl_R& t = time == leaves.end() ? start.t : time->value;
   const Result<CheckedModel> from = options.projects ? assembled_model(checked, t) : checked;
