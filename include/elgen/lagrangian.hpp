@@ -253,19 +253,33 @@ struct Expansion {
   std::vector<SmallLeaf> small = {};
 };
 
+/// The source of a term of the energies.
+enum class EnergyOrigin : std::uint8_t {
+  energy,    ///< `[energy]`
+  spin,      ///< 1/2 w.I w of a body outside of frames
+  armature,  ///< 1/2 J v^2
+  mass,      ///< 1/2 m |dp/dt|^2 and -m gravity.p, written by specialise
+  momentum   ///< -1/2 w.v_c, written by specialise for `[routh]`
+};
+
+struct EnergyTerm {
+  GiNaC::ex value;
+  EnergyOrigin origin = EnergyOrigin::energy;
+};
+using EnergyTerms = std::vector<EnergyTerm>;
+
+[[nodiscard]] std::vector<GiNaC::ex> values_of(const EnergyTerms& terms);
+
 struct Lagrangian {
   Symbols symbols = {};
   LeafNames leaves = {};
   Definitions definitions = {};
   std::vector<PointMass> masses = {};
   std::optional<std::array<GiNaC::ex, 3>> gravity = {};
-  std::vector<GiNaC::ex> kinetic = {};      ///< further terms of T
-  std::size_t kinetic_of_bodies = 0;        ///< the first of them: 1/2 w.I w of bodies
-  std::size_t kinetic_of_armatures = 0;     ///< the last of them, or of L: 1/2 J v^2
-  std::vector<GiNaC::ex> potential = {};    ///< further terms of V
-  std::vector<GiNaC::ex> dissipation = {};  ///< terms of D
-  std::vector<GiNaC::ex> lagrangian =
-      {};  ///< terms of L where it is given whole; then the above are empty
+  EnergyTerms kinetic = {};      ///< further terms of T
+  EnergyTerms potential = {};    ///< further terms of V
+  EnergyTerms dissipation = {};  ///< terms of D
+  EnergyTerms lagrangian = {};  ///< terms of L instead of T and V, if the file or `[routh]` gives L
   std::vector<GiNaC::ex> forces = {};  ///< generalized force on each velocity, inputs included
   std::vector<PointForce> point_forces = {};
   /// The parts of these terms, for the regressor: J by velocity, 0 where there is none.

@@ -59,7 +59,7 @@ ex open_definition(Definitions& definitions, const ex& leaf, LeafSet depends) {
 std::optional<PotentialEquations> derive_potential(const Lagrangian& lagrangian, bool has_second) {
   if (lagrangian.potential.empty() || lagrangian.expansion) return std::nullopt;
   Derivation derivation(lagrangian);
-  const Terms& terms = lagrangian.potential;
+  const Terms terms = values_of(lagrangian.potential);
   const ex V = define(derivation.definitions, GiNaC::add(terms));
   const LeafSet depends = dependence(derivation.definitions, V);
   if (depends.has_any(Opcode::velocity) || !depends.has_any(Opcode::coordinate)) {
@@ -116,7 +116,7 @@ Lagrangian with_open_potential(Lagrangian lagrangian, const std::vector<ex>& var
     slopes.emplace_back(variables[i], open_definition(definitions, leaves[i], depends));
     definitions.list.back().slopes = std::move(seconds[i]);
   }
-  lagrangian.potential = {open_definition(definitions, V, depends)};
+  lagrangian.potential = {{open_definition(definitions, V, depends)}};
   definitions.list.back().slopes = std::move(slopes);
   return lagrangian;
 }

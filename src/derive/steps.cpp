@@ -80,11 +80,9 @@ class StepByStep {
   }
 
   /// Points and bodies come first, as one summand; a sum without terms is 0.
-  [[nodiscard]] Terms summands(const ex& of_masses, const Terms& typed, std::size_t of_bodies) {
-    const auto first =
-        typed.begin() + static_cast<std::ptrdiff_t>(std::min(of_bodies, typed.size()));
-    Terms result{of_masses + GiNaC::add(GiNaC::exvector(typed.begin(), first))};
-    result.insert(result.end(), first, typed.end());
+  [[nodiscard]] Terms summands(const ex& of_masses, const Terms& others) {
+    Terms result{of_masses};
+    result.insert(result.end(), others.begin(), others.end());
     std::erase_if(result, [](const ex& term) { return term.is_zero(); });
     if (result.empty()) result.emplace_back(0);
     for (ex& term : result) term = define(derivation_.definitions, term);
@@ -94,12 +92,18 @@ class StepByStep {
   void add_energies() {
     const Lagrangian& all = derivation_.lagrangian;
     if (is_whole_) {
-      summands_ = summands(0, all.lagrangian, 0);
+      summands_ = summands(0, values_of(all.lagrangian));
       add("energies", {field_of("L", summands_)});
       return;
     }
-    summands_ = summands(kinetic_energy_of_masses(derivation_), all.kinetic, all.kinetic_of_bodies);
-    const Terms potential = summands(weight_of_masses(derivation_), all.potential, 0);
+    const ex of_masses = kinetic_energy_of_masses(derivation_);
+    GiNaC::exvector spins;
+    Terms others;
+    for (const auto& [value, origin] : all.kinetic) {
+      (origin == EnergyOrigin::spin ? spins : others).push_back(value);
+    }
+    summands_ = summands(of_masses + GiNaC::add(spins), others);
+    const Terms potential = summands(weight_of_masses(derivation_), values_of(all.potential));
     add("energies", {field_of("T", summands_), field_of("V", potential)});
     for (const ex& term : potential) summands_.push_back(-term);
   }
@@ -113,8 +117,8 @@ class StepByStep {
       rates.push_back(turning_force(derivation_, momenta_.back()));
     }
     std::vector<Vector> dissipation;
-    for (const ex& term : derivation_.lagrangian.dissipation) {
-      dissipation.push_back(derivation_.by_velocity({{term, 1}}));
+    for (const EnergyTerm& term : derivation_.lagrangian.dissipation) {
+      dissipation.push_back(derivation_.by_velocity({{term.value, 1}}));
     }
     const Vector force = applied_force(derivation_, InputForces::acting);
     const Vector held = constraint_force(derivation_, derivation_.symbols.multipliers);

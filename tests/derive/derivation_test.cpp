@@ -58,8 +58,8 @@ TEST_CASE("graded energies add up to T and V beside the point masses, and have t
     }
     CHECK(s.agree(total, expected));
   };
-  check(kinetic, whole(s.source.kinetic));
-  check(potential, whole(s.source.potential));
+  check(kinetic, whole(values_of(s.source.kinetic)));
+  check(potential, whole(values_of(s.source.potential)));
   CHECK_FALSE(graded.kinetic1.empty());
 }
 

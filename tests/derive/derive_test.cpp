@@ -115,7 +115,7 @@ m = 2
 L = "1/2*m*dot(x)^2"
 )toml"));
   Lagrangian lagrangian = *formulate(checked.model);
-  lagrangian.lagrangian.push_back(1 / lagrangian.symbols.v[0]);
+  lagrangian.lagrangian.push_back({1 / lagrangian.symbols.v[0]});
   const auto equations = derive(lagrangian, {request(checked, OutputKind::gravity)}, {});
   REQUIRE_FALSE(equations);
   CHECK(equations.diagnostics.front().code == Code::E313);

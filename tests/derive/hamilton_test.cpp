@@ -109,7 +109,7 @@ TEST_CASE("momenta of a free top turn in its axes: dp/dt = p x w") {
   const GiNaC::numeric inertias[] = {2, 3, 5};
   for (std::size_t i = 0; i < 3; ++i) {
     const ex& w = lagrangian->symbols.v[i];
-    lagrangian->kinetic.push_back(inertias[i] * w * w / 2);
+    lagrangian->kinetic.push_back({inertias[i] * w * w / 2});
   }
   Derivation derivation(*lagrangian);
   const std::vector<ex>& p = derivation.symbols.momenta;

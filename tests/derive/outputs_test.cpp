@@ -122,7 +122,7 @@ TEST_CASE("forces with and without inputs") {
 TEST_CASE("dissipation is the gradient of D by the rates") {
   Derived s(everything_text());
   const Vector force = dissipation(s.derivation);
-  const GiNaC::ex D = s.textbook.out(s.source.dissipation.front());
+  const GiNaC::ex D = s.textbook.out(s.source.dissipation.front().value);
   CHECK(s.agree(force[0], Textbook::by(D, s.source.symbols.v[0])));
   CHECK(force[1].is_zero());
 }

@@ -116,9 +116,9 @@ class Textbook {
   }
 
  private:
-  [[nodiscard]] GiNaC::ex sum(const std::vector<GiNaC::ex>& terms) const {
+  [[nodiscard]] GiNaC::ex sum(const EnergyTerms& terms) const {
     GiNaC::ex result = 0;
-    for (const GiNaC::ex& term : terms) result += out(term);
+    for (const EnergyTerm& term : terms) result += out(term.value);
     return result;
   }
 

@@ -23,7 +23,7 @@ Lagrangian top() {
   const std::vector<ex> v = lagrangian->symbols.v;
   for (std::size_t i = 0; i < 3; ++i) {
     const int inertia = i == 0 ? 2 : i == 1 ? 3 : 5;
-    lagrangian->kinetic.push_back(GiNaC::numeric(inertia, 2) * v[i] * v[i]);
+    lagrangian->kinetic.push_back({GiNaC::numeric(inertia, 2) * v[i] * v[i]});
   }
   return std::move(*lagrangian);
 }

@@ -91,13 +91,14 @@ void add_rotation(const Body& body, Entity origin, Translation& translation,
     const std::string axis = body.spin.size() == 1 ? "" : axes[spin.size()];
     spin.push_back(translation.named(id, body.identifier + "_spin" + axis, origin));
   }
-  auto& kinetic = lagrangian.kinetic;
-  for (std::size_t i = 0; i < spin.size(); ++i)
-    kinetic.push_back(half * inertia[i] * spin[i] * spin[i]);
+  const auto add = [&](const ex& term) {
+    lagrangian.kinetic.push_back({term, EnergyOrigin::spin});
+  };
+  for (std::size_t i = 0; i < spin.size(); ++i) add(half * inertia[i] * spin[i] * spin[i]);
   if (inertia.size() == 6) {
-    kinetic.push_back(inertia[3] * spin[0] * spin[1]);
-    kinetic.push_back(inertia[4] * spin[0] * spin[2]);
-    kinetic.push_back(inertia[5] * spin[1] * spin[2]);
+    add(inertia[3] * spin[0] * spin[1]);
+    add(inertia[4] * spin[0] * spin[2]);
+    add(inertia[5] * spin[1] * spin[2]);
   }
   lagrangian.turning_bodies.push_back({std::move(spin), std::move(inertia), origin});
 }
@@ -173,9 +174,8 @@ void add_armatures(const Model& model, Translation& translation, Lagrangian& lag
     if (!coordinate.armature) continue;
     const ex rate = lagrangian.symbols.v[coordinate.velocity];
     const ex armature = translation.value(*coordinate.armature);
-    kinetic.push_back(half * armature * rate * rate);
+    kinetic.push_back({half * armature * rate * rate, EnergyOrigin::armature});
     lagrangian.armatures[coordinate.velocity] = armature;
-    ++lagrangian.kinetic_of_armatures;
   }
 }
 
@@ -236,19 +236,18 @@ class Formulation {
       }
       add_rotation(body, origin, translation_, lagrangian_);
     }
-    lagrangian_.kinetic_of_bodies = lagrangian_.kinetic.size();
   }
 
   /// The terms of a sum, each small.
-  void add_terms(std::optional<ExpressionId> energy, std::vector<ex>& terms) {
+  void add_terms(std::optional<ExpressionId> energy, EnergyTerms& terms) {
     if (!energy) return;
     const Expression& expression = model_.expressions[*energy];
     if (expression.kind != ExpressionKind::add) {
-      terms.push_back(translation_.value(*energy));
+      terms.push_back({translation_.value(*energy)});
       return;
     }
     for (const ExpressionId operand : expression.operands)
-      terms.push_back(translation_.value(operand));
+      terms.push_back({translation_.value(operand)});
   }
 
   void add_energies() {
@@ -324,6 +323,12 @@ class Formulation {
 };
 
 }  // namespace
+
+std::vector<ex> values_of(const EnergyTerms& terms) {
+  std::vector<ex> values;
+  for (const EnergyTerm& term : terms) values.push_back(term.value);
+  return values;
+}
 
 Result<Lagrangian> formulate(const Model& model) {
   Result<Lagrangian> lagrangian = Formulation(whole_of(model)).build();

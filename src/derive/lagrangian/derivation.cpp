@@ -103,6 +103,10 @@ std::vector<Weighted> weighted(const Terms& terms, int weight) {
   return result;
 }
 
+std::vector<Weighted> weighted(const EnergyTerms& terms, int weight) {
+  return weighted(values_of(terms), weight);
+}
+
 void append(std::vector<Weighted>& to, const std::vector<Weighted>& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
@@ -155,19 +159,19 @@ const GradedEnergies& Derivation::graded() {
   if (graded_) return *graded_;
   GradedEnergies energies;
   RateGrades grades(definitions, symbols.v);
-  for (const ex& term : lagrangian.kinetic) {
-    const auto parts = grades(term);
+  for (const EnergyTerm& term : lagrangian.kinetic) {
+    const auto parts = grades(term.value);
     append_nonzero(energies.kinetic0, parts[0]);
     append_nonzero(energies.kinetic1, parts[1]);
     append_nonzero(energies.kinetic2, parts[2]);
   }
-  for (const ex& term : lagrangian.potential) {
-    const auto parts = grades(term);
+  for (const EnergyTerm& term : lagrangian.potential) {
+    const auto parts = grades(term.value);
     append_nonzero(energies.potential0, parts[0]);
     append_nonzero(energies.potential1, parts[1]);
   }
-  for (const ex& term : lagrangian.lagrangian) {
-    const auto parts = grades(term);
+  for (const EnergyTerm& term : lagrangian.lagrangian) {
+    const auto parts = grades(term.value);
     append_nonzero(energies.potential0, -parts[0]);
     append_nonzero(energies.potential1, -parts[1]);
     append_nonzero(energies.kinetic2, parts[2]);

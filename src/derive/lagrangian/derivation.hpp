@@ -94,6 +94,7 @@ std::vector<Weighted> Derivation::on_masses(const Force& force) {
 
 /// `terms` with one weight for all.
 [[nodiscard]] std::vector<Weighted> weighted(const Terms& terms, int weight);
+[[nodiscard]] std::vector<Weighted> weighted(const EnergyTerms& terms, int weight);
 
 void append(std::vector<Weighted>& to, const std::vector<Weighted>& from);
 

@@ -45,7 +45,7 @@ GiNaC::exvector kinetic_terms(Derivation& derivation) {
   GiNaC::exvector terms;
   append_squares(terms, derivation, derivation.coasting, 1);
   const bool whole = !derivation.lagrangian.lagrangian.empty();
-  append(terms, whole ? derivation.graded().kinetic2 : derivation.lagrangian.kinetic, 1);
+  append(terms, whole ? derivation.graded().kinetic2 : values_of(derivation.lagrangian.kinetic), 1);
   return terms;
 }
 
@@ -96,7 +96,7 @@ ex energy_function(Derivation& derivation) {
     for (std::size_t i = 0; i < momentum.size(); ++i) {
       terms.push_back(derivation.symbols.v[i] * momentum[i]);
     }
-    append(terms, derivation.lagrangian.lagrangian, -1);
+    append(terms, values_of(derivation.lagrangian.lagrangian), -1);
     return GiNaC::add(terms);
   }
   append_squares(terms, derivation, derivation.frozen, 1);

@@ -3,6 +3,7 @@
 // alone.
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -15,30 +16,36 @@ using GiNaC::ex;
 
 namespace {
 
-/// The Lagrangian without terms of inertial parameters; those that are parameters of the model
-/// still stand in it.
-Lagrangian without_inertia(const Lagrangian& lagrangian) {
-  Lagrangian rest = lagrangian;
-  rest.masses.clear();
-  rest.tree.bodies.clear();
-  auto& kinetic = rest.lagrangian.empty() ? rest.kinetic : rest.lagrangian;
-  kinetic.resize(kinetic.size() - rest.kinetic_of_armatures);
-  const auto of_bodies = static_cast<std::ptrdiff_t>(rest.kinetic_of_bodies);
-  rest.kinetic.erase(rest.kinetic.begin(), rest.kinetic.begin() + of_bodies);
-  return rest;
+/// The variables and frames of a Lagrangian, without energies and forces.
+Lagrangian motion_of(const Lagrangian& all) {
+  Lagrangian motion;
+  motion.symbols = all.symbols;
+  motion.leaves = all.leaves;
+  motion.gravity = all.gravity;
+  motion.tree.steps = all.tree.steps;
+  motion.forces.assign(all.forces.size(), 0);
+  motion.quadratic = all.quadratic;
+  return motion;
 }
 
-/// The same without all other energies and forces.
-Lagrangian nothing_of(const Lagrangian& lagrangian) {
-  Lagrangian nothing = without_inertia(lagrangian);
-  nothing.kinetic.clear();
-  nothing.potential.clear();
-  nothing.dissipation.clear();
-  nothing.lagrangian.clear();
-  std::fill(nothing.forces.begin(), nothing.forces.end(), 0);
-  nothing.point_forces.clear();
-  nothing.tree.wrenches.clear();
-  return nothing;
+/// Adds the energies of `[energy]`, which are no terms of bodies, points and armatures.
+void add_stated_energies(const Lagrangian& all, Lagrangian& to) {
+  const auto add = [](const EnergyTerms& terms, EnergyTerms& stated) {
+    std::ranges::copy_if(
+        terms, std::back_inserter(stated),
+        [](EnergyOrigin origin) { return origin == EnergyOrigin::energy; }, &EnergyTerm::origin);
+  };
+  add(all.kinetic, to.kinetic);
+  add(all.potential, to.potential);
+  add(all.lagrangian, to.lagrangian);
+}
+
+/// Adds friction and forces.
+void add_forces(const Lagrangian& all, Lagrangian& to) {
+  to.dissipation = all.dissipation;
+  to.forces = all.forces;
+  to.point_forces = all.point_forces;
+  to.tree.wrenches = all.tree.wrenches;
 }
 
 /// The inverse dynamics of another Lagrangian over the definitions of a derivation.
@@ -191,11 +198,11 @@ class RegressorColumns {
     if (const auto* const body = entry_of(all.tree.bodies, parameter)) {
       return of_body(unit_body(*body, parameter));
     }
-    Lagrangian unit = nothing_of(all);
+    Lagrangian unit = motion_of(all);
     const auto* const turning = entry_of(all.turning_bodies, parameter);
     const auto* const mass = entry_of(all.masses, parameter);
     if (!parameter.is_mass() && turning != nullptr) {
-      unit.kinetic.push_back(unit_energy(*turning, parameter.component));
+      unit.kinetic.push_back({unit_energy(*turning, parameter.component), EnergyOrigin::spin});
     } else if (mass != nullptr) {
       unit.masses = {{1, mass->position, mass->origin}};
     }
@@ -229,16 +236,17 @@ class RegressorColumns {
 
   /// Forces of everything but inertial parameters; friction is that of the reference velocity.
   Vector other_forces() {
-    Lagrangian others = without_inertia(derivation_.lagrangian);
-    if (!polar_) return forces_of(derivation_, std::move(others));
+    const Lagrangian& all = derivation_.lagrangian;
+    Lagrangian others = motion_of(all);
+    add_stated_energies(all, others);
+    if (!polar_) {
+      add_forces(all, others);
+      return forces_of(derivation_, std::move(others));
+    }
     Substitution at_reference(derivation_.definitions, reference_seeds(derivation_.symbols));
     const Vector friction =
         substituted(at_reference, derivation_.definitions, dissipation(derivation_));
     const Vector applied = applied_force(derivation_);
-    others.dissipation.clear();
-    std::fill(others.forces.begin(), others.forces.end(), 0);
-    others.point_forces.clear();
-    others.tree.wrenches.clear();
     Vector forces = polarised(forces_of(derivation_, std::move(others)));
     forces = plus(std::move(forces), friction);
     forces = plus(std::move(forces), negative(applied));

@@ -98,7 +98,7 @@ Lagrangian expanded(Lagrangian lagrangian) {
   TaylorSeries one_more(lagrangian.definitions, expansion.small, expansion.order + 1);
   for (auto* terms : {&lagrangian.kinetic, &lagrangian.potential, &lagrangian.dissipation,
                       &lagrangian.lagrangian}) {
-    for (ex& term : *terms) term = one_more(term);
+    for (EnergyTerm& term : *terms) term.value = one_more(term.value);
   }
   TaylorSeries of_small(lagrangian.definitions, expansion.small, expansion.order);
   for (std::size_t i = 0; i < lagrangian.forces.size(); ++i) {

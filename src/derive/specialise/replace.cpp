@@ -23,6 +23,7 @@ class Replacing {
     (*this)(mass.mass);
     (*this)(mass.position);
   }
+  void operator()(EnergyTerm& term) { (*this)(term.value); }
   void operator()(TurningBody& body) {
     (*this)(body.spin);
     (*this)(body.inertia);

@@ -41,9 +41,9 @@ std::vector<ex> eliminated(Definitions& definitions, std::vector<ex> a, std::vec
 
 /// The terms of L, and those of T and V as such.
 void join_energies(Lagrangian& lagrangian) {
-  std::vector<ex>& whole = lagrangian.lagrangian;
-  for (const ex& term : lagrangian.kinetic) whole.push_back(term);
-  for (const ex& term : lagrangian.potential) whole.push_back(-term);
+  EnergyTerms& whole = lagrangian.lagrangian;
+  for (const EnergyTerm& term : lagrangian.kinetic) whole.push_back(term);
+  for (const auto& [value, origin] : lagrangian.potential) whole.push_back({-value, origin});
   lagrangian.kinetic.clear();
   lagrangian.potential.clear();
 }
@@ -61,7 +61,7 @@ CyclicEquations cyclic_equations(Lagrangian& lagrangian, const Seeds& standing) 
     rates.push_back(lagrangian.symbols.v[cyclic.velocity]);
   }
   std::vector<Weighted> terms;
-  for (const ex& term : lagrangian.lagrangian) terms.push_back({term, 1});
+  for (const EnergyTerm& term : lagrangian.lagrangian) terms.push_back({term.value, 1});
   const std::vector<ex> momenta = gradient(definitions, terms, rates);
   Substitution at_rest(definitions, standing);
   CyclicEquations equations;
@@ -91,7 +91,7 @@ void routh(Lagrangian& lagrangian) {
   std::vector<ex> rates = eliminated(lagrangian.definitions, equations.mass, equations.excess);
   remove_variables(lagrangian, lagrangian.cyclic, standing);
   for (std::size_t i = 0; i < rates.size(); ++i) {
-    lagrangian.lagrangian.push_back(-equations.excess[i] * rates[i] / 2);
+    lagrangian.lagrangian.push_back({-equations.excess[i] * rates[i] / 2, EnergyOrigin::momentum});
   }
   lagrangian.cyclic_rates = std::move(rates);
 }

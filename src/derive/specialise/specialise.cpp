@@ -66,10 +66,11 @@ std::optional<Problem> problem_of(const Step& step, Lagrangian& lagrangian) {
     if (is_complex(list[i].value)) return complex;
   }
   // Small terms are no definitions.
-  for (const auto* terms : {&lagrangian.kinetic, &lagrangian.potential, &lagrangian.dissipation,
-                            &lagrangian.lagrangian, &lagrangian.forces}) {
-    if (std::any_of(terms->begin(), terms->end(), is_complex)) return complex;
+  for (const EnergyTerms* const terms : {&lagrangian.kinetic, &lagrangian.potential,
+                                         &lagrangian.dissipation, &lagrangian.lagrangian}) {
+    if (std::ranges::any_of(*terms, is_complex, &EnergyTerm::value)) return complex;
   }
+  if (std::ranges::any_of(lagrangian.forces, is_complex)) return complex;
   return std::nullopt;
 }
 

@@ -21,8 +21,9 @@ void add_masses(Lagrangian& lagrangian, Tangent& velocity) {
       squares.push_back(rate * rate);
       if (lagrangian.gravity) heights.push_back((*lagrangian.gravity)[axis] * at);
     }
-    lagrangian.kinetic.push_back(mass.mass * GiNaC::add(squares) / 2);
-    if (lagrangian.gravity) lagrangian.potential.push_back(-mass.mass * GiNaC::add(heights));
+    lagrangian.kinetic.push_back({mass.mass * GiNaC::add(squares) / 2, EnergyOrigin::mass});
+    if (!lagrangian.gravity) continue;
+    lagrangian.potential.push_back({-mass.mass * GiNaC::add(heights), EnergyOrigin::mass});
   }
   lagrangian.masses.clear();
   lagrangian.gravity.reset();

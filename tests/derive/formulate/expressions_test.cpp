@@ -29,7 +29,7 @@ V = "E*()toml" + text + ")\"\n"))
   REQUIRE(result);
   lagrangian = *result;
   ex sum = 0;
-  for (const ex& term : lagrangian.potential) sum += term;
+  for (const EnergyTerm& term : lagrangian.potential) sum += term.value;
   return written_out(lagrangian.definitions, sum) / lagrangian.symbols.parameters[1];
 }
 

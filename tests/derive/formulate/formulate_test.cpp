@@ -54,8 +54,9 @@ TEST_CASE("bodies add 1/2 w.I w with products of inertia as tensor entries") {
   REQUIRE(lagrangian);
   CHECK(lagrangian->masses.empty());
   ex kinetic = 0;
-  for (const ex& term : lagrangian->kinetic) {
-    kinetic += written_out(lagrangian->definitions, term);
+  for (const EnergyTerm& term : lagrangian->kinetic) {
+    CHECK(term.origin == EnergyOrigin::spin);
+    kinetic += written_out(lagrangian->definitions, term.value);
   }
   const Symbols& s = lagrangian->symbols;
   const ex& theta = s.q[1];
@@ -76,7 +77,8 @@ TEST_CASE("an armature adds 1/2 J v^2, and forces keep their inputs") {
   REQUIRE(lagrangian);
   const Symbols& s = lagrangian->symbols;
   const ex rate = s.v[1];
-  CHECK(lagrangian->kinetic.back().is_equal(s.parameters[1] * rate * rate / 2));
+  CHECK(lagrangian->kinetic.back().origin == EnergyOrigin::armature);
+  CHECK(lagrangian->kinetic.back().value.is_equal(s.parameters[1] * rate * rate / 2));
   CHECK(lagrangian->point_forces.size() == 2);
   CHECK(lagrangian->point_forces[0].force[0].is_equal(-lagrangian->point_forces[1].force[0]));
   CHECK(lagrangian->forces[0].is_equal(s.u[1]));

@@ -25,8 +25,8 @@ struct Expanded {
 Expanded energies(const std::string& model, const std::string& lines) {
   const CheckedModel checked = approximated(model, lines);
   Expanded result{*specialise(*formulate(checked.model), checked), 0, 0, 0};
-  const auto sum = [&](const std::vector<ex>& terms) {
-    return written_out(result.lagrangian.definitions, GiNaC::add(terms)).expand();
+  const auto sum = [&](const EnergyTerms& terms) {
+    return written_out(result.lagrangian.definitions, GiNaC::add(values_of(terms))).expand();
   };
   result.kinetic = sum(result.lagrangian.kinetic);
   result.potential = sum(result.lagrangian.potential);
@@ -142,6 +142,10 @@ TEST_CASE("point masses, weights and forces at points become terms") {
   CHECK(e.lagrangian.masses.empty());
   CHECK(e.lagrangian.point_forces.empty());
   CHECK_FALSE(e.lagrangian.gravity);
+  for (const EnergyTerms& terms : {e.lagrangian.kinetic, e.lagrangian.potential}) {
+    REQUIRE(terms.size() == 2);
+    for (const EnergyTerm& term : terms) CHECK(term.origin == EnergyOrigin::mass);
+  }
   const Symbols& s = e.lagrangian.symbols;
   const ex& big = s.parameters[0];
   const ex& m = s.parameters[1];

@@ -36,9 +36,9 @@ std::string text_of(const Lagrangian& lagrangian) {
     for (const GiNaC::ex& component : mass.position) text += " " + print(component);
     text += "\n";
   }
-  for (const auto* terms :
-       {&lagrangian.kinetic, &lagrangian.potential, &lagrangian.dissipation, &lagrangian.forces}) {
-    for (const GiNaC::ex& term : *terms) text += print(term) + "\n";
+  for (const auto& terms : {values_of(lagrangian.kinetic), values_of(lagrangian.potential),
+                            values_of(lagrangian.dissipation), lagrangian.forces}) {
+    for (const GiNaC::ex& term : terms) text += print(term) + "\n";
   }
   return text;
 }
@@ -93,9 +93,9 @@ TEST_CASE("every part of a Lagrangian is specialised") {
     look({mass.mass, mass.position[0], mass.position[1], mass.position[2]});
   }
   look({(*lagrangian.gravity)[0], (*lagrangian.gravity)[1]});
-  look(lagrangian.kinetic);
-  look(lagrangian.potential);
-  look(lagrangian.dissipation);
+  look(values_of(lagrangian.kinetic));
+  look(values_of(lagrangian.potential));
+  look(values_of(lagrangian.dissipation));
   look(lagrangian.forces);
   for (const PointForce& force : lagrangian.point_forces) {
     look({force.position[0], force.position[1], force.force[0], force.force[1]});
