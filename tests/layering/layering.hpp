@@ -31,7 +31,7 @@ using Includes = std::map<std::string, std::vector<std::string>>;
 [[nodiscard]] SourceTree read_tree(const std::filesystem::path& root);
 
 /// The folder or room a file stands in: "check" of src/check/check.cpp, "check/names" of
-/// src/check/names/symbols.cpp, "pipeline" of src/pipeline.cpp.
+/// src/check/names/symbols.cpp.
 [[nodiscard]] std::string room_of(const std::string& path);
 [[nodiscard]] std::string folder_of(const std::string& room);
 
