@@ -27,6 +27,16 @@
 
 namespace elgen {
 
+/// The arguments of an analysis. Each analysis lists the outputs that it needs.
+struct AnalysisInput {
+  const CheckedModel& checked;
+  const Program& recursive;  ///< the functions of these outputs
+  /// An [[equilibrium]] of the model, or with an empty name the start of the coordinates: the only
+  /// point that is analysed. None: all equilibria.
+  const std::optional<std::string>& about;
+  const Limits& limits;
+};
+
 /// Where a coordinate is looked for.
 enum class SearchKind : std::uint8_t {
   none,   ///< the equations at rest, at these parameters, do not hold it: it is any number
@@ -119,22 +129,17 @@ struct Equilibria {
   std::uint64_t starts = 0;  ///< of iterations
   std::string limit = {};    ///< that ended the search: "enclosures=420000000"
   std::vector<cln::cl_R> inputs = {};
+  bool is_given = false;  ///< the input named the only point; the others are not looked for
 };
 
-/// The functions that analysis needs of a model: their requests.
-[[nodiscard]] std::vector<OutputRequest> outputs_of_analysis(const Model& model);
+/// The requests of the functions that equilibria need of a model.
+[[nodiscard]] std::vector<OutputRequest> outputs_of_equilibria(const Model& model);
 
-/// All equilibria at the values of the parameters that the scene has and at which M is regular;
-/// `recursive` has the functions of outputs_of_analysis. Inputs are 0, or at their laws. E530,
-/// E531. Cost: at most limits.boxes boxes, and limits.enclosures.
-[[nodiscard]] Result<Equilibria> find_equilibria(const CheckedModel& checked,
-                                                 const Program& recursive, const Limits& limits);
-
-/// An [[equilibrium]] of the model, or where the name is empty the point at which the coordinates
-/// start, as the only one; the others are not looked for. E201; E532: the forces do not balance
-/// there.
-[[nodiscard]] Result<Equilibria> equilibrium_at(const CheckedModel& checked,
-                                                const Program& recursive, const std::string& name);
+/// All equilibria at the values of the parameters that the scene has and at which M is regular, or
+/// the given point; `recursive` has the functions of outputs_of_equilibria. Inputs are 0, or at
+/// their laws. E530, E531; of a given point E201, and E532: the forces do not balance there. Cost:
+/// at most limits.boxes boxes, and limits.enclosures.
+[[nodiscard]] Result<Equilibria> find_equilibria(const AnalysisInput& input);
 
 /// A motion x = shape sin(w t + phase) about a point of rest, or for w^2 < 0 one that grows.
 struct NormalMode {
@@ -153,11 +158,10 @@ struct LinearMotions {
   std::size_t controllable = 0;  ///< least rank of [A - pole 1, B]: 2n where u reaches all states
 };
 
-/// Motions about the given points, or with `stable` about the stable ones among them. E532: no
-/// point is; E533: M has no inverse.
+/// Motions about the given point, or about the stable equilibria. E532: no equilibrium is known to
+/// be stable; E533: M has no inverse.
 [[nodiscard]] Result<std::vector<LinearMotions>> linear_motions(const CheckedModel& checked,
-                                                                const Equilibria& equilibria,
-                                                                bool stable);
+                                                                const Equilibria& equilibria);
 
 /// The sort of a symmetry.
 enum class SymmetryKind : std::uint8_t {
@@ -206,8 +210,7 @@ struct Symmetries {
 /// has the functions of outputs_of_symmetries. E910: the class has more than 500 unknowns.
 /// Cost: 3 n + 1 derivatives of R; closed forms within budgets of 4e6 term products, samples at up
 /// to four sets of parameters.
-[[nodiscard]] Result<Symmetries> find_symmetries(const CheckedModel& checked,
-                                                 const Program& recursive);
+[[nodiscard]] Result<Symmetries> find_symmetries(const AnalysisInput& input);
 
 /// The evidence for a claim.
 enum class ClaimStatus : std::uint8_t {

@@ -14,10 +14,9 @@
 #include <string>
 #include <vector>
 
+#include "elgen/analyse.hpp"
 #include "elgen/diagnostic.hpp"
 #include "elgen/inertial_parameters.hpp"
-#include "elgen/program.hpp"
-#include "elgen/scene.hpp"
 
 namespace elgen {
 
@@ -49,7 +48,6 @@ struct BaseParameters {
 /// over a field of 2^521 - 1 elements, in which the rank is exact; where a constant is neither
 /// rational nor the sine of a multiple of pi/2, numbers have 160 digits. E603 where the model has
 /// no regressor; E521 where no state has a value.
-[[nodiscard]] Result<BaseParameters> find_base_parameters(const CheckedModel& checked,
-                                                          const Program& recursive);
+[[nodiscard]] Result<BaseParameters> find_base_parameters(const AnalysisInput& input);
 
 }  // namespace elgen

@@ -166,8 +166,9 @@ std::vector<OutputRequest> outputs_of_base_parameters(const Model& model) {
   return available_requests(model, {OutputKind::regressor});
 }
 
-Result<BaseParameters> find_base_parameters(const CheckedModel& checked, const Program& recursive) {
-  const Function* const regressor = find_function(recursive, OutputKind::regressor);
+Result<BaseParameters> find_base_parameters(const AnalysisInput& input) {
+  const CheckedModel& checked = input.checked;
+  const Function* const regressor = find_function(input.recursive, OutputKind::regressor);
   if (regressor == nullptr) {
     Report report;
     (void)require_request(checked.model, "regressor", checked.model.name_span, report);
@@ -175,10 +176,10 @@ Result<BaseParameters> find_base_parameters(const CheckedModel& checked, const P
   }
   BaseParameters found{inertial_parameters(checked.model)};
   found.states = states_for(checked.model.velocities.size(), found.parameters.size());
-  const bool is_found =
-      find_by_residues(checked, recursive, *regressor, found) || with_digits(more_digits, [&] {
-        return find_by_samples(checked, recursive, *regressor, found);
-      });
+  const bool is_found = find_by_residues(checked, input.recursive, *regressor, found) ||
+                        with_digits(more_digits, [&] {
+                          return find_by_samples(checked, input.recursive, *regressor, found);
+                        });
   if (!is_found) {
     return Diagnostic{
         Code::E521, checked.model.name_span,

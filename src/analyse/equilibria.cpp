@@ -73,6 +73,7 @@ class EquilibriumSearch {
       roots_.emplace_back().roots.push_back(values_at_start(system, block));
     }
     result_.completeness = Completeness::searched;
+    result_.is_given = true;
     if (Diagnostics errors = make_points(system); !errors.empty()) return errors;
     name_free_coordinates(result_.points.front());
     return std::move(result_);
@@ -356,10 +357,11 @@ Result<State> state_at(const CheckedModel& checked, const std::string& name) {
   return Diagnostic{Code::E532, found->span, "the point has no value at these parameters"};
 }
 
-Result<EquilibriumSearch> search_of(const CheckedModel& checked, const Program& recursive,
-                                    const Result<State>& state) {
+Result<EquilibriumSearch> search_of(const AnalysisInput& input) {
+  const CheckedModel& checked = input.checked;
+  const Result<State> state = input.about ? state_at(checked, *input.about) : start_of(checked);
   if (!state) return state.diagnostics;
-  Program moving = written(recursive, Reader::code);  // contains no cancelled leaf
+  Program moving = written(input.recursive, Reader::code);  // contains no cancelled leaf
   Result<RestProgram> rest = rest_program(moving, state->u);
   if (!rest) return rest.diagnostics;
   return EquilibriumSearch(checked, std::move(moving), std::move(*rest), *state);
@@ -367,25 +369,17 @@ Result<EquilibriumSearch> search_of(const CheckedModel& checked, const Program& 
 
 }  // namespace
 
-std::vector<OutputRequest> outputs_of_analysis(const Model& model) {
+std::vector<OutputRequest> outputs_of_equilibria(const Model& model) {
   return available_requests(
       model, {OutputKind::mass_matrix, OutputKind::potential_energy, OutputKind::dissipation,
               OutputKind::applied_force, OutputKind::bias, OutputKind::energy_function,
               OutputKind::input_matrix});
 }
 
-Result<Equilibria> find_equilibria(const CheckedModel& checked, const Program& recursive,
-                                   const Limits& limits) {
-  Result<EquilibriumSearch> search = search_of(checked, recursive, start_of(checked));
+Result<Equilibria> find_equilibria(const AnalysisInput& input) {
+  Result<EquilibriumSearch> search = search_of(input);
   if (!search) return search.diagnostics;
-  return (*search)(limits);
-}
-
-Result<Equilibria> equilibrium_at(const CheckedModel& checked, const Program& recursive,
-                                  const std::string& name) {
-  Result<EquilibriumSearch> search = search_of(checked, recursive, state_at(checked, name));
-  if (!search) return search.diagnostics;
-  return search->at_start();
+  return input.about ? search->at_start() : (*search)(input.limits);
 }
 
 }  // namespace elgen

@@ -354,10 +354,10 @@ StabilityVerdict stability_of(const RestPoint& point, const RestConditions& cond
 }
 
 Result<std::vector<LinearMotions>> linear_motions(const CheckedModel& checked,
-                                                  const Equilibria& equilibria, bool stable) {
+                                                  const Equilibria& equilibria) {
   std::vector<LinearMotions> result;
   for (const RestPoint& point : equilibria.points) {
-    if (stable && !is_stable(point.stability.kind)) continue;
+    if (!equilibria.is_given && !is_stable(point.stability.kind)) continue;
     if (!is_positive_definite(point.mass)) {
       return Diagnostic{Code::E533, checked.model.name_span,
                         "the mass matrix is singular at this equilibrium"};

@@ -363,7 +363,8 @@ std::vector<OutputRequest> outputs_of_symmetries(const Model& model) {
               OutputKind::inverse_dynamics});
 }
 
-Result<Symmetries> find_symmetries(const CheckedModel& checked, const Program& recursive) {
+Result<Symmetries> find_symmetries(const AnalysisInput& input) {
+  const CheckedModel& checked = input.checked;
   const std::size_t unknowns = GeneratorClass(checked.model).size();
   if (unknowns > most_unknowns) {
     return Diagnostic{Code::E910,
@@ -371,7 +372,7 @@ Result<Symmetries> find_symmetries(const CheckedModel& checked, const Program& r
                       fmt::format("symmetries of {} velocities have {} unknowns, more than {}",
                                   checked.model.velocities.size(), unknowns, most_unknowns)};
   }
-  return {SymmetrySearch(checked, recursive)(), {}};
+  return {SymmetrySearch(checked, input.recursive)(), {}};
 }
 
 }  // namespace elgen

@@ -208,10 +208,9 @@ Result<Choice> chosen(const Lagrangian& lagrangian, const Program& recursive,
 Result<Equilibria> equilibria(const Lagrangian& lagrangian, const CheckedModel& checked,
                               const std::optional<std::string>& about, const Limits& limits) {
   const Result<Program> moving =
-      recursive_program(lagrangian, outputs_of_analysis(checked.model), limits);
+      recursive_program(lagrangian, outputs_of_equilibria(checked.model), limits);
   if (!moving) return moving.diagnostics;
-  if (about) return equilibrium_at(checked, *moving, *about);
-  return find_equilibria(checked, *moving, limits);
+  return find_equilibria({checked, *moving, about, limits});
 }
 
 Result<Symmetries> symmetries(const Lagrangian& lagrangian, const CheckedModel& checked,
@@ -219,7 +218,7 @@ Result<Symmetries> symmetries(const Lagrangian& lagrangian, const CheckedModel& 
   const Result<Program> moving =
       recursive_program(lagrangian, outputs_of_symmetries(checked.model), limits);
   if (!moving) return moving.diagnostics;
-  return find_symmetries(checked, *moving);
+  return find_symmetries({checked, *moving, {}, limits});
 }
 
 Result<BaseParameters> base_parameters(const Lagrangian& lagrangian, const CheckedModel& checked,
@@ -227,14 +226,14 @@ Result<BaseParameters> base_parameters(const Lagrangian& lagrangian, const Check
   const Result<Program> regressor =
       recursive_program(lagrangian, outputs_of_base_parameters(checked.model), limits);
   if (!regressor) return regressor.diagnostics;
-  return find_base_parameters(checked, *regressor);
+  return find_base_parameters({checked, *regressor, {}, limits});
 }
 
 Result<std::vector<JudgedEquilibrium>> claims(const Lagrangian& lagrangian,
                                               const CheckedModel& checked, const Limits& limits) {
   if (checked.model.equilibria.empty()) return std::vector<JudgedEquilibrium>{};
   const Result<Program> moving =
-      recursive_program(lagrangian, outputs_of_analysis(checked.model), limits);
+      recursive_program(lagrangian, outputs_of_equilibria(checked.model), limits);
   if (!moving) return moving.diagnostics;
   return judge_equilibria(checked, *moving);
 }

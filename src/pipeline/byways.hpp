@@ -25,7 +25,7 @@ namespace elgen {
                                     const Limits& limits);
 
 /// The equilibria of a model, or the one `about` which motions are asked for. Errors of
-/// find_equilibria() and equilibrium_at().
+/// find_equilibria().
 [[nodiscard]] Result<Equilibria> equilibria(const Lagrangian& lagrangian,
                                             const CheckedModel& checked,
                                             const std::optional<std::string>& about,

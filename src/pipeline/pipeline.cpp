@@ -196,9 +196,7 @@ class Compilation {
       }};
 
   Stage<std::vector<LinearMotions>> motions_{run_, Goal::modes, std::tie(checked_, equilibria_),
-                                             [this](const CheckedModel& c, const Equilibria& e) {
-                                               return linear_motions(c, e, !options_.about);
-                                             }};
+                                             linear_motions};
 
   Stage<Symmetries> symmetries_{run_, Goal::symmetries, std::tie(lagrangian_, checked_),
                                 symmetries};
