@@ -158,10 +158,16 @@ struct LinearMotions {
   std::size_t controllable = 0;  ///< least rank of [A - pole 1, B]: 2n where u reaches all states
 };
 
+/// The linear motions about some points of rest.
+struct Modes {
+  ClosedForms forms = {};                   ///< those of the equilibria
+  std::vector<cln::cl_R> inputs = {};       ///< at rest
+  std::vector<LinearMotions> motions = {};  ///< of each point
+};
+
 /// Motions about the given point, or about the stable equilibria. E532: no equilibrium is known to
 /// be stable; E533: M has no inverse.
-[[nodiscard]] Result<std::vector<LinearMotions>> linear_motions(const CheckedModel& checked,
-                                                                const Equilibria& equilibria);
+[[nodiscard]] Result<Modes> find_modes(const CheckedModel& checked, const Equilibria& equilibria);
 
 /// The sort of a symmetry.
 enum class SymmetryKind : std::uint8_t {

@@ -11,8 +11,7 @@
 namespace elgen {
 
 [[nodiscard]] Page equilibria_page(const CheckedModel& checked, const Equilibria& equilibria);
-[[nodiscard]] Page modes_page(const CheckedModel& checked, const Equilibria& equilibria,
-                              const std::vector<LinearMotions>& all);
+[[nodiscard]] Page modes_page(const CheckedModel& checked, const Modes& modes);
 [[nodiscard]] Page symmetries_page(const CheckedModel& checked, const Symmetries& symmetries);
 
 /// An equation for each base parameter, and their values.
@@ -21,8 +20,7 @@ namespace elgen {
 /// Numbers have all digits that distinguish doubles.
 [[nodiscard]] std::string equilibria_json(const CheckedModel& checked,
                                           const Equilibria& equilibria);
-[[nodiscard]] std::string modes_json(const CheckedModel& checked, const Equilibria& equilibria,
-                                     const std::vector<LinearMotions>& all);
+[[nodiscard]] std::string modes_json(const CheckedModel& checked, const Modes& modes);
 [[nodiscard]] std::string symmetries_json(const CheckedModel& checked,
                                           const Symmetries& symmetries);
 

@@ -91,7 +91,7 @@ struct Products {
   std::optional<ReadableSteps> steps = {};
   std::optional<Book> book = {};
   std::optional<Equilibria> equilibria = {};
-  std::optional<std::vector<LinearMotions>> motions = {};
+  std::optional<Modes> modes = {};
   std::optional<Symmetries> symmetries = {};
   std::optional<BaseParameters> base_parameters = {};
   std::optional<std::vector<JudgedEquilibrium>> claims = {};  ///< of [[equilibrium]]

@@ -353,18 +353,17 @@ StabilityVerdict stability_of(const RestPoint& point, const RestConditions& cond
   return verdict;
 }
 
-Result<std::vector<LinearMotions>> linear_motions(const CheckedModel& checked,
-                                                  const Equilibria& equilibria) {
-  std::vector<LinearMotions> result;
+Result<Modes> find_modes(const CheckedModel& checked, const Equilibria& equilibria) {
+  Modes result{equilibria.forms, equilibria.inputs};
   for (const RestPoint& point : equilibria.points) {
     if (!equilibria.is_given && !is_stable(point.stability.kind)) continue;
     if (!is_positive_definite(point.mass)) {
       return Diagnostic{Code::E533, checked.model.name_span,
                         "the mass matrix is singular at this equilibrium"};
     }
-    result.push_back(motions_about(point));
+    result.motions.push_back(motions_about(point));
   }
-  if (result.empty()) {
+  if (result.motions.empty()) {
     return Diagnostic{
         Code::E532, {}, "no equilibrium is known to be stable", "say at which one: `--at theta=0`"};
   }

@@ -122,7 +122,7 @@ class Compilation {
     out.steps = std::move(steps_.product);
     out.book = std::move(book_.product);
     out.equilibria = std::move(equilibria_.product);
-    out.motions = std::move(motions_.product);
+    out.modes = std::move(modes_.product);
     out.symmetries = std::move(symmetries_.product);
     out.base_parameters = std::move(base_parameters_.product);
     out.claims = std::move(claims_.product);
@@ -195,8 +195,7 @@ class Compilation {
         return equilibria(l, c, options_.about, limits);
       }};
 
-  Stage<std::vector<LinearMotions>> motions_{run_, Goal::modes, std::tie(checked_, equilibria_),
-                                             linear_motions};
+  Stage<Modes> modes_{run_, Goal::modes, std::tie(checked_, equilibria_), find_modes};
 
   Stage<Symmetries> symmetries_{run_, Goal::symmetries, std::tie(lagrangian_, checked_),
                                 symmetries};

@@ -13,8 +13,7 @@ namespace {
 
 struct Motions {
   CheckedModel checked;
-  Equilibria equilibria;
-  std::vector<LinearMotions> all;
+  Modes modes;
 };
 
 Products motions_products(const std::string& text, const std::string& at = {},
@@ -31,14 +30,12 @@ Motions motions(const std::string& text, const std::string& at = {},
                 const std::vector<std::string>& sizes = {}) {
   Products products = motions_products(text, at, sizes);
   INFO(format(products.diagnostics));
-  REQUIRE(products.motions);
-  return {std::move(*products.checked), std::move(*products.equilibria),
-          std::move(*products.motions)};
+  REQUIRE(products.modes);
+  return {std::move(*products.checked), std::move(*products.modes)};
 }
 
 std::string page(const Motions& found) {
-  return screen_page(modes_page(found.checked, found.equilibria, found.all),
-                     {100, Alphabet::unicode});
+  return screen_page(modes_page(found.checked, found.modes), {100, Alphabet::unicode});
 }
 
 std::vector<double> squares(const LinearMotions& motions) {
@@ -52,8 +49,8 @@ std::vector<double> squares(const LinearMotions& motions) {
 /// w^2 l/g of a chain of equal links and masses, l = 0.3, g = 9.81.
 void check_chain(const std::string& size, const std::vector<double>& expected) {
   const Motions chain = motions(model_file("chain"), {}, {size});
-  REQUIRE(chain.all.size() == 1);
-  const std::vector<double> found = squares(chain.all[0]);
+  REQUIRE(chain.modes.motions.size() == 1);
+  const std::vector<double> found = squares(chain.modes.motions[0]);
   REQUIRE(found.size() == expected.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
     CHECK(found[i] * 0.3 / 9.81 == Approx(expected[i]).epsilon(1e-14));
@@ -114,17 +111,17 @@ V = "1/2*(k + c)*x^2"
   const auto has = [](const std::string& text, const char* part) {
     return text.find(part) != std::string::npos;
   };
-  CHECK(has(text_of(modes_page(sum.checked, sum.equilibria, sum.all)),
+  CHECK(has(text_of(modes_page(sum.checked, sum.modes)),
             "  (m1 + m2) eta'' + K eta = 0,   K = k + c\n"));
   CHECK(has(page(sum), "  (m₁ + m₂) η̈ + K η = 0,   K = k + c\n"));
-  CHECK(has(latex_document(modes_page(sum.checked, sum.equilibria, sum.all)),
+  CHECK(has(latex_document(modes_page(sum.checked, sum.modes)),
             "(m_{1} + m_{2}) \\ddot{\\eta} + K \\eta = 0"));
 }
 
 TEST_CASE("the cart-pole can be held upright: it is controllable") {
   const Motions upright = motions(model_file("cart_pole"), "theta=0");
-  REQUIRE(upright.all.size() == 1);
-  const LinearMotions& about = upright.all[0];
+  REQUIRE(upright.modes.motions.size() == 1);
+  const LinearMotions& about = upright.modes.motions[0];
   REQUIRE(about.poles.size() == 4);
   CHECK(about.poles[0].real() == Approx(4.64564).epsilon(1e-6));
   CHECK(about.poles[1].real() == Approx(-4.64564).epsilon(1e-6));
@@ -149,9 +146,8 @@ TEST_CASE("equal pendulums: w^2 = g/l (2 -+ sqrt 2)") {
   options.scene.fixed = {make_source("--fix", "m1=1"), make_source("--fix", "m2=1"),
                          make_source("--fix", "l1=1"), make_source("--fix", "l2=1")};
   const Products products = run_pipeline(inputs_of(text), options);
-  REQUIRE(products.motions);
-  const std::string page =
-      text_of(modes_page(*products.checked, *products.equilibria, *products.motions));
+  REQUIRE(products.modes);
+  const std::string page = text_of(modes_page(*products.checked, *products.modes));
   CHECK(page.find("w^2 = g*(2 -+ sqrt(2))\n") != std::string::npos);
 }
 
@@ -187,8 +183,7 @@ spin = "-(a*dot(phi) - (a - b)*dot(theta))/b"
 vector = ["0", "-g"]
 )toml";
   const Motions cylinders = motions(text, "theta=0");
-  const std::string page =
-      text_of(modes_page(cylinders.checked, cylinders.equilibria, cylinders.all));
+  const std::string page = text_of(modes_page(cylinders.checked, cylinders.modes));
   INFO(page);
   CHECK(page.find("w^2 = 0\n") != std::string::npos);
   CHECK(page.find("sqrt") == std::string::npos);
@@ -216,12 +211,13 @@ at = )toml";
   for (const std::string at : {R"toml(["L*q*cosc(q)", "-L*sinc(q)"])toml",
                                R"toml(["L*(1 - cos(q))/q", "-L*sin(q)/q"])toml"}) {
     const Motions soft = motions(text + at + rest, "q=0");
-    const std::string page = text_of(modes_page(soft.checked, soft.equilibria, soft.all));
+    const std::string page = text_of(modes_page(soft.checked, soft.modes));
     INFO(page);
     CHECK(page.find("cosc") == std::string::npos);
     CHECK(page.find("stumpff") == std::string::npos);
     // (k + g L m/3)/(m L^2/4)
-    CHECK(squares(soft.all[0])[0] == Approx((0.2 + 9.81 * 0.3 * 0.1 / 3) / (0.1 * 0.09 / 4)));
+    CHECK(squares(soft.modes.motions[0])[0] ==
+          Approx((0.2 + 9.81 * 0.3 * 0.1 / 3) / (0.1 * 0.09 / 4)));
   }
 }
 
@@ -248,14 +244,14 @@ T = "1/2*m*dot(x1)^2 + 1/2*M*dot(x2)^2 + 1/2*m*dot(x3)^2"
 V = "1/2*k*(x2 - x1 - b)^2 + 1/2*k*(x3 - x2 - b)^2"
 )";
   const Motions molecule = motions(text, "x1=0,x2=1,x3=2");
-  REQUIRE(molecule.all.size() == 1);
-  const std::vector<double> found = squares(molecule.all[0]);
+  REQUIRE(molecule.modes.motions.size() == 1);
+  const std::vector<double> found = squares(molecule.modes.motions[0]);
   CHECK(std::abs(found[0]) < 1e-25);
   CHECK(found[1] == Approx(5.0 / 2).epsilon(1e-15));
   CHECK(found[2] == Approx(5 * (1 / 2.0 + 2 / 3.0)).epsilon(1e-15));
   const std::vector<double> stretched{-1, 0, 1};
   for (std::size_t i = 0; i < 3; ++i) {
-    CHECK(std::abs(molecule.all[0].modes[1].shape[i]) ==
+    CHECK(std::abs(molecule.modes.motions[0].modes[1].shape[i]) ==
           Approx(std::abs(stretched[i])).margin(1e-9));
   }
 }
@@ -263,29 +259,29 @@ V = "1/2*k*(x2 - x1 - b)^2 + 1/2*k*(x3 - x2 - b)^2"
 TEST_CASE("modes of one frequency span a space") {
   const Motions found =
       motions(potential_model(coordinate("x") + coordinate("y"), "1/2*x^2 + 1/2*y^2"));
-  REQUIRE(found.all.size() == 1);
-  CHECK(found.all[0].modes[0].multiplicity == 2);
-  CHECK(found.all[0].modes[0].shape == std::vector<double>{1, 0});
-  CHECK(found.all[0].modes[1].shape == std::vector<double>{0, 1});
+  REQUIRE(found.modes.motions.size() == 1);
+  CHECK(found.modes.motions[0].modes[0].multiplicity == 2);
+  CHECK(found.modes.motions[0].modes[0].shape == std::vector<double>{1, 0});
+  CHECK(found.modes.motions[0].modes[1].shape == std::vector<double>{0, 1});
 }
 
 TEST_CASE("what is damped has poles, damping ratios and time constants") {
   const Motions damped = motions(model_file("two_mass_damper"));
   const std::string text = page(damped);
-  CHECK(damped.all[0].modes.empty());
+  CHECK(damped.modes.motions[0].modes.empty());
   CHECK(text.find("damping ratio") != std::string::npos);
-  for (const std::complex<double>& pole : damped.all[0].poles) CHECK(pole.real() < 0);
+  for (const std::complex<double>& pole : damped.modes.motions[0].poles) CHECK(pole.real() < 0);
 }
 
 TEST_CASE("A and B are those of the program's linearization") {
   const Motions upright = motions(model_file("cart_pole"), "theta=0");
-  const RestPoint& point = upright.all[0].point;
+  const RestPoint& point = upright.modes.motions[0].point;
   const OracleValues exact =
       oracle_values(upright.checked.model,
                     {.kind = OutputKind::linearization, .rows = 4, .columns = 4}, point.state);
   REQUIRE(exact);
-  std::vector<double> both = upright.all[0].a;
-  both.insert(both.end(), upright.all[0].b.begin(), upright.all[0].b.end());
+  std::vector<double> both = upright.modes.motions[0].a;
+  both.insert(both.end(), upright.modes.motions[0].b.begin(), upright.modes.motions[0].b.end());
   REQUIRE(exact->size() == both.size());
   for (std::size_t i = 0; i < both.size(); ++i) {
     CHECK(both[i] == Approx(ScalarTraits<double>::from_real((*exact)[i])).margin(1e-13));
@@ -294,9 +290,9 @@ TEST_CASE("A and B are those of the program's linearization") {
 
 TEST_CASE("motions are refused where forces do not balance, or nothing is stable") {
   const Products moving = motions_products(model_file("cart_pole"), "theta=1");
-  CHECK_FALSE(moving.motions);
+  CHECK_FALSE(moving.modes);
   CHECK(moving.diagnostics.back().code == Code::E532);
   const Products none = motions_products(potential_model(coordinate("x", "[-1, 1]"), "-1/2*x^2"));
-  CHECK_FALSE(none.motions);
+  CHECK_FALSE(none.modes);
   CHECK(format(none.diagnostics).find("E532") != std::string::npos);
 }

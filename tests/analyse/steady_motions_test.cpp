@@ -19,8 +19,8 @@ Products steady_products_of(const std::string& text, const std::string& routh,
   if (!at.empty()) options.about = "";
   Products products = run_pipeline(inputs_of(text, "[routh]\n" + routh), options);
   INFO(format(products.diagnostics));
-  REQUIRE(products.motions);
-  REQUIRE(products.motions->size() == 1);
+  REQUIRE(products.modes);
+  REQUIRE(products.modes->motions.size() == 1);
   return products;
 }
 
@@ -29,17 +29,16 @@ Products steady_products(const std::string& model, const std::string& routh) {
 }
 
 double omega_squared(const Products& products) {
-  REQUIRE(products.motions->front().modes.size() == 1);
-  return ScalarTraits<double>::from_real(products.motions->front().modes[0].omega_squared);
+  REQUIRE(products.modes->motions.front().modes.size() == 1);
+  return ScalarTraits<double>::from_real(products.modes->motions.front().modes[0].omega_squared);
 }
 
 double rest_coordinate(const Products& products) {
-  return ScalarTraits<double>::from_real(products.motions->front().point.state.q.at(0));
+  return ScalarTraits<double>::from_real(products.modes->motions.front().point.state.q.at(0));
 }
 
 std::string steady_page(const Products& products) {
-  return screen_page(modes_page(*products.checked, *products.equilibria, *products.motions),
-                     {100, Alphabet::unicode});
+  return screen_page(modes_page(*products.checked, *products.modes), {100, Alphabet::unicode});
 }
 
 bool holds(const std::string& text, const std::string& part) {
@@ -51,7 +50,7 @@ bool holds(const std::string& text, const std::string& part) {
 TEST_CASE("a circular orbit: r = p^2/(m^2 mu), and near ones close") {
   const Products orbit = steady_products("kepler_polar", "phi = true\n");
   CHECK(rest_coordinate(orbit) == Approx(1.44).epsilon(1e-14));
-  CHECK(orbit.motions->front().point.coordinates[0].form);
+  CHECK(orbit.modes->motions.front().point.coordinates[0].form);
   CHECK(omega_squared(orbit) == Approx(std::pow(0.5, 6) / std::pow(0.6, 6)).epsilon(1e-14));
   const std::string text = steady_page(orbit);
   INFO(text);

@@ -201,10 +201,9 @@ TEST_CASE("a page of modes reads the entries that are not 0") {
     options.scene.sizes = {option("n=" + std::to_string(size))};
     options.goals = {Goal::modes};
     const Products products = run_pipeline({make_source("small.toml", springs), nullptr}, options);
-    REQUIRE(products.motions);
+    REQUIRE(products.modes);
     const Operations start = operations();
-    CHECK_FALSE(
-        text_of(modes_page(*products.checked, *products.equilibria, *products.motions)).empty());
+    CHECK_FALSE(text_of(modes_page(*products.checked, *products.modes)).empty());
     return operations().bytes - start.bytes;
   };
   bytes(4);

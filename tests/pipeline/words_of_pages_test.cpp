@@ -143,9 +143,9 @@ TEST_CASE("no page of an analysis has it either") {
     INFO(name);
     const SourcePointer model = make_source("model.toml", model_file(name));
     const Products motions = products_for(model, Goal::modes);
-    REQUIRE(motions.motions);
+    REQUIRE(motions.modes);
     check_words(equilibria_page(*motions.checked, *motions.equilibria));
-    check_words(modes_page(*motions.checked, *motions.equilibria, *motions.motions));
+    check_words(modes_page(*motions.checked, *motions.modes));
     const Products found = products_for(model, Goal::symmetries);
     REQUIRE(found.symmetries);
     check_words(symmetries_page(*found.checked, *found.symmetries));

@@ -232,10 +232,10 @@ std::size_t expect_formulas(const SourcePointer& source) {
       reader.read_leading_term(text_of(equilibria_page(*products.checked, alone)), point, found);
     }
   }
-  if (!products.motions) return reader.count();
-  const std::string modes = text_of(modes_page(*products.checked, found, *products.motions));
+  if (!products.modes) return reader.count();
+  const std::string modes = text_of(modes_page(*products.checked, *products.modes));
   INFO(modes);
-  reader.read_modes(modes, *products.motions);
+  reader.read_modes(modes, products.modes->motions);
   return reader.count();
 }
 

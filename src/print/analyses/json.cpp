@@ -124,12 +124,11 @@ std::string equilibria_json(const CheckedModel& checked, const Equilibria& equil
   return object.dump(1) + "\n";
 }
 
-std::string modes_json(const CheckedModel& checked, const Equilibria& equilibria,
-                       const std::vector<LinearMotions>& all) {
+std::string modes_json(const CheckedModel& checked, const Modes& modes) {
   const Model& model = checked.model;
-  const PageForms known(model, equilibria.forms);
+  const PageForms known(model, modes.forms);
   Json points = Json::array();
-  for (const LinearMotions& motions : all) {
+  for (const LinearMotions& motions : modes.motions) {
     Json point = point_json(known, motions.point);
     const std::size_t states = 2 * model.velocities.size();
     Json squares = Json::array();

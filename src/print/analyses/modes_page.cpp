@@ -261,9 +261,9 @@ void add_motions(Page& page, const Model& model, PageForms& known, const LinearM
 
 }  // namespace
 
-Page modes_page(const CheckedModel& checked, const Equilibria& equilibria,
-                const std::vector<LinearMotions>& all) {
-  PageForms known(checked.model, equilibria.forms);
+Page modes_page(const CheckedModel& checked, const Modes& modes) {
+  PageForms known(checked.model, modes.forms);
+  const std::vector<LinearMotions>& all = modes.motions;
   Page page;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const bool is_pair =
@@ -271,7 +271,7 @@ Page modes_page(const CheckedModel& checked, const Equilibria& equilibria,
     const char* const subject =
         is_free(checked.model, all[i]) ? "normal modes at" : "linear equations at";
     Formula title =
-        row_of({titled(checked, subject), place(known, equilibria.inputs, all[i].point, is_pair)});
+        row_of({titled(checked, subject), place(known, modes.inputs, all[i].point, is_pair)});
     if (page.sections.empty()) {
       page.title = std::move(title);
     } else {

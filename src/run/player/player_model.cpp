@@ -193,8 +193,9 @@ std::vector<ShownStart> shown_starts(const Model& model, const Products& read) {
     for (const cln::cl_R& value : point.state.q) start.q.push_back(nearest(value) + 0.0);
     starts.push_back(std::move(start));
   }
-  const bool has_modes = read.motions && model.rotations.empty();
-  for (const LinearMotions& motions : has_modes ? *read.motions : std::vector<LinearMotions>{}) {
+  const bool has_modes = read.modes && model.rotations.empty();
+  for (const LinearMotions& motions :
+       has_modes ? read.modes->motions : std::vector<LinearMotions>{}) {
     for (const NormalMode& mode : motions.modes) {
       if (cln::plusp(mode.omega_squared)) starts.push_back(start_of(model, motions.point, mode));
     }
