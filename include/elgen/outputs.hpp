@@ -5,8 +5,10 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "elgen/opcodes.hpp"
 
@@ -54,24 +56,56 @@ enum class UnitRule : std::uint8_t {
   power,   ///< W over them
 };
 
-/// The property that an output needs of a model; `jacobian` and `derivatives`: the [[output]] asks
-/// for them.
-enum class Requirement : std::uint8_t {
-  nothing,
-  quadratic,
-  energies,
-  inputs,
-  rotations,
-  held,
-  cyclic,
-  constraints,
-  constrained_inputs,  ///< constraints, and inputs that they leave free
-  independent,         ///< constraints, and velocities that the scene names as independent
-  inertial,            ///< parameters of a regressor, and forces that are affine in them
-  polarised,           ///< the same of a Lagrangian quadratic in v
-  jacobian,            ///< of an output of positions alone
-  derivatives,         ///< the same of one of rates, accelerations or inputs
-  operational,         ///< a Jacobian, and no constraints
+/// A property of the model, of the scene or of an [[output]] that some outputs need. The order is
+/// that in which src/model/lacks.cpp looks for a need that is not met.
+enum class Need : std::uint8_t {
+  quadratic,         ///< a Lagrangian that is at most quadratic in v
+  energies,          ///< T and V, each by itself
+  rotations,         ///< a rotation
+  held,              ///< a lock with a reaction
+  cyclic,            ///< a coordinate in [routh]
+  affine_forces,     ///< forces that are affine in the parameters of a regressor
+  inertial,          ///< parameters of a regressor
+  constraints,       ///< a constraint
+  independent,       ///< independent velocities that the scene names
+  no_constraints,    ///< no constraint
+  inputs,            ///< an input
+  motors,            ///< inputs that are motors, all of them
+  few_inputs,        ///< at most as many inputs as freedoms
+  kept_coordinates,  ///< an [[output]] of coordinates that [routh] leaves
+  smooth_forces,     ///< forces without kinks
+  few_velocities,    ///< few enough for straight-line derivatives of a step
+  closed_functions,  ///< an expression of each open function
+  jacobian,          ///< `jacobian = true` of the [[output]]
+  of_positions,      ///< an [[output]] of positions alone
+  of_motion,         ///< an [[output]] of rates, accelerations or inputs
+  smooth_values,     ///< an [[output]] without kinks
+};
+
+/// A set of enumerators.
+template <typename Enum>
+class SetOf {
+ public:
+  constexpr SetOf() = default;
+  constexpr SetOf(std::initializer_list<Enum> members) {
+    for (const Enum member : members) add(member);
+  }
+
+  constexpr void add(Enum member) { bits_ |= 1U << static_cast<unsigned>(member); }
+  [[nodiscard]] constexpr bool has(Enum member) const {
+    return (bits_ >> static_cast<unsigned>(member) & 1U) != 0;
+  }
+  /// In the order of the enumeration.
+  [[nodiscard]] std::vector<Enum> members() const {
+    std::vector<Enum> all;
+    for (unsigned bit = 0; bits_ >> bit != 0; ++bit) {
+      if (has(static_cast<Enum>(bit))) all.push_back(static_cast<Enum>(bit));
+    }
+    return all;
+  }
+
+ private:
+  std::uint32_t bits_ = 0;
 };
 
 /// A symbol or an equation as text and in LaTeX, where `<q>` is a vector. `<v>` and `<a>` stand for
@@ -110,7 +144,7 @@ struct OutputRow {
   std::string_view constrained_doc = {};  ///< with constraints, where it is another
   std::string_view doc_without_pivots = {};
   std::string_view constrained_doc_without_pivots = {};
-  Requirement requirement = Requirement::nothing;
+  SetOf<Need> needs = {};
   bool solves = false;           ///< M x = b
   bool differentiates = false;   ///< the equations of motion
   bool gives_pivots = false;     ///< of M = L D L^T, beside what it solves for

@@ -14,7 +14,7 @@ namespace {
 
 using E = Extent;
 using U = UnitRule;
-using R = Requirement;
+using N = Need;
 
 constexpr std::string_view square = "SquareMatrix<Scalar>";
 constexpr std::string_view forces = "Forces<Scalar>";
@@ -46,7 +46,7 @@ constexpr OutputRow coriolis_matrix{
          R"(C_{ij} = \frac{1}{2} \frac{\partial (C <v>)_{i}}{\partial v_{j}} + \frac{1}{2} \left( )"
          R"(M [<omega>]_{\times} \right)_{ij})"},
     .doc = "Coriolis matrix of Christoffel symbols: (dM/dq dq/dt) - 2 C is skew.",
-    .requirement = R::quadratic};
+    .needs = {N::quadratic}};
 
 constexpr std::array per_input{
     FieldRow{"", E::velocities, E::inputs, U::power, "InputMatrix<Scalar>"}};
@@ -55,7 +55,7 @@ constexpr OutputRow input_matrix{
     .fields = per_input,
     .equation = {"B = dQ/du", R"(B = \frac{\partial <Q>}{\partial <u>})"},
     .doc = "Generalized force per unit of each input.",
-    .requirement = R::inputs};
+    .needs = {N::inputs}};
 
 // Forces, and the momentum.
 
@@ -64,7 +64,7 @@ constexpr OutputRow velocity_force{.symbol = {"C v", "C <v>"},
                                    .fields = force,
                                    .equation = {"C(q, v) v", ""},
                                    .doc = "Centrifugal and Coriolis forces.",
-                                   .requirement = R::quadratic};
+                                   .needs = {N::quadratic}};
 
 constexpr OutputRow gravity{
     .symbol = {"g", "<g>"},
@@ -72,7 +72,7 @@ constexpr OutputRow gravity{
     .equation = {"g = dV0/dq", R"(<g> = \frac{\partial V_{0}}{\partial <q>})"},
     .turning_equation = {"g = N^T dV0/dq", R"(<g> = N^{\top} \frac{\partial V_{0}}{\partial <q>})"},
     .doc = "Gradient of the potential energy.",
-    .requirement = R::quadratic};
+    .needs = {N::quadratic}};
 
 constexpr OutputRow drift{
     .symbol = {"drift", "<drift>"},
@@ -90,7 +90,7 @@ constexpr OutputRow drift{
                          R"(\frac{\partial <b>}{\partial t} + [<omega>]_{\times} <b> - )"
                          R"(N^{\top} \frac{\partial T_{0}}{\partial <q>})"},
     .doc = "Forces of explicit time and of terms linear in the rates.",
-    .requirement = R::quadratic};
+    .needs = {N::quadratic}};
 
 constexpr OutputRow dissipation{.symbol = {"dD/dv", R"(\frac{\partial D}{\partial <v>})"},
                                 .takes = Opcode::velocity,
@@ -135,7 +135,7 @@ constexpr OutputRow reaction{
          R"(N^{\top} \frac{\partial L}{\partial <q>} + \frac{\partial D}{\partial <v>} - <Q> - )"
          R"(B <u> \right]_{\mathrm{locked}})"},
     .doc = "Generalized force, beside the inputs, that holds the locked coordinates.",
-    .requirement = R::held};
+    .needs = {N::held}};
 
 constexpr std::array impulse{FieldRow{"", E::velocities, E::one, U::energy, forces}};
 constexpr OutputRow momentum{.symbol = {"p", "<p>"},
@@ -164,14 +164,14 @@ constexpr OutputRow potential_energy{.symbol = {"V0", "V_{0}"},
                                      .fields = energy,
                                      .equation = {"V0 = V(q, v = 0)", "V_{0} = V(<q>, <v> = <0>)"},
                                      .doc = "Potential energy at rest.",
-                                     .requirement = R::quadratic};
+                                     .needs = {N::quadratic}};
 
 constexpr OutputRow kinetic_energy{.symbol = {"T", "T"},
                                    .takes = Opcode::velocity,
                                    .fields = energy,
                                    .equation = {"T = T2 + b_T.v + T0", ""},
                                    .doc = "Kinetic energy.",
-                                   .requirement = R::energies};
+                                   .needs = {N::quadratic, N::energies}};
 
 constexpr OutputRow total_energy{
     .symbol = {"T + V", "T + V"},
@@ -179,7 +179,7 @@ constexpr OutputRow total_energy{
     .fields = energy,
     .equation = {"T + V0 + V1.v", R"(T + V = T + V_{0} + <V>_{1}^{\top} <v>)"},
     .doc = "Kinetic and potential energy.",
-    .requirement = R::energies};
+    .needs = {N::quadratic, N::energies}};
 
 constexpr OutputRow energy_function{
     .symbol = {"E", "E"},
@@ -250,7 +250,7 @@ constexpr OutputRow input_force_derivatives{
     .equation = {"d(B u)/dq", ""},
     .turning_equation = {"d(B u)/dq N", R"(\frac{\partial (B <u>)}{\partial <q>} N)"},
     .doc = "Derivatives of the forces of inputs by the coordinates.",
-    .requirement = R::inputs,
+    .needs = {N::inputs},
     .differentiates = true,
     .by_name = true};
 
@@ -271,7 +271,7 @@ constexpr OutputRow hamiltonian{
     .equation = {"H = p.v - L, v = M^-1 (p - b)",
                  R"(H = <p>^{\top} <v> - L, \quad <v> = M^{-1} (<p> - <b>))"},
     .doc = "Hamiltonian: the energy function of coordinates and momenta.",
-    .requirement = R::quadratic};
+    .needs = {N::quadratic}};
 
 constexpr std::array velocity{FieldRow{"", E::velocities, E::one, U::row, "Velocities<Scalar>"}};
 constexpr OutputRow velocities_of_momenta{
@@ -280,7 +280,7 @@ constexpr OutputRow velocities_of_momenta{
     .fields = velocity,
     .equation = {"v = M^-1 (p - b)", R"(<v> = M^{-1} (<p> - <b>))"},
     .doc = "Velocities of which the momenta are those given: dH/dp.",
-    .requirement = R::quadratic};
+    .needs = {N::quadratic}};
 
 constexpr std::array canonical_rates{
     FieldRow{"coordinate_rates", E::coordinates, E::one, U::row_per_second, "Coordinates<Scalar>",
@@ -300,7 +300,7 @@ constexpr OutputRow hamilton_equations{
          R"(-N^{\top} \frac{\partial H}{\partial <q>} - [<omega>]_{\times} <p> + B <u> + <Q> - )"
          R"(\frac{\partial D}{\partial <v>})"},
     .doc = "Hamilton's equations: rates of coordinates and momenta.",
-    .requirement = R::quadratic};
+    .needs = {N::quadratic}};
 
 // Coordinates.
 
@@ -312,7 +312,7 @@ constexpr OutputRow coordinate_rates{
     .fields = rate_of_coordinate,
     .equation = {"dq/dt = N(q) v", R"(\dot{<q>} = N(<q>) <v>)"},
     .doc = "Rates of the coordinates: of a rotation 1/2 q w, w in the axes of the body.",
-    .requirement = R::rotations};
+    .needs = {N::rotations}};
 
 constexpr std::array coordinate{
     FieldRow{"", E::coordinates, E::one, U::row, "Coordinates<Scalar>"}};
@@ -320,7 +320,7 @@ constexpr OutputRow normalized{.symbol = {"q", "<q>"},
                                .fields = coordinate,
                                .equation = {"q with every quaternion divided by its length", ""},
                                .doc = "Coordinates with their quaternions scaled back to length 1.",
-                               .requirement = R::rotations};
+                               .needs = {N::rotations}};
 
 constexpr std::array rate_taken_out{FieldRow{"", E::cyclic, E::one, U::row, entries}};
 constexpr OutputRow cyclic_rates{
@@ -331,7 +331,7 @@ constexpr OutputRow cyclic_rates{
                  R"(M_{cc} <v>_{c} = <p> - )"
                  R"(\left[ \frac{\partial L}{\partial <v>_{c}} \right]_{<v>_{c} = <0>})"},
     .doc = "Rates of the cyclic coordinates that were taken out, at their momenta.",
-    .requirement = R::cyclic};
+    .needs = {N::cyclic}};
 
 #include "base/regressor_rows.def"
 #include "base/user_rows.def"
@@ -364,12 +364,18 @@ constexpr OutputRow step_derivatives{
     .fields = of_states,
     .equation = {"dx(t + h) = A dx + B du, x = (q, v)", ""},
     .doc = "Derivatives of one step of length h with inputs that stay:",
+    .needs = {N::no_constraints, N::few_velocities},
     .differentiates = true,
     .steps = true};
 
+/// Adds the needs that other columns imply.
 constexpr OutputRow named(OutputKind kind, std::string_view name, OutputRow row) {
   row.kind = kind;
   row.name = name;
+  if (row.differentiates) row.needs.add(N::smooth_forces);
+  if (row.takes.has_any(Opcode::momentum)) row.needs.add(N::no_constraints);
+  if (row.of_user) row.needs.add(N::kept_coordinates);
+  if (row.steps) row.needs.add(N::closed_functions);
   return row;
 }
 

@@ -245,7 +245,7 @@ void check_output_names(const Model& model, Report& report) {
     const Span& span = model.outputs[user].span;
     for (const OutputRow& row : output_table()) {
       const bool exists =
-          row.of_user && (row.requirement == Requirement::nothing || model.outputs[user].jacobian);
+          row.of_user && (!row.needs.has(Need::jacobian) || model.outputs[user].jacobian);
       if (!exists) continue;
       const OutputRequest request = request_of(model, row.kind, user);
       const bool is_built_in = find_output(request.name) != nullptr;

@@ -139,12 +139,28 @@ TEST_CASE("types hold as many numbers as their fields have entries") {
 TEST_CASE("what needs a quadratic Lagrangian says so") {
   for (const OutputKind kind : {OutputKind::coriolis_matrix, OutputKind::velocity_force,
                                 OutputKind::gravity, OutputKind::drift, OutputKind::hamiltonian}) {
-    CHECK(output_row(kind).requirement == Requirement::quadratic);
+    CHECK(output_row(kind).needs.has(Need::quadratic));
   }
   for (const OutputKind kind : {OutputKind::mass_matrix, OutputKind::bias, OutputKind::momentum,
                                 OutputKind::position_gradient, OutputKind::energy_function}) {
-    CHECK(output_row(kind).requirement == Requirement::nothing);
+    CHECK(output_row(kind).needs.members().empty());
   }
+}
+
+TEST_CASE("needs are listed in the order of the enumeration, with those of other columns") {
+  using Needs = std::vector<Need>;
+  CHECK(output_row(OutputKind::total_energy).needs.members() ==
+        Needs{Need::quadratic, Need::energies});
+  CHECK(output_row(OutputKind::regressor_reference).needs.members() ==
+        Needs{Need::quadratic, Need::affine_forces, Need::inertial});
+  CHECK(output_row(OutputKind::hamiltonian).needs.members() ==
+        Needs{Need::quadratic, Need::no_constraints});
+  CHECK(output_row(OutputKind::step_derivatives).needs.members() ==
+        Needs{Need::no_constraints, Need::smooth_forces, Need::few_velocities,
+              Need::closed_functions});
+  CHECK(output_row(OutputKind::user_operational).needs.members() ==
+        Needs{Need::no_constraints, Need::kept_coordinates, Need::jacobian, Need::of_positions,
+              Need::smooth_values});
 }
 
 TEST_CASE("the table names every limit once") {

@@ -191,8 +191,7 @@ std::vector<DeclaredArray> declared_arrays(const Model& model, const Program& pr
     list.push_back(texts("constraint_names", model.constraints, &Constraint::name));
   }
   const auto has_parameters = [](const Function& function) {
-    const Requirement requirement = output_row(function.kind).requirement;
-    return requirement == Requirement::inertial || requirement == Requirement::polarised;
+    return output_row(function.kind).needs.has(Need::inertial);
   };
   if (std::ranges::any_of(program.functions, has_parameters)) {
     list.push_back(texts("regressor_names", inertial_parameters(model), &InertialParameter::name));
