@@ -27,17 +27,27 @@ inline constexpr std::uint32_t first_moment_component = 1;
 inline constexpr std::uint32_t first_inertia_component = 4;
 inline constexpr std::uint32_t components_of_body = 10;
 
-struct InertialParameter {
+/// Where an entry of pi stands in a model.
+struct InertialPlace {
   InertialOwner owner = InertialOwner::body;
   std::uint32_t index = 0;      ///< in the list of the owner
   std::uint32_t component = 0;  ///< of a body
-  std::string name = {};        ///< "hand.m", "hand.mx", "hand.Ixx", "armature.q1", "damping"
-  std::optional<Unit> unit = {};
 
   [[nodiscard]] bool is_mass() const {
     return owner == InertialOwner::point || (owner == InertialOwner::body && component == 0);
   }
 };
+
+struct InertialParameter : InertialPlace {
+  std::string name = {};  ///< "hand.m", "hand.mx", "hand.Ixx", "armature.q1", "damping"
+  std::optional<Unit> unit = {};
+};
+
+/// The places of the entries of pi, in order: cheap, since no name is built.
+[[nodiscard]] std::vector<InertialPlace> inertial_places(const Model& model);
+
+/// The entry of pi at a place.
+[[nodiscard]] InertialParameter inertial_parameter(const Model& model, const InertialPlace& place);
 
 /// pi of a model.
 [[nodiscard]] std::vector<InertialParameter> inertial_parameters(const Model& model);

@@ -21,38 +21,31 @@ std::optional<Unit> unit_of_component(std::uint32_t component) {
   return *find_unit("kg") * power(*find_unit("m"), {length, 1});
 }
 
-class ParameterList {
+class PlaceList {
  public:
-  explicit ParameterList(const Model& model) : model_(model) {}
+  explicit PlaceList(const Model& model) : model_(model) {}
 
-  std::vector<InertialParameter> build() && {
+  std::vector<InertialPlace> build() && {
     for (const bool in_frames : {true, false}) {
       for (std::uint32_t i = 0; i < model_.bodies.size(); ++i) {
         if (model_.bodies[i].local.has_value() == in_frames) add_body(i);
       }
     }
     for (std::uint32_t i = 0; i < model_.points.size(); ++i) {
-      const Point& point = model_.points[i];
-      if (point.mass) add(InertialOwner::point, i, 0, point.name + ".m", find_unit("kg"));
+      if (model_.points[i].mass) list_.push_back({InertialOwner::point, i});
     }
-    for (std::uint32_t i = 0; i < model_.coordinates.size(); ++i) add_armature(i);
+    for (std::uint32_t i = 0; i < model_.coordinates.size(); ++i) {
+      if (model_.coordinates[i].armature) list_.push_back({InertialOwner::coordinate, i});
+    }
     for (const std::uint32_t i : model_.regressed) {
-      const Parameter& parameter = model_.parameters[i];
-      add(InertialOwner::parameter, i, 0, parameter.name, parameter.unit);
+      list_.push_back({InertialOwner::parameter, i});
     }
     return std::move(list_);
   }
 
  private:
-  void add(InertialOwner owner, std::uint32_t index, std::uint32_t component, std::string name,
-           const std::optional<Unit>& unit) {
-    list_.push_back({owner, index, component, std::move(name), unit});
-  }
-
   void add_component(std::uint32_t body, std::uint32_t component) {
-    const std::string name =
-        model_.bodies[body].name + "." + std::string(component_names[component]);
-    add(InertialOwner::body, body, component, name, unit_of_component(component));
+    list_.push_back({InertialOwner::body, body, component});
   }
 
   void add_body(std::uint32_t index) {
@@ -74,17 +67,14 @@ class ParameterList {
     }
   }
 
-  void add_armature(std::uint32_t index) {
-    const Coordinate& coordinate = model_.coordinates[index];
-    if (!coordinate.armature) return;
-    const std::optional<Unit>& rate = model_.velocities[coordinate.velocity].unit;
-    const auto unit = rate ? std::optional(*find_unit("J") / (*rate * *rate)) : std::nullopt;
-    add(InertialOwner::coordinate, index, 0, "armature." + coordinate.name, unit);
-  }
-
   const Model& model_;
-  std::vector<InertialParameter> list_ = {};
+  std::vector<InertialPlace> list_ = {};
 };
+
+std::optional<Unit> unit_of_armature(const Model& model, const Coordinate& coordinate) {
+  const std::optional<Unit>& rate = model.velocities[coordinate.velocity].unit;
+  return rate ? std::optional(*find_unit("J") / (*rate * *rate)) : std::nullopt;
+}
 
 /// The parameters that each expression is affine in, bottom-up, until two meet.
 class AffineSearch {
@@ -144,8 +134,34 @@ std::vector<bool> parameters_below(const Model& model, const std::vector<Express
 
 }  // namespace
 
+std::vector<InertialPlace> inertial_places(const Model& model) { return PlaceList(model).build(); }
+
+InertialParameter inertial_parameter(const Model& model, const InertialPlace& place) {
+  switch (place.owner) {
+    case InertialOwner::body: {
+      const std::string component(component_names[place.component]);
+      return {place, model.bodies[place.index].name + "." + component,
+              unit_of_component(place.component)};
+    }
+    case InertialOwner::point:
+      return {place, model.points[place.index].name + ".m", find_unit("kg")};
+    case InertialOwner::coordinate: {
+      const Coordinate& coordinate = model.coordinates[place.index];
+      return {place, "armature." + coordinate.name, unit_of_armature(model, coordinate)};
+    }
+    case InertialOwner::parameter:
+      break;
+  }
+  const Parameter& parameter = model.parameters[place.index];
+  return {place, parameter.name, parameter.unit};
+}
+
 std::vector<InertialParameter> inertial_parameters(const Model& model) {
-  return ParameterList(model).build();
+  std::vector<InertialParameter> list;
+  for (const InertialPlace& place : inertial_places(model)) {
+    list.push_back(inertial_parameter(model, place));
+  }
+  return list;
 }
 
 std::optional<CoupledParameters> coupled_in(const Model& model, ExpressionId expression,

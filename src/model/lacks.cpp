@@ -199,7 +199,7 @@ MaybeLack lack_of(Need need, const Model& model, const OutputRequest& request) {
     case Need::affine_forces:
       return lack_of_affine_forces(model);
     case Need::inertial:
-      return lack_if(inertial_parameters(model).empty(),
+      return lack_if(inertial_places(model).empty(),
                      "needs a body, a point with a mass, an armature, or parameters that "
                      "`[regressor]` of a scene names");
     case Need::constraints:

@@ -68,7 +68,7 @@ std::uint32_t extent_of(const Model& model, Extent kind, std::uint32_t user) {
     case Extent::pivots:
       return static_cast<std::uint32_t>(model.velocities.size() + model.constraints.size());
     case Extent::inertial:
-      return static_cast<std::uint32_t>(inertial_parameters(model).size());
+      return static_cast<std::uint32_t>(inertial_places(model).size());
     case Extent::user:
       return static_cast<std::uint32_t>(model.outputs[user].values.size());
     case Extent::accelerations:
