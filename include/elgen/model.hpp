@@ -240,7 +240,6 @@ enum class ShownValues : std::uint8_t { none, places, masses, laws, integrals };
 struct UserOutput {
   std::string name;
   std::vector<ExpressionId> values = {};  ///< row-major
-  std::uint32_t columns = 1;
   std::optional<std::uint32_t> frame = {};
   bool in_world = true;                  ///< axes of the twist: the world's, or the frame's
   std::vector<ExpressionId> twist = {};  ///< six entries, linear in the rates

@@ -34,12 +34,13 @@ enum class Extent : std::uint8_t {
   states,
   inputs,
   held,
-  cyclic,       ///< the coordinates that [routh] takes out
-  constraints,  ///< a row stands for the rate of its equation
-  positions,    ///< the constraints on positions; a row stands for its equation
-  inertial,     ///< the parameters of the regressor (inertial_parameters.hpp)
-  pivots,       ///< of the velocities, then of the constraints
-  user,
+  cyclic,        ///< the coordinates that [routh] takes out
+  constraints,   ///< a row stands for the rate of its equation
+  positions,     ///< the constraints on positions; a row stands for its equation
+  inertial,      ///< the parameters of the regressor (inertial_parameters.hpp)
+  pivots,        ///< of the velocities, then of the constraints
+  user,          ///< the rows of an [[output]]
+  user_columns,  ///< those of a pose are four, else there is one
   task,          ///< the rates of an [[output]]: of a frame those of its twist
   accelerations  ///< velocities, where an [[output]] takes their rates; else none
 };
@@ -129,6 +130,12 @@ struct FieldRow {
   /// that iterate alone.
   bool is_remainder = false;
 };
+
+/// Whether the field has columns whatever their number: the mass matrix of one coordinate is a
+/// matrix. A pose has columns as well, but its extent is that of all values.
+[[nodiscard]] constexpr bool has_columns(const FieldRow& field) {
+  return field.columns != Extent::one && field.columns != Extent::user_columns;
+}
 
 struct OutputRow {
   OutputKind kind = {};

@@ -73,11 +73,10 @@ Fields fields(const Derivation& derivation, const OutputRequest& request, Parts 
     const Vector& entries = all[i];
     if (entries.empty()) continue;
     const FieldRow row = i < rows.size() ? rows[i] : FieldRow{.name = "diagonal"};
-    const std::size_t states = row.rows == Extent::states ? 2 : 1;
-    const bool is_of_user = row.rows == Extent::user || row.rows == Extent::task;
-    const std::size_t height = is_of_user                   ? request.rows
-                               : row.columns == Extent::one ? entries.size()
-                                                            : states * derivation.size();
+    // The rows of a matrix behind the first are those of the first, or the velocities.
+    const bool is_like_first = row.rows == rows.front().rows;
+    const std::size_t of_matrix = is_like_first ? request.rows : derivation.size();
+    const std::size_t height = has_columns(row) ? of_matrix : entries.size();
     result.push_back(field_of(row.name, entries, height));
   }
   return result;

@@ -56,6 +56,7 @@ MaybeUnit unit_along(const Model& model, Extent extent, std::size_t i) {
     case Extent::pivots:
     case Extent::states:
     case Extent::user:
+    case Extent::user_columns:
     case Extent::task:
     case Extent::accelerations:
       break;

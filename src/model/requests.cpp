@@ -70,7 +70,11 @@ std::uint32_t extent_of(const Model& model, Extent kind, std::uint32_t user) {
     case Extent::inertial:
       return static_cast<std::uint32_t>(inertial_places(model).size());
     case Extent::user:
-      return static_cast<std::uint32_t>(model.outputs[user].values.size());
+      return model.outputs[user].frame
+                 ? 3
+                 : static_cast<std::uint32_t>(model.outputs[user].values.size());
+    case Extent::user_columns:
+      return model.outputs[user].frame ? 4 : 1;
     case Extent::accelerations:
       return model.outputs[user].motion ? 0 : extent_of(model, Extent::velocities);
     case Extent::task:
@@ -92,6 +96,7 @@ std::vector<LineLabel> line_labels(const Model& model, const FieldLines& lines) 
   switch (lines.extent) {
     case Extent::one:
     case Extent::user:
+    case Extent::user_columns:
     case Extent::task:
       for (std::uint32_t i = 1; i <= lines.count; ++i) labels.push_back({std::to_string(i)});
       break;
@@ -139,8 +144,6 @@ std::vector<LineLabel> line_labels(const Model& model, const FieldLines& lines) 
 
 std::uint32_t first_entry_of(const Model& model, const OutputRequest& output, std::size_t field) {
   const auto& fields = output_row(output.kind).fields;
-  // A pose has a shape of its own.
-  if (fields.size() == 1) return static_cast<std::uint32_t>(field) * output.rows * output.columns;
   std::uint32_t first = 0;
   for (const FieldRow& row : fields.first(field)) {
     first += extent_of(model, row.rows, output.user) * extent_of(model, row.columns, output.user);
@@ -164,11 +167,6 @@ OutputRequest request_of(const Model& model, OutputKind kind, std::uint32_t user
   if (!row.fields.empty()) {
     request.rows = extent_of(model, row.fields.front().rows, user);
     request.columns = extent_of(model, row.fields.front().columns, user);
-  }
-  const bool is_pose = kind == OutputKind::user_value && model.outputs[user].frame;
-  if (is_pose) {
-    request.rows = 3;
-    request.columns = model.outputs[user].columns;
   }
   return request;
 }

@@ -20,6 +20,7 @@ namespace {
 std::size_t size_of(Extent extent) {
   switch (extent) {
     case Extent::one:
+    case Extent::user_columns:
       return 1;
     case Extent::coordinates:
       return 7;

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "check_testing.hpp"
+#include "model/requests.hpp"
 #include "model_numbers.hpp"
 
 namespace elgen::test {
@@ -123,7 +124,8 @@ TEST_CASE("the output of a frame is its pose, and its twist in the axes asked fo
   const std::string output = "[[output]]\nname = \"o\"\nframe = \"g\"\njacobian = true\n";
   const Model world = two_frames(output);
   const UserOutput& pose = world.outputs[0];
-  CHECK(pose.columns == 4);
+  CHECK(extent_of(world, Extent::user) == 3);
+  CHECK(extent_of(world, Extent::user_columns) == 4);
   CHECK(pose.in_world);
   const Rotation3 r = about_z(q) * about_x(0.4);
   CHECK(close(numbers(world).values(pose.values),

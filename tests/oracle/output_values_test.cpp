@@ -84,6 +84,7 @@ void check(OutputKind kind, std::size_t first, const Contraction& by) {
 int count(Extent extent) {
   switch (extent) {
     case Extent::one:
+    case Extent::user_columns:
       return 1;
     case Extent::user:
     case Extent::task:
@@ -100,7 +101,7 @@ int count(Extent extent) {
 Contraction directions(const FieldRow& field) {
   Contraction by;
   for (int i = 0; i < count(field.rows); ++i) by.w.push_back(2 * i - 1);
-  const int columns = field.columns == Extent::one ? 0 : count(field.columns);
+  const int columns = has_columns(field) ? count(field.columns) : 0;
   for (int j = 0; j < columns; ++j) by.y.push_back(3 - 5 * j);
   return by;
 }

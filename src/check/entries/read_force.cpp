@@ -121,7 +121,6 @@ const KeySyntax* place_of(const EntrySyntax& entry, Report& report) {
 void read_frame_output(ValueReader& values, const EntrySyntax& entry, UserOutput& output) {
   Context& context = values.context();
   output.frame = values.reference(entry.find("frame")->value, SymbolKind::frame);
-  output.columns = 4;
   if (!output.frame) return;
   const std::optional<std::uint32_t> axes = axes_of(values, entry, "axes", std::nullopt);
   if (axes && axes != output.frame) {

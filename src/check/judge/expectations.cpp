@@ -60,7 +60,7 @@ Rows rows_of(const ValueSyntax& value) {
 
 /// By what it is, not by its size: the mass matrix of one coordinate is one. (So is a pose.)
 bool is_matrix(const OutputRequest& request) {
-  return request.columns > 1 || field_row(request.kind, "").columns != Extent::one;
+  return request.columns > 1 || has_columns(field_row(request.kind, ""));
 }
 
 bool is_nested(const ValueSyntax& value) {

@@ -267,7 +267,7 @@ bool is_scalar(OutputKind kind, const Field& field) {
   const FieldRow& row = field_row(kind, field.name);
   const bool may_be =
       row.rows == Extent::one || row.rows == Extent::user || row.rows == Extent::task;
-  return may_be && row.columns == Extent::one && field.rows == 1 && field.columns == 1;
+  return may_be && !has_columns(row) && field.rows == 1 && field.columns == 1;
 }
 
 bool is_scalar(const Program& program, const Function& function, const Field& field) {
@@ -275,8 +275,7 @@ bool is_scalar(const Program& program, const Function& function, const Field& fi
 }
 
 bool is_matrix(OutputKind kind, const Field& field) {
-  const Extent columns = field_row(kind, field.name).columns;
-  return columns == Extent::user ? field.columns > 1 : columns != Extent::one;
+  return has_columns(field_row(kind, field.name));
 }
 
 std::string_view pivot_count(const Model& model) {

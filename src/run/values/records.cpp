@@ -16,7 +16,8 @@ namespace {
 
 std::vector<std::string> labels_of(const Model& model, const FieldLines& lines) {
   const Extent extent = lines.extent;
-  const bool is_number = extent == Extent::one || extent == Extent::user || extent == Extent::task;
+  const bool is_number = extent == Extent::one || extent == Extent::user ||
+                         extent == Extent::user_columns || extent == Extent::task;
   if (is_number && lines.count == 1) return {""};
   std::vector<std::string> labels;
   for (const LineLabel& line : line_labels(model, lines)) labels.push_back(line.text());
@@ -24,13 +25,10 @@ std::vector<std::string> labels_of(const Model& model, const FieldLines& lines) 
 }
 
 ValueField field_of(const Model& model, const OutputRequest& output, const FieldRow& row) {
-  const bool is_alone = output_row(output.kind).fields.size() == 1;
-  const auto labels = [&](Extent extent, std::uint32_t alone) {
-    const std::uint32_t count = is_alone ? alone : extent_of(model, extent, output.user);
-    return labels_of(model, {extent, output.user, count});
+  const auto labels = [&](Extent extent) {
+    return labels_of(model, {extent, output.user, extent_of(model, extent, output.user)});
   };
-  ValueField field{std::string(row.name), labels(row.rows, output.rows),
-                   labels(row.columns, output.columns)};
+  ValueField field{std::string(row.name), labels(row.rows), labels(row.columns)};
   for (std::size_t r = 0; r < field.rows.size(); ++r) {
     for (std::size_t c = 0; c < field.columns.size(); ++c) {
       field.units.push_back(unit_text_of_entry(model, {output.kind, row.name, r, c}));

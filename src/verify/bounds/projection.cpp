@@ -98,7 +98,7 @@ class Projection {
     if (field.entries.empty()) return {};
     Contraction by{draw_.vector(rows), {}, place_.request_field};
     by.w.resize(field.rows, cl_R(0));
-    const bool is_matrix = row().columns != Extent::one || field.columns > 1;
+    const bool is_matrix = has_columns(row()) || field.columns > 1;
     if (is_matrix) by.y = draw_.vector(field.columns);
     const Running<Real> sum = contracted(by);
     const auto truth = oracle_contraction(subject_.model, place_.request, state(), by);

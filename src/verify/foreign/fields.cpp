@@ -17,8 +17,6 @@ std::size_t size_of(const ForeignFields& fields) {
 
 ForeignFields fields_of(const Model& model, const OutputRequest& output) {
   const auto& rows = output_row(output.kind).fields;
-  // Poses have a shape of their own.
-  if (rows.size() == 1) return {{&rows.front(), 0, output.rows, output.columns}};
   ForeignFields fields;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const ForeignField field{&rows[i], first_entry_of(model, output, i),
