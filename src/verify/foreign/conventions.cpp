@@ -13,51 +13,77 @@ namespace elgen {
 namespace {
 
 using cln::cl_R;
-using Eigen::MatrixXi;
 using Numbers = std::vector<cl_R>;
 
 /// Pairs of more than eight coordinates take the oracle minutes.
 constexpr std::size_t most_conventions = 300;
 constexpr std::size_t most_coordinates = 16;
-constexpr Eigen::Index most_permuted = 3;
+constexpr std::size_t most_permuted = 3;
+
+IntegerMatrix identity(std::size_t size) {
+  IntegerMatrix result{size, std::vector<int>(size * size)};
+  for (std::size_t i = 0; i < size; ++i) result.at(i, i) = 1;
+  return result;
+}
+
+IntegerMatrix product(const IntegerMatrix& a, const IntegerMatrix& b) {
+  IntegerMatrix result{a.size, std::vector<int>(a.entries.size())};
+  for (std::size_t i = 0; i < a.size; ++i) {
+    for (std::size_t j = 0; j < a.size; ++j) {
+      for (std::size_t k = 0; k < a.size; ++k) result.at(i, j) += a.at(i, k) * b.at(k, j);
+    }
+  }
+  return result;
+}
+
+IntegerMatrix transposed(const IntegerMatrix& a) {
+  IntegerMatrix result = a;
+  for (std::size_t i = 0; i < a.size; ++i) {
+    for (std::size_t j = 0; j < a.size; ++j) result.at(i, j) = a.at(j, i);
+  }
+  return result;
+}
 
 Convention identity(const Model& model) {
   // Components of a quaternion mean nothing one by one.
   const bool is_small = model.rotations.empty() && model.coordinates.size() <= most_coordinates;
-  const auto n = is_small ? static_cast<Eigen::Index>(model.coordinates.size()) : 0;
-  const auto inputs = static_cast<Eigen::Index>(model.inputs.size());
-  return {"", MatrixXi::Identity(n, n), MatrixXi::Identity(n, n), Eigen::VectorXi::Zero(n),
-          MatrixXi::Identity(inputs, inputs)};
+  const std::size_t n = is_small ? model.coordinates.size() : 0;
+  return {"", identity(n), identity(n), std::vector<int>(n), identity(model.inputs.size())};
 }
 
 /// `b`, then `a`.
 Convention both(const Convention& a, const Convention& b) {
-  return {a.name + ", " + b.name, a.S * b.S, b.inverse * a.inverse,
-          a.S * b.half_turns + a.half_turns, a.U * b.U};
+  std::vector<int> half_turns = a.half_turns;
+  for (std::size_t i = 0; i < half_turns.size(); ++i) {
+    for (std::size_t j = 0; j < half_turns.size(); ++j) {
+      half_turns[i] += a.S.at(i, j) * b.half_turns[j];
+    }
+  }
+  return {a.name + ", " + b.name, product(a.S, b.S), product(b.inverse, a.inverse), half_turns,
+          product(a.U, b.U)};
 }
 
 /// For each coordinate and input the choices of its direction and its zero.
 std::vector<std::vector<Convention>> choices(const Model& model) {
   const Convention same = identity(model);
   std::vector<std::vector<Convention>> all;
-  for (Eigen::Index i = 0; i < same.S.rows(); ++i) {
-    const Coordinate& coordinate = model.coordinates[static_cast<std::size_t>(i)];
+  for (std::size_t i = 0; i < same.S.size; ++i) {
+    const Coordinate& coordinate = model.coordinates[i];
     Convention mirror = same;
     mirror.name = fmt::format("its `{0}` is `-{0}`", coordinate.name);
-    mirror.S(i, i) = mirror.inverse(i, i) = -1;
+    mirror.S.at(i, i) = mirror.inverse.at(i, i) = -1;
     Convention turn = same;
     turn.name = fmt::format("its `{0}` is `{0} + pi`", coordinate.name);
-    turn.half_turns(i) = 1;
+    turn.half_turns[i] = 1;
     Convention opposite = both(turn, mirror);
     opposite.name = fmt::format("its `{0}` is `pi - {0}`", coordinate.name);
     all.push_back({mirror});
     if (is_angle(coordinate)) all.back() = {mirror, turn, opposite};
   }
-  for (Eigen::Index i = 0; i < same.U.rows(); ++i) {
+  for (std::size_t i = 0; i < same.U.size; ++i) {
     Convention reversed = same;
-    reversed.name =
-        fmt::format("its `{0}` is `-{0}`", model.inputs[static_cast<std::size_t>(i)].name);
-    reversed.U(i, i) = -1;
+    reversed.name = fmt::format("its `{0}` is `-{0}`", model.inputs[i].name);
+    reversed.U.at(i, i) = -1;
     all.push_back({reversed});
   }
   return all;
@@ -67,11 +93,11 @@ std::vector<std::vector<Convention>> choices(const Model& model) {
 void add_relative_angles(const Model& model, std::vector<Convention>& all) {
   Convention relative = identity(model);
   relative.name = "each of its angles is ours less the one before";
-  std::vector<Eigen::Index> angles;
-  for (Eigen::Index i = 0; i < relative.S.rows(); ++i) {
-    if (!is_angle(model.coordinates[static_cast<std::size_t>(i)])) continue;
-    if (!angles.empty()) relative.S(i, angles.back()) = -1;
-    for (const Eigen::Index before : angles) relative.inverse(i, before) = 1;
+  std::vector<std::size_t> angles;
+  for (std::size_t i = 0; i < relative.S.size; ++i) {
+    if (!is_angle(model.coordinates[i])) continue;
+    if (!angles.empty()) relative.S.at(i, angles.back()) = -1;
+    for (const std::size_t before : angles) relative.inverse.at(i, before) = 1;
     angles.push_back(i);
   }
   if (angles.size() < 2) return;
@@ -83,31 +109,30 @@ void add_relative_angles(const Model& model, std::vector<Convention>& all) {
 
 void add_orders(const Model& model, std::vector<Convention>& all) {
   const Convention same = identity(model);
-  if (same.S.rows() > most_permuted) return;
-  std::vector<Eigen::Index> order(static_cast<std::size_t>(same.S.rows()));
-  std::iota(order.begin(), order.end(), Eigen::Index{0});
+  if (same.S.size > most_permuted) return;
+  std::vector<std::size_t> order(same.S.size);
+  std::iota(order.begin(), order.end(), std::size_t{0});
   while (std::ranges::next_permutation(order).found) {
     Convention permuted = same;
     permuted.name = "the order of its coordinates is";
     for (std::size_t i = 0; i < order.size(); ++i) {
-      permuted.S.row(static_cast<Eigen::Index>(i)) = same.S.row(order[i]);
-      const std::string& name = model.coordinates[static_cast<std::size_t>(order[i])].name;
-      permuted.name += fmt::format("{} `{}`", i == 0 ? "" : ",", name);
+      for (std::size_t j = 0; j < order.size(); ++j) permuted.S.at(i, j) = same.S.at(order[i], j);
+      permuted.name += fmt::format("{} `{}`", i == 0 ? "" : ",", model.coordinates[order[i]].name);
     }
-    permuted.inverse = permuted.S.transpose();
+    permuted.inverse = transposed(permuted.S);
     all.push_back(permuted);
   }
 }
 
 /// The map times each block of rows of X that has its size; the empty map leaves X as it is.
-Numbers times(const MatrixXi& map, const Numbers& x, std::size_t columns = 1) {
-  const auto n = static_cast<std::size_t>(map.rows());
+Numbers times(const IntegerMatrix& map, const Numbers& x, std::size_t columns = 1) {
+  const std::size_t n = map.size;
   if (n == 0) return x;
   Numbers y(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
     const std::size_t row = i / columns;
     for (std::size_t j = 0; j < n; ++j) {
-      const int factor = map(static_cast<Eigen::Index>(row % n), static_cast<Eigen::Index>(j));
+      const int factor = map.at(row % n, j);
       if (factor == 0) continue;
       y[i] = y[i] + factor * x[(row - row % n + j) * columns + i % columns];
     }
@@ -118,9 +143,9 @@ Numbers times(const MatrixXi& map, const Numbers& x, std::size_t columns = 1) {
 /// x + sign pi c.
 Numbers turned(const Convention& convention, Numbers x, int sign) {
   const cl_R pi = (Real(4) * atan(Real(1))).value();
-  for (Eigen::Index i = 0; i < convention.half_turns.rows(); ++i) {
-    cl_R& angle = x[static_cast<std::size_t>(i)];
-    if (convention.half_turns(i) != 0) angle = angle + sign * convention.half_turns(i) * pi;
+  for (std::size_t i = 0; i < convention.half_turns.size(); ++i) {
+    const int turns = sign * convention.half_turns[i];
+    if (turns != 0) x[i] = x[i] + turns * pi;
   }
   return x;
 }
@@ -134,12 +159,12 @@ Numbers transposed(const Numbers& x, std::size_t columns) {
 
 /// The map of rows or columns; entries that follow coordinates change as velocities do, or as
 /// forces.
-MatrixXi map_of(const Convention& convention, Extent extent, bool as_velocities) {
+IntegerMatrix map_of(const Convention& convention, Extent extent, bool as_velocities) {
   if (extent == Extent::inputs) return convention.U;
   const bool is_of_coordinates =
       extent == Extent::coordinates || extent == Extent::velocities || extent == Extent::states;
   if (!is_of_coordinates) return {};
-  return as_velocities ? convention.S : convention.inverse.transpose();
+  return as_velocities ? convention.S : transposed(convention.inverse);
 }
 
 }  // namespace
@@ -164,7 +189,7 @@ State our_state(const Convention& convention, State theirs) {
   theirs.q = times(convention.inverse, turned(convention, theirs.q, -1));
   theirs.v = times(convention.inverse, theirs.v);
   theirs.a = times(convention.inverse, theirs.a);
-  theirs.momenta = times(convention.S.transpose(), theirs.momenta);
+  theirs.momenta = times(transposed(convention.S), theirs.momenta);
   theirs.u = times(convention.U, theirs.u);
   return theirs;
 }
@@ -177,7 +202,7 @@ std::vector<cl_R> their_values(const Convention& convention, OutputKind output,
   Numbers values = times(map_of(convention, row.rows, is_rate), ours, field.columns);
   const bool is_place = row.rows == Extent::coordinates && row.unit == UnitRule::row;
   if (is_place) values = turned(convention, values, 1);
-  const MatrixXi of_columns = map_of(convention, row.columns, false);
+  const IntegerMatrix of_columns = map_of(convention, row.columns, false);
   values = times(of_columns, transposed(values, field.columns), field.rows);
   return transposed(values, field.rows);
 }

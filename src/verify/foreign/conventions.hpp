@@ -5,7 +5,7 @@
 
 #include <cln/real.h>
 
-#include <Eigen/Core>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -15,12 +15,25 @@
 
 namespace elgen {
 
+/// A square matrix of signs and small integers.
+struct IntegerMatrix {
+  std::size_t size = 0;
+  std::vector<int> entries = {};  ///< row by row
+
+  [[nodiscard]] int& at(std::size_t row, std::size_t column) {
+    return entries[row * size + column];
+  }
+  [[nodiscard]] int at(std::size_t row, std::size_t column) const {
+    return entries[row * size + column];
+  }
+};
+
 struct Convention {
   std::string name = {};  ///< "its `theta` is `theta + pi`"
-  Eigen::MatrixXi S = {};
-  Eigen::MatrixXi inverse = {};
-  Eigen::VectorXi half_turns = {};  ///< c
-  Eigen::MatrixXi U = {};           ///< its own inverse
+  IntegerMatrix S = {};
+  IntegerMatrix inverse = {};
+  std::vector<int> half_turns = {};  ///< c
+  IntegerMatrix U = {};              ///< its own inverse
 };
 
 /// Signs and half turns of single coordinates and inputs, then of two; relative and absolute
