@@ -19,11 +19,11 @@ namespace {
 using cln::cl_MI;
 using cln::cl_R;
 
-constexpr std::uint64_t seed = 1;
+constexpr std::uint64_t seed_of_states = 1;
 
-/// Floats have so many digits beside the 64 of Real; entries below the noise are 0.
+/// Floats have so many digits beside the 64 of Real; smaller entries than `least_entry` are 0.
 constexpr unsigned more_digits = 96;
-const cl_R& noise() {
+const cl_R& least_entry() {
   static const cl_R value = power_of_ten(-100);
   return value;
 }
@@ -83,7 +83,7 @@ bool take(const Echelon<Field>& echelon, const ToNumber& number, BaseParameters&
 /// False where a constant or a function is not of the field.
 bool find_by_residues(const CheckedModel& checked, const Program& program,
                       const Function& regressor, BaseParameters& found) {
-  Sampler draw(seed);
+  Sampler draw(seed_of_states);
   std::vector<cl_MI> matrix;
   for (std::size_t i = 0; i < found.states; ++i) {
     const std::vector<Residue> entries = residues_of(checked.model, program, regressor, draw);
@@ -129,7 +129,7 @@ std::optional<std::vector<cl_R>> sampled_rows(const CheckedModel& checked, const
 bool find_by_samples(const CheckedModel& checked, const Program& program, const Function& regressor,
                      BaseParameters& found) {
   constexpr std::size_t draws_per_state = 20;
-  Sampler draw(seed);
+  Sampler draw(seed_of_states);
   std::vector<cl_R> matrix;
   const std::size_t columns = found.parameters.size();
   const std::size_t wanted = found.states * entries_of_matrix(regressor);
@@ -140,7 +140,7 @@ bool find_by_samples(const CheckedModel& checked, const Program& program, const 
     if (rows) matrix.insert(matrix.end(), rows->begin(), rows->end());
   }
   if (matrix.size() < wanted) return false;
-  LargestPivot<cl_R, EchelonForm::reduced> field(noise(), noise());
+  LargestPivot<cl_R, EchelonForm::reduced> field(least_entry(), least_entry());
   return take(
       Echelon<LargestPivot<cl_R, EchelonForm::reduced>>(field, matrix, columns, columns),
       [](const cl_R& factor) { return std::optional(factor); }, found);

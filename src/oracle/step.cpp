@@ -142,7 +142,7 @@ constexpr Moved (Stepping::*methods[])() = {
 };
 
 /// Floats with room for differences of 10^-digits.
-State lengthened(const State& state, unsigned digits) {
+State extended(const State& state, unsigned digits) {
   const cln::float_format_t format = cln::float_format(150 + 3 * digits);
   return map_leaves([&](const cl_R& x) { return cl_R(cln::cl_float(x, format)); }, state);
 }
@@ -224,7 +224,7 @@ Values slope(const Model& model, const OutputRequest& output, const State& state
              const Direction& along) {
   for (const unsigned digits : {45U, 150U, 450U}) {
     const std::optional<Values> found = with_digits(3 * digits, [&] {
-      return StepLine(model, output, lengthened(state, digits), along).slope(digits);
+      return StepLine(model, output, extended(state, digits), along).slope(digits);
     });
     if (found) return *found;
   }

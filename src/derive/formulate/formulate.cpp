@@ -21,7 +21,7 @@ using GiNaC::ex;
 
 namespace {
 
-const ex half = GiNaC::numeric(1, 2);
+const ex one_half = GiNaC::numeric(1, 2);
 
 /// A positive symbol lets GiNaC take roots of squares.
 ex symbol_of(const Parameter& parameter, const std::string& name) {
@@ -94,7 +94,7 @@ void add_rotation(const Body& body, Entity origin, Translation& translation,
   const auto add = [&](const ex& term) {
     lagrangian.kinetic.push_back({term, EnergyOrigin::spin});
   };
-  for (std::size_t i = 0; i < spin.size(); ++i) add(half * inertia[i] * spin[i] * spin[i]);
+  for (std::size_t i = 0; i < spin.size(); ++i) add(one_half * inertia[i] * spin[i] * spin[i]);
   if (inertia.size() == 6) {
     add(inertia[3] * spin[0] * spin[1]);
     add(inertia[4] * spin[0] * spin[2]);
@@ -174,7 +174,7 @@ void add_armatures(const Model& model, Translation& translation, Lagrangian& lag
     if (!coordinate.armature) continue;
     const ex rate = lagrangian.symbols.v[coordinate.velocity];
     const ex armature = translation.value(*coordinate.armature);
-    kinetic.push_back({half * armature * rate * rate, EnergyOrigin::armature});
+    kinetic.push_back({one_half * armature * rate * rate, EnergyOrigin::armature});
     lagrangian.armatures[coordinate.velocity] = armature;
   }
 }

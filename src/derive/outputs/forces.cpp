@@ -75,7 +75,7 @@ Vector direct_forces(Derivation& derivation, InputForces inputs) {
   return result;
 }
 
-TreeForces negative(TreeForces forces) {
+TreeForces opposite(TreeForces forces) {
   for (Weighted& term : forces.pulled_back) term.weight = -term.weight;
   for (auto& [velocity, force] : forces.on_velocities) force = -force;
   return forces;
@@ -83,7 +83,7 @@ TreeForces negative(TreeForces forces) {
 
 TreeForces negative_wrenches(Derivation& derivation, InputForces inputs) {
   Substitution force = acting(derivation, inputs);
-  return negative(tree_of(derivation).wrench_forces(std::ref(force)));
+  return opposite(tree_of(derivation).wrench_forces(std::ref(force)));
 }
 
 /// Forces of bodies in frames; gravity is an acceleration of their base.
@@ -156,7 +156,7 @@ Vector drift(Derivation& derivation) {
   // Bodies in frames give all inertial forces less those at frozen time.
   Tree& tree = tree_of(derivation);
   append(forces, inertial_forces(tree, {derivation.coasting, derivation.coasting}));
-  append(forces, negative(inertial_forces(tree, {derivation.frozen, derivation.frozen})));
+  append(forces, opposite(inertial_forces(tree, {derivation.frozen, derivation.frozen})));
   Vector result = by_velocities(derivation, forces);
   const Vector momentum = derivation.by_velocity(linear);
   result = plus(result, momentum_rates(derivation, momentum, derivation.coasting));

@@ -15,12 +15,12 @@
 namespace elgen {
 namespace {
 
-constexpr double left = 70;
-constexpr double top = 66;
+constexpr double left_margin = 70;
+constexpr double top_margin = 66;
 constexpr double plot_width = 520;
 constexpr double plot_height = 420;
-constexpr double bottom = 50;
-constexpr double legend_left = left + plot_width + 30;
+constexpr double bottom_margin = 50;
+constexpr double legend_left = left_margin + plot_width + 30;
 constexpr double legend_width = 430;  // of all dimensions together
 constexpr double line_height = 18;
 constexpr double radius = 5;
@@ -82,16 +82,17 @@ class TradeoffPlot {
       costs.push_back(row->cost.median);
       errors.push_back(row->error.worst);
     }
-    chart_ = {left, top, plot_width, plot_height, axis_of_costs(costs), axis_of_errors(errors)};
+    chart_ = {left_margin, top_margin,           plot_width,
+              plot_height, axis_of_costs(costs), axis_of_errors(errors)};
     chart_.x.title = fmt::format("cost [{}]", table.cost);
   }
 
   [[nodiscard]] std::string text() const {
     std::string svg =
         svg_start(legend_left + legend_width,
-                  std::max(top + plot_height + bottom, legend_y(rows_.size() + 5)),
+                  std::max(top_margin + plot_height + bottom_margin, legend_y(rows_.size() + 5)),
                   fmt::format("{}, {}: {}", table_.model, table_.subject, table_.error));
-    svg += chart_.grid() + svg_label(14, top - 14, "start", "worst error, relative") +
+    svg += chart_.grid() + svg_label(14, top_margin - 14, "start", "worst error, relative") +
            pareto_front() + legend();
     // The Pareto front comes first where costs are equal; drawn last, it is never covered.
     for (std::size_t i = rows_.size(); i-- > 0;) {
@@ -149,7 +150,7 @@ class TradeoffPlot {
   }
 
   [[nodiscard]] static double legend_y(std::size_t line) {
-    return top + line_height * (static_cast<double>(line) + 0.5);
+    return top_margin + line_height * (static_cast<double>(line) + 0.5);
   }
 
   /// Explains the values of a design, the designs, the marks and the line.
