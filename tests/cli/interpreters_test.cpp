@@ -20,6 +20,22 @@ Outcome verified_by(const std::string& python) {
 
 }  // namespace
 
+// Constraints, rotations, kinks, open functions, series.
+TEST_CASE("python: ten models have the bits of the program") {
+  if (!is_installed("python3", "python3 --version")) return;
+  std::string models;
+  for (const std::string name :
+       {"cart_pole", "chain", "central_force_open", "foucault_pendulum", "four_bar", "free_body",
+        "panda7", "pendulum_in_lift", "quadrotor", "rolling_disc"}) {
+    models += " " ELGEN_SOURCE_DIR "/models/" + name + ".toml";
+  }
+  const Outcome judged = run("elgen verify --samples 4 --language python" + models);
+  INFO(judged.output + judged.errors);
+  CHECK(judged.status == 0);
+  CHECK(count(judged.output, " 0 fail, ") == 10);
+  CHECK_FALSE(mentions(judged.output, "could not be run"));
+}
+
 TEST_CASE("an interpreter that is not there, too old or does not start is a row that is skipped") {
   const Outcome missing = run("export PYTHON=/nowhere/python3;" + verified);
   CHECK(missing.status == 0);
