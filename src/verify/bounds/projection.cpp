@@ -16,7 +16,7 @@ namespace elgen {
 namespace {
 
 using cln::cl_R;
-using Numbers = std::vector<cl_R>;
+using RealNumbers = std::vector<cl_R>;
 
 /// Up to so many coordinates the oracle solves by itself.
 constexpr std::size_t directly_solved = 4;
@@ -114,7 +114,7 @@ class Projection {
   }
 
   /// w.B y
-  [[nodiscard]] std::optional<cl_R> input_force(const Numbers& w, const Numbers& y) const {
+  [[nodiscard]] std::optional<cl_R> input_force(const RealNumbers& w, const RealNumbers& y) const {
     if (y.empty()) return cl_R(0);
     return oracle_contraction(subject_.model, {.kind = OutputKind::input_matrix}, state(), {w, y});
   }
@@ -126,7 +126,7 @@ class Projection {
       if (!entry(i).value.is_defined()) return compare_undefined("an acceleration");
       moving.a[i] = entry(i).value.value();
     }
-    const Numbers w = draw_.vector(n);
+    const RealNumbers w = draw_.vector(n);
     const auto force =
         oracle_contraction(subject_.model, {.kind = OutputKind::inverse_dynamics}, moving, {w});
     const auto driven = input_force(w, state().u);
@@ -147,7 +147,7 @@ class Projection {
   }
 
   /// X y in the rows of accelerations; none where an entry is undefined.
-  [[nodiscard]] OracleValues response(const Numbers& y) const {
+  [[nodiscard]] OracleValues response(const RealNumbers& y) const {
     const std::size_t n = state().v.size();
     const std::size_t above = place_.field().rows - n;
     std::vector<Real> z(n);
@@ -161,18 +161,18 @@ class Projection {
   }
 
   /// The number that w.M z has to be, where z is the response to the changes y.
-  std::optional<cl_R> response_force(const Numbers& w, const Numbers& y) {
+  std::optional<cl_R> response_force(const RealNumbers& w, const RealNumbers& y) {
     if (row().columns == Extent::inputs) return input_force(w, y);
     const auto solution = values_of(subject_, OutputKind::forward_dynamics, oracle_);
     if (!solution) return std::nullopt;
     State moving = state();
     std::copy_n(solution->begin(), w.size(), moving.a.begin());
     const auto n = static_cast<std::ptrdiff_t>(w.size());
-    const Numbers rest(w.size(), cl_R(0));
+    const RealNumbers rest(w.size(), cl_R(0));
     const bool by_velocity = row().name == "by_velocity";
     const bool by_rates = by_velocity || row().columns == Extent::states;
-    const Numbers x = by_velocity ? rest : Numbers(y.begin(), y.begin() + n);
-    const Numbers rates = by_rates ? Numbers(y.end() - n, y.end()) : rest;
+    const RealNumbers x = by_velocity ? rest : RealNumbers(y.begin(), y.begin() + n);
+    const RealNumbers rates = by_rates ? RealNumbers(y.end() - n, y.end()) : rest;
     const auto slope = oracle_residual_slope(subject_.model, moving, w, x, rates);
     return slope ? std::optional<cl_R>(-*slope) : std::nullopt;
   }
@@ -181,8 +181,8 @@ class Projection {
     const Field& field = place_.field();
     if (field.entries.empty()) return {};
     const std::size_t n = state().v.size();
-    const Numbers w = draw_.vector(n);
-    const Numbers y = draw_.vector(field.columns);
+    const RealNumbers w = draw_.vector(n);
+    const RealNumbers y = draw_.vector(field.columns);
     const auto z = response(y);
     if (!z) return compare_undefined("a derivative");
     const OutputRequest mass{.kind = OutputKind::mass_matrix};

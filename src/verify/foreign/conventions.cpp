@@ -13,7 +13,7 @@ namespace elgen {
 namespace {
 
 using cln::cl_R;
-using Numbers = std::vector<cl_R>;
+using RealNumbers = std::vector<cl_R>;
 
 /// Pairs of more than eight coordinates take the oracle minutes.
 constexpr std::size_t most_conventions = 300;
@@ -125,10 +125,10 @@ void add_orders(const Model& model, std::vector<Convention>& all) {
 }
 
 /// The map times each block of rows of X that has its size; the empty map leaves X as it is.
-Numbers times(const IntegerMatrix& map, const Numbers& x, std::size_t columns = 1) {
+RealNumbers times(const IntegerMatrix& map, const RealNumbers& x, std::size_t columns = 1) {
   const std::size_t n = map.size;
   if (n == 0) return x;
-  Numbers y(x.size());
+  RealNumbers y(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
     const std::size_t row = i / columns;
     for (std::size_t j = 0; j < n; ++j) {
@@ -141,7 +141,7 @@ Numbers times(const IntegerMatrix& map, const Numbers& x, std::size_t columns = 
 }
 
 /// x + sign pi c.
-Numbers turned(const Convention& convention, Numbers x, int sign) {
+RealNumbers turned(const Convention& convention, RealNumbers x, int sign) {
   const cl_R pi = (Real(4) * atan(Real(1))).value();
   for (std::size_t i = 0; i < convention.half_turns.size(); ++i) {
     const int turns = sign * convention.half_turns[i];
@@ -150,9 +150,9 @@ Numbers turned(const Convention& convention, Numbers x, int sign) {
   return x;
 }
 
-Numbers transposed(const Numbers& x, std::size_t columns) {
+RealNumbers transposed(const RealNumbers& x, std::size_t columns) {
   const std::size_t rows = x.size() / columns;
-  Numbers y(x.size());
+  RealNumbers y(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) y[i % columns * rows + i / columns] = x[i];
   return y;
 }
@@ -199,7 +199,7 @@ std::vector<cl_R> their_values(const Convention& convention, OutputKind output,
   const FieldRow& row = *field.row;
   const bool is_rate = output_row(output).solves || row.unit == UnitRule::row ||
                        row.unit == UnitRule::row_per_second;
-  Numbers values = times(map_of(convention, row.rows, is_rate), ours, field.columns);
+  RealNumbers values = times(map_of(convention, row.rows, is_rate), ours, field.columns);
   const bool is_place = row.rows == Extent::coordinates && row.unit == UnitRule::row;
   if (is_place) values = turned(convention, values, 1);
   const IntegerMatrix of_columns = map_of(convention, row.columns, false);
