@@ -1,8 +1,10 @@
 // elgen verify: a certificate per input, on stdout and where -o says.
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <thread>
 
 #include "cli/commands.hpp"
@@ -20,11 +22,20 @@
 namespace elgen::cli {
 namespace {
 
+/// A word of --build.
+struct BuildWord {
+  std::string_view word;
+  Build build;
+};
+constexpr std::array<BuildWord, 3> build_words{
+    {{"written", Build::as_written}, {"native", Build::native}, {"users", Build::as_users}}};
+
 struct VerifyCommandOptions {
   std::vector<std::string> inputs = {};
   VerifyOptions verify = {};  ///< but for what is compiled and derived
-  bool strict = false;        ///< skipped checks count as failed
-  OutputOption output = {};   ///< of certificates
+  std::vector<Build> builds = {Build::as_written, Build::native, Build::as_users};
+  bool strict = false;       ///< skipped checks count as failed
+  OutputOption output = {};  ///< of certificates
   std::optional<LanguageId> language = {};
   ForeignOptions foreign = {};  ///< without claims: none is judged
 };
@@ -64,12 +75,12 @@ CompiledHeaders all_lacking(const Diagnostic& late) {
   return headers;
 }
 
-/// Compiles the emitted code in every way that is compared, unless it is to be quick.
-Result<CompiledHeaders> compiled_by(Products& products, const VerifyOptions& options,
+/// Compiles the emitted code in every build that is compared, unless it is to be quick.
+Result<CompiledHeaders> compiled_by(Products& products, const VerifyCommandOptions& options,
                                     const Limits& limits, const Progress& progress) {
-  if (options.quick) return CompiledHeaders();
+  if (options.verify.quick) return CompiledHeaders();
   const auto& [model, scene] = *products.checked;
-  const CompileOptions all{limits, {Build::as_written, Build::native, Build::as_users}, true};
+  const CompileOptions all{limits, options.builds, true};
   return timed("compile", products, progress, [&, &model = model, &scene = scene] {
     Result<CompiledHeaders> compiled =
         compile(*products.files, model, scene, *products.program, all);
@@ -99,11 +110,11 @@ Result<std::vector<CertificateRow>> promised(const Inputs& inputs, const Product
 /// Compiles, and compares with what is derived beside `options`; every step is shown,
 /// and timed with the stages of the products.
 Result<Verification> compared(const std::string& path, const Inputs& inputs, Products& products,
-                              const VerifyOptions& options, const Limits& limits) {
+                              const VerifyCommandOptions& options, const Limits& limits) {
   const Progress progress(path);
   const auto compiled = compiled_by(products, options, limits, progress);
   if (!compiled) return compiled.diagnostics;
-  VerifyOptions verification = options;
+  VerifyOptions verification = options.verify;
   verification.forms = &*products.closed_forms;
   if (products.claims) verification.claims = &*products.claims;
   verification.on_step = [&progress](const std::string& step) { progress.stage(step); };
@@ -153,9 +164,8 @@ ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& opt
     const auto& [model, scene] = *products.checked;
     tell(global, overview(model_page(model, scene, products.book->program), screen_of(stderr)));
   }
-  const auto verification = is_foreign
-                                ? judged(path, products, options, global.limits)
-                                : compared(path, inputs, products, options.verify, global.limits);
+  const auto verification = is_foreign ? judged(path, products, options, global.limits)
+                                       : compared(path, inputs, products, options, global.limits);
   tell_times(global, products);
   if (!verification) return report(global, verification.diagnostics);
   const Certificate& certificate = verification->certificate;
@@ -202,6 +212,17 @@ void add_states(CLI::App& command, VerifyOptions& verify) {
       ->check(CLI::Range(1U, most_jobs));
 }
 
+/// --build
+void add_build(CLI::App& command, std::vector<Build>& builds) {
+  const auto set = [&builds](const std::string& word) {
+    builds = {std::ranges::find(build_words, word, &BuildWord::word)->build};
+  };
+  CLI::Option* const build = command.add_option_function<std::string>(
+      "--build", set, "compile C++ and C99 in this way only (all three)");
+  build->check(CLI::IsMember(words_in(build_words, &BuildWord::word)))->type_name("BUILD");
+  build->excludes(command.get_option("--quick"));
+}
+
 /// "linearization.B=my_B": without a name there, what stands before it.
 ForeignClaim claim_of(const std::string& text) {
   const std::string claimed = text.substr(0, text.find('='));
@@ -232,7 +253,7 @@ void add_foreign(CLI::App& command, ForeignOptions& foreign) {
       ->check(CLI::PositiveNumber)
       ->check(refused_nan)
       ->needs(code);
-  for (const char* const other : {"--extremes", "--quick", "--jobs"}) {
+  for (const char* const other : {"--extremes", "--quick", "--build", "--jobs"}) {
     code->excludes(command.get_option(other));
   }
 }
@@ -249,6 +270,7 @@ void add_verify(CLI::App& app, Action& action) {
                     "count the digits that are lost beyond the declared ranges, too");
   command->add_flag("--quick", options->verify.quick,
                     "few states, projections instead of all entries, no compiler");
+  add_build(*command, options->builds);
   add_language(*command, options->language);
   add_foreign(*command, options->foreign);
   command->add_flag("--strict", options->strict, "exit with 1 where a check is skipped");

@@ -65,7 +65,7 @@ V = "1/2*k*x[1]^2 + sum(i, 1, n - 1, 1/2*k*(x[i + 1] - x[i])^2)"
   CHECK(mentions(one.output, "potential_energy = 1/2*k*x[1]^2"));
   CHECK(workspace.run("elgen generate -q --size n=1 springs.toml").status == 0);
   workspace.prepare("sed 's/n = 3/n = 1/' springs.toml > one.toml");
-  CHECK(workspace.run("elgen verify --samples 16 one.toml").status == 0);
+  CHECK(workspace.run("elgen verify --build written --samples 16 one.toml").status == 0);
 }
 
 TEST_CASE("what is asked for by name is shown, zero or not") {

@@ -68,7 +68,7 @@ TEST_CASE("a wider scalar between doubles has all digits, whatever M is") {
     if (inner != "long double") CHECK(is_right == (inner == "double-double"));
   }
   CHECK(mentions(workspace.read("wide.scene.toml"), "inner = \"double-double\"\n"));
-  CHECK(workspace.run("elgen verify --samples 8 wide.scene.toml").status == 0);
+  CHECK(workspace.run("elgen verify --build written --samples 8 wide.scene.toml").status == 0);
 }
 
 TEST_CASE("a model gives ten designs, and the scene of the one chosen is as good under verify") {
@@ -92,7 +92,7 @@ TEST_CASE("a model gives ten designs, and the scene of the one chosen is as good
   CHECK(starts_with(workspace.read("front.svg"), "<svg "));
   CHECK(mentions(workspace.read("fast.scene.toml"), "max_error = \"1e-06\"\n"));
   const auto verified = [&workspace](const std::string& words) {
-    const Outcome verdict = workspace.run("elgen verify --samples 16 " + words);
+    const Outcome verdict = workspace.run("elgen verify --build written --samples 16 " + words);
     INFO(verdict.output + verdict.errors);
     CHECK(mentions(verdict.output, "max_error, inverse_dynamics") == (verdict.status == 1));
     return verdict.status;
@@ -111,7 +111,7 @@ TEST_CASE("an expansion is held to its promise where the scene says, by the exac
                         "[approximate]\norder = 1\nabout = { x = 0, theta = 0 }\n"
                         "[numeric]\nmax_error = 1e-4\n" +
                         ranges);
-    return workspace.run("elgen verify --samples 16 upright.scene.toml").status;
+    return workspace.run("elgen verify --build written --samples 16 upright.scene.toml").status;
   };
   CHECK(status("ranges = { theta = [-0.01, 0.01] }\n") == 0);
   CHECK(status("") == 1);

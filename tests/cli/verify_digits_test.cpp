@@ -45,7 +45,8 @@ TEST_CASE("functions of doubles in a wider scalar have all digits") {
     workspace.write(name + ".scene.toml", "format = 1\nmodel = \"" + name +
                                               ".toml\"\nname = \"wide\"\n[numeric]\ninner = \"" +
                                               inner + "\"\n");
-    const Outcome outcome = workspace.run("elgen verify --samples 16 " + name + ".scene.toml");
+    const Outcome outcome =
+        workspace.run("elgen verify --build users --samples 16 " + name + ".scene.toml");
     INFO(outcome.output + outcome.errors);
     CHECK(outcome.status == 0);
     CHECK(mentions(outcome.output, "  holds    in " + inner));

@@ -93,7 +93,7 @@ name = "pose"
 frame = "ball"
 jacobian = true
 )toml");
-  const Outcome judged = workspace.run("elgen verify -v --samples 16 arm.toml");
+  const Outcome judged = workspace.run("elgen verify --build written -v --samples 16 arm.toml");
   INFO(judged.output + judged.errors);
   CHECK(judged.status == 0);
   CHECK(mentions(judged.output, "J = d(omega; dp/dt)/dv, [omega]x = dR/dt R^T"));
@@ -190,6 +190,27 @@ V = "m*g*(sqrt(a^2*n1^2 + b^2*n2^2 + c^2*n3^2) - h*n3)"
   }
 }
 
+TEST_CASE("option --build compiles in one way only") {
+  const Workspace workspace;
+  write_rotor(workspace);
+  const std::string verify = "elgen verify -v --samples 2 one.scene.toml --build ";
+  const std::string rows_of_bits = " entries differ\n";  // of double and float
+  const std::string written = workspace.run(verify + "written").output;
+  CHECK(count(written, rows_of_bits) == 2);
+  CHECK_FALSE(mentions(written, "-O3 -march=native"));
+  const std::string native = workspace.run(verify + "native").output;
+  CHECK(count(native, rows_of_bits) == 2);
+  CHECK(count(native, ", -O3 -march=native) ") == 2);
+  CHECK_FALSE(mentions(native, "as users compile"));
+  const std::string users = workspace.run(verify + "users").output;
+  CHECK(count(users, rows_of_bits) == 0);
+  CHECK(mentions(users, "as users compile"));
+  for (const std::string refused : {"all", "written --quick", "users --foreign ./mine.so"}) {
+    INFO(refused);
+    CHECK(workspace.run(verify + refused).status == 2);
+  }
+}
+
 TEST_CASE("a compiler that takes too long is no failure of the model") {
   const Workspace workspace;
   write_rotor(workspace);
@@ -212,7 +233,7 @@ TEST_CASE("a model whose numbers do not fit float is verified in double alone") 
       "format = 1\n[model]\nname = \"star\"\n[[coordinate]]\nname = \"x\"\nunit = \"m\"\n"
       "[parameters]\nm = { value = 1e39, unit = \"kg\" }\nk = { value = 1e39, unit = "
       "\"N/m\" }\n[energy]\nT = \"1/2*m*dot(x)^2\"\nV = \"1/2*k*x^2\"\n");
-  const Outcome outcome = workspace.run("elgen verify -v star.toml");
+  const Outcome outcome = workspace.run("elgen verify --build written -v star.toml");
   INFO(outcome.output + outcome.errors);
   CHECK(outcome.status == 0);
   CHECK(mentions(outcome.output, "mass_matrix (double)"));
@@ -253,9 +274,9 @@ TEST_CASE("option --samples is a positive number of states, -v prints the equati
   const std::string model = models + "/simple_pendulum.toml";
   CHECK(workspace.run("elgen verify --samples 0 " + model).status == 2);
   CHECK(workspace.run("elgen verify --jobs 0 " + model).status == 2);
-  const Outcome few = workspace.run("elgen verify --samples 4 -v " + model);
+  const Outcome few = workspace.run("elgen verify --build written --samples 4 -v " + model);
   CHECK(few.status == 0);
-  CHECK(few.output != workspace.run("elgen verify --samples 8 " + model).output);
+  CHECK(few.output != workspace.run("elgen verify --build written --samples 8 -v " + model).output);
   for (const std::string number : {"18446744073709551616", "-1", "1.5", "''"}) {
     for (const std::string option : {"--seed ", "--samples "}) {
       INFO(option + number);
@@ -332,7 +353,7 @@ TEST_CASE("the forward dynamics of arms is compared at most states") {
 
 TEST_CASE("option --timings has the times of verify too") {
   const std::string model = models + "/simple_pendulum.toml";
-  const Outcome outcome = run("elgen verify --samples 2 --timings " + model);
+  const Outcome outcome = run("elgen verify --build written --samples 2 --timings " + model);
   CHECK(outcome.status == 0);
   CHECK(mentions(outcome.errors, "     compile "));
   CHECK(mentions(outcome.errors, "      verify "));
@@ -342,7 +363,7 @@ TEST_CASE("the certificate is the same whatever the number of processes, not so 
   const Workspace workspace;
   write_rotor(workspace);
   const auto verified = [&](const std::string& options) {
-    return workspace.run("elgen verify -v one.scene.toml --samples 40 " + options);
+    return workspace.run("elgen verify --build users -v one.scene.toml --samples 40 " + options);
   };
   const Outcome alone = verified("--jobs 1");
   INFO(alone.output + alone.errors);
@@ -387,7 +408,8 @@ TEST_CASE("an interrupt ends the processes that share states, and leaves no file
   write_rotor(workspace);
   const Outcome outcome = workspace.run(
       "mkdir t; export TMPDIR=$PWD/t\n"
-      "elgen verify one.scene.toml --limit seconds=600 --samples 200000 --jobs 2 & id=$!\n"
+      "elgen verify --build written one.scene.toml --limit seconds=600 --samples 200000 --jobs 2 & "
+      "id=$!\n"
       "until test \"$(wc -w < /proc/$id/task/$id/children)\" = 2; do sleep 0.1; done\n"
       "children=$(cat /proc/$id/task/$id/children)\n"
       "kill -TERM $id; wait $id; echo $?\n"

@@ -177,7 +177,7 @@ TEST_CASE("a force on what is not small is right to one order more, everywhere i
   const Outcome generated = workspace.run("elgen generate -q -o out near.scene.toml");
   INFO(generated.errors);
   CHECK(generated.status == 0);
-  const Outcome judged = workspace.run("elgen verify --samples 16 near.scene.toml");
+  const Outcome judged = workspace.run("elgen verify --build written --samples 16 near.scene.toml");
   INFO(judged.output);
   CHECK(judged.status == 0);
 }

@@ -100,7 +100,7 @@ void check_sides(const std::string& scalar) {
   }
   if (scalar != "double") return;
   // Code against the evaluator, bit by bit, and against the oracle.
-  succeeds("elgen verify --samples 2 c.scene.toml cpp.scene.toml");
+  succeeds("elgen verify --build native --samples 2 c.scene.toml cpp.scene.toml");
 }
 
 }  // namespace

@@ -141,7 +141,8 @@ TEST_CASE("Hamilton's functions are emitted in all languages, compared and balan
     folder.write("model.toml", model_file(model));
     scene("cpp", "[emit]\neigen = true\nbatch = true\n");
     scene("c", "[emit]\nlanguage = \"c99\"\n");
-    const Outcome outcome = folder.run("elgen verify -v --samples 8 cpp.scene.toml c.scene.toml");
+    const Outcome outcome =
+        folder.run("elgen verify --build written -v --samples 8 cpp.scene.toml c.scene.toml");
     INFO(outcome.output << outcome.errors);
     CHECK(outcome.status == 0);
     CHECK(mentions(outcome.output, "Hamiltonian is the energy"));

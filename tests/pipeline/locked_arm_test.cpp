@@ -141,7 +141,7 @@ q2 = { value = "t^2", reaction = true }
   CHECK(mentions(shown.output, "J1*sin(t)"));
   CHECK(mentions(shown.output, "2*J2"));
   CHECK(workspace.run("elgen generate -q held.scene.toml -o out").status == 0);
-  CHECK(workspace.run("elgen verify --samples 16 held.scene.toml").status == 0);
+  CHECK(workspace.run("elgen verify --build written --samples 16 held.scene.toml").status == 0);
 }
 
 TEST_CASE("a locked elbow costs what it costs by hand", "[lock]") {
