@@ -35,6 +35,10 @@ struct LeafNames : LeafValues<std::string> {
 
 [[nodiscard]] LeafNames leaf_names(const Model& model);
 
+/// Gives names to the leaves of taken kinds that have none otherwise: a list is named like the
+/// velocities, a single leaf by its symbol.
+void name_taken(LeafSet takes, LeafNames& leaves);
+
 /// Whether a coordinate, parameter, input, function, prescribed motion or definition has the name.
 [[nodiscard]] bool has_value_named(const Model& model, std::string_view name);
 

@@ -105,15 +105,12 @@ template <class T>
   return list != nullptr ? list->size() : 1;
 }
 
-/// Leaves that no emitted function takes: the energy stands in what is conserved, multipliers in
-/// derivations.
-inline constexpr LeafSet never_passed = Opcode::energy | Opcode::multiplier;
-
-/// Whether emitted functions may take the kind: open values only where there are some, momenta and
-/// reference velocities where a function of theirs has given them names.
+/// Whether emitted functions may take the kind. Kinds that are not passed always are passed if
+/// their list has entries; a kind without a list counts as one entry.
 template <class T>
 [[nodiscard]] bool is_passed(const LeafValues<T>& leaves, Opcode kind) {
-  return !never_passed.has_any(kind) && (!is_optional(kind) || leaf_count(leaves, kind) > 0);
+  const Passed passed = leaf_row(kind).passed;
+  return passed == Passed::always || (passed != Passed::never && leaf_count(leaves, kind) > 0);
 }
 
 }  // namespace elgen

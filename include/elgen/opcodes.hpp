@@ -51,6 +51,13 @@ enum class LeafKind : std::uint8_t {
 #undef ELGEN_LEAVES
 };
 
+/// How many kinds of leaves exist.
+inline constexpr std::size_t leaf_kind_count = 0
+#define ELGEN_LEAVES(...) +1
+#include "elgen/leaves.def"
+#undef ELGEN_LEAVES
+    ;
+
 /// None of the enumerators where the operation is no leaf.
 [[nodiscard]] constexpr LeafKind leaf_kind(Opcode opcode) {
   return static_cast<LeafKind>(static_cast<int>(opcode) - static_cast<int>(Opcode::constant) - 1);
@@ -61,8 +68,39 @@ enum class LeafKind : std::uint8_t {
   return opcode > Opcode::constant && opcode < Opcode::negate;
 }
 
-/// A kind of leaf.
-struct LeafRow {
+/// Whether emitted functions take a kind of leaf.
+enum class Passed : std::uint8_t {
+  always,    ///< even an empty list
+  if_any,    ///< if the system has one
+  if_taken,  ///< if an output of the program takes the kind: only then do its leaves have names
+  never      ///< E occurs in `conserved`, multipliers in derivations
+};
+
+/// The unit of a leaf: fixed, by the declared unit of its entry of the model, or by expressions.
+enum class LeafUnit : std::uint8_t {
+  second,
+  joule,
+  of_entry,          ///< [q], [v], [u], a parameter's
+  entry_per_second,  ///< [v]/s
+  joule_per_entry,   ///< J/[v]
+  of_open_value,     ///< [f]/([x_i] [x_j])
+  of_multiplier,     ///< a multiplier times the rate of its equation is a power
+};
+
+/// The groups of factors in the order in which books write a product.
+enum class FactorGroup : std::uint8_t {
+  multiplier,
+  parameter,
+  sum,
+  coordinate,
+  rate,
+  acceleration,
+  input,
+  function
+};
+
+/// How a kind of leaf is written.
+struct LeafText {
   std::string_view symbol;      ///< "q"
   std::string_view type;        ///< "Coordinates<Scalar>"
   int rank;                     ///< of a factor, among those of a product
@@ -70,6 +108,19 @@ struct LeafRow {
   std::string_view identifier;  ///< "{}_dot"
   std::string_view latex;       ///< "\\dot{s}": s is the symbol of its entry
   std::string_view own_latex;   ///< of those of a velocity that has a symbol of its own
+};
+
+/// What functions, states and products do with a kind of leaf.
+struct LeafUse {
+  FactorGroup group;
+  LeafUnit unit;
+  Passed passed;
+  bool moves;      ///< a rate or a cause of motion: 0 in a system at rest
+  bool is_stated;  ///< `--state` gives it, besides what a start has
+};
+
+/// A kind of leaf.
+struct LeafRow : LeafText, LeafUse {
   Opcode id = {};
   std::string_view member = {};  ///< "parameters": of PerLeaf
   LeafOwner of = {};
@@ -81,11 +132,9 @@ struct LeafRow {
 /// Whether a system has one leaf of the kind, not a list of them.
 [[nodiscard]] inline bool is_single(Opcode leaf) { return leaf_row(leaf).of == LeafOwner::system; }
 
-/// Whether they exist for emitted functions only where a system has some, or where a function takes
-/// them: the other lists are passed though they are empty.
-[[nodiscard]] inline bool is_optional(Opcode leaf) {
-  return leaf_row(leaf).of == LeafOwner::open_values || leaf == Opcode::momentum ||
-         leaf == Opcode::reference;
+/// Whether the states of a system differ in the kind: functions take it, and it is no parameter.
+[[nodiscard]] inline bool is_of_state(Opcode leaf) {
+  return leaf != Opcode::parameter && leaf_row(leaf).passed != Passed::never;
 }
 
 /// A set of kinds of leaves.

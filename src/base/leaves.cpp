@@ -1,7 +1,8 @@
-// The table of leaves: how each is written.
+// The table of leaves: how each is written, and what states and functions do with it.
 //
 // No two ranks are alike; numbers have 0, constants 1, and what is computed 4. Patterns have holes
-// for the name of the entry, text in models, identifier in dumps; in LaTeX s is its symbol.
+// for the name of the entry, text in models, identifier in dumps; in LaTeX s is its symbol. The
+// columns are explained in opcodes.hpp.
 #include <array>
 
 #include "elgen/opcodes.hpp"
@@ -10,39 +11,52 @@ namespace elgen {
 namespace leaf_rows {
 namespace {
 
-using Row = LeafRow;
+using G = FactorGroup;
+using U = LeafUnit;
+using P = Passed;
 
 constexpr std::string_view number = "std::common_type_t<Scalar>";
+constexpr bool moves = true;
+constexpr bool stated = true;
+constexpr bool no = false;
 
 // clang-format off
-constexpr Row parameter{"p", "Parameters<Scalar>", 2, "{}", "{}", "s", "s"};
-constexpr Row open_value{"f", "OpenValues<Scalar>", 5, "{}", "{}", "s", "s"};
-constexpr Row coordinate{"q", "Coordinates<Scalar>", 3, "{}", "{}", "s", "s"};
-constexpr Row velocity{"v", "Velocities<Scalar>", 6, "dot({})", "{}_dot",
-                       R"(\dot{s})", "s"};
-constexpr Row momentum{"momenta", "Momenta<Scalar>", 11, "p({})", "p_{}",
-                       "p_{s}", "p_{s}"};
-constexpr Row reference{"reference", "Velocities<Scalar>", 14, "reference({})", "{}_reference",
-                        R"(\dot{s}_{r})", "s_{r}"};
-constexpr Row acceleration{"a", "Accelerations<Scalar>", 7, "dot(dot({}))", "{}_ddot",
-                           R"(\ddot{s})", R"(\dot{s})"};
-constexpr Row multiplier{"lambda", "Multipliers<Scalar>", 13, "lambda_{}", "lambda_{}",
-                         R"(\lambda_{s})", R"(\lambda_{s})"};
-constexpr Row input{"u", "Inputs<Scalar>", 8, "{}", "{}", "s", "s"};
-constexpr Row time{"t", number, 9, "{}", "{}", "s", "s"};
-constexpr Row step{"h", number, 10, "{}", "{}", "s", "s"};
-constexpr Row energy{"E", number, 12, "{}", "{}", "s", "s"};
+namespace written {
+//                              symbol       type                     rank  text             identifier      latex             own_latex
+constexpr LeafText parameter   {"p",         "Parameters<Scalar>",    2,    "{}",            "{}",           "s",              "s"};
+constexpr LeafText open_value  {"f",         "OpenValues<Scalar>",    5,    "{}",            "{}",           "s",              "s"};
+constexpr LeafText coordinate  {"q",         "Coordinates<Scalar>",   3,    "{}",            "{}",           "s",              "s"};
+constexpr LeafText velocity    {"v",         "Velocities<Scalar>",    6,    "dot({})",       "{}_dot",       R"(\dot{s})",     "s"};
+constexpr LeafText momentum    {"momenta",   "Momenta<Scalar>",       11,   "p({})",         "p_{}",         "p_{s}",          "p_{s}"};
+constexpr LeafText reference   {"reference", "Velocities<Scalar>",    14,   "reference({})", "{}_reference", R"(\dot{s}_{r})", "s_{r}"};
+constexpr LeafText acceleration{"a",         "Accelerations<Scalar>", 7,    "dot(dot({}))",  "{}_ddot",      R"(\ddot{s})",    R"(\dot{s})"};
+constexpr LeafText multiplier  {"lambda",    "Multipliers<Scalar>",   13,   "lambda_{}",     "lambda_{}",    R"(\lambda_{s})", R"(\lambda_{s})"};
+constexpr LeafText input       {"u",         "Inputs<Scalar>",        8,    "{}",            "{}",           "s",              "s"};
+constexpr LeafText time        {"t",         number,                  9,    "{}",            "{}",           "s",              "s"};
+constexpr LeafText step        {"h",         number,                  10,   "{}",            "{}",           "s",              "s"};
+constexpr LeafText energy      {"E",         number,                  12,   "{}",            "{}",           "s",              "s"};
+}  // namespace written
+
+namespace used {
+//                             group            unit                 passed       moves  is_stated
+constexpr LeafUse parameter   {G::parameter,    U::of_entry,         P::always,   no,    no};
+constexpr LeafUse open_value  {G::function,     U::of_open_value,    P::if_any,   no,    no};
+constexpr LeafUse coordinate  {G::coordinate,   U::of_entry,         P::always,   no,    no};
+constexpr LeafUse velocity    {G::rate,         U::of_entry,         P::always,   moves, no};
+constexpr LeafUse momentum    {G::rate,         U::joule_per_entry,  P::if_taken, moves, stated};
+constexpr LeafUse reference   {G::rate,         U::of_entry,         P::if_taken, moves, stated};
+constexpr LeafUse acceleration{G::acceleration, U::entry_per_second, P::always,   moves, stated};
+constexpr LeafUse multiplier  {G::multiplier,   U::of_multiplier,    P::never,    no,    no};
+constexpr LeafUse input       {G::input,        U::of_entry,         P::always,   moves, no};
+constexpr LeafUse time        {G::coordinate,   U::second,           P::always,   no,    stated};
+constexpr LeafUse step        {G::coordinate,   U::second,           P::if_taken, no,    stated};
+constexpr LeafUse energy      {G::coordinate,   U::joule,            P::never,    no,    no};
+}  // namespace used
 // clang-format on
 
-constexpr Row named(Opcode id, std::string_view member, LeafOwner of, Row row) {
-  row.id = id;
-  row.member = member;
-  row.of = of;
-  return row;
-}
-
 constexpr std::array table{
-#define ELGEN_LEAVES(kind, member, of, tag) named(Opcode::kind, #member, LeafOwner::of, kind),
+#define ELGEN_LEAVES(kind, member, of, tag) \
+  LeafRow{written::kind, used::kind, Opcode::kind, #member, LeafOwner::of},
 #include "elgen/leaves.def"
 #undef ELGEN_LEAVES
 };

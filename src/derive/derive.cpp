@@ -240,13 +240,11 @@ Result<EquationsOfMotion> derive(const Lagrangian& lagrangian,
   }
   equations.symbols = derivation.symbols;
   equations.leaves = lagrangian.leaves;
-  const auto takes = [&outputs](Opcode leaf) {
-    return std::ranges::any_of(outputs, [leaf](const OutputRequest& request) {
-      return output_row(request.kind).takes.has_any(leaf);
-    });
-  };
-  if (takes(Opcode::momentum)) equations.leaves.momenta = equations.leaves.v;
-  if (takes(Opcode::reference)) equations.leaves.reference = equations.leaves.v;
+  for (const OutputRequest& request : outputs) {
+    // Steps are not derived: h has a name once they are composed.
+    const OutputRow& row = output_row(request.kind);
+    if (has_equations(row)) name_taken(row.takes, equations.leaves);
+  }
   equations.definitions = std::move(derivation.definitions);
   return equations;
 }

@@ -42,10 +42,27 @@ LeafNames leaf_names(const Model& model) {
   const auto takes_time = [](const UserOutput& o) { return o.takes.has_any(Opcode::time); };
   LeafNames leaves{leaves_of<std::string>(model, name, single),
                    model.uses_time || std::ranges::any_of(model.outputs, takes_time)};
-  leaves.momenta.clear();
-  leaves.reference.clear();
+  const auto clear_taken = [](const LeafRow& row, std::vector<std::string>& list) {
+    if (row.passed == Passed::if_taken) list.clear();
+  };
+  for_each_list(clear_taken, leaves);
   for (const Parameter& p : model.parameters) leaves.assumptions.push_back(p.assumption);
   return leaves;
+}
+
+void name_taken(LeafSet takes, LeafNames& leaves) {
+  const auto is_named = [takes](const LeafRow& row) {
+    return row.passed == Passed::if_taken && takes.has_any(row.id);
+  };
+  const auto name_list = [&](const LeafRow& row, std::vector<std::string>& list) {
+    if (is_named(row)) list = leaves.v;
+  };
+  for_each_list(name_list, leaves);
+  const auto name_single = [&](Opcode kind, std::uint32_t, std::string& name) {
+    const LeafRow& row = leaf_row(kind);
+    if (is_single(kind) && is_named(row)) name = row.symbol;
+  };
+  for_each_leaf(name_single, leaves);
 }
 
 bool has_value_named(const Model& model, std::string_view name) {

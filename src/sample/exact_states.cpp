@@ -42,11 +42,9 @@ void draw_parameters(const Model& model, const FixedParameters& fixed, Sampler& 
 }  // namespace
 
 void draw_motion(const Model& model, Sampler& draw, std::size_t turn, State& state) {
-  constexpr LeafSet undrawn = Opcode::parameter | Opcode::step | Opcode::momentum |
-                              Opcode::reference | Opcode::energy | Opcode::multiplier;
   const cln::cl_RA& scale = scales()[turn % scales().size()];
   const auto set = [&](Opcode kind, std::uint32_t number, cl_R& value) {
-    if (undrawn.has_any(kind)) return;
+    if (!is_of_state(kind) || leaf_row(kind).passed == Passed::if_taken) return;
     if (const auto range = declared_range(model, kind, number)) {
       value = exactly_within(*range, draw);
     } else {
@@ -57,8 +55,11 @@ void draw_motion(const Model& model, Sampler& draw, std::size_t turn, State& sta
   for_each_leaf(set, state);
   // By a copy, so that these leave all that follows as it is.
   Sampler of_few = draw;
-  for (cl_R& p : state.momenta) p = of_few.number() * scale;
-  for (cl_R& v : state.reference) v = of_few.number() * scale;
+  const auto set_taken = [&](const LeafRow& row, std::vector<cl_R>& list) {
+    if (row.passed != Passed::if_taken) return;
+    for (cl_R& value : list) value = of_few.number() * scale;
+  };
+  for_each_list(set_taken, state);
   make_unit_quaternions(model, state);
 }
 
@@ -111,11 +112,14 @@ State with_leaves(const Model& model, State state, const std::vector<StatedLeaf>
   scale_to_length_one(model, state);
   OracleValues momenta = oracle_values(model, {.kind = OutputKind::momentum}, state);
   if (momenta) state.momenta = std::move(*momenta);
-  state.reference = state.v;
-  for (std::uint32_t i = 0; i < state.momenta.size(); ++i) {
-    place(Opcode::momentum, i, state.momenta[i]);
-    place(Opcode::reference, i, state.reference[i]);
-  }
+  const auto take_velocities = [&state](const LeafRow& row, std::vector<cl_R>& list) {
+    if (row.passed == Passed::if_taken && row.id != Opcode::momentum) list = state.v;
+  };
+  for_each_list(take_velocities, state);
+  const auto place_taken = [&place](Opcode kind, std::uint32_t number, cl_R& value) {
+    if (leaf_row(kind).passed == Passed::if_taken) place(kind, number, value);
+  };
+  for_each_leaf(place_taken, state);
   return state;
 }
 

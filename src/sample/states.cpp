@@ -43,13 +43,10 @@ LeafValues<double> values_of(const StateSpace& space) {
                     nominal_state(space.model, space.scene));
 }
 
-/// Parameters keep their values, and E follows from the others; momenta, reference velocities and h
-/// are drawn where a function takes them.
+/// Parameters keep their values; kinds that only some functions take are drawn if one takes them.
 bool is_drawn(const LeafNames& leaves, Opcode kind) {
-  if (kind == Opcode::momentum) return !leaves.momenta.empty();
-  if (kind == Opcode::reference) return !leaves.reference.empty();
   if (kind == Opcode::step) return !leaves.h.empty();
-  return kind != Opcode::parameter && !never_passed.has_any(kind);
+  return kind != Opcode::parameter && is_passed(leaves, kind);
 }
 
 /// From `values`: parameters stay.
@@ -145,15 +142,12 @@ class Extremes {
     }
   }
 
-  /// And momenta and reference velocities, where functions take them.
   void set_rates(std::string name, double size) {
-    LeafValues<double>& values = add(std::move(name));
-    const auto set = [&](std::vector<double>& all) {
+    const auto set = [&](const LeafRow& row, std::vector<double>& all) {
+      if (row.group != FactorGroup::rate || !is_drawn(space_.leaves, row.id)) return;
       for (double& x : all) x = draw_.side() * size;
     };
-    set(values.v);
-    if (is_drawn(space_.leaves, Opcode::momentum)) set(values.momenta);
-    if (is_drawn(space_.leaves, Opcode::reference)) set(values.reference);
+    for_each_list(set, add(std::move(name)));
   }
 
   /// Every second parameter times `ratio`.

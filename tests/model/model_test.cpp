@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <set>
 #include <utility>
 
 #include "check/check_testing.hpp"
@@ -69,6 +70,37 @@ TEST_CASE("leaves are called what the model calls them") {
   CHECK(leaves.parameters.front() == "m[1]");
   CHECK_FALSE(leaves.uses_time);
   CHECK(leaf_names(checked(file_text("models/rotating_hoop.toml")).model).uses_time);
+}
+
+TEST_CASE("kinds that only some functions take have names once they are taken") {
+  const LeafNames untaken = leaf_names(checked(file_text("models/chain.toml")).model);
+  const auto has_names = [](const LeafNames& leaves, Opcode kind) {
+    return leaf_count(leaves, kind) > 0 && !leaf_of(leaves, kind, 0).empty();
+  };
+  for (const LeafRow& row : leaf_table()) {
+    INFO(row.symbol);
+    LeafNames leaves = untaken;
+    name_taken(row.id, leaves);
+    if (row.passed != Passed::if_taken) {
+      CHECK(has_names(leaves, row.id) == has_names(untaken, row.id));
+      continue;
+    }
+    // The lists get the names of velocities.
+    CHECK((row.of == LeafOwner::velocities || row.of == LeafOwner::system));
+    CHECK_FALSE(has_names(untaken, row.id));
+    CHECK(has_names(leaves, row.id));
+  }
+  LeafNames leaves = untaken;
+  name_taken(Opcode::momentum | Opcode::step, leaves);
+  CHECK(leaf_text(leaves, Opcode::momentum, 4) == "p(q[5])");
+  CHECK(leaves.reference.empty());
+  CHECK(leaves.h == "h");
+}
+
+TEST_CASE("no two kinds of leaves have the same rank") {
+  std::set<int> ranks;
+  for (const LeafRow& row : leaf_table()) ranks.insert(row.rank);
+  CHECK(ranks.size() == leaf_table().size());
 }
 
 TEST_CASE("leaves are written as models and as C++ write them") {

@@ -18,11 +18,11 @@ namespace {
 /// Every leaf that a function may take, as models write it, without a value.
 std::vector<std::pair<std::string, StatedLeaf>> stated_leaves(const Model& model) {
   LeafNames names = leaf_names(model);
-  names.momenta = names.v;
+  name_taken(Opcode::momentum, names);
   std::vector<std::pair<std::string, StatedLeaf>> leaves;
   for_each_leaf(
       [&](Opcode kind, std::uint32_t number, const std::string& name) {
-        if (name.empty() || never_passed.has_any(kind)) return;
+        if (name.empty() || leaf_row(kind).passed == Passed::never) return;
         leaves.push_back({leaf_text(names, kind, number), {kind, number}});
       },
       names);

@@ -19,8 +19,7 @@ std::vector<std::string> names_of_states(const Model& model) {
   std::vector<std::string> names;
   const LeafNames leaves = leaf_names(model);
   const auto visit = [&](Opcode kind, std::uint32_t number, const std::string& name) {
-    const bool varies = kind != Opcode::parameter && !never_passed.has_any(kind);
-    if (varies && !name.empty()) names.push_back(leaf_text(leaves, kind, number));
+    if (is_of_state(kind) && !name.empty()) names.push_back(leaf_text(leaves, kind, number));
   };
   for_each_leaf(visit, leaves);
   return names;

@@ -17,28 +17,7 @@ constexpr std::uint32_t rank_of_functions = 1'000'000;
 FactorGroup group_of(const Atom& atom) {
   if (atom.kind == AtomKind::pi) return FactorGroup::parameter;
   if (atom.kind != AtomKind::leaf) return FactorGroup::function;
-  switch (leaf_kind(atom.leaf)) {
-    case LeafKind::parameter:
-      return FactorGroup::parameter;
-    case LeafKind::velocity:
-    case LeafKind::momentum:
-    case LeafKind::reference:
-      return FactorGroup::rate;
-    case LeafKind::acceleration:
-      return FactorGroup::acceleration;
-    case LeafKind::input:
-      return FactorGroup::input;
-    case LeafKind::multiplier:
-      return FactorGroup::multiplier;
-    case LeafKind::open_value:
-      return FactorGroup::function;
-    case LeafKind::coordinate:
-    case LeafKind::time:
-    case LeafKind::step:
-    case LeafKind::energy:
-      break;
-  }
-  return FactorGroup::coordinate;
+  return leaf_row(atom.leaf).group;
 }
 
 bool is_same(const BookFactor& x, const BookFactor& y);

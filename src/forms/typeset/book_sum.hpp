@@ -14,17 +14,6 @@
 
 namespace elgen {
 
-enum class FactorGroup : std::uint8_t {
-  multiplier,
-  parameter,
-  sum,
-  coordinate,
-  rate,
-  acceleration,
-  input,
-  function
-};
-
 struct FactorPlace {
   FactorGroup group = FactorGroup::parameter;
   std::uint32_t rank = 0;

@@ -43,7 +43,7 @@ std::optional<Formula> read_form(const Model& model, const Algebra& algebra,
                                  const std::optional<Fraction>& form) {
   if (!form) return std::nullopt;
   LeafNames leaves = leaf_names(model);
-  leaves.momenta = leaves.v;
+  name_taken(Opcode::momentum, leaves);
   leaves.E = energy_name(model);
   Program program{leaves};
   Function function = typeset_value(model, algebra, *form, program);

@@ -205,7 +205,7 @@ Diagnostics add_step(const CheckedModel& checked, const OutputRequest& step, con
              fmt::format("`{}` is not for this system: {}", step_methods[step.user].name, reason),
              "`rk4` takes any model"}};
   }
-  program.leaves.h = leaf_row(Opcode::step).symbol;
+  name_taken(Opcode::step, program.leaves);
   Function function{.kind = step.kind,
                     .user = step.user,
                     .iterations = step.iterations,

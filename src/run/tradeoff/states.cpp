@@ -16,8 +16,8 @@ namespace {
 /// Narrows the range of what it names.
 void narrow(const Model& model, const NamedRange& narrowed, LeafValues<Range>& ranges) {
   const auto visit = [&](Opcode kind, std::uint32_t i, Range& range) {
-    const bool varies = kind != Opcode::parameter && !never_passed.has_any(kind);
-    if (varies && leaf_text(model, kind, i) == narrowed.name) range = {narrowed.low, narrowed.high};
+    const bool is_named = is_of_state(kind) && leaf_text(model, kind, i) == narrowed.name;
+    if (is_named) range = {narrowed.low, narrowed.high};
   };
   for_each_leaf(visit, ranges);
 }

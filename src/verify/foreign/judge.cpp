@@ -339,12 +339,7 @@ std::string ForeignJudge::convention() const {
 
 LeafNames leaves_for(const Model& model, const std::vector<OutputRequest>& outputs) {
   LeafNames leaves = leaf_names(model);
-  for (const OutputRequest& output : outputs) {
-    const LeafSet takes = output.takes;
-    if (takes.has_any(Opcode::momentum)) leaves.momenta = leaves.v;
-    if (takes.has_any(Opcode::reference)) leaves.reference = leaves.v;
-    if (takes.has_any(Opcode::step)) leaves.h = leaf_row(Opcode::step).symbol;
-  }
+  for (const OutputRequest& output : outputs) name_taken(output.takes, leaves);
   return leaves;
 }
 
