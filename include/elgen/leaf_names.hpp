@@ -55,6 +55,10 @@ void name_taken(LeafSet takes, LeafNames& leaves);
 /// How many there are of a kind.
 [[nodiscard]] std::size_t leaf_count(const Model& model, Opcode kind);
 
+/// The unit that a model declares for the entry of a leaf, if it does.
+[[nodiscard]] std::optional<Unit> declared_unit(const Model& model, Opcode kind,
+                                                std::uint32_t number);
+
 /// The range a model declares for a leaf, if it does.
 [[nodiscard]] std::optional<Interval> declared_range(const Model& model, Opcode kind,
                                                      std::uint32_t number);

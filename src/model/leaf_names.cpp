@@ -107,6 +107,14 @@ std::size_t leaf_count(const Model& model, Opcode kind) {
   return of_owner(model, leaf_row(kind).of, size_of).value_or(1);
 }
 
+std::optional<Unit> declared_unit(const Model& model, Opcode kind, std::uint32_t number) {
+  const auto unit_in = [number](const auto& entries) -> std::optional<Unit> {
+    if constexpr (requires { entries[number].unit; }) return entries[number].unit;
+    return std::nullopt;
+  };
+  return of_owner(model, leaf_row(kind).of, unit_in).value_or(std::nullopt);
+}
+
 std::optional<Interval> declared_range(const Model& model, Opcode kind, std::uint32_t number) {
   switch (leaf_row(kind).of) {
     case LeafOwner::parameters:

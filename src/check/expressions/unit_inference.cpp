@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "check/expressions/units.hpp"
+#include "elgen/leaf_names.hpp"
 #include "elgen/references.hpp"
 
 namespace elgen {
@@ -120,31 +121,24 @@ class UnitInference {
   }
 
   [[nodiscard]] InferredUnit of_leaf(const Expression& node) const {
-    switch (leaf_kind(node.leaf)) {
-      case LeafKind::time:
+    const InferredUnit of_entry = declared(declared_unit(model_, node.leaf, node.index));
+    switch (leaf_row(node.leaf).unit) {
+      case LeafUnit::second:
         return known("s");
-      case LeafKind::coordinate:
-        return declared(model_.coordinates[node.index].unit);
-      case LeafKind::velocity:
-      case LeafKind::reference:
-        return declared(model_.velocities[node.index].unit);
-      case LeafKind::acceleration:
-        return rate(declared(model_.velocities[node.index].unit));
-      case LeafKind::momentum:
-        return quotient(known("J"), declared(model_.velocities[node.index].unit));
-      case LeafKind::energy:
+      case LeafUnit::joule:
         return known("J");
-      case LeafKind::input:
-        return declared(model_.inputs[node.index].unit);
-      case LeafKind::open_value:
+      case LeafUnit::of_entry:
+        return of_entry;
+      case LeafUnit::entry_per_second:
+        return rate(of_entry);
+      case LeafUnit::joule_per_entry:
+        return quotient(known("J"), of_entry);
+      case LeafUnit::of_open_value:
         return of_open_value(model_.open_values[node.index]);
-      case LeafKind::multiplier:
+      case LeafUnit::of_multiplier:
         return of_multiplier(model_.constraints[node.index]);
-      case LeafKind::parameter:
-      case LeafKind::step:
-        break;
     }
-    return declared(model_.parameters[node.index].unit);
+    return {};
   }
 
   /// A multiplier times the rate of its equation is a power.
