@@ -51,12 +51,12 @@ enum class LeafKind : std::uint8_t {
 #undef ELGEN_LEAVES
 };
 
-/// How many kinds of leaves exist.
-inline constexpr std::size_t leaf_kind_count = 0
-#define ELGEN_LEAVES(...) +1
+inline constexpr std::array leaf_kinds{
+#define ELGEN_LEAVES(kind, ...) LeafKind::kind,
 #include "elgen/leaves.def"
 #undef ELGEN_LEAVES
-    ;
+};
+inline constexpr std::size_t leaf_kind_count = leaf_kinds.size();
 
 /// None of the enumerators where the operation is no leaf.
 [[nodiscard]] constexpr LeafKind leaf_kind(Opcode opcode) {

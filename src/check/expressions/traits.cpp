@@ -102,30 +102,10 @@ class TraitFinder {
   }
 
   [[nodiscard]] static Traits of_leaf(Opcode kind) {
-    switch (leaf_kind(kind)) {
-      case LeafKind::time:
-        return leaf(uses_time);
-      case LeafKind::coordinate:
-        return leaf(uses_coordinate);
-      case LeafKind::velocity:
-        return {uses_rate, 1, 1, 0, false};
-      case LeafKind::acceleration:
-        return leaf(uses_acceleration);
-      case LeafKind::input:
-        return {uses_input, 0, 0, 1, false};
-      case LeafKind::momentum:
-        return leaf(uses_momentum);
-      case LeafKind::energy:
-        return leaf(uses_energy);
-      case LeafKind::multiplier:
-        return leaf(uses_multiplier);
-      case LeafKind::parameter:
-      case LeafKind::open_value:
-      case LeafKind::reference:
-      case LeafKind::step:
-        break;
-    }
-    return leaf(uses_parameter);
+    Traits result = leaf(ingredient_bit(leaf_kind(kind)));
+    if (kind == Opcode::velocity) result.rate_degree = result.lowest_rate_degree = 1;
+    if (kind == Opcode::input) result.input_degree = 1;
+    return result;
   }
 
   [[nodiscard]] Traits of_open_value(const Expression& node) const {
@@ -154,7 +134,8 @@ class TraitFinder {
       case ExpressionKind::power:
         return power(first, node.number);
       case ExpressionKind::function:
-        return sum(leaf(is_kinked(node.function) ? uses_kink : 0), opaque(folded(parts, sum)));
+        return sum(leaf(is_kinked(node.function) ? Ingredients{uses_kink} : 0),
+                   opaque(folded(parts, sum)));
       case ExpressionKind::time_derivative:
         return time_derivative(first);
       default:

@@ -18,23 +18,30 @@
 
 namespace elgen {
 
-/// The ingredients of an expression, as bits.
-enum Ingredient : std::uint16_t {
-  uses_coordinate = 1,
-  uses_rate = 2,
-  uses_acceleration = 4,
-  uses_input = 8,
-  uses_time = 16,
-  uses_kink = 32,
-  uses_parameter = 64,
-  uses_open_function = 128,
-  uses_open_rate = 256,        ///< an open function of rates
-  uses_open_derivative = 512,  ///< a derivative of an open function, or its rate
-  uses_momentum = 1024,
-  uses_energy = 2048,  ///< the energy function
-  uses_multiplier = 4096,
+/// The ingredients of an expression are bits: first the kinds of leaves, then the others.
+[[nodiscard]] constexpr std::uint32_t ingredient_bit(LeafKind kind) {
+  return std::uint32_t{1} << static_cast<unsigned>(kind);
+}
+[[nodiscard]] constexpr std::uint32_t other_ingredient_bit(unsigned number) {
+  return std::uint32_t{1} << (leaf_kind_count + number);
+}
+
+enum Ingredient : std::uint32_t {
+  uses_coordinate = ingredient_bit(LeafKind::coordinate),
+  uses_rate = ingredient_bit(LeafKind::velocity),
+  uses_acceleration = ingredient_bit(LeafKind::acceleration),
+  uses_input = ingredient_bit(LeafKind::input),
+  uses_time = ingredient_bit(LeafKind::time),
+  uses_parameter = ingredient_bit(LeafKind::parameter),
+  uses_open_function = ingredient_bit(LeafKind::open_value),
+  uses_momentum = ingredient_bit(LeafKind::momentum),
+  uses_energy = ingredient_bit(LeafKind::energy),  ///< the energy function
+  uses_multiplier = ingredient_bit(LeafKind::multiplier),
+  uses_kink = other_ingredient_bit(0),
+  uses_open_rate = other_ingredient_bit(1),        ///< an open function of rates
+  uses_open_derivative = other_ingredient_bit(2),  ///< a derivative of an open function, or a rate
 };
-using Ingredients = std::uint16_t;
+using Ingredients = std::uint32_t;
 
 /// Where an expression stands: what it may be made of, and which error says that it may not.
 struct Place {
