@@ -58,11 +58,7 @@ std::vector<bool> unbounded_arguments(const Function& text, const Model& model) 
   return result;
 }
 
-bool is_motion(Opcode kind) {
-  constexpr LeafSet kinds = Opcode::velocity | Opcode::momentum | Opcode::reference |
-                            Opcode::acceleration | Opcode::input;
-  return kinds.has_any(kind);
-}
+bool is_motion(Opcode opcode) { return is_leaf(opcode) && leaf_row(opcode).moves; }
 
 class Making {
  public:

@@ -41,19 +41,19 @@ std::vector<StartPlace> start_places(const Model& model) {
   return places;
 }
 
-/// Beside a start: accelerations, momenta, reference velocities, t and h. A coordinate may be
-/// called h: it stands before.
+/// The places of a start, and the leaves that a state has besides. A coordinate may be called h: it
+/// comes before the step.
 std::vector<StartPlace> places_of_state(const Model& model) {
   std::vector<StartPlace> places = start_places(model);
-  const auto n = static_cast<std::uint32_t>(model.velocities.size());
-  const auto add = [&](Opcode kind, std::uint32_t number, std::uint32_t coordinate) {
-    places.push_back({leaf_text(model, kind, number), coordinate, number, 1, false, true});
-  };
-  for (const Opcode kind : {Opcode::acceleration, Opcode::momentum, Opcode::reference}) {
-    for (std::uint32_t i = 0; i < n; ++i) add(kind, i, model.velocities[i].coordinate);
-  }
   const auto none = static_cast<std::uint32_t>(model.coordinates.size());
-  for (const Opcode kind : {Opcode::time, Opcode::step}) add(kind, 0, none);
+  for (const LeafRow& row : leaf_table()) {
+    if (!row.is_stated) continue;
+    const bool is_of_velocities = row.of == LeafOwner::velocities;
+    for (std::uint32_t i = 0; i < leaf_count(model, row.id); ++i) {
+      const std::uint32_t coordinate = is_of_velocities ? model.velocities[i].coordinate : none;
+      places.push_back({leaf_text(model, row.id, i), coordinate, i, 1, false, true});
+    }
+  }
   return places;
 }
 

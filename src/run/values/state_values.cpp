@@ -18,12 +18,10 @@ using cln::cl_R;
 
 /// The leaves in `--state` of kinds that a start does not have.
 std::vector<StatedLeaf> stated_leaves(const CheckedModel& checked, const State& start) {
-  constexpr LeafSet kinds =
-      Opcode::acceleration | Opcode::momentum | Opcode::reference | Opcode::time | Opcode::step;
   const std::map<std::string, cl_R>& stated = checked.scene.stated.others;
   std::vector<StatedLeaf> leaves;
   const auto add = [&](Opcode kind, std::uint32_t number, const cl_R& /*value*/) {
-    if (!kinds.has_any(kind)) return;
+    if (!leaf_row(kind).is_stated) return;
     const auto found = stated.find(leaf_text(checked.model, kind, number));
     if (found != stated.end()) leaves.push_back({kind, number, found->second});
   };
