@@ -149,31 +149,17 @@ class Rates {
   }
 
   Value of_leaf(const Atom& atom) {
-    switch (leaf_kind(atom.leaf)) {
-      case LeafKind::coordinate:
-        if (atom.index < motion_.coordinates.size()) return motion_.coordinates[atom.index];
-        return arithmetic_.leaf(Opcode::velocity, atom.index);
-      case LeafKind::velocity:
-        if (atom.index >= motion_.velocities.size()) return std::nullopt;
-        return motion_.velocities[atom.index];
-      case LeafKind::acceleration:
-        if (atom.index >= motion_.accelerations.size()) return std::nullopt;
-        return motion_.accelerations[atom.index];
-      case LeafKind::open_value:
-        return of_open_value(atom.index);
-      case LeafKind::time:
-        return motion_.time;
-      case LeafKind::parameter:
-        return Fraction{};
-      case LeafKind::momentum:
-      case LeafKind::reference:
-      case LeafKind::multiplier:
-      case LeafKind::input:
-      case LeafKind::step:
-      case LeafKind::energy:
-        break;
-    }
-    return std::nullopt;
+    const auto given = [&atom](const std::vector<Fraction>& rates) -> Value {
+      return atom.index < rates.size() ? Value(rates[atom.index]) : std::nullopt;
+    };
+    if (atom.leaf == Opcode::parameter) return Fraction{};
+    if (atom.leaf == Opcode::time) return motion_.time;
+    if (atom.leaf == Opcode::open_value) return of_open_value(atom.index);
+    if (atom.leaf == Opcode::velocity) return given(motion_.velocities);
+    if (atom.leaf == Opcode::acceleration) return given(motion_.accelerations);
+    if (atom.leaf != Opcode::coordinate) return std::nullopt;
+    if (Value rate = given(motion_.coordinates)) return rate;
+    return arithmetic_.leaf(Opcode::velocity, atom.index);
   }
 
   Value of_open_value(std::uint32_t index) {
