@@ -253,15 +253,11 @@ ModelSymbols::ModelSymbols(const Model& model, const LeafNames& names) {
     const bool has_own = velocity.rotation.has_value();
     const Glyphs symbol = has_own ? distinct(spin_symbol(model, velocity))
                                   : glyphs_of(leaves_.q[velocity.coordinate]);
-    const auto add = [&](Formulas& list, Opcode kind, std::string name) {
-      list.push_back(written(kind, std::move(name), symbol, has_own));
+    const auto add = [&](const LeafRow& row, Formulas& list) {
+      if (row.of != LeafOwner::velocities) return;
+      list.push_back(written(row.id, leaf_text(model, row.id, i), symbol, has_own));
     };
-    add(leaves_.v, Opcode::velocity, leaf_text(model, Opcode::velocity, i));
-    const bool is_named = i < names.momenta.size();
-    add(leaves_.momenta, Opcode::momentum,
-        is_named ? leaf_text(names, Opcode::momentum, i) : leaf_text(model, Opcode::momentum, i));
-    add(leaves_.reference, Opcode::reference, leaf_text(model, Opcode::reference, i));
-    add(leaves_.a, Opcode::acceleration, leaf_text(model, Opcode::acceleration, i));
+    for_each_list(add, leaves_);
   }
   leaves_.parameters.resize(model.parameters.size());
   for (const ParameterArray& array : model.parameter_arrays) {
