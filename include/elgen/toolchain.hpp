@@ -27,6 +27,33 @@ using DriverFunction = void (*)(
 #undef ELGEN_LEAF
     Scalar* result);
 
+/// Where a compiled function finds its arguments: the first number of each list, and single
+/// numbers.
+template <class Scalar>
+using ArgumentPointers = PerLeaf<const Scalar*, Scalar>;
+
+template <class Scalar>
+[[nodiscard]] ArgumentPointers<Scalar> argument_pointers(const LeafValues<Scalar>& arguments) {
+  ArgumentPointers<Scalar> result;
+#define ELGEN_LEAVES(kind, member, ...) result.member = arguments.member.data();
+#define ELGEN_LEAF(kind, member, ...) result.member = arguments.member;
+#include "elgen/leaves.def"
+#undef ELGEN_LEAVES
+#undef ELGEN_LEAF
+  return result;
+}
+
+/// Calls a compiled function, which writes the entries of all fields to `result`.
+template <class Scalar>
+void call_code(DriverFunction<Scalar> function, const ArgumentPointers<Scalar>& arguments,
+               Scalar* result) {
+  function(
+#define ELGEN_LEAVES(kind, member, ...) arguments.member,
+#include "elgen/leaves.def"
+#undef ELGEN_LEAVES
+      result);
+}
+
 /// values[function][state]: all entries of all fields. Empty where the function raised an
 /// exception: interpreters raise one in the place of infinities and NaNs.
 template <class Scalar>

@@ -54,13 +54,7 @@ class LoadedModel final : public CompiledModel {
     const auto found = std::ranges::find(functions_, name, &LoadedFunction::name);
     if (found == functions_.end() || (*found).*function == nullptr) return {};
     std::vector<Scalar> result(found->entries);
-    ((*found).*function)(
-#define ELGEN_LEAVES(kind, member, ...) arguments.member.data(),
-#define ELGEN_LEAF(kind, member, ...) arguments.member,
-#include "elgen/leaves.def"
-#undef ELGEN_LEAVES
-#undef ELGEN_LEAF
-        result.data());
+    call_code((*found).*function, argument_pointers(arguments), result.data());
     return result;
   }
 

@@ -167,8 +167,11 @@ const Numbers& System::shown(const double* q) {
 void System::call(OutputKind kind, const double* q, const double* v, double t, double* result) {
   const Callee& called = callees_[static_cast<std::size_t>(kind)];
   if (called.code != nullptr) {
-    called.code(at_.parameters.data(), at_.f.data(), q, v, nullptr, nullptr, nullptr, nullptr,
-                at_.u.data(), t, at_.h, at_.E, result);
+    ArgumentPointers<double> arguments = argument_pointers(at_);
+    arguments.q = q;
+    arguments.v = v;
+    arguments.t = t;
+    call_code(called.code, arguments, result);
     return;
   }
   std::copy_n(q, positions(), at_.q.begin());
