@@ -17,6 +17,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,7 @@
 #include "elgen/leaf_names.hpp"
 #include "elgen/leaves.hpp"
 #include "elgen/outputs.hpp"
+#include "elgen/step_methods.hpp"
 
 namespace elgen {
 
@@ -80,10 +82,8 @@ struct Repetition {
 
 struct Function {
   OutputKind kind = {};
-  std::uint32_t user = 0;        ///< which user output, for the user_* kinds; of `step` its method
-  std::uint32_t iterations = 0;  ///< of a `step` whose method is implicit
-  std::uint32_t composed_order = 0;  ///< of a `step` whose method is composed; 0: it is not
-  bool projects = false;             ///< of a `step`: back onto the constraints behind it
+  std::uint32_t user = 0;             ///< which user output, for the user_* kinds
+  std::optional<StepSpec> step = {};  ///< of `step` and its derivatives
   std::string name = {};
   Form form = Form::recursive;
   std::vector<Instruction> instructions = {};

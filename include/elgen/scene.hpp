@@ -70,17 +70,15 @@ struct Specialisation {
 /// One wanted output, in the order of the output table.
 struct OutputRequest {
   OutputKind kind = {};
-  std::uint32_t user = 0;  ///< which Model::outputs, for the user_* kinds; which StepMethod
+  std::uint32_t user = 0;  ///< which Model::outputs, for the user_* kinds
   std::string name = {};   ///< of the emitted function: renamed, or the standard one
   LeafSet takes = {};      ///< arguments beside parameters and q (and t where t occurs)
   std::uint32_t rows = 1;  ///< of the (single or first) field
   std::uint32_t columns = 1;
-  Span span = {};                    ///< where it was asked for
-  std::optional<Form> form = {};     ///< asked for; otherwise the cheaper one
-  std::uint32_t iterations = 0;      ///< of a `step` whose method is implicit
-  std::uint32_t composed_order = 0;  ///< of a `step` whose method is composed; 0: it is not
-  bool projects = false;             ///< of a `step`: back onto the constraints behind it
-  bool without_pivots = false;       ///< of what gives them otherwise
+  Span span = {};                     ///< where it was asked for
+  std::optional<Form> form = {};      ///< asked for; otherwise the cheaper one
+  std::optional<StepSpec> step = {};  ///< of `step` and its derivatives, which a scene describes
+  bool without_pivots = false;        ///< of what gives them otherwise
 };
 
 /// The criterion that decides between rewritings.
@@ -228,7 +226,7 @@ inline constexpr Purpose verify_expansion{.is_exact = true};
 struct SceneOptions {
   SourcePaths paths = {};                   ///< empty: names of files
   std::vector<SourcePointer> outputs = {};  ///< "mass_matrix,bias"
-  std::optional<ChosenStep> step = {};      ///< beside these `step`, by this method
+  std::optional<StepSpec> step = {};        ///< beside these `step`, by this method
   std::optional<LanguageId> language = {};  ///< in the place of the scene's
   std::vector<SourcePointer> fixed = {};    ///< "NAME", "NAME=VALUE" or "all"
   std::vector<SourcePointer> sizes = {};    ///< "n=20"

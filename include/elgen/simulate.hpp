@@ -112,14 +112,14 @@ struct Trajectory {
 [[nodiscard]] std::string outputs_of_run(const Model& model);
 
 /// The `step` whose program a run goes by, beside these outputs; none where it calls accelerations.
-[[nodiscard]] std::optional<ChosenStep> step_of_run(const SimulationOptions& options);
+[[nodiscard]] std::optional<StepSpec> step_of_run(const SimulationOptions& options);
 
 /// The model of a run with the outputs that it calls and the `step` that it goes by, whatever the
 /// scene asks for; the scene that is left emits C++ for double alone, of a `step` in packs too, or
 /// JavaScript if the purpose is to show the motion. The caller says which purpose the run has.
 /// E622 where the method is not for the system.
 [[nodiscard]] Products derived_for_run(const Inputs& inputs, PipelineOptions options,
-                                       const std::optional<ChosenStep>& step);
+                                       const std::optional<StepSpec>& step);
 
 /// Products of derived_for_run compiled, for a run that is not by a program of `step`. Errors as of
 /// `compile`.

@@ -46,12 +46,28 @@ inline constexpr std::array step_methods{
 #undef ELGEN_STEP_METHOD
 };
 
-/// The `step` that is asked for.
-struct ChosenStep {
+[[nodiscard]] constexpr const StepMethodRow& step_row(StepMethod method) {
+  return step_methods[static_cast<std::size_t>(method)];
+}
+
+/// How a `step` is made.
+struct StepSpec {
   StepMethod method = {};
   std::uint32_t composed_order = 0;  ///< 0: not composed
-  friend auto operator<=>(const ChosenStep&, const ChosenStep&) = default;
+  std::uint32_t iterations = 0;      ///< 0: explicit
+  bool projects = false;             ///< back onto the constraints behind it
+  friend auto operator<=>(const StepSpec&, const StepSpec&) = default;
 };
+
+/// A method with the iterations that it has where nobody says another number.
+[[nodiscard]] constexpr StepSpec step_by(StepMethod method, std::uint32_t composed_order = 0) {
+  return {method, composed_order, step_row(method).iterations};
+}
+
+/// The order of the method, composed or not.
+[[nodiscard]] constexpr std::uint32_t step_order(const StepSpec& step) {
+  return step.composed_order > 0 ? step.composed_order : step_row(step.method).order;
+}
 
 /// The orders that there are of a method that is itself of order `own`: 2 -> 2, 4, 8.
 [[nodiscard]] std::vector<std::uint32_t> step_orders(std::uint32_t own);

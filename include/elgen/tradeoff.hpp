@@ -47,7 +47,7 @@ struct Design {
   bool is_fixed = false;                  ///< every parameter is a number
   InnerScalar inner = InnerScalar::same;  ///< of one state in double
   std::string order = {};                 ///< of an expansion, or "exact": nothing is approximated
-  std::optional<ChosenStep> step = {};    ///< in the place of the output
+  std::optional<StepSpec> step = {};      ///< in the place of the output
   std::string doc = {};                   ///< of the scene
   friend bool operator==(const Design&, const Design&) = default;
 };

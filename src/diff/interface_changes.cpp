@@ -192,22 +192,19 @@ void compare_parameters(Changes& changes, const Names& olds, const Names& news) 
   compare_units(changes, "parameter", olds, news);
 }
 
-void compare_methods(Changes& changes, const OutputRequest& old, const OutputRequest& now) {
-  if (old.user != now.user) {
-    changes.add(Impact::different, "the method of {} is {} where it was {}", in_backticks(now.name),
-                step_methods[now.user].name, step_methods[old.user].name);
+void compare_steps(Changes& changes, const std::string& name, const StepSpec& old,
+                   const StepSpec& now) {
+  if (old.method != now.method) {
+    changes.add(Impact::different, "the method of {} is {} where it was {}", in_backticks(name),
+                step_row(now.method).name, step_row(old.method).name);
   } else if (old.composed_order != now.composed_order) {
-    const std::uint32_t own = step_methods[now.user].order;
-    const auto order = [own](const OutputRequest& step) {
-      return step.composed_order > 0 ? step.composed_order : own;
-    };
-    changes.add(Impact::different, "{} is of order {} where it was of order {}",
-                in_backticks(now.name), order(now), order(old));
+    changes.add(Impact::different, "{} is of order {} where it was of order {}", in_backticks(name),
+                step_order(now), step_order(old));
   } else if (old.iterations != now.iterations) {
-    changes.add(Impact::different, "{} has {} where it had {}", in_backticks(now.name),
+    changes.add(Impact::different, "{} has {} where it had {}", in_backticks(name),
                 counted(now.iterations, "iteration"), old.iterations);
   } else if (old.projects != now.projects) {
-    changes.add(Impact::different, "{} {}", in_backticks(now.name),
+    changes.add(Impact::different, "{} {}", in_backticks(name),
                 now.projects ? "ends on the constraints where it drifted off them"
                              : "drifts off the constraints where it ended on them");
   }
@@ -224,8 +221,8 @@ void compare_outputs(Changes& changes, const Scene& before, const Scene& after) 
       changes.add(
           Impact::breaks, "{} {}", in_backticks(now->name),
           now->without_pivots ? "gives no relative pivots any more" : "gives relative pivots, too");
-    } else if (output_row(now->kind).steps) {
-      compare_methods(changes, old, *now);
+    } else if (now->step) {
+      compare_steps(changes, now->name, *old.step, *now->step);
     }
   }
   for (const OutputRequest& now : after.outputs) {

@@ -152,7 +152,8 @@ std::uint32_t first_entry_of(const Model& model, const OutputRequest& output, st
 }
 
 bool gives_field(const OutputRequest& output, const FieldRow& field) {
-  return !field.is_remainder || !output_row(output.kind).steps || output.iterations > 0;
+  if (!field.is_remainder || !output_row(output.kind).steps) return true;
+  return output.step && output.step->iterations > 0;
 }
 
 OutputRequest request_of(const Model& model, OutputKind kind, std::uint32_t user) {

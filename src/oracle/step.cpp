@@ -45,8 +45,8 @@ class Stepping {
   Stepping(const Model& model, const State& start, const OutputRequest& output)
       : model_(model),
         start_(start),
-        iterations_(output.iterations),
-        parts_(step_parts(output.composed_order)) {}
+        iterations_(output.step->iterations),
+        parts_(step_parts(output.step->composed_order)) {}
 
   /// x + h/6 (k1 + 2 k2 + 2 k3 + k4)
   Moved rk4() {
@@ -234,9 +234,10 @@ Values slope(const Model& model, const OutputRequest& output, const State& state
 }  // namespace
 
 Values step(const Model& model, const OutputRequest& output, const State& state) {
-  const Moved end = (Stepping(model, state, output).*methods[output.user])();
+  const auto method = static_cast<std::size_t>(output.step->method);
+  const Moved end = (Stepping(model, state, output).*methods[method])();
   Values values = normalized(model, end.q);
-  if (output.projects) {
+  if (output.step->projects) {
     State there = state;
     there.q = values;
     there.v = end.v;

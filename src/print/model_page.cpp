@@ -174,9 +174,9 @@ std::string sentence(const std::string& text) {
 }
 
 /// A step does not put a state back onto the constraints by itself.
-std::string drift_of_step(const Model& model, const Function& function) {
+std::string drift_of_step(const Model& model, const StepSpec& step) {
   if (model.constraints.empty()) return {};
-  return function.projects
+  return step.projects
              ? " One step of Newton back to the constraints follows, that of `projected`."
              : " Called in a loop it drifts off the constraints: call `projected` after every "
                "step, or write `step = { projected = true }`.";
@@ -206,11 +206,10 @@ Heading heading(const Model& model, const Function& function) {
 std::string output_doc(const Model& model, const Function& function) {
   const OutputRow& row = output_row(function.kind);
   if (row.steps) {
-    const StepMethodRow& method = step_methods[function.user];
-    const bool is_composed = function.composed_order > 0;
-    const std::string step =
-        fmt::format(fmt::runtime(method.doc), is_composed ? function.composed_order : method.order);
-    return fmt::format("{} {}.{}", row.doc, step, drift_of_step(model, function));
+    const StepSpec& step = *function.step;
+    const std::string method =
+        fmt::format(fmt::runtime(step_row(step.method).doc), step_order(step));
+    return fmt::format("{} {}.{}", row.doc, method, drift_of_step(model, step));
   }
   if (function.kind == OutputKind::completed) return doc_of_completed(model);
   if (!row.of_user) {

@@ -54,10 +54,12 @@ std::string operation_text(const Program& program, const Instruction& instructio
 std::string heading(const Function& function) {
   const OutputRow& row = output_row(function.kind);
   if (row.of_user || row.steps) {
-    std::string numbers = std::to_string(function.user);
-    if (function.iterations > 0) numbers += fmt::format(" {}", function.iterations);
-    if (function.composed_order > 0) numbers += fmt::format(" order {}", function.composed_order);
-    if (function.projects) numbers += " projected";
+    const StepSpec step = function.step.value_or(StepSpec());
+    std::string numbers =
+        std::to_string(row.steps ? static_cast<std::uint32_t>(step.method) : function.user);
+    if (step.iterations > 0) numbers += fmt::format(" {}", step.iterations);
+    if (step.composed_order > 0) numbers += fmt::format(" order {}", step.composed_order);
+    if (step.projects) numbers += " projected";
     return fmt::format("function {} = {} {}\n", function.name, row.name, numbers);
   }
   if (row.name == function.name) return fmt::format("function {}\n", row.name);

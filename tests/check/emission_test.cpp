@@ -153,22 +153,23 @@ TEST_CASE("float is for the accelerations of steps alone") {
   CHECK_THAT(block_scene_messages(inner), Catch::Contains("E628"));
 }
 
-TEST_CASE("a step has the number of its method") {
+TEST_CASE("a step has its method") {
   const Scene scene =
       checked(block(""), outputs("step = { method = \"verlet\" }\nmass_matrix = true")).scene;
   REQUIRE(scene.outputs.size() == 2);
   CHECK(scene.outputs[1].kind == OutputKind::step);
-  CHECK(scene.outputs[1].user == 1);
+  CHECK(scene.outputs[1].step == step_by(StepMethod::verlet));
+  CHECK_FALSE(scene.outputs[0].step);
   CHECK(scene.outputs[1].name == "step");
   const Scene renamed =
       checked(block(""), outputs("step = { method = \"rk4\", rename = \"advance\" }")).scene;
-  CHECK(renamed.outputs[0].user == 0);
+  CHECK(renamed.outputs[0].step == step_by(StepMethod::rk4));
   CHECK(renamed.outputs[0].name == "advance");
 }
 
 TEST_CASE("an implicit method iterates as often as it says, or as is asked for") {
   const auto iterations = [](const std::string& entry) {
-    return checked(block(""), outputs("step = " + entry)).scene.outputs[0].iterations;
+    return checked(block(""), outputs("step = " + entry)).scene.outputs[0].step->iterations;
   };
   CHECK(iterations("{ method = \"midpoint\" }") == 8);
   CHECK(iterations("{ method = \"midpoint\", iterations = 1 }") == 1);
@@ -189,7 +190,7 @@ TEST_CASE("iterations out of range, or of an explicit method, are E626") {
 
 TEST_CASE("a step has the order of its method, or one to which it is composed") {
   const auto order = [](const std::string& entry) {
-    return checked(block(""), outputs("step = " + entry)).scene.outputs[0].composed_order;
+    return checked(block(""), outputs("step = " + entry)).scene.outputs[0].step->composed_order;
   };
   CHECK(order("{ method = \"verlet\" }") == 0);
   CHECK(order("{ method = \"verlet\", order = 2 }") == 0);
@@ -214,7 +215,7 @@ TEST_CASE("a step of a model with constraints may project, no other output does"
   const std::string wall = block("[[constraint]]\nname = \"wall\"\nequation = \"x = 0\"\n");
   const auto projects = [&](const std::string& more) {
     const std::string entry = "step = { method = \"rk4\"" + more + " }";
-    return checked(wall, outputs(entry)).scene.outputs[0].projects;
+    return checked(wall, outputs(entry)).scene.outputs[0].step->projects;
   };
   CHECK_FALSE(projects(""));
   CHECK_FALSE(projects(", projected = false"));

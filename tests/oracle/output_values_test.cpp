@@ -69,8 +69,7 @@ void check(OutputKind kind, std::size_t first, const Contraction& by) {
   OutputRequest request;
   request.kind = kind;
   if (output_row(kind).steps) {  // the method with all fields
-    request.user = static_cast<std::uint32_t>(StepMethod::midpoint);
-    request.iterations = 2;
+    request.step = StepSpec{.method = StepMethod::midpoint, .iterations = 2};
   }
   const auto values = oracle_values(b.model, request, state);
   const auto number = oracle_contraction(b.model, request, state, by);

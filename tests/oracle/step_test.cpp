@@ -13,8 +13,7 @@ using Values = std::vector<cln::cl_R>;
 Values step_of(const ModelBuilder& b, StepMethod method, const State& state,
                std::uint32_t iterations = 0) {
   const OutputRequest request{.kind = OutputKind::step,
-                              .user = static_cast<std::uint32_t>(method),
-                              .iterations = iterations};
+                              .step = StepSpec{.method = method, .iterations = iterations}};
   return oracle::step(b.model, request, state);
 }
 
@@ -57,9 +56,7 @@ TEST_CASE("a composition goes over its parts one after another") {
     part.q = {next[0]};
     part.v = {next[1]};
   }
-  const OutputRequest request{.kind = OutputKind::step,
-                              .user = static_cast<std::uint32_t>(StepMethod::verlet),
-                              .composed_order = 4};
+  const OutputRequest request{.kind = OutputKind::step, .step = step_by(StepMethod::verlet, 4)};
   CHECK(oracle::step(b.model, request, at_one(b)) == Values{part.q[0], part.v[0]});
 }
 
@@ -70,7 +67,7 @@ TEST_CASE("a projected step ends on the constraints of its end") {
   state.q = {1, 0};
   state.t = 1;
   state.h = exact("1/2");
-  const OutputRequest request{.kind = OutputKind::step, .projects = true};
+  const OutputRequest request{.kind = OutputKind::step, .step = StepSpec{.projects = true}};
   // At t = 3/2, of which y = 3/2 x is the line and dy = x + 3/2 dx that of the rates.
   const Values next = oracle::step(b.model, request, state);
   CHECK(agree(next[1], next[0] * 3 / 2, 50));

@@ -61,14 +61,11 @@ TEST_CASE("a program is printed with the names of the model, and reads back") {
   CHECK(program.functions.at(2).user == 2);
   CHECK(program.functions.at(3).kind == OutputKind::hamiltonian);
   CHECK(program.functions.at(4).kind == OutputKind::step);
-  CHECK(program.functions.at(4).user == 1);
-  CHECK(program.functions.at(4).iterations == 0);
-  CHECK(program.functions.at(5).user == 2);
-  CHECK(program.functions.at(5).iterations == 8);
-  CHECK(program.functions.at(5).composed_order == 0);
-  CHECK(program.functions.at(6).composed_order == 8);
-  CHECK_FALSE(program.functions.at(6).projects);
-  CHECK(program.functions.at(7).projects);
+  CHECK_FALSE(program.functions.at(3).step);
+  CHECK(program.functions.at(4).step == step_by(StepMethod::verlet));
+  CHECK(program.functions.at(5).step == step_by(StepMethod::midpoint));
+  CHECK(program.functions.at(6).step == step_by(StepMethod::verlet, 8));
+  CHECK(program.functions.at(7).step == StepSpec{.method = StepMethod::rk4, .projects = true});
 }
 
 TEST_CASE("comments and empty lines are passed over, names are kept") {

@@ -129,16 +129,24 @@ class ProgramReader {
     }
     if (kind == nullptr) return fmt::format("`{}` is no output", words[renamed ? 3 : 1]);
     function.kind = kind->kind;
-    std::uint32_t* const numbers[] = {&function.user, &function.iterations};
-    function.projects = renamed && words.back() == "projected";
-    const std::size_t end = words.size() - (function.projects ? 1 : 0);
+    StepSpec step;
+    std::uint32_t first = 0;
+    std::uint32_t* const numbers[] = {&first, &step.iterations};
+    step.projects = renamed && words.back() == "projected";
+    const std::size_t end = words.size() - (step.projects ? 1 : 0);
     for (std::size_t i = 4; i < end; ++i) {
       const bool is_order = words[i] == "order" && i + 1 < end;
       if (is_order) ++i;
       const auto value = number(words[i]);
       if (!value) return fmt::format("`{}` is not a number", words[i]);
-      if (is_order) function.composed_order = *value;
+      if (is_order) step.composed_order = *value;
       if (!is_order && i < 6) *numbers[i - 4] = *value;
+    }
+    if (kind->steps) {
+      step.method = static_cast<StepMethod>(first);
+      function.step = step;
+    } else {
+      function.user = first;
     }
     program_.functions.push_back(std::move(function));
     return "";

@@ -39,6 +39,7 @@ inline System system_of(Model model, const std::string& text) {
     OutputRequest output;
     output.kind = function.kind;
     output.user = function.user;
+    output.step = function.step;
     output.name = function.name;
     system.scene.outputs.push_back(output);
   }

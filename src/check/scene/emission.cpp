@@ -188,8 +188,8 @@ namespace {
 /// Why accelerations in float are none of an output; "" where they are.
 std::string lacks_accelerations(const OutputRequest& output) {
   if (output.kind != OutputKind::step) return in_backticks(output.name) + " is no `step`";
-  const StepMethodRow& method = step_methods[output.user];
-  return method.id == StepMethod::midpoint ? in_backticks(method.name) + " asks for none" : "";
+  const bool asks = !output.step || output.step->method != StepMethod::midpoint;
+  return asks ? "" : in_backticks(step_row(StepMethod::midpoint).name) + " asks for none";
 }
 
 }  // namespace

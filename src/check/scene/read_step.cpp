@@ -29,8 +29,8 @@ void refuse_keys(const ValueSyntax& entry, const OutputRequest& output, Report& 
   }
 }
 
-void read_iterations(const KeySyntax& key, OutputRequest& output, Report& report) {
-  const StepMethodRow& method = step_methods[output.user];
+void read_iterations(const KeySyntax& key, StepSpec& step, Report& report) {
+  const StepMethodRow& method = step_row(step.method);
   if (method.iterations == 0) {
     return report.add(Code::E626, key.key_span,
                       fmt::format("`{}` is explicit: it iterates nothing", method.name));
@@ -41,11 +41,11 @@ void read_iterations(const KeySyntax& key, OutputRequest& output, Report& report
                       fmt::format("`iterations` {} is not one of 1 to {}",
                                   in_backticks(key.value.span), most_step_iterations));
   }
-  output.iterations = cln::cl_I_to_uint(cln::floor1(count));
+  step.iterations = cln::cl_I_to_uint(cln::floor1(count));
 }
 
-void read_order(const KeySyntax& key, OutputRequest& output, Report& report) {
-  const StepMethodRow& method = step_methods[output.user];
+void read_order(const KeySyntax& key, StepSpec& step, Report& report) {
+  const StepMethodRow& method = step_row(step.method);
   const std::vector<std::uint32_t> orders = step_orders(method.order);
   const auto found = std::ranges::find_if(orders, [&key](std::uint32_t order) {
     return key.value.expression.value == cln::cl_RA(order);
@@ -56,7 +56,7 @@ void read_order(const KeySyntax& key, OutputRequest& output, Report& report) {
         fmt::format("`{}` has no order {}", method.name, in_backticks(key.value.span)),
         fmt::format("it has {}", fmt::join(orders, ", ")));
   }
-  if (*found != method.order) output.composed_order = *found;
+  if (*found != method.order) step.composed_order = *found;
 }
 
 /// E103 where the output is no `step`, E539 where the model has no constraints.
@@ -66,8 +66,8 @@ void read_projected(const Model& model, const KeySyntax& key, OutputRequest& out
     return report.add(Code::E103, key.key_span,
                       fmt::format("`{}` has no `projected`: `step` has one", output.name));
   }
-  output.projects = key.value.boolean;
-  if (!output.projects || !model.constraints.empty()) return;
+  output.step->projects = key.value.boolean;
+  if (!output.step->projects || !model.constraints.empty()) return;
   report.add(Code::E539, key.key_span,
              "`projected` needs a `[[constraint]]`, and the model has none");
 }
@@ -90,12 +90,11 @@ void read_step(const Model& model, const ValueSyntax& entry, OutputRequest& outp
                       fmt::format("`{}` has no method {}", output.name, in_backticks(word)),
                       method_hint(word));
   }
-  output.user = static_cast<std::uint32_t>(found - step_methods.begin());
-  output.iterations = found->iterations;
+  StepSpec& step = output.step.emplace(step_by(found->id));
   const KeySyntax* iterations = entry.find("iterations");
-  if (iterations != nullptr) read_iterations(*iterations, output, report);
+  if (iterations != nullptr) read_iterations(*iterations, step, report);
   const KeySyntax* order = entry.find("order");
-  if (order != nullptr) read_order(*order, output, report);
+  if (order != nullptr) read_order(*order, step, report);
   const KeySyntax* projected = entry.find("projected");
   if (projected != nullptr) read_projected(model, *projected, output, report);
 }
@@ -103,8 +102,8 @@ void read_step(const Model& model, const ValueSyntax& entry, OutputRequest& outp
 void check_steps(Context& context, const std::vector<OutputRequest>& outputs) {
   const Model& model = context.model;
   for (const OutputRequest& output : outputs) {
-    if (!output_row(output.kind).steps) continue;
-    const StepMethodRow& method = step_methods[output.user];
+    if (!output.step) continue;
+    const StepMethodRow& method = step_row(output.step->method);
     if (method.domain == StepDomain::any) continue;
     if (!model.constraints.empty()) {
       context.report.add({Code::E539, output.span,

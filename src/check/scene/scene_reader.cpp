@@ -151,12 +151,9 @@ class SceneReader {
   }
 
   /// A run goes by it.
-  void request_step(const ChosenStep& chosen) {
+  void request_step(const StepSpec& chosen) {
     OutputRequest* const step = request(std::string(output_row(OutputKind::step).name), {});
-    if (step == nullptr) return;
-    step->user = static_cast<std::uint32_t>(chosen.method);
-    step->iterations = step_methods[step->user].iterations;
-    step->composed_order = chosen.composed_order;
+    if (step != nullptr) step->step = chosen;
   }
 
   /// A lock asks for it.

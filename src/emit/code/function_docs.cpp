@@ -124,8 +124,8 @@ std::string too_long_note(const FunctionText& text) {
                      entry_count(text.function), text.sidecar);
 }
 
-Lines step_lines(const Function& step, const Model& model) {
-  const auto equation = fmt::runtime(step_methods[step.user].equation);
+Lines step_lines(const StepSpec& step, const Model& model) {
+  const auto equation = fmt::runtime(step_row(step.method).equation);
   std::istringstream text(fmt::format(equation, step.iterations));
   Lines lines;
   for (std::string line; std::getline(text, line);) append(lines, wrapped(line));
@@ -148,7 +148,7 @@ Lines step_lines(const Function& step, const Model& model) {
 Lines shown_equations(const FunctionText& text) {
   const OutputRow& row = output_row(text.function.kind);
   if (row.repeats) return {};
-  if (row.steps) return step_lines(text.function, text.model);
+  if (row.steps) return step_lines(*text.function.step, text.model);
   const Lines all = listing(text);
   Lines lines = {equation_text(text.function, text.model), ""};
   append(lines, all.size() > longest_listing ? Lines{too_long_note(text)} : all);

@@ -24,7 +24,7 @@ constexpr NextState (*methods[])(const StepContext&) = {
 /// differ.
 constexpr std::uint32_t number_of_projected = 5;
 
-StepDomain domain_of(const OutputRequest& step) { return step_methods[step.user].domain; }
+StepDomain domain_of(const OutputRequest& step) { return step_row(step.step->method).domain; }
 
 void add_field(Function& function, std::string name, Places entries) {
   if (entries.empty()) return;
@@ -144,8 +144,8 @@ StepContext::StepContext(const CheckedModel& checked, const OutputRequest& reque
       has_inner(checked.scene.numerics.inner == InnerScalar::single_precision),
       directions(takes_tangents(model, request) ? 2 * model.velocities.size() + model.inputs.size()
                                                 : 0),
-      iterations(request.iterations),
-      parts(step_parts(request.composed_order)),
+      iterations(request.step->iterations),
+      parts(step_parts(request.step->composed_order)),
       h(compose.leaf(Opcode::step)),
       start{compose.leaves(Opcode::coordinate, model.coordinates.size()),
             compose.leaves(Opcode::velocity, model.velocities.size()),
@@ -183,7 +183,7 @@ std::vector<OutputRequest> needed_for_step(const Model& model, const OutputReque
   std::vector<OutputRequest> needed;
   std::vector<OutputKind> kinds = kinds_called(step);
   if (takes_tangents(model, step)) kinds.push_back(OutputKind::forward_dynamics_derivatives);
-  if (step.projects) kinds.push_back(OutputKind::projected);
+  if (step.step->projects) kinds.push_back(OutputKind::projected);
   for (const OutputKind kind : kinds) {
     OutputRequest request = request_of(model, kind, 0);
     if (!is_available(model, request)) continue;
@@ -201,21 +201,17 @@ Diagnostics add_step(const CheckedModel& checked, const OutputRequest& step, con
                      Program& program) {
   const std::string reason = refusal(checked, step, calls);
   if (!reason.empty()) {
-    return {{Code::E622, step.span,
-             fmt::format("`{}` is not for this system: {}", step_methods[step.user].name, reason),
-             "`rk4` takes any model"}};
+    return {
+        {Code::E622, step.span,
+         fmt::format("`{}` is not for this system: {}", step_row(step.step->method).name, reason),
+         "`rk4` takes any model"}};
   }
   name_taken(Opcode::step, program.leaves);
-  Function function{.kind = step.kind,
-                    .user = step.user,
-                    .iterations = step.iterations,
-                    .composed_order = step.composed_order,
-                    .projects = step.projects,
-                    .name = step.name};
+  Function function{.kind = step.kind, .step = step.step, .name = step.name};
   Composition compose(program, function);
   const StepContext context(checked, step, calls, compose);
-  NextState moved = methods[step.user](context);
-  if (step.projects) project(context, moved);
+  NextState moved = methods[static_cast<std::size_t>(step.step->method)](context);
+  if (step.step->projects) project(context, moved);
   add_field(function, "coordinates", std::move(moved.q));
   add_field(function, "rates", std::move(moved.v));
   if (output_row(step.kind).differentiates) {

@@ -296,7 +296,7 @@ std::string outputs_of_run(const Model& model) {
 
 /// The model is checked once before, to know which outputs it has.
 Products derived_for_run(const Inputs& inputs, PipelineOptions options,
-                         const std::optional<ChosenStep>& step) {
+                         const std::optional<StepSpec>& step) {
   PipelineOptions first = options;
   first.goals = {Goal::check};
   Products checked = run_pipeline(inputs, first);

@@ -23,7 +23,7 @@ Diagnostic impossible(std::string message, std::string hint = {}) {
 
 /// The row of a method of the output `step`.
 constexpr MethodRow row_by_program(StepMethod method) {
-  const StepMethodRow& row = step_methods[static_cast<std::size_t>(method)];
+  const StepMethodRow& row = step_row(method);
   return {row.name, row.order, StepKind::fixed, method, &make_step_program};
 }
 
@@ -100,11 +100,11 @@ Diagnostics refuse_run(const SimulationOptions& options) {
   return method ? step_rule(*method, options).diagnostics : method.diagnostics;
 }
 
-std::optional<ChosenStep> step_of_run(const SimulationOptions& options) {
+std::optional<StepSpec> step_of_run(const SimulationOptions& options) {
   const Result<MethodRow> method = find_method(options);
   if (!method || !method->program) return std::nullopt;
   const std::uint32_t order = options.order.value_or(method->order);
-  return ChosenStep{*method->program, order == method->order ? 0 : order};
+  return step_by(*method->program, order == method->order ? 0 : order);
 }
 
 }  // namespace elgen

@@ -18,10 +18,8 @@ namespace {
 constexpr std::size_t longest_compiled = 20'000;
 
 /// "midpoint of order 8"
-std::string name_of_step(const ChosenStep& step) {
-  const StepMethodRow& method = step_methods[static_cast<std::size_t>(step.method)];
-  return fmt::format("`{}` of order {}", method.name,
-                     step.composed_order > 0 ? step.composed_order : method.order);
+std::string name_of_step(const StepSpec& step) {
+  return fmt::format("`{}` of order {}", step_row(step.method).name, step_order(step));
 }
 
 /// A step that is compiled, or why it is not.
@@ -34,7 +32,7 @@ struct StepCode {
 };
 
 /// `bar`: how far the runs of the reference differ.
-std::vector<std::string> sentences(const std::map<ChosenStep, StepCode>& codes, double bar) {
+std::vector<std::string> sentences(const std::map<StepSpec, StepCode>& codes, double bar) {
   std::vector<std::string> all{fmt::format(
       "reference: Fehlberg's method of order 8 to 1e-15 in long double and to 1e-12 in double, "
       "which differ by {:.1e}",
@@ -102,7 +100,7 @@ class RunBench {
   }
 
  private:
-  Products derived(const std::optional<ChosenStep>& step) {
+  Products derived(const std::optional<StepSpec>& step) {
     process_.renew_time_limit();
     PipelineOptions options{
         .limits = process_.limits, .goals = {Goal::choose}, .on_stage = process_.on_stage};
@@ -122,13 +120,13 @@ class RunBench {
   }
 
   /// Once for all runs by the same step.
-  void make(const ChosenStep& step) {
+  void make(const StepSpec& step) {
     const auto [at, is_new] = codes_.try_emplace(step);
     if (is_new) at->second = made(step);
   }
 
   /// A method that is not for the system, and a step that is too long, are told of in a sentence.
-  StepCode made(const ChosenStep& step) {
+  StepCode made(const StepSpec& step) {
     Products products = derived(step);
     if (!products.program) {
       const Diagnostic& error = *find_error(products.diagnostics);
@@ -206,7 +204,7 @@ class RunBench {
   Products exact_ = {};  ///< the equations, and where they start
   ReferenceRun reference_ = {};
   double bar_ = 0;  ///< what the reference is known to, in errors; it is rounded to double
-  std::map<ChosenStep, StepCode> codes_ = {};
+  std::map<StepSpec, StepCode> codes_ = {};
   TradeoffTable table_ = {};
   std::vector<std::size_t> steps_ = {};     ///< of each row
   std::vector<std::string> refusals_ = {};  ///< "`verlet` is not for this system: ..."

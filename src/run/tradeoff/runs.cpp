@@ -42,7 +42,7 @@ Numbers repeated(const Numbers& numbers, std::size_t count) {
 /// By steps of h s of one state.
 PlannedRun planned(const StepMethodRow& method, std::uint32_t order, double h) {
   const std::string length = fmt::format("{:g} s", h);
-  const ChosenStep step{method.id, order == method.order ? 0 : order};
+  const StepSpec step = step_by(method.id, order == method.order ? 0 : order);
   return {{std::string(method.name), std::to_string(order), length, "one"},
           {.step = step, .doc = "For steps of " + length + "."},
           0};

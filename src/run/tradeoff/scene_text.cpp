@@ -144,9 +144,7 @@ class DesignText {
     return std::string(inner_row(design_.inner).name);
   }
 
-  [[nodiscard]] std::string_view step_name() const {
-    return step_methods[static_cast<std::size_t>(design_.step->method)].name;
-  }
+  [[nodiscard]] std::string_view step_name() const { return step_row(design_.step->method).name; }
 
   [[nodiscard]] std::string output() const {
     return design_.step ? std::string(output_row(OutputKind::step).name)

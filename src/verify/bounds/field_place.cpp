@@ -10,11 +10,7 @@ namespace {
 
 /// The request to the oracle for a field.
 OutputRequest request_of(const Subject& subject, const Function& function, const Field& field) {
-  const OutputRequest request{.kind = function.kind,
-                              .user = function.user,
-                              .iterations = function.iterations,
-                              .composed_order = function.composed_order,
-                              .projects = function.projects};
+  const OutputRequest request{.kind = function.kind, .user = function.user, .step = function.step};
   if (!output_row(function.kind).repeats) return request;
   const OutputRequest* member = find_request(subject.scene, field.name);
   return member != nullptr ? *member : request;

@@ -58,7 +58,7 @@ TEST_CASE("a projected step is the step, then `projected`, to the bit") {
     CHECK(whole.values<double>(state) == evaluate(*parts.program, projected, at));
     CHECK(whole.values<double>(state) != moved);
     const OracleValues slow = oracle_values(
-        whole.model(), {.kind = OutputKind::step, .projects = whole.function().projects}, state);
+        whole.model(), {.kind = OutputKind::step, .step = whole.function().step}, state);
     REQUIRE(slow);
     const std::vector<cln::cl_R> exact_values = *defined_values(whole.values<Real>(state));
     REQUIRE(slow->size() == exact_values.size());

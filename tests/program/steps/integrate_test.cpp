@@ -53,7 +53,8 @@ TEST_CASE("midpoint is refused where p is not M v + b of the coordinates") {
 
 TEST_CASE("what midpoint calls is computed together, in the form that is asked for") {
   const CheckedModel checked = checked_model(shaken);
-  OutputRequest step{.kind = OutputKind::step, .user = 2, .form = Form::closed};
+  OutputRequest step{
+      .kind = OutputKind::step, .form = Form::closed, .step = step_by(StepMethod::midpoint)};
   const std::vector<OutputRequest> needed = needed_for_step(checked.model, step);
   CHECK(needed.size() == 7);
   CHECK(needed.back().kind == OutputKind::dynamics);
@@ -62,7 +63,7 @@ TEST_CASE("what midpoint calls is computed together, in the form that is asked f
 
 TEST_CASE("a step calls the form that is asked for, and is judged by what it needs") {
   const CheckedModel checked = checked_model(shaken);
-  OutputRequest step{.kind = OutputKind::step, .user = 1};
+  OutputRequest step{.kind = OutputKind::step, .step = step_by(StepMethod::verlet)};
   step.form = Form::recursive;
   const std::vector<OutputRequest> needed = needed_for_step(checked.model, step);
   REQUIRE(needed.size() == 4);
@@ -91,7 +92,7 @@ TEST_CASE("time moves where the model knows it") {
     Program program;
     Function function;
     Composition compose(program, function);
-    const OutputRequest request{.iterations = 3};
+    const OutputRequest request{.step = StepSpec{.iterations = 3}};
     const StepContext step(checked, request, program, compose);
     CHECK(step.iterations == 3);
     const std::size_t size = function.instructions.size();

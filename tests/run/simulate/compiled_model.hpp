@@ -25,7 +25,7 @@ inline SceneOptions start_options(const std::string& starts, const std::string& 
 class CompiledSystem {
  public:
   explicit CompiledSystem(const std::string& text, const SceneOptions& given = {},
-                          const std::optional<ChosenStep>& step = {})
+                          const std::optional<StepSpec>& step = {})
       : text_(text), given_(given), products_(derived(step)) {
     if (!products_.files) throw std::runtime_error(format(products_.diagnostics));
   }
@@ -43,7 +43,7 @@ class CompiledSystem {
   }
 
   [[nodiscard]] Result<Trajectory> run(const SimulationOptions& options) const {
-    const std::optional<ChosenStep> step = step_of_run(options);
+    const std::optional<StepSpec> step = step_of_run(options);
     if (!step) return simulate(checked(), program(), &functions(), options);
     const Products products = derived(step);
     if (!products.program) return products.diagnostics;
@@ -57,7 +57,7 @@ class CompiledSystem {
   }
 
  private:
-  [[nodiscard]] Products derived(const std::optional<ChosenStep>& step) const {
+  [[nodiscard]] Products derived(const std::optional<StepSpec>& step) const {
     PipelineOptions options;
     options.scene = given_;
     const Model model = checked_model(text_, given_).model;

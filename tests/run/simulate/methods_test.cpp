@@ -88,9 +88,9 @@ TEST_CASE("compositions have the orders that are asked for") {
 }
 
 TEST_CASE("verlet and midpoint go by a program of `step`") {
-  CHECK(step_of_run({.method = "verlet"}) == ChosenStep{StepMethod::verlet});
-  CHECK(step_of_run({.method = "verlet", .order = 2}) == ChosenStep{StepMethod::verlet});
-  CHECK(step_of_run({.method = "midpoint", .order = 8}) == ChosenStep{StepMethod::midpoint, 8});
+  CHECK(step_of_run({.method = "verlet"}) == step_by(StepMethod::verlet));
+  CHECK(step_of_run({.method = "verlet", .order = 2}) == step_by(StepMethod::verlet));
+  CHECK(step_of_run({.method = "midpoint", .order = 8}) == step_by(StepMethod::midpoint, 8));
   for (const char* name : {"rk4", "dopri5", "rk5"}) CHECK_FALSE(step_of_run({.method = name}));
 }
 

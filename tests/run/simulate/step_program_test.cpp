@@ -19,7 +19,7 @@ TEST_CASE("one step of verlet by hand") {
 TEST_CASE("a run is the emitted step, call by call") {
   const std::string text =
       read_text(std::string(ELGEN_SOURCE_DIR) + "/models/double_pendulum.toml");
-  const CompiledSystem compiled(text, {}, ChosenStep{StepMethod::midpoint});
+  const CompiledSystem compiled(text, {}, step_by(StepMethod::midpoint));
   const SimulationOptions options = steps_of("midpoint", 0.01, 1);
   const Result<Trajectory> run =
       simulate(compiled.checked(), compiled.program(), &compiled.functions(), options);

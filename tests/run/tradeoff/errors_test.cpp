@@ -76,11 +76,11 @@ TEST_CASE(
   };
   const PlannedRun rk4 = named({"rk4", "4", "0.01 s", "one"});
   CHECK(rk4.steps == 1000);
-  CHECK(rk4.design == Design{.step = ChosenStep{StepMethod::rk4}, .doc = "For steps of 0.01 s."});
+  CHECK(rk4.design == Design{.step = step_by(StepMethod::rk4), .doc = "For steps of 0.01 s."});
   const PlannedRun verlet = named({"verlet", "8", "0.1 s", "packs"});
   CHECK(verlet.steps == 100);
   CHECK(verlet.design.in_packs);
-  CHECK(verlet.design.step == ChosenStep{StepMethod::verlet, 8});
+  CHECK(verlet.design.step == step_by(StepMethod::verlet, 8));
 }
 
 TEST_CASE("runs are planned with steps of the lengths that are asked for") {

@@ -90,7 +90,7 @@ TEST_CASE("a design with the library's sines says so, one with those in line say
   CHECK(mentions(text, "\ntrigonometry = { scalar = \"library\" }\n"));
   CHECK(run(text).checked->scene.numerics.has_library_sines);
   CHECK_FALSE(mentions(text_of({}, library), "library"));
-  CHECK(mentions(text_of({.step = ChosenStep{StepMethod::rk4}}, library), "\"library\""));
+  CHECK(mentions(text_of({.step = step_by(StepMethod::rk4)}, library), "\"library\""));
 }
 
 TEST_CASE("all parameters are fixed beside those that the scene has fixed at other values") {
@@ -110,11 +110,11 @@ TEST_CASE("an expansion is about the start, an exact design without the scene's 
 
 TEST_CASE("a step of a run is a scene with its method and order, and says for which steps") {
   const std::string text = text_of(
-      {.in_packs = true, .step = ChosenStep{StepMethod::verlet, 8}, .doc = "For steps of 0.01 s."});
+      {.in_packs = true, .step = step_by(StepMethod::verlet, 8), .doc = "For steps of 0.01 s."});
   CHECK(mentions(text, "name = \"double_packs_verlet_8\"\ndoc = \"For steps of 0.01 s.\"\n"));
   CHECK(mentions(text, "[outputs]\nstep = { method = \"verlet\", order = 8 }\n"));
   CHECK(mentions(text, "[emit]\nbatch = true\n"));
-  CHECK(mentions(text_of({.step = ChosenStep{StepMethod::rk4}}),
+  CHECK(mentions(text_of({.step = step_by(StepMethod::rk4)}),
                  "[outputs]\nstep = { method = \"rk4\" }\n"));
 }
 
