@@ -21,6 +21,7 @@
 #include "elgen/leaf_names.hpp"
 #include "elgen/leaves.hpp"
 #include "elgen/model.hpp"
+#include "elgen/references.hpp"
 
 namespace elgen {
 
@@ -36,30 +37,11 @@ struct Symbols : LeafValues<GiNaC::ex> {
   std::vector<RotationPlace> rotations = {};
 };
 
-enum class EntityKind : std::uint8_t {
-  definition,
-  prescribed,
-  point,
-  frame,
-  body,
-  coordinate,
-  energy,
-  force,
-  constraint,
-  output
-};
-
-/// The entry of the model a definition came from.
-struct Entity {
-  EntityKind kind = EntityKind::energy;
-  std::uint32_t index = 0;
-};
-
 struct Definition {
   GiNaC::ex symbol;
   GiNaC::ex value;
   std::string name;  ///< C++ identifier for a reader ("bob_x"), or empty
-  Entity origin;
+  Entity origin;     ///< the entry of the model that it came from
   std::vector<std::uint32_t> uses;  ///< indices of the definitions in `value`, ascending
   LeafSet depends = {};             ///< through `uses` too
   /// dvalue/dleaf of every leaf that it depends on, where `value` is a leaf itself, whose

@@ -16,15 +16,85 @@ namespace elgen {
 /// The references of an expression: its operands, or the expression that its name stands for.
 [[nodiscard]] std::vector<ExpressionId> references(const Model& model, ExpressionId expression);
 
+enum class EntityKind : std::uint8_t {
+  definition,
+  prescribed,
+  point,
+  frame,
+  body,
+  coordinate,
+  gravity,
+  energy,
+  force,
+  constraint,
+  output
+};
+
+/// An entry of the model.
+struct Entity {
+  EntityKind kind = EntityKind::energy;
+  std::uint32_t index = 0;
+};
+
+/// What an expression is to its entry.
+enum class RootRole : std::uint8_t {
+  value,  ///< of a name, gravity, a force, a constraint or an output
+  armature,
+  rotation,
+  place,  ///< of a point, a centre of mass or the origin of a frame
+  spin,
+  mass,
+  inertia,
+  kinetic,
+  potential,
+  dissipation,
+  lagrangian,
+  reaction,
+  omega,
+  zeta,
+  twist
+};
+
+/// An expression that an entry holds.
+struct Root {
+  ExpressionId expression = 0;
+  Entity entity = {};
+  RootRole role = RootRole::value;
+};
+
+/// The expressions of all entries that equations, outputs and names are made of, by entry: first
+/// those of the equations, then those of outputs, then those of names. Names are not followed.
+/// Without what repeats others (steps of frames, places in their axes, forces as written), and
+/// without what is asked about the model: stated points, closed forms, laws of inputs.
+[[nodiscard]] std::vector<Root> roots_of(const Model& model);
+
+/// The expressions of the roots that meet a condition, in the order of roots_of().
+template <class Condition>
+[[nodiscard]] std::vector<ExpressionId> roots_if(const Model& model, const Condition& is_wanted) {
+  std::vector<ExpressionId> wanted;
+  for (const Root& root : roots_of(model)) {
+    if (is_wanted(root)) wanted.push_back(root.expression);
+  }
+  return wanted;
+}
+
 /// Roots of the equations of motion: energies, masses, points, bodies, frames, forces and
-/// constraints. Names in them are not followed.
+/// constraints.
 [[nodiscard]] std::vector<ExpressionId> equation_roots(const Model& model);
 
 /// Roots of an [[output]].
-[[nodiscard]] std::vector<ExpressionId> output_roots(const UserOutput& output);
+[[nodiscard]] std::vector<ExpressionId> output_roots(const Model& model, std::uint32_t output);
 
 /// Roots of the equations of motion and of every [[output]].
 [[nodiscard]] std::vector<ExpressionId> all_roots(const Model& model);
+
+/// The values of forces.
+[[nodiscard]] inline bool is_force(const Root& root) {
+  return root.entity.kind == EntityKind::force && root.role == RootRole::value;
+}
+
+/// What a force does work along: the places of its points and the spins of its frames.
+[[nodiscard]] std::vector<ExpressionId> moved_by(const Model& model, const Force& force);
 
 /// The roots and everything below them, each once, operands before their users, in a model without
 /// cycles. Cost: one visit per expression.

@@ -211,19 +211,14 @@ class NamedConstants {
   Diagnostics found_ = {};
 };
 
-/// Closed forms are not among them: they are judged where they are compared.
-std::vector<ExpressionId> roots_of(const Model& model) {
-  std::vector<ExpressionId> roots = all_roots(model);
-  for (const NamedExpression& definition : model.definitions) roots.push_back(definition.value);
-  for (const NamedExpression& function : model.prescribed) roots.push_back(function.value);
-  return roots;
-}
-
 }  // namespace
 
 Diagnostics inspect_constants(const Inspected& subject) {
   NamedConstants names(subject);
-  for (const ExpressionId id : reached(subject.model, roots_of(subject.model))) names.visit(id);
+  const Model& model = subject.model;
+  // Closed forms are judged where they are compared.
+  const auto is_any = [](const Root&) { return true; };
+  for (const ExpressionId id : reached(model, roots_if(model, is_any))) names.visit(id);
   return names.take();
 }
 

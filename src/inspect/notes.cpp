@@ -63,11 +63,7 @@ Diagnostic note(const LeftOut& left_out) {
 
 /// tanh of something with a rate in it.
 std::optional<Span> smoothed_friction(const Model& model) {
-  std::vector<ExpressionId> values;
-  for (const Force& force : model.forces) {
-    values.insert(values.end(), force.value.begin(), force.value.end());
-  }
-  for (const ExpressionId id : reached(model, values)) {
+  for (const ExpressionId id : reached(model, roots_if(model, is_force))) {
     const Expression& node = model.expressions[id];
     const bool is_tanh = node.kind == ExpressionKind::function && node.function == FunctionId::tanh;
     if (is_tanh && holds_leaf(model, id, Opcode::velocity)) return node.span;

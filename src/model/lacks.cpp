@@ -103,7 +103,7 @@ MaybeLack lack_of_few_inputs(const Model& model) {
 MaybeLack lack_of_kept_coordinates(const Model& model, const OutputRequest& request) {
   if (!has_routhian(model)) return std::nullopt;
   const Model& whole = whole_of(model);
-  const std::vector<ExpressionId> roots = output_roots(whole.outputs[request.user]);
+  const std::vector<ExpressionId> roots = output_roots(whole, request.user);
   for (const Cyclic& cyclic : whole.variant.cyclic) {
     if (!is_reached(whole, roots, cyclic)) continue;
     return Lack{Code::E603,
@@ -235,11 +235,9 @@ MaybeLack lack_of(Need need, const Model& model, const OutputRequest& request) {
 }  // namespace
 
 const Expression* find_kink(const Model& model) {
-  std::vector<ExpressionId> values;
-  for (const Force& force : model.forces) {
-    if (!is_held(model, force)) values.insert(values.end(), force.value.begin(), force.value.end());
-  }
-  return kink_in(model, values);
+  return kink_in(model, roots_if(model, [&model](const Root& root) {
+                   return is_force(root) && !is_held(model, model.forces[root.entity.index]);
+                 }));
 }
 
 std::optional<Lack> lack_of(const Model& model, const OutputRequest& request) {

@@ -67,17 +67,8 @@ enum class WorkReach : std::uint8_t { nothing, locks, others };
 
 WorkReach reach_of(const Model& whole, const Force& force) {
   if (force.on) return is_locked(whole, *force.on) ? WorkReach::locks : WorkReach::others;
-  std::vector<ExpressionId> roots;
-  for (const auto& point : {force.at, force.from}) {
-    if (point)
-      roots.insert(roots.end(), whole.points[*point].at.begin(), whole.points[*point].at.end());
-  }
-  for (const auto& frame : {force.frame, force.from_frame}) {
-    if (frame)
-      roots.insert(roots.end(), whole.frames[*frame].spin.begin(), whole.frames[*frame].spin.end());
-  }
   WorkReach reach = WorkReach::nothing;
-  for (const ExpressionId id : reached(whole, roots)) {
+  for (const ExpressionId id : reached(whole, moved_by(whole, force))) {
     const Expression& node = whole.expressions[id];
     const bool is_place = is_leaf(node, Opcode::coordinate);
     if (!is_place && !is_leaf(node, Opcode::velocity)) continue;

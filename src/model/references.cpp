@@ -1,4 +1,5 @@
-// References: one switch over the kinds of names, and one depth-first search.
+// References: one switch over the kinds of names, one list of the roots of all entries, and one
+// depth-first search.
 #include "elgen/references.hpp"
 
 #include <algorithm>
@@ -91,6 +92,86 @@ std::vector<ExpressionId> all_of(const Model& model) {
   return all;
 }
 
+bool is_of_name(const Root& root) {
+  return root.entity.kind == EntityKind::definition || root.entity.kind == EntityKind::prescribed;
+}
+
+bool is_of_output(const Root& root) { return root.entity.kind == EntityKind::output; }
+
+/// Every expression by its entry. A new key of an entry has its line here.
+class RootList {
+ public:
+  explicit RootList(const Model& model) : model_(model) {}
+
+  std::vector<Root> build() && {
+    using R = RootRole;
+    for_each(EntityKind::coordinate, model_.coordinates,
+             [this](const Coordinate& coordinate) { add(R::armature, coordinate.armature); });
+    for_each(EntityKind::frame, model_.frames, [this](const Frame& frame) {
+      add(R::rotation, frame.rotation);
+      add(R::place, frame.origin);
+      add(R::spin, frame.spin);
+    });
+    for_each(EntityKind::point, model_.points, [this](const Point& point) {
+      add(R::place, point.at);
+      add(R::mass, point.mass);
+    });
+    for_each(EntityKind::body, model_.bodies, [this](const Body& body) {
+      add(R::place, body.com);
+      add(R::inertia, body.inertia);
+      add(R::spin, body.spin);
+      add(R::mass, body.mass);
+    });
+    entity_ = {EntityKind::gravity};
+    if (model_.gravity) add(R::value, *model_.gravity);
+    entity_ = {EntityKind::energy};
+    add(R::kinetic, model_.energies.T);
+    add(R::potential, model_.energies.V);
+    add(R::dissipation, model_.energies.D);
+    add(R::lagrangian, model_.energies.L);
+    for_each(EntityKind::force, model_.forces, [this](const Force& force) {
+      add(R::value, force.value);
+      add(R::reaction, force.reaction);
+    });
+    for_each(EntityKind::constraint, model_.constraints, [this](const Constraint& constraint) {
+      add(R::value, std::optional(constraint.value));
+      add(R::omega, constraint.omega);
+      add(R::zeta, constraint.zeta);
+    });
+    for_each(EntityKind::output, model_.outputs, [this](const UserOutput& output) {
+      add(R::value, output.values);
+      add(R::twist, output.twist);
+    });
+    const auto add_name = [this](const NamedExpression& name) {
+      add(R::value, std::optional(name.value));
+    };
+    for_each(EntityKind::definition, model_.definitions, add_name);
+    for_each(EntityKind::prescribed, model_.prescribed, add_name);
+    return std::move(roots_);
+  }
+
+ private:
+  template <class Entry, class AddRoots>
+  void for_each(EntityKind kind, const std::vector<Entry>& entries, const AddRoots& add_roots) {
+    for (std::uint32_t i = 0; i < entries.size(); ++i) {
+      entity_ = {kind, i};
+      add_roots(entries[i]);
+    }
+  }
+
+  template <class List>
+  void add(RootRole role, const List& ids) {
+    for (const ExpressionId id : ids) roots_.push_back({id, entity_, role});
+  }
+  void add(RootRole role, const std::optional<ExpressionId>& id) {
+    if (id) roots_.push_back({*id, entity_, role});
+  }
+
+  const Model& model_;
+  Entity entity_ = {};  ///< whose expressions are added now
+  std::vector<Root> roots_ = {};
+};
+
 }  // namespace
 
 std::optional<ExpressionId> value_of_name(const Model& model, const Expression& expression) {
@@ -118,56 +199,34 @@ std::vector<ExpressionId> references(const Model& model, ExpressionId expression
   return value ? std::vector{*value} : e.operands;
 }
 
+std::vector<Root> roots_of(const Model& model) { return RootList(model).build(); }
+
 std::vector<ExpressionId> equation_roots(const Model& model) {
-  std::vector<ExpressionId> roots;
-  const auto add = [&roots](const auto& ids) { roots.insert(roots.end(), ids.begin(), ids.end()); };
-  const auto add_one = [&roots](const std::optional<ExpressionId>& id) {
-    if (id) roots.push_back(*id);
-  };
-  for (const Coordinate& coordinate : model.coordinates) add_one(coordinate.armature);
-  for (const Frame& frame : model.frames) {
-    add(frame.rotation);
-    add(frame.origin);
-    add(frame.spin);
-  }
-  for (const Point& point : model.points) {
-    add(point.at);
-    add_one(point.mass);
-  }
-  for (const Body& body : model.bodies) {
-    add(body.com);
-    add(body.inertia);
-    add(body.spin);
-    add_one(body.mass);
-  }
-  if (model.gravity) add(*model.gravity);
-  const Energies& e = model.energies;
-  for (const auto& energy : {e.T, e.V, e.D, e.L}) add_one(energy);
-  for (const Force& force : model.forces) {
-    add(force.value);
-    add(force.reaction);
-  }
-  for (const Constraint& constraint : model.constraints) {
-    roots.push_back(constraint.value);
-    add_one(constraint.omega);
-    add_one(constraint.zeta);
-  }
-  return roots;
+  return roots_if(model, [](const Root& root) { return !is_of_name(root) && !is_of_output(root); });
 }
 
-std::vector<ExpressionId> output_roots(const UserOutput& output) {
-  std::vector<ExpressionId> roots = output.values;
-  roots.insert(roots.end(), output.twist.begin(), output.twist.end());
-  return roots;
+std::vector<ExpressionId> output_roots(const Model& model, std::uint32_t output) {
+  return roots_if(model, [output](const Root& root) {
+    return is_of_output(root) && root.entity.index == output;
+  });
 }
 
 std::vector<ExpressionId> all_roots(const Model& model) {
-  std::vector<ExpressionId> roots = equation_roots(model);
-  for (const UserOutput& output : model.outputs) {
-    const std::vector<ExpressionId> own = output_roots(output);
-    roots.insert(roots.end(), own.begin(), own.end());
+  return roots_if(model, [](const Root& root) { return !is_of_name(root); });
+}
+
+std::vector<ExpressionId> moved_by(const Model& model, const Force& force) {
+  std::vector<ExpressionId> moved;
+  const auto add = [&moved](const Vector3& components) {
+    moved.insert(moved.end(), components.begin(), components.end());
+  };
+  for (const auto& point : {force.at, force.from}) {
+    if (point) add(model.points[*point].at);
   }
-  return roots;
+  for (const auto& frame : {force.frame, force.from_frame}) {
+    if (frame) add(model.frames[*frame].spin);
+  }
+  return moved;
 }
 
 std::vector<ExpressionId> reached(const Model& model, const std::vector<ExpressionId>& roots) {

@@ -52,7 +52,7 @@ bool may_be_undefined(const Expression& node) {
 /// states; none where only a derivative, or the solution of the equations, is.
 std::optional<ExpressionId> undefined_expression(const Model& model, const Function& function,
                                                  const std::vector<State>& states) {
-  const auto roots = output_row(function.kind).of_user ? output_roots(model.outputs[function.user])
+  const auto roots = output_row(function.kind).of_user ? output_roots(model, function.user)
                                                        : equation_roots(model);
   for (const ExpressionId id : reached(model, roots)) {
     const auto is_undefined = [&](const State& state) {

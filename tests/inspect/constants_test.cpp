@@ -120,7 +120,36 @@ TEST_CASE("energies are roots of equations, values are those of outputs") {
                           "V = \"sin(a) + a\"\n[[output]]\nname = \"o\"\nvalue = \"cos(x)\"\n")
                           .model;
   CHECK(texts(model, equation_roots(model)) == "dot(x)^2, sin(a) + a");
-  CHECK(texts(model, output_roots(model.outputs.front())) == "cos(x)");
+  CHECK(texts(model, output_roots(model, 0)) == "cos(x)");
+}
+
+TEST_CASE("a root tells its entry and what it is to the entry") {
+  const Model model = checked_model(
+                          "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"x\"\n"
+                          "[[coordinate]]\nname = \"y\"\narmature = \"J\"\n[parameters]\n"
+                          "J = 1\nm = 2\nk = 3\n[define]\nlength = \"2*x\"\n[[point]]\n"
+                          "name = \"p\"\nat = [\"x\", \"y\"]\nmass = \"m\"\n[energy]\n"
+                          "V = \"k*length^2\"\n[[force]]\non = \"y\"\nvalue = \"cos(x)\"\n"
+                          "[[output]]\nname = \"o\"\nvalue = \"sin(x)\"\n")
+                          .model;
+  const auto texts_of = [&model](RootRole role) {
+    return texts(model, roots_if(model, [role](const Root& root) { return root.role == role; }));
+  };
+  CHECK(texts_of(RootRole::armature) == "J");
+  CHECK(texts_of(RootRole::mass) == "m");
+  CHECK(texts_of(RootRole::potential) == "k*length^2");
+  CHECK(texts_of(RootRole::kinetic).empty());
+  CHECK(texts_of(RootRole::value) == "cos(x), sin(x), 2*x");
+  CHECK(texts(model, roots_if(model, is_force)) == "cos(x)");
+  const std::vector<Root> roots = roots_of(model);
+  const auto armature = std::ranges::find(roots, RootRole::armature, &Root::role);
+  REQUIRE(armature != roots.end());
+  CHECK(armature->entity.kind == EntityKind::coordinate);
+  CHECK(armature->entity.index == 1);
+  const auto mass = std::ranges::find(roots, RootRole::mass, &Root::role);
+  REQUIRE(mass != roots.end());
+  CHECK(mass->entity.kind == EntityKind::point);
+  CHECK(mass->expression == *model.points[0].mass);
 }
 
 TEST_CASE("everything that carries energy or force is a root", "[frames]") {

@@ -21,42 +21,36 @@ bool has_masses(const Model& model) {
 
 using Expressions = std::vector<ExpressionId>;
 
-template <class Ids>
-void append(Expressions& all, const Ids& ids) {
-  all.insert(all.end(), ids.begin(), ids.end());
+/// Whether the equations or outputs hold a root by itself. Frames, names and points without mass
+/// count only if another root refers to them.
+bool is_in_equations(const Model& model, const Root& root) {
+  switch (root.entity.kind) {
+    case EntityKind::point:
+      return has_energy(model.points[root.entity.index]);
+    case EntityKind::frame:
+    case EntityKind::definition:
+    case EntityKind::prescribed:
+      return false;
+    case EntityKind::body:
+    case EntityKind::coordinate:
+    case EntityKind::gravity:
+    case EntityKind::energy:
+    case EntityKind::force:
+    case EntityKind::constraint:
+    case EntityKind::output:
+      return true;
+  }
+  return true;
 }
 
-/// The values of a force, and what it does work on: the motion of where it acts, the turning of its
-/// frames.
-void append_force(Expressions& all, const Model& model, const Force& force) {
-  append(all, force.value);
-  append(all, force.reaction);
-  for (const auto& point : {force.at, force.from}) {
-    if (point) append(all, model.points[*point].at);
-  }
-  for (const auto& frame : {force.frame, force.from_frame}) {
-    if (frame) append(all, model.frames[*frame].spin);
-  }
-}
-
-/// All that an equation is made of: a point without mass that nothing uses is in none.
+/// All that the equations and outputs are made of, and what forces do work along.
 Expressions in_equations(const Model& model) {
-  Expressions all;
-  const Energies& e = model.energies;
-  for (const auto& energy : {e.T, e.V, e.D, e.L}) {
-    if (energy) all.push_back(*energy);
+  Expressions all =
+      roots_if(model, [&model](const Root& root) { return is_in_equations(model, root); });
+  for (const Force& force : model.forces) {
+    const Expressions moved = moved_by(model, force);
+    all.insert(all.end(), moved.begin(), moved.end());
   }
-  if (model.gravity) append(all, *model.gravity);
-  for (const Point& point : model.points) {
-    if (has_energy(point)) append(all, point.at);
-  }
-  for (const Body& body : model.bodies) {
-    append(all, body.com);
-    append(all, body.spin);
-  }
-  for (const Force& force : model.forces) append_force(all, model, force);
-  for (const Constraint& constraint : model.constraints) all.push_back(constraint.value);
-  for (const UserOutput& output : model.outputs) append(all, output.values);
   return all;
 }
 
@@ -185,12 +179,11 @@ class MechanicsCheck {
 
 /// The terms of the kinetic energy as the model writes them.
 Expressions in_energies(const Model& model) {
-  Expressions roots;
-  for (const auto& energy : {model.energies.T, model.energies.L}) {
-    if (energy) roots.push_back(*energy);
-  }
-  for (const Body& body : model.bodies) append(roots, body.spin);
-  return reached(model, roots);
+  return reached(model, roots_if(model, [](const Root& root) {
+                   const bool is_of_body = root.entity.kind == EntityKind::body;
+                   return root.role == RootRole::kinetic || root.role == RootRole::lagrangian ||
+                          (is_of_body && root.role == RootRole::spin);
+                 }));
 }
 
 /// The terms that are differentiated there by time, and the places of masses.
@@ -200,10 +193,10 @@ Expressions differentiated(const Model& model, const Expressions& energies) {
     return model.expressions[id].kind == ExpressionKind::time_derivative;
   });
   for (const Point& point : model.points) {
-    if (has_energy(point)) append(roots, point.at);
+    if (point.mass) roots.insert(roots.end(), point.at.begin(), point.at.end());
   }
   for (const Body& body : model.bodies) {
-    if (body.mass) append(roots, body.com);
+    if (body.mass) roots.insert(roots.end(), body.com.begin(), body.com.end());
   }
   return reached(model, roots);
 }

@@ -265,12 +265,7 @@ std::optional<ExpressionId> by_series(NodeBuilder& nodes, const Model& model, Ex
 
 void write_quotients(Context& context) {
   Model& model = context.model;
-  std::vector<ExpressionId> roots = equation_roots(model);
-  for (const UserOutput& output : model.outputs) {
-    const std::vector<ExpressionId> own = output_roots(output);
-    roots.insert(roots.end(), own.begin(), own.end());
-  }
-  std::vector<ExpressionId> all = reached(model, roots);
+  std::vector<ExpressionId> all = reached(model, all_roots(model));
   std::ranges::reverse(all);  // a product before its factors
   for (const ExpressionId id : all) {
     NodeBuilder nodes(context, model.expressions[id].span);

@@ -13,18 +13,9 @@
 namespace elgen {
 namespace {
 
-/// Where a parameter of the regressor may stand: all that is summed to tau.
-std::vector<ExpressionId> summed_roots(const Model& model) {
-  std::vector<ExpressionId> roots;
-  const Energies& e = model.energies;
-  for (const auto& energy : {e.T, e.V, e.D, e.L}) {
-    if (energy) roots.push_back(*energy);
-  }
-  for (const Force& force : model.forces) {
-    roots.insert(roots.end(), force.value.begin(), force.value.end());
-    roots.insert(roots.end(), force.reaction.begin(), force.reaction.end());
-  }
-  return roots;
+/// A parameter of the regressor may stand in what is summed to tau: in energies and forces.
+bool is_summed(const Root& root) {
+  return root.entity.kind == EntityKind::energy || root.entity.kind == EntityKind::force;
 }
 
 class RegressorReader {
@@ -64,7 +55,7 @@ class RegressorReader {
                               "not in energies and forces alone");
     }
     regressed().push_back(parameter);
-    for (const ExpressionId root : summed_roots(model)) {
+    for (const ExpressionId root : roots_if(model, is_summed)) {
       const auto coupled = coupled_in(model, root, regressed());
       if (!coupled) continue;
       regressed().pop_back();
@@ -81,7 +72,7 @@ class RegressorReader {
   [[nodiscard]] bool stands_elsewhere(std::uint32_t parameter) const {
     const Model& model = context_.model;
     std::vector<ExpressionId> others = equation_roots(model);
-    for (const ExpressionId root : summed_roots(model)) std::erase(others, root);
+    for (const ExpressionId root : roots_if(model, is_summed)) std::erase(others, root);
     return std::ranges::any_of(reached(model, others), [&](ExpressionId id) {
       const Expression& e = model.expressions[id];
       return is_leaf(e, Opcode::parameter) && e.index == parameter;

@@ -298,11 +298,7 @@ void Translation::define_named() {
     if (point.local && !model_.approximation) continue;
     (void)vector(point.at, point.identifier, {EntityKind::point, i});
   }
-  std::vector<ExpressionId> forces;
-  for (const Force& force : model_.forces) {
-    forces.insert(forces.end(), force.value.begin(), force.value.end());
-  }
-  for (const ExpressionId id : reached(model_, forces)) {
+  for (const ExpressionId id : reached(model_, roots_if(model_, is_force))) {
     Expression entry = model_.expressions[id];
     if (entry.kind != ExpressionKind::frame_component) continue;
     entry.index -= entry.index % components_per_frame;

@@ -14,34 +14,35 @@ namespace {
 constexpr std::size_t most_sums = 200;
 constexpr std::size_t most_terms_of_a_sum = 30;
 
-/// All energies, forces, points, inertias, definitions and constraints of the author, without those
-/// that elgen adds for bodies in frames.
-std::vector<ExpressionId> roots_of(const Model& model) {
-  std::vector<ExpressionId> roots;
-  const auto add = [&roots](const auto& list) {
-    roots.insert(roots.end(), std::begin(list), std::end(list));
+/// Whether the author of the model wrote a root: elgen adds places, spins and inertias of what
+/// stands in frames, reactions, and with frames the equations of constraints.
+bool is_written(const Model& model, const Root& root) {
+  const auto stands_in_frame = [&](const auto& entries) {
+    return entries[root.entity.index].local.has_value();
   };
-  for (const auto& energy :
-       {model.energies.T, model.energies.V, model.energies.D, model.energies.L}) {
-    if (energy) roots.push_back(*energy);
+  const bool is_in_frame =
+      (root.entity.kind == EntityKind::point && stands_in_frame(model.points)) ||
+      (root.entity.kind == EntityKind::body && stands_in_frame(model.bodies));
+  if (is_in_frame) return root.role == RootRole::mass;
+  if (root.entity.kind == EntityKind::force) return root.role == RootRole::value;
+  if (root.entity.kind == EntityKind::constraint) {
+    return root.role == RootRole::value && model.frames.empty();
   }
-  for (const NamedExpression& definition : model.definitions) roots.push_back(definition.value);
-  for (const Point& point : model.points) {
-    if (!point.local) add(point.at);
-    if (point.mass) roots.push_back(*point.mass);
-  }
-  for (const Body& body : model.bodies) {
-    if (!body.local) {
-      add(body.com);
-      add(body.inertia);
-      add(body.spin);
+  return true;
+}
+
+/// All energies, definitions, points, bodies, forces and constraints that the author wrote. A sum
+/// that stands in several is the author's where it comes first in this order.
+std::vector<ExpressionId> written_roots(const Model& model) {
+  const std::vector<Root> all = roots_of(model);
+  std::vector<ExpressionId> written;
+  for (const EntityKind kind : {EntityKind::energy, EntityKind::definition, EntityKind::point,
+                                EntityKind::body, EntityKind::force, EntityKind::constraint}) {
+    for (const Root& root : all) {
+      if (root.entity.kind == kind && is_written(model, root)) written.push_back(root.expression);
     }
-    if (body.mass) roots.push_back(*body.mass);
   }
-  for (const Force& force : model.forces) add(force.value);
-  if (!model.frames.empty()) return roots;
-  for (const Constraint& constraint : model.constraints) roots.push_back(constraint.value);
-  return roots;
+  return written;
 }
 
 std::vector<ExpressionId> sums_of(const Model& model, const std::vector<ExpressionId>& all) {
@@ -112,20 +113,14 @@ std::vector<bool> marked(const Model& model, const Unit& unit,
 /// Whether each parameter is g or another acceleration.
 std::vector<bool> accelerations(const Model& model) {
   static const Unit second = *find_unit("s");
-  std::vector<ExpressionId> gravity;
-  if (model.gravity) gravity.assign(model.gravity->begin(), model.gravity->end());
-  return marked(model, *find_unit("m") / (second * second), gravity);
+  return marked(model, *find_unit("m") / (second * second), roots_if(model, [](const Root& root) {
+                  return root.entity.kind == EntityKind::gravity;
+                }));
 }
 
 std::vector<bool> masses(const Model& model) {
-  std::vector<ExpressionId> given;
-  for (const Point& point : model.points) {
-    if (point.mass) given.push_back(*point.mass);
-  }
-  for (const Body& body : model.bodies) {
-    if (body.mass) given.push_back(*body.mass);
-  }
-  return marked(model, *find_unit("kg"), given);
+  return marked(model, *find_unit("kg"),
+                roots_if(model, [](const Root& root) { return root.role == RootRole::mass; }));
 }
 
 /// The order of declaration, except that g follows the last mass.
@@ -207,7 +202,7 @@ class ProductOrder {
 }  // namespace
 
 TypedForms typed_forms(Algebra& algebra, const Model& model, const FixedParameters& fixed) {
-  const std::vector<ExpressionId> all = reached(model, roots_of(model));
+  const std::vector<ExpressionId> all = reached(model, written_roots(model));
   const std::vector<ExpressionId> ids = sums_of(model, all);
   TypedForms result;
   result.are_accelerations = accelerations(model);
