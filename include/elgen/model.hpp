@@ -207,7 +207,6 @@ struct Input {
   std::optional<Interval> limits = {};
   std::optional<Unit> unit = {};
   std::string unit_text = {};
-  std::optional<ExpressionId> law = {};  ///< the function of q, v, t that options give it
   std::string doc = {};
   Span span = {};
 };

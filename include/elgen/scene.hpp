@@ -171,6 +171,8 @@ struct Scene {
   Numerics numerics = {};
   Emission emission = {};
   StatedStart stated = {};
+  /// What `--input` says that inputs are, by their names: functions of q, v and t.
+  std::map<std::string, ExpressionId> laws = {};
   bool has_options = false;    ///< --outputs, --fix or --size changed it
   std::string canonical = {};  ///< its file and its options, for stamps; "" for full
   /// The texts that spans of the model and of the scene point into, beside their files.
@@ -180,6 +182,12 @@ struct Scene {
 /// The request behind a function, or behind a field of `dynamics`; null where the scene has none of
 /// that name.
 [[nodiscard]] const OutputRequest* find_request(const Scene& scene, std::string_view name);
+
+/// The law of an input; null if it has none.
+[[nodiscard]] inline const ExpressionId* find_law(const Scene& scene, const Input& input) {
+  const auto found = scene.laws.find(input.name);
+  return found == scene.laws.end() ? nullptr : &found->second;
+}
 
 struct CheckedModel {
   Model model;

@@ -331,7 +331,7 @@ Result<State> start_of(const CheckedModel& checked) {
   for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
     state.q[i] = model.coordinates[i].start_value;
   }
-  Result<std::vector<cl_R>> inputs = inputs_of(model, state);
+  Result<std::vector<cl_R>> inputs = inputs_of(checked, state);
   if (!inputs) return inputs.diagnostics;
   state.u = std::move(*inputs);
   return state;

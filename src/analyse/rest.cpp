@@ -211,10 +211,12 @@ std::vector<RestBlock> rest_blocks(const std::vector<Occurrence>& rows) {
   return blocks;
 }
 
-Result<std::vector<cln::cl_R>> inputs_of(const Model& model, const State& state) {
+Result<std::vector<cln::cl_R>> inputs_of(const CheckedModel& checked, const State& state) {
+  const Model& model = checked.model;
   std::vector<cln::cl_R> values;
   for (const Input& input : model.inputs) {
-    if (!input.law) {
+    const ExpressionId* const law = find_law(checked.scene, input);
+    if (law == nullptr) {
       values.emplace_back(0);
       continue;
     }
@@ -222,9 +224,9 @@ Result<std::vector<cln::cl_R>> inputs_of(const Model& model, const State& state)
       const Expression& e = model.expressions[id];
       return e.kind == ExpressionKind::leaf && e.leaf != Opcode::parameter;
     };
-    const auto value = oracle_expression(model, *input.law, state);
-    if (!value || std::ranges::any_of(reached(model, {*input.law}), moves)) {
-      return Diagnostic{Code::E606, model.expressions[*input.law].span,
+    const auto value = oracle_expression(model, *law, state);
+    if (!value || std::ranges::any_of(reached(model, {*law}), moves)) {
+      return Diagnostic{Code::E606, model.expressions[*law].span,
                         fmt::format("`{}` has to be a number at an equilibrium", input.name)};
     }
     values.push_back(*value);

@@ -47,6 +47,7 @@ struct RestBlock {
 [[nodiscard]] std::vector<RestBlock> rest_blocks(const std::vector<Occurrence>& rows);
 
 /// The inputs at a state of rest: 0, or their laws, which must be numbers there (else E606).
-[[nodiscard]] Result<std::vector<cln::cl_R>> inputs_of(const Model& model, const State& state);
+[[nodiscard]] Result<std::vector<cln::cl_R>> inputs_of(const CheckedModel& checked,
+                                                       const State& state);
 
 }  // namespace elgen

@@ -88,10 +88,10 @@ void judge(Context& context, const FileSyntax& syntax, const FileSyntax* scene_s
   read_expectations(context, syntax, options.purpose.keeps_large_forms);
   if (!options.purpose.is_exact) read_approximation(context, scene_syntax);
   read_starts(context, options, scene);
-  read_laws(context, options);
+  read_laws(context, options, scene);
   if (!has_order) return;
   check_function_expressions(context);
-  check_routh(context);
+  check_routh(context, scene);
   const std::vector<Traits> traits = find_traits(context.model);
   check_places(context, traits);
   check_equations(context, traits);
@@ -125,7 +125,7 @@ Result<CheckedModel> check(const FileSyntax& model, const FileSyntax* scene,
   Scene checked_scene;
   judge(context, model, scene, options, checked_scene);
   if (options.purpose.shows_motion && context.report.errors() == 0)
-    add_shown_outputs(context.model);
+    add_shown_outputs(context.model, checked_scene);
   if (context.report.errors() == 0) write_quotients(context);
   if (context.report.errors() == 0) reduce_model(context);
   if (context.report.errors() == 0) check_constraints(context);

@@ -141,7 +141,7 @@ bool is_cyclic(const CheckedModel& checked, std::uint32_t coordinate) {
   Cyclic cyclic;
   cyclic.coordinate = coordinate;
   cyclic.velocity = taken.velocity;
-  return obstacles_of(exact, cyclic).empty() &&
+  return obstacles_of(exact, checked.scene, cyclic).empty() &&
          not_cyclic({exact, checked.scene}, {cyclic}).empty();
 }
 

@@ -19,7 +19,8 @@ namespace {
 /// it.
 class ObstacleSearch {
  public:
-  ObstacleSearch(const Model& model, const Held& variable) : model_(model), variable_(variable) {}
+  ObstacleSearch(const Model& model, const Scene& scene, const Held& variable)
+      : model_(model), scene_(scene), variable_(variable) {}
 
   std::vector<CyclicObstacle> operator()() && {
     if (model_.energies.D) check_value({*model_.energies.D}, "D contains it");
@@ -28,8 +29,9 @@ class ObstacleSearch {
       if (input.on == variable_.velocity) {
         add("the input " + in_backticks(input.name) + " acts on it", input.span);
       }
-      if (input.law)
-        check_value({*input.law}, "the law of " + in_backticks(input.name) + " contains it");
+      if (const ExpressionId* const law = find_law(scene_, input)) {
+        check_value({*law}, "the law of " + in_backticks(input.name) + " contains it");
+      }
     }
     return std::move(found_);
   }
@@ -72,13 +74,14 @@ class ObstacleSearch {
   }
 
   const Model& model_;
+  const Scene& scene_;
   const Held& variable_;
   std::vector<CyclicObstacle> found_ = {};
 };
 
 }  // namespace
 
-void check_routh(Context& context) {
+void check_routh(Context& context, const Scene& scene) {
   const Model& model = context.model;
   if (model.variant.cyclic.empty()) return;
   if (!model.quadratic) {
@@ -96,15 +99,16 @@ void check_routh(Context& context) {
   }
   for (const Cyclic& cyclic : model.variant.cyclic) {
     const std::string name = in_backticks(model.coordinates[cyclic.coordinate].name);
-    for (const CyclicObstacle& obstacle : obstacles_of(model, cyclic)) {
+    for (const CyclicObstacle& obstacle : obstacles_of(model, scene, cyclic)) {
       context.report.add({Code::E635, cyclic.span, name + " is not cyclic: " + obstacle.reason, "",
                           obstacle.span, "here"});
     }
   }
 }
 
-std::vector<CyclicObstacle> obstacles_of(const Model& model, const Held& variable) {
-  return ObstacleSearch(model, variable)();
+std::vector<CyclicObstacle> obstacles_of(const Model& model, const Scene& scene,
+                                         const Held& variable) {
+  return ObstacleSearch(model, scene, variable)();
 }
 
 }  // namespace elgen

@@ -137,7 +137,7 @@ class StartReader {
 };
 
 /// Gains are plain numbers, so the units of a law are not judged.
-void read_law(Context& context, const KeySyntax& key) {
+void read_law(Context& context, const KeySyntax& key, Scene& scene) {
   const auto input = std::ranges::find(context.model.inputs, key.key, &Input::name);
   if (input == context.model.inputs.end()) {
     const std::vector<std::string> names = context.symbols.names({SymbolKind::input});
@@ -158,7 +158,7 @@ void read_law(Context& context, const KeySyntax& key) {
   const ExpressionId law = ValueReader(context).root(key.value, {place, std::nullopt});
   if (context.roots.size() == known) return;
   context.roots.back().plain_numbers = true;
-  input->law = law;
+  scene.laws[input->name] = law;
 }
 
 }  // namespace
@@ -173,9 +173,9 @@ void read_starts(Context& context, const SceneOptions& options, Scene& scene) {
   for (const KeySyntax& key : keys) reader.read(key);
 }
 
-void read_laws(Context& context, const SceneOptions& options) {
+void read_laws(Context& context, const SceneOptions& options, Scene& scene) {
   for (const KeySyntax& key : keys_of(context, options.laws, KeyType::expression)) {
-    read_law(context, key);
+    read_law(context, key, scene);
   }
 }
 

@@ -58,8 +58,8 @@ void read_approximation(Context& context, const FileSyntax* scene);
 /// is said of expressions.
 void read_starts(Context& context, const SceneOptions& options, Scene& scene);
 
-/// --input: Input::law, which is judged with what the model says. E201, E606.
-void read_laws(Context& context, const SceneOptions& options);
+/// --input: Scene::laws, which are judged with the expressions of the model. E201, E606.
+void read_laws(Context& context, const SceneOptions& options, Scene& scene);
 
 /// --set: Parameter::value of what the scene does not fix. E602, E606, E112, E518.
 void read_values(Context& context, const Scene& scene, const SceneOptions& options);
@@ -77,7 +77,7 @@ void give_momentum(Model& model, std::uint32_t parameter, const cln::cl_R& value
 void note_wanted(Model& model, const FileSyntax* scene, const SceneOptions& options);
 
 /// Adds the outputs of a page that moves to a model: those of ShownValues that have values.
-void add_shown_outputs(Model& model);
+void add_shown_outputs(Model& model, const Scene& scene);
 
 /// The model without what Model::variant lists: functions of time stand for locked coordinates, 0
 /// for cyclic ones. The model given is kept as `whole`. Where nothing is held it is returned as it
@@ -87,7 +87,7 @@ void add_shown_outputs(Model& model);
 
 /// E635: an input, a force or D acts on a cyclic coordinate or contains it, L is not quadratic, or
 /// a lock wants its reaction. Of a model without cycles.
-void check_routh(Context& context);
+void check_routh(Context& context, const Scene& scene);
 
 /// An entry for which a coordinate is not cyclic: "the input `u` acts on it".
 struct CyclicObstacle {
@@ -96,6 +96,7 @@ struct CyclicObstacle {
 };
 
 /// The inputs, forces and D of a model without cycles that act on a coordinate or contain it.
-[[nodiscard]] std::vector<CyclicObstacle> obstacles_of(const Model& model, const Held& variable);
+[[nodiscard]] std::vector<CyclicObstacle> obstacles_of(const Model& model, const Scene& scene,
+                                                       const Held& variable);
 
 }  // namespace elgen

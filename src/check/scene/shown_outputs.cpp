@@ -49,10 +49,10 @@ std::vector<ExpressionId> masses_of_places(const Model& model) {
 }
 
 /// The laws of the inputs that have one, in their order.
-std::vector<ExpressionId> laws_of(const Model& model) {
+std::vector<ExpressionId> laws_of(const Model& model, const Scene& scene) {
   std::vector<ExpressionId> laws;
   for (const Input& input : model.inputs) {
-    if (input.law) laws.push_back(*input.law);
+    if (const ExpressionId* const law = find_law(scene, input)) laws.push_back(*law);
   }
   return laws;
 }
@@ -75,10 +75,10 @@ void note_wanted(Model& model, const FileSyntax* scene, const SceneOptions& opti
   }
 }
 
-void add_shown_outputs(Model& model) {
+void add_shown_outputs(Model& model, const Scene& scene) {
   add_output(model, ShownValues::places, rows_of_places(model));
   add_output(model, ShownValues::masses, masses_of_places(model));
-  add_output(model, ShownValues::laws, laws_of(model), Opcode::velocity);
+  add_output(model, ShownValues::laws, laws_of(model, scene), Opcode::velocity);
   add_output(model, ShownValues::integrals, shown_integrals(model), Opcode::velocity);
 }
 

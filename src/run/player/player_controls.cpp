@@ -70,12 +70,14 @@ Sliders of_velocities(const Model& model, const LeafNames& leaves) {
 }
 
 /// The inputs that have no law.
-Sliders of_inputs(const Model& model) {
+Sliders of_inputs(const CheckedModel& checked) {
+  const Model& model = checked.model;
   constexpr double reach = 10;
   Sliders list;
   for (std::size_t k = 0; k < model.inputs.size(); ++k) {
     const Input& input = model.inputs[k];
-    if (!input.law) list.push_back({'u', k, input.name, input.unit_text, 0, reach, input.limits});
+    if (find_law(checked.scene, input) == nullptr)
+      list.push_back({'u', k, input.name, input.unit_text, 0, reach, input.limits});
   }
   return list;
 }
@@ -115,7 +117,7 @@ void set_controls(TemplateData& data, const CheckedModel& checked, const Program
   };
   add("Start", of_coordinates(model));
   add("Rates at the start", of_velocities(model, program.leaves));
-  add("Inputs", of_inputs(model));
+  add("Inputs", of_inputs(checked));
   add("Parameters", of_parameters(model, program));
   data.set("groups", groups);
   TemplateData phases(TemplateData::type::list);

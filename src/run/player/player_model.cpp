@@ -45,13 +45,15 @@ Json velocities_json(const Model& model, const LeafNames& leaves) {
 }
 
 /// The input of each law, and where it is cut: nowhere where it is one number.
-Json laws_json(const Model& model) {
+Json laws_json(const CheckedModel& checked) {
+  const Model& model = checked.model;
   constexpr double most = std::numeric_limits<double>::max();
   Json list = Json::array();
   for (std::size_t k = 0; k < model.inputs.size(); ++k) {
     const Input& input = model.inputs[k];
-    if (!input.law) continue;
-    const bool is_cut = input.limits && !is_one_number(model, *input.law);
+    const ExpressionId* const law = find_law(checked.scene, input);
+    if (law == nullptr) continue;
+    const bool is_cut = input.limits && !is_one_number(model, *law);
     list.push_back({k, is_cut ? nearest(input.limits->low) : -most,
                     is_cut ? nearest(input.limits->high) : most});
   }
@@ -213,7 +215,7 @@ std::string player_model(const CheckedModel& checked, const Program& program, co
   json["coordinates"] = coordinates_json(model);
   json["velocities"] = velocities_json(model, program.leaves);
   json["inputs"] = model.inputs.size();
-  json["laws"] = laws_json(model);
+  json["laws"] = laws_json(checked);
   json["parameters"] = parameters_json(model, program, checked.scene.emission.language);
   json["multipliers"] = multipliers_json(model);
   json["integrals"] = integrals_json(model);

@@ -217,9 +217,9 @@ std::vector<double> Recorder::row(const TrajectorySample& sample, double energy)
   const Numbers& shown = system_.shown(q);
   values.insert(values.end(), shown.begin(), shown.end());
   values.insert(values.end(), v, &sample.state.back());
-  const auto& inputs = system_.model().inputs;
-  for (std::size_t k = 0; k < inputs.size(); ++k) {
-    if (inputs[k].law) values.push_back(sample.inputs[k]);
+  const std::vector<InputLaw>& laws = system_.laws();
+  for (std::size_t k = 0; k < laws.size(); ++k) {
+    if (laws[k].value) values.push_back(sample.inputs[k]);
   }
   const auto multipliers = system_.multipliers(q, v, sample.t, sample.inputs);
   values.insert(values.end(), multipliers.begin(), multipliers.end());

@@ -176,8 +176,9 @@ std::vector<TrajectoryColumn> columns_of(const System& system, const std::string
     const std::string rate = unit.empty() ? "" : unit + "/s";
     columns.push_back({name(Opcode::velocity, i), velocity.rotation ? "rad/s" : rate, ""});
   }
-  for (const Input& input : model.inputs) {
-    if (input.law) columns.push_back({input.name, input.unit_text, input.name});
+  for (std::size_t k = 0; k < model.inputs.size(); ++k) {
+    const Input& input = model.inputs[k];
+    if (system.laws()[k].value) columns.push_back({input.name, input.unit_text, input.name});
   }
   for (std::size_t k = 0; k < model.constraints.size(); ++k) {
     const EntryPlace place{OutputKind::forward_dynamics, "multipliers", k, 0};
@@ -259,13 +260,15 @@ Diagnostics laws_beyond_limits(System& system, double t) {
   Diagnostics found;
   const Model& model = system.model();
   const Numbers start = system.start();
-  for (const Input& input : model.inputs) {
-    if (!input.limits || !input.law || !is_one_number(model, *input.law)) continue;
-    const double value = system.value(*input.law, start.data(), system.v_of(start), t);
+  for (std::size_t k = 0; k < model.inputs.size(); ++k) {
+    const Input& input = model.inputs[k];
+    const std::optional<ExpressionId>& law = system.laws()[k].value;
+    if (!input.limits || !law || !is_one_number(model, *law)) continue;
+    const double value = system.value(*law, start.data(), system.v_of(start), t);
     const auto low = ScalarTraits<double>::from_real(input.limits->low);
     const auto high = ScalarTraits<double>::from_real(input.limits->high);
     if (!(value < low || value > high)) continue;
-    const Span& span = model.expressions[*input.law].span;
+    const Span& span = model.expressions[*law].span;
     found.push_back({Code::E518, span,
                      fmt::format("{} is beyond [{:g}, {:g}], the limits of `{}`, and runs as it is",
                                  in_backticks(span), low, high, input.name)});

@@ -25,8 +25,8 @@ std::optional<std::size_t> only_rate(const Model& model, const std::vector<Expre
 KinkWatch::KinkWatch(System& system) : system_(system) {
   const Model& model = system.model();
   std::vector<ExpressionId> of_laws;
-  for (const Input& input : model.inputs) {
-    if (input.law) of_laws.push_back(*input.law);
+  for (const InputLaw& law : system.laws()) {
+    if (law.value) of_laws.push_back(*law.value);
   }
   for (const ExpressionId id : reached(model, roots_if(model, is_force))) add(id, false);
   for (const ExpressionId id : reached(model, of_laws)) add(id, true);

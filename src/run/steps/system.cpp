@@ -16,12 +16,16 @@ namespace elgen {
 namespace {
 
 /// [-inf, inf] where the model declares no limits, and where a law is one number.
-std::vector<InputLaw> laws_of(const Model& model, const Arguments<double>& at) {
+std::vector<InputLaw> laws_of(const CheckedModel& checked, const Arguments<double>& at) {
+  const Model& model = checked.model;
   std::vector<InputLaw> laws(model.inputs.size());
   for (std::size_t k = 0; k < laws.size(); ++k) {
     const Input& input = model.inputs[k];
-    if (input.law) laws[k].law.emplace(model, *input.law, at);
-    if (!input.limits || (input.law && is_one_number(model, *input.law))) continue;
+    if (const ExpressionId* const law = find_law(checked.scene, input)) {
+      laws[k].value = *law;
+      laws[k].function.emplace(model, *law, at);
+    }
+    if (!input.limits || (laws[k].value && is_one_number(model, *laws[k].value))) continue;
     laws[k].low = ScalarTraits<double>::from_real(input.limits->low);
     laws[k].high = ScalarTraits<double>::from_real(input.limits->high);
   }
@@ -65,7 +69,7 @@ System::System(const CheckedModel& checked, const Program& program, const Compil
       compiled_(compiled),
       sines_(checked.scene, SinesOf::numbers),
       at_(arguments_at<double>(nominal_state(checked.model, checked.scene))),
-      laws_(laws_of(model_, at_)),
+      laws_(laws_of(checked, at_)),
       callees_(callees()),
       restored_(projects && !model_.constraints.empty() ? OutputKind::projected
                                                         : OutputKind::normalized),
@@ -82,7 +86,7 @@ System::System(const CheckedModel& checked, const Program& program, const Compil
       matrix_(velocities() * model_.inputs.size()),
       mass_(velocities() * velocities()),
       scales_(velocities()) {
-  is_driven_ = std::ranges::any_of(laws_, [](const InputLaw& law) { return law.law.has_value(); });
+  is_driven_ = !checked.scene.laws.empty();
   conservation_ = find_conservation(model_, program_, is_driven_, false);
   has_moving_constraints_ = has_moving_constraints(model_);
   for (const Expectation& expectation : model_.expectations) add_conserved(expectation);
@@ -148,9 +152,9 @@ const Numbers& System::inputs(const double* q, const double* v, double t) {
   if (is_held_ || !is_driven_) return at_.u;
   const Numbers& seen = shown(q);
   for (std::size_t k = 0; k < laws_.size(); ++k) {
-    auto& [law, low, high] = laws_[k];
-    if (!law) continue;
-    const double value = (*law)(seen.data(), v, t);
+    auto& [law, function, low, high] = laws_[k];
+    if (!function) continue;
+    const double value = (*function)(seen.data(), v, t);
     // A NaN stays one.
     at_.u[k] = value < low ? low : value > high ? high : value;
   }

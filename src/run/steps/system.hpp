@@ -58,7 +58,8 @@ struct EnergyParts {
 
 /// The law of an input, and the limits at which it is cut off.
 struct InputLaw {
-  std::optional<StateFunction> law = {};
+  std::optional<ExpressionId> value = {};
+  std::optional<StateFunction> function = {};
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
 };
@@ -73,6 +74,8 @@ class System {
   System& operator=(const System&) = delete;
 
   [[nodiscard]] const Model& model() const { return model_; }
+  /// By input, also of inputs without a law.
+  [[nodiscard]] const std::vector<InputLaw>& laws() const { return laws_; }
   [[nodiscard]] const LeafNames& leaves() const { return program_.leaves; }
   [[nodiscard]] std::size_t positions() const { return model_.coordinates.size(); }
   [[nodiscard]] std::size_t velocities() const { return model_.velocities.size(); }

@@ -27,11 +27,6 @@ double distance(double x, double y, bool wraps) {
   return wraps ? std::abs(std::remainder(x - y, turn)) : std::abs(x - y);
 }
 
-bool has_laws(const Model& model) {
-  return std::ranges::any_of(model.inputs,
-                             [](const Input& input) { return input.law.has_value(); });
-}
-
 /// Every number `count` times.
 Numbers repeated(const Numbers& numbers, std::size_t count) {
   Numbers all;
@@ -80,7 +75,7 @@ std::vector<double> end_of_run(const CheckedModel& checked, const Program& progr
   Numbers spare(loops.entries);
   const StepLoop loop = run.design.in_packs ? loops.in_packs : loops.one;
   const double h = time / static_cast<double>(run.steps);
-  const std::size_t stride = has_laws(checked.model) ? 1 : run.steps;
+  const std::size_t stride = !checked.scene.laws.empty() ? 1 : run.steps;
   for (std::size_t i = 0; i < run.steps; i += stride) {
     const double t = static_cast<double>(i) * h;
     const Numbers& u = system.inputs(state.data(), system.v_of(state), t);

@@ -35,10 +35,11 @@ Result<State> stated_state(const CheckedModel& checked, const std::vector<Stated
   State state = with_leaves(model, start_state(model, checked.scene), leaves);
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
     const Input& input = model.inputs[i];
-    if (!input.law) continue;
-    const SettledValues law = settled_expression(model, *input.law, state);
-    if (!law.values) return no_value(input.name, model.expressions[*input.law].span, law);
-    state.u[i] = law.values->front();
+    const ExpressionId* const law = find_law(checked.scene, input);
+    if (law == nullptr) continue;
+    const SettledValues value = settled_expression(model, *law, state);
+    if (!value.values) return no_value(input.name, model.expressions[*law].span, value);
+    state.u[i] = value.values->front();
   }
   return state;
 }

@@ -55,7 +55,7 @@ name = "u"
 on = "x"
 )toml"),
                                              start_options("", "u=" + text));
-  const ExpressionId id = *checked.model.inputs[0].law;
+  const ExpressionId id = checked.scene.laws.at("u");
   const Arguments<double> others{.parameters = {3}, .a = {0, 0}};
   StateFunction function(checked.model, id, others);
   const double q[] = {0.3, -2};
@@ -240,7 +240,7 @@ T = "dot(x)^2"
 )toml"),
                                              start_options("", "u=v2(P) + dot(e[2])"));
   const Arguments<double> others{.parameters = {1}, .a = {0, 0, 0, 0}};
-  StateFunction function(checked.model, *checked.model.inputs[0].law, others);
+  StateFunction function(checked.model, checked.scene.laws.at("u"), others);
   const double q[] = {0, 1, 0, 0, 0};
   const double v[] = {0, 0.5, -1, 2};
   // w x p = (-1*3 - 2*2, 2*1 - 0.5*3, 0.5*2 + 1*1) at the axes of the world
