@@ -270,7 +270,6 @@ struct Lagrangian {
   std::vector<InertialParameter> inertial = {};  ///< of the model without what it holds
   FrameTree tree = {};  ///< of an expansion or R it carries nothing but outputs
   std::vector<ConstraintEquation> constraints = {};
-  std::vector<std::uint32_t> independent = {};  ///< velocities that determine the others
   std::vector<NamedOutput> outputs = {};
   std::vector<HeldVariable> locked = {};        ///< until specialise takes them out
   std::vector<std::uint32_t> held_inputs = {};  ///< that act on these alone, which leave with them

@@ -332,9 +332,7 @@ struct Model {
   /// taken the place of locked variables, and 0 that of cyclic ones, where the Lagrangian is R of
   /// the whole model.
   Variant variant = {};
-
-  std::vector<std::uint32_t> regressed = {};    ///< parameters in which forces are affine together
-  std::vector<std::uint32_t> independent = {};  ///< velocities that determine the others, ascending
+  std::vector<std::uint32_t> regressed = {};  ///< parameters in which forces are affine together
 
   bool quadratic = true;        ///< T - V (or L) is at most quadratic in the rates
   bool without_pivots = false;  ///< of forward_dynamics, unless a scene says otherwise

@@ -82,8 +82,9 @@ struct Repetition {
 
 struct Function {
   OutputKind kind = {};
-  std::uint32_t user = 0;             ///< which user output, for the user_* kinds
-  std::optional<StepSpec> step = {};  ///< of `step` and its derivatives
+  std::uint32_t user = 0;                       ///< which user output, for the user_* kinds
+  std::optional<StepSpec> step = {};            ///< of `step` and its derivatives
+  std::vector<std::uint32_t> independent = {};  ///< as in its OutputRequest
   std::string name = {};
   Form form = Form::recursive;
   std::vector<Instruction> instructions = {};

@@ -79,6 +79,8 @@ struct OutputRequest {
   std::optional<Form> form = {};      ///< asked for; otherwise the cheaper one
   std::optional<StepSpec> step = {};  ///< of `step` and its derivatives, which a scene describes
   bool without_pivots = false;        ///< of what gives them otherwise
+  /// Of `completed`: the velocities that determine the others, ascending.
+  std::vector<std::uint32_t> independent = {};
 };
 
 /// The criterion that decides between rewritings.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include "derive/lagrangian/symmetric_solve.hpp"
@@ -108,10 +109,23 @@ OperationalDynamics user_operational(Derivation& derivation, const NamedOutput& 
   return operational_dynamics(derivation, jacobian, bias);
 }
 
+/// Calls the function of an output, with the request if it takes one.
+template <class Function>
+auto made(const Function& function, Derivation& derivation, const OutputRequest& request) {
+  if constexpr (std::is_invocable_v<Function, Derivation&, const OutputRequest&>) {
+    return function(derivation, request);
+  } else {
+    return function(derivation);
+  }
+}
+
 /// The function of each output, in the order of the table; what is made of others has none.
 constexpr Fields (*derivations[])(Derivation&, const OutputRequest&) = {
-#define ELGEN_OUTPUT(name) \
-  [](Derivation& d, const OutputRequest& request) { return fields(d, request, parts(name(d))); },
+#define ELGEN_OUTPUT(name)                                                                      \
+  [](Derivation& d, const OutputRequest& request) {                                             \
+    const auto all = [](auto&... given) -> decltype(name(given...)) { return name(given...); }; \
+    return fields(d, request, parts(made(all, d, request)));                                    \
+  },
 #define ELGEN_USER_OUTPUT(name)                                                    \
   [](Derivation& d, const OutputRequest& request) {                                \
     return fields(d, request, parts(name(d, d.lagrangian.outputs[request.user]))); \

@@ -214,7 +214,7 @@ Diagnostics undetermined_rest(const Inspected& subject, const State& start) {
     const OracleValues a = oracle_values(model, {.kind = OutputKind::constraint_jacobian}, pose);
     for (std::size_t k = 0; a && k < a->size(); ++k) {
       const auto velocity = static_cast<std::uint32_t>(k % n);
-      if (std::ranges::count(model.independent, velocity) == 0) columns.push_back((*a)[k]);
+      if (std::ranges::count(wanted->independent, velocity) == 0) columns.push_back((*a)[k]);
     }
     const std::size_t size = model.constraints.size();
     return size - null_space(columns, row_scales(columns, size)).size();

@@ -61,8 +61,8 @@ std::size_t freedoms(const Model& model) {
   return velocities - std::min(model.constraints.size(), velocities);
 }
 
-MaybeLack lack_of_independent(const Model& model) {
-  const std::size_t count = model.independent.size();
+MaybeLack lack_of_independent(const Model& model, const OutputRequest& request) {
+  const std::size_t count = request.independent.size();
   if (count == freedoms(model)) return std::nullopt;
   if (count == 0) {
     return lacking(
@@ -205,7 +205,7 @@ MaybeLack lack_of(Need need, const Model& model, const OutputRequest& request) {
     case Need::constraints:
       return lack_if(model.constraints.empty(), "needs a `[[constraint]]`, and the model has none");
     case Need::independent:
-      return lack_of_independent(model);
+      return lack_of_independent(model, request);
     case Need::no_constraints:
       return lack_of_no_constraints(model, output_row(request.kind));
     case Need::inputs:

@@ -23,9 +23,11 @@ std::vector<OutputRequest> all_requests(const Model& model) {
 }
 
 /// Includes big outputs, to suggest their names for misspelt ones.
-std::vector<std::string> available_names(const Model& model) {
+std::vector<std::string> available_names(const Model& model,
+                                         const std::vector<std::uint32_t>& independent) {
   std::vector<std::string> names;
-  for (const OutputRequest& request : all_requests(model)) {
+  for (OutputRequest& request : all_requests(model)) {
+    request.independent = independent;
     if (is_available(model, request)) names.push_back(request.name);
   }
   return names;
@@ -194,13 +196,15 @@ std::vector<OutputRequest> available_requests(const Model& model,
 }
 
 std::optional<OutputRequest> require_request(const Model& model, std::string_view name,
-                                             const Span& span, Report& report) {
+                                             const Span& span, Report& report,
+                                             const std::vector<std::uint32_t>& independent) {
   std::optional<OutputRequest> request = find_request(model, name);
   if (!request) {
     report.add(Code::E601, span, "unknown output " + in_backticks(name),
-               suggestion(name, available_names(model)));
+               suggestion(name, available_names(model, independent)));
     return std::nullopt;
   }
+  if (request->kind == OutputKind::completed) request->independent = independent;
   if (const std::optional<Lack> lack = lack_of(model, *request)) {
     report.add({lack->code, span, in_backticks(name) + " " + lack->reason, "", lack->related,
                 lack->related_message});

@@ -14,10 +14,11 @@ namespace elgen {
 /// The request for a name: built-in outputs, and NAME, NAME_jacobian, NAME_bias of declared ones.
 [[nodiscard]] std::optional<OutputRequest> find_request(const Model& model, std::string_view name);
 
-/// Like find_request, with E601, E603, E505, E534 or E633 if the model lacks the output.
-[[nodiscard]] std::optional<OutputRequest> require_request(const Model& model,
-                                                           std::string_view name, const Span& span,
-                                                           Report& report);
+/// Like find_request, with E601, E603, E505, E534 or E633 if the model lacks the output. The
+/// independent velocities are those that the scene names for `completed`.
+[[nodiscard]] std::optional<OutputRequest> require_request(
+    const Model& model, std::string_view name, const Span& span, Report& report,
+    const std::vector<std::uint32_t>& independent = {});
 
 /// All outputs of the model in table order, except big ones and ones that must be requested by
 /// name.

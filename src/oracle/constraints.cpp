@@ -130,13 +130,14 @@ Values column_of(const Values& matrix, std::size_t column, std::size_t columns) 
 }
 
 /// x where it is independent, 0 elsewhere, completed so that A x = s.
-Values completed_by(const Model& model, const Values& jacobian, const Values& x, const Values& s) {
+Values completed_by(const std::vector<std::uint32_t>& independent, const Values& jacobian,
+                    const Values& x, const Values& s) {
   const std::size_t n = x.size();
   const std::size_t m = s.size();
   std::vector<std::size_t> dependent;
   Values result(n);
   for (std::size_t i = 0; i < n; ++i) {
-    const bool is_given = std::ranges::count(model.independent, i) > 0;
+    const bool is_given = std::ranges::count(independent, i) > 0;
     is_given ? void(result[i] = x[i]) : dependent.push_back(i);
   }
   const Values of_given = times(jacobian, result);
@@ -316,15 +317,16 @@ Values projected(const Model& model, const State& state) {
   return values;
 }
 
-Values completed(const Model& model, const State& state) {
+Values completed(const Model& model, const std::vector<std::uint32_t>& independent,
+                 const State& state) {
   const Values jacobian = constraint_jacobian(model, state);
   State moving = state;
   moving.v.assign(state.v.size(), cl_R(0));
   const Shortage at_rest = rate_shortage(model, moving);  // r is affine in v
-  moving.v = completed_by(model, jacobian, state.v, at_rest.s);
+  moving.v = completed_by(independent, jacobian, state.v, at_rest.s);
   const Values bias = negative(constraint_bias(model, moving));
   Values values = moving.v;
-  const Values accelerations = completed_by(model, jacobian, state.a, bias);
+  const Values accelerations = completed_by(independent, jacobian, state.a, bias);
   values.insert(values.end(), accelerations.begin(), accelerations.end());
   return values;
 }

@@ -20,9 +20,11 @@ namespace elgen::oracle {
 /// A, m x n, row-major.
 [[nodiscard]] std::vector<cln::cl_R> constraint_jacobian(const Model& model, const State& state);
 
-/// Rates, then accelerations of all velocities from those of Model::independent. OutsideDomain
-/// where they do not determine the others.
-[[nodiscard]] std::vector<cln::cl_R> completed(const Model& model, const State& state);
+/// Rates, then accelerations of all velocities from the independent ones. OutsideDomain if they do
+/// not determine the others.
+[[nodiscard]] std::vector<cln::cl_R> completed(const Model& model,
+                                               const std::vector<std::uint32_t>& independent,
+                                               const State& state);
 
 /// gamma.
 [[nodiscard]] std::vector<cln::cl_R> constraint_bias(const Model& model, const State& state);

@@ -182,6 +182,10 @@ cl_R contracted_field(const Question& of, const Contraction& by) {
 
 Values stepped(const Question& of) { return oracle::step(of.model, of.output, of.state); }
 
+Values completed_values(const Question& of) {
+  return oracle::completed(of.model, of.output.independent, of.state);
+}
+
 Values rates_taken_out(const Question& of) {
   if (!has_routhian(of.model)) return {};
   const Motion motion = motion_of(of.state);
@@ -286,7 +290,7 @@ constexpr OracleRow projected = columns_of_constraints<oracle::projected>;
 constexpr OracleRow constrained_inverse_dynamics =
     columns_of_constraints<oracle::constrained_inverse>;
 
-constexpr OracleRow completed = columns_of_constraints<oracle::completed>;
+constexpr OracleRow completed{completed_values, contracted_field<completed_values>};
 
 constexpr OracleRow regressor{all_of_regressor, contracted_regressor};
 constexpr OracleRow regressor_reference = regressor;

@@ -158,9 +158,9 @@ PageSection readable_output(const Model& model, const Program& program, std::siz
 }
 
 /// Names the velocities of which it reads the rates and accelerations.
-std::string doc_of_completed(const Model& model) {
+std::string doc_of_completed(const Model& model, const Function& function) {
   std::vector<std::string> names;
-  for (const std::uint32_t i : model.independent) {
+  for (const std::uint32_t i : function.independent) {
     names.push_back(in_backticks(model.velocities[i].name));
   }
   const std::string_view doc = output_row(OutputKind::completed).doc;
@@ -211,7 +211,7 @@ std::string output_doc(const Model& model, const Function& function) {
         fmt::format(fmt::runtime(step_row(step.method).doc), step_order(step));
     return fmt::format("{} {}.{}", row.doc, method, drift_of_step(model, step));
   }
-  if (function.kind == OutputKind::completed) return doc_of_completed(model);
+  if (function.kind == OutputKind::completed) return doc_of_completed(model, function);
   if (!row.of_user) {
     const bool is_without = row.gives_pivots && !has_pivots(function);
     const std::string_view doc = is_without ? row.doc_without_pivots : row.doc;

@@ -48,7 +48,8 @@ class Constrained {
   /// By the oracle.
   [[nodiscard]] ExactNumbers truth(OutputKind kind, const std::string& field,
                                    const State& state) const {
-    return part(kind, field, oracle_values(model(), {.kind = kind}, state).value());
+    const OutputRequest request{.kind = kind, .independent = function(kind).independent};
+    return part(kind, field, oracle_values(model(), request, state).value());
   }
 
  private:

@@ -159,7 +159,7 @@ TEST_CASE("rates and accelerations are completed as constraints allow") {
     completed.a = system.exactly(kind, "accelerations", state);
     check_equal(completed.v, system.truth(kind, "rates", state));
     check_equal(completed.a, system.truth(kind, "accelerations", state));
-    for (const std::uint32_t i : system.model().independent) {
+    for (const std::uint32_t i : system.function(kind).independent) {
       check_equal({completed.v[i], completed.a[i]}, {state.v[i], state.a[i]});
     }
     const std::size_t m = system.model().constraints.size();

@@ -29,11 +29,12 @@ std::vector<std::string> names_of_variables(const Model& model) {
 
 }  // namespace
 
-void read_independent(Context& context, const FileSyntax* scene) {
+std::vector<std::uint32_t> read_independent(Context& context, const FileSyntax* scene) {
   const KeySyntax* const output = find_key(scene, "outputs", "completed");
   const KeySyntax* const names = output == nullptr ? nullptr : output->value.find("independent");
-  if (names == nullptr) return;
-  Model& model = context.model;
+  if (names == nullptr) return {};
+  const Model& model = context.model;
+  std::vector<std::uint32_t> independent;
   for (const ValueSyntax& item : names->value.items) {
     const Span& span = item.expression.span;
     const std::string name(covered_text(span));
@@ -43,11 +44,11 @@ void read_independent(Context& context, const FileSyntax* scene) {
                          suggestion(name, names_of_variables(model)));
       continue;
     }
-    model.independent.insert(model.independent.end(), found.begin(), found.end());
+    independent.insert(independent.end(), found.begin(), found.end());
   }
-  std::ranges::sort(model.independent);
-  const auto last = std::unique(model.independent.begin(), model.independent.end());
-  model.independent.erase(last, model.independent.end());
+  std::ranges::sort(independent);
+  independent.erase(std::unique(independent.begin(), independent.end()), independent.end());
+  return independent;
 }
 
 }  // namespace elgen

@@ -48,8 +48,9 @@ void read_promise(Context& context, const FileSyntax* syntax, const SceneOptions
 /// Fills Model::regressed. E602, E649.
 void read_regressor(Context& context, const FileSyntax* scene, const FixedParameters& fixed);
 
-/// Fills Model::independent. E612.
-void read_independent(Context& context, const FileSyntax* scene);
+/// The velocities for OutputRequest::independent. E612.
+[[nodiscard]] std::vector<std::uint32_t> read_independent(Context& context,
+                                                          const FileSyntax* scene);
 
 /// Fills Model::approximation. E614.
 void read_approximation(Context& context, const FileSyntax* scene);

@@ -73,7 +73,7 @@ class SceneReader {
     read_header();
     read_fixed();
     read_regressor(context_, syntax_, scene_.specialisation.fixed);
-    read_independent(context_, syntax_);
+    independent_ = read_independent(context_, syntax_);
     read_outputs();
     read_numerics();
     scene_.emission = read_emission(context_, syntax_, options_, scene_);
@@ -180,7 +180,7 @@ class SceneReader {
   }
 
   OutputRequest* request(const std::string& name, const Span& span) {
-    auto found = require_request(model_, name, span, context_.report);
+    auto found = require_request(model_, name, span, context_.report, independent_);
     if (!found) return nullptr;
     for (OutputRequest& other : scene_.outputs) {
       if (!precedes(other, *found) && !precedes(*found, other)) return &other;
@@ -197,7 +197,7 @@ class SceneReader {
 
   void read_output(const KeySyntax& key) {
     if (key.value.kind == ValueKind::boolean && !key.value.boolean) {
-      (void)require_request(model_, key.key, key.key_span, context_.report);
+      (void)require_request(model_, key.key, key.key_span, context_.report, independent_);
       return;
     }
     OutputRequest* output = request(key.key, key.key_span);
@@ -293,6 +293,7 @@ class SceneReader {
   const FileSyntax* syntax_;
   const SceneOptions& options_;
   Scene& scene_;
+  std::vector<std::uint32_t> independent_ = {};
 };
 
 }  // namespace

@@ -335,7 +335,6 @@ Result<Lagrangian> formulate(const Model& model) {
   // Held velocities are not eliminated.
   if (lagrangian) lagrangian->eliminates_last_first = eliminates_last_first(model);
   if (lagrangian) lagrangian->inertial = inertial_parameters(model);
-  if (lagrangian) lagrangian->independent = model.independent;
   return lagrangian;
 }
 

@@ -54,6 +54,7 @@ Result<Unfilled> by_route(const EquationsOfMotion& equations, const OutputReques
   Unfilled result;
   result.function.kind = request.kind;
   result.function.user = request.user;
+  result.function.independent = request.independent;
   result.function.name = request.name;
   result.function.fields = std::move(imported->fields);
   result.function.elimination = std::move(imported->elimination);

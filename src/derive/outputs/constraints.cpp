@@ -55,13 +55,6 @@ Vector projected_coordinates(Derivation& derivation, const Vector& mass) {
   return substituted(moving, definitions, normalized(derivation));
 }
 
-/// 1 for a velocity that determines others, else 0.
-std::vector<bool> independence(const Derivation& derivation) {
-  std::vector<bool> marks(derivation.size());
-  for (const std::uint32_t i : derivation.lagrangian.independent) marks[i] = true;
-  return marks;
-}
-
 /// x as it is where it is independent, else 0.
 Vector independent_part(const std::vector<bool>& is_independent, const Vector& x) {
   Vector result(x.size(), 0);
@@ -170,10 +163,11 @@ ConstrainedInverse constrained_inverse_dynamics(Derivation& derivation) {
   return result;
 }
 
-Completed completed(Derivation& derivation) {
+Completed completed(Derivation& derivation, const OutputRequest& request) {
   Definitions& definitions = derivation.definitions;
   const std::size_t n = derivation.size();
-  const std::vector<bool> is_independent = independence(derivation);
+  std::vector<bool> is_independent(n);
+  for (const std::uint32_t i : request.independent) is_independent[i] = true;
   const Vector jacobian = constraint_jacobian(derivation);
   Vector of_dependent = jacobian;
   Vector identity(n * n, 0);

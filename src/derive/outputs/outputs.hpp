@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "derive/lagrangian/derivation.hpp"
+#include "elgen/scene.hpp"
 
 namespace elgen {
 
@@ -191,14 +192,14 @@ struct ConstrainedInverse {
 };
 [[nodiscard]] ConstrainedInverse constrained_inverse_dynamics(Derivation& derivation);
 
-/// All rates and accelerations from those of Lagrangian::independent, i, with d the others and
+/// All rates and accelerations from those of OutputRequest::independent, i, with d the others and
 /// A_d square: A_d v_d = -r(v_d = 0), A_d a_d = -(A_i a_i + gamma). Solved by A_d A_d^T, whose
 /// condition is that of A_d squared, as that of S is. Throws ZeroPivot.
 struct Completed {
   Vector rates;
   Vector accelerations;
 };
-[[nodiscard]] Completed completed(Derivation& derivation);
+[[nodiscard]] Completed completed(Derivation& derivation, const OutputRequest& request);
 
 // Forward dynamics M a = B u - bias + A^T lambda, A a = -gamma - 2 zeta omega r - omega^2 f, and
 // derivatives of the dynamics. With constraints they are those of these equations, in all (q, v),

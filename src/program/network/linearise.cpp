@@ -112,6 +112,7 @@ class Linearising {
 
 Function unfilled(const Function& function) {
   Function result{.kind = function.kind, .user = function.user, .name = function.name};
+  result.independent = function.independent;
   result.sampled_zeros = function.sampled_zeros;
   result.elimination = function.elimination;
   std::uint32_t next = 0;

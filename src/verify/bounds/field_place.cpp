@@ -10,7 +10,10 @@ namespace {
 
 /// The request to the oracle for a field.
 OutputRequest request_of(const Subject& subject, const Function& function, const Field& field) {
-  const OutputRequest request{.kind = function.kind, .user = function.user, .step = function.step};
+  const OutputRequest request{.kind = function.kind,
+                              .user = function.user,
+                              .step = function.step,
+                              .independent = function.independent};
   if (!output_row(function.kind).repeats) return request;
   const OutputRequest* member = find_request(subject.scene, field.name);
   return member != nullptr ? *member : request;
