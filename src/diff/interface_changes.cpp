@@ -266,7 +266,7 @@ std::vector<std::string> rows_of_its_own(const Model& model, const Function& fun
   const Extent extent = field_row(function.kind, "").rows;
   if (extent != Extent::held && extent != Extent::cyclic) return {};
   std::vector<std::string> names;
-  for (const LineLabel& line : line_labels(model, {extent})) {
+  for (const Line& line : lines_along(model, extent)) {
     names.push_back(renamed(line.name, renames));
   }
   return names;

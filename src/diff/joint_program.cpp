@@ -113,20 +113,30 @@ JointFunction JointProgram::joined(const Function& before, const Function& after
 
 namespace {
 
-using LineLabels = std::vector<LineLabel>;
+using Labels = std::vector<std::string>;
 
 /// The labels of rows or columns with the names of the newer version.
-LineLabels labels_of(const Model& model, const Renames& renames, const FieldLines& lines) {
-  LineLabels labels = line_labels(model, lines);
-  for (LineLabel& label : labels) label.name = renamed(label.name, renames);
+Labels labels_of(const Model& model, const Renames& renames, Extent extent,
+                 std::uint32_t user = 0) {
+  Labels labels;
+  for (const Line& line : lines_along(model, extent, user)) {
+    labels.push_back(renamed(line.text(), renames));
+  }
+  return labels;
+}
+
+/// The labels of fields that are not in the table, as the diagonal of M is not.
+Labels numbers(std::uint32_t count) {
+  Labels labels;
+  for (std::uint32_t i = 1; i <= count; ++i) labels.push_back(std::to_string(i));
   return labels;
 }
 
 /// The properties that tell an entry from the others.
 struct EntryKey {
   std::string field = {};
-  LineLabel row = {};
-  LineLabel column = {};
+  std::string row = {};
+  std::string column = {};
   friend auto operator<=>(const EntryKey&, const EntryKey&) = default;
 };
 
@@ -138,7 +148,7 @@ struct Labelled {
 
 /// The pivots of M and of A M^-1 A^T depend on the order in which they are eliminated.
 bool same_order(const Model& before, const Model& after, const Renames& renames) {
-  return labels_of(before, renames, {Extent::pivots}) == labels_of(after, {}, {Extent::pivots});
+  return labels_of(before, renames, Extent::pivots) == labels_of(after, {}, Extent::pivots);
 }
 
 std::vector<Labelled> labelled(const Model& model, const Function& function,
@@ -146,13 +156,12 @@ std::vector<Labelled> labelled(const Model& model, const Function& function,
   std::vector<Labelled> all;
   for (const Field& field : function.fields) {
     const FieldRow& row = field_row(function.kind, field.name);
+    const bool is_named = field.name == row.name;
     const auto labels = [&](Extent extent, std::uint32_t count) {
-      // Fields that are not in the table, as the diagonal of M, have numbers.
-      const bool is_named = field.name == row.name;
-      return labels_of(model, renames, {is_named ? extent : Extent::one, function.user, count});
+      return is_named ? labels_of(model, renames, extent, function.user) : numbers(count);
     };
-    const LineLabels rows = labels(row.rows, field.rows);
-    const LineLabels columns = labels(row.columns, field.columns);
+    const Labels rows = labels(row.rows, field.rows);
+    const Labels columns = labels(row.columns, field.columns);
     const std::string name = field.name.empty() ? function.name : function.name + "." + field.name;
     for (std::size_t i = 0; i < field.entries.size(); ++i) {
       const std::size_t r = i / field.columns;

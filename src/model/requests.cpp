@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <ranges>
 
 #include "elgen/inertial_parameters.hpp"
 #include "model/lacks.hpp"
@@ -33,6 +34,98 @@ std::vector<std::string> available_names(const Model& model,
   return names;
 }
 
+/// The rows or columns of a field; `user` as in extent_of.
+struct Along {
+  Extent extent = {};
+  std::uint32_t user = 0;
+};
+
+/// Makes lines of entries that stand for their leaf of a kind.
+auto line_of_leaf(Opcode leaf, bool is_rate = false) {
+  return [leaf, is_rate](const auto& entry, std::uint32_t number) {
+    return Line{entry.name, entry.unit, leaf, number, is_rate};
+  };
+}
+
+Line line_of_rate(const Constraint& constraint, std::uint32_t number) {
+  const bool has_rate = constraint.is_position && constraint.unit;
+  return {constraint.name, has_rate ? *constraint.unit / *find_unit("s") : constraint.unit,
+          Opcode::multiplier, number};
+}
+
+/// Three rows of a pose.
+std::size_t rows_of_value(const UserOutput& output) {
+  return output.frame ? 3 : output.values.size();
+}
+
+/// Six rows of a twist.
+std::size_t rows_of_rate(const UserOutput& output) {
+  return output.frame ? 6 : output.values.size();
+}
+
+Line line_of_number(std::uint32_t, std::uint32_t number) {
+  return {.name = std::to_string(number + 1), .number = number, .is_numbered = true};
+}
+
+auto numbers_to(std::size_t count) {
+  return std::views::iota(0U, static_cast<std::uint32_t>(count));
+}
+
+/// Calls `take` for each list of entries that lines stand for, in turn, with the function that
+/// makes the line of an entry and of its number in the list. Whoever counts makes no line.
+template <class Take>
+void take_lists(const Model& model, const Along& along, const Take& take) {
+  const auto of_whole = [&model](std::uint32_t velocity, std::uint32_t) {
+    const Velocity& held = whole_of(model).velocities[velocity];
+    return Line{held.name, held.unit, {}, velocity};
+  };
+  const auto of_position = [&model](std::uint32_t i, std::uint32_t) {
+    return line_of_leaf(Opcode::multiplier)(model.constraints[i], i);
+  };
+  const auto is_position = [&model](std::uint32_t i) { return model.constraints[i].is_position; };
+  const auto of_parameter = [&model](const InertialPlace& place, std::uint32_t number) {
+    InertialParameter parameter = inertial_parameter(model, place);
+    return Line{std::move(parameter.name), parameter.unit, {}, number};
+  };
+  switch (along.extent) {
+    case Extent::one:
+      return take(numbers_to(1), [](auto, auto) { return Line{.unit = Unit{}}; });
+    case Extent::coordinates:
+      return take(model.coordinates, line_of_leaf(Opcode::coordinate));
+    case Extent::velocities:
+      return take(model.velocities, line_of_leaf(Opcode::velocity));
+    case Extent::accelerations:
+      if (model.outputs[along.user].motion) return;
+      return take(model.velocities, line_of_leaf(Opcode::acceleration));
+    case Extent::states:
+      take(model.velocities, line_of_leaf(Opcode::velocity));
+      return take(model.velocities, line_of_leaf(Opcode::velocity, true));
+    case Extent::inputs:
+      return take(model.inputs, line_of_leaf(Opcode::input));
+    case Extent::held:
+      return take(held_velocities(model), of_whole);
+    case Extent::cyclic:
+      if (!has_routhian(model)) return;
+      return take(model.variant.cyclic | std::views::transform(&Cyclic::velocity), of_whole);
+    case Extent::constraints:
+      return take(model.constraints, line_of_rate);
+    case Extent::positions:
+      return take(numbers_to(model.constraints.size()) | std::views::filter(is_position),
+                  of_position);
+    case Extent::pivots:
+      take(model.velocities, line_of_leaf(Opcode::velocity));
+      return take(model.constraints, line_of_leaf(Opcode::multiplier));
+    case Extent::inertial:
+      return take(inertial_places(model), of_parameter);
+    case Extent::user:
+      return take(numbers_to(rows_of_value(model.outputs[along.user])), line_of_number);
+    case Extent::user_columns:
+      return take(numbers_to(model.outputs[along.user].frame ? 4 : 1), line_of_number);
+    case Extent::task:
+      return take(numbers_to(rows_of_rate(model.outputs[along.user])), line_of_number);
+  }
+}
+
 bool fits_in_full(const OutputRequest& request) {
   return std::uint64_t{request.rows} * request.columns <= entries_in_full;
 }
@@ -48,100 +141,36 @@ const OutputRequest* find_request(const Scene& scene, std::string_view name) {
   return found == scene.outputs.end() ? nullptr : &*found;
 }
 
-std::uint32_t extent_of(const Model& model, Extent kind, std::uint32_t user) {
-  switch (kind) {
-    case Extent::coordinates:
-      return static_cast<std::uint32_t>(model.coordinates.size());
-    case Extent::velocities:
-      return static_cast<std::uint32_t>(model.velocities.size());
-    case Extent::states:
-      return static_cast<std::uint32_t>(2 * model.velocities.size());
-    case Extent::inputs:
-      return static_cast<std::uint32_t>(model.inputs.size());
-    case Extent::held:
-      return static_cast<std::uint32_t>(held_velocities(model).size());
-    case Extent::cyclic:
-      return has_routhian(model) ? static_cast<std::uint32_t>(model.variant.cyclic.size()) : 0;
-    case Extent::constraints:
-      return static_cast<std::uint32_t>(model.constraints.size());
-    case Extent::positions:
-      return static_cast<std::uint32_t>(
-          std::ranges::count(model.constraints, true, &Constraint::is_position));
-    case Extent::pivots:
-      return static_cast<std::uint32_t>(model.velocities.size() + model.constraints.size());
-    case Extent::inertial:
-      return static_cast<std::uint32_t>(inertial_places(model).size());
-    case Extent::user:
-      return model.outputs[user].frame
-                 ? 3
-                 : static_cast<std::uint32_t>(model.outputs[user].values.size());
-    case Extent::user_columns:
-      return model.outputs[user].frame ? 4 : 1;
-    case Extent::accelerations:
-      return model.outputs[user].motion ? 0 : extent_of(model, Extent::velocities);
-    case Extent::task:
-      return model.outputs[user].frame ? 6 : extent_of(model, Extent::user, user);
-    case Extent::one:
-      break;
-  }
-  return 1;
+std::uint32_t extent_of(const Model& model, Extent extent, std::uint32_t user) {
+  std::size_t count = 0;
+  take_lists(model, {extent, user}, [&count](auto&& list, const auto&) {
+    count += static_cast<std::size_t>(std::ranges::distance(list));
+  });
+  return static_cast<std::uint32_t>(count);
 }
 
-std::vector<LineLabel> line_labels(const Model& model, const FieldLines& lines) {
-  std::vector<LineLabel> labels;
-  const auto add = [&labels](const auto& list, bool is_rate = false) {
-    for (const auto& entry : list) labels.push_back({entry.name, is_rate});
-  };
-  const auto add_velocity = [&](std::uint32_t i) {
-    labels.push_back({whole_of(model).velocities[i].name});
-  };
-  switch (lines.extent) {
-    case Extent::one:
-    case Extent::user:
-    case Extent::user_columns:
-    case Extent::task:
-      for (std::uint32_t i = 1; i <= lines.count; ++i) labels.push_back({std::to_string(i)});
-      break;
-    case Extent::coordinates:
-      add(model.coordinates);
-      break;
-    case Extent::velocities:
-      add(model.velocities);
-      break;
-    case Extent::accelerations:
-      if (!model.outputs[lines.user].motion) add(model.velocities);
-      break;
-    case Extent::states:
-      add(model.velocities);
-      add(model.velocities, true);
-      break;
-    case Extent::inputs:
-      add(model.inputs);
-      break;
-    case Extent::held:
-      for (const std::uint32_t velocity : held_velocities(model)) add_velocity(velocity);
-      break;
-    case Extent::cyclic:
-      if (!has_routhian(model)) break;
-      for (const Cyclic& cyclic : model.variant.cyclic) add_velocity(cyclic.velocity);
-      break;
-    case Extent::constraints:
-      add(model.constraints);
-      break;
-    case Extent::positions:
-      for (const Constraint& constraint : model.constraints) {
-        if (constraint.is_position) labels.push_back({constraint.name});
-      }
-      break;
-    case Extent::pivots:
-      add(model.velocities);
-      add(model.constraints);
-      break;
-    case Extent::inertial:
-      add(inertial_parameters(model));
-      break;
-  }
-  return labels;
+std::vector<Line> lines_along(const Model& model, Extent extent, std::uint32_t user) {
+  std::vector<Line> lines;
+  take_lists(model, {extent, user}, [&lines](auto&& list, const auto& line_of) {
+    std::uint32_t number = 0;
+    for (const auto& entry : list) lines.push_back(line_of(entry, number++));
+  });
+  return lines;
+}
+
+std::optional<Line> line_at(const Model& model, Extent extent, std::size_t at, std::uint32_t user) {
+  std::optional<Line> line;
+  take_lists(model, {extent, user}, [&](auto&& list, const auto& line_of) {
+    const auto count = static_cast<std::size_t>(std::ranges::distance(list));
+    const auto place = static_cast<std::ptrdiff_t>(at);
+    if (line) return;
+    if (at < count) {
+      line = line_of(*std::ranges::next(list.begin(), place), static_cast<std::uint32_t>(at));
+    } else {
+      at -= count;
+    }
+  });
+  return line;
 }
 
 std::uint32_t first_entry_of(const Model& model, const OutputRequest& output, std::size_t field) {

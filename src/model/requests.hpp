@@ -1,7 +1,6 @@
 // Requests: which outputs a model has, and their shapes.
 #pragma once
 
-#include <compare>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,28 +30,29 @@ namespace elgen {
 /// Only forces may have kinks.
 [[nodiscard]] const Expression* find_kink(const Model& model);
 
-/// The number of rows or columns; `user` is the number of a user-defined output.
-[[nodiscard]] std::uint32_t extent_of(const Model& model, Extent kind, std::uint32_t user = 0);
-
-/// The coordinate, rate, input, constraint or inertial parameter of a row or column, or its number.
-struct LineLabel {
-  std::string name = {};
-  bool is_rate = false;
+/// A row or column of a field, by what it stands for.
+struct Line {
+  std::string name = {};  ///< of a coordinate, an input, a constraint …; empty if it is a number
+  std::optional<Unit> unit = {};
+  std::optional<Opcode> leaf = {};  ///< the kind of the leaf that it stands for, if any
+  std::uint32_t number = 0;         ///< of the leaf, or of the entry in its list
+  bool is_rate = false;             ///< of a state: the rate
+  bool is_numbered = false;         ///< its name is a number, or ends with it
 
   /// "theta", "dot(theta)"
   [[nodiscard]] std::string text() const { return is_rate ? "dot(" + name + ")" : name; }
-  friend auto operator<=>(const LineLabel&, const LineLabel&) = default;
 };
 
-/// The rows or columns of one field.
-struct FieldLines {
-  Extent extent = Extent::one;
-  std::uint32_t user = 0;   ///< as in extent_of
-  std::uint32_t count = 1;  ///< of lines without names, as in an [[output]]
-};
+/// The rows or columns in order, with distinct texts; `user` is the number of an [[output]].
+[[nodiscard]] std::vector<Line> lines_along(const Model& model, Extent extent,
+                                            std::uint32_t user = 0);
 
-/// One label per row or column, distinct; 1 to `count` if they have no names.
-[[nodiscard]] std::vector<LineLabel> line_labels(const Model& model, const FieldLines& lines);
+/// One of them; none behind the last.
+[[nodiscard]] std::optional<Line> line_at(const Model& model, Extent extent, std::size_t at,
+                                          std::uint32_t user = 0);
+
+/// How many they are: cheap, since no name is built.
+[[nodiscard]] std::uint32_t extent_of(const Model& model, Extent extent, std::uint32_t user = 0);
 
 /// The number of the first entry of a field, or of entries if `field` is the number of fields. It
 /// counts every field before it in the output table.

@@ -14,21 +14,17 @@
 namespace elgen {
 namespace {
 
-std::vector<std::string> labels_of(const Model& model, const FieldLines& lines) {
-  const Extent extent = lines.extent;
-  const bool is_number = extent == Extent::one || extent == Extent::user ||
-                         extent == Extent::user_columns || extent == Extent::task;
-  if (is_number && lines.count == 1) return {""};
+std::vector<std::string> labels_of(const Model& model, Extent extent, std::uint32_t user) {
+  const std::vector<Line> lines = lines_along(model, extent, user);
+  if (lines.size() == 1 && lines.front().is_numbered) return {""};
   std::vector<std::string> labels;
-  for (const LineLabel& line : line_labels(model, lines)) labels.push_back(line.text());
+  for (const Line& line : lines) labels.push_back(line.text());
   return labels;
 }
 
 ValueField field_of(const Model& model, const OutputRequest& output, const FieldRow& row) {
-  const auto labels = [&](Extent extent) {
-    return labels_of(model, {extent, output.user, extent_of(model, extent, output.user)});
-  };
-  ValueField field{std::string(row.name), labels(row.rows), labels(row.columns)};
+  ValueField field{std::string(row.name), labels_of(model, row.rows, output.user),
+                   labels_of(model, row.columns, output.user)};
   for (std::size_t r = 0; r < field.rows.size(); ++r) {
     for (std::size_t c = 0; c < field.columns.size(); ++c) {
       field.units.push_back(unit_text_of_entry(model, {output.kind, row.name, r, c}));

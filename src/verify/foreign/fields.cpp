@@ -57,14 +57,13 @@ std::string sizes_text(const ForeignFields& fields) {
 std::string name_of_entry(const Model& model, const OutputRequest& output,
                           const ForeignField& field, std::size_t entry) {
   const FieldRow& row = *field.row;
-  const auto label = [&](Extent extent, std::size_t count, std::size_t line) {
-    return line_labels(model, {extent, output.user, static_cast<std::uint32_t>(count)})[line]
-        .text();
+  const auto label = [&](Extent extent, std::size_t at) {
+    return line_at(model, extent, at, output.user)->text();
   };
   std::string name = output.name + (row.name.empty() ? "" : ".") + std::string(row.name);
   if (field.size() == 1) return name;
-  name += "[" + label(row.rows, field.rows, entry / field.columns);
-  if (field.columns > 1) name += ", " + label(row.columns, field.columns, entry % field.columns);
+  name += "[" + label(row.rows, entry / field.columns);
+  if (field.columns > 1) name += ", " + label(row.columns, entry % field.columns);
   return name + "]";
 }
 
