@@ -4,6 +4,7 @@
 // and the oracle's definition of an output stand elsewhere, under its name.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <initializer_list>
 #include <span>
@@ -83,6 +84,25 @@ enum class Need : std::uint8_t {
   smooth_values,     ///< an [[output]] without kinks
 };
 
+/// The options of outputs (output_options.def).
+enum class OutputOption : std::uint8_t {
+#define ELGEN_OUTPUT_OPTION(key, pronoun) key,
+#include "elgen/output_options.def"
+#undef ELGEN_OUTPUT_OPTION
+};
+
+struct OptionRow {
+  OutputOption id;
+  std::string_view key;
+  std::string_view pronoun;
+};
+
+inline constexpr std::array option_table{
+#define ELGEN_OUTPUT_OPTION(key, pronoun) OptionRow{OutputOption::key, #key, pronoun},
+#include "elgen/output_options.def"
+#undef ELGEN_OUTPUT_OPTION
+};
+
 /// A set of enumerators.
 template <typename Enum>
 class SetOf {
@@ -152,15 +172,16 @@ struct OutputRow {
   std::string_view doc_without_pivots = {};
   std::string_view constrained_doc_without_pivots = {};
   SetOf<Need> needs = {};
-  bool solves = false;           ///< M x = b
-  bool differentiates = false;   ///< the equations of motion
-  bool gives_pivots = false;     ///< of M = L D L^T, beside what it solves for
-  bool is_constrained = false;   ///< solves with S = A M^-1 A^T where the model has constraints
-  bool by_name = false;          ///< given only where it is named
-  bool of_user = false;          ///< one for every [[output]] of a model
-  std::string_view suffix = {};  ///< its name is that of the [[output]] and this
-  bool repeats = false;          ///< every chosen output that takes neither a nor u
-  bool steps = false;            ///< by a method that the scene names, not derived
+  SetOf<OutputOption> options = {};  ///< that its entry in `[outputs]` may have
+  bool solves = false;               ///< M x = b
+  bool differentiates = false;       ///< the equations of motion
+  bool gives_pivots = false;         ///< of M = L D L^T, beside what it solves for
+  bool is_constrained = false;       ///< solves with S = A M^-1 A^T where the model has constraints
+  bool by_name = false;              ///< given only where it is named
+  bool of_user = false;              ///< one for every [[output]] of a model
+  std::string_view suffix = {};      ///< its name is that of the [[output]] and this
+  bool repeats = false;              ///< every chosen output that takes neither a nor u
+  bool steps = false;                ///< by a method that the scene names, not derived
 };
 
 /// Whether it has readable equations, and is not made of other outputs.

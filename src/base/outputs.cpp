@@ -15,6 +15,7 @@ namespace {
 using E = Extent;
 using U = UnitRule;
 using N = Need;
+using O = OutputOption;
 
 constexpr std::string_view square = "SquareMatrix<Scalar>";
 constexpr std::string_view forces = "Forces<Scalar>";
@@ -356,6 +357,7 @@ constexpr OutputRow step{.symbol = {"(q, v)(t + h)", R"((<q>, <v>)(t + h))"},
                          .fields = next_state,
                          .equation = {"(q, v)(t + h), u stays", ""},
                          .doc = "One step of length h with inputs that stay:",
+                         .options = {O::method, O::order, O::iterations, O::projected},
                          .steps = true};
 
 constexpr OutputRow step_derivatives{
@@ -365,6 +367,7 @@ constexpr OutputRow step_derivatives{
     .equation = {"dx(t + h) = A dx + B du, x = (q, v)", ""},
     .doc = "Derivatives of one step of length h with inputs that stay:",
     .needs = {N::no_constraints, N::few_velocities},
+    .options = {O::method, O::order, O::iterations},
     .differentiates = true,
     .steps = true};
 

@@ -164,6 +164,19 @@ TEST_CASE("needs are listed in the order of the enumeration, with those of other
               Need::smooth_values});
 }
 
+TEST_CASE("some output takes each option, and outputs with pivots take `pivots`") {
+  for (const OptionRow& option : option_table) {
+    INFO(option.key);
+    CHECK(std::ranges::any_of(output_table(), [&option](const OutputRow& output) {
+      return output.options.has(option.id);
+    }));
+  }
+  for (const OutputRow& output : output_table()) {
+    INFO(output.name);
+    CHECK(output.options.has(OutputOption::pivots) == output.gives_pivots);
+  }
+}
+
 TEST_CASE("the table names every limit once") {
   std::set<std::string_view> names;
   Limits limits;

@@ -97,6 +97,18 @@ TEST_CASE("forward dynamics gives pivots unless the model or the scene says othe
         "E103 5:10 `bias` has no `pivots`: `forward_dynamics` has them\n");
 }
 
+TEST_CASE("an output refuses the options of others, and names an output that takes them") {
+  const auto refused = [](const std::string& output, const std::string& value) {
+    return arrays_messages("[outputs]\n" + output + " = { " + value + " }\n");
+  };
+  CHECK(refused("bias", "independent = [\"x\"]") ==
+        "E103 5:10 `bias` has no `independent`: `completed` has it\n");
+  CHECK(refused("forward_dynamics", "pivots = false, order = 4") ==
+        "E103 5:38 `forward_dynamics` has no `order`: `step` has one\n");
+  CHECK(refused("step", "method = \"rk4\", pivots = false") ==
+        "E103 5:26 `step` has no `pivots`: `forward_dynamics` has them\n");
+}
+
 TEST_CASE("parameters are fixed by name, by element, or all") {
   CHECK(fixed(arrays_scene("[parameters]\nfixed = { k = \"1/2\", l = 3 }\n")) == "1=1/2 2=3 3=3 ");
   CHECK(fixed(arrays_scene("[parameters]\nfixed = \"all\"\n")) == "0=1 1=2 2=1 3=2 ");

@@ -20,15 +20,6 @@ std::string method_hint(const std::string& word) {
                     fmt::format("one of {}, which are straight-line code", fmt::join(names, ", ")));
 }
 
-void refuse_keys(const ValueSyntax& entry, const OutputRequest& output, Report& report) {
-  for (const std::string_view name : {"method", "order", "iterations", "projected"}) {
-    const KeySyntax* key = entry.find(name);
-    if (key == nullptr) continue;
-    report.add(Code::E103, key->key_span,
-               fmt::format("`{}` has no `{}`: `step` has one", output.name, name));
-  }
-}
-
 void read_iterations(const KeySyntax& key, StepSpec& step, Report& report) {
   const StepMethodRow& method = step_row(step.method);
   if (method.iterations == 0) {
@@ -59,15 +50,10 @@ void read_order(const KeySyntax& key, StepSpec& step, Report& report) {
   if (*found != method.order) step.composed_order = *found;
 }
 
-/// E103 where the output is no `step`, E539 where the model has no constraints.
-void read_projected(const Model& model, const KeySyntax& key, OutputRequest& output,
-                    Report& report) {
-  if (output.kind != OutputKind::step) {
-    return report.add(Code::E103, key.key_span,
-                      fmt::format("`{}` has no `projected`: `step` has one", output.name));
-  }
-  output.step->projects = key.value.boolean;
-  if (!output.step->projects || !model.constraints.empty()) return;
+/// E539 if the model has no constraints.
+void read_projected(const Model& model, const KeySyntax& key, StepSpec& step, Report& report) {
+  step.projects = key.value.boolean;
+  if (!step.projects || !model.constraints.empty()) return;
   report.add(Code::E539, key.key_span,
              "`projected` needs a `[[constraint]]`, and the model has none");
 }
@@ -76,7 +62,6 @@ void read_projected(const Model& model, const KeySyntax& key, OutputRequest& out
 
 void read_step(const Model& model, const ValueSyntax& entry, OutputRequest& output,
                Report& report) {
-  if (!output_row(output.kind).steps) return refuse_keys(entry, output, report);
   const KeySyntax* method = entry.find("method");
   if (method == nullptr) {
     return report.add(Code::E105, output.span,
@@ -96,7 +81,8 @@ void read_step(const Model& model, const ValueSyntax& entry, OutputRequest& outp
   const KeySyntax* order = entry.find("order");
   if (order != nullptr) read_order(*order, step, report);
   const KeySyntax* projected = entry.find("projected");
-  if (projected != nullptr) read_projected(model, *projected, output, report);
+  const bool may_project = output_row(output.kind).options.has(OutputOption::projected);
+  if (projected != nullptr && may_project) read_projected(model, *projected, step, report);
 }
 
 void check_steps(Context& context, const std::vector<OutputRequest>& outputs) {

@@ -31,10 +31,14 @@ void read_batch(Context& context, const FileSyntax* syntax, Scene& scene);
 void read_inner(Context& context, const FileSyntax* syntax, const SceneOptions& options,
                 Scene& scene);
 
-/// Sets method, order and iterations of a request for `step`, by the table of its entry; any other
-/// value says nothing. E103 where the output takes no method, E105 where it needs one, E620 where
-/// there is no such one, E626 where it does not iterate, or not so often, E647 where it has not the
-/// order.
+/// Sets what the entry of an output says besides its name and form. A value without keys says
+/// nothing. E103 for a key that the output does not take, and the errors of read_step.
+void read_options(const Model& model, const ValueSyntax& entry, OutputRequest& output,
+                  Report& report);
+
+/// Sets OutputRequest::step. E105 if the entry has no method, E620 if the method is unknown, E626
+/// if it does not iterate, or not so often, E647 if it does not have the order, E539 if it is to
+/// project and the model has no constraints.
 void read_step(const Model& model, const ValueSyntax& entry, OutputRequest& output, Report& report);
 
 /// Symplectic methods know of no constraints (E539) and of no rotations (E622). What else they need

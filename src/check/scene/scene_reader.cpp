@@ -19,25 +19,6 @@
 namespace elgen {
 namespace {
 
-/// Whether the entry of the output says that it gives its pivots. E103 where it has none.
-void read_pivots(const ValueSyntax& entry, OutputRequest& output, Report& report) {
-  const KeySyntax* pivots = entry.find("pivots");
-  if (pivots == nullptr) return;
-  if (!output_row(output.kind).gives_pivots) {
-    report.add(Code::E103, pivots->key_span,
-               fmt::format("`{}` has no `pivots`: `forward_dynamics` has them", output.name));
-  }
-  output.without_pivots = !pivots->value.boolean;
-}
-
-/// E103 where the output determines nothing from independent velocities.
-void check_independent(const ValueSyntax& entry, const OutputRequest& output, Report& report) {
-  const KeySyntax* const independent = entry.find("independent");
-  if (independent == nullptr || output.kind == OutputKind::completed) return;
-  report.add(Code::E103, independent->key_span,
-             fmt::format("`{}` has no `independent`: `completed` has it", output.name));
-}
-
 bool precedes(const OutputRequest& a, const OutputRequest& b) {
   return std::pair(a.kind, a.user) < std::pair(b.kind, b.user);
 }
@@ -146,7 +127,7 @@ class SceneReader {
     const KeySyntax* const key = step_named(outputs, name);
     OutputRequest* const output = request(key == nullptr ? name : key->key, word);
     if (output == nullptr) return;
-    read_step(model_, key == nullptr ? ValueSyntax() : key->value, *output, context_.report);
+    read_options(model_, key == nullptr ? ValueSyntax() : key->value, *output, context_.report);
     output->name = name;
   }
 
@@ -204,9 +185,7 @@ class SceneReader {
     const KeySyntax* rename = key.value.find("rename");
     if (output != nullptr) {
       output->form = form_in(key.value.find("form"));
-      read_step(model_, key.value, *output, context_.report);
-      read_pivots(key.value, *output, context_.report);
-      check_independent(key.value, *output, context_.report);
+      read_options(model_, key.value, *output, context_.report);
     }
     if (output != nullptr && rename != nullptr) {
       output->name = rename->value.text;
