@@ -157,6 +157,12 @@ struct FieldRow {
   return field.columns != Extent::one && field.columns != Extent::user_columns;
 }
 
+/// Whether an entry that is alone is a number, not a list: its row has no name.
+[[nodiscard]] constexpr bool may_be_number(const FieldRow& field) {
+  const bool is_of_user = field.rows == Extent::user || field.rows == Extent::task;
+  return (is_of_user || field.rows == Extent::one) && !has_columns(field);
+}
+
 struct OutputRow {
   OutputKind kind = {};
   std::string_view name = {};  ///< as in scenes, options and emitted code, where it is built in

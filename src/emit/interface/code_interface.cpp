@@ -264,10 +264,7 @@ OutputKind kind_of_field(const Program& program, const Function& function, const
 }
 
 bool is_scalar(OutputKind kind, const Field& field) {
-  const FieldRow& row = field_row(kind, field.name);
-  const bool may_be =
-      row.rows == Extent::one || row.rows == Extent::user || row.rows == Extent::task;
-  return may_be && !has_columns(row) && field.rows == 1 && field.columns == 1;
+  return may_be_number(field_row(kind, field.name)) && field.rows == 1 && field.columns == 1;
 }
 
 bool is_scalar(const Program& program, const Function& function, const Field& field) {

@@ -59,17 +59,16 @@ Function derivatives(const Model& model, const Program& calls, Function function
     columns = step_columns(model, calls, step, compose);
   }
   function.fields.clear();
-  const std::size_t rows = 2 * model.velocities.size();
   std::size_t first = 0;
   for (const FieldRow& row : output_row(function.kind).fields) {
-    const std::size_t count = row.columns == Extent::states ? rows : columns.size() - rows;
-    Field field{std::string(row.name), static_cast<std::uint32_t>(rows),
-                static_cast<std::uint32_t>(count)};
-    for (std::size_t i = 0; i < rows; ++i) {
-      for (std::size_t j = 0; j < count; ++j) field.entries.push_back(columns[first + j][i]);
+    Field field{std::string(row.name), extent_of(model, row.rows), extent_of(model, row.columns)};
+    for (std::size_t i = 0; i < field.rows; ++i) {
+      for (std::size_t j = 0; j < field.columns; ++j) {
+        field.entries.push_back(columns[first + j][i]);
+      }
     }
-    if (count > 0) function.fields.push_back(std::move(field));
-    first += count;
+    first += field.columns;
+    if (field.columns > 0) function.fields.push_back(std::move(field));
   }
   return pruned(function);
 }

@@ -11,6 +11,7 @@
 
 #include "elgen/outputs.hpp"
 #include "model/elimination.hpp"
+#include "model/requests.hpp"
 
 namespace elgen {
 namespace {
@@ -162,7 +163,8 @@ class Projection {
 
   /// The number that w.M z has to be, where z is the response to the changes y.
   std::optional<cl_R> response_force(const RealNumbers& w, const RealNumbers& y) {
-    if (row().columns == Extent::inputs) return input_force(w, y);
+    const std::optional<Line> column = line_at(subject_.model, row().columns, 0);
+    if (column && column->leaf == Opcode::input) return input_force(w, y);
     const auto solution = values_of(subject_, OutputKind::forward_dynamics, oracle_);
     if (!solution) return std::nullopt;
     State moving = state();
@@ -170,7 +172,7 @@ class Projection {
     const auto n = static_cast<std::ptrdiff_t>(w.size());
     const RealNumbers rest(w.size(), cl_R(0));
     const bool by_velocity = row().name == "by_velocity";
-    const bool by_rates = by_velocity || row().columns == Extent::states;
+    const bool by_rates = by_velocity || y.size() > w.size();  // of states
     const RealNumbers x = by_velocity ? rest : RealNumbers(y.begin(), y.begin() + n);
     const RealNumbers rates = by_rates ? RealNumbers(y.end() - n, y.end()) : rest;
     const auto slope = oracle_residual_slope(subject_.model, moving, w, x, rates);

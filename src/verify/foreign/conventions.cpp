@@ -8,6 +8,7 @@
 
 #include "elgen/outputs.hpp"
 #include "elgen/real.hpp"
+#include "model/requests.hpp"
 
 namespace elgen {
 namespace {
@@ -157,13 +158,11 @@ RealNumbers transposed(const RealNumbers& x, std::size_t columns) {
   return y;
 }
 
-/// The map of rows or columns; entries that follow coordinates change as velocities do, or as
-/// forces.
-IntegerMatrix map_of(const Convention& convention, Extent extent, bool as_velocities) {
-  if (extent == Extent::inputs) return convention.U;
-  const bool is_of_coordinates =
-      extent == Extent::coordinates || extent == Extent::velocities || extent == Extent::states;
-  if (!is_of_coordinates) return {};
+/// The map of rows or columns that stand for leaves of a kind; entries that follow coordinates
+/// change as velocities do, or as forces.
+IntegerMatrix map_of(const Convention& convention, std::optional<Opcode> leaf, bool as_velocities) {
+  if (leaf == Opcode::input) return convention.U;
+  if (leaf != Opcode::coordinate && leaf != Opcode::velocity) return {};
   return as_velocities ? convention.S : transposed(convention.inverse);
 }
 
@@ -194,15 +193,21 @@ State our_state(const Convention& convention, State theirs) {
   return theirs;
 }
 
-std::vector<cl_R> their_values(const Convention& convention, OutputKind output,
-                               const ForeignField& field, const std::vector<cl_R>& ours) {
+std::vector<cl_R> their_values(const Model& model, const Convention& convention,
+                               const OutputRequest& output, const ForeignField& field,
+                               const std::vector<cl_R>& ours) {
   const FieldRow& row = *field.row;
-  const bool is_rate = output_row(output).solves || row.unit == UnitRule::row ||
+  const auto leaf_along = [&](Extent extent) -> std::optional<Opcode> {
+    const std::optional<Line> first = line_at(model, extent, 0, output.user);
+    return first && row.unit != UnitRule::number ? first->leaf : std::nullopt;
+  };
+  const bool is_rate = output_row(output.kind).solves || row.unit == UnitRule::row ||
                        row.unit == UnitRule::row_per_second;
-  RealNumbers values = times(map_of(convention, row.rows, is_rate), ours, field.columns);
-  const bool is_place = row.rows == Extent::coordinates && row.unit == UnitRule::row;
+  RealNumbers values =
+      times(map_of(convention, leaf_along(row.rows), is_rate), ours, field.columns);
+  const bool is_place = leaf_along(row.rows) == Opcode::coordinate && row.unit == UnitRule::row;
   if (is_place) values = turned(convention, values, 1);
-  const IntegerMatrix of_columns = map_of(convention, row.columns, false);
+  const IntegerMatrix of_columns = map_of(convention, leaf_along(row.columns), false);
   values = times(of_columns, transposed(values, field.columns), field.rows);
   return transposed(values, field.rows);
 }

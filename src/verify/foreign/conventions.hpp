@@ -44,7 +44,8 @@ struct Convention {
 [[nodiscard]] State our_state(const Convention& convention, State theirs);
 
 /// Values of a field of an output, as others have them.
-[[nodiscard]] std::vector<cln::cl_R> their_values(const Convention& convention, OutputKind output,
+[[nodiscard]] std::vector<cln::cl_R> their_values(const Model& model, const Convention& convention,
+                                                  const OutputRequest& output,
                                                   const ForeignField& field,
                                                   const std::vector<cln::cl_R>& ours);
 

@@ -326,7 +326,7 @@ std::string ForeignJudge::convention() const {
       RealNumbers theirs;
       for (const ForeignField& field : fields_) {
         const RealNumbers part = part_of(*ours, theirs.size(), field.size());
-        const RealNumbers changed = their_values(convention, output_.kind, field, part);
+        const RealNumbers changed = their_values(subject_.model, convention, output_, field, part);
         theirs.insert(theirs.end(), changed.begin(), changed.end());
       }
       return OracleValues(std::move(theirs));
