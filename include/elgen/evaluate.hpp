@@ -24,8 +24,6 @@ namespace interpreter {
 
 template <class Scalar>
 [[nodiscard]] Scalar call(FunctionId function, const Scalar& x, const Scalar& y) {
-  using std::abs, std::sin, std::cos, std::tan, std::asin, std::acos, std::atan, std::atan2;
-  using std::sinh, std::cosh, std::tanh, std::exp, std::log, std::log1p, std::expm1, std::hypot;
   switch (function) {
 #define ELGEN_CALL_1(name) name(x)
 #define ELGEN_CALL_2(name) name(x, y)

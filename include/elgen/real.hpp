@@ -85,6 +85,11 @@ struct ScalarTraits<Real> {
 
 namespace interpreter {
 
+#define ELGEN_FUNCTION(name, arity) using std::name;
+#define ELGEN_OWN_FUNCTION(name, arity)
+#include "elgen/functions.def"
+#undef ELGEN_FUNCTION
+
 /// The kinked functions for built-in floats; sign(0) = 0, and a NaN stays one.
 template <class Scalar>
 requires std::is_floating_point_v<Scalar>

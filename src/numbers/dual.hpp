@@ -55,16 +55,12 @@ template <class Base>
   return {x.value * factor, x.slope * factor};
 }
 
-/// Where Base is a built-in float.
-#define ELGEN_OF_FLOATS                                                                      \
-  using std::abs, std::sin, std::cos, std::tan, std::asin, std::acos, std::atan, std::atan2; \
-  using std::sinh, std::cosh, std::tanh, std::exp, std::log, std::sqrt;                      \
-  using std::log1p, std::expm1, std::hypot, interpreter::stumpff;                            \
-  using interpreter::sign, interpreter::min, interpreter::max;
+/// Base may be a built-in float: the functions of these stand in `interpreter`.
 #define ELGEN_DUAL_1(name, first, second)                               \
   template <class Base>                                                 \
   [[nodiscard]] Dual<Base> name(const Dual<Base>& argument) {           \
-    ELGEN_OF_FLOATS                                                     \
+    using namespace interpreter;                                        \
+    using std::sqrt;                                                    \
     const Base& x = argument.value;                                     \
     const Base f = name(x);                                             \
     [[maybe_unused]] const Base one = ScalarTraits<Base>::from_real(1); \
@@ -73,7 +69,8 @@ template <class Base>
 #define ELGEN_DUAL_2(name, first, second)                                          \
   template <class Base>                                                            \
   [[nodiscard]] Dual<Base> name(const Dual<Base>& left, const Dual<Base>& right) { \
-    ELGEN_OF_FLOATS                                                                \
+    using namespace interpreter;                                                   \
+    using std::sqrt;                                                               \
     const Base& x = left.value;                                                    \
     const Base& y = right.value;                                                   \
     const Base f = name(x, y);                                                     \
@@ -85,7 +82,6 @@ template <class Base>
 #undef ELGEN_DERIVATIVES
 #undef ELGEN_DUAL_2
 #undef ELGEN_DUAL_1
-#undef ELGEN_OF_FLOATS
 
 /// A point that moves with epsilon: values at `point`, slopes from `direction`.
 template <class Base>
