@@ -2,6 +2,7 @@
 // files.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -30,38 +31,46 @@ struct Inputs {
   SourcePointer scene = {};  ///< null: the built-in scene `full`
 };
 
-/// In the order in which stages run that are all wanted; each runs after those it needs.
+/// goals.def
 enum class Goal : std::uint8_t {
-  parse,
-  check,
-  inspect,
-  formulate,
-  specialise,
-  steps,
-  derive,
-  lower,
-  cancel,
-  present,
-  choose,
-  equilibria,
-  modes,
-  symmetries,
-  base_parameters,
-  claims,
-  typeset,
-  emit,
-  self_check,
+#define ELGEN_GOAL(id, name) id,
+#include "elgen/goals.def"
 };
-inline constexpr std::array<std::string_view, 19> goal_names{
-    "parse",           "check",  "inspect", "formulate", "specialise", "steps", "derive",
-    "lower",           "cancel", "present", "choose",    "equilibria", "modes", "symmetries",
-    "base-parameters", "claims", "typeset", "emit",      "self-check"};
+inline constexpr std::array goal_names{
+#define ELGEN_GOAL(id, name) std::string_view(name),
+#include "elgen/goals.def"
+};
 
 [[nodiscard]] constexpr std::string_view name_of(Goal goal) {
   return goal_names[static_cast<std::size_t>(goal)];
 }
 /// None where no stage is called so.
 [[nodiscard]] std::optional<Goal> goal_named(std::string_view name);
+
+/// What stages and commands know of an analysis (analyses.def).
+struct AnalysisRow {
+  Goal goal;
+  /// The outputs that it derives from the Lagrangian; null: it takes the result of another
+  /// analysis.
+  std::vector<OutputRequest> (*outputs)(const Model& model) = nullptr;
+  /// It solves no equation of motion, so `inspect` judges these outputs and not those of the scene.
+  bool inspects_outputs = false;
+  /// It refuses constraints (E539), and this is the hint; empty: it takes them.
+  std::string_view instead_of_constraints = {};
+  /// It needs one potential, so open functions are replaced by their samples.
+  bool closes_functions = false;
+};
+inline constexpr std::array analysis_table{
+#define ELGEN_ANALYSIS(id, name, source, Found, find, page, json, ...) \
+  AnalysisRow{.goal = Goal::id, __VA_ARGS__},
+#include "elgen/analyses.def"
+};
+
+/// Null if the stage is no analysis.
+[[nodiscard]] constexpr const AnalysisRow* find_analysis(Goal goal) {
+  const auto* const row = std::ranges::find(analysis_table, goal, &AnalysisRow::goal);
+  return row == analysis_table.end() ? nullptr : row;
+}
 
 struct PipelineOptions {
   SceneOptions scene = {};
@@ -90,10 +99,8 @@ struct Products {
   std::vector<FormCosts> costs = {};
   std::optional<ReadableSteps> steps = {};
   std::optional<Book> book = {};
-  std::optional<Equilibria> equilibria = {};
-  std::optional<Modes> modes = {};
-  std::optional<Symmetries> symmetries = {};
-  std::optional<BaseParameters> base_parameters = {};
+#define ELGEN_ANALYSIS(id, name, source, Found, ...) std::optional<Found> id = {};
+#include "elgen/analyses.def"
   std::optional<std::vector<JudgedEquilibrium>> claims = {};  ///< of [[equilibrium]]
   std::optional<EmittedFiles> files = {};
   std::optional<SelfCheck> self_check = {};

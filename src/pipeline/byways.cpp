@@ -25,17 +25,6 @@
 namespace elgen {
 namespace {
 
-/// The program of some outputs of the Lagrangian, before forms are chosen: derive, lower, cancel
-/// and compose in one go.
-Result<Program> recursive_program(const Lagrangian& lagrangian,
-                                  const std::vector<OutputRequest>& outputs, const Limits& limits) {
-  const Result<EquationsOfMotion> equations = derive(lagrangian, outputs, limits);
-  if (!equations) return equations.diagnostics;
-  Result<Program> lowered = lower(*equations, outputs, limits);
-  if (!lowered) return lowered.diagnostics;
-  return composed(cancel(std::move(*lowered)));
-}
-
 /// The scene of a Lagrangian whose functions are chosen, and what they are chosen from.
 struct ChoiceInput {
   const Lagrangian& lagrangian;
@@ -189,6 +178,15 @@ bool has_readable_terms(const Program& program, const ClosedForms& forms) {
 
 }  // namespace
 
+Result<Program> recursive_program(const Lagrangian& lagrangian,
+                                  const std::vector<OutputRequest>& outputs, const Limits& limits) {
+  const Result<EquationsOfMotion> equations = derive(lagrangian, outputs, limits);
+  if (!equations) return equations.diagnostics;
+  Result<Program> lowered = lower(*equations, outputs, limits);
+  if (!lowered) return lowered.diagnostics;
+  return composed(cancel(std::move(*lowered)));
+}
+
 Result<Choice> chosen(const Lagrangian& lagrangian, const Program& recursive,
                       const ClosedForms& forms, const CheckedModel& checked, const Limits& limits) {
   Result<Choice> choice =
@@ -203,30 +201,6 @@ Result<Choice> chosen(const Lagrangian& lagrangian, const Program& recursive,
     add_costs(*choice);
   }
   return choice;
-}
-
-Result<Equilibria> equilibria(const Lagrangian& lagrangian, const CheckedModel& checked,
-                              const std::optional<std::string>& about, const Limits& limits) {
-  const Result<Program> moving =
-      recursive_program(lagrangian, outputs_of_equilibria(checked.model), limits);
-  if (!moving) return moving.diagnostics;
-  return find_equilibria({checked, *moving, about, limits});
-}
-
-Result<Symmetries> symmetries(const Lagrangian& lagrangian, const CheckedModel& checked,
-                              const Limits& limits) {
-  const Result<Program> moving =
-      recursive_program(lagrangian, outputs_of_symmetries(checked.model), limits);
-  if (!moving) return moving.diagnostics;
-  return find_symmetries({checked, *moving, {}, limits});
-}
-
-Result<BaseParameters> base_parameters(const Lagrangian& lagrangian, const CheckedModel& checked,
-                                       const Limits& limits) {
-  const Result<Program> regressor =
-      recursive_program(lagrangian, outputs_of_base_parameters(checked.model), limits);
-  if (!regressor) return regressor.diagnostics;
-  return find_base_parameters({checked, *regressor, {}, limits});
 }
 
 Result<std::vector<JudgedEquilibrium>> claims(const Lagrangian& lagrangian,

@@ -5,7 +5,6 @@
 #include <functional>
 
 #include "elgen/analyse.hpp"
-#include "elgen/base_parameters.hpp"
 #include "elgen/choose.hpp"
 #include "elgen/closed_forms.hpp"
 #include "elgen/equations_of_motion.hpp"
@@ -17,28 +16,18 @@
 
 namespace elgen {
 
+/// The program of some outputs of the Lagrangian, before forms are chosen: derive, lower, cancel
+/// and compose in one go. Errors of derive() and lower().
+[[nodiscard]] Result<Program> recursive_program(const Lagrangian& lagrangian,
+                                                const std::vector<OutputRequest>& outputs,
+                                                const Limits& limits);
+
 /// The functions of a scene in the forms in which they are emitted, and the step that is made of
 /// some. Errors of choose() and add_step(). Cost: what `step` calls is derived once more, in its
 /// own name.
 [[nodiscard]] Result<Choice> chosen(const Lagrangian& lagrangian, const Program& recursive,
                                     const ClosedForms& forms, const CheckedModel& checked,
                                     const Limits& limits);
-
-/// The equilibria of a model, or the one `about` which motions are asked for. Errors of
-/// find_equilibria().
-[[nodiscard]] Result<Equilibria> equilibria(const Lagrangian& lagrangian,
-                                            const CheckedModel& checked,
-                                            const std::optional<std::string>& about,
-                                            const Limits& limits);
-
-/// Errors of find_base_parameters().
-[[nodiscard]] Result<BaseParameters> base_parameters(const Lagrangian& lagrangian,
-                                                     const CheckedModel& checked,
-                                                     const Limits& limits);
-
-/// Errors of find_symmetries().
-[[nodiscard]] Result<Symmetries> symmetries(const Lagrangian& lagrangian,
-                                            const CheckedModel& checked, const Limits& limits);
 
 /// The verdicts about every [[equilibrium]].
 [[nodiscard]] Result<std::vector<JudgedEquilibrium>> claims(const Lagrangian& lagrangian,

@@ -5,10 +5,8 @@
 //
 //     specialise -> steps    the derivation as a student writes it
 //     specialise -> choose   what `step` calls, derived in its own name
-//     specialise -> equilibria -> modes   states of rest and motions about them, from outputs of
-//                                         their own
-//     specialise -> symmetries            likewise
-//     specialise -> base_parameters       likewise
+//     specialise -> equilibria -> modes   states of rest and motions about them; these and the other
+//                                         analyses (analyses.def) derive outputs of their own
 #include "elgen/pipeline.hpp"
 
 #include <fmt/format.h>
@@ -51,28 +49,37 @@ Result<Syntaxes> parse(const Inputs& inputs, const Limits& limits) {
   return {{std::move(*model), std::move(scene.value)}, std::move(all)};
 }
 
-/// An analysis that knows of no constraints.
-struct FreeAnalysis {
-  Goal goal;
-  std::string_view instead;
-};
-constexpr std::string_view other_coordinates = "choose coordinates that respect the constraint";
-constexpr std::array free_analyses{
-    FreeAnalysis{Goal::equilibria, other_coordinates},
-    FreeAnalysis{Goal::modes, "`linearization` is of the constrained equations"},
-    FreeAnalysis{Goal::symmetries, other_coordinates}};
-
 /// E539 of every analysis among the goals.
 Diagnostics refused_analyses(const Model& model, const std::vector<Goal>& goals) {
   Diagnostics errors;
   if (model.constraints.empty()) return errors;
-  for (const FreeAnalysis& row : free_analyses) {
-    if (std::ranges::find(goals, row.goal) == goals.end()) continue;
+  for (const AnalysisRow& row : analysis_table) {
+    const bool is_wanted = std::ranges::find(goals, row.goal) != goals.end();
+    if (!is_wanted || row.instead_of_constraints.empty()) continue;
     errors.push_back({Code::E539, model.constraints.front().span,
                       fmt::format("`{}` does not know of constraints", name_of(row.goal)),
-                      std::string(row.instead)});
+                      std::string(row.instead_of_constraints)});
   }
   return errors;
+}
+
+/// The scene as `inspect` judges it: with the outputs that the goals need.
+Scene inspected_scene(const CheckedModel& checked, const std::vector<Goal>& goals) {
+  Scene scene = checked.scene;
+  // A derivation step by step shows no output, so none is missing from it.
+  const auto shows_outputs = [](Goal goal) { return goal != Goal::steps; };
+  if (std::ranges::none_of(goals, shows_outputs)) scene.left_out.clear();
+  const auto needs_scene = [](Goal goal) {
+    const AnalysisRow* const row = find_analysis(goal);
+    return row == nullptr || !row->inspects_outputs;
+  };
+  if (std::ranges::none_of(goals, needs_scene)) scene.outputs.clear();
+  for (const Goal goal : goals) {
+    if (needs_scene(goal)) continue;
+    const std::vector<OutputRequest> outputs = find_analysis(goal)->outputs(checked.model);
+    scene.outputs.insert(scene.outputs.end(), outputs.begin(), outputs.end());
+  }
+  return scene;
 }
 
 /// Momenta of `[routh]` are numbers that the oracle knows, and check does not.
@@ -121,10 +128,8 @@ class Compilation {
     if (choice_.product) out.costs = std::move(choice_.product->costs);
     out.steps = std::move(steps_.product);
     out.book = std::move(book_.product);
-    out.equilibria = std::move(equilibria_.product);
-    out.modes = std::move(modes_.product);
-    out.symmetries = std::move(symmetries_.product);
-    out.base_parameters = std::move(base_parameters_.product);
+#define ELGEN_ANALYSIS(id, ...) out.id = std::move(id##_.product);
+#include "elgen/analyses.def"
     out.claims = std::move(claims_.product);
     out.files = std::move(files_.product);
     out.self_check = std::move(self_check_.product);
@@ -136,6 +141,25 @@ class Compilation {
   }
 
  private:
+  /// What an analysis finds in the program of its outputs.
+  template <class Found>
+  static Result<Found> analysed(Goal goal, Result<Found> (*find)(const AnalysisInput&),
+                                const Lagrangian& lagrangian, const CheckedModel& checked,
+                                const PipelineOptions& options) {
+    const Result<Program> recursive =
+        recursive_program(lagrangian, find_analysis(goal)->outputs(checked.model), options.limits);
+    if (!recursive) return recursive.diagnostics;
+    return find({checked, *recursive, options.about, options.limits});
+  }
+
+  /// What an analysis finds in the result of another.
+  template <class Found, class Known>
+  static Result<Found> analysed(Goal, Result<Found> (*find)(const CheckedModel&, const Known&),
+                                const Known& known, const CheckedModel& checked,
+                                const PipelineOptions&) {
+    return find(checked, known);
+  }
+
   Inputs inputs_ = {};
   const PipelineOptions& options_;
   StageRunner run_;
@@ -148,16 +172,7 @@ class Compilation {
 
   Stage<Inspection> inspection_{run_, Goal::inspect, std::tie(checked_),
                                 [this](const CheckedModel& c) {
-                                  Scene scene = c.scene;
-                                  // A derivation step by step shows no output, so none is missing
-                                  // from it.
-                                  if (options_.goals == std::vector<Goal>{Goal::steps})
-                                    scene.left_out.clear();
-                                  // Symmetries need no solution.
-                                  if (options_.goals == std::vector<Goal>{Goal::symmetries})
-                                    scene.outputs = outputs_of_symmetries(c.model);
-                                  if (options_.goals == std::vector<Goal>{Goal::base_parameters})
-                                    scene.outputs = outputs_of_base_parameters(c.model);
+                                  const Scene scene = inspected_scene(c, options_.goals);
                                   return Result<Inspection>({}, inspect(c.model, scene));
                                 }};
 
@@ -189,19 +204,12 @@ class Compilation {
   Stage<Choice> choice_{run_, Goal::choose, std::tie(lagrangian_, recursive_, forms_, checked_),
                         chosen};
 
-  Stage<Equilibria> equilibria_{
-      run_, Goal::equilibria, std::tie(lagrangian_, checked_),
-      [this](const Lagrangian& l, const CheckedModel& c, const Limits& limits) {
-        return equilibria(l, c, options_.about, limits);
-      }};
-
-  Stage<Modes> modes_{run_, Goal::modes, std::tie(checked_, equilibria_), find_modes};
-
-  Stage<Symmetries> symmetries_{run_, Goal::symmetries, std::tie(lagrangian_, checked_),
-                                symmetries};
-
-  Stage<BaseParameters> base_parameters_{run_, Goal::base_parameters,
-                                         std::tie(lagrangian_, checked_), base_parameters};
+#define ELGEN_ANALYSIS(id, name, source, Found, find, ...)                  \
+  Stage<Found> id##_{run_, Goal::id, std::tie(source##_, checked_),         \
+                     [this](const auto& known, const CheckedModel& c) {     \
+                       return analysed(Goal::id, find, known, c, options_); \
+                     }};
+#include "elgen/analyses.def"
 
   Stage<std::vector<JudgedEquilibrium>> claims_{run_, Goal::claims, std::tie(lagrangian_, checked_),
                                                 claims};

@@ -2,7 +2,6 @@
 #include "elgen/pipeline.hpp"
 
 #include <algorithm>
-#include <array>
 #include <catch2/catch.hpp>
 
 #include "pipeline/pipeline_testing.hpp"
@@ -30,10 +29,9 @@ TEST_CASE("all stages run in their order and give a checked program and its file
   CHECK(check_invariants(*products.program).empty());
   std::vector<std::string> expected;
   for (const std::string_view name : goal_names) {
-    // Nobody asked for these.
-    constexpr std::array others{"steps",      "equilibria",      "modes",
-                                "symmetries", "base-parameters", "claims"};
-    if (std::ranges::find(others, name) == others.end()) expected.emplace_back(name);
+    const bool is_asked_for =
+        name != "steps" && name != "claims" && find_analysis(*goal_named(name)) == nullptr;
+    if (is_asked_for) expected.emplace_back(name);
   }
   CHECK(stages(products) == expected);
 }
@@ -92,6 +90,57 @@ TEST_CASE("a goal runs what it needs, each once and in order, and nothing else")
     CHECK(products.self_check.has_value() == (goal == "self-check"));
     CHECK(products.files.has_value() == (goal == "emit" || goal == "self-check"));
   }
+}
+
+TEST_CASE("inspect judges what some goal needs, whatever other goals there are") {
+  const auto codes = [](const std::string& text, const std::vector<Goal>& goals) {
+    PipelineOptions options;
+    options.goals = goals;
+    std::vector<Code> found;
+    for (const Diagnostic& each : run_pipeline(test::inputs_of(text), options).diagnostics) {
+      if (each.code != Code::E520) found.push_back(each.code);  // no units
+    }
+    return found;
+  };
+  using Codes = std::vector<Code>;
+  const std::string head = "format = 1\n[model]\nname = \"row\"\n[[coordinate]]\nname = \"x\"\n";
+  // A kink takes derivatives away: who sees outputs is told which.
+  const std::string kinked =
+      head + "[energy]\nT = \"dot(x)^2\"\n[[force]]\non = \"x\"\nvalue = \"-sign(dot(x))\"\n";
+  CHECK(codes(kinked, {Goal::steps}) == Codes{});
+  CHECK(codes(kinked, {Goal::steps, Goal::steps}) == Codes{});
+  CHECK(codes(kinked, {Goal::steps, Goal::lower}) == Codes{Code::E619});
+  CHECK(codes(kinked, {Goal::lower, Goal::steps}) == Codes{Code::E619});
+  // The elimination of M = (0, 1; 1, 0) fails: outputs that divide by M have no value.
+  const std::string crossed =
+      head + "[[coordinate]]\nname = \"y\"\n[energy]\nT = \"dot(x)*dot(y)\"\n";
+  CHECK(codes(crossed, {Goal::symmetries}) == Codes{});
+  CHECK(codes(crossed, {Goal::symmetries, Goal::symmetries}) == Codes{});
+  CHECK(codes(crossed, {Goal::base_parameters}) == Codes{Code::E603});  // there are no bodies
+  CHECK(codes(crossed, {Goal::symmetries, Goal::base_parameters}) == Codes{Code::E603});
+  CHECK(codes(crossed, {Goal::symmetries, Goal::steps}) == Codes{Code::E501});
+  CHECK(codes(crossed, {Goal::lower, Goal::symmetries}) == Codes{Code::E501});
+}
+
+TEST_CASE("constraints are refused by each analysis that does not know of them") {
+  const std::string slope =
+      "format = 1\n[model]\nname = \"slope\"\n[[coordinate]]\nname = \"x\"\n[[coordinate]]\n"
+      "name = \"y\"\n[energy]\nT = \"dot(x)^2 + dot(y)^2\"\n[[constraint]]\nname = \"guide\"\n"
+      "equation = \"y = x\"\n";
+  PipelineOptions options;
+  options.goals.clear();
+  std::vector<std::string> refused;
+  for (const AnalysisRow& row : analysis_table) {
+    options.goals.push_back(row.goal);
+    if (row.instead_of_constraints.empty()) continue;
+    refused.push_back("`" + std::string(name_of(row.goal)) + "` does not know of constraints");
+  }
+  std::vector<std::string> found;
+  for (const Diagnostic& each : run_pipeline(test::inputs_of(slope), options).diagnostics) {
+    if (each.code == Code::E539) found.push_back(each.message);
+  }
+  CHECK(found == refused);
+  CHECK(refused.size() == 3);
 }
 
 TEST_CASE("what two goals need is made once") {

@@ -142,13 +142,15 @@ TEST_CASE("no page of an analysis has it either") {
   for (const char* const name : {"double_pendulum", "rotating_hoop", "elastic_pendulum"}) {
     INFO(name);
     const SourcePointer model = make_source("model.toml", model_file(name));
-    const Products motions = products_for(model, Goal::modes);
-    REQUIRE(motions.modes);
-    check_words(equilibria_page(*motions.checked, *motions.equilibria));
-    check_words(modes_page(*motions.checked, *motions.modes));
-    const Products found = products_for(model, Goal::symmetries);
-    REQUIRE(found.symmetries);
-    check_words(symmetries_page(*found.checked, *found.symmetries));
+    const auto check_analysis = [&model](Goal goal, auto member, auto page) {
+      INFO(name_of(goal));
+      const Products products = products_for(model, goal);
+      REQUIRE(products.*member);
+      check_words(page(*products.checked, *(products.*member)));
+    };
+#define ELGEN_ANALYSIS(id, name, source, Found, find, page, ...) \
+  check_analysis(Goal::id, &Products::id, &page);
+#include "elgen/analyses.def"
   }
 }
 
