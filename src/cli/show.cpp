@@ -5,6 +5,8 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/text_table.hpp"
 #include "cli/commands.hpp"
@@ -15,6 +17,7 @@
 #include "elgen/page.hpp"
 #include "elgen/pipeline.hpp"
 #include "elgen/syntax.hpp"
+#include "elgen/wording.hpp"
 #include "program/evaluate/subject.hpp"
 
 namespace elgen::cli {
@@ -28,10 +31,10 @@ struct ShowOptions {
   SceneOptions scene = {};
 };
 
-/// Makes a page from the `parts` of an analysis.
-template <auto make, auto... parts>
+/// Makes a page or data from what an analysis found.
+template <auto make, auto found>
 auto made(const Products& products, const PageOptions&) {
-  return make(*products.checked, *(products.*parts)...);
+  return make(*products.checked, *(products.*found));
 }
 
 /// The sidecar, which lists all outputs.
@@ -70,7 +73,6 @@ struct SubjectRow {
   Shown<Page> page;         ///< null: text only
   Shown<std::string> text;  ///< null: the text of the page
   Shown<std::string> json;  ///< null: none
-  bool is_of_rest = false;  ///< equilibria, and motions about them
 };
 
 constexpr std::array subjects{
@@ -80,15 +82,19 @@ constexpr std::array subjects{
     SubjectRow{"cost", Goal::emit, nullptr,
                [](const Products& all, const PageOptions&) { return cost_page(all.costs); },
                nullptr},
-    SubjectRow{"equilibria", Goal::equilibria, &made<&equilibria_page, &Products::equilibria>,
-               nullptr, &made<&equilibria_json, &Products::equilibria>, true},
-    SubjectRow{"modes", Goal::modes, &made<&modes_page, &Products::modes>, nullptr,
-               &made<&modes_json, &Products::modes>, true},
-    SubjectRow{"symmetries", Goal::symmetries, &made<&symmetries_page, &Products::symmetries>,
-               nullptr, &made<&symmetries_json, &Products::symmetries>},
-    SubjectRow{"base_parameters", Goal::base_parameters,
-               &made<&base_parameters_page, &Products::base_parameters>, nullptr,
-               &made<&base_parameters_json, &Products::base_parameters>}};
+#define ELGEN_ANALYSIS(id, name, source, Found, find, page, json, ...) \
+  SubjectRow{#id, Goal::id, &made<&page, &Products::id>, nullptr, &made<&json, &Products::id>},
+#include "elgen/analyses.def"
+};
+
+/// "lagrangian, steps, cost, equilibria, modes, symmetries or base_parameters"
+std::string subject_words() {
+  std::vector<std::string> words = words_in(subjects, &SubjectRow::word);
+  words.erase(words.begin());  // outputs have names of their own
+  const std::string last = std::move(words.back());
+  words.pop_back();
+  return fmt::format("{} or {}", fmt::join(words, ", "), last);
+}
 
 Result<const SubjectRow*> subject_of(const ShowOptions& options) {
   for (const SubjectRow& row : subjects) {
@@ -248,8 +254,8 @@ ExitCode show(const GlobalOptions& global, const ShowOptions& given) {
     pipeline.about = is_place ? "" : options.at;
     if (is_place) pipeline.scene.starts = {make_source("--at", options.at)};
   }
-  // Equilibria need one potential: open functions are replaced by their samples.
-  if (subject.is_of_rest) pipeline.scene.purpose = purpose::rest;
+  const AnalysisRow* const analysis = find_analysis(subject.goal);
+  if (analysis != nullptr && analysis->closes_functions) pipeline.scene.purpose = purpose::rest;
   if (subject.word.empty() && !options.what.empty()) {
     pipeline.scene.outputs = {make_source("command line", options.what)};
   }
@@ -270,9 +276,7 @@ void add_show(CLI::App& app, Action& action) {
   command->add_option("input", options->input, "NAME.toml, NAME.scene.toml or - (stdin)")
       ->required();
   command
-      ->add_option("--what", options->what,
-                   "outputs: mass_matrix,gravity,…; or lagrangian, steps, cost, equilibria, modes, "
-                   "symmetries or base_parameters")
+      ->add_option("--what", options->what, "outputs: mass_matrix,gravity,…; or " + subject_words())
       ->type_name("LIST");
   command
       ->add_option("--as", options->as,

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cctype>
 #include <filesystem>
+#include <regex>
 #include <sstream>
 
 #include "elgen/functions.hpp"
@@ -96,6 +97,25 @@ TEST_CASE("the page of the sources has every folder") {
     INFO(folder);
     CHECK(mentions(page("src/README.md").prose, "| `src/" + folder + "/` |"));
   }
+}
+
+TEST_CASE("the page of the command line has the words of show --what, in the order of its help") {
+  // However the help is broken into lines.
+  const std::string help =
+      std::regex_replace(Workspace().run("elgen show --help").output, std::regex("\\s+"), " ");
+  std::smatch list;
+  REQUIRE(std::regex_search(help, list, std::regex("--what LIST .*?; or (.*?) --as")));
+  const std::string listed = std::regex_replace(list[1].str(), std::regex(" or "), ", ");
+  const std::string& prose = page("src/cli/README.md").prose;
+  const std::string head = "\n| `--what` | |\n|---|---|\n";
+  const std::size_t table = prose.find(head);
+  REQUIRE(table != std::string::npos);
+  std::istringstream rows(prose.substr(table + head.size()));
+  std::string words;
+  for (std::string row; std::getline(rows, row) && starts_with(row, "| `");) {
+    words += (words.empty() ? "" : ", ") + row.substr(3, row.find('`', 3) - 3);
+  }
+  CHECK(words == listed);
 }
 
 TEST_CASE("every option of the command line is on its page") {
