@@ -1,0 +1,81 @@
+// .ci/checks.sh: what .ci/run prints about checks and tests, of commands that take no time.
+#include <catch2/catch.hpp>
+
+#include "support/shell.hpp"
+
+namespace elgen::test {
+namespace {
+
+/// Runs lines of bash after the file was read.
+Outcome sourced(const std::string& lines) {
+  const Workspace workspace;
+  workspace.write("script", ". " ELGEN_SOURCE_DIR "/.ci/checks.sh\n" + lines);
+  return workspace.run("bash -uo pipefail script");
+}
+
+/// What ctest prints of three tests.
+const std::string tests = R"(three_tests() {
+  tee "$tests_log" <<'END'
+1/3 Test #12: cli.some name, with 3.5 dots. in it ....   Passed    0.05 sec
+2/3 Test  #2: python .................................***Failed   12.55 sec
+3/3 Test  #3: errors .................................   Passed    9.05 sec
+
+67% tests passed, 1 tests failed out of 3
+
+The following tests FAILED:
+	  2 - python (Failed)
+END
+  return 8
+}
+)";
+
+}  // namespace
+
+TEST_CASE("checks and tests are counted, failures stand before the count") {
+  const Outcome outcome =
+      sourced(tests + "check right true\ncheck wrong false\ncount_tests three_tests\nconclude\n");
+  INFO(outcome.output + outcome.errors);
+  CHECK(outcome.status == 1);
+  CHECK(mentions(outcome.output, "\nfailed: wrong\nfailed: python (Failed)\n3 passed, 2 failed\n"));
+  const Outcome right = sourced("check right true\nconclude\n");
+  CHECK(right.status == 0);
+  CHECK(mentions(right.output, "\n1 passed, 0 failed\n"));
+}
+
+TEST_CASE("a command that ends without tests is a failure") {
+  const Outcome outcome = sourced("count_tests true\nconclude\n");
+  CHECK(outcome.status == 1);
+  CHECK(mentions(outcome.output, "\nfailed: tests\n0 passed, 1 failed\n"));
+}
+
+TEST_CASE("a check prints its seconds, those of processors, and what is left") {
+  const Outcome outcome = sourced(
+      "check busy sh -c 'ulimit -t 2; while :; do :; done'\ncheck idle sleep "
+      "1\nallowed_seconds=60\n"
+      "check quick true\nconclude\n");
+  INFO(outcome.output);
+  CHECK(mentions(outcome.output, "\n== idle: passed in 1 s, 0 s of processors; "));
+  CHECK(mentions(outcome.output, " s of 5400 are left\n"));
+  CHECK(mentions(outcome.output, "\n== quick: passed in 0 s, 0 s of processors; 5"));
+  const std::string busy = outcome.output.substr(outcome.output.find("\n== busy: FAILED in "));
+  CHECK_FALSE(mentions(busy.substr(0, busy.find(';')), " 0 s of processors"));
+}
+
+TEST_CASE("the ten longest checks and tests stand before the failures") {
+  const Outcome outcome =
+      sourced(tests + "for i in {1..12}; do check \"check $i\" true; done\ncheck long sleep 1\n" +
+              "count_tests three_tests\nconclude\n");
+  INFO(outcome.output);
+  const std::size_t start = outcome.output.find("\nlongest checks ");
+  REQUIRE(start != std::string::npos);
+  const std::string longest = outcome.output.substr(start);
+  CHECK(starts_with(longest,
+                    "\nlongest checks (s, s of processors) and tests (s):\n"
+                    "       1        0  long\n"));
+  CHECK(count(longest, "        0  ") == 10);
+  CHECK(mentions(longest,
+                 "\n      12           python\n       9           errors\n"
+                 "       0           cli.some name, with 3.5 dots. in it\n\nfailed: python"));
+}
+
+}  // namespace elgen::test
