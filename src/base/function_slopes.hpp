@@ -13,14 +13,21 @@ template <class Operand>
 [[nodiscard]] std::array<Operand, 2> function_slopes(FunctionId function, const Operand& x,
                                                      const Operand& y, const Operand& f,
                                                      const Operand& one) {
-  const auto sin = [](const Operand& of) { return called(FunctionId::sin, of, of); };
-  const auto cos = [](const Operand& of) { return called(FunctionId::cos, of, of); };
-  const auto sinh = [](const Operand& of) { return called(FunctionId::sinh, of, of); };
-  const auto cosh = [](const Operand& of) { return called(FunctionId::cosh, of, of); };
-  const auto exp = [](const Operand& of) { return called(FunctionId::exp, of, of); };
-  const auto stumpff = [](const Operand& of, const Operand& k) {
-    return called(FunctionId::stumpff, of, k);
+  // NOLINTBEGIN(bugprone-macro-parentheses): the macros declare the name.
+#define ELGEN_CALL_1(name)                                   \
+  [[maybe_unused]] const auto name = [](const Operand& of) { \
+    return called(FunctionId::name, of, of);                 \
   };
+#define ELGEN_CALL_2(name)                                                      \
+  [[maybe_unused]] const auto name = [](const Operand& of, const Operand& by) { \
+    return called(FunctionId::name, of, by);                                    \
+  };
+  // NOLINTEND(bugprone-macro-parentheses)
+#define ELGEN_FUNCTION(name, arity) ELGEN_CALL_##arity(name)
+#include "elgen/functions.def"
+#undef ELGEN_FUNCTION
+#undef ELGEN_CALL_1
+#undef ELGEN_CALL_2
   switch (function) {
 #define ELGEN_DERIVATIVES(name, arity, first, second) \
   case FunctionId::name:                              \

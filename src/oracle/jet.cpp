@@ -334,14 +334,19 @@ Jet JetFunctions::value(FunctionId function, const Jet& x, const Jet& y) {
 JetFunctions::Gradient JetFunctions::gradient(FunctionId function, const Jet& x, const Jet& y,
                                               const Jet& f) {
   const Jet one = 1;
-  const auto sin = [this](const Jet& z) { return value(FunctionId::sin, z); };
-  const auto cos = [this](const Jet& z) { return value(FunctionId::cos, z); };
-  const auto sinh = [this](const Jet& z) { return value(FunctionId::sinh, z); };
-  const auto cosh = [this](const Jet& z) { return value(FunctionId::cosh, z); };
-  const auto exp = [this](const Jet& z) { return value(FunctionId::exp, z); };
-  const auto stumpff = [this](const Jet& z, const Jet& k) {
-    return value(FunctionId::stumpff, z, k);
+  // NOLINTBEGIN(bugprone-macro-parentheses): the macros declare the name.
+#define ELGEN_CALL_1(name) \
+  [[maybe_unused]] const auto name = [this](const Jet& of) { return value(FunctionId::name, of); };
+#define ELGEN_CALL_2(name)                                                  \
+  [[maybe_unused]] const auto name = [this](const Jet& of, const Jet& by) { \
+    return value(FunctionId::name, of, by);                                 \
   };
+  // NOLINTEND(bugprone-macro-parentheses)
+#define ELGEN_FUNCTION(name, arity) ELGEN_CALL_##arity(name)
+#include "elgen/functions.def"
+#undef ELGEN_FUNCTION
+#undef ELGEN_CALL_1
+#undef ELGEN_CALL_2
   const auto sqrt = [this](const Jet& z) { return power(z, cl_RA(1) / 2); };
   switch (function) {
 #define ELGEN_DERIVATIVES(name, arity, first, second) \
