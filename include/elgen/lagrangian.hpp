@@ -297,15 +297,12 @@ DECLARE_FUNCTION_7P(elgen_open)
 /// The number of the leaf that an elgen_open is; none beyond second derivatives.
 [[nodiscard]] std::optional<std::uint32_t> open_leaf(const GiNaC::ex& value);
 
-/// The functions that GiNaC has not, with the derivatives of the table; those with kinks have
-/// none.
-DECLARE_FUNCTION_1P(elgen_log1p)
-DECLARE_FUNCTION_1P(elgen_expm1)
-DECLARE_FUNCTION_2P(elgen_hypot)
-DECLARE_FUNCTION_2P(elgen_stumpff)
-DECLARE_FUNCTION_1P(elgen_abs)
-DECLARE_FUNCTION_1P(elgen_sign)
-DECLARE_FUNCTION_2P(elgen_min)
-DECLARE_FUNCTION_2P(elgen_max)
+/// elgen_log1p, …: the functions that GiNaC lacks, with the derivatives of the table. Functions
+/// with kinks have no derivatives.
+#define ELGEN_FUNCTION(name, arity)
+#define ELGEN_STANDARD_FUNCTION(name, arity) DECLARE_FUNCTION_##arity##P(elgen_##name)
+#define ELGEN_OWN_FUNCTION(name, arity) DECLARE_FUNCTION_##arity##P(elgen_##name)
+#include "elgen/functions.def"
+#undef ELGEN_FUNCTION
 
 }  // namespace elgen

@@ -24,19 +24,24 @@ constexpr std::array<const char*, 3> axes{"_x", "_y", "_z"};
 
 ex number(const cln::cl_RA& value) { return GiNaC::numeric(value); }
 
-// GiNaC has none of these.
-ex log1p(const ex& x) { return elgen_log1p(x); }
-ex expm1(const ex& x) { return elgen_expm1(x); }
-ex hypot(const ex& x, const ex& y) { return elgen_hypot(x, y); }
-ex stumpff(const ex& x, const ex& k) { return elgen_stumpff(x, k); }
-ex abs(const ex& x) { return elgen_abs(x); }
-ex sign(const ex& x) { return elgen_sign(x); }
-ex min(const ex& x, const ex& y) { return elgen_min(x, y); }
-ex max(const ex& x, const ex& y) { return elgen_max(x, y); }
+/// The functions of the table by their names. They have a namespace of their own because other
+/// sources call functions of the same names on numbers.
+namespace ginac_calls {
+
+using GiNaC::sqrt;
+#define ELGEN_WRAPPER_1(name) \
+  ex name(const ex& x) { return elgen_##name(x); }
+#define ELGEN_WRAPPER_2(name) \
+  ex name(const ex& x, const ex& y) { return elgen_##name(x, y); }
+#define ELGEN_FUNCTION(name, arity) using GiNaC::name;
+#define ELGEN_STANDARD_FUNCTION(name, arity) ELGEN_WRAPPER_##arity(name)
+#define ELGEN_OWN_FUNCTION(name, arity) ELGEN_WRAPPER_##arity(name)
+#include "elgen/functions.def"
+#undef ELGEN_FUNCTION
+#undef ELGEN_WRAPPER_1
+#undef ELGEN_WRAPPER_2
 
 ex call(FunctionId function, const ex& x, const ex& y) {
-  using GiNaC::sin, GiNaC::cos, GiNaC::tan, GiNaC::asin, GiNaC::acos, GiNaC::atan, GiNaC::atan2;
-  using GiNaC::sinh, GiNaC::cosh, GiNaC::tanh, GiNaC::exp, GiNaC::log;
   switch (function) {
 #define ELGEN_CALL_1(name) name(x)
 #define ELGEN_CALL_2(name) name(x, y)
@@ -54,7 +59,6 @@ ex call(FunctionId function, const ex& x, const ex& y) {
 /// The derivative by one argument. check() lets functions with kinks stand in forces only, so that
 /// of one of these is a mistake of elgen's own.
 ex slope(FunctionId function, const ex& x, const ex& y, unsigned argument) {
-  using GiNaC::sin, GiNaC::cos, GiNaC::sinh, GiNaC::cosh, GiNaC::exp, GiNaC::sqrt;
   if (is_kinked(function)) throw std::logic_error("derivative of a kinked function");
   const ex f = call(function, x, y);
   const ex one = 1;
@@ -67,37 +71,45 @@ ex slope(FunctionId function, const ex& x, const ex& y, unsigned argument) {
   }
   return 0;
 }
+
+}  // namespace ginac_calls
+
 template <FunctionId function>
 ex slope_1(const ex& x, unsigned argument) {
-  return slope(function, x, x, argument);
+  return ginac_calls::slope(function, x, x, argument);
 }
 template <FunctionId function>
 ex slope_2(const ex& x, const ex& y, unsigned argument) {
-  return slope(function, x, y, argument);
+  return ginac_calls::slope(function, x, y, argument);
 }
 
-/// The value of a call that is known without computing, else the call as it is.
+/// The value of a call that is known without computing, else the call as it is. Functions with
+/// kinks stay calls: they are evaluated once the derivatives are made.
 ex evaluated(FunctionId function, const ex& x, const ex& y, const ex& held) {
   const bool is_known = x.info(GiNaC::info_flags::rational) && y.info(GiNaC::info_flags::rational);
-  if (!is_known) return held;
+  if (is_kinked(function) || !is_known) return held;
   const auto exact = [](const ex& operand) {
     return cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(operand).to_cl_N());
   };
   const auto value = known_value(function, exact(x), exact(y));
   return value ? number(*value) : held;
 }
-ex evaluated_log1p(const ex& x) {
-  return evaluated(FunctionId::log1p, x, x, elgen_log1p(x).hold());
-}
-ex evaluated_expm1(const ex& x) {
-  return evaluated(FunctionId::expm1, x, x, elgen_expm1(x).hold());
-}
-ex evaluated_hypot(const ex& x, const ex& y) {
-  return evaluated(FunctionId::hypot, x, y, elgen_hypot(x, y).hold());
-}
-ex evaluated_stumpff(const ex& x, const ex& k) {
-  return evaluated(FunctionId::stumpff, x, k, elgen_stumpff(x, k).hold());
-}
+
+#define ELGEN_EVALUATED_1(name)                                       \
+  ex evaluated_##name(const ex& x) {                                  \
+    return evaluated(FunctionId::name, x, x, elgen_##name(x).hold()); \
+  }
+#define ELGEN_EVALUATED_2(name)                                          \
+  ex evaluated_##name(const ex& x, const ex& y) {                        \
+    return evaluated(FunctionId::name, x, y, elgen_##name(x, y).hold()); \
+  }
+#define ELGEN_FUNCTION(name, arity)
+#define ELGEN_STANDARD_FUNCTION(name, arity) ELGEN_EVALUATED_##arity(name)
+#define ELGEN_OWN_FUNCTION(name, arity) ELGEN_EVALUATED_##arity(name)
+#include "elgen/functions.def"
+#undef ELGEN_FUNCTION
+#undef ELGEN_EVALUATED_1
+#undef ELGEN_EVALUATED_2
 
 /// 1 by argument 2 -> 12, 2 by argument 1 -> 12
 int with_digit(int digits, int digit) {
@@ -221,7 +233,7 @@ Translation::Sized Translation::open(const Expression& expression) const {
 Translation::Sized Translation::function(const Expression& expression) {
   const Sized x = translated_[expression.operands[0]];
   const Sized y = expression.operands.size() > 1 ? translated_[expression.operands[1]] : Sized{};
-  return {call(expression.function, x.value, y.value), x.size + y.size + 1};
+  return {ginac_calls::call(expression.function, x.value, y.value), x.size + y.size + 1};
 }
 
 /// Long sums become a tree of short ones, so that each definition stays small.
@@ -333,17 +345,16 @@ ex constant_value(const Model& model, ExpressionId value) {
 }
 
 REGISTER_FUNCTION(elgen_open, derivative_func(open_slope))
-REGISTER_FUNCTION(elgen_log1p,
-                  eval_func(evaluated_log1p).derivative_func(slope_1<FunctionId::log1p>))
-REGISTER_FUNCTION(elgen_expm1,
-                  eval_func(evaluated_expm1).derivative_func(slope_1<FunctionId::expm1>))
-REGISTER_FUNCTION(elgen_hypot,
-                  eval_func(evaluated_hypot).derivative_func(slope_2<FunctionId::hypot>))
-REGISTER_FUNCTION(elgen_stumpff,
-                  eval_func(evaluated_stumpff).derivative_func(slope_2<FunctionId::stumpff>))
-REGISTER_FUNCTION(elgen_abs, derivative_func(slope_1<FunctionId::abs>))
-REGISTER_FUNCTION(elgen_sign, derivative_func(slope_1<FunctionId::sign>))
-REGISTER_FUNCTION(elgen_min, derivative_func(slope_2<FunctionId::min>))
-REGISTER_FUNCTION(elgen_max, derivative_func(slope_2<FunctionId::max>))
+// The names of GiNaC's functions get numbers, by which it orders them: rows of the table stay in
+// their order.
+#define ELGEN_REGISTERED(name, arity) \
+  REGISTER_FUNCTION(elgen_##name,     \
+                    eval_func(evaluated_##name).derivative_func(slope_##arity<FunctionId::name>))
+#define ELGEN_FUNCTION(name, arity)
+#define ELGEN_STANDARD_FUNCTION ELGEN_REGISTERED
+#define ELGEN_OWN_FUNCTION ELGEN_REGISTERED
+#include "elgen/functions.def"
+#undef ELGEN_FUNCTION
+#undef ELGEN_REGISTERED
 
 }  // namespace elgen
