@@ -99,6 +99,20 @@ TEST_CASE("the page of the sources has every folder") {
   }
 }
 
+TEST_CASE("the page of the sources says of every room what it takes and makes") {
+  const std::string& prose = page("src/README.md").prose;
+  const std::size_t begin = prose.find("\n| rooms | take | make |\n");
+  REQUIRE(begin != std::string::npos);
+  const std::string table = prose.substr(begin, prose.find("\n\n", begin) - begin);
+  std::istringstream layers(read_text(ELGEN_SOURCE_DIR "/src/layers.txt"));
+  for (std::string line; std::getline(layers, line);) {
+    if (line.empty() || line.front() == '#') continue;
+    const std::string room = line.substr(0, line.find_first_of(" :"));
+    INFO(room);
+    CHECK(mentions(table, "`" + room + "`"));
+  }
+}
+
 TEST_CASE("the page of the command line has the words of show --what, in the order of its help") {
   // However the help is broken into lines.
   const std::string help =
