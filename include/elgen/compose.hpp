@@ -22,6 +22,10 @@ inline constexpr std::string_view velocity_part = "by_velocity";
 inline constexpr std::string_view input_part = "by_input";
 inline constexpr std::string_view rate_part = "rates";
 
+/// From this many velocities on, derivatives of accelerations and the linearization are composed.
+/// Those of fewer velocities are written out and have closed forms.
+inline constexpr std::size_t least_of_composed = 10;
+
 /// The same program with outputs in the place of their parts.
 [[nodiscard]] Program composed(Program program);
 

@@ -9,6 +9,7 @@
 #include "derive/outputs/outputs.hpp"
 #include "derive/tree/articulated.hpp"
 #include "derive/tree/tree_matrices.hpp"
+#include "elgen/compose.hpp"
 
 namespace elgen {
 

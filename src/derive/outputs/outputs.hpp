@@ -257,9 +257,7 @@ struct ForwardDerivatives {
 };
 [[nodiscard]] ForwardDerivatives forward_dynamics_derivatives(Derivation& derivation);
 
-/// The parts that the derivatives, and the linearization, are composed of from this many velocities
-/// on (elgen/compose.hpp).
-inline constexpr std::size_t least_of_composed = 10;
+/// The parts that the derivatives, and the linearization, of many velocities are composed of.
 struct ResponseParts {
   Vector mass;
   Vector force;
@@ -267,7 +265,8 @@ struct ResponseParts {
   Vector rates;               ///< the upper rows of A
 };
 
-/// None below, and where there are constraints. Throws ZeroPivot where an M_ii is 0.
+/// None below least_of_composed velocities, and where there are constraints. Throws ZeroPivot where
+/// an M_ii is 0.
 [[nodiscard]] std::optional<ResponseParts> response_parts(Derivation& derivation);
 
 /// 2 n_v x 2 n_v and 2 n_v x n_u.

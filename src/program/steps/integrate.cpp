@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "elgen/compose.hpp"
 #include "elgen/step_methods.hpp"
 #include "model/requests.hpp"
 #include "program/evaluate/subject.hpp"
@@ -44,9 +45,8 @@ std::vector<std::uint32_t> sampled_zeros(const Program& calls, const Function& s
 /// Whether an explicit method takes tangents along, by derivatives of accelerations: shorter than
 /// to differentiate its instructions, but for rotations, and where these derivatives are loops.
 bool takes_tangents(const Model& model, const OutputRequest& step) {
-  constexpr std::size_t most_velocities = 9;
   return output_row(step.kind).differentiates && domain_of(step) != StepDomain::quadratic &&
-         model.rotations.empty() && model.velocities.size() <= most_velocities;
+         model.rotations.empty() && model.velocities.size() < least_of_composed;
 }
 
 /// A and B from their columns, or where the method has none, from the instructions of the step.
