@@ -88,7 +88,8 @@ class EnclosedArithmetic {
 [[nodiscard]] cln::cl_R function_value(FunctionId function, const cln::cl_F& x, const cln::cl_F& y);
 
 /// Sine and cosine by CLN, which makes both at the cost of one. The latest are remembered: their
-/// derivatives, and other functions at a state, ask for them again.
+/// derivatives, and other functions at a state, ask for them again. The thread remembers them, for
+/// `sin` and `cos` of Real take one number and know of no evaluation that could.
 [[nodiscard]] cln::cos_sin_t cos_sin_of(const cln::cl_F& x);
 
 /// Exponents of ten beyond this one are too large for a constant.

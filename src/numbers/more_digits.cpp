@@ -7,9 +7,17 @@
 namespace elgen {
 namespace {
 
-thread_local unsigned all_digits = 0;
-thread_local unsigned lost_digits = 0;
-thread_local unsigned hidden_digits = 0;
+/// What the computations that run in this thread asked for, and what arithmetic told them.
+struct DigitsOfThread {
+  unsigned asked = 0;
+  unsigned lost = 0;
+  unsigned hidden = 0;
+};
+
+DigitsOfThread& digits_of_thread() {
+  thread_local DigitsOfThread digits;
+  return digits;
+}
 
 /// Real agrees to 50 digits of 64 with a bound that knows the slope of a sine, and the oracle
 /// promises 60 of 95: so many may go.
@@ -18,26 +26,32 @@ constexpr unsigned spare_digits = 10;
 }  // namespace
 
 MoreDigits::MoreDigits(unsigned digits) : digits_(digits) {
-  all_digits += digits;
-  lost_digits = 0;
+  digits_of_thread().asked += digits;
+  digits_of_thread().lost = 0;
 }
 
-MoreDigits::~MoreDigits() { all_digits -= digits_; }
+MoreDigits::~MoreDigits() { digits_of_thread().asked -= digits_; }
 
 bool MoreDigits::grow() {
-  const unsigned lost = std::exchange(lost_digits, 0);
+  const unsigned lost = std::exchange(digits_of_thread().lost, 0U);
   if (lost <= digits_ + spare_digits) return false;
-  all_digits += lost - digits_;
+  digits_of_thread().asked += lost - digits_;
   digits_ = lost;
   return true;
 }
 
-unsigned MoreDigits::count() { return all_digits; }
+unsigned MoreDigits::count() { return digits_of_thread().asked; }
 
-void MoreDigits::lose(unsigned digits) { lost_digits = std::max(lost_digits, digits); }
+void MoreDigits::lose(unsigned digits) {
+  unsigned& lost = digits_of_thread().lost;
+  lost = std::max(lost, digits);
+}
 
-void MoreDigits::hide(unsigned digits) { hidden_digits = std::max(hidden_digits, digits); }
+void MoreDigits::hide(unsigned digits) {
+  unsigned& hidden = digits_of_thread().hidden;
+  hidden = std::max(hidden, digits);
+}
 
-unsigned MoreDigits::hidden() { return std::exchange(hidden_digits, 0U); }
+unsigned MoreDigits::hidden() { return std::exchange(digits_of_thread().hidden, 0U); }
 
 }  // namespace elgen

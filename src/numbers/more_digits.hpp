@@ -1,6 +1,10 @@
 // More digits: while a computation runs, exact arithmetic has so many decimal digits more than by
 // itself: Real and the oracle alike. Where two exact values differ because their digits cancelled,
 // they do not with more of them; what differs still is different.
+//
+// The count belongs to the thread and is no argument: numbers become floats deep below templates
+// over all scalars (ScalarTraits<Scalar>::from_real, the functions of functions.def), and Real is
+// the only scalar that has digits to choose. Every template between would have to pass them on.
 #pragma once
 
 namespace elgen {
