@@ -27,7 +27,7 @@ struct ForeignOptions {
   std::uint64_t seconds = 60;  ///< by the clock, for one function
 };
 
-/// A row for each claim: values are compared with 64 digits at states in the declared ranges, at
+/// A row for each claim: values are compared with 60 digits at states in the declared ranges, at
 /// rest, with inputs alone, moving, both, and with other parameters; with constraints at states
 /// that are moved onto them, and states that no step of Newton puts there are counted as skipped.
 /// The count of numbers says which fields an answer has: the first, all without pivots and

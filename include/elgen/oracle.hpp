@@ -1,4 +1,5 @@
-// Oracle: 60-digit values of every output, straight from the energies of the Model.
+// Oracle: 60-digit values of every output, straight from the energies of the Model. Texts name this
+// precision alone: the oracle works in more digits (oracle/real_functions.hpp) and Real has 64.
 //
 // THIS CODE IS SLOW ON PURPOSE. Nested dual numbers on the Model's own expressions, nothing shared
 // with the derivation, so that the two can be compared. Equations as defined (v = dq/dt):

@@ -9,8 +9,8 @@ namespace elgen {
 
 using Vector = std::vector<cln::cl_R>;
 
-/// 1e-80: what is smaller beside other entries is a zero that the oracle's 95 digits rounded; no
-/// two inertias of one model differ so much.
+/// 1e-80: what is smaller beside other entries is a zero that the oracle's working digits rounded;
+/// no two inertias of one model differ so much.
 [[nodiscard]] const cln::cl_R& rounding_share();
 
 /// The largest magnitude in each row of a matrix of n columns, row-major; 0 where that is rounding

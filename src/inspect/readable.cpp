@@ -16,7 +16,7 @@ constexpr int largest_denominator = 999;  // what a reader still sees as a numbe
 }  // namespace
 
 std::string readable(const cl_R& x) {
-  // The rounding that is left of 64 digits when terms of size 1 cancel.
+  // The rounding that is left of 60 digits when terms of size 1 cancel.
   if (cln::abs(x) < power_of_ten(-40)) return "0";
   // Four digits more than are printed, and far nearer than the 1e-6 at which fractions of such
   // denominators meet any number.

@@ -5,7 +5,8 @@
 //
 //     specialise -> steps    the derivation as a student writes it
 //     specialise -> choose   what `step` calls, derived in its own name
-//     specialise -> equilibria -> modes   states of rest and motions about them; these and the other
+//     specialise -> equilibria -> modes   states of rest and motions about them; these and the
+//     other
 //                                         analyses (analyses.def) derive outputs of their own
 #include "elgen/pipeline.hpp"
 

@@ -106,7 +106,7 @@ CertificateRow row_of(const std::string& equilibrium, const char* subject, const
   const bool is_proved = status == ClaimStatus::proved;
   row.evidence = is_proved ? Evidence::proof : Evidence::states;
   row.worst = is_proved ? "proved: the difference is the empty canonical sum" : "";
-  row.tolerance = "1e-30 in 64 digits at random parameters: sampled, no proof";
+  row.tolerance = "1e-30 in 60 digits at random parameters: sampled, no proof";
   if (is_proved) row.tolerance = "proved";
   row.verdict = status == ClaimStatus::wrong  ? Verdict::fails
                 : status == ClaimStatus::open ? Verdict::skipped

@@ -76,7 +76,7 @@ void check(OutputKind kind, std::size_t first, const Contraction& by) {
   CAPTURE(static_cast<int>(kind), by.field);
   REQUIRE(values);
   REQUIRE(number);
-  // A few operations on 95 digits.
+  // A few operations on the oracle's working digits.
   CHECK(agree(*number, contracted(*values, first, by), 85, 1));
 }
 

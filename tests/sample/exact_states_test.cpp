@@ -84,7 +84,7 @@ equation = "x^2 + y^2 = l"
   drawn.v = {1, 2};
   const auto kept = on_constraints(rod.model, drawn);
   REQUIRE(kept);
-  // What is left of the 64 digits of the oracle.
+  // The oracle promises 60 digits.
   const cl_R rounding = exact("1e-60");
   const cl_R f = kept->q[0] * kept->q[0] + kept->q[1] * kept->q[1] - 1;
   CHECK(cln::abs(f) < rounding);

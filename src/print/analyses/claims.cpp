@@ -185,7 +185,7 @@ Formula claim_of(const Model& model, const Equilibria& equilibria) {
           std::max<std::uint64_t>(equilibria.starts, 1), equilibria.starts > 1 ? "s" : "",
           places.empty() ? "" : ": undecided near ", places, limit_text(equilibria)));
     case Completeness::undecided:
-      if (places.empty()) return prose("undecided: 64 digits do not tell bias - B u from 0");
+      if (places.empty()) return prose("undecided: 60 digits do not tell bias - B u from 0");
       break;
   }
   return prose("undecided near " + places + limit_text(equilibria));

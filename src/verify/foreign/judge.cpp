@@ -78,7 +78,7 @@ class ForeignJudge {
     row_.output = output_.name;
     const std::string claimed = claim.output + (claim.field.empty() ? "" : ".") + claim.field;
     row_.subject = claim.name + (claim.name == claimed ? "" : " as " + claimed);
-    row_.formula = "|f - f*| / max |f*| in 64 digits";
+    row_.formula = "|f - f*| / max |f*| in 60 digits";
     row_.tolerance = fmt::format("{:g} of the largest entry", options_.tolerance);
     if (is_moved_) row_.tolerance += ", at states on the constraints";
     if (states_.values.empty()) return unmet_row();
