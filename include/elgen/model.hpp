@@ -230,9 +230,6 @@ struct Force {
   Span span = {};
 };
 
-/// The values of an output that is in no file, for a page that moves (Purpose::shows_motion).
-enum class ShownValues : std::uint8_t { none, places, masses, laws, integrals };
-
 /// An [[output]]: its value, and with `jacobian` also d value/dq and the bias of its second rate. A
 /// frame gives the pose [R p], 3 x 4; its Jacobian is d twist/dv (twist: angular velocity; velocity
 /// of the origin), and its bias is d twist/dt at a = 0.
@@ -246,7 +243,6 @@ struct UserOutput {
   bool motion = false;    ///< accelerations and multipliers are those of the motion
   bool is_wanted = true;  ///< by the scene: the inputs it names do not leave with locks
   LeafSet takes = {};     ///< rates, accelerations and inputs that the values name
-  ShownValues shown = ShownValues::none;
   std::string doc = {};
   Span span = {};
 };

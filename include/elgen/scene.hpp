@@ -153,6 +153,9 @@ struct SourcePaths {
   std::string scene = {};  ///< "" where the scene is the built-in one
 };
 
+/// The values of an output that is in no file, for a page that moves (Purpose::shows_motion).
+enum class ShownValues : std::uint8_t { places, masses, laws, integrals };
+
 /// The state that `--state` gives. Values of q and v are the start of the model.
 struct StatedStart {
   std::set<std::string> coordinates = {};  ///< named, all four of a rotation
@@ -175,6 +178,8 @@ struct Scene {
   StatedStart stated = {};
   /// What `--input` says that inputs are, by their names: functions of q, v and t.
   std::map<std::string, ExpressionId> laws = {};
+  /// The outputs that a page adds to those of the file, by their numbers in Model::outputs.
+  std::map<std::uint32_t, ShownValues> shown = {};
   bool has_options = false;    ///< --outputs, --fix or --size changed it
   std::string canonical = {};  ///< its file and its options, for stamps; "" for full
   /// The texts that spans of the model and of the scene point into, beside their files.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "elgen/model.hpp"
+#include "elgen/scene.hpp"
 
 namespace elgen {
 
@@ -38,7 +39,7 @@ struct ShownLine {
 /// `joined_to` says so.
 [[nodiscard]] std::vector<ShownLine> shown_lines(const Model& model);
 
-/// "places"; empty for none.
+/// "places"
 [[nodiscard]] std::string_view name_of(ShownValues shown);
 
 /// The entries of `conserved` that are written over q, v and t alone, of an exact model.

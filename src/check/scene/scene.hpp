@@ -81,8 +81,9 @@ void give_momentum(Model& model, std::uint32_t parameter, const cln::cl_R& value
 /// if the scene or an option names one of its functions.
 void note_wanted(Model& model, const FileSyntax* scene, const SceneOptions& options);
 
-/// Adds the outputs of a page that moves to a model: those of ShownValues that have values.
-void add_shown_outputs(Model& model, const Scene& scene);
+/// Adds the outputs of a page that moves to a model: those of ShownValues that have values. Fills
+/// Scene::shown.
+void add_shown_outputs(Model& model, Scene& scene);
 
 /// The model without what Model::variant lists: functions of time stand for locked coordinates, 0
 /// for cyclic ones. The model given is kept as `whole`. Where nothing is held it is returned as it

@@ -16,7 +16,7 @@ namespace {
 
 /// Under a name that no other output has; none without values. Laws and integrals may name t in a
 /// model whose equations do not.
-void add_output(Model& model, ShownValues shown, std::vector<ExpressionId> values,
+void add_output(Model& model, Scene& scene, ShownValues shown, std::vector<ExpressionId> values,
                 LeafSet takes = {}) {
   if (values.empty()) return;
   UserOutput output;
@@ -26,7 +26,7 @@ void add_output(Model& model, ShownValues shown, std::vector<ExpressionId> value
   output.takes = takes;
   const auto names_time = [&](ExpressionId id) { return holds_leaf(model, id, Opcode::time); };
   if (std::ranges::any_of(output.values, names_time)) output.takes |= Opcode::time;
-  output.shown = shown;
+  scene.shown[static_cast<std::uint32_t>(model.outputs.size())] = shown;
   output.span = model.name_span;
   model.outputs.push_back(std::move(output));
 }
@@ -75,11 +75,11 @@ void note_wanted(Model& model, const FileSyntax* scene, const SceneOptions& opti
   }
 }
 
-void add_shown_outputs(Model& model, const Scene& scene) {
-  add_output(model, ShownValues::places, rows_of_places(model));
-  add_output(model, ShownValues::masses, masses_of_places(model));
-  add_output(model, ShownValues::laws, laws_of(model, scene), Opcode::velocity);
-  add_output(model, ShownValues::integrals, shown_integrals(model), Opcode::velocity);
+void add_shown_outputs(Model& model, Scene& scene) {
+  add_output(model, scene, ShownValues::places, rows_of_places(model));
+  add_output(model, scene, ShownValues::masses, masses_of_places(model));
+  add_output(model, scene, ShownValues::laws, laws_of(model, scene), Opcode::velocity);
+  add_output(model, scene, ShownValues::integrals, shown_integrals(model), Opcode::velocity);
 }
 
 }  // namespace elgen

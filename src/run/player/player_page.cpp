@@ -22,13 +22,16 @@ namespace elgen {
 namespace {
 
 /// "places", "mass_matrix": what the script knows the function by.
-std::string kind_of_call(const Model& model, const Function& function) {
+std::string kind_of_call(const Scene& scene, const Function& function) {
   const bool is_shown = function.kind == OutputKind::user_value;
-  return std::string(is_shown ? name_of(model.outputs[function.user].shown)
+  return std::string(is_shown ? name_of(scene.shown.at(function.user))
                               : output_row(function.kind).name);
 }
 
-TemplateData calls_data(const Model& model, const Program& program, LanguageId language) {
+TemplateData calls_data(const CheckedModel& checked, const Program& program) {
+  const Model& model = checked.model;
+  const Scene& scene = checked.scene;
+  const LanguageId language = scene.emission.language;
   return rows_data(program.functions, [&](const Function& function) {
     std::vector<std::string> arguments;
     for (const Opcode argument : arguments_of(model, function, program, language)) {
@@ -37,7 +40,7 @@ TemplateData calls_data(const Model& model, const Program& program, LanguageId l
     const std::string call =
         fmt::format("{}({})", spelt_name(language, function.name), fmt::join(arguments, ", "));
     const bool is_shown = function.kind == OutputKind::user_value;
-    return TemplateRow{{"kind", kind_of_call(model, function)},
+    return TemplateRow{{"kind", kind_of_call(scene, function)},
                        {"call", is_shown ? fmt::format("listed({})", call) : call}};
   });
 }
@@ -126,7 +129,7 @@ Result<std::string> player_page(const Products& moving, const Products& read,
       {"label", attribute_text("The motion of " + title)},
       {"no_places", shown_places(model).empty() ? " hidden" : ""},
       {"functions", *functions},
-      {"calls", calls_data(model, program, scene.emission.language)},
+      {"calls", calls_data(*assembled, program)},
       {"model", player_model(*assembled, program, read, options)},
       {"equations", texts.equations},
       {"derivation",

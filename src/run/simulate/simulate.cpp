@@ -277,14 +277,19 @@ Diagnostics laws_beyond_limits(System& system, double t) {
 }
 
 /// The functions that pages and runs call.
-std::string outputs_of_page(const Model& model) {
+std::string common_outputs(const Model& model) {
   std::string names =
       "mass_matrix,dissipation,applied_force,momentum,energy_function,forward_dynamics";
   if (!model.inputs.empty()) names += ",input_matrix";
   if (!model.rotations.empty()) names += ",coordinate_rates,normalized";
   if (!model.constraints.empty()) names += ",constraint_residual,constraint_jacobian,projected";
-  for (const UserOutput& output : model.outputs) {
-    if (output.shown != ShownValues::none) names += "," + output.name;
+  return names;
+}
+
+std::string outputs_of_page(const CheckedModel& checked) {
+  std::string names = common_outputs(checked.model);
+  for (const auto& [number, shown] : checked.scene.shown) {
+    names += "," + checked.model.outputs[number].name;
   }
   return names;
 }
@@ -292,7 +297,7 @@ std::string outputs_of_page(const Model& model) {
 }  // namespace
 
 std::string outputs_of_run(const Model& model) {
-  std::string names = outputs_of_page(model) + ",position_gradient";
+  std::string names = common_outputs(model) + ",position_gradient";
   if (!has_whole_lagrangian(model)) names += ",kinetic_energy,total_energy";
   return names;
 }
@@ -305,8 +310,8 @@ Products derived_for_run(const Inputs& inputs, PipelineOptions options,
   Products checked = run_pipeline(inputs, first);
   if (!checked.checked) return checked;
   const bool is_page = options.scene.purpose.shows_motion;
-  const Model& model = checked.checked->model;
-  const std::string outputs = is_page ? outputs_of_page(model) : outputs_of_run(model);
+  const std::string outputs =
+      is_page ? outputs_of_page(*checked.checked) : outputs_of_run(checked.checked->model);
   options.scene.outputs = {make_source("outputs of a run", outputs)};
   options.scene.step = step;
   Products products = run_pipeline(inputs, options);
