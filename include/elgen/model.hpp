@@ -171,7 +171,7 @@ struct Point {
   std::optional<ExpressionId> mass = {};
   std::vector<JoinedPlace> joined_to = {};  ///< no equation depends on these two
   bool is_on_springs = false;               ///< what joins it is drawn as springs, not rods
-  bool is_shown = true;                     ///< false: nothing names it, a wrench acts there
+  bool is_named = true;                     ///< false: the origin of a frame on which a wrench acts
   std::string doc = {};
   Span span = {};
 };

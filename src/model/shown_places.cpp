@@ -97,7 +97,7 @@ std::vector<ShownPlace> shown_places(const Model& model) {
   std::vector<ShownPlace> places;
   if (!model.variant.cyclic.empty()) return places;  // they may be over what was taken out
   for (std::uint32_t i = 0; i < model.points.size(); ++i) {
-    if (!model.points[i].is_shown) continue;
+    if (!model.points[i].is_named) continue;
     places.push_back({PlaceKind::point, i, model.points[i].name, model.points[i].mass});
   }
   for (std::uint32_t i = 0; i < model.bodies.size(); ++i) {

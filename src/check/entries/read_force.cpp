@@ -98,7 +98,7 @@ std::uint32_t origin_of(Context& context, std::uint32_t frame, const Span& span)
   point.local = PlaceInFrame{frame, {no_expression, no_expression, no_expression}};
   NodeBuilder nodes(context, span);
   point.at = vector_of(nodes, frame, frame_origin);
-  point.is_shown = false;
+  point.is_named = false;
   point.span = span;
   context.model.points.push_back(std::move(point));
   return static_cast<std::uint32_t>(context.model.points.size() - 1);
