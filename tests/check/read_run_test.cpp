@@ -1,6 +1,8 @@
 // The data of a run: starts, laws of inputs and values of parameters, as options give them.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <set>
+#include <string>
 
 #include "check/scene/scene.hpp"
 #include "check_testing.hpp"
@@ -84,11 +86,10 @@ TEST_CASE("a start that is meant in degrees is noted") {
 }
 
 TEST_CASE("a start names coordinates, rates, rotations and angular velocities") {
-  const Model model =
-      checked_model(
-          flying_hull,
-          options("x = 1/2, dot(x)=-3, q[2]=pi, attitude=[0,0.6,0,0.8], dot(attitude[2])=5"))
-          .model;
+  const CheckedModel checked = checked_model(
+      flying_hull,
+      options("x = 1/2, dot(x)=-3, q[2]=pi, attitude=[0,0.6,0,0.8], dot(attitude[2])=5"));
+  const Model& model = checked.model;
   CHECK(model.coordinates[0].start_value == cln::cl_RA(1) / 2);
   CHECK(model.velocities[0].start_rate == -3);
   CHECK(model.coordinates[1].start_value == 0);
@@ -96,6 +97,10 @@ TEST_CASE("a start names coordinates, rates, rotations and angular velocities") 
   CHECK(model.coordinates[3].start_value == 0);
   CHECK(model.coordinates[6].start_value == cln::cl_RA(4) / 5);
   CHECK(model.velocities[4].start_rate == 5);
+  CHECK(checked.scene.stated.coordinates ==
+        std::set<std::string>{"x", "q[2]", "attitude_w", "attitude_x", "attitude_y", "attitude_z"});
+  CHECK(checked.scene.stated.velocities == std::set<std::string>{"x", "attitude[2]"});
+  CHECK(checked.scene.stated.others.empty());
 }
 
 TEST_CASE("what a start does not name stays as the model says") {

@@ -168,6 +168,32 @@ TEST_CASE("inputs and forces on it act only on what holds it", "[lock]") {
   CHECK(model.forces[0].on == 0U);
 }
 
+TEST_CASE("a law stays with its input as others leave", "[lock]") {
+  const SourcePointer source = make_source(
+      "a.scene.toml", "format = 1\nmodel = \"m.toml\"\nname = \"a\"\n[lock]\na = { value = 0 }\n");
+  const auto scene = parse_scene(source, {});
+  REQUIRE(scene);
+  SceneOptions options;
+  options.laws = {make_source("command line", "w=-2*c")};
+  const CheckedModel checked = checked_model(arm, &*scene, options);
+  REQUIRE(checked.model.inputs.size() == 1);
+  const ExpressionId* const law = find_law(checked.scene, checked.model.inputs.front());
+  REQUIRE(law != nullptr);
+  CHECK(to_string(checked.model, *law) == "-2*c");
+}
+
+TEST_CASE("a page adds outputs, which the scene lists") {
+  SceneOptions options;
+  options.laws = {make_source("command line", "w=-2*c")};
+  CHECK(checked_model(arm, options).scene.shown.empty());
+  options.purpose = purpose::show_motion;
+  const auto [model, scene] = checked_model(arm, options);
+  REQUIRE(scene.shown.size() == 1);
+  const auto& [number, shown] = *scene.shown.begin();
+  CHECK(shown == ShownValues::laws);
+  CHECK(model.outputs[number].name == "shown_laws");
+}
+
 TEST_CASE("without locks the model is returned as it is", "[lock]") {
   const Model model = checked_model(arm).model;
   CHECK(dump(variant_of(model)) == dump(model));

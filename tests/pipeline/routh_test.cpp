@@ -162,6 +162,12 @@ TEST_CASE("a momentum is that at the start, as it is written, or as an option sa
   CHECK(last_parameter(reduced_products({"kepler_polar", "phi = true\n"}, "m=1")).value ==
         cln::cl_RA(6) / 5);
   CHECK(last_parameter(reduced_products({"kepler_polar", "phi = true\n"}, "p_phi=2")).value == 2);
+  const auto known = [](const std::string& value) {
+    const Products products = reduced_products({"kepler_polar", "phi = true\n"}, value);
+    return products.checked->model.variant.cyclic.front().momentum;
+  };
+  CHECK(known("") == cln::cl_RA(3) / 5);
+  CHECK(known("p_phi=2") == 2);
 }
 
 TEST_CASE("a momentum may be fixed, and what is left locked or expanded") {

@@ -159,6 +159,7 @@ TEST_CASE("rates and accelerations are completed as constraints allow") {
     completed.a = system.exactly(kind, "accelerations", state);
     check_equal(completed.v, system.truth(kind, "rates", state));
     check_equal(completed.a, system.truth(kind, "accelerations", state));
+    REQUIRE_FALSE(system.function(kind).independent.empty());
     for (const std::uint32_t i : system.function(kind).independent) {
       check_equal({completed.v[i], completed.a[i]}, {state.v[i], state.a[i]});
     }
