@@ -1,6 +1,8 @@
 // Report: collects the diagnostics of one run, each once.
 #include "base/report.hpp"
 
+#include <algorithm>
+
 #include "base/ascii.hpp"
 
 namespace elgen {
@@ -23,6 +25,10 @@ void Report::add(Diagnostic diagnostic) {
   }
   errors_ += code_row(diagnostic.code).severity == Severity::error ? 1 : 0;
   diagnostics_.push_back(std::move(diagnostic));
+}
+
+bool Report::has(Code code) const {
+  return std::ranges::count(diagnostics_, code, &Diagnostic::code) > 0;
 }
 
 void Report::add(Code code, const Span& span, std::string message, std::string hint) {

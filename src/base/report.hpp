@@ -18,6 +18,7 @@ class Report {
   void add(Code code, const Span& span, std::string message, std::string hint = {});
 
   [[nodiscard]] std::size_t errors() const { return errors_; }
+  [[nodiscard]] bool has(Code code) const;
   /// Suggestions cost a search each; nobody reads the hundredth.
   [[nodiscard]] bool wants_suggestion() const { return errors_ < 100; }
   /// Everything so far, in order of position.

@@ -56,31 +56,6 @@ void note_dimension(Model& model, const EntrySyntax& entry, std::uint32_t point)
   if (at != nullptr && at->value.items.size() == 2) model.points[point].dimension = 2;
 }
 
-/// E906, E907; false where the limit is reached.
-bool within_limits(Context& context, SymbolKind kind, const Span& span) {
-  const bool is_coordinate = kind == SymbolKind::coordinate;
-  std::uint64_t& count = is_coordinate ? context.coordinate_count : context.definition_count;
-  const std::uint64_t limit =
-      is_coordinate ? context.limits.coordinates : context.limits.definitions;
-  if (++count <= limit) return true;
-  if (!std::exchange(context.beyond_limits, true)) {
-    context.report.add(is_coordinate ? Code::E906 : Code::E907, span,
-                       "more than " + std::to_string(limit) +
-                           (is_coordinate ? " coordinates" : " entries after repetition"));
-  }
-  return false;
-}
-
-void declare_definition(Context& context, const KeySyntax& key) {
-  if (!within_limits(context, SymbolKind::definition, key.key_span)) return;
-  std::vector<NamedExpression>& definitions = context.model.definitions;
-  const auto target = static_cast<std::uint32_t>(definitions.size());
-  const NewName name{key.key, {}, key.key_span};
-  if (context.symbols.declare(name, SymbolKind::definition, target, context.report)) {
-    definitions.push_back(row_of<NamedExpression>({}, name));
-  }
-}
-
 class Expander {
  public:
   explicit Expander(Context& context) : context_(context) {}
@@ -104,16 +79,40 @@ class Expander {
     }
   }
 
+  void declare_definition(const KeySyntax& key) {
+    if (!within_limits(SymbolKind::definition, key.key_span)) return;
+    std::vector<NamedExpression>& definitions = context_.model.definitions;
+    const auto target = static_cast<std::uint32_t>(definitions.size());
+    const NewName name{key.key, {}, key.key_span};
+    if (context_.symbols.declare(name, SymbolKind::definition, target, context_.report)) {
+      definitions.push_back(row_of<NamedExpression>({}, name));
+    }
+  }
+
   std::vector<Instance> take() { return std::move(instances_); }
 
  private:
+  /// E906, E907; false where the limit is reached.
+  bool within_limits(SymbolKind kind, const Span& span) {
+    const bool is_coordinate = kind == SymbolKind::coordinate;
+    const std::uint64_t limit =
+        is_coordinate ? context_.limits.coordinates : context_.limits.definitions;
+    if (++(is_coordinate ? coordinates_ : definitions_) <= limit) return true;
+    if (!std::exchange(context_.beyond_limits, true)) {
+      context_.report.add(is_coordinate ? Code::E906 : Code::E907, span,
+                          "more than " + std::to_string(limit) +
+                              (is_coordinate ? " coordinates" : " entries after repetition"));
+    }
+    return false;
+  }
+
   /// False where nothing more should be added.
   bool add_instance(const EntrySyntax& entry, const EntryKind& kind, const Scope& scope) {
     NewName name;
     name.span = entry.span;
     const KeySyntax* key = entry.find("name");
     if (key != nullptr && !read_new_name(key->value, scope, name)) return false;
-    if (!within_limits(context_, kind.kind, name.span)) return false;
+    if (!within_limits(kind.kind, name.span)) return false;
     if (is_rotation(entry)) {
       return add_declared(entry, scope, declare_rotation(context_, entry, name));
     }
@@ -149,6 +148,8 @@ class Expander {
 
   Context& context_;
   std::vector<Instance> instances_;
+  std::uint64_t coordinates_ = 0;
+  std::uint64_t definitions_ = 0;  ///< also points, bodies and the like
 };
 
 /// A running index that is also a name of the model would hide it.
@@ -174,7 +175,7 @@ std::vector<Instance> expand_entries(Context& context, const FileSyntax& syntax)
       if (entry.name == "parameters") {
         declare_parameter(context, key);
       } else if (entry.name == "define") {
-        declare_definition(context, key);
+        expander.declare_definition(key);
       }
     }
     expander.expand(entry);

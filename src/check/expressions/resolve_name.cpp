@@ -118,7 +118,7 @@ bool Resolver::is_energy(const ExpressionSyntax& name) const {
 
 void Resolver::note_own_energy(const ExpressionSyntax& name, const DeclaredName& symbol) {
   const bool hides = (allowed_ & uses_energy) != 0 && name.text == energy_symbol();
-  if (!hides || std::exchange(context_.told_of_own_energy, true)) return;
+  if (!hides || context_.report.has(Code::E213)) return;
   Diagnostic note{Code::E213, name.span,
                   "`E` is the " + std::string(noun(symbol.kind)) + " of the model here",
                   "`energy_function` is v dL/dv - L in every model"};

@@ -125,11 +125,8 @@ struct Context {
   Constants constants = {};
   /// Expression nodes (and steps to resolve one expression) before E908.
   std::uint64_t node_limit = limits.derived_nodes;
-  std::uint64_t coordinate_count = 0;
-  std::uint64_t definition_count = 0;  ///< definitions, points, bodies and the like
-  bool beyond_limits = false;       ///< E906, E907 or E908 was reported; nothing more is resolved
-  bool has_units = true;            ///< the model declares a unit other than 1
-  bool told_of_own_energy = false;  ///< that `E` of the model wins in `conserved`
+  bool beyond_limits = false;  ///< E906, E907 or E908 was reported; nothing more is resolved
+  bool has_units = true;       ///< the model declares a unit other than 1
   /// The number of components of most vectors of the model, or of the first one.
   std::uint32_t dimension = 0;
   bool is_planar = false;     ///< most vectors have two components, known before any is read
