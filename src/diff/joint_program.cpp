@@ -115,12 +115,14 @@ namespace {
 
 using Labels = std::vector<std::string>;
 
-/// The labels of rows or columns with the names of the newer version.
+/// The labels of rows or columns with the names of the newer version; numbers in an [[output]],
+/// which may have another name.
 Labels labels_of(const Model& model, const Renames& renames, Extent extent,
                  std::uint32_t user = 0) {
   Labels labels;
   for (const Line& line : lines_along(model, extent, user)) {
-    labels.push_back(renamed(line.text(), renames));
+    labels.push_back(line.is_numbered ? std::to_string(line.number + 1)
+                                      : renamed(line.text(), renames));
   }
   return labels;
 }

@@ -1,9 +1,14 @@
 // Requests: which outputs a model has, and their shapes.
 #include "model/requests.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <map>
 #include <ranges>
+#include <span>
+#include <string_view>
 
 #include "elgen/inertial_parameters.hpp"
 #include "model/lacks.hpp"
@@ -53,18 +58,27 @@ Line line_of_rate(const Constraint& constraint, std::uint32_t number) {
           Opcode::multiplier, number};
 }
 
-/// Three rows of a pose.
-std::size_t rows_of_value(const UserOutput& output) {
-  return output.frame ? 3 : output.values.size();
+using Words = std::span<const std::string_view>;
+
+// Of a frame: the axes of the world by those of the frame and its origin, and the angular velocity
+// before the velocity of the origin.
+constexpr std::array<std::string_view, 3> rows_of_pose{"x", "y", "z"};
+constexpr std::array<std::string_view, 4> columns_of_pose{"x", "y", "z", "p"};
+constexpr std::array<std::string_view, 6> rows_of_twist{"wx", "wy", "wz", "vx", "vy", "vz"};
+constexpr std::array<std::string_view, 1> no_name{""};
+
+Line line_of_word(std::string_view word, std::uint32_t number) {
+  return {.name = std::string(word), .number = number, .is_numbered = true};
 }
 
-/// Six rows of a twist.
-std::size_t rows_of_rate(const UserOutput& output) {
-  return output.frame ? 6 : output.values.size();
-}
-
-Line line_of_number(std::uint32_t, std::uint32_t number) {
-  return {.name = std::to_string(number + 1), .number = number, .is_numbered = true};
+/// The values of an [[output]]; of a frame these words.
+template <class Take>
+void take_values(const UserOutput& output, Words of_frame, const Take& take) {
+  if (output.frame) return take(of_frame, line_of_word);
+  take(output.values, [&output](ExpressionId, std::uint32_t number) {
+    if (output.values.size() == 1) return line_of_word("", number);
+    return line_of_word(fmt::format("{}[{}]", output.name, number + 1), number);
+  });
 }
 
 auto numbers_to(std::size_t count) {
@@ -118,11 +132,12 @@ void take_lists(const Model& model, const Along& along, const Take& take) {
     case Extent::inertial:
       return take(inertial_places(model), of_parameter);
     case Extent::user:
-      return take(numbers_to(rows_of_value(model.outputs[along.user])), line_of_number);
+      return take_values(model.outputs[along.user], rows_of_pose, take);
     case Extent::user_columns:
-      return take(numbers_to(model.outputs[along.user].frame ? 4 : 1), line_of_number);
+      return take(model.outputs[along.user].frame ? Words(columns_of_pose) : Words(no_name),
+                  line_of_word);
     case Extent::task:
-      return take(numbers_to(rows_of_rate(model.outputs[along.user])), line_of_number);
+      return take_values(model.outputs[along.user], rows_of_twist, take);
   }
 }
 

@@ -32,12 +32,14 @@ namespace elgen {
 
 /// A row or column of a field, by what it stands for.
 struct Line {
-  std::string name = {};  ///< of a coordinate, an input, a constraint …; empty if it is a number
+  /// That of the coordinate, input, constraint …; of an [[output]] of several values "tip[2]", of a
+  /// pose "x", "y", "z" by "x", "y", "z", "p", of a twist "wx" to "vz"; empty of a number.
+  std::string name = {};
   std::optional<Unit> unit = {};
   std::optional<Opcode> leaf = {};  ///< the kind of the leaf that it stands for, if any
   std::uint32_t number = 0;         ///< of the leaf, or of the entry in its list
   bool is_rate = false;             ///< of a state: the rate
-  bool is_numbered = false;         ///< its name is a number, or ends with it
+  bool is_numbered = false;         ///< of an [[output]]: the number says all that the name does
 
   /// "theta", "dot(theta)"
   [[nodiscard]] std::string text() const { return is_rate ? "dot(" + name + ")" : name; }

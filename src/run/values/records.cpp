@@ -15,10 +15,8 @@ namespace elgen {
 namespace {
 
 std::vector<std::string> labels_of(const Model& model, Extent extent, std::uint32_t user) {
-  const std::vector<Line> lines = lines_along(model, extent, user);
-  if (lines.size() == 1 && lines.front().is_numbered) return {""};
   std::vector<std::string> labels;
-  for (const Line& line : lines) labels.push_back(line.text());
+  for (const Line& line : lines_along(model, extent, user)) labels.push_back(line.text());
   return labels;
 }
 

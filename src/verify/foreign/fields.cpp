@@ -62,9 +62,11 @@ std::string name_of_entry(const Model& model, const OutputRequest& output,
   };
   std::string name = output.name + (row.name.empty() ? "" : ".") + std::string(row.name);
   if (field.size() == 1) return name;
-  name += "[" + label(row.rows, entry / field.columns);
-  if (field.columns > 1) name += ", " + label(row.columns, entry % field.columns);
-  return name + "]";
+  std::vector<std::string> labels{label(row.rows, entry / field.columns)};
+  if (field.columns > 1) labels.push_back(label(row.columns, entry % field.columns));
+  if (labels.front().starts_with(name + "[") && labels.size() == 1) return labels.front();
+  if (labels.front().empty()) labels.erase(labels.begin());
+  return fmt::format("{}[{}]", name, fmt::join(labels, ", "));
 }
 
 Result<ForeignFields> claimed_fields(const CheckedModel& checked, const ForeignClaim& claim) {

@@ -78,6 +78,56 @@ TEST_CASE("rows and columns of every output of every model and scene have labels
   }
 }
 
+TEST_CASE("rows of an [[output]] are named by it, of a frame by axes") {
+  const std::string arm = model_text("arm", R"toml([[coordinate]]
+name = "x"
+unit = "m"
+[parameters]
+m = { value = 1, unit = "kg" }
+[[frame]]
+name = "hand"
+parent = "world"
+translate = ["x", 0, 0]
+[[body]]
+name = "block"
+frame = "hand"
+mass = "m"
+[[output]]
+name = "both"
+value = ["x", "2*x"]
+jacobian = true
+[[output]]
+name = "alone"
+value = "3*x"
+jacobian = true
+[[output]]
+name = "pose"
+frame = "hand"
+jacobian = true
+)toml");
+  const Model model = checked_model(arm).model;
+  const auto rows_of = [&model](OutputKind kind, std::uint32_t user) {
+    std::vector<std::string> names;
+    for (const Line& line : lines_along(model, output_row(kind).fields.front().rows, user)) {
+      names.push_back(line.text());
+    }
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  CHECK(rows_of(OutputKind::user_value, 0) == Names{"both[1]", "both[2]"});
+  CHECK(rows_of(OutputKind::user_jacobian, 0) == Names{"both[1]", "both[2]"});
+  CHECK(rows_of(OutputKind::user_value, 1) == Names{""});
+  CHECK(rows_of(OutputKind::user_jacobian, 1) == Names{""});
+  CHECK(rows_of(OutputKind::user_value, 2) == Names{"x", "y", "z"});
+  CHECK(rows_of(OutputKind::user_bias, 2) == Names{"wx", "wy", "wz", "vx", "vy", "vz"});
+  CHECK(text_at_start(arm, "both,alone") ==
+        "arm at x = 0.0\nboth\n  both[1]  0.0\n  both[2]  0.0\nalone = 0.0\n");
+  CHECK(mentions(text_at_start(arm, "pose"),
+                 "pose\n"
+                 "       x    y    z    p\n"
+                 "  x  1.0  0.0  0.0  0.0\n"));
+}
+
 TEST_CASE("derivatives of outputs along the motion have none by accelerations") {
   const std::string sensor = R"toml(format = 1
 [model]
