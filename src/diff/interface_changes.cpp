@@ -260,29 +260,35 @@ void compare_shapes(Changes& changes, const Program& before, const Program& afte
   }
 }
 
-/// The names of the rows of `reaction` and `cyclic_rates`, which no list of the interface names.
-std::vector<std::string> rows_of_its_own(const Model& model, const Function& function,
-                                         const Renames& renames) {
-  const Extent extent = field_row(function.kind, "").rows;
-  if (extent != Extent::held && extent != Extent::cyclic) return {};
-  std::vector<std::string> names;
-  for (const Line& line : lines_along(model, extent)) {
-    names.push_back(renamed(line.name, renames));
+/// Compares the rows or columns of a field that no list of the interface names: those of `reaction`
+/// are held coordinates.
+struct UnlistedLines {
+  const Version& before;
+  const Version& after;
+  const Renames& renames;
+
+  void compare(Changes& changes, const std::string& lines, Extent extent) const {
+    std::vector<std::string> olds = unlisted_names(before.checked.model, extent);
+    for (std::string& name : olds) name = renamed(name, renames);
+    const std::vector<std::string> news = unlisted_names(after.checked.model, extent);
+    if (olds == news) return;
+    changes.add_silent(fmt::format("the {} are {} where they were {}", lines, fmt::join(news, ", "),
+                                   fmt::join(olds, ", ")));
   }
-  return names;
-}
+};
 
 void compare_rows(Changes& changes, const Version& before, const Version& after,
                   const Renames& renames) {
+  const UnlistedLines lines{before, after, renames};
   for (const Function& now : after.program.functions) {
     const auto old = std::ranges::find(before.program.functions, now.name, &Function::name);
     if (old == before.program.functions.end() || old->kind != now.kind) continue;
-    const std::vector<std::string> olds = rows_of_its_own(before.checked.model, *old, renames);
-    const std::vector<std::string> news = rows_of_its_own(after.checked.model, now, {});
-    if (olds == news) continue;
-    changes.add_silent(fmt::format("the rows of {} are {} where they were {}",
-                                   in_backticks(now.name), fmt::join(news, ", "),
-                                   fmt::join(olds, ", ")));
+    for (const FieldRow& row : output_row(now.kind).fields) {
+      const std::string part = row.name.empty() ? "" : "." + std::string(row.name);
+      const std::string of = " of " + in_backticks(now.name + part);
+      lines.compare(changes, "rows" + of, row.rows);
+      lines.compare(changes, "columns" + of, row.columns);
+    }
   }
 }
 

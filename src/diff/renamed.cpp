@@ -2,6 +2,7 @@
 #include "diff/renamed.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 namespace elgen {
 namespace {
@@ -50,6 +51,12 @@ std::string renamed(const std::string& name, const Renames& renames) {
     const std::string argument = name.substr(inner, name.size() - 1 - inner);
     return name.substr(0, inner) + renamed(argument, renames) + ")";
   }
+  const std::string_view armature = "armature.";
+  if (name.starts_with(armature)) {  // an inertial parameter, as is hand.m
+    return std::string(armature) + renamed(name.substr(armature.size()), renames);
+  }
+  const std::size_t dot = std::min(name.find('.'), name.size());
+  if (dot < name.size()) return renamed(name.substr(0, dot), renames) + name.substr(dot);
   const std::size_t stem = std::min(name.find('['), name.size());
   const auto found = renames.find(name.substr(0, stem));
   return found == renames.end() ? name : found->second + name.substr(stem);

@@ -5,7 +5,8 @@
 
 namespace elgen {
 
-/// The name in the newer version; an element has the name of its array: "l[2]".
+/// The name in the newer version; an element has the name of its array: "l[2]", an inertial
+/// parameter that of its owner: "hand.m".
 [[nodiscard]] std::string renamed(const std::string& name, const Renames& renames);
 
 /// In expressions, in keys that declare or refer, and in the keys of tables whose keys are names.

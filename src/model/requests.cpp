@@ -188,6 +188,15 @@ std::optional<Line> line_at(const Model& model, Extent extent, std::size_t at, s
   return line;
 }
 
+std::vector<std::string> unlisted_names(const Model& model, Extent extent) {
+  std::vector<std::string> names;
+  for (const Line& line : lines_along(model, extent)) {
+    const bool is_unlisted = !line.leaf && !line.is_numbered && !line.name.empty();
+    if (is_unlisted) names.push_back(line.name);
+  }
+  return names;
+}
+
 std::uint32_t first_entry_of(const Model& model, const OutputRequest& output, std::size_t field) {
   const auto& fields = output_row(output.kind).fields;
   std::uint32_t first = 0;

@@ -53,6 +53,11 @@ struct Line {
 [[nodiscard]] std::optional<Line> line_at(const Model& model, Extent extent, std::size_t at,
                                           std::uint32_t user = 0);
 
+/// The names of rows or columns that stand for no leaf of the model, so that no list of leaves
+/// names them: coordinates that are held or cyclic, inertial parameters. Values of an [[output]]
+/// are not among them.
+[[nodiscard]] std::vector<std::string> unlisted_names(const Model& model, Extent extent);
+
 /// How many they are: cheap, since no name is built.
 [[nodiscard]] std::uint32_t extent_of(const Model& model, Extent extent, std::uint32_t user = 0);
 

@@ -229,3 +229,30 @@ V = "x + y"
   CHECK(seen_by_callers(space, space, of_x, of_both) ==
         "breaks: the rows of `reaction` are x, y where they were x; " + silent);
 }
+
+TEST_CASE("columns of the regressor are told when they move, and rows of its parameters") {
+  const auto point = [](const std::string& name, const std::string& at) {
+    return "[[point]]\nname = \"" + name + "\"\nat = [\"" + at + "\", 0]\nmass = \"m\"\n";
+  };
+  const std::string start = model_text("pair", R"toml([[coordinate]]
+name = "x"
+unit = "m"
+[[coordinate]]
+name = "y"
+unit = "m"
+[parameters]
+m = { value = 1, unit = "kg" }
+)toml");
+  const std::string old = start + point("a", "x") + point("b", "y");
+  const std::string now = start + point("b", "y") + point("a", "x");
+  const std::string scene = "[outputs]\nregressor = true\nregressor_parameters = true\n";
+  CHECK(seen_by_callers(old, old, scene, scene).empty());
+  CHECK(seen_by_callers(old, now, scene, scene) ==
+        "breaks: the columns of `regressor.matrix` are b.m, a.m where they were a.m, b.m; " +
+            silent +
+            "breaks: the rows of `regressor_parameters` are b.m, a.m where they were a.m, b.m; " +
+            silent);
+  const std::string other = start + point("c", "x") + point("b", "y");
+  CHECK(seen_by_callers(old, other, scene, scene, {{"a", "c"}}) ==
+        "values: `a` is called `c` now\n");
+}

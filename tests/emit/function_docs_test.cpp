@@ -55,6 +55,16 @@ TEST_CASE("a user's output is documented by the user") {
   CHECK(docs(subject, 2).front() == " Output `tip`: position of the tip. Scalar.");
 }
 
+TEST_CASE("rows that stand for no argument are named") {
+  Subject subject = cart_pole();
+  Point bob;
+  bob.name = "bob";
+  bob.mass = 0;
+  subject.model.points.push_back(bob);
+  subject.program.functions[2].kind = OutputKind::regressor_parameters;
+  CHECK(docs(subject, 2).front().ends_with(" Scalar [kg], of bob.m."));
+}
+
 TEST_CASE("what needs an order says so") {
   Subject subject = cart_pole();
   subject.program = elgen::testing::read_program(

@@ -51,6 +51,18 @@ TEST_CASE("outputs") {
   CHECK(outputs["dynamics"].contains("operations"));
 }
 
+TEST_CASE("rows are named if no list of the model names them") {
+  Subject subject = cart_pole();
+  Point bob;
+  bob.name = "bob";
+  bob.mass = 0;
+  subject.model.points.push_back(bob);
+  subject.program.functions[2].kind = OutputKind::regressor_parameters;
+  const Json outputs = Json::parse(text_of(subject))["outputs"];
+  CHECK(outputs[subject.program.functions[2].name]["rows"] == Json{"bob.m"});
+  CHECK_FALSE(outputs["mass_matrix"].contains("rows"));
+}
+
 TEST_CASE("definitions are listed in order, before the entries that use them") {
   const Subject subject = cart_pole();
   EmissionInput input =

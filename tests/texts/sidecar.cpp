@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "elgen/wording.hpp"
@@ -259,8 +261,22 @@ class SidecarReader {
     }
   }
 
+  /// Names of rows or columns, of which no two are alike; only lines that no other list names have
+  /// them.
+  void line_names(Json& json, const std::string& key, std::size_t count) {
+    if (!json.contains(key)) return;
+    const Json names = take(json, key);
+    expect_size(names, count);
+    std::set<std::string> known;
+    for (const Json& name : names) {
+      if (!known.insert(text_of(name)).second) fail(name.dump() + " stands twice in " + key);
+    }
+  }
+
   void field(Json& json, const Field& field, bool has_entries) {
     expect(take(json, "shape"), Json{field.rows, field.columns});
+    line_names(json, "rows", field.rows);
+    line_names(json, "columns", field.columns);
     if (!has_entries) return;
     const Json entries = take(json, "entries");
     expect_size(entries, field.entries.size());

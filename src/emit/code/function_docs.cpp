@@ -13,6 +13,7 @@
 #include "emit/interface/code_interface.hpp"
 #include "emit/text/layout.hpp"
 #include "model/output_units.hpp"
+#include "model/requests.hpp"
 #include "numbers/exact_number.hpp"
 #include "print/sections.hpp"
 
@@ -119,6 +120,13 @@ Lines listing(const FunctionText& text) {
   return lines;
 }
 
+/// "q1, q2": names of rows that no list of the model has, unless they are too long to help.
+std::string rows_text(const Model& model, OutputKind kind, const Field& field) {
+  const Extent rows = field_row(kind, field.name).rows;
+  const std::string list = fmt::format("{}", fmt::join(unlisted_names(model, rows), ", "));
+  return list.size() <= longest_units ? list : "";
+}
+
 std::string too_long_note(const FunctionText& text) {
   return fmt::format("{} definitions and {} entries: see {}.", text.equations.definitions.size(),
                      entry_count(text.function), text.sidecar);
@@ -186,7 +194,9 @@ std::string units_text(const Model& model, OutputKind kind, const Field& field) 
 std::string field_summary(const FunctionText& text, const Field& field) {
   const OutputKind kind = kind_of_field(text.program, text.function, field);
   const std::string units = units_text(text.model, kind, field);
-  return shape_text(field, text.emission) + (units.empty() ? "" : " [" + units + "]");
+  const std::string rows = rows_text(text.model, kind, field);
+  return shape_text(field, text.emission) + (units.empty() ? "" : " [" + units + "]") +
+         (rows.empty() ? "" : ", of " + rows);
 }
 
 std::string function_heading(const FunctionText& text) {

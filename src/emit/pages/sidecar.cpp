@@ -7,6 +7,7 @@
 #include "emit/text/emission_input.hpp"
 #include "emit/text/layout.hpp"
 #include "model/output_units.hpp"
+#include "model/requests.hpp"
 #include "numbers/exact_number.hpp"
 
 namespace elgen {
@@ -171,10 +172,16 @@ Json arguments(const EmissionInput& input, const Function& function) {
                 [](Opcode argument) { return leaf_row(argument).symbol; });
 }
 
-/// The shape, with entries if the output has equations of its own.
-Json field(const OutputRow& row, const Field& field, const FunctionEquations& equations,
-           std::size_t at) {
+/// The shape, with the names of rows and columns that no list has, and with entries if the output
+/// has equations of its own.
+Json field(const Model& model, const OutputRow& row, const FunctionEquations& equations,
+           const Field& field, std::size_t at) {
   Json json{{"shape", {field.rows, field.columns}}};
+  const FieldRow& declared = field_row(row.kind, field.name);
+  const auto rows = unlisted_names(model, declared.rows);
+  const auto columns = unlisted_names(model, declared.columns);
+  if (!rows.empty()) json["rows"] = rows;
+  if (!columns.empty()) json["columns"] = columns;
   if (has_equations(row)) json["entries"] = texts_of(equations.entries[at]);
   return json;
 }
@@ -192,11 +199,11 @@ Json output(const EmissionInput& input, const Function& function,
   if (gives_struct(function)) {
     for (std::size_t i = 0; i < function.fields.size(); ++i) {
       const Field& each = function.fields[i];
-      json["fields"][each.name] = field(row, each, equations, i);
+      json["fields"][each.name] = field(input.model, row, equations, each, i);
       add_spellings(json["fields"][each.name], each.name);
     }
   } else {
-    json.update(field(row, function.fields.front(), equations, 0));
+    json.update(field(input.model, row, equations, function.fields.front(), 0));
   }
   json["operations"] = operations(function);
   return json;
