@@ -5,6 +5,7 @@
 
 #include "diff/joint_program.hpp"
 #include "diff/versions.hpp"
+#include "elgen/oracle.hpp"
 #include "program/evaluate/subject.hpp"
 #include "program/read_program.hpp"
 
@@ -32,6 +33,52 @@ std::vector<MatchedEntry> matched(const Lowered& old, const Lowered& now, Output
   return matched_entries(old.products.checked->model, *find_function(*old.products.lowered, kind),
                          now.products.checked->model, *find_function(*now.products.lowered, kind),
                          renames);
+}
+
+/// A model of entries that say in any order what it has.
+std::string plate(const std::vector<std::string>& constraints, bool is_reversed) {
+  const auto listed = [is_reversed](std::vector<std::string> entries) {
+    if (is_reversed) std::ranges::reverse(entries);
+    std::string text;
+    for (const std::string& entry : entries) text += entry;
+    return text;
+  };
+  const std::string coordinates =
+      listed({"[[coordinate]]\nname = \"x\"\nstart = { value = 0.3, rate = 0.2 }\n",
+              "[[coordinate]]\nname = \"y\"\nstart = { value = 0.7, rate = 0.5 }\n",
+              "[[coordinate]]\nname = \"z\"\nstart = { value = 1.1, rate = 0.9 }\n"});
+  const std::string inputs = listed({"[[input]]\nname = \"u\"\non = \"x\"\n",  //
+                                     "[[input]]\nname = \"w\"\non = \"y\"\n"});
+  const std::string points =
+      listed({"[[point]]\nname = \"a\"\nat = [\"x\", \"z\"]\nmass = 2\n",
+              "[[point]]\nname = \"b\"\nat = [\"y^2\", \"x*y\"]\nmass = 3\n"});
+  return model_text("plate", coordinates + inputs + points + listed(constraints) +
+                                 "[energy]\nV = \"x + 2*y*z\"\n[[output]]\nname = \"tip\"\n"
+                                 "value = [\"x*z\", \"y\"]\njacobian = true\n");
+}
+
+/// Every entry of the newer version has the value of the entry that it meets.
+void check_values_meet(const std::string& scene, const std::vector<std::string>& constraints) {
+  const Lowered old = lowered(plate(constraints, false), scene);
+  const Lowered now = lowered(plate(constraints, true), scene);
+  const auto values_of = [](const Lowered& version, const OutputRequest& output) {
+    const CheckedModel& checked = *version.products.checked;
+    return oracle_values(checked.model, output, start_state(checked.model, checked.scene)).value();
+  };
+  for (const OutputRequest& output : now.products.checked->scene.outputs) {
+    INFO(output.name);
+    const OutputRequest* const before = find_request(old.products.checked->scene, output.name);
+    REQUIRE(before != nullptr);
+    const auto olds = values_of(old, *before);
+    const auto news = values_of(now, output);
+    const std::vector<MatchedEntry> entries = matched(old, now, output.kind);
+    CHECK(entries.size() == news.size());
+    for (const MatchedEntry& entry : entries) {
+      INFO(entry.place);
+      REQUIRE((entry.before && entry.after));
+      CHECK(cln::abs(olds[*entry.before] - news[*entry.after]) < cln::expt(cln::cl_RA(10), -40));
+    }
+  }
 }
 
 const Program older = elgen::testing::read_program(
@@ -103,6 +150,19 @@ TEST_CASE("rows of A, residuals and multipliers follow their constraints") {
   REQUIRE(tension != entries.end());
   REQUIRE(tension->before);
   CHECK(*tension->before + 1 == *tension->after);
+}
+
+TEST_CASE("entries meet by what their lines stand for, whatever the order in the file") {
+  check_values_meet(
+      "[outputs]\nmass_matrix = true\ninput_matrix = true\nmomentum = true\nregressor = true\n"
+      "regressor_parameters = true\nconstraint_jacobian = true\nconstraint_residual = true\n"
+      "linearization = true\ntip = true\ntip_jacobian = true\ntip_bias = true\n",
+      {"[[constraint]]\nname = \"line\"\nequation = \"x + 2*y + z = 2.8\"\n",
+       "[[constraint]]\nname = \"bend\"\nequation = \"x*y + z = 1.31\"\n"});
+  check_values_meet(
+      "[outputs]\nreaction = true\nmass_matrix = true\n[lock]\n"
+      "x = { value = 0.3, reaction = true }\ny = { value = 0.7, reaction = true }\n",
+      {});
 }
 
 TEST_CASE("entries of an output that only one version has are on their own") {

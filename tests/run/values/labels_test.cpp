@@ -13,12 +13,31 @@ namespace elgen::test {
 
 namespace {
 
+/// Count, lines and single lines agree along an extent, and no two lines have one text.
+void check_lines(const Model& model, Extent extent, std::uint32_t user) {
+  const std::vector<Line> lines = lines_along(model, extent, user);
+  CHECK(lines.size() == extent_of(model, extent, user));
+  CHECK_FALSE(line_at(model, extent, lines.size(), user));
+  std::set<std::string> texts;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::optional<Line> line = line_at(model, extent, i, user);
+    REQUIRE(line);
+    CHECK(line->text() == lines[i].text());
+    CHECK(line->unit == lines[i].unit);
+    CHECK(texts.insert(lines[i].text()).second);
+  }
+}
+
 /// Every output of a model, labelled and evaluated: as many values as labels, no label twice.
 void check_labels(const CheckedModel& checked) {
   const ValueTable table = table_of(checked, 17);
   const State start = start_state(checked.model, checked.scene);
   for (const ValueFunction& function : table.functions) {
     INFO(function.output.name);
+    for (const FieldRow& row : output_row(function.output.kind).fields) {
+      check_lines(checked.model, row.rows, function.output.user);
+      check_lines(checked.model, row.columns, function.output.user);
+    }
     std::size_t size = 0;
     for (const ValueField& field : function.fields) {
       INFO(field.name);
