@@ -60,8 +60,8 @@ Line line_of_rate(const Constraint& constraint, std::uint32_t number) {
 
 using Words = std::span<const std::string_view>;
 
-// Of a frame: the axes of the world by those of the frame and its origin, and the angular velocity
-// before the velocity of the origin.
+// A pose [R p] has the axes of the world as rows, the axes and the origin of the frame as columns.
+// A twist is the angular velocity, then the velocity of the origin.
 constexpr std::array<std::string_view, 3> rows_of_pose{"x", "y", "z"};
 constexpr std::array<std::string_view, 4> columns_of_pose{"x", "y", "z", "p"};
 constexpr std::array<std::string_view, 6> rows_of_twist{"wx", "wy", "wz", "vx", "vy", "vz"};
@@ -85,8 +85,9 @@ auto numbers_to(std::size_t count) {
   return std::views::iota(0U, static_cast<std::uint32_t>(count));
 }
 
-/// Calls `take` for each list of entries that lines stand for, in turn, with the function that
-/// makes the line of an entry and of its number in the list. Whoever counts makes no line.
+/// Calls `take` for each list of entries that the lines stand for, in turn, with a function that
+/// makes the line of an entry from it and its number in the list. A caller that counts makes no
+/// line.
 template <class Take>
 void take_lists(const Model& model, const Along& along, const Take& take) {
   const auto of_whole = [&model](std::uint32_t velocity, std::uint32_t) {

@@ -32,14 +32,14 @@ namespace elgen {
 
 /// A row or column of a field, by what it stands for.
 struct Line {
-  /// That of the coordinate, input, constraint …; of an [[output]] of several values "tip[2]", of a
-  /// pose "x", "y", "z" by "x", "y", "z", "p", of a twist "wx" to "vz"; empty of a number.
+  /// "theta", "hand.m"; "tip[2]" in an [[output]] of several values; in a pose "x", "y", "z" by
+  /// "x", "y", "z", "p", in a twist "wx" to "vz"; empty if the line is a single number.
   std::string name = {};
   std::optional<Unit> unit = {};
   std::optional<Opcode> leaf = {};  ///< the kind of the leaf that it stands for, if any
   std::uint32_t number = 0;         ///< of the leaf, or of the entry in its list
-  bool is_rate = false;             ///< of a state: the rate
-  bool is_numbered = false;         ///< of an [[output]]: the number says all that the name does
+  bool is_rate = false;             ///< the rate in a state (q, v)
+  bool is_numbered = false;         ///< of an [[output]]: its number determines its name
 
   /// "theta", "dot(theta)"
   [[nodiscard]] std::string text() const { return is_rate ? "dot(" + name + ")" : name; }
@@ -49,7 +49,7 @@ struct Line {
 [[nodiscard]] std::vector<Line> lines_along(const Model& model, Extent extent,
                                             std::uint32_t user = 0);
 
-/// One of them; none behind the last.
+/// The line with this index; none beyond the last.
 [[nodiscard]] std::optional<Line> line_at(const Model& model, Extent extent, std::size_t at,
                                           std::uint32_t user = 0);
 
@@ -58,7 +58,7 @@ struct Line {
 /// are not among them.
 [[nodiscard]] std::vector<std::string> unlisted_names(const Model& model, Extent extent);
 
-/// How many they are: cheap, since no name is built.
+/// The number of rows or columns: cheap, since no name is built.
 [[nodiscard]] std::uint32_t extent_of(const Model& model, Extent extent, std::uint32_t user = 0);
 
 /// The number of the first entry of a field, or of entries if `field` is the number of fields. It
