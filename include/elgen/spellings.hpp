@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "elgen/functions.hpp"
 #include "elgen/scene.hpp"
 
 namespace elgen {
@@ -24,10 +25,11 @@ struct SourceSpelling {
   std::string_view element;
   std::uint32_t first_index;
   std::string_view definition;
-  std::size_t indent;        ///< of statements
-  std::string_view local;    ///< before a name that gets its value
-  std::string_view library;  ///< a function {0} of the library
-  std::string_view result;   ///< before the value that a function gives
+  std::size_t indent;          ///< of statements
+  std::string_view local;      ///< before a name that gets its value
+  std::string_view library;    ///< a function {0} of the library
+  std::string_view functions;  ///< of numbers, between spaces: those of C that the library has
+  std::string_view result;     ///< before the value that a function gives
   std::string_view results;  ///< several values {1} in a struct {0}; empty: a statement gives each
   std::string_view field;    ///< before one of them, {0}
   std::string_view opening;  ///< around a value of several lines
@@ -56,7 +58,6 @@ struct SourceSpelling {
   std::string_view own_function;     ///< of what the module has where its library has none
   std::string_view named_number;     ///< {0}: the number of a constant that has a name; or empty
   bool has_reflection;               ///< its template has the holes of emit/source/reflection.hpp
-  std::string_view absolute;         ///< |x| of a number
   std::string_view unbounded;        ///< an infinite number
   std::size_t most_empty;            ///< empty lines in a row, at most
   std::size_t deepest;               ///< brackets in brackets that it reads
@@ -75,7 +76,23 @@ struct SourceSpelling {
 inline constexpr std::array spelling_table{
 #define ELGEN_SPELLING(id, ...) SourceSpelling{.language = LanguageId::id, __VA_ARGS__},
 #include "elgen/spellings.def"
-#undef ELGEN_SPELLING
+};
+
+/// Who defines a function: the library of the language, or each module for itself.
+enum class FunctionHome : std::uint8_t { library, module };
+
+/// A function that the library of a language lacks, or has under another name than C.
+struct FunctionSpelling {
+  LanguageId language;
+  FunctionId function;
+  std::string_view name;
+  FunctionHome home;
+};
+
+inline constexpr std::array function_spelling_table{
+#define ELGEN_FUNCTION_SPELLING(id, function, name, home) \
+  FunctionSpelling{LanguageId::id, FunctionId::function, name, FunctionHome::home},
+#include "elgen/spellings.def"
 };
 
 /// The row of an interpreted language.

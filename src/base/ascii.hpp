@@ -1,7 +1,7 @@
 // ASCII: kinds of characters, the same in every locale.
 #pragma once
 
-#include <string>
+#include <cstddef>
 #include <string_view>
 
 namespace elgen {
@@ -31,8 +31,13 @@ namespace elgen {
 }
 
 /// Whether `words`, which stand between spaces, have this one.
-[[nodiscard]] inline bool has_word(std::string_view words, std::string_view word) {
-  return words.find(" " + std::string(word) + " ") != std::string_view::npos;
+[[nodiscard]] constexpr bool has_word(std::string_view words, std::string_view word) {
+  for (std::size_t at = words.find(word); at < words.size(); at = words.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    const bool is_whole = at > 0 && words[at - 1] == ' ' && end < words.size() && words[end] == ' ';
+    if (is_whole) return true;
+  }
+  return false;
 }
 
 }  // namespace elgen

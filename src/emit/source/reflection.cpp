@@ -70,7 +70,7 @@ Texts called_functions(const Program& program, const SourceSpelling& spelling) {
   Texts names;
   for (const std::size_t arity : {1U, 2U}) {
     for (const std::string_view name : library_calls(program, arity)) {
-      names.emplace_back(name == "abs" ? spelling.absolute : name);
+      if (const auto known = library_name(spelling, name)) names.emplace_back(*known);
     }
   }
   const bool has_series = calls(program, FunctionId::stumpff);

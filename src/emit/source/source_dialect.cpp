@@ -51,6 +51,21 @@ std::string documentation_line(const SourceSpelling& spelling, std::string_view 
   return safe;
 }
 
+/// Every interpreted language has to write every function that C has, and modules take no name
+/// twice: a new function asks here for its rows in spellings.def.
+constexpr bool is_written_everywhere(FunctionId function, std::string_view name) {
+  return std::ranges::all_of(spelling_table, [&](const SourceSpelling& spelling) {
+    const auto found = function_spelling(spelling, function, name);
+    return found && (found->home == FunctionHome::library || has_word(spelling.taken, found->name));
+  });
+}
+#define ELGEN_FUNCTION(name, arity)                             \
+  static_assert(is_written_everywhere(FunctionId::name, #name), \
+                #name " lacks rows in spellings.def");
+#define ELGEN_OWN_FUNCTION(name, arity)
+#include "elgen/functions.def"
+#undef ELGEN_FUNCTION
+
 class SourceDialect final : public Dialect {
  public:
   SourceDialect(const Model& model, const Scene& scene, const Program& program)
@@ -180,7 +195,8 @@ class SourceDialect final : public Dialect {
   }
 
   std::string library_function(std::string_view name) const override {
-    return filled(spelling_.library, name == "abs" ? spelling_.absolute : name);
+    if (const auto known = library_name(spelling_, name)) return filled(spelling_.library, *known);
+    return own_function(function_spelling(spelling_, find_function(name)->id, name)->name);
   }
 
   std::string own_function(std::string_view name) const override {
@@ -194,6 +210,15 @@ class SourceDialect final : public Dialect {
 };
 
 }  // namespace
+
+std::optional<std::string_view> library_name(const SourceSpelling& spelling,
+                                             std::string_view name) {
+  const FunctionRow* const row = find_function(name);
+  if (row == nullptr) return name;
+  const auto found = function_spelling(spelling, row->id, name);
+  if (!found || found->home == FunctionHome::module) return std::nullopt;
+  return found->name;
+}
 
 std::string source_literal(const cln::cl_R& value) {
   return signed_literal(value, ScalarKind::double_precision);

@@ -4,13 +4,33 @@
 #include <cln/real.h>
 
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "base/ascii.hpp"
 #include "elgen/spellings.hpp"
 #include "emit/code/dialect.hpp"
 
 namespace elgen {
+
+/// How a language writes a function that C has: by its row of `others`, or as C if its library has
+/// the function. None if neither.
+[[nodiscard]] constexpr std::optional<FunctionSpelling> function_spelling(
+    const SourceSpelling& spelling, FunctionId function, std::string_view name,
+    std::span<const FunctionSpelling> others = function_spelling_table) {
+  for (const FunctionSpelling& other : others) {
+    if (other.language == spelling.language && other.function == function) return other;
+  }
+  if (!has_word(spelling.functions, name)) return std::nullopt;
+  return FunctionSpelling{spelling.language, function, name, FunctionHome::library};
+}
+
+/// The name of a function of the library, sqrt among them; none if the module defines it.
+[[nodiscard]] std::optional<std::string_view> library_name(const SourceSpelling& spelling,
+                                                           std::string_view name);
 
 /// "9.81": the nearest double.
 [[nodiscard]] std::string source_literal(const cln::cl_R& value);

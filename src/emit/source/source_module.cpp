@@ -135,6 +135,11 @@ std::string filled_module(const EmissionInput& input, bool exported) {
   TemplateData data = header_data(input, *source_dialect(input.model, input.scene, input.program));
   const LanguageRow& language = language_row(input.scene.emission.language);
   const SourceSpelling& spelling = source_spelling(language.id);
+  for (const FunctionSpelling& function : function_spelling_table) {
+    if (function.language != language.id || function.home != FunctionHome::module) continue;
+    data.set(std::string(function_row(function.function).name),
+             section_if(calls(input.program, function.function)));
+  }
   data.set("exported", section_if(exported));
   data.set("export", exported ? "export " : "");
   const std::vector<DeclaredArray> arrays = all_arrays(input.model, input.program);
