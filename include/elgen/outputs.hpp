@@ -84,6 +84,15 @@ enum class Need : std::uint8_t {
   smooth_values,     ///< an [[output]] without kinks
 };
 
+/// The fault of the model if a matrix besides M that an output is solved with is singular, whatever
+/// the state is; each has a sentence in src/inspect/singular_mass.hpp.
+enum class WhenSingular : std::uint8_t {
+  redundant_constraint,  ///< A M^-1 A^T: a constraint follows from others
+  redundant_inputs,      ///< B^T G B: an input moves only what others move
+  undetermined_rest,     ///< A_d: the independent velocities do not determine the others
+  dependent_task,        ///< J M^-1 J^T: a row of J follows from others
+};
+
 /// The options of outputs (output_options.def).
 enum class OutputOption : std::uint8_t {
 #define ELGEN_OUTPUT_OPTION(key, pronoun) key,
@@ -179,15 +188,16 @@ struct OutputRow {
   std::string_view constrained_doc_without_pivots = {};
   SetOf<Need> needs = {};
   SetOf<OutputOption> options = {};  ///< that its entry in `[outputs]` may have
-  bool solves = false;               ///< M x = b
-  bool differentiates = false;       ///< the equations of motion
-  bool gives_pivots = false;         ///< of M = L D L^T, beside what it solves for
-  bool is_constrained = false;       ///< solves with S = A M^-1 A^T where the model has constraints
-  bool by_name = false;              ///< given only where it is named
-  bool of_user = false;              ///< one for every [[output]] of a model
-  std::string_view suffix = {};      ///< its name is that of the [[output]] and this
-  bool repeats = false;              ///< every chosen output that takes neither a nor u
-  bool steps = false;                ///< by a method that the scene names, not derived
+  WhenSingular when_singular = WhenSingular::redundant_constraint;
+  bool solves = false;           ///< M x = b
+  bool differentiates = false;   ///< the equations of motion
+  bool gives_pivots = false;     ///< of M = L D L^T, beside what it solves for
+  bool is_constrained = false;   ///< solves with S = A M^-1 A^T where the model has constraints
+  bool by_name = false;          ///< given only where it is named
+  bool of_user = false;          ///< one for every [[output]] of a model
+  std::string_view suffix = {};  ///< its name is that of the [[output]] and this
+  bool repeats = false;          ///< every chosen output that takes neither a nor u
+  bool steps = false;            ///< by a method that the scene names, not derived
 };
 
 /// Whether it has readable equations, and is not made of other outputs.

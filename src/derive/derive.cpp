@@ -212,9 +212,7 @@ std::optional<ArticulatedRoute> articulated_route(const Lagrangian& lagrangian,
 Diagnostic singular(const OutputRequest& request, const ZeroPivot& pivot, const LeafNames& names) {
   switch (pivot.rows) {
     case RowsOf::constraints:
-      if (request.kind == OutputKind::completed) return undetermined_rest(request);
-      if (request.kind == OutputKind::user_operational) return dependent_task(request, pivot.row);
-      return redundant_constraint(request, names.multipliers[pivot.row]);
+      return *singular_besides_mass(request, pivot.row, names);
     case RowsOf::inputs:
       return redundant_input(request, names.u[pivot.row]);
     case RowsOf::velocities:

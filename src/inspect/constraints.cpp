@@ -189,11 +189,18 @@ Diagnostics redundant_equations(const Inspected& subject, const State& start) {
   return redundant(subject.model, at_poses);
 }
 
+/// The output of the scene that such a fault leaves without a value; null if there is none.
+const OutputRequest* output_with(const Scene& scene, WhenSingular fault) {
+  const auto found = std::ranges::find(scene.outputs, fault, [](const OutputRequest& output) {
+    return output_row(output.kind).when_singular;
+  });
+  return found == scene.outputs.end() ? nullptr : &*found;
+}
+
 /// Warns of inputs that no pose determines.
 Diagnostics undetermined_inputs(const Inspected& subject, const State& start) {
-  const auto wanted = std::ranges::find(
-      subject.scene.outputs, OutputKind::constrained_inverse_dynamics, &OutputRequest::kind);
-  if (wanted == subject.scene.outputs.end()) return {};
+  const OutputRequest* const wanted = output_with(subject.scene, WhenSingular::redundant_inputs);
+  if (wanted == nullptr) return {};
   const auto has_value = [&](const State& pose) {
     return oracle_values(subject.model, *wanted, pose).has_value();
   };
@@ -204,9 +211,8 @@ Diagnostics undetermined_inputs(const Inspected& subject, const State& start) {
 /// E603 where the columns of A of the dependent velocities have lower rank at every pose: "rank 1
 /// of 2".
 Diagnostics undetermined_rest(const Inspected& subject, const State& start) {
-  const auto wanted =
-      std::ranges::find(subject.scene.outputs, OutputKind::completed, &OutputRequest::kind);
-  if (wanted == subject.scene.outputs.end()) return {};
+  const OutputRequest* const wanted = output_with(subject.scene, WhenSingular::undetermined_rest);
+  if (wanted == nullptr) return {};
   const Model& model = subject.model;
   const std::size_t n = model.velocities.size();
   const auto rank_at = [&](const State& pose) {

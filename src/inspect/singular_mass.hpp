@@ -1,11 +1,13 @@
-// E501 of an output that solves for accelerations: one message for the samples of inspect, the
-// factorisation of derive and the nodes of lower.
+// Messages about an output that is solved with a singular matrix, M (E501) or another one: the same
+// for the samples of inspect, the factorisation of derive and the nodes of lower.
 #pragma once
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <string>
 
+#include "elgen/leaf_names.hpp"
 #include "elgen/scene.hpp"
 
 namespace elgen {
@@ -70,6 +72,25 @@ namespace elgen {
           fmt::format("`{}` has no value: the input `{}` moves nothing that the inputs before it "
                       "do not move, whatever the state is",
                       request.name, input)};
+}
+
+/// A matrix besides M is singular: at this row, if the row is known. None if M is to be looked at.
+[[nodiscard]] inline std::optional<Diagnostic> singular_besides_mass(
+    const OutputRequest& request, const std::optional<std::size_t>& row, const LeafNames& names) {
+  switch (output_row(request.kind).when_singular) {
+    case WhenSingular::undetermined_rest:
+      return undetermined_rest(request);
+    case WhenSingular::dependent_task:
+      if (row) return dependent_task(request, *row);
+      break;
+    case WhenSingular::redundant_inputs:
+      if (!row) return redundant_inputs(request);
+      return redundant_constraint(request, names.multipliers[*row]);
+    case WhenSingular::redundant_constraint:
+      if (row) return redundant_constraint(request, names.multipliers[*row]);
+      break;
+  }
+  return std::nullopt;
 }
 
 }  // namespace elgen

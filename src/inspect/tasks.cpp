@@ -30,7 +30,7 @@ Diagnostics inspect_tasks(const Inspected& subject) {
   const Model& model = subject.model;
   Diagnostics errors;
   for (const OutputRequest& output : subject.scene.outputs) {
-    if (output.kind != OutputKind::user_operational) continue;
+    if (output_row(output.kind).when_singular != WhenSingular::dependent_task) continue;
     const std::size_t rank =
         rank_of_jacobian(subject, request_of(model, OutputKind::user_jacobian, output.user));
     if (rank == output.rows) continue;

@@ -5,6 +5,7 @@
 #include <cln/exception.h>
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -25,16 +26,13 @@ Diagnostic zero_denominator(const Program& program, const OutputRequest& request
     return {Code::E312, request.span,
             fmt::format("a denominator of `{}` is 0, whatever the state is", request.name)};
   }
-  if (request.kind == OutputKind::constrained_inverse_dynamics) return redundant_inputs(request);
-  if (request.kind == OutputKind::completed) return undetermined_rest(request);
-  for (const Function& known : program.functions) {
-    if (known.kind != OutputKind::mass_matrix) continue;
-    const std::size_t n = known.fields[0].rows;
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::uint32_t entry = known.fields[0].entries[i * n + i];
-      if (loads_zero(program, known.instructions[entry])) {
-        return no_kinetic_energy(request, program.leaves.v[i]);
-      }
+  if (const auto fault = singular_besides_mass(request, {}, program.leaves)) return *fault;
+  const auto mass = std::ranges::find(program.functions, OutputKind::mass_matrix, &Function::kind);
+  const std::size_t n = mass == program.functions.end() ? 0 : mass->fields[0].rows;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::uint32_t entry = mass->fields[0].entries[i * n + i];
+    if (loads_zero(program, mass->instructions[entry])) {
+      return no_kinetic_energy(request, program.leaves.v[i]);
     }
   }
   return singular_mass_matrix(request);

@@ -1,0 +1,41 @@
+// Singular matrices: each output names its own fault, with the row if the row is known.
+#include "inspect/singular_mass.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace elgen::test {
+namespace {
+
+/// "" if the message is left to M.
+std::string said_of(OutputKind kind, const std::optional<std::size_t>& row) {
+  LeafNames names;
+  names.multipliers = {"loop", "rod"};
+  const OutputRequest request{.kind = kind, .name = "x"};
+  const auto fault = singular_besides_mass(request, row, names);
+  return fault ? std::string(code_row(fault->code).name) + " " + fault->message : "";
+}
+
+}  // namespace
+
+TEST_CASE("a row of A without a pivot is a redundant constraint, unless the output has its own A") {
+  const std::string of_rod =
+      "E537 `x` has no value: the constraint `rod` follows from those before it, whatever the "
+      "state is";
+  CHECK(said_of(OutputKind::forward_dynamics, 1) == of_rod);
+  CHECK(said_of(OutputKind::constrained_inverse_dynamics, 1) == of_rod);
+  CHECK(said_of(OutputKind::completed, 1) ==
+        "E603 `x` has no value: the independent velocities do not determine the others");
+  CHECK(said_of(OutputKind::user_operational, 1) ==
+        "E603 `x` has no value: row 2 of the Jacobian follows from those before it, whatever the "
+        "state is");
+}
+
+TEST_CASE("a matrix whose row is not known is M, unless the output is solved for inputs") {
+  CHECK(said_of(OutputKind::forward_dynamics, {}).empty());
+  CHECK(said_of(OutputKind::user_operational, {}).empty());
+  CHECK(said_of(OutputKind::constrained_inverse_dynamics, {}) ==
+        "E603 `x` has no value: under the constraints some input moves nothing, or nothing that "
+        "others do not move");
+}
+
+}  // namespace elgen::test
