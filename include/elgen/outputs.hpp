@@ -180,10 +180,12 @@ struct OutputRow {
   bool takes_parameters_alone = false;
   std::span<const FieldRow> fields = {};
   Notation equation = {};
-  Notation turning_equation = {};         ///< with rotations, where it is another
-  Notation constrained_equation = {};     ///< with constraints, where it is another
-  std::string_view doc = {};              ///< one sentence
-  std::string_view constrained_doc = {};  ///< with constraints, where it is another
+  Notation turning_equation = {};               ///< with rotations, where it is another
+  Notation constrained_equation = {};           ///< with constraints, where it is another
+  std::string_view definition = {};             ///< by other outputs, in LaTeX: on pages
+  std::string_view undrifting_definition = {};  ///< the same, if `drift` is 0
+  std::string_view doc = {};                    ///< one sentence
+  std::string_view constrained_doc = {};        ///< with constraints, where it is another
   std::string_view doc_without_pivots = {};
   std::string_view constrained_doc_without_pivots = {};
   SetOf<Need> needs = {};

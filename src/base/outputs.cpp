@@ -64,6 +64,7 @@ constexpr OutputRow velocity_force{.symbol = {"C v", "C <v>"},
                                    .takes = Opcode::velocity,
                                    .fields = force,
                                    .equation = {"C(q, v) v", ""},
+                                   .definition = R"((C <v>)_{i} = \sum_{j} C_{ij} <v>_{j})",
                                    .doc = "Centrifugal and Coriolis forces.",
                                    .needs = {N::quadratic}};
 
@@ -171,6 +172,7 @@ constexpr OutputRow kinetic_energy{.symbol = {"T", "T"},
                                    .takes = Opcode::velocity,
                                    .fields = energy,
                                    .equation = {"T = T2 + b_T.v + T0", ""},
+                                   .undrifting_definition = R"(T = \frac{1}{2} <v>^{\top} M <v>)",
                                    .doc = "Kinetic energy.",
                                    .needs = {N::quadratic, N::energies}};
 

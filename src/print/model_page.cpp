@@ -97,11 +97,10 @@ std::string title_of(const Function& function) {
 
 /// The definition of an output by other outputs; empty if there is none.
 Formula definition_by_others(const Model& model, const Function& function) {
-  if (function.kind == OutputKind::velocity_force) {
-    return typed_formula(model, "(C <v>)_{i} = \\sum_{j} C_{ij} <v>_{j}");
-  }
-  const bool is_square = function.kind == OutputKind::kinetic_energy && !model.may_drift;
-  if (is_square) return typed_formula(model, "T = \\frac{1}{2} <v>^{\\top} M <v>");
+  const OutputRow& row = output_row(function.kind);
+  if (!row.definition.empty()) return typed_formula(model, row.definition);
+  const bool is_square = !row.undrifting_definition.empty() && !model.may_drift;
+  if (is_square) return typed_formula(model, row.undrifting_definition);
   return heading(model, function).definition;
 }
 
@@ -157,13 +156,13 @@ PageSection readable_output(const Model& model, const Program& program, std::siz
   return is_defined && !is_asked_for && fills_page(result) ? defined : result;
 }
 
-/// Names the velocities of which it reads the rates and accelerations.
-std::string doc_of_completed(const Model& model, const Function& function) {
+/// Names the independent velocities of an output that takes them as an option.
+std::string doc_with_independent(const Model& model, const Function& function) {
   std::vector<std::string> names;
   for (const std::uint32_t i : function.independent) {
     names.push_back(in_backticks(model.velocities[i].name));
   }
-  const std::string_view doc = output_row(OutputKind::completed).doc;
+  const std::string_view doc = output_row(function.kind).doc;
   if (names.empty()) return fmt::format("{}.", doc);
   return fmt::format("{}, from those of {} alone.", doc, fmt::join(names, ", "));
 }
@@ -211,7 +210,7 @@ std::string output_doc(const Model& model, const Function& function) {
         fmt::format(fmt::runtime(step_row(step.method).doc), step_order(step));
     return fmt::format("{} {}.{}", row.doc, method, drift_of_step(model, step));
   }
-  if (function.kind == OutputKind::completed) return doc_of_completed(model, function);
+  if (row.options.has(OutputOption::independent)) return doc_with_independent(model, function);
   if (!row.of_user) {
     const bool is_without = row.gives_pivots && !has_pivots(function);
     const std::string_view doc = is_without ? row.doc_without_pivots : row.doc;
