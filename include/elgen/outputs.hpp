@@ -178,6 +178,7 @@ struct OutputRow {
   Notation symbol = {};
   LeafSet takes = {};  ///< arguments beside parameters and q (and t where t occurs)
   bool takes_parameters_alone = false;
+  bool takes_drifted = false;  ///< states that do not meet the constraints
   std::span<const FieldRow> fields = {};
   Notation equation = {};
   Notation turning_equation = {};               ///< with rotations, where it is another
@@ -191,6 +192,7 @@ struct OutputRow {
   SetOf<Need> needs = {};
   SetOf<OutputOption> options = {};  ///< that its entry in `[outputs]` may have
   WhenSingular when_singular = WhenSingular::redundant_constraint;
+  bool is_energy = false;        ///< of (q, v), so that V enters it without derivatives
   bool solves = false;           ///< M x = b
   bool differentiates = false;   ///< the equations of motion
   bool gives_pivots = false;     ///< of M = L D L^T, beside what it solves for
@@ -205,6 +207,11 @@ struct OutputRow {
 /// Whether it has readable equations, and is not made of other outputs.
 [[nodiscard]] constexpr bool has_equations(const OutputRow& output) {
   return !output.repeats && !output.steps;
+}
+
+/// Whether it is the value of an [[output]], not made of it.
+[[nodiscard]] constexpr bool is_value_of_user(const OutputRow& output) {
+  return output.of_user && output.suffix.empty();
 }
 
 /// Whether it is given only where it is named: a scene says how to step, and functions of momenta

@@ -166,7 +166,8 @@ constexpr OutputRow potential_energy{.symbol = {"V0", "V_{0}"},
                                      .fields = energy,
                                      .equation = {"V0 = V(q, v = 0)", "V_{0} = V(<q>, <v> = <0>)"},
                                      .doc = "Potential energy at rest.",
-                                     .needs = {N::quadratic}};
+                                     .needs = {N::quadratic},
+                                     .is_energy = true};
 
 constexpr OutputRow kinetic_energy{.symbol = {"T", "T"},
                                    .takes = Opcode::velocity,
@@ -174,7 +175,8 @@ constexpr OutputRow kinetic_energy{.symbol = {"T", "T"},
                                    .equation = {"T = T2 + b_T.v + T0", ""},
                                    .undrifting_definition = R"(T = \frac{1}{2} <v>^{\top} M <v>)",
                                    .doc = "Kinetic energy.",
-                                   .needs = {N::quadratic, N::energies}};
+                                   .needs = {N::quadratic, N::energies},
+                                   .is_energy = true};
 
 constexpr OutputRow total_energy{
     .symbol = {"T + V", "T + V"},
@@ -182,7 +184,8 @@ constexpr OutputRow total_energy{
     .fields = energy,
     .equation = {"T + V0 + V1.v", R"(T + V = T + V_{0} + <V>_{1}^{\top} <v>)"},
     .doc = "Kinetic and potential energy.",
-    .needs = {N::quadratic, N::energies}};
+    .needs = {N::quadratic, N::energies},
+    .is_energy = true};
 
 constexpr OutputRow energy_function{
     .symbol = {"E", "E"},
@@ -191,7 +194,8 @@ constexpr OutputRow energy_function{
     .equation = {"E = v.dL/dv - L", R"(E = <v>^{\top} \frac{\partial L}{\partial <v>} - L)"},
     .doc = "Energy function (Jacobi integral): dE/dt = v.(B u + Q - dD/dv) - dL/dt.",
     .constrained_doc =
-        "Energy function (Jacobi integral): dE/dt = v.(B u + A^T lambda + Q - dD/dv) - dL/dt."};
+        "Energy function (Jacobi integral): dE/dt = v.(B u + A^T lambda + Q - dD/dv) - dL/dt.",
+    .is_energy = true};
 
 // The accelerations that M is solved for, and derivatives.
 

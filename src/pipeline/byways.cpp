@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <functional>
 #include <new>
@@ -33,11 +34,7 @@ struct ChoiceInput {
   const Limits& limits;
 };
 
-/// The outputs that V alone enters: energies.
-bool is_energy(const OutputRequest& output) {
-  return output.kind == OutputKind::kinetic_energy || output.kind == OutputKind::potential_energy ||
-         output.kind == OutputKind::total_energy || output.kind == OutputKind::energy_function;
-}
+bool is_energy(const OutputRequest& output) { return output_row(output.kind).is_energy; }
 
 /// The functions with V as a leaf, in their forms: all of them, or the energies.
 Result<Choice> open_choice(const ChoiceInput& input, const std::vector<GiNaC::ex>& variables,
@@ -167,13 +164,14 @@ bool has_short_row(const Lagrangian& lagrangian, const CheckedModel& checked,
 /// Whether the terms of the equation of motion are short enough to be read, those that the scene
 /// has.
 bool has_readable_terms(const Program& program, const ClosedForms& forms) {
-  for (std::size_t i = 0; i < forms.functions.size(); ++i) {
-    const OutputKind kind = program.functions[i].kind;
-    const bool is_term = kind == OutputKind::mass_matrix || kind == OutputKind::bias ||
-                         kind == OutputKind::gravity || kind == OutputKind::inverse_dynamics;
-    if (is_term && !is_readable(forms.functions[i])) return false;
-  }
-  return true;
+  const auto is_short = [&](OutputKind kind) {
+    const auto term = std::ranges::find(program.functions, kind, &Function::kind);
+    if (term == program.functions.end()) return true;
+    return is_readable(forms.functions[static_cast<std::size_t>(term - program.functions.begin())]);
+  };
+  return std::ranges::all_of(std::array{OutputKind::mass_matrix, OutputKind::bias,
+                                        OutputKind::gravity, OutputKind::inverse_dynamics},
+                             is_short);
 }
 
 }  // namespace

@@ -89,13 +89,14 @@ std::optional<State> on_constraints(const Model& model, const State& state) {
 }
 
 bool is_compared_on_constraints(const Model& model, OutputKind output) {
-  return !model.constraints.empty() && output != OutputKind::constraint_residual &&
-         output != OutputKind::projected;
+  return !model.constraints.empty() && !output_row(output).takes_drifted;
 }
 
 State compared_state(const Model& model, OutputKind output, const State& drawn, State kept) {
-  if (output == OutputKind::completed) kept.v = drawn.v;
-  if (output_row(output).takes.has_any(Opcode::momentum)) {
+  const OutputRow& row = output_row(output);
+  // The output determines its rates from the independent ones.
+  if (row.options.has(OutputOption::independent)) kept.v = drawn.v;
+  if (row.takes.has_any(Opcode::momentum)) {
     OracleValues momenta = oracle_values(model, {.kind = OutputKind::momentum}, kept);
     if (momenta) kept.momenta = std::move(*momenta);
   }

@@ -177,6 +177,21 @@ TEST_CASE("some output takes each option, and outputs with pivots take `pivots`"
   }
 }
 
+TEST_CASE("an energy is a number in J that takes no momenta") {
+  for (const OutputRow& output : output_table()) {
+    INFO(output.name);
+    const bool is_number = output.fields.size() == 1 && output.fields[0].rows == Extent::one;
+    const bool is_in_joules = is_number && output.fields[0].unit == UnitRule::energy;
+    CHECK(output.is_energy == (is_in_joules && !output.takes.has_any(Opcode::momentum)));
+  }
+}
+
+TEST_CASE("the value of an [[output]] is what its other functions are made of") {
+  for (const OutputRow& output : output_table()) {
+    CHECK(is_value_of_user(output) == (output.name == "user_value"));
+  }
+}
+
 TEST_CASE("the table names every limit once") {
   std::set<std::string_view> names;
   Limits limits;

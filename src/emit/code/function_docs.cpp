@@ -48,7 +48,7 @@ std::string value_text(const OutputRow& row, const UserOutput& output) {
 
 std::string equation_text(const Function& function, const Model& model) {
   const OutputRow& row = output_row(function.kind);
-  if (function.kind == OutputKind::user_value) {
+  if (is_value_of_user(row)) {
     return value_text(row, model.outputs[function.user]);
   }
   const std::string_view equation = equation_of(row, setting_of(model)).text;

@@ -23,7 +23,7 @@ namespace {
 
 /// "places", "mass_matrix": what the script knows the function by.
 std::string kind_of_call(const Scene& scene, const Function& function) {
-  const bool is_shown = function.kind == OutputKind::user_value;
+  const bool is_shown = is_value_of_user(output_row(function.kind));
   return std::string(is_shown ? name_of(scene.shown.at(function.user))
                               : output_row(function.kind).name);
 }
@@ -39,7 +39,7 @@ TemplateData calls_data(const CheckedModel& checked, const Program& program) {
     }
     const std::string call =
         fmt::format("{}({})", spelt_name(language, function.name), fmt::join(arguments, ", "));
-    const bool is_shown = function.kind == OutputKind::user_value;
+    const bool is_shown = is_value_of_user(output_row(function.kind));
     return TemplateRow{{"kind", kind_of_call(scene, function)},
                        {"call", is_shown ? fmt::format("listed({})", call) : call}};
   });
