@@ -124,9 +124,10 @@ class RecursiveForms {
 /// A function of either form after the passes of finish.hpp. `normalized` is the name of the
 /// function of that kind.
 Function finished(Function function, Program& program, std::string& normalized) {
+  // A branch on a kind: no other output divides quaternions by their lengths.
   if (function.kind == OutputKind::normalized) normalized = function.name;
-  const bool repeats = output_row(function.kind).repeats && !normalized.empty();
-  if (repeats || function.kind == OutputKind::normalized) {
+  const bool has_lengths = output_row(function.kind).repeats || function.name == normalized;
+  if (has_lengths && !normalized.empty()) {
     return with_scaled_lengths(std::move(function), normalized);
   }
   return with_guarded_pivots(std::move(function), program.constants);

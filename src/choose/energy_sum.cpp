@@ -41,6 +41,7 @@ bool is_same_energy(const Program& recursive, std::size_t index, const Program& 
 std::optional<Function> energy_sum(const Program& recursive, const Program& chosen,
                                    std::size_t index) {
   const Function& total = recursive.functions[index];
+  // A branch on a kind: no other output is the sum of two.
   if (total.kind != OutputKind::total_energy) return std::nullopt;
   const Function* const kinetic = find_before(chosen, index, OutputKind::kinetic_energy);
   const Function* const potential = find_before(chosen, index, OutputKind::potential_energy);

@@ -169,8 +169,7 @@ Function with_guarded_pivots(Function forward_dynamics, std::vector<Constant>& c
 
 Function with_scaled_lengths(Function function, const std::string& name) {
   for (Field& field : function.fields) {
-    const bool is_normalized = function.kind == OutputKind::normalized || field.name == name;
-    if (is_normalized) Scaling(function).scale(field);
+    if (function.name == name || field.name == name) Scaling(function).scale(field);
   }
   return pruned(function);
 }

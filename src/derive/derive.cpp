@@ -137,8 +137,8 @@ constexpr Fields (*derivations[])(Derivation&, const OutputRequest&) = {
 
 /// The parts of an output that is composed, if it is.
 std::optional<OutputEquations> in_parts(Derivation& derivation, const OutputRequest& request) {
-  const bool is_linearization = request.kind == OutputKind::linearization;
-  if (!is_linearization && request.kind != OutputKind::forward_dynamics_derivatives) return {};
+  const OutputRow& row = output_row(request.kind);
+  if (!row.solves || !row.differentiates) return std::nullopt;
   const std::optional<ResponseParts> parts = response_parts(derivation);
   if (!parts) return std::nullopt;
   const std::size_t n = derivation.size();
@@ -146,7 +146,10 @@ std::optional<OutputEquations> in_parts(Derivation& derivation, const OutputRequ
   Fields fields{field_of(mass_part, parts->mass, n), field_of(force_part, parts->force, n),
                 field_of(position_part, by_position, n), field_of(velocity_part, by_velocity, n)};
   if (!by_input.empty()) fields.push_back(field_of(input_part, by_input, n));
-  if (is_linearization) fields.push_back(field_of(rate_part, parts->rates, n));
+  // A branch on a kind: derivatives of accelerations alone have no rows for dq/dt.
+  if (request.kind == OutputKind::linearization) {
+    fields.push_back(field_of(rate_part, parts->rates, n));
+  }
   OutputEquations output{request, std::move(fields)};
   for (const std::size_t velocity : order_of_velocities(derivation)) {
     output.elimination.push_back(static_cast<std::uint32_t>(velocity));
@@ -184,6 +187,7 @@ std::optional<ArticulatedRoute> articulated_route(const Lagrangian& lagrangian,
                                                   const OutputRequest& request,
                                                   const Limits& limits) {
   const bool may_be_shorter = lagrangian.symbols.v.size() >= least_of_articulated;
+  // A branch on a kind: articulated bodies give this output alone.
   if (request.kind != OutputKind::forward_dynamics || !may_be_shorter) return std::nullopt;
   Derivation derivation(lagrangian);
   ArticulatedRoute route;

@@ -252,6 +252,7 @@ void compare_shapes(Changes& changes, const Program& before, const Program& afte
   for (const Function& now : after.functions) {
     const auto old = std::ranges::find(before.functions, now.name, &Function::name);
     const bool is_in_both = old != before.functions.end() && old->kind == now.kind;
+    // A branch on a kind: constraints on positions have no list in the interface.
     const bool is_told =
         output_row(now.kind).of_user || now.kind == OutputKind::constraint_residual;
     if (!is_in_both || !is_told || has_shape_of(*old, now)) continue;

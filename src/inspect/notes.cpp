@@ -105,16 +105,14 @@ Diagnostics inspect_left_out(const Inspected& subject) {
 
 Diagnostics inspect_smoothed(const Inspected& subject) {
   const Model& model = subject.model;
-  for (const OutputRequest& output : subject.scene.outputs) {
-    const bool is_named = output.span.source != nullptr;
-    if (output.kind != OutputKind::linearization || !is_named) continue;
-    const auto friction = smoothed_friction(model);
-    if (!friction) return {};
-    return {{Code::E627, *friction,
-             fmt::format("`{}` has this friction as a damper near rest", output.name),
-             "its width decides how stiff; leave it out where the system slides or sticks"}};
-  }
-  return {};
+  const std::vector<OutputRequest>& outputs = subject.scene.outputs;
+  const auto output = std::ranges::find(outputs, OutputKind::linearization, &OutputRequest::kind);
+  const bool is_named = output != outputs.end() && output->span.source != nullptr;
+  const auto friction = is_named ? smoothed_friction(model) : std::nullopt;
+  if (!friction) return {};
+  return {{Code::E627, *friction,
+           fmt::format("`{}` has this friction as a damper near rest", output->name),
+           "its width decides how stiff; leave it out where the system slides or sticks"}};
 }
 
 }  // namespace elgen

@@ -86,10 +86,11 @@ std::string joined(const std::vector<Term>& terms, std::string_view time) {
 bool knows_motion(const Model& model, const Program& program) {
   const auto knows = [&model](const Function& function) {
     const LeafSet takes = request_of(model, function.kind, function.user).takes;
-    return function.kind == OutputKind::mass_matrix ||
-           takes.has_any(Opcode::velocity | Opcode::momentum | Opcode::acceleration);
+    return takes.has_any(Opcode::velocity | Opcode::momentum | Opcode::acceleration);
   };
-  return !model.quadratic || std::any_of(program.functions.begin(), program.functions.end(), knows);
+  const bool has_mass = find_function(program, OutputKind::mass_matrix) != nullptr;
+  return !model.quadratic || has_mass ||
+         std::any_of(program.functions.begin(), program.functions.end(), knows);
 }
 
 using Lines = std::vector<std::string>;

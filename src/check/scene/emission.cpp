@@ -187,7 +187,8 @@ namespace {
 
 /// Why accelerations in float are none of an output; "" where they are.
 std::string lacks_accelerations(const OutputRequest& output) {
-  if (output.kind != OutputKind::step) return in_backticks(output.name) + " is no `step`";
+  const OutputRow& row = output_row(output.kind);
+  if (!row.steps || row.differentiates) return in_backticks(output.name) + " is no `step`";
   const bool asks = !output.step || output.step->method != StepMethod::midpoint;
   return asks ? "" : in_backticks(step_row(StepMethod::midpoint).name) + " asks for none";
 }

@@ -122,14 +122,13 @@ class Explicit {
     return start;
   }
 
-  Places called(OutputKind kind, const CallPoint& at) {
+  Places called(OutputKind kind, const CallPoint& at, bool is_inner = false) {
     const Function& function = *find_function(step_.calls, kind);
-    const bool is_inner = step_.has_inner && kind == OutputKind::forward_dynamics;
     return compose_.call(step_.calls, function, function.fields.front(), at, is_inner);
   }
 
   Moving acceleration(const CallPoint& at, const MovingState& x) {
-    Moving a{called(OutputKind::forward_dynamics, at)};
+    Moving a{called(OutputKind::forward_dynamics, at, step_.has_inner)};
     compose_.name(a.value, Opcode::acceleration, at.number);
     if (step_.directions > 0) a.tangents = tangents_of_acceleration(at, x);
     return a;

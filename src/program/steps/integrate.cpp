@@ -73,12 +73,17 @@ Function derivatives(const Model& model, const Program& calls, Function function
   return pruned(function);
 }
 
+/// The outputs that only show whether a method applies.
+std::vector<OutputKind> kinds_judged(const OutputRequest& step) {
+  if (domain_of(step) != StepDomain::separable) return {};
+  return {OutputKind::mass_matrix, OutputKind::bias, OutputKind::momentum};
+}
+
 /// The outputs that a method calls where it applies; `dynamics` computes those before it together.
 std::vector<OutputKind> kinds_called(const OutputRequest& step) {
   switch (domain_of(step)) {
     case StepDomain::separable:
-      return {OutputKind::mass_matrix, OutputKind::bias, OutputKind::momentum,
-              OutputKind::forward_dynamics};
+      return {OutputKind::forward_dynamics};
     case StepDomain::quadratic:
       return {OutputKind::mass_matrix, OutputKind::dissipation,       OutputKind::applied_force,
               OutputKind::momentum,    OutputKind::position_gradient, OutputKind::input_matrix,
@@ -180,19 +185,18 @@ std::string not_separable(const CheckedModel& checked, const Program& program) {
 
 std::vector<OutputRequest> needed_for_step(const Model& model, const OutputRequest& step) {
   std::vector<OutputRequest> needed;
-  std::vector<OutputKind> kinds = kinds_called(step);
-  if (takes_tangents(model, step)) kinds.push_back(OutputKind::forward_dynamics_derivatives);
-  if (step.step->projects) kinds.push_back(OutputKind::projected);
-  for (const OutputKind kind : kinds) {
+  const auto add = [&](OutputKind kind, const std::optional<Form>& form) {
     OutputRequest request = request_of(model, kind, 0);
-    if (!is_available(model, request)) continue;
+    if (!is_available(model, request)) return;
     request.span = step.span;
     request.without_pivots = output_row(kind).gives_pivots;
-    const bool judges =
-        domain_of(step) == StepDomain::separable && kind != OutputKind::forward_dynamics;
-    if (!judges) request.form = step.form;
+    request.form = form;
     needed.push_back(std::move(request));
-  }
+  };
+  for (const OutputKind kind : kinds_judged(step)) add(kind, std::nullopt);
+  for (const OutputKind kind : kinds_called(step)) add(kind, step.form);
+  if (takes_tangents(model, step)) add(OutputKind::forward_dynamics_derivatives, step.form);
+  if (step.step->projects) add(OutputKind::projected, step.form);
   return needed;
 }
 

@@ -15,10 +15,8 @@ namespace {
 
 /// The output that a table is about where none is named.
 std::string default_output(const Scene& scene) {
-  const auto is_usual = [](const OutputRequest& output) {
-    return output.kind == OutputKind::inverse_dynamics;
-  };
-  const auto usual = std::ranges::find_if(scene.outputs, is_usual);
+  const auto usual =
+      std::ranges::find(scene.outputs, OutputKind::inverse_dynamics, &OutputRequest::kind);
   return usual != scene.outputs.end() ? usual->name : scene.outputs.front().name;
 }
 
