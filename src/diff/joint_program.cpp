@@ -102,8 +102,6 @@ auto JointProgram::add(const LeafNames& names) -> LeafPlaces {
 JointFunction JointProgram::joined(const Function& before, const Function& after,
                                    const JointValues& values) {
   JointFunction joint;
-  // Any kind but `dynamics`, which has no closed form of its own.
-  joint.function.kind = OutputKind::momentum;
   joint.function.name = after.name;
   Instructions instructions(joint.function);
   joint.before = Copy(before_, old_places_, joint_, instructions)(before, values.before);

@@ -56,15 +56,20 @@ std::vector<ZeroProof> proofs_of(const ClosedForms& forms) {
   return result;
 }
 
-/// Appends the closed forms of every function's entries, within one budget; a function that repeats
-/// others has none. values_of(arithmetic, function): those of all its instructions.
+Algebra algebra_of_proofs() { return {.has_quotients = true, .has_exponentials = true}; }
+
+/// Whether functions that repeat others have closed forms.
+enum class Repeats : std::uint8_t { left_out, presented };
+
+/// Appends the closed forms of every function's entries, within one budget.
+/// values_of(arithmetic, function): those of all its instructions.
 template <class ValuesOf>
 void present_functions(const Program& program, const PresentBudget& budget, ClosedForms& forms,
-                       const ValuesOf& values_of) {
+                       const ValuesOf& values_of, Repeats repeats = Repeats::left_out) {
   std::size_t left = budget.products;
   for (const Function& function : program.functions) {
     ClosedFunction& closed = forms.functions.emplace_back();
-    if (output_row(function.kind).repeats) continue;
+    if (repeats == Repeats::left_out && output_row(function.kind).repeats) continue;
     const std::size_t share = std::min(left, budget_of(function, budget));
     Arithmetic arithmetic(forms.algebra, share, budget.terms);
     // The closed form of what is repeated would be one of M^-1.
@@ -79,11 +84,13 @@ void present_functions(const Program& program, const PresentBudget& budget, Clos
   }
 }
 
-ClosedForms present_over(Algebra algebra, const Program& program, const PresentBudget& budget) {
+ClosedForms present_over(Algebra algebra, const Program& program, const PresentBudget& budget,
+                         Repeats repeats = Repeats::left_out) {
   ClosedForms forms{std::move(algebra), {}};
-  present_functions(program, budget, forms, [&](Arithmetic& arithmetic, const Function& function) {
+  const auto values_of = [&program](Arithmetic& arithmetic, const Function& function) {
     return fold<Value>(arithmetic, program, function);
-  });
+  };
+  present_functions(program, budget, forms, values_of, repeats);
   return forms;
 }
 
@@ -172,7 +179,7 @@ ClosedForms present_quotients(const Program& program, const PresentBudget& budge
 }
 
 ClosedForms present_for_proofs(const Program& program, const PresentBudget& budget) {
-  return present_over({.has_quotients = true, .has_exponentials = true}, program, budget);
+  return present_over(algebra_of_proofs(), program, budget);
 }
 
 bool is_taken_apart(FunctionId function) {
@@ -203,15 +210,17 @@ bool proved_equal(ClosedForms& forms, const Fraction& x, const Fraction& y) {
 
 std::vector<ZeroProof> proved_zeros(const Program& program, Function function,
                                     const PresentBudget& budget) {
-  function.kind = OutputKind::momentum;  // any but `dynamics`, which has no closed form of its own
   const Program alone{program.leaves, program.constants, {std::move(function)}};
-  std::vector<ZeroProof> result = proofs_of(present(alone, budget));
+  const auto proofs = [&](const Algebra& algebra) {
+    return proofs_of(present_over(algebra, alone, budget, Repeats::presented));
+  };
+  std::vector<ZeroProof> result = proofs({});
   const bool is_open = std::ranges::find(result, ZeroProof::open) != result.end();
   const bool has_other_forms = std::ranges::any_of(function_table(), [&](const FunctionRow& row) {
     return is_taken_apart(row.id) && calls(alone, row.id);
   });
   if (!is_open || !has_other_forms) return result;
-  const std::vector<ZeroProof> others = proofs_of(present_for_proofs(alone, budget));
+  const std::vector<ZeroProof> others = proofs(algebra_of_proofs());
   for (std::size_t i = 0; i < result.size(); ++i) {
     if (result[i] == ZeroProof::open) result[i] = others[i];
   }
