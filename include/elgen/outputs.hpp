@@ -178,6 +178,7 @@ struct OutputRow {
   Notation symbol = {};
   LeafSet takes = {};  ///< arguments beside parameters and q (and t where t occurs)
   bool takes_parameters_alone = false;
+  bool is_of_mass = false;     ///< takes v as well, if L is not quadratic in v
   bool takes_drifted = false;  ///< states that do not meet the constraints
   std::span<const FieldRow> fields = {};
   Notation equation = {};

@@ -29,6 +29,7 @@ constexpr std::array force{FieldRow{"", E::velocities, E::one, U::power, forces}
 constexpr std::array mass{FieldRow{"", E::velocities, E::velocities, U::energy, square}};
 constexpr OutputRow mass_matrix{
     .symbol = {"M", "M"},
+    .is_of_mass = true,
     .fields = mass,
     .equation = {"M = d^2 L/dv^2", R"(M = \frac{\partial^{2} L}{\partial <v>^{2}})"},
     .doc = "Mass matrix, symmetric."};
@@ -263,6 +264,7 @@ constexpr OutputRow input_force_derivatives{
 
 constexpr std::array inverse_mass{FieldRow{"", E::velocities, E::velocities, U::none, square}};
 constexpr OutputRow inverse_mass_matrix{.symbol = {"M^-1", "M^{-1}"},
+                                        .is_of_mass = true,
                                         .fields = inverse_mass,
                                         .equation = {"M^-1", ""},
                                         .doc = "Inverse of the mass matrix, symmetric.",

@@ -203,4 +203,7 @@ TEST_CASE("arguments in one order, t and h last") {
   CHECK(names(subject.model, step) == "pqvuth");
   subject.model.quadratic = false;
   CHECK(names(subject.model, functions[0]) == "pqvt");
+  Function inverse;
+  inverse.kind = OutputKind::inverse_mass_matrix;
+  CHECK(names(subject.model, inverse) == "pqvt");
 }

@@ -133,11 +133,11 @@ std::vector<std::string> parameter_members(const Model& model, const LeafNames& 
 }
 
 std::vector<Opcode> arguments_of(const Model& model, const Function& function) {
-  if (output_row(function.kind).takes_parameters_alone) return {Opcode::parameter};
-  LeafSet taken = Opcode::parameter | Opcode::coordinate | output_row(function.kind).takes;
-  if (output_row(function.kind).of_user) taken |= model.outputs[function.user].takes;
-  const bool mass_takes_velocity = function.kind == OutputKind::mass_matrix && !model.quadratic;
-  if (mass_takes_velocity) taken |= Opcode::velocity;
+  const OutputRow& row = output_row(function.kind);
+  if (row.takes_parameters_alone) return {Opcode::parameter};
+  LeafSet taken = Opcode::parameter | Opcode::coordinate | row.takes;
+  if (row.of_user) taken |= model.outputs[function.user].takes;
+  if (row.is_of_mass && !model.quadratic) taken |= Opcode::velocity;
   if (model.uses_time) taken |= Opcode::time;
   if (!model.open_values.empty()) taken |= Opcode::open_value;
   std::vector<Opcode> list;
