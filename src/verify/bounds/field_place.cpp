@@ -10,13 +10,14 @@ namespace {
 
 /// The request to the oracle for a field.
 OutputRequest request_of(const Subject& subject, const Function& function, const Field& field) {
-  const OutputRequest request{.kind = function.kind,
-                              .user = function.user,
-                              .step = function.step,
-                              .independent = function.independent};
-  if (!output_row(function.kind).repeats) return request;
-  const OutputRequest* member = find_request(subject.scene, field.name);
-  return member != nullptr ? *member : request;
+  const bool repeats = output_row(function.kind).repeats;
+  const OutputRequest* const asked =
+      find_request(subject.scene, repeats ? field.name : function.name);
+  if (asked != nullptr && (repeats || asked->kind == function.kind)) return *asked;
+  return {.kind = function.kind,
+          .user = function.user,
+          .step = function.step,
+          .independent = function.independent};
 }
 
 /// The number of a field in the output table; 0 where the output has none of that name.
