@@ -3,6 +3,7 @@
 #include "random/jet.hpp"
 
 #include <boost/math/constants/constants.hpp>
+#include <cstdlib>
 #include <stdexcept>
 
 namespace elgen::random {
@@ -103,6 +104,17 @@ Jet hyperbolic(std::string_view function, const Jet& x) {
   if (function == "sinh") return (up - down) / 2;
   if (function == "cosh") return (up + down) / 2;
   return (up - down) / (up + down);
+}
+
+/// sum_i (-1)^i x^(2 i)/(2 i + k)! by Horner's rule; k < 0: with + for (-1)^i, and |k|.
+Jet stumpff(const Jet& x, int order) {
+  const int k = std::abs(order);
+  const Jet square = order < 0 ? x * x : -(x * x);
+  const int terms = 50 + 4 * static_cast<int>(abs(x.value()));  // what follows is below 1e-90
+  Jet sum = 1;
+  for (int n = k + 2 * terms; n > k; n -= 2) sum = Jet(1) + sum * square / (n * (n - 1));
+  for (int n = k; n > 1; --n) sum = sum / n;
+  return sum;
 }
 
 Jet extremum(std::string_view function, const Jet& x, const Jet& y) {
@@ -239,7 +251,11 @@ Jet call(std::string_view function, const std::vector<Jet>& arguments) {
   if (function == "tan") return sine(x, false) / sine(x, true);
   if (function == "exp") return exponential(x);
   if (function == "log") return logarithm(x);
+  if (function == "log1p") return logarithm(Jet(1) + x);
+  if (function == "expm1") return exponential(x) - Jet(1);
   if (function == "sqrt") return power(x, 1, 2);
+  if (function == "hypot") return power(x * x + arguments.at(1) * arguments.at(1), 1, 2);
+  if (function == "stumpff") return stumpff(x, static_cast<int>(arguments.at(1).value()));
   if (function == "asin") return arc_sine(x);
   if (function == "acos") return Jet(pi() / 2) - arc_sine(x);
   if (function == "atan") return arc_tangent(x);
