@@ -40,8 +40,8 @@ struct Symbols : LeafValues<GiNaC::ex> {
 struct Definition {
   GiNaC::ex symbol;
   GiNaC::ex value;
-  std::string name;  ///< C++ identifier for a reader ("bob_x"), or empty
-  Entity origin;     ///< the entry of the model that it came from
+  std::string name;                 ///< C++ identifier for a reader ("bob_x"), or empty
+  Entity origin;                    ///< the entry of the model that it came from
   std::vector<std::uint32_t> uses;  ///< indices of the definitions in `value`, ascending
   LeafSet depends = {};             ///< through `uses` too
   /// dvalue/dleaf of every leaf that it depends on, where `value` is a leaf itself, whose
@@ -271,22 +271,25 @@ struct Lagrangian {
   FrameTree tree = {};  ///< of an expansion or R it carries nothing but outputs
   std::vector<ConstraintEquation> constraints = {};
   std::vector<NamedOutput> outputs = {};
-  std::vector<HeldVariable> locked = {};        ///< until specialise takes them out
-  std::vector<std::uint32_t> held_inputs = {};  ///< that act on these alone, which leave with them
-  std::vector<HeldVariable> cyclic = {};        ///< likewise
-  std::vector<GiNaC::ex> cyclic_rates = {};     ///< of those that specialise took out
-  std::optional<Holding> holding = {};          ///< where a reaction is wanted
+  std::vector<GiNaC::ex> cyclic_rates = {};  ///< of those that specialise took out
+  std::optional<Holding> holding = {};       ///< where a reaction is wanted
   std::optional<Expansion> expansion = {};
   bool quadratic = true;
   bool eliminates_last_first = false;  ///< order of elimination of M; see Model
 };
 
+/// A Lagrangian in which everything still moves, and what specialise() takes out of it.
+struct WholeLagrangian : Lagrangian {
+  std::vector<HeldVariable> locked = {};
+  std::vector<std::uint32_t> held_inputs = {};  ///< that act on locked variables alone
+  std::vector<HeldVariable> cyclic = {};
+};
+
 /// Gives a definition a name, where it has none yet.
 void name(Definitions& definitions, const GiNaC::ex& symbol, const std::string& text);
 
-/// Builds the Lagrangian of a checked model, in which what a scene locks still moves. E502: dot()
-/// of something that contains rates.
-[[nodiscard]] Result<Lagrangian> formulate(const Model& model);
+/// Builds the Lagrangian of a checked model. E502: dot() of something that contains rates.
+[[nodiscard]] Result<WholeLagrangian> formulate(const Model& model);
 
 /// A value of an open function in GiNaC: the number of its undifferentiated value among the leaves,
 /// how many arguments it has, the digits of the derivative (0, 1, 12), and four arguments, those

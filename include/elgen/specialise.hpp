@@ -11,6 +11,7 @@ namespace elgen {
 /// `lagrangian` is that of `checked`. E312, E313, E314: a fixed parameter, a lock or `[routh]`
 /// makes something divide by zero, undefined or complex whatever the state is; with the span of its
 /// declaration.
-[[nodiscard]] Result<Lagrangian> specialise(Lagrangian lagrangian, const CheckedModel& checked);
+[[nodiscard]] Result<Lagrangian> specialise(WholeLagrangian lagrangian,
+                                            const CheckedModel& checked);
 
 }  // namespace elgen

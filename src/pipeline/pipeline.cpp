@@ -177,7 +177,7 @@ class Compilation {
                                   return Result<Inspection>({}, inspect(c.model, scene));
                                 }};
 
-  Stage<Lagrangian> formulated_{
+  Stage<WholeLagrangian> formulated_{
       run_, Goal::formulate, std::tie(checked_, inspection_),
       [](const CheckedModel& c, const Inspection&) { return formulate(c.model); }};
 

@@ -25,7 +25,7 @@ inline Chosen chosen(const std::string& text, const SceneOptions& options = {},
                      Preference prefer = Preference::balanced) {
   Chosen result{checked_model(text, options), {}, {}, {}};
   result.checked.scene.numerics.prefer = prefer;
-  const Result<Lagrangian> lagrangian = formulate(result.checked.model);
+  const Result<WholeLagrangian> lagrangian = formulate(result.checked.model);
   const auto equations = derive(*lagrangian, result.checked.scene.outputs, {});
   result.recursive = composed(cancel(*lower(*equations, result.checked.scene.outputs, {})));
   result.forms = present(result.recursive);

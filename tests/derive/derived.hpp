@@ -8,7 +8,7 @@
 namespace elgen::test {
 
 inline Lagrangian lagrangian_of(const std::string& text) {
-  Result<Lagrangian> lagrangian = formulate(checked_model(text).model);
+  Result<WholeLagrangian> lagrangian = formulate(checked_model(text).model);
   if (!lagrangian) throw std::runtime_error(format(lagrangian.diagnostics));
   return *lagrangian;
 }

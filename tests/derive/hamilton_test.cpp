@@ -104,7 +104,7 @@ TEST_CASE("momenta of a free top turn in its axes: dp/dt = p x w") {
   Rotation rotation;
   rotation.name = rotation.identifier = "e";
   append_rotation(model, rotation);
-  Result<Lagrangian> lagrangian = formulate(model);
+  Result<WholeLagrangian> lagrangian = formulate(model);
   REQUIRE(lagrangian);
   const GiNaC::numeric inertias[] = {2, 3, 5};
   for (std::size_t i = 0; i < 3; ++i) {

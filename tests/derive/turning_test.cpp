@@ -18,7 +18,7 @@ Lagrangian top() {
   Rotation rotation;
   rotation.name = rotation.identifier = "e";
   append_rotation(model, rotation);
-  Result<Lagrangian> lagrangian = formulate(model);
+  Result<WholeLagrangian> lagrangian = formulate(model);
   REQUIRE(lagrangian);
   const std::vector<ex> v = lagrangian->symbols.v;
   for (std::size_t i = 0; i < 3; ++i) {

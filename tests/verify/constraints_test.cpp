@@ -30,7 +30,7 @@ System constrained(const std::string& model, const std::string& outputs = all_ou
   SceneOptions options;
   options.outputs = {make_source("--outputs", outputs)};
   const CheckedModel checked = checked_model(model, options);
-  const Result<Lagrangian> lagrangian = formulate(checked.model);
+  const Result<WholeLagrangian> lagrangian = formulate(checked.model);
   const auto equations = derive(*lagrangian, checked.scene.outputs, {});
   System system{checked.model, checked.scene, *lower(*equations, checked.scene.outputs, {})};
   for (Function& function : system.program.functions) {

@@ -155,7 +155,7 @@ System framed_system(const std::string& outputs) {
   SceneOptions options;
   options.outputs = {make_source("--outputs", outputs)};
   const CheckedModel checked = checked_model(framed_text(), options);
-  const Result<Lagrangian> lagrangian = formulate(checked.model);
+  const Result<WholeLagrangian> lagrangian = formulate(checked.model);
   const auto equations = derive(*lagrangian, checked.scene.outputs, {});
   return {checked.model, checked.scene, *lower(*equations, checked.scene.outputs, {})};
 }

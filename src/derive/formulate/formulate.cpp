@@ -188,7 +188,7 @@ class Formulation {
     add_symbols(model, lagrangian_);
   }
 
-  Result<Lagrangian> build() && {
+  Result<WholeLagrangian> build() && {
     translation_.define_named();
     if (!translation_.errors().empty()) return translation_.errors().front();
     using F = Formulation;
@@ -318,7 +318,7 @@ class Formulation {
   }
 
   const Model& model_;
-  Lagrangian lagrangian_;
+  WholeLagrangian lagrangian_;
   Translation translation_;
 };
 
@@ -330,8 +330,8 @@ std::vector<ex> values_of(const EnergyTerms& terms) {
   return values;
 }
 
-Result<Lagrangian> formulate(const Model& model) {
-  Result<Lagrangian> lagrangian = Formulation(whole_of(model)).build();
+Result<WholeLagrangian> formulate(const Model& model) {
+  Result<WholeLagrangian> lagrangian = Formulation(whole_of(model)).build();
   // Held velocities are not eliminated.
   if (lagrangian) lagrangian->eliminates_last_first = eliminates_last_first(model);
   if (lagrangian) lagrangian->inertial = inertial_parameters(model);

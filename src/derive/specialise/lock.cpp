@@ -13,7 +13,7 @@ namespace {
 using GiNaC::ex;
 
 /// Where the locked variables and their rates stand.
-Seeds values_of(Lagrangian& lagrangian) {
+Seeds values_of(WholeLagrangian& lagrangian) {
   const Symbols& symbols = lagrangian.symbols;
   Definitions& definitions = lagrangian.definitions;
   Tangent passing(definitions, {{symbols.t, 1}}, "_dot");
@@ -45,7 +45,7 @@ std::shared_ptr<const Lagrangian> without_definitions(Lagrangian& lagrangian) {
 
 }  // namespace
 
-void lock(Lagrangian& lagrangian) {
+void lock(WholeLagrangian& lagrangian) {
   for (const HeldVariable& locked : lagrangian.locked) {
     for (const ex& value : locked.values) {
       const bool moves = dependence(lagrangian.definitions, value).has_any(Opcode::time);

@@ -10,18 +10,18 @@ namespace elgen {
 
 /// Every energy, force, frame and output over new definitions; the old ones stay in the list,
 /// unreached.
-void replace(Lagrangian& lagrangian, const Seeds& values);
+void replace(WholeLagrangian& lagrangian, const Seeds& values);
 
 /// q_i = s(t), v_i = ds/dt in every energy, force and frame; the row and the column of q_i are
 /// gone. Where a reaction is wanted, the Lagrangian before is kept in `holding`.
-void lock(Lagrangian& lagrangian);
+void lock(WholeLagrangian& lagrangian);
 
 /// Cyclic coordinates leave: L becomes R, a function of what is left and of their momenta.
-void routh(Lagrangian& lagrangian);
+void routh(WholeLagrangian& lagrangian);
 
 /// Values take the place of the locked or of the cyclic variables of the Lagrangian, whose rows,
 /// columns and leaves are gone, and the held inputs with them.
-void remove_variables(Lagrangian& lagrangian, std::vector<HeldVariable>& variables,
+void remove_variables(WholeLagrangian& lagrangian, std::vector<HeldVariable>& variables,
                       const Seeds& values);
 
 /// Masses, points and their forces become terms of T, V and the generalized forces.

@@ -62,7 +62,7 @@ class Replacing {
 
 }  // namespace
 
-void replace(Lagrangian& lagrangian, const Seeds& values) {
+void replace(WholeLagrangian& lagrangian, const Seeds& values) {
   Replacing replacing(lagrangian.definitions, values);
   replacing(lagrangian.masses);
   if (lagrangian.gravity) replacing(*lagrangian.gravity);
@@ -85,7 +85,7 @@ void replace(Lagrangian& lagrangian, const Seeds& values) {
   if (lagrangian.expansion) replacing(lagrangian.expansion->small);
 }
 
-void remove_variables(Lagrangian& lagrangian, std::vector<HeldVariable>& variables,
+void remove_variables(WholeLagrangian& lagrangian, std::vector<HeldVariable>& variables,
                       const Seeds& values) {
   replace(lagrangian, values);
   Symbols& symbols = lagrangian.symbols;

@@ -54,7 +54,7 @@ struct CyclicEquations {
   std::vector<ex> excess = {};
 };
 
-CyclicEquations cyclic_equations(Lagrangian& lagrangian, const Seeds& standing) {
+CyclicEquations cyclic_equations(WholeLagrangian& lagrangian, const Seeds& standing) {
   Definitions& definitions = lagrangian.definitions;
   std::vector<ex> rates;
   for (const Held& cyclic : lagrangian.cyclic) {
@@ -78,7 +78,7 @@ CyclicEquations cyclic_equations(Lagrangian& lagrangian, const Seeds& standing) 
 
 }  // namespace
 
-void routh(Lagrangian& lagrangian) {
+void routh(WholeLagrangian& lagrangian) {
   write_sums(lagrangian);
   join_energies(lagrangian);
   Seeds standing;

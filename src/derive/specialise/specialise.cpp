@@ -22,7 +22,7 @@ namespace {
 
 using GiNaC::ex;
 
-void fix(Lagrangian& lagrangian, const Model& model, const FixedParameters& fixed) {
+void fix(WholeLagrangian& lagrangian, const Model& model, const FixedParameters& fixed) {
   Seeds values;
   for (const auto& [parameter, value] : fixed) {
     const ex number =
@@ -49,10 +49,10 @@ constexpr Problem division{Code::E312, "a denominator 0"};
 constexpr Problem undefined{Code::E313, "a value undefined"};
 constexpr Problem complex{Code::E314, "a value complex"};
 
-using Step = std::function<void(Lagrangian&)>;
+using Step = std::function<void(WholeLagrangian&)>;
 
 /// Does a step; what is wrong with the values it leads to.
-std::optional<Problem> problem_of(const Step& step, Lagrangian& lagrangian) {
+std::optional<Problem> problem_of(const Step& step, WholeLagrangian& lagrangian) {
   const std::size_t known = lagrangian.definitions.list.size();
   try {
     step(lagrangian);
@@ -88,10 +88,10 @@ struct Circumstance {
 
 /// The first part that fails by itself is to blame; where none does, all are.
 Diagnostic blamed(const Problem& problem, const std::vector<StepPart>& parts,
-                  const Lagrangian& before, const Circumstance& at) {
+                  const WholeLagrangian& before, const Circumstance& at) {
   std::string names;
   for (const StepPart& part : parts) {
-    Lagrangian trial = before;
+    WholeLagrangian trial = before;
     const auto found = problem_of(part.step, trial);
     if (found) {
       return {
@@ -104,29 +104,30 @@ Diagnostic blamed(const Problem& problem, const std::vector<StepPart>& parts,
           names + " " + at.many + " make " + problem.text + ", whatever the state is"};
 }
 
-Diagnostics fix_parameters(Lagrangian& lagrangian, const CheckedModel& checked) {
+Diagnostics fix_parameters(WholeLagrangian& lagrangian, const CheckedModel& checked) {
   const auto& fixed = checked.scene.specialisation.fixed;
   const Model& model = checked.model;
-  const Lagrangian before = lagrangian;
-  const auto problem = problem_of([&](Lagrangian& whole) { fix(whole, model, fixed); }, lagrangian);
+  const WholeLagrangian before = lagrangian;
+  const auto problem =
+      problem_of([&](WholeLagrangian& whole) { fix(whole, model, fixed); }, lagrangian);
   if (!problem) return {};
   std::vector<StepPart> parts;
   for (const auto& entry : fixed) {
     const Parameter& parameter = model.parameters[entry.first];
     parts.push_back({parameter.name, model.parameter_arrays[parameter.array].span,
-                     [&](Lagrangian& part) { fix(part, model, {entry}); }});
+                     [&](WholeLagrangian& part) { fix(part, model, {entry}); }});
   }
   return {blamed(*problem, parts, before, {"at its fixed value", "at their fixed values"})};
 }
 
-Diagnostics lock_coordinates(Lagrangian& lagrangian) {
-  const Lagrangian before = lagrangian;
+Diagnostics lock_coordinates(WholeLagrangian& lagrangian) {
+  const WholeLagrangian before = lagrangian;
   const auto problem = problem_of(lock, lagrangian);
   if (!problem) return {};
   std::vector<StepPart> parts;
   for (std::size_t i = 0; i < before.locked.size(); ++i) {
     parts.push_back({before.leaves.q[before.locked[i].coordinate], before.locked[i].span,
-                     [i](Lagrangian& part) {
+                     [i](WholeLagrangian& part) {
                        part.locked = {part.locked[i]};
                        lock(part);
                      }});
@@ -134,7 +135,7 @@ Diagnostics lock_coordinates(Lagrangian& lagrangian) {
   return {blamed(*problem, parts, before, {"where it is locked", "where they are locked"})};
 }
 
-Diagnostics take_out(Lagrangian& lagrangian, const CheckedModel& checked) {
+Diagnostics take_out(WholeLagrangian& lagrangian, const CheckedModel& checked) {
   const auto problem = problem_of(routh, lagrangian);
   if (!problem) return {};
   return {{problem->code, checked.model.variant.cyclic.front().span,
@@ -143,13 +144,14 @@ Diagnostics take_out(Lagrangian& lagrangian, const CheckedModel& checked) {
 
 }  // namespace
 
-Result<Lagrangian> specialise(Lagrangian lagrangian, const CheckedModel& checked) {
+Result<Lagrangian> specialise(WholeLagrangian lagrangian, const CheckedModel& checked) {
   Diagnostics errors;
   if (!checked.scene.specialisation.fixed.empty()) errors = fix_parameters(lagrangian, checked);
   if (errors.empty() && !lagrangian.locked.empty()) errors = lock_coordinates(lagrangian);
   if (errors.empty() && !lagrangian.cyclic.empty()) errors = take_out(lagrangian, checked);
   if (!errors.empty()) return errors;
-  return lagrangian.expansion ? expanded(std::move(lagrangian)) : std::move(lagrangian);
+  Lagrangian& rest = lagrangian;  // nothing is locked or cyclic any more
+  return rest.expansion ? expanded(std::move(rest)) : std::move(rest);
 }
 
 }  // namespace elgen

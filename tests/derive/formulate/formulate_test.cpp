@@ -27,7 +27,7 @@ Model model() {
 }
 
 Lagrangian formulated() {
-  Result<Lagrangian> lagrangian = formulate(model());
+  Result<WholeLagrangian> lagrangian = formulate(model());
   REQUIRE(lagrangian);
   return std::move(*lagrangian);
 }

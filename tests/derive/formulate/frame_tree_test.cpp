@@ -24,7 +24,7 @@ T = "dot(q)^2 + dot(s)^2"
 [[input]]
 name = "u"
 )toml" + entries);
-  Result<Lagrangian> lagrangian = formulate(checked_model(text).model);
+  Result<WholeLagrangian> lagrangian = formulate(checked_model(text).model);
   REQUIRE(lagrangian);
   return std::move(*lagrangian);
 }
