@@ -18,21 +18,25 @@ using ExpressionId = std::uint32_t;
 enum class ExpressionKind : std::uint8_t {
   number,  ///< number
   pi,
-  leaf,        ///< number `index` of its kind; inputs in forces and [[expect]], a, p and E in the
-               ///< latter; the operands of an open value are the arguments of its function
-  prescribed,  ///< prescribed[index], a function of t
-  definition,  ///< definitions[index]
-  point_component,  ///< points[index / 3].at[index % 3]
-  body_component,   ///< bodies[index / 3].com[index % 3]
-  frame_component,  ///< of frames[index / components_per_frame], a FrameComponent and what follows
-                    ///< it
-  negate,           ///< -operands[0]
-  add,              ///< n-ary
-  multiply,         ///< n-ary
-  divide,           ///< operands[0] / operands[1]
-  power,            ///< operands[0] ^ number, rational exponent; sqrt is the power 1/2
-  function,         ///< function(operands…)
+  leaf,      ///< number `index` of its kind; inputs in forces and [[expect]], a, p and E in the
+             ///< latter; the operands of an open value are the arguments of its function
+  named,     ///< the expression that entry `index` of the kind `named` holds
+  negate,    ///< -operands[0]
+  add,       ///< n-ary
+  multiply,  ///< n-ary
+  divide,    ///< operands[0] / operands[1]
+  power,     ///< operands[0] ^ number, rational exponent; sqrt is the power 1/2
+  function,  ///< function(operands…)
   time_derivative,  ///< d/dt operands[0] along the motion: q -> v, v -> a, t -> 1
+};
+
+/// An entry that expressions name; `component` is one of its numbers.
+enum class NamedKind : std::uint8_t {
+  prescribed,  ///< prescribed[index].value, a function of t
+  definition,  ///< definitions[index].value
+  point,       ///< points[index].at[component]
+  body,        ///< bodies[index].com[component]
+  frame,       ///< of frames[index], a FrameComponent or the numbers that follow it
 };
 
 /// The numbers of a frame that expressions name, by the first of each.
@@ -48,7 +52,9 @@ struct Expression {
   ExpressionKind kind = ExpressionKind::number;
   Opcode leaf = Opcode::parameter;  ///< the kind of a leaf (leaves.def)
   FunctionId function = FunctionId::sin;
-  std::uint32_t index = 0;
+  NamedKind named = NamedKind::definition;
+  std::uint32_t index = 0;      ///< of a leaf, or of the entry of a name
+  std::uint32_t component = 0;  ///< of a point, a body or a frame
   cln::cl_RA number = 0;
   std::vector<ExpressionId> operands = {};
   Span span = {};
@@ -56,6 +62,11 @@ struct Expression {
 
 [[nodiscard]] inline bool is_leaf(const Expression& expression, Opcode kind) {
   return expression.kind == ExpressionKind::leaf && expression.leaf == kind;
+}
+
+/// Whether an expression names an entry of this kind.
+[[nodiscard]] inline bool is_name(const Expression& expression, NamedKind kind) {
+  return expression.kind == ExpressionKind::named && expression.named == kind;
 }
 
 }  // namespace elgen

@@ -200,7 +200,7 @@ class NamedConstants {
   [[nodiscard]] const char* cause_of(const Expression& node) const {
     if (is_leaf(node, Opcode::parameter)) return "fixed at ";
     const bool is_locked =
-        node.kind == ExpressionKind::prescribed && node.index >= whole_of(model_).prescribed.size();
+        is_name(node, NamedKind::prescribed) && node.index >= whole_of(model_).prescribed.size();
     return is_locked ? "locked at " : "";
   }
 

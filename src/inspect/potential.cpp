@@ -40,7 +40,7 @@ std::vector<std::uint32_t> points_in(const Model& model, ExpressionId root) {
   std::vector<std::uint32_t> points;
   for (const ExpressionId id : reached(model, {root})) {
     const Expression& e = model.expressions[id];
-    if (e.kind == ExpressionKind::point_component) points.push_back(e.index / 3);
+    if (is_name(e, NamedKind::point)) points.push_back(e.index);
   }
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());

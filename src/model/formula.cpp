@@ -66,9 +66,7 @@ class FormulaMaker {
 };
 
 /// "axis(F, 2, 3)", "x(F)", "wx(F)", "wx(F, F)"
-std::string name_of_component(const Model& model, std::uint32_t index) {
-  const std::string& name = model.frames[index / components_per_frame].name;
-  const std::uint32_t k = index % components_per_frame;
+std::string name_of_component(const std::string& name, std::uint32_t k) {
   const std::string axis(1, "xyz"[k % 3]);
   if (k >= frame_turning) return fmt::format("w{}({}, {})", axis, name, name);
   if (k >= frame_angular_velocity) return fmt::format("w{}({})", axis, name);
@@ -76,20 +74,31 @@ std::string name_of_component(const Model& model, std::uint32_t index) {
   return fmt::format("axis({}, {}, {})", name, k / 3 + 1, k % 3 + 1);
 }
 
+std::string name_of_entry(const Model& model, const Expression& node) {
+  const auto component_of = [&node](const std::string& name) {
+    return std::string(1, "xyz"[node.component]) + "(" + name + ")";
+  };
+  switch (node.named) {
+    case NamedKind::prescribed:
+      return model.prescribed[node.index].name;
+    case NamedKind::definition:
+      return model.definitions[node.index].name;
+    case NamedKind::point:
+      return component_of(model.points[node.index].name);
+    case NamedKind::body:
+      return component_of(model.bodies[node.index].name);
+    case NamedKind::frame:
+      return name_of_component(model.frames[node.index].name, node.component);
+  }
+  return {};
+}
+
 std::string name_in_model(const Model& model, const Expression& node) {
   switch (node.kind) {
     case ExpressionKind::pi:
       return "pi";
-    case ExpressionKind::prescribed:
-      return model.prescribed[node.index].name;
-    case ExpressionKind::definition:
-      return model.definitions[node.index].name;
-    case ExpressionKind::point_component:
-      return std::string(1, "xyz"[node.index % 3]) + "(" + model.points[node.index / 3].name + ")";
-    case ExpressionKind::body_component:
-      return std::string(1, "xyz"[node.index % 3]) + "(" + model.bodies[node.index / 3].name + ")";
-    case ExpressionKind::frame_component:
-      return name_of_component(model, node.index);
+    case ExpressionKind::named:
+      return name_of_entry(model, node);
     case ExpressionKind::time_derivative:
       return "dot(" + to_string(model, node.operands[0]) + ")";
     default:

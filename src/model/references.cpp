@@ -73,14 +73,13 @@ ExpressionId component_of_frame(const Frame& frame, std::uint32_t component) {
 /// Like references(), but a component of a point or of the pose of a frame refers to all of it.
 std::vector<ExpressionId> references_by_name(const Model& model, ExpressionId expression) {
   const Expression& e = model.expressions[expression];
-  if (e.kind == ExpressionKind::point_component) {
-    const Vector3& at = model.points[e.index / 3].at;
+  if (is_name(e, NamedKind::point)) {
+    const Vector3& at = model.points[e.index].at;
     return {at.begin(), at.end()};
   }
-  const bool is_of_pose = e.kind == ExpressionKind::frame_component &&
-                          e.index % components_per_frame < frame_angular_velocity;
+  const bool is_of_pose = is_name(e, NamedKind::frame) && e.component < frame_angular_velocity;
   if (!is_of_pose) return references(model, expression);
-  const Frame& frame = model.frames[e.index / components_per_frame];
+  const Frame& frame = model.frames[e.index];
   std::vector<ExpressionId> all(frame.rotation.begin(), frame.rotation.end());
   all.insert(all.end(), frame.origin.begin(), frame.origin.end());
   return all;
@@ -175,22 +174,21 @@ class RootList {
 }  // namespace
 
 std::optional<ExpressionId> value_of_name(const Model& model, const Expression& expression) {
+  if (expression.kind != ExpressionKind::named) return std::nullopt;
   const std::uint32_t index = expression.index;
-  switch (expression.kind) {
-    case ExpressionKind::prescribed:
+  switch (expression.named) {
+    case NamedKind::prescribed:
       return model.prescribed[index].value;
-    case ExpressionKind::definition:
+    case NamedKind::definition:
       return model.definitions[index].value;
-    case ExpressionKind::point_component:
-      return model.points[index / 3].at[index % 3];
-    case ExpressionKind::body_component:
-      return model.bodies[index / 3].com[index % 3];
-    case ExpressionKind::frame_component:
-      return component_of_frame(model.frames[index / components_per_frame],
-                                index % components_per_frame);
-    default:
-      return std::nullopt;
+    case NamedKind::point:
+      return model.points[index].at[expression.component];
+    case NamedKind::body:
+      return model.bodies[index].com[expression.component];
+    case NamedKind::frame:
+      return component_of_frame(model.frames[index], expression.component);
   }
+  return std::nullopt;
 }
 
 std::vector<ExpressionId> references(const Model& model, ExpressionId expression) {

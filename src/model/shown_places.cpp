@@ -26,16 +26,19 @@ struct NamedPlace {
 
 /// The place that a node is a component of.
 std::optional<NamedPlace> place_of(const Expression& node) {
-  switch (node.kind) {
-    case ExpressionKind::point_component:
-      return NamedPlace{PlaceKind::point, node.index / 3};
-    case ExpressionKind::body_component:
-      return NamedPlace{PlaceKind::body, node.index / 3};
-    case ExpressionKind::frame_component:
-      return NamedPlace{PlaceKind::frame, node.index / components_per_frame};
-    default:
-      return std::nullopt;
+  if (node.kind != ExpressionKind::named) return std::nullopt;
+  switch (node.named) {
+    case NamedKind::point:
+      return NamedPlace{PlaceKind::point, node.index};
+    case NamedKind::body:
+      return NamedPlace{PlaceKind::body, node.index};
+    case NamedKind::frame:
+      return NamedPlace{PlaceKind::frame, node.index};
+    case NamedKind::prescribed:
+    case NamedKind::definition:
+      break;
   }
+  return std::nullopt;
 }
 
 /// The places whose components stand below the roots, without those that these are written over.

@@ -114,7 +114,7 @@ Glyphs argument_symbol(const Model& model, const LeafValues<Formula>& leaves,
                        ExpressionId argument) {
   const Expression& e = model.expressions[argument];
   if (e.kind == ExpressionKind::leaf) return glyphs_of(leaf_of(leaves, e.leaf, e.index));
-  if (e.kind != ExpressionKind::definition) return {};
+  if (!is_name(e, NamedKind::definition)) return {};
   const NamedExpression& definition = model.definitions[e.index];
   return symbol_of_name(definition.name, definition.latex);
 }

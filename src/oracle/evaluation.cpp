@@ -82,11 +82,7 @@ Jet Evaluation::operand(ExpressionId id, unsigned time_order) const {
 
 Jet Evaluation::evaluated(const Expression& e, unsigned time_order) {
   switch (e.kind) {
-    case ExpressionKind::prescribed:
-    case ExpressionKind::definition:
-    case ExpressionKind::point_component:
-    case ExpressionKind::body_component:
-    case ExpressionKind::frame_component:
+    case ExpressionKind::named:
       return operand(*value_of_name(model_, e), time_order);
     case ExpressionKind::negate:
       return -operand(e.operands[0], time_order);

@@ -178,22 +178,29 @@ class NamedFormulas {
         return pi_formula();
       case ExpressionKind::leaf:
         return leaf_of(symbols(), e.leaf, e.index);
-      case ExpressionKind::prescribed:
-        return symbol(id, symbol_of(model_.prescribed[e.index]));
-      case ExpressionKind::definition:
-        return symbol(id, symbol_of(model_.definitions[e.index]));
-      case ExpressionKind::point_component:
-        return symbol(id, component(model_.points[e.index / 3].name, e.index % 3));
-      case ExpressionKind::time_derivative: {
+      case ExpressionKind::named:
+        return symbol(id, symbol_of_entry(e));
+      default: {  // a time derivative: operations are written by formula_of()
         Glyphs rate = read_latex("\\frac{d}{dt} \\left( <y> \\right)");
         return symbol(id, replaced(std::move(rate), "y", glyphs_of((*this)(e.operands[0]))));
       }
-      case ExpressionKind::body_component:
-        return symbol(id, component(model_.bodies[e.index / 3].name, e.index % 3));
-      default:
-        return symbol(id, component_of_frame(model_.frames[e.index / components_per_frame].name,
-                                             e.index % components_per_frame));
     }
+  }
+
+  [[nodiscard]] Glyphs symbol_of_entry(const Expression& e) const {
+    switch (e.named) {
+      case NamedKind::prescribed:
+        return symbol_of(model_.prescribed[e.index]);
+      case NamedKind::definition:
+        return symbol_of(model_.definitions[e.index]);
+      case NamedKind::point:
+        return component(model_.points[e.index].name, e.component);
+      case NamedKind::body:
+        return component(model_.bodies[e.index].name, e.component);
+      case NamedKind::frame:
+        break;
+    }
+    return component_of_frame(model_.frames[e.index].name, e.component);
   }
 
   [[nodiscard]] Formula symbol(ExpressionId id, Glyphs glyphs) const {

@@ -190,7 +190,7 @@ TEST_CASE("an E of the model wins, with one note") {
         "every model\n");
   const Model model = checked(own).model;
   const std::vector<ExpressionId>& entries = model.expectations.front().entries;
-  CHECK(model.expressions[entries[0]].kind == ExpressionKind::definition);
+  CHECK(is_name(model.expressions[entries[0]], NamedKind::definition));
   CHECK(is_leaf(model.expressions[entries[2]], Opcode::energy));
 }
 

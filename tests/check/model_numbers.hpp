@@ -55,9 +55,7 @@ class ModelNumbers {
         if (e.leaf == Opcode::coordinate) return {q_.at(e.index), v_.at(e.index)};
         if (e.leaf == Opcode::velocity) return {v_.at(e.index), 0};
         return {number(model_.parameters[e.index].value), 0};
-      case ExpressionKind::point_component:
-      case ExpressionKind::body_component:
-      case ExpressionKind::frame_component:
+      case ExpressionKind::named:
         return at(*value_of_name(model_, e));
       case ExpressionKind::time_derivative:
         return {at(e.operands[0]).rate, 0};

@@ -38,7 +38,9 @@ struct Sheet {
     append_coordinate(context.model, coordinate);
     x = nodes.leaf(Opcode::coordinate, 0);
     one = nodes.number(1);
-    pi = nodes.named(ExpressionKind::pi, 0);
+    pi = static_cast<ExpressionId>(context.model.expressions.size());
+    context.model.expressions.push_back({.kind = ExpressionKind::pi});
+    (void)context.constants.append(context.model.expressions);
   }
 
   [[nodiscard]] std::string text(ExpressionId id) const { return to_string(context.model, id); }

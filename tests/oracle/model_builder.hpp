@@ -88,11 +88,11 @@ class ModelBuilder {
   }
 
   ModelBuilder& definition(const std::string& name, const std::string& value) {
-    return named(model.definitions, ExpressionKind::definition, name, value);
+    return named(model.definitions, NamedKind::definition, name, value);
   }
 
   ModelBuilder& prescribed(const std::string& name, const std::string& value) {
-    return named(model.prescribed, ExpressionKind::prescribed, name, value);
+    return named(model.prescribed, NamedKind::prescribed, name, value);
   }
 
   ModelBuilder& point(const std::string& name, const std::vector<std::string>& at,
@@ -183,12 +183,14 @@ class ModelBuilder {
     return *this;
   }
 
-  ModelBuilder& named(std::vector<NamedExpression>& list, ExpressionKind kind,
-                      const std::string& name, const std::string& value) {
+  ModelBuilder& named(std::vector<NamedExpression>& list, NamedKind kind, const std::string& name,
+                      const std::string& value) {
     NamedExpression entry;
     entry.name = entry.identifier = name;
     entry.value = expression(value);
-    names_[name] = {.kind = kind, .index = static_cast<std::uint32_t>(list.size())};
+    names_[name] = {.kind = ExpressionKind::named,
+                    .named = kind,
+                    .index = static_cast<std::uint32_t>(list.size())};
     list.push_back(entry);
     return *this;
   }
@@ -302,8 +304,10 @@ class ModelBuilder {
       const std::string point = token([this](std::size_t n) { return rest_[n] != ')'; });
       take(')');
       Expression e;
-      e.kind = ExpressionKind::point_component;
-      e.index = points_.at(point) * 3 + static_cast<std::uint32_t>(axes.find(word));
+      e.kind = ExpressionKind::named;
+      e.named = NamedKind::point;
+      e.index = points_.at(point);
+      e.component = static_cast<std::uint32_t>(axes.find(word));
       return add(e);
     }
     std::vector<ExpressionId> arguments{sum()};

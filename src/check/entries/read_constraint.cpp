@@ -93,8 +93,7 @@ class ConstraintReader {
     NodeBuilder nodes(context_, list.span);
     const auto component = [&](const std::optional<std::uint32_t>& point, std::uint32_t axis) {
       const bool is_zero = !point || points[*point].at[axis] == no_expression;
-      return is_zero ? no_expression
-                     : nodes.named(ExpressionKind::point_component, 3 * *point + axis);
+      return is_zero ? no_expression : nodes.named(NamedKind::point, *point, axis);
     };
     const std::uint32_t dimension = std::min(components(p), components(q));
     for (std::uint32_t axis = 0; axis < dimension; ++axis) {
@@ -154,8 +153,8 @@ std::optional<std::uint32_t> point_at_rest(const Model& model, ExpressionId valu
   const Expression& node = model.expressions[value];
   if (node.kind != ExpressionKind::time_derivative) return std::nullopt;
   const Expression& inner = model.expressions[node.operands[0]];
-  if (inner.kind != ExpressionKind::point_component) return std::nullopt;
-  return inner.index / 3;
+  if (!is_name(inner, NamedKind::point)) return std::nullopt;
+  return inner.index;
 }
 
 /// E541 at the second component of a point.

@@ -29,8 +29,9 @@ ExpressionId NodeBuilder::leaf(Opcode kind, std::uint32_t index) {
   return push({.kind = ExpressionKind::leaf, .leaf = kind, .index = index});
 }
 
-ExpressionId NodeBuilder::named(ExpressionKind kind, std::uint32_t index) {
-  return push({.kind = kind, .index = index});
+ExpressionId NodeBuilder::named(NamedKind kind, std::uint32_t index, std::uint32_t component) {
+  return push(
+      {.kind = ExpressionKind::named, .named = kind, .index = index, .component = component});
 }
 
 ExpressionId NodeBuilder::negate(ExpressionId a) {
@@ -154,7 +155,7 @@ Matrix3 NodeBuilder::identity() {
 Matrix3 rotation_of(NodeBuilder& nodes, std::uint32_t frame) {
   Matrix3 result{};
   for (std::uint32_t k = 0; k < 9; ++k) {
-    result[k] = nodes.named(ExpressionKind::frame_component, components_per_frame * frame + k);
+    result[k] = nodes.named(NamedKind::frame, frame, k);
   }
   return result;
 }
@@ -162,8 +163,7 @@ Matrix3 rotation_of(NodeBuilder& nodes, std::uint32_t frame) {
 Vector3 vector_of(NodeBuilder& nodes, std::uint32_t frame, FrameComponent first) {
   Vector3 result{};
   for (std::uint32_t k = 0; k < 3; ++k) {
-    result[k] =
-        nodes.named(ExpressionKind::frame_component, components_per_frame * frame + first + k);
+    result[k] = nodes.named(NamedKind::frame, frame, first + k);
   }
   return result;
 }

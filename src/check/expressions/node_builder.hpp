@@ -21,7 +21,7 @@ class NodeBuilder {
 
   ExpressionId number(const cln::cl_RA& value);
   ExpressionId leaf(Opcode kind, std::uint32_t index);
-  ExpressionId named(ExpressionKind kind, std::uint32_t index);
+  ExpressionId named(NamedKind kind, std::uint32_t index, std::uint32_t component);
   ExpressionId negate(ExpressionId a);
   ExpressionId add(const std::vector<ExpressionId>& terms);
   ExpressionId subtract(ExpressionId a, ExpressionId b);

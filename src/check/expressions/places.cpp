@@ -78,10 +78,9 @@ std::string_view way_round(const Place& place, Ingredient ingredient) {
 
 void report(Context& context, const WrittenExpression& root, const Expression& node,
             const IngredientRow& row) {
-  const bool is_name = node.kind == ExpressionKind::definition ||
-                       node.kind == ExpressionKind::point_component ||
-                       node.kind == ExpressionKind::prescribed;
-  std::string message = in_backticks(node.span) + (is_name ? " contains " : " is ");
+  const bool contains = is_name(node, NamedKind::definition) || is_name(node, NamedKind::point) ||
+                        is_name(node, NamedKind::prescribed);
+  std::string message = in_backticks(node.span) + (contains ? " contains " : " is ");
   message += std::string(row.noun) + ", and " + std::string(root.place.noun) + " takes none";
   context.report.add(code_of(row.ingredient, root.place), node.span, std::move(message),
                      std::string(way_round(root.place, row.ingredient)));
@@ -131,20 +130,20 @@ Named named(const Row& row) {
 
 /// The entry that a node stands for, if that has a name and expressions of its own.
 std::optional<Named> named_by(const Model& model, const Expression& node) {
-  switch (node.kind) {
-    case ExpressionKind::definition:
+  if (node.kind != ExpressionKind::named) return std::nullopt;
+  switch (node.named) {
+    case NamedKind::definition:
       return named(model.definitions[node.index]);
-    case ExpressionKind::prescribed:
+    case NamedKind::prescribed:
       return named(model.prescribed[node.index]);
-    case ExpressionKind::point_component:
-      return named(model.points[node.index / 3]);
-    case ExpressionKind::body_component:
-      return named(model.bodies[node.index / 3]);
-    case ExpressionKind::frame_component:
-      return named(model.frames[node.index / components_per_frame]);
-    default:
-      return std::nullopt;
+    case NamedKind::point:
+      return named(model.points[node.index]);
+    case NamedKind::body:
+      return named(model.bodies[node.index]);
+    case NamedKind::frame:
+      return named(model.frames[node.index]);
   }
+  return std::nullopt;
 }
 
 }  // namespace

@@ -42,22 +42,18 @@ std::optional<Resolver::ResolvedPlace> Resolver::resolve_place(const ExpressionS
   if (is_name && is_named(symbol, SymbolKind::point)) {
     const auto index = element(name, *symbol);
     if (!index) return std::nullopt;
-    return ResolvedPlace{ExpressionKind::point_component, 3 * *index,
-                         model.points[*index].dimension};
+    return ResolvedPlace{NamedKind::point, *index, 0, model.points[*index].dimension};
   }
   if (is_name && frame != nullptr) {
     const auto index = element(name, *frame);
     if (!index) return std::nullopt;
-    return ResolvedPlace{ExpressionKind::frame_component,
-                         components_per_frame * *index + frame_origin,
-                         context_.dimension == 2 ? 2U : 3U};
+    return ResolvedPlace{NamedKind::frame, *index, frame_origin, context_.dimension == 2 ? 2U : 3U};
   }
   if (is_name && is_named(symbol, SymbolKind::body)) {
     const auto index = element(name, *symbol);
     if (!index) return std::nullopt;
     const Body& body = model.bodies[*index];
-    if (body.local)
-      return ResolvedPlace{ExpressionKind::body_component, 3 * *index, body.dimension};
+    if (body.local) return ResolvedPlace{NamedKind::body, *index, 0, body.dimension};
   }
   refuse_place(name, symbol);
   return std::nullopt;
@@ -118,7 +114,11 @@ std::optional<ExpressionId> Resolver::resolve_component(const ExpressionSyntax& 
   if (!has_arity(call, 1)) return std::nullopt;
   const std::optional<ResolvedPlace> place = resolve_place(call.operands[0]);
   if (!place || !has_axis(call, place->dimension, false)) return std::nullopt;
-  return push({.kind = place->kind, .index = place->first + axis_of(call), .span = call.span});
+  return push({.kind = ExpressionKind::named,
+               .named = place->kind,
+               .index = place->index,
+               .component = place->first + axis_of(call),
+               .span = call.span});
 }
 
 std::optional<ExpressionId> Resolver::resolve_velocity(const ExpressionSyntax& call) {
@@ -137,7 +137,7 @@ std::optional<ExpressionId> Resolver::resolve_velocity(const ExpressionSyntax& c
   NodeBuilder nodes(context_, call.span);
   Vector3 velocity{};
   for (std::uint32_t i = 0; i < place->dimension; ++i) {
-    const ExpressionId component = nodes.named(place->kind, place->first + i);
+    const ExpressionId component = nodes.named(place->kind, place->index, place->first + i);
     velocity[i] = nodes.rate(component);
   }
   return or_zero(turned(nodes, velocity, std::nullopt, number_of(*axes))[axis_of(call)], call.span);
@@ -176,8 +176,10 @@ std::optional<ExpressionId> Resolver::resolve_axis(const ExpressionSyntax& call)
   }
   if (frame->is_world) return push_number(places[0] == places[1] ? 1 : 0, call.span);
   const auto entry = static_cast<std::uint32_t>(3 * places[0] + places[1]);
-  return push({.kind = ExpressionKind::frame_component,
-               .index = components_per_frame * frame->index + frame_rotation + entry,
+  return push({.kind = ExpressionKind::named,
+               .named = NamedKind::frame,
+               .index = frame->index,
+               .component = frame_rotation + entry,
                .span = call.span});
 }
 

@@ -18,15 +18,18 @@ std::string_view energy_symbol() { return leaf_row(Opcode::energy).symbol; }
 /// The expression that the name of such a symbol stands for, without its index and place.
 std::optional<Expression> named(SymbolKind kind) {
   const auto leaf = [](Opcode of) { return Expression{.kind = ExpressionKind::leaf, .leaf = of}; };
+  const auto name = [](NamedKind of) {
+    return Expression{.kind = ExpressionKind::named, .named = of};
+  };
   switch (kind) {
     case SymbolKind::coordinate:
       return leaf(Opcode::coordinate);
     case SymbolKind::parameter:
       return leaf(Opcode::parameter);
     case SymbolKind::definition:
-      return Expression{.kind = ExpressionKind::definition};
+      return name(NamedKind::definition);
     case SymbolKind::prescribed:
-      return Expression{.kind = ExpressionKind::prescribed};
+      return name(NamedKind::prescribed);
     case SymbolKind::input:
       return leaf(Opcode::input);
     case SymbolKind::open_value:

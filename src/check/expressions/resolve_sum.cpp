@@ -110,7 +110,8 @@ class LikeTerms {
       const Expression& x = node(i);
       const Expression& y = node(k);
       return x.kind == y.kind && x.leaf == y.leaf && x.function == y.function &&
-             x.index == y.index && x.number == y.number && are_same(x.operands, y.operands);
+             x.named == y.named && x.index == y.index && x.component == y.component &&
+             x.number == y.number && are_same(x.operands, y.operands);
     });
   }
 

@@ -82,9 +82,10 @@ class Resolver {
   std::optional<ExpressionId> resolve_sum(const ExpressionSyntax& call);
   std::optional<ExpressionId> resolve_delta(const ExpressionSyntax& call);
 
-  /// The kind and the index of the first of the components of a place.
+  /// An entry that has a place, and the first of its components.
   struct ResolvedPlace {
-    ExpressionKind kind = ExpressionKind::point_component;
+    NamedKind kind = NamedKind::point;
+    std::uint32_t index = 0;
     std::uint32_t first = 0;
     std::uint32_t dimension = 3;
   };

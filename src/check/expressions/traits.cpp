@@ -123,8 +123,8 @@ class TraitFinder {
                                    const std::vector<ExpressionId>& parts) const {
     const Traits& first = traits_[parts.front()];
     switch (node.kind) {
-      case ExpressionKind::prescribed:
-        return sum(leaf(uses_time), first);
+      case ExpressionKind::named:
+        return node.named == NamedKind::prescribed ? sum(leaf(uses_time), first) : first;
       case ExpressionKind::add:
         return folded(parts, sum);
       case ExpressionKind::multiply:

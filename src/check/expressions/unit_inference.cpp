@@ -103,16 +103,26 @@ class UnitInference {
         return known(Unit{});
       case ExpressionKind::leaf:
         return of_leaf(node);
-      case ExpressionKind::prescribed:
-        return of_prescribed(node.index);
-      case ExpressionKind::point_component:
-      case ExpressionKind::body_component:
-        return known("m");
-      case ExpressionKind::frame_component:
-        return of_frame_component(node.index % components_per_frame);
+      case ExpressionKind::named:
+        return of_name(node);
       default:
         return of_compound(node, references(model_, id));
     }
+  }
+
+  [[nodiscard]] InferredUnit of_name(const Expression& node) const {
+    switch (node.named) {
+      case NamedKind::prescribed:
+        return of_prescribed(node.index);
+      case NamedKind::definition:
+        return units_[model_.definitions[node.index].value];
+      case NamedKind::point:
+      case NamedKind::body:
+        return known("m");
+      case NamedKind::frame:
+        return of_frame_component(node.component);
+    }
+    return {};
   }
 
   [[nodiscard]] static InferredUnit of_frame_component(std::uint32_t component) {
@@ -178,7 +188,7 @@ class UnitInference {
   }
 
   /// A declared unit wins over what the value of a prescribed function says.
-  InferredUnit of_prescribed(std::uint32_t index) const {
+  [[nodiscard]] InferredUnit of_prescribed(std::uint32_t index) const {
     const std::optional<Unit>& unit = context_.prescribed_units[index];
     return unit ? known(*unit) : units_[model_.prescribed[index].value];
   }

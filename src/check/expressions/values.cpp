@@ -22,11 +22,8 @@ constexpr std::string_view origin = "origin";
 
 /// Made of numbers and pi only.
 bool names_nothing(const std::vector<Expression>& nodes, ExpressionId first, ExpressionId last) {
-  constexpr std::array names{ExpressionKind::leaf,           ExpressionKind::prescribed,
-                             ExpressionKind::definition,     ExpressionKind::point_component,
-                             ExpressionKind::body_component, ExpressionKind::frame_component};
-  return std::none_of(nodes.begin() + first, nodes.begin() + last + 1, [&](const auto& node) {
-    return std::ranges::find(names, node.kind) != names.end();
+  return std::none_of(nodes.begin() + first, nodes.begin() + last + 1, [](const auto& node) {
+    return node.kind == ExpressionKind::leaf || node.kind == ExpressionKind::named;
   });
 }
 
@@ -76,8 +73,8 @@ ExpressionId ValueReader::scene_value(const ValueSyntax& value, const RootReques
   const auto& nodes = context_.model.expressions;
   read.plain_numbers = std::none_of(
       nodes.begin() + read.first, nodes.begin() + read.value + 1, [](const Expression& node) {
-        return is_leaf(node, Opcode::parameter) || node.kind == ExpressionKind::prescribed ||
-               node.kind == ExpressionKind::definition;
+        return is_leaf(node, Opcode::parameter) || is_name(node, NamedKind::prescribed) ||
+               is_name(node, NamedKind::definition);
       });
   return id;
 }

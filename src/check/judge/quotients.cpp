@@ -35,7 +35,7 @@ struct VanishingFactor {
 
 /// The expression that a definition stands for.
 ExpressionId followed(const Model& model, ExpressionId id) {
-  while (model.expressions[id].kind == ExpressionKind::definition) {
+  while (is_name(model.expressions[id], NamedKind::definition)) {
     id = model.definitions[model.expressions[id].index].value;
   }
   return id;

@@ -27,6 +27,13 @@ Expression derivative_of(ExpressionId value, const Span& span) {
   return {.kind = ExpressionKind::time_derivative, .operands = {value}, .span = span};
 }
 
+/// Makes a node the name of a prescribed function.
+void rename(Expression& node, std::uint32_t prescribed) {
+  node.kind = ExpressionKind::named;
+  node.named = NamedKind::prescribed;
+  node.index = prescribed;
+}
+
 bool names_acceleration(const Model& model, std::uint32_t velocity) {
   return std::ranges::any_of(model.expressions, [velocity](const Expression& node) {
     return is_leaf(node, Opcode::acceleration) && node.index == velocity;
@@ -89,7 +96,8 @@ class VariantBuilder {
 
   /// A moving lock carries energy: 1/2 J (ds/dt)^2.
   void add_armature(const Coordinate& coordinate, std::uint32_t rate) {
-    const ExpressionId speed = append({.kind = ExpressionKind::prescribed, .index = rate});
+    const ExpressionId speed =
+        append({.kind = ExpressionKind::named, .named = NamedKind::prescribed, .index = rate});
     const ExpressionId half = append({.number = cln::cl_RA(1) / 2});
     const ExpressionId square =
         append({.kind = ExpressionKind::power, .number = 2, .operands = {speed}});
@@ -117,8 +125,7 @@ class VariantBuilder {
       if (const auto index = left_.coordinates[node.index]) {
         node.index = *index;
       } else {
-        node.kind = ExpressionKind::prescribed;
-        node.index = replacements_[node.index].value;
+        rename(node, replacements_[node.index].value);
       }
     } else if (is_leaf(node, Opcode::velocity) || is_leaf(node, Opcode::acceleration)) {
       const auto index = left_.velocities[node.index];
@@ -139,8 +146,7 @@ class VariantBuilder {
     }
     const HeldLeaf& held = replacements_[velocity.coordinate];
     const bool is_rate = is_leaf(node, Opcode::velocity);
-    node.kind = ExpressionKind::prescribed;
-    node.index = is_rate ? held.rate : held.acceleration;
+    rename(node, is_rate ? held.rate : held.acceleration);
   }
 
   void renumber_variables(const PlacesLeft& rotations) {

@@ -203,11 +203,7 @@ Translation::Sized Translation::compose(const Expression& expression) {
       return function(expression);
     case ExpressionKind::time_derivative:
       return {define(lagrangian_.definitions, (*along_motion_)(operand(0).value)), 1};
-    case ExpressionKind::definition:
-    case ExpressionKind::prescribed:
-    case ExpressionKind::point_component:
-    case ExpressionKind::body_component:
-    case ExpressionKind::frame_component:
+    case ExpressionKind::named:
       return component(expression);
     default:
       return is_leaf(expression, Opcode::open_value) ? open(expression) : leaf(expression);
@@ -279,21 +275,20 @@ Translation::Sized Translation::component(const Expression& expression) {
     return Sized{named(value, name, origin), 1};
   };
   const std::uint32_t i = expression.index;
-  switch (expression.kind) {
-    case ExpressionKind::definition:
+  const std::uint32_t k = expression.component;
+  switch (expression.named) {
+    case NamedKind::definition:
       return defined(model_.definitions[i].identifier, {EntityKind::definition, i});
-    case ExpressionKind::prescribed:
+    case NamedKind::prescribed:
       return defined(model_.prescribed[i].identifier, {EntityKind::prescribed, i});
-    case ExpressionKind::point_component:
-      return defined(model_.points[i / 3].identifier + axes[i % 3], {EntityKind::point, i / 3});
-    case ExpressionKind::body_component:
-      return defined(model_.bodies[i / 3].identifier + axes[i % 3], {EntityKind::body, i / 3});
-    default: {
-      const std::uint32_t frame = i / components_per_frame;
-      return defined(model_.frames[frame].identifier + suffixes[i % components_per_frame],
-                     {EntityKind::frame, frame});
-    }
+    case NamedKind::point:
+      return defined(model_.points[i].identifier + axes[k], {EntityKind::point, i});
+    case NamedKind::body:
+      return defined(model_.bodies[i].identifier + axes[k], {EntityKind::body, i});
+    case NamedKind::frame:
+      break;
   }
+  return defined(model_.frames[i].identifier + suffixes[k], {EntityKind::frame, i});
 }
 
 void Translation::define_named() {
@@ -312,10 +307,11 @@ void Translation::define_named() {
   }
   for (const ExpressionId id : reached(model_, roots_if(model_, is_force))) {
     Expression entry = model_.expressions[id];
-    if (entry.kind != ExpressionKind::frame_component) continue;
-    entry.index -= entry.index % components_per_frame;
-    const std::uint32_t end = entry.index + frame_angular_velocity;  // of the pose
-    for (; entry.index < end; ++entry.index) (void)component(entry);
+    if (!is_name(entry, NamedKind::frame)) continue;
+    // The pose.
+    for (entry.component = 0; entry.component < frame_angular_velocity; ++entry.component) {
+      (void)component(entry);
+    }
   }
 }
 

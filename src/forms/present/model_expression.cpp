@@ -71,11 +71,7 @@ class ModelExpressions {
         return arithmetic_.pi();
       case ExpressionKind::leaf:
         return e.leaf == Opcode::parameter ? parameter(e.index) : arithmetic_.leaf(e.leaf, e.index);
-      case ExpressionKind::prescribed:
-      case ExpressionKind::definition:
-      case ExpressionKind::point_component:
-      case ExpressionKind::body_component:
-      case ExpressionKind::frame_component:
+      case ExpressionKind::named:
         return known_[needs(id).front()].form;
       case ExpressionKind::negate:
         return arithmetic_.negate(operand(0));

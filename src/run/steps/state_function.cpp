@@ -38,11 +38,7 @@ double StateFunction::operator()(const double* q, const double* v, double t) {
 StateFunction::Rated StateFunction::value_of(const Expression& node, ExpressionId id) const {
   const auto operand = [&](std::size_t i) { return known_[node.operands[i]]; };
   switch (node.kind) {
-    case ExpressionKind::prescribed:
-    case ExpressionKind::definition:
-    case ExpressionKind::point_component:
-    case ExpressionKind::body_component:
-    case ExpressionKind::frame_component:
+    case ExpressionKind::named:
       return known_[references(model_, id).front()];
     case ExpressionKind::negate:
       return -operand(0);
