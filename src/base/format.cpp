@@ -4,18 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "base/diagnostic_words.hpp"
+#include "base/json.hpp"
 #include "base/utf8.hpp"
 #include "elgen/diagnostic.hpp"
 
 namespace elgen {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json json_position(const Span& span) {
   Json json;
@@ -43,7 +41,7 @@ std::string json_line(const Diagnostic& diagnostic) {
     json["related"] = json_position(*diagnostic.related);
     json["related"]["message"] = shortened(diagnostic.related_message);
   }
-  return visible_json(json.dump(-1, ' ', false, Json::error_handler_t::replace)) + "\n";
+  return visible_json(json.dump()) + "\n";
 }
 
 // In the order of Severity.

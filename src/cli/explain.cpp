@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 
 #include "base/diagnostic_words.hpp"
+#include "base/json.hpp"
 #include "cli/commands.hpp"
 #include "elgen/functions.hpp"
 #include "elgen/outputs.hpp"
@@ -58,8 +58,6 @@ constexpr std::array word_table{
             "In `[[expect]]` `p(NAME)` is the momentum dL/d(dot(NAME)) of a coordinate, or of "
             "`NAME[k]` of a rotation, in the axes of the body: in `conserved`, and in outputs that "
             "take momenta. A name `p` of the model stays its own."}};
-
-using Json = nlohmann::ordered_json;
 
 std::string choices_text(const KeyRow& key) {
   const std::vector<std::string_view> words = choice_words(key);

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 
+#include "base/json.hpp"
 #include "cli/commands.hpp"
 #include "cli/files/inputs.hpp"
 #include "cli/files/output_files.hpp"
@@ -285,8 +285,6 @@ std::vector<std::string> sorted_paths_of(const GenerateOptions& options, const J
   std::sort(paths.begin(), paths.end());
   return paths;
 }
-
-using Json = nlohmann::ordered_json;
 
 /// `written`: of all files; null where none was to be.
 Json json_of(const GenerateOptions& options, const Job& job,

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/json.hpp"
 #include "cli/commands.hpp"
 #include "cli/files/inputs.hpp"
 #include "elgen/diagnostic.hpp"
@@ -82,7 +82,6 @@ std::string model_name(const std::string& output) {
 
 /// The path of the file, and whether it was written.
 std::string written_json(const std::string& path, bool is_new) {
-  using Json = nlohmann::ordered_json;
   const Json file{{"path", path}, {"written", is_new}};
   return Json{{"files", Json::array({file})}}.dump(2) + "\n";
 }

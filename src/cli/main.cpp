@@ -7,10 +7,10 @@
 #include <cstdlib>
 #include <limits>
 #include <new>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "base/ascii.hpp"
+#include "base/json.hpp"
 #include "cli/commands.hpp"
 #include "cli/help/commit.hpp"
 #include "cli/process/resources.hpp"
@@ -188,7 +188,7 @@ std::string limits_text() {
 }
 
 std::string limits_json() {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  Json list = Json::array();
   for (const LimitRow& row : limit_table()) {
     list.push_back({{"name", row.name},
                     {"value", Limits().*row.member},

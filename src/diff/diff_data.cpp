@@ -1,15 +1,13 @@
 // diff_data: a report for programs.
 #include <array>
-#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/json.hpp"
 #include "diff/change_words.hpp"
 #include "elgen/diff.hpp"
 
 namespace elgen {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json json_of(const Span& span) {
   if (span.source == nullptr) return nullptr;

@@ -3,8 +3,7 @@
 
 #include <fmt/ranges.h>
 
-#include <nlohmann/json.hpp>
-
+#include "base/json.hpp"
 #include "numbers/exact_number.hpp"
 
 namespace elgen {
@@ -16,7 +15,7 @@ std::string parameters_json(const Model& model, const std::vector<cln::cl_R>& va
     const auto first = values.begin() + array.first;
     const std::string numbers = decimal_texts({first, first + array.count}, digits);
     members.push_back(fmt::format(fmt::runtime(array.is_array ? "{}: [{}]" : "{}: {}"),
-                                  nlohmann::json(array.name).dump(), numbers));
+                                  Json(array.name).dump(), numbers));
   }
   return fmt::format("{{{}}}", fmt::join(members, ", "));
 }

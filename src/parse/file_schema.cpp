@@ -2,19 +2,17 @@
 // of such. Rows that are not supported yet are left out, as the reader refuses them.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "base/json.hpp"
 #include "elgen/outputs.hpp"
 #include "parse/entry_reader.hpp"
 
 namespace elgen {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// One key of an object.
 struct SchemaKey {
@@ -43,9 +41,9 @@ Json list_schema(Json item, std::string_view doc = {}) {
 }
 
 /// Any one of these.
-Json choice_schema(std::vector<Json> choices) {
+Json choice_schema(const std::vector<Json>& choices) {
   Json schema;
-  schema["anyOf"] = std::move(choices);
+  schema["anyOf"] = choices;
   return schema;
 }
 
@@ -81,7 +79,9 @@ Json expression_schema() {
 /// A list of `count` items, or of any number.
 Json expressions_schema(std::size_t count = 0) {
   Json schema = list_schema(expression_schema());
-  if (count != 0) schema["minItems"] = schema["maxItems"] = count;
+  if (count == 0) return schema;
+  schema["maxItems"] = count;
+  schema["minItems"] = count;
   return schema;
 }
 
@@ -97,7 +97,8 @@ Json turns_schema() {
   Json axis = choice_schema({value_schema("string"), expressions_schema(3)});
   Json turn{{"type", "array"}};
   turn["items"] = {std::move(axis), expression_schema()};
-  turn["minItems"] = turn["maxItems"] = 2;
+  turn["maxItems"] = 2;
+  turn["minItems"] = 2;
   return list_schema(std::move(turn));
 }
 

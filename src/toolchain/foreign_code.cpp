@@ -11,11 +11,11 @@
 #include <bit>
 #include <cstring>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
 #include <utility>
 
+#include "base/json.hpp"
 #include "elgen/wording.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "model/requests.hpp"
@@ -169,7 +169,7 @@ Result<ForeignAnswers> ask_library(const ForeignCalls& calls) {
 std::string request_line(const ForeignCalls& calls, const Arguments<double>& state) {
   constexpr int digits_of_double = 17;
   const auto exact = map_leaves([](double x) { return cln::cl_R(exact_value(x)); }, state);
-  return fmt::format("{{\"function\": {}, {}}}\n", nlohmann::json(calls.function.name).dump(),
+  return fmt::format("{{\"function\": {}, {}}}\n", Json(calls.function.name).dump(),
                      state_json(calls.model, exact, calls.arguments, digits_of_double));
 }
 

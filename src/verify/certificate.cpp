@@ -16,16 +16,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "base/json.hpp"
 #include "elgen/wording.hpp"
 
 namespace elgen {
 namespace {
 
 using Rows = std::vector<const CertificateRow*>;
-using Json = nlohmann::ordered_json;
 using OutputRows = std::pair<std::string, Rows>;
 
 constexpr std::array<std::string_view, 4> verdict_words{"holds", "FAILS", "skipped", "noted"};

@@ -1,7 +1,7 @@
 // sidecar: prints an object or list on one line if it fits, else one element per line, so that a
 // change of one term is a diff of one line.
-#include <nlohmann/json.hpp>
 
+#include "base/json.hpp"
 #include "base/utf8.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "emit/text/emission_input.hpp"
@@ -13,10 +13,8 @@
 namespace elgen {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// "\"key\": " in front of a value; nothing in a list.
-std::string start_of(const Json& list, const std::string& key) {
+std::string start_of(const Json& list, std::string_view key) {
   return list.is_object() ? Json(key).dump() + ": " : "";
 }
 
@@ -24,7 +22,7 @@ std::string on_one_line(const Json& json) {
   if (!json.is_structured()) return json.dump();
   std::string text;
   for (const auto& [key, value] : json.items()) {
-    text += (text.empty() ? "" : ", ") + start_of(json, key) + on_one_line(value);
+    text += (text.empty() ? "" : ", ") + start_of(json, key) + on_one_line(*value);
   }
   return json.is_object() ? "{" + text + "}" : "[" + text + "]";
 }
@@ -38,7 +36,7 @@ std::string printed(const Json& json, std::size_t column, std::size_t indent) {
   for (const auto& [key, value] : json.items()) {
     text += text.empty() ? "\n" : ",\n";
     const std::string start = margin + start_of(json, key);
-    text += start + printed(value, start.size(), indent + 2);
+    text += start + printed(*value, start.size(), indent + 2);
   }
   const char* const brackets = json.is_object() ? "{}" : "[]";
   return brackets[0] + text + "\n" + std::string(indent, ' ') + brackets[1];
@@ -138,10 +136,10 @@ Json open_values(const Model& model) {
 
 Json parameters(const Model& model, const Program& program) {
   return listed(emitted_parameters(model, program), [&](const ParameterArray& array) {
-    const Json values = listed(values_of(model, array), &exact_text);
+    const std::vector<cln::cl_R> values = values_of(model, array);
     Json json = named(array.name, array.unit_text);
     if (array.is_array) json["size"] = array.count;
-    json["value"] = array.is_array ? values : values.front();
+    json["value"] = array.is_array ? listed(values, &exact_text) : Json(exact_text(values.front()));
     add_interval(json, "range", array.range);
     const Assumption assumption = model.parameters[array.first].assumption;
     if (assumption != Assumption::none) {

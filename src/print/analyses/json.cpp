@@ -1,5 +1,5 @@
 // Results of analyses as JSON for programs. Numbers have all digits that distinguish doubles.
-#include <nlohmann/json.hpp>
+#include "base/json.hpp"
 
 #include "elgen/analysis_pages.hpp"
 #include "elgen/real.hpp"
@@ -7,8 +7,6 @@
 
 namespace elgen {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 double double_of(const cln::cl_R& value) { return ScalarTraits<double>::from_real(value); }
 
@@ -103,14 +101,14 @@ std::string equilibria_json(const CheckedModel& checked, const Equilibria& equil
   }
   Json undecided = Json::array();
   for (const UndecidedBox& box : equilibria.undecided) {
-    Json& place = undecided.emplace_back(Json::object());
+    Json& place = undecided.push_back(Json::object());
     for (const auto& [coordinate, sides] : box) {
       place[model.coordinates[coordinate].name] = {double_of(sides.low), double_of(sides.high)};
     }
   }
   Json breaks = Json::array();
   for (const ChartBreak& here : equilibria.breaks) {
-    Json& place = breaks.emplace_back(Json::object());
+    Json& place = breaks.push_back(Json::object());
     place[model.coordinates[here.coordinate].name] = double_of(here.at.value);
   }
   const Json object{{"model", model.name},

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "base/fill_template.hpp"
+#include "base/json.hpp"
 #include "elgen/real.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "model/output_units.hpp"
@@ -19,8 +19,6 @@
 
 namespace elgen {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json coordinates_json(const Model& model) {
   Json list = Json::array();
@@ -228,7 +226,7 @@ std::string player_model(const CheckedModel& checked, const Program& program, co
   json["is_whole"] = has_whole_lagrangian(model);
   json["unit_of_energy"] = has_units(model) ? "J" : "";
   json["run"] = run_json(options);
-  return escaped(json.dump(-1, ' ', true), {{'<', "\\u003c"}});
+  return escaped(json.dump(-1, true), {{'<', "\\u003c"}});
 }
 
 }  // namespace elgen

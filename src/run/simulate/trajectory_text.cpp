@@ -3,8 +3,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "base/json.hpp"
 #include "elgen/simulate.hpp"
 #include "elgen/wording.hpp"
 
@@ -16,7 +16,7 @@ std::string drift_line(std::string_view name, const Drift& drift) {
                      drift.worst, drift.secular, drift.measure, drift.scale);
 }
 
-nlohmann::ordered_json json_of(const Drift& drift) {
+Json json_of(const Drift& drift) {
   return {{"name", drift.name},
           {"worst", drift.worst},
           {"secular", drift.secular},
@@ -32,7 +32,7 @@ std::string conserved_line(const ConservedDrift& quantity) {
                      quantity.start, unit, quantity.drift, unit);
 }
 
-nlohmann::ordered_json json_of(const ConservedDrift& quantity) {
+Json json_of(const ConservedDrift& quantity) {
   return {{"text", quantity.text},
           {"unit", quantity.unit},
           {"start", quantity.start},
@@ -56,10 +56,9 @@ std::string constraints_line(const KeptConstraints& kept) {
                      kept.largest.position, unit_after(*kept.unit), rate);
 }
 
-nlohmann::ordered_json json_of(const KeptConstraints& kept) {
-  nlohmann::ordered_json object{{"rate", kept.largest.rate},
-                                {"rate_unit", kept.rate_unit},
-                                {"start_moved", nlohmann::ordered_json::array()}};
+Json json_of(const KeptConstraints& kept) {
+  Json object{
+      {"rate", kept.largest.rate}, {"rate_unit", kept.rate_unit}, {"start_moved", Json::array()}};
   if (kept.unit) {
     object["position"] = kept.largest.position;
     object["unit"] = *kept.unit;
@@ -102,15 +101,15 @@ std::string to_csv(const Trajectory& trajectory) {
 }
 
 std::string to_json(const Trajectory& trajectory) {
-  nlohmann::ordered_json object{{"model", trajectory.model},
-                                {"method", trajectory.method},
-                                {"steps", trajectory.steps},
-                                {"nanoseconds_per_step", trajectory.nanoseconds},
-                                {"energy", json_of(trajectory.energy)},
-                                {"momenta", nlohmann::ordered_json::array()},
-                                {"conserved", nlohmann::ordered_json::array()},
-                                {"columns", nlohmann::ordered_json::array()},
-                                {"rows", trajectory.rows}};
+  Json object{{"model", trajectory.model},
+              {"method", trajectory.method},
+              {"steps", trajectory.steps},
+              {"nanoseconds_per_step", trajectory.nanoseconds},
+              {"energy", json_of(trajectory.energy)},
+              {"momenta", Json::array()},
+              {"conserved", Json::array()},
+              {"columns", Json::array()},
+              {"rows", trajectory.rows}};
   for (const Drift& momentum : trajectory.momenta) object["momenta"].push_back(json_of(momentum));
   for (const ConservedDrift& each : trajectory.conserved)
     object["conserved"].push_back(json_of(each));

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "base/json.hpp"
 #include "base/text_table.hpp"
 #include "elgen/tradeoff.hpp"
 
@@ -13,8 +13,6 @@ namespace elgen {
 namespace {
 
 using Cells = std::vector<std::string>;
-using Json = nlohmann::ordered_json;
-
 Cells titles_of(const TradeoffTable& table) {
   Cells titles{"rank"};
   titles.insert(titles.end(), table.dimensions.begin(), table.dimensions.end());

@@ -2,8 +2,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "base/json.hpp"
 #include "base/text_table.hpp"
 #include "elgen/wording.hpp"
 #include "emit/interface/code_interface.hpp"
@@ -67,7 +67,7 @@ std::string state_text(const ValueTable& table, const State& state) {
 }
 
 std::string function_json(const ValueTable& table, const ValueFunction& function) {
-  nlohmann::ordered_json object{{"name", function.output.name}};
+  Json object{{"name", function.output.name}};
   for (const Opcode kind : function.takes) {
     object["takes"][leaf_row(kind).symbol] = leaf_texts(table.model, kind);
   }

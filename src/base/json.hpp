@@ -1,0 +1,82 @@
+// json: values for programs to read. nlohmann/json prints them, in json.cpp alone: a source that
+// includes that library takes two to four seconds more.
+//
+//     Json{{"name", "theta"}, {"range", {0, 1.5}}}.dump()      {"name":"theta","range":[0,1.5]}
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <ranges>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace elgen {
+
+class Json {
+ public:
+  using Array = std::vector<Json>;
+  using Object = std::vector<std::pair<std::string, Json>>;  ///< in the order of insertion
+
+  Json(std::nullptr_t = nullptr) {}
+  /// A whole number, true or false.
+  template <std::integral Number>
+  Json(Number number) : value_(Stored<Number>{number}) {}
+  /// An infinite number is printed as null.
+  Json(double number) : value_(number) {}
+  Json(std::string text) : value_(std::move(text)) {}
+  Json(std::string_view text) : value_(std::string(text)) {}
+  Json(const char* text) : value_(std::string(text)) {}
+  /// An array of the elements.
+  template <std::ranges::input_range Range>
+  requires(!std::convertible_to<const Range&, std::string_view>) Json(const Range& elements)
+      : value_(Array(elements.begin(), elements.end())) {}
+  /// An object if all elements are pairs whose first is a text, else an array.
+  Json(std::initializer_list<Json> elements);
+
+  [[nodiscard]] static Json array(Array elements = {});
+  [[nodiscard]] static Json object();
+
+  /// A member of an object, which is added if there is none; null becomes an object.
+  Json& operator[](std::string_view key);
+  /// Adds an element to an array; null becomes an array.
+  Json& push_back(Json element);
+  /// Sets the members of another object in this one.
+  void update(const Json& object);
+
+  [[nodiscard]] bool is_null() const { return std::holds_alternative<std::nullptr_t>(value_); }
+  [[nodiscard]] bool is_object() const { return std::holds_alternative<Object>(value_); }
+  /// Whether it is an object or an array.
+  [[nodiscard]] bool is_structured() const {
+    return is_object() || std::holds_alternative<Array>(value_);
+  }
+  /// Whether there are no elements; only of arrays.
+  [[nodiscard]] bool empty() const { return std::get<Array>(value_).empty(); }
+  [[nodiscard]] Json& back() { return std::get<Array>(value_).back(); }
+
+  /// The members of an object, or the elements of an array with empty keys.
+  [[nodiscard]] std::vector<std::pair<std::string_view, const Json*>> items() const;
+
+  /// The text, on one line or with so many blanks of indentation. Bytes that are no UTF-8 are
+  /// replaced; `is_ascii`: other characters are escaped.
+  [[nodiscard]] std::string dump(int indent = -1, bool is_ascii = false) const;
+
+ private:
+  struct Printed;
+
+  template <class Number>
+  using Stored = std::conditional_t<
+      std::same_as<Number, bool>, bool,
+      std::conditional_t<std::signed_integral<Number>, std::int64_t, std::uint64_t>>;
+
+  std::variant<std::nullptr_t, bool, std::int64_t, std::uint64_t, double, std::string, Array,
+               Object>
+      value_ = nullptr;
+};
+
+}  // namespace elgen
