@@ -1,0 +1,65 @@
+// Places of a source tree that rules count, and the rules of branches on rows of tables.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "layering/layering.hpp"
+#include "support/shell.hpp"
+
+namespace elgen::test {
+
+using Lines = std::vector<std::string>;
+using Places = std::vector<std::string>;
+
+inline Lines lines_of(const std::string& text) {
+  Lines lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+/// The places at which judge(lines of a file, number of a line) says something, with what it says.
+template <class Judge>
+Places places_where(const SourceTree& tree, const Judge& judge) {
+  Places found;
+  for (const std::string& path : governed(tree)) {
+    const Lines lines = lines_of(tree.at(path));
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const std::string said = judge(lines, i);
+      if (!said.empty()) found.push_back(path + ":" + std::to_string(i + 1) + ": " + said);
+    }
+  }
+  return found;
+}
+
+inline std::size_t indent_of(const std::string& line) {
+  return std::min(line.find_first_not_of(' '), line.size());
+}
+
+inline bool begins(const std::string& line, const std::string& word) {
+  return line.compare(indent_of(line), word.size(), word) == 0;
+}
+
+/// The lines that match `pattern`, of those with `word` in them: searching that is fast.
+inline Places matching_lines(const SourceTree& tree, const std::string& word,
+                             const std::string& pattern) {
+  const std::regex expression(pattern);
+  return places_where(tree, [&](const Lines& lines, std::size_t i) -> std::string {
+    if (!mentions(lines[i], word) || !std::regex_search(lines[i], expression)) return "";
+    return lines[i].substr(indent_of(lines[i]));
+  });
+}
+
+/// Comparisons with enumerators of tables, and cases of them.
+[[nodiscard]] Places language_branches(const SourceTree& tree);
+[[nodiscard]] Places output_branches(const SourceTree& tree);
+[[nodiscard]] Places extent_branches(const SourceTree& tree);
+[[nodiscard]] Places need_branches(const SourceTree& tree);
+[[nodiscard]] Places leaf_branches(const SourceTree& tree);
+
+}  // namespace elgen::test
