@@ -271,45 +271,7 @@ constexpr OutputRow inverse_mass_matrix{.symbol = {"M^-1", "M^{-1}"},
                                         .solves = true,
                                         .by_name = true};
 
-// By momenta: b is dL/dv at v = 0.
-
-constexpr OutputRow hamiltonian{
-    .symbol = {"H", "H"},
-    .takes = Opcode::momentum,
-    .fields = energy,
-    .equation = {"H = p.v - L, v = M^-1 (p - b)",
-                 R"(H = <p>^{\top} <v> - L, \quad <v> = M^{-1} (<p> - <b>))"},
-    .doc = "Hamiltonian: the energy function of coordinates and momenta.",
-    .needs = {N::quadratic}};
-
-constexpr std::array velocity{FieldRow{"", E::velocities, E::one, U::row, "Velocities<Scalar>"}};
-constexpr OutputRow velocities_of_momenta{
-    .symbol = {"v", "<v>"},
-    .takes = Opcode::momentum,
-    .fields = velocity,
-    .equation = {"v = M^-1 (p - b)", R"(<v> = M^{-1} (<p> - <b>))"},
-    .doc = "Velocities of which the momenta are those given: dH/dp.",
-    .needs = {N::quadratic}};
-
-constexpr std::array canonical_rates{
-    FieldRow{"coordinate_rates", E::coordinates, E::one, U::row_per_second, "Coordinates<Scalar>",
-             R"(\dot{<q>})"},
-    FieldRow{"momentum_rates", E::velocities, E::one, U::power, forces, R"(\dot{<p>})"}};
-constexpr OutputRow hamilton_equations{
-    .symbol = {"d(q, p)/dt", R"((\dot{<q>}, \dot{<p>}))"},
-    .takes = Opcode::momentum | Opcode::input,
-    .fields = canonical_rates,
-    .equation = {"dq/dt = dH/dp, dp/dt = -dH/dq + B u + Q - dD/dv",
-                 R"(\dot{<q>} = \frac{\partial H}{\partial <p>}, \quad \dot{<p>} = )"
-                 R"(-\frac{\partial H}{\partial <q>} + B <u> + <Q> - )"
-                 R"(\frac{\partial D}{\partial <v>})"},
-    .turning_equation =
-        {"dq/dt = N dH/dp, dp/dt = -N^T dH/dq - [w]x p + B u + Q - dD/dv",
-         R"(\dot{<q>} = N \frac{\partial H}{\partial <p>}, \quad \dot{<p>} = )"
-         R"(-N^{\top} \frac{\partial H}{\partial <q>} - [<omega>]_{\times} <p> + B <u> + <Q> - )"
-         R"(\frac{\partial D}{\partial <v>})"},
-    .doc = "Hamilton's equations: rates of coordinates and momenta.",
-    .needs = {N::quadratic}};
+#include "base/momenta_rows.def"
 
 // Coordinates.
 
