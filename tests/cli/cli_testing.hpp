@@ -46,4 +46,15 @@ inline std::string replaced(std::string text, const std::string& part, const std
   return text.replace(at, part.size(), other);
 }
 
+/// One output, so that a thousand visits take a moment.
+inline void write_rotor(const Workspace& workspace) {
+  workspace.write(
+      "rotor.toml",
+      "format = 1\n[model]\nname = \"rotor\"\n[[coordinate]]\nname = \"q\"\nunit = \"rad\"\n"
+      "[parameters]\nJ = { value = 2, unit = \"kg*m^2\" }\nk = { value = 3, unit = \"J\" }\n"
+      "[energy]\nT = \"1/2*J*dot(q)^2\"\nV = \"k*(1 - cos(q))\"\n");
+  workspace.write("one.scene.toml",
+                  "format = 1\nmodel = \"rotor.toml\"\nname = \"one\"\n[outputs]\nbias = true\n");
+}
+
 }  // namespace elgen::test
