@@ -23,7 +23,7 @@ inline constexpr std::string_view input_part = "by_input";
 inline constexpr std::string_view rate_part = "rates";
 
 /// From this many velocities on, derivatives of accelerations and the linearization are composed.
-/// Those of fewer velocities are written out and have closed forms.
+/// With fewer velocities derivatives are written out and have closed forms.
 inline constexpr std::size_t least_of_composed = 10;
 
 /// The same program with outputs in the place of their parts.

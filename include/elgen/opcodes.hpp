@@ -110,7 +110,7 @@ struct LeafText {
   std::string_view own_latex;   ///< of those of a velocity that has a symbol of its own
 };
 
-/// What functions, states and products do with a kind of leaf.
+/// The use of a kind of leaf in functions, states and products.
 struct LeafUse {
   FactorGroup group;
   LeafUnit unit;

@@ -47,7 +47,7 @@ inline constexpr std::array goal_names{
 /// None where no stage is called so.
 [[nodiscard]] std::optional<Goal> goal_named(std::string_view name);
 
-/// What stages and commands know of an analysis (analyses.def).
+/// A row of analyses.def, as stages and commands read it.
 struct AnalysisRow {
   Goal goal;
   /// The outputs that it derives from the Lagrangian; null: it takes the result of another

@@ -36,7 +36,7 @@ struct Entity {
   std::uint32_t index = 0;
 };
 
-/// What an expression is to its entry.
+/// The role of an expression in its entry.
 enum class RootRole : std::uint8_t {
   value,  ///< of a name, gravity, a force, a constraint or an output
   armature,
@@ -93,7 +93,7 @@ template <class Condition>
   return root.entity.kind == EntityKind::force && root.role == RootRole::value;
 }
 
-/// What a force does work along: the places of its points and the spins of its frames.
+/// A force does work along these: the places of its points and the spins of its frames.
 [[nodiscard]] std::vector<ExpressionId> moved_by(const Model& model, const Force& force);
 
 /// The roots and everything below them, each once, operands before their users, in a model without

@@ -79,7 +79,7 @@ struct OutputRequest {
   std::optional<Form> form = {};      ///< asked for; otherwise the cheaper one
   std::optional<StepSpec> step = {};  ///< of `step` and its derivatives, which a scene describes
   bool without_pivots = false;        ///< of what gives them otherwise
-  /// Of `completed`: the velocities that determine the others, ascending.
+  /// For `completed`: the velocities that determine the others, ascending.
   std::vector<std::uint32_t> independent = {};
 };
 
@@ -176,7 +176,7 @@ struct Scene {
   Numerics numerics = {};
   Emission emission = {};
   StatedStart stated = {};
-  /// What `--input` says that inputs are, by their names: functions of q, v and t.
+  /// The functions of q, v and t that `--input` gives for inputs, by the name of the input.
   std::map<std::string, ExpressionId> laws = {};
   /// The outputs that a page adds to those of the file, by their numbers in Model::outputs.
   std::map<std::uint32_t, ShownValues> shown = {};
@@ -201,7 +201,7 @@ struct CheckedModel {
   Scene scene;
 };
 
-/// What a command needs of a checked model, besides what its scene says.
+/// The properties of a checked model that a command needs, besides those its scene asks for.
 struct Purpose {
   /// `starts` may name accelerations, momenta, t and h, too (StatedStart::others).
   bool states_all = false;

@@ -7,7 +7,7 @@
 namespace elgen {
 namespace {
 
-/// What the computations that run in this thread asked for, and what arithmetic told them.
+/// The digits that computations in this thread asked for, and those that arithmetic says were lost.
 struct DigitsOfThread {
   unsigned asked = 0;
   unsigned lost = 0;

@@ -142,7 +142,7 @@ class Compilation {
   }
 
  private:
-  /// What an analysis finds in the program of its outputs.
+  /// The result of an analysis that reads the program of its outputs.
   template <class Found>
   static Result<Found> analysed(Goal goal, Result<Found> (*find)(const AnalysisInput&),
                                 const Lagrangian& lagrangian, const CheckedModel& checked,
@@ -153,7 +153,7 @@ class Compilation {
     return find({checked, *recursive, options.about, options.limits});
   }
 
-  /// What an analysis finds in the result of another.
+  /// The result of an analysis that reads the result of another.
   template <class Found, class Known>
   static Result<Found> analysed(Goal, Result<Found> (*find)(const CheckedModel&, const Known&),
                                 const Known& known, const CheckedModel& checked,

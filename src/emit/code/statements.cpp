@@ -17,7 +17,7 @@ class OperandWalk {
   OperandWalk(const Function& function, const std::vector<std::string>& names)
       : function_(function), names_(names) {}
 
-  /// What the definition of an instruction is made of, whether it has a name or not.
+  /// Walks the definition of an instruction, whether it has a name or not.
   Operands definition(std::uint32_t at) {
     write_out(at);
     return found();

@@ -17,7 +17,7 @@
 
 namespace elgen {
 
-/// What a statement reads.
+/// The instructions that a statement reads.
 struct Operands {
   std::vector<std::uint32_t> uses = {};     ///< named instructions, ascending, each once
   std::vector<std::uint32_t> written = {};  ///< instructions written out

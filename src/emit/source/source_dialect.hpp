@@ -47,7 +47,7 @@ namespace elgen {
 [[nodiscard]] std::string source_lines(const SourceSpelling& spelling, const std::string& text,
                                        Wrapping wrapping);
 
-/// What stands behind `start` at the head of a module, in lines.
+/// A value behind `start` at the head of a module, broken into lines.
 [[nodiscard]] std::string source_value(const SourceSpelling& spelling, const std::string& start,
                                        const std::string& text);
 
