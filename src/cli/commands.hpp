@@ -63,26 +63,26 @@ inline CLI::Option* add_number(CLI::App& command, const char* name, std::optiona
 }
 
 /// A file that its owner edits, so that nothing in it makes it ours again.
-struct OutputOption {
+struct FileOption {
   std::string file = {};  ///< empty: none
   bool force = false;
 };
 
 /// -o and --force
-inline void add_output(CLI::App& command, OutputOption& output, const std::string& doc) {
+inline void add_output(CLI::App& command, FileOption& output, const std::string& doc) {
   command.add_option("-o,--output", output.file, doc)->type_name("FILE");
   command.add_flag("--force", output.force, "overwrite FILE");
 }
 
 /// The E703 and E708 of write_output alone, for a command that takes long.
-[[nodiscard]] inline Diagnostics refuse_place(const OutputOption& output) {
+[[nodiscard]] inline Diagnostics refuse_place(const FileOption& output) {
   if (output.file.empty()) return {};
   return refuse_places({{output.file, "", Replaces::nothing}}, output.force);
 }
 
 /// As write_files; in the place of any other file with --force alone.
 inline Result<std::vector<std::string>> write_output(const GlobalOptions& global,
-                                                     const OutputOption& output,
+                                                     const FileOption& output,
                                                      const std::string& text) {
   return write_files({{output.file, text, Replaces::nothing}},
                      {output.force, global.limits.seconds});

@@ -20,7 +20,7 @@ namespace {
 struct ImportCommand {
   std::string input = {};
   std::string checked = {};  ///< the model that the robot is compared with, and nothing written
-  OutputOption output = {};  ///< none: stdout
+  FileOption output = {};    ///< none: stdout
   ImportOptions model = {};
 };
 

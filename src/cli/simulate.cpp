@@ -28,7 +28,7 @@ struct SimulateOptions {
   std::string input = {};
   SceneOptions scene = {};
   SimulationOptions run = {};
-  OutputOption output = {};  ///< of the rows
+  FileOption output = {};  ///< of the rows
 };
 
 /// Rows of a file whose distance is not given.

@@ -22,7 +22,7 @@ namespace {
 /// The uses of a table: it is printed, written, and chosen from.
 struct TradeoffOutput {
   std::string as = {};  ///< what is printed; empty: as --format says
-  OutputOption table = {};
+  FileOption table = {};
   std::optional<double> max_error = {};  ///< of the row that is named
   std::string scene_file = {};           ///< of that row; empty: none
 };

@@ -17,7 +17,7 @@ struct VectorsOptions {
   std::string input = {};
   SceneOptions scene = {};
   VectorOptions vectors = {};
-  OutputOption output = {};  ///< none: JSON is printed
+  FileOption output = {};  ///< none: JSON is printed
 };
 
 constexpr std::array vector_formats{DataFormat<ValueTable>{"csv", &to_csv},

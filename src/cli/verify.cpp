@@ -34,8 +34,8 @@ struct VerifyCommandOptions {
   std::vector<std::string> inputs = {};
   VerifyOptions verify = {};  ///< but for what is compiled and derived
   std::vector<Build> builds = {Build::as_written, Build::native, Build::as_users};
-  bool strict = false;       ///< skipped checks count as failed
-  OutputOption output = {};  ///< of certificates
+  bool strict = false;     ///< skipped checks count as failed
+  FileOption output = {};  ///< of certificates
   std::optional<LanguageId> language = {};
   ForeignOptions foreign = {};  ///< without claims: none is judged
 };
