@@ -19,8 +19,11 @@ inline EquationsOfMotion leaves(std::size_t rotation = 0) {
     symbols[at] = GiNaC::symbol(names[at]);
   }
   EquationsOfMotion equations;
-  equations.leaves = {{{"m", "l"}, {}, {"x", "y"}, {"x", "y"}, {}, {}, {"x", "y"}, {}, {"u"}, "t"},
-                      true};
+  equations.leaves.parameters = {"m", "l"};
+  equations.leaves.q = equations.leaves.v = equations.leaves.a = {"x", "y"};
+  equations.leaves.u = {"u"};
+  equations.leaves.t = "t";
+  equations.leaves.uses_time = true;
   equations.symbols.parameters = {symbols[0], symbols[1]};
   equations.symbols.q = {symbols[2], symbols[3]};
   equations.symbols.v = equations.symbols.q_rates = {symbols[4], symbols[5]};
