@@ -63,7 +63,7 @@ TEST_CASE("a sine and a cosine of one angle are one statement, where the languag
   const std::vector<Statement> joint = statements(program.functions.front(), names, Pairing::joint);
   REQUIRE(joint.size() == 3 + 3);
   CHECK(named_by(joint[1]) == Numbers{3, 4});
-  CHECK(std::holds_alternative<Pair>(joint[1]));
+  CHECK(std::holds_alternative<SineAndCosine>(joint[1]));
   CHECK(operands_of(joint[1]).uses == Numbers{2});
   CHECK(operands_of(joint[1]).written.empty());  // the calls are not spelt out
   CHECK(std::holds_alternative<Assign>(joint[2]));
@@ -110,7 +110,7 @@ TEST_CASE("the loop stands behind what is given to it, and names its first instr
 }
 
 TEST_CASE("a sine and a cosine of one statement cross together") {
-  const Sections cut = sections({Pair{0, 1}, assign(2, {0}), assign(3, {1})}, 2);
+  const Sections cut = sections({SineAndCosine{0, 1}, assign(2, {0}), assign(3, {1})}, 2);
   REQUIRE(cut.parts.size() == 2);
   CHECK(cut.crosses == std::vector<bool>{true, true, false, false});
 }

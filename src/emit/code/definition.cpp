@@ -40,7 +40,7 @@ void use(const Instruction& instruction, UsedNames& used) {
 void use_array(const Entry& /*entry*/, UsedNames& used) { used.variables.insert("result"); }
 void use_array(const Given& /*given*/, UsedNames& used) { used.variables.insert("w"); }
 void use_array(const Assign& /*assign*/, UsedNames& /*used*/) {}
-void use_array(const Pair& /*pair*/, UsedNames& /*used*/) {}
+void use_array(const SineAndCosine& /*pair*/, UsedNames& /*used*/) {}
 void use_array(const Loop& /*loop*/, UsedNames& /*used*/) {}
 
 /// `crosses`: see Sections; empty in a body of one part.
@@ -53,7 +53,7 @@ UsedNames used_names(const Function& function, const std::vector<Statement>& sta
                      const std::vector<bool>& crosses) {
   UsedNames used;
   for (const Statement& statement : statements) {
-    const Operands& operands = operands_of(statement);
+    const StatementOperands& operands = operands_of(statement);
     for (const std::uint32_t at : operands.written) use(function.instructions[at], used);
     std::visit([&](const auto& of) { use_array(of, used); }, statement);
     if (any_crosses(named_by(statement), crosses) || any_crosses(operands.uses, crosses)) {
@@ -140,7 +140,7 @@ class DefinitionWriter {
                       formulas_.definition(at).text);
   }
 
-  [[nodiscard]] std::string text(const Pair& pair, bool is_declared) const {
+  [[nodiscard]] std::string text(const SineAndCosine& pair, bool is_declared) const {
     const FormulaText angle = formulas_.operand(pair.sine, ordered_.instructions[pair.sine].a);
     return dialect_of(pair.sine).pair(names_[pair.sine], names_[pair.cosine], angle, is_declared);
   }

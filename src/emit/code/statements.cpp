@@ -18,12 +18,12 @@ class OperandWalk {
       : function_(function), names_(names) {}
 
   /// Walks the definition of an instruction, whether it has a name or not.
-  Operands definition(std::uint32_t at) {
+  StatementOperands definition(std::uint32_t at) {
     write_out(at);
     return found();
   }
 
-  Operands values(const std::vector<std::uint32_t>& all) {
+  StatementOperands values(const std::vector<std::uint32_t>& all) {
     for (const std::uint32_t at : all) read(at);
     return found();
   }
@@ -41,7 +41,7 @@ class OperandWalk {
     if (operand_count(i) > 1) read(i.b);
   }
 
-  Operands found() {
+  StatementOperands found() {
     std::vector<std::uint32_t>& uses = operands_.uses;
     std::sort(uses.begin(), uses.end());
     uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
@@ -50,13 +50,13 @@ class OperandWalk {
 
   const Function& function_;
   const std::vector<std::string>& names_;
-  Operands operands_ = {};
+  StatementOperands operands_ = {};
 };
 
 using Named = std::vector<std::uint32_t>;
 
 Named names_of(const Assign& assign) { return {assign.instruction}; }
-Named names_of(const Pair& pair) { return {pair.sine, pair.cosine}; }
+Named names_of(const SineAndCosine& pair) { return {pair.sine, pair.cosine}; }
 Named names_of(const Entry& /*entry*/) { return {}; }
 Named names_of(const Given& /*given*/) { return {}; }
 Named names_of(const Loop& loop) { return {loop.first}; }
@@ -109,8 +109,9 @@ std::vector<bool> crossing(const Sections& cut) {
 
 }  // namespace
 
-const Operands& operands_of(const Statement& statement) {
-  return std::visit([](const auto& of) -> const Operands& { return of.operands; }, statement);
+const StatementOperands& operands_of(const Statement& statement) {
+  return std::visit([](const auto& of) -> const StatementOperands& { return of.operands; },
+                    statement);
 }
 
 std::vector<std::uint32_t> named_by(const Statement& statement) {
@@ -124,7 +125,7 @@ std::vector<Statement> statements(const Function& function, const std::vector<st
   for (std::uint32_t at = 0; at < first_repeated(function); ++at) {
     if (names[at].empty()) continue;
     if (pairing == Pairing::joint && is_sine_with_cosine(function, at)) {
-      all.emplace_back(Pair{at, at + 1, walk.values({function.instructions[at].a})});
+      all.emplace_back(SineAndCosine{at, at + 1, walk.values({function.instructions[at].a})});
       ++at;
     } else {
       all.emplace_back(Assign{at, walk.definition(at)});

@@ -18,7 +18,7 @@
 namespace elgen {
 
 /// The instructions that a statement reads.
-struct Operands {
+struct StatementOperands {
   std::vector<std::uint32_t> uses = {};     ///< named instructions, ascending, each once
   std::vector<std::uint32_t> written = {};  ///< instructions written out
 };
@@ -26,14 +26,14 @@ struct Operands {
 /// A named value.
 struct Assign {
   std::uint32_t instruction = 0;
-  Operands operands = {};
+  StatementOperands operands = {};
 };
 
 /// The sine and the cosine of an angle, computed at once.
-struct Pair {
+struct SineAndCosine {
   std::uint32_t sine = 0;
   std::uint32_t cosine = 0;
-  Operands operands = {};
+  StatementOperands operands = {};
 };
 
 /// An entry of a field.
@@ -41,27 +41,27 @@ struct Entry {
   std::uint32_t instruction = 0;
   std::uint32_t field = 0;
   std::uint32_t index = 0;  ///< in its field
-  Operands operands = {};
+  StatementOperands operands = {};
 };
 
 /// A number that the loop over columns reads, in the array of them.
 struct Given {
   std::uint32_t instruction = 0;
   std::uint32_t index = 0;
-  Operands operands = {};
+  StatementOperands operands = {};
 };
 
 /// The loop over columns. Its first instruction stands for all values that it computes.
 struct Loop {
   std::uint32_t first = 0;
-  Operands operands = {};
+  StatementOperands operands = {};
 };
 
 /// Whoever writes or sorts statements has an overload for each kind, so that the compiler names the
 /// places that lack a new one.
-using Statement = std::variant<Assign, Pair, Entry, Given, Loop>;
+using Statement = std::variant<Assign, SineAndCosine, Entry, Given, Loop>;
 
-[[nodiscard]] const Operands& operands_of(const Statement& statement);
+[[nodiscard]] const StatementOperands& operands_of(const Statement& statement);
 
 /// The instructions whose values have names from here on, ascending.
 [[nodiscard]] std::vector<std::uint32_t> named_by(const Statement& statement);
