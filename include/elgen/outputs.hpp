@@ -93,24 +93,28 @@ enum class WhenSingular : std::uint8_t {
   dependent_task,        ///< J M^-1 J^T: a row of J follows from others
 };
 
-/// The options of outputs (output_options.def).
+/// A key of `NAME = { … }` in `[outputs]` that some outputs take; all take `form` and `rename`.
 enum class OutputOption : std::uint8_t {
-#define ELGEN_OUTPUT_OPTION(key, pronoun) key,
-#include "elgen/output_options.def"
-#undef ELGEN_OUTPUT_OPTION
+  method,
+  order,
+  iterations,
+  projected,
+  pivots,
+  independent
 };
 
 struct OptionRow {
   OutputOption id;
   std::string_view key;
-  std::string_view pronoun;
+  std::string_view pronoun;  ///< "`step` has one", in the message to outputs that do not take it
 };
 
-inline constexpr std::array option_table{
-#define ELGEN_OUTPUT_OPTION(key, pronoun) OptionRow{OutputOption::key, #key, pronoun},
-#include "elgen/output_options.def"
-#undef ELGEN_OUTPUT_OPTION
-};
+inline constexpr std::array option_table{OptionRow{OutputOption::method, "method", "one"},
+                                         OptionRow{OutputOption::order, "order", "one"},
+                                         OptionRow{OutputOption::iterations, "iterations", "one"},
+                                         OptionRow{OutputOption::projected, "projected", "one"},
+                                         OptionRow{OutputOption::pivots, "pivots", "them"},
+                                         OptionRow{OutputOption::independent, "independent", "it"}};
 
 /// A set of enumerators.
 template <typename Enum>
