@@ -92,8 +92,7 @@ class ProgramReader {
 
   std::string read_names(const Words& words, LeafOwner owner) {
     const auto assign = [&](const LeafRow& row, std::vector<std::string>& names) {
-      const bool is_of_few = row.id == Opcode::momentum || row.id == Opcode::reference;
-      if (row.of != owner || is_of_few) return;
+      if (row.of != owner || row.passed == Passed::if_taken) return;
       names.assign(words.begin() + 1, words.end());
     };
     for_each_list(assign, program_.leaves);
