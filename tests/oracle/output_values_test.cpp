@@ -80,25 +80,11 @@ void check(OutputKind kind, std::size_t first, const Contraction& by) {
   CHECK(agree(*number, contracted(*values, first, by), 85, 1));
 }
 
-int count(Extent extent) {
-  switch (extent) {
-    case Extent::one:
-    case Extent::user_columns:
-      return 1;
-    case Extent::user:
-    case Extent::task:
-      return 3;
-    case Extent::states:
-      return 4;
-    case Extent::inertial:
-      return static_cast<int>(extent_of(everything().model, extent));
-    default:
-      return 2;
-  }
-}
-
 Contraction directions(const FieldRow& field) {
   Contraction by;
+  const auto count = [model = everything().model](Extent extent) {
+    return static_cast<int>(extent_of(model, extent));
+  };
   for (int i = 0; i < count(field.rows); ++i) by.w.push_back(2 * i - 1);
   const int columns = has_columns(field) ? count(field.columns) : 0;
   for (int j = 0; j < columns; ++j) by.y.push_back(3 - 5 * j);
