@@ -93,6 +93,16 @@ template <class Condition>
   return root.entity.kind == EntityKind::force && root.role == RootRole::value;
 }
 
+/// D.
+[[nodiscard]] inline bool is_dissipation(const Root& root) {
+  return root.role == RootRole::dissipation;
+}
+
+/// The roots that D is made of.
+[[nodiscard]] inline std::vector<ExpressionId> dissipation_roots(const Model& model) {
+  return roots_if(model, is_dissipation);
+}
+
 /// A force does work along these: the places of its points and the spins of its frames.
 [[nodiscard]] std::vector<ExpressionId> moved_by(const Model& model, const Force& force);
 

@@ -16,6 +16,7 @@
 #include <numeric>
 
 #include "elgen/outputs.hpp"
+#include "elgen/references.hpp"
 #include "inspect/checks.hpp"
 #include "inspect/null_space.hpp"
 #include "inspect/readable.hpp"
@@ -252,13 +253,15 @@ Diagnostics inspect_mass_matrix(const Inspected& subject) {
 Diagnostics inspect_signs(const Inspected& subject) {
   const Model& model = subject.model;
   Diagnostics found = negative_masses(subject);
-  for (unsigned seed = 0; model.energies.D && seed < zero_samples; ++seed) {
-    const auto value = oracle_expression(model, *model.energies.D, sampled_state(subject, seed));
-    if (!value || *value >= 0) continue;
-    found.push_back({Code::E525, model.expressions[*model.energies.D].span,
-                     "D is negative, so that it drives the motion",
-                     "a damper is `1/2*d*v^2` with a positive d: sign mistake?"});
-    break;
+  for (const ExpressionId root : dissipation_roots(model)) {
+    for (unsigned seed = 0; seed < zero_samples; ++seed) {
+      const auto value = oracle_expression(model, root, sampled_state(subject, seed));
+      if (!value || *value >= 0) continue;
+      found.push_back({Code::E525, model.expressions[root].span,
+                       "D is negative, so that it drives the motion",
+                       "a damper is `1/2*d*v^2` with a positive d: sign mistake?"});
+      break;
+    }
   }
   return found;
 }

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "elgen/page.hpp"
+#include "elgen/references.hpp"
 #include "formula/drawing.hpp"
 #include "model/output_units.hpp"
 #include "model/requests.hpp"
@@ -57,7 +58,7 @@ std::vector<Term> left_side(const Model& model, const Program& program, bool is_
   add(!is_at_rest, OutputKind::velocity_force, coriolis);
   add(model.may_drift, OutputKind::drift, is_at_rest ? drift_at_rest : drift);
   add(true, OutputKind::gravity, gravity);
-  add(model.energies.D.has_value(), OutputKind::dissipation,
+  add(!dissipation_roots(model).empty(), OutputKind::dissipation,
       is_at_rest ? dissipation_at_rest : dissipation);
   return terms;
 }

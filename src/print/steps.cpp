@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "elgen/page.hpp"
+#include "elgen/references.hpp"
 #include "elgen/typeset.hpp"
 #include "model/symbols.hpp"
 #include "print/sections.hpp"
@@ -273,7 +274,7 @@ class Outline {
   }
 
   [[nodiscard]] bool is_free() const {
-    return model_.forces.empty() && model_.inputs.empty() && !model_.energies.D &&
+    return model_.forces.empty() && model_.inputs.empty() && dissipation_roots(model_).empty() &&
            !is_constrained();
   }
   [[nodiscard]] bool is_constrained() const { return !model_.constraints.empty(); }
