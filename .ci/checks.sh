@@ -21,8 +21,8 @@ fail() {
   failures+=("$1")
 }
 
-# Sets `processor_seconds` to those, user and system, of all commands that have ended. `times` has no answer in a
-# command substitution, which is a shell without children.
+# Sets `processor_seconds` to the user and system time of all commands that have ended. A command substitution would be
+# another shell, whose `times` does not count them: hence the file.
 measure_processor() {
   times >"$scratch/times"
   processor_seconds=$(awk -F '[ms ]+' 'NR == 2 { printf "%d", 60 * $1 + $2 + 60 * $3 + $4 }' "$scratch/times")

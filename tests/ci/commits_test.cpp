@@ -194,7 +194,12 @@ TEST_CASE("the hook that bootstrap installs says the same before a commit is mad
   const Outcome bare = project.outcome("git add src && git commit -q -m 'check: write more'");
   CHECK(bare.status == 1);
   CHECK(mentions(bare.output + bare.errors, "101 changed lines of source"));
+  CHECK(
+      project.outcome("GIT_EDITOR=\"sed -i '1s/.*/check: write more/'\" git commit -q -v").status ==
+      1);
   CHECK(project.outcome("git commit -q -m 'check: write more' -m 'Names were free.'").status == 0);
+  project.write("src/check/more.cpp", Project::lines(102));
+  CHECK(project.outcome("git add src && git commit -q --fixup HEAD").status == 0);
 
   project.write(".git/hooks/commit-msg", "#!/bin/sh\nexit 0\n");
   const Outcome kept = project.outcome("./bootstrap hooks");
