@@ -187,7 +187,7 @@ CertificateRow sine_row(const Subject& subject, const CompiledHeader& compiled) 
   CertificateRow row;
   row.check = row.output = "sines of packs";
   row.subject = fmt::format("sine and cosine ({})", kind_of_code(compiled, name_of(scalar)));
-  row.formula = fmt::format("|s - sin x|, |c - cos x| in 60 digits, |x| <= {:g}", domain);
+  row.formula = fmt::format("|s - sin x|, |c - cos x| in 64 digits, |x| <= {:g}", domain);
   row.samples = angles;
   row.worst = fmt::format("{:.2g}", worst);
   row.where = fmt::format("x = {:.17g}", at);
@@ -224,7 +224,7 @@ CertificateRow helper_row(const FunctionRow& helper, Scalar order) {
   CertificateRow row;
   row.check = row.output = "functions of the code";
   row.subject = fmt::format("{}(x, {}) ({})", helper.name, order, name_of(scalar_kind<Scalar>));
-  row.formula = fmt::format("|f - f*| / |f*| in 60 digits, 2^-26 <= x < 2^{}", last);
+  row.formula = fmt::format("|f - f*| / |f*| in 64 digits, 2^-26 <= x < 2^{}", last);
   row.samples = arguments;
   row.worst = fmt::format("{:.1f} u", worst);
   row.where = fmt::format("x = {:.17g}", at);

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double identity_tolerance = 1e-40;
 constexpr const char* identity_reason =
-    "1e-40 of the largest term: 60-digit arithmetic less 20 digits for cancellation";
+    "1e-40 of the largest term: 64-digit arithmetic less 24 digits for cancellation";
 
 /// Pivots below this are those of a singular chart (a pole, a gimbal), where no sign is claimed.
 constexpr double singular_pivot = 1e-10;
