@@ -24,6 +24,7 @@ struct ColumnWords {
   std::string store = {};    ///< takes a value and such a place
 };
 
+/// How a compiled language, C++ or C99, writes the statements of a function.
 class CompiledDialect : public Dialect {
  public:
   /// `access`: "." or "->", between a struct and its member.

@@ -1,0 +1,28 @@
+#include "emit/code/compiled_dialect.hpp"
+
+#include <fmt/format.h>
+
+#include "emit/code/definition.hpp"
+#include "emit/interface/code_interface.hpp"
+
+namespace elgen {
+
+CompiledDialect::CompiledDialect(const Model& model, const Program& program, LanguageId language,
+                                 std::string_view access)
+    : Dialect(model, program, language),
+      access_(access),
+      parameters_(parameter_members(model, program.leaves)) {}
+
+std::string CompiledDialect::leaf(Opcode kind, std::uint32_t number) const {
+  if (kind == Opcode::parameter) return "p" + access_ + parameters_[number];
+  const std::string_view name = leaf_row(kind).symbol;
+  return is_single(kind) ? std::string(name) : fmt::format("{}[{}]", name, number);
+}
+
+FunctionDefinition CompiledDialect::definition(const Function& function, Storage storage) const {
+  return elgen::definition(*this, program(), function, storage);
+}
+
+std::string CompiledDialect::shared(const std::string& name) const { return "w" + access_ + name; }
+
+}  // namespace elgen
