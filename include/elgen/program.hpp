@@ -103,6 +103,15 @@ struct Function {
   std::vector<std::uint32_t> elimination = {};
 };
 
+/// A function without instructions and fields that answers the request of another one.
+[[nodiscard]] inline Function without_body(const Function& function) {
+  return {.kind = function.kind,
+          .user = function.user,
+          .step = function.step,
+          .independent = function.independent,
+          .name = function.name};
+}
+
 /// The number of the first instruction that is repeated; that of all where none is.
 [[nodiscard]] std::size_t first_repeated(const Function& function);
 

@@ -24,7 +24,7 @@ bool is_written_out(const Function& function) {
 /// The function with new entries; without fields if one has no readable form.
 template <class Write>
 Function written(const Function& like, const Write& write) {
-  Function result{.kind = like.kind, .user = like.user, .name = like.name};
+  Function result = without_body(like);
   result.form = Form::closed;
   try {
     write(result);

@@ -300,8 +300,8 @@ std::optional<ReadableForm> shortest(const std::vector<Collected>& rewritings,
 
 Function lowered_one_by_one(const ReadableEntries& entries, const Function& shape,
                             Program& program) {
-  Function readable{
-      .kind = shape.kind, .user = shape.user, .name = shape.name, .form = Form::closed};
+  Function readable = without_body(shape);
+  readable.form = Form::closed;
   std::size_t next = 0;
   for (const Field& field : shape.fields) {
     Field& filled = readable.fields.emplace_back(Field{field.name, field.rows, field.columns, {}});

@@ -111,8 +111,7 @@ class Linearising {
 }  // namespace
 
 Function unfilled(const Function& function) {
-  Function result{.kind = function.kind, .user = function.user, .name = function.name};
-  result.independent = function.independent;
+  Function result = without_body(function);
   result.sampled_zeros = function.sampled_zeros;
   result.elimination = function.elimination;
   std::uint32_t next = 0;

@@ -27,7 +27,7 @@ class Derivatives {
   Derivatives(Program& program, const Function& parts)
       : program_(program),
         parts_(parts),
-        function_{.kind = parts.kind, .user = parts.user, .name = parts.name},
+        function_(without_body(parts)),
         compose_(program, function_) {}
 
   Function operator()() {
