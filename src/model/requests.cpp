@@ -28,12 +28,18 @@ std::vector<OutputRequest> all_requests(const Model& model) {
   return result;
 }
 
+/// Sets the independent velocities of an output that takes them as an option.
+void give_independent(const std::vector<std::uint32_t>& velocities, OutputRequest& request) {
+  const SetOf<OutputOption>& options = output_row(request.kind).options;
+  if (options.has(OutputOption::independent)) request.independent = velocities;
+}
+
 /// Includes big outputs, to suggest their names for misspelt ones.
 std::vector<std::string> available_names(const Model& model,
                                          const std::vector<std::uint32_t>& independent) {
   std::vector<std::string> names;
   for (OutputRequest& request : all_requests(model)) {
-    request.independent = independent;
+    give_independent(independent, request);
     if (is_available(model, request)) names.push_back(request.name);
   }
   return names;
@@ -258,7 +264,7 @@ std::optional<OutputRequest> require_request(const Model& model, std::string_vie
                suggestion(name, available_names(model, independent)));
     return std::nullopt;
   }
-  if (request->kind == OutputKind::completed) request->independent = independent;
+  give_independent(independent, *request);
   if (const std::optional<Lack> lack = lack_of(model, *request)) {
     report.add({lack->code, span, in_backticks(name) + " " + lack->reason, "", lack->related,
                 lack->related_message});

@@ -225,6 +225,8 @@ TEST_CASE("a step of a model with constraints may project, no other output does"
   CHECK(said_of("step = { method = \"rk4\", projected = false }").empty());
   CHECK(said_of("step_derivatives = { method = \"rk4\", projected = true }") ==
         "E103 5:38 `step_derivatives` has no `projected`: `step` has one\n");
+  CHECK_THAT(said_of("step_derivatives = { projected = true }"),
+             Catch::Contains("E103 5:22 `step_derivatives` has no `projected`: `step` has one\n"));
   CHECK_THAT(said_of("bias = { projected = true }"),
              Catch::StartsWith("E103 5:10 `bias` has no `projected`"));
 }
