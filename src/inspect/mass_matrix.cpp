@@ -253,6 +253,7 @@ Diagnostics inspect_mass_matrix(const Inspected& subject) {
 Diagnostics inspect_signs(const Inspected& subject) {
   const Model& model = subject.model;
   Diagnostics found = negative_masses(subject);
+  // D has one root. If it had several, their sum would have to be judged.
   for (const ExpressionId root : dissipation_roots(model)) {
     for (unsigned seed = 0; seed < zero_samples; ++seed) {
       const auto value = oracle_expression(model, root, sampled_state(subject, seed));

@@ -170,8 +170,9 @@ std::optional<CoupledParameters> coupled_in(const Model& model, ExpressionId exp
 }
 
 std::vector<std::uint32_t> parameters_of_friction(const Model& model) {
-  if (!model.energies.D) return {};
-  const ExpressionId dissipation = *model.energies.D;
+  const std::vector<ExpressionId> roots = dissipation_roots(model);
+  if (roots.empty()) return {};
+  const ExpressionId dissipation = roots.front();
   std::vector<ExpressionId> others = equation_roots(model);
   std::erase(others, dissipation);
   const std::vector<bool> elsewhere = parameters_below(model, others);

@@ -23,7 +23,8 @@ class ObstacleSearch {
       : model_(model), scene_(scene), variable_(variable) {}
 
   std::vector<CyclicObstacle> operator()() && {
-    if (model_.energies.D) check_value({*model_.energies.D}, "D contains it");
+    const std::vector<ExpressionId> dissipation = dissipation_roots(model_);
+    if (!dissipation.empty()) check_value(dissipation, "D contains it");
     for (const Force& force : model_.forces) check_force(force);
     for (const Input& input : model_.inputs) {
       if (input.on == variable_.velocity) {
