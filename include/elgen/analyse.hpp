@@ -27,10 +27,10 @@
 
 namespace elgen {
 
-/// The arguments of an analysis. Each analysis lists the outputs that it needs.
+/// The arguments of an analysis that starts from the Lagrangian.
 struct AnalysisInput {
   const CheckedModel& checked;
-  const Program& recursive;  ///< the functions of these outputs
+  const Program& recursive;  ///< the functions of AnalysisRow::outputs
   /// An [[equilibrium]] of the model, or with an empty name the start of the coordinates: the only
   /// point that is analysed. None: all equilibria.
   const std::optional<std::string>& about;

@@ -79,7 +79,7 @@ struct Cyclic : Held {
   std::uint32_t parameter = 0;
   /// Made of numbers and parameters; none: the momentum at the start.
   std::optional<ExpressionId> form = {};
-  /// The value of the parameter: that of an option, else find_momenta() computes it.
+  /// The value of the parameter: the scene or an option fixes it, else find_momenta() computes it.
   std::optional<cln::cl_R> momentum = {};
 };
 

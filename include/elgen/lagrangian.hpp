@@ -300,8 +300,8 @@ DECLARE_FUNCTION_7P(elgen_open)
 /// The number of the leaf that an elgen_open is; none beyond second derivatives.
 [[nodiscard]] std::optional<std::uint32_t> open_leaf(const GiNaC::ex& value);
 
-/// elgen_log1p, …: the functions that GiNaC lacks, with the derivatives of the table. Functions
-/// with kinks have no derivatives.
+/// elgen_log1p, …: the functions that are not taken from GiNaC, with the derivatives of the table.
+/// GiNaC has abs of complex numbers. Functions with kinks have no derivatives.
 #define ELGEN_FUNCTION(name, arity)
 #define ELGEN_STANDARD_FUNCTION(name, arity) DECLARE_FUNCTION_##arity##P(elgen_##name)
 #define ELGEN_OWN_FUNCTION(name, arity) DECLARE_FUNCTION_##arity##P(elgen_##name)

@@ -105,8 +105,8 @@ template <class T>
   return list != nullptr ? list->size() : 1;
 }
 
-/// Whether emitted functions may take the kind. Kinds that are not passed always are passed if
-/// their list has entries; a kind without a list counts as one entry.
+/// Whether emitted functions may take the kind. A list of the kinds if_any and if_taken is passed
+/// if it has entries. The only single leaf among them, h, always is: ask for its name instead.
 template <class T>
 [[nodiscard]] bool is_passed(const LeafValues<T>& leaves, Opcode kind) {
   const Passed passed = leaf_row(kind).passed;

@@ -84,8 +84,9 @@ enum class Need : std::uint8_t {
   smooth_values,     ///< an [[output]] without kinks
 };
 
-/// The fault of the model if a matrix besides M that an output is solved with is singular, whatever
-/// the state is; each has a sentence in src/inspect/singular_mass.hpp.
+/// The fault if the matrix besides M by which an output is solved is singular in every state. Rows
+/// that are solved by M alone keep the default, which nobody asks for. Sentences:
+/// src/inspect/singular_mass.hpp.
 enum class WhenSingular : std::uint8_t {
   redundant_constraint,  ///< A M^-1 A^T: a constraint follows from others
   redundant_inputs,      ///< B^T G B: an input moves only what others move

@@ -74,7 +74,8 @@ namespace elgen {
                       request.name, input)};
 }
 
-/// A matrix besides M is singular: at this row, if the row is known. None if M is to be looked at.
+/// The message that the matrix of an output besides M is singular. With a row, which derive knows
+/// from the pivot, it always exists; without, as lower asks, none says that M is the singular one.
 [[nodiscard]] inline std::optional<Diagnostic> singular_besides_mass(
     const OutputRequest& request, const std::optional<std::size_t>& row, const LeafNames& names) {
   switch (output_row(request.kind).when_singular) {
@@ -85,6 +86,7 @@ namespace elgen {
       break;
     case WhenSingular::redundant_inputs:
       if (!row) return redundant_inputs(request);
+      // A row is known of A M^-1 A^T alone, which is solved before the inputs are.
       return redundant_constraint(request, names.multipliers[*row]);
     case WhenSingular::redundant_constraint:
       if (row) return redundant_constraint(request, names.multipliers[*row]);

@@ -35,6 +35,8 @@ struct Line {
   /// "theta", "hand.m"; "tip[2]" in an [[output]] of several values; in a pose "x", "y", "z" by
   /// "x", "y", "z", "p", in a twist "wx" to "vz"; empty if the line is a single number.
   std::string name = {};
+  /// The unit that the model declares for the entry; for the rate of a constraint that unit per
+  /// second. Accelerations, both halves of a state and pivots have the unit of their entry.
   std::optional<Unit> unit = {};
   std::optional<Opcode> leaf = {};  ///< the kind of the leaf that it stands for, if any
   std::uint32_t number = 0;         ///< of the leaf, or of the entry in its list

@@ -3,11 +3,12 @@
 //     parse -> check -> inspect -> formulate -> specialise -> derive -> lower -> cancel (with
 //     outputs composed of their parts) -> present -> choose -> typeset -> emit -> self-check
 //
-//     specialise -> steps    the derivation as a student writes it
-//     specialise -> choose   what `step` calls, derived in its own name
-//     specialise -> equilibria -> modes   states of rest and motions about them; these and the
-//     other
-//                                         analyses (analyses.def) derive outputs of their own
+//     specialise -> steps                 the derivation as a student writes it
+//     specialise -> choose                what `step` calls, derived in its own name
+//     specialise -> equilibria -> modes   states of rest, and motions about them
+//     specialise -> other analyses        the rows of analyses.def
+//
+// An analysis of the Lagrangian derives its own outputs.
 #include "elgen/pipeline.hpp"
 
 #include <fmt/format.h>

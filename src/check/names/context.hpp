@@ -39,7 +39,7 @@ enum Ingredient : std::uint32_t {
   uses_multiplier = ingredient_bit(LeafKind::multiplier),
   uses_kink = other_ingredient_bit(0),
   uses_open_rate = other_ingredient_bit(1),        ///< an open function of rates
-  uses_open_derivative = other_ingredient_bit(2),  ///< a derivative of an open function, or a rate
+  uses_open_derivative = other_ingredient_bit(2),  ///< a derivative or rate of an open function
 };
 using Ingredients = std::uint32_t;
 

@@ -84,7 +84,7 @@ ex slope_2(const ex& x, const ex& y, unsigned argument) {
 }
 
 /// The value of a call that is known without computing, else the call as it is. Functions with
-/// kinks stay calls: they are evaluated once the derivatives are made.
+/// kinks stay calls; Graph evaluates them.
 ex evaluated(FunctionId function, const ex& x, const ex& y, const ex& held) {
   const bool is_known = x.info(GiNaC::info_flags::rational) && y.info(GiNaC::info_flags::rational);
   if (is_kinked(function) || !is_known) return held;
@@ -341,8 +341,8 @@ ex constant_value(const Model& model, ExpressionId value) {
 }
 
 REGISTER_FUNCTION(elgen_open, derivative_func(open_slope))
-// The names of GiNaC's functions get numbers, by which it orders them: rows of the table stay in
-// their order.
+// GiNaC numbers functions in the order of registration and sorts calls by these numbers: another
+// order of the rows is another order of terms.
 #define ELGEN_REGISTERED(name, arity) \
   REGISTER_FUNCTION(elgen_##name,     \
                     eval_func(evaluated_##name).derivative_func(slope_##arity<FunctionId::name>))

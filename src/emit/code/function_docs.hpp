@@ -38,8 +38,8 @@ struct FunctionText {
 /// empty where one is unknown or the list is too long to help.
 [[nodiscard]] std::string units_text(const Model& model, OutputKind kind, const Field& field);
 
-/// "2 x 2, row-major [kg]", "2 entries [N], of x, y": shape and units of one field, and the rows if
-/// they stand for no argument.
+/// "2 x 2, row-major [kg]", "2 entries [N], of x, y": the shape and the units of a field, and
+/// unlisted_names() of its rows, unless the list is too long to help.
 [[nodiscard]] std::string field_summary(const FunctionText& text, const Field& field);
 
 /// "cart mass [kg] in [0, 2]"; the name where nothing is known of it.

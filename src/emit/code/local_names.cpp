@@ -1,5 +1,5 @@
-// local_names: the names that a program has, then what the language asks for: no name that hides
-// something, none that is too long, no more brackets in each other than it reads.
+// local_names: takes the names of the program and changes them for the language: a name that would
+// hide another gets an underscore, a long name is cut, and a deep formula is split by new names.
 #include "emit/code/local_names.hpp"
 
 #include <fmt/format.h>

@@ -51,8 +51,8 @@ std::string documentation_line(const SourceSpelling& spelling, std::string_view 
   return safe;
 }
 
-/// Every interpreted language has to write every function that C has, and modules take no name
-/// twice: a new function asks here for its rows in spellings.def.
+/// Every interpreted language can write every function of C. If the module defines a function, its
+/// name is reserved there. The assertion fails for a new function until spellings.def has its rows.
 constexpr bool is_written_everywhere(FunctionId function, std::string_view name) {
   return std::ranges::all_of(spelling_table, [&](const SourceSpelling& spelling) {
     const auto found = function_spelling(spelling, function, name);

@@ -58,8 +58,8 @@ struct EnergyParts {
 
 /// The law of an input, and the limits at which it is cut off.
 struct InputLaw {
-  std::optional<ExpressionId> value = {};
-  std::optional<StateFunction> function = {};
+  std::optional<ExpressionId> value = {};      ///< none: the input is constant
+  std::optional<StateFunction> function = {};  ///< computes `value`, if there is one
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
 };
