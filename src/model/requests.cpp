@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <ranges>
 #include <span>
 #include <string_view>
 
@@ -87,8 +86,12 @@ void take_values(const UserOutput& output, Words of_frame, const Take& take) {
   });
 }
 
-auto numbers_to(std::size_t count) {
-  return std::views::iota(0U, static_cast<std::uint32_t>(count));
+std::vector<std::uint32_t> positions_of(const Model& model) {
+  std::vector<std::uint32_t> positions;
+  for (std::uint32_t i = 0; i < model.constraints.size(); ++i) {
+    if (model.constraints[i].is_position) positions.push_back(i);
+  }
+  return positions;
 }
 
 /// Calls `take` for each list of entries that the lines stand for, in turn, with a function that
@@ -103,14 +106,16 @@ void take_lists(const Model& model, const Along& along, const Take& take) {
   const auto of_position = [&model](std::uint32_t i, std::uint32_t) {
     return line_of_leaf(Opcode::multiplier)(model.constraints[i], i);
   };
-  const auto is_position = [&model](std::uint32_t i) { return model.constraints[i].is_position; };
+  const auto of_cyclic = [&of_whole](const Cyclic& cyclic, std::uint32_t number) {
+    return of_whole(cyclic.velocity, number);
+  };
   const auto of_parameter = [&model](const InertialPlace& place, std::uint32_t number) {
     InertialParameter parameter = inertial_parameter(model, place);
     return Line{std::move(parameter.name), parameter.unit, {}, number};
   };
   switch (along.extent) {
     case Extent::one:
-      return take(numbers_to(1), [](auto, auto) { return Line{.unit = Unit{}}; });
+      return take(Words(no_name), [](auto, auto) { return Line{.unit = Unit{}}; });
     case Extent::coordinates:
       return take(model.coordinates, line_of_leaf(Opcode::coordinate));
     case Extent::velocities:
@@ -127,12 +132,11 @@ void take_lists(const Model& model, const Along& along, const Take& take) {
       return take(held_velocities(model), of_whole);
     case Extent::cyclic:
       if (!has_routhian(model)) return;
-      return take(model.variant.cyclic | std::views::transform(&Cyclic::velocity), of_whole);
+      return take(model.variant.cyclic, of_cyclic);
     case Extent::constraints:
       return take(model.constraints, line_of_rate);
     case Extent::positions:
-      return take(numbers_to(model.constraints.size()) | std::views::filter(is_position),
-                  of_position);
+      return take(positions_of(model), of_position);
     case Extent::pivots:
       take(model.velocities, line_of_leaf(Opcode::velocity));
       return take(model.constraints, line_of_leaf(Opcode::multiplier));
@@ -165,9 +169,7 @@ const OutputRequest* find_request(const Scene& scene, std::string_view name) {
 
 std::uint32_t extent_of(const Model& model, Extent extent, std::uint32_t user) {
   std::size_t count = 0;
-  take_lists(model, {extent, user}, [&count](auto&& list, const auto&) {
-    count += static_cast<std::size_t>(std::ranges::distance(list));
-  });
+  take_lists(model, {extent, user}, [&count](auto&& list, const auto&) { count += list.size(); });
   return static_cast<std::uint32_t>(count);
 }
 
@@ -183,13 +185,11 @@ std::vector<Line> lines_along(const Model& model, Extent extent, std::uint32_t u
 std::optional<Line> line_at(const Model& model, Extent extent, std::size_t at, std::uint32_t user) {
   std::optional<Line> line;
   take_lists(model, {extent, user}, [&](auto&& list, const auto& line_of) {
-    const auto count = static_cast<std::size_t>(std::ranges::distance(list));
-    const auto place = static_cast<std::ptrdiff_t>(at);
     if (line) return;
-    if (at < count) {
-      line = line_of(*std::ranges::next(list.begin(), place), static_cast<std::uint32_t>(at));
+    if (at < list.size()) {
+      line = line_of(list[at], static_cast<std::uint32_t>(at));
     } else {
-      at -= count;
+      at -= list.size();
     }
   });
   return line;
