@@ -278,7 +278,7 @@ struct Lagrangian {
   bool eliminates_last_first = false;  ///< order of elimination of M; see Model
 };
 
-/// A Lagrangian in which everything still moves, and what specialise() takes out of it.
+/// A Lagrangian in which everything still moves, with the variables that specialise() takes out.
 struct WholeLagrangian : Lagrangian {
   std::vector<HeldVariable> locked = {};
   std::vector<std::uint32_t> held_inputs = {};  ///< that act on locked variables alone

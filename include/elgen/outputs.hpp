@@ -215,7 +215,7 @@ struct OutputRow {
   return !output.repeats && !output.steps;
 }
 
-/// Whether it is the value of an [[output]], not made of it.
+/// Whether it is the value of an [[output]] itself, not its Jacobian, bias or derivatives.
 [[nodiscard]] constexpr bool is_value_of_user(const OutputRow& output) {
   return output.of_user && output.suffix.empty();
 }

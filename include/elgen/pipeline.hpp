@@ -31,7 +31,7 @@ struct Inputs {
   SourcePointer scene = {};  ///< null: the built-in scene `full`
 };
 
-/// goals.def
+/// The stages (goals.def).
 enum class Goal : std::uint8_t {
 #define ELGEN_GOAL(id, name) id,
 #include "elgen/goals.def"

@@ -64,8 +64,8 @@ struct Root {
 
 /// The expressions of all entries that equations, outputs and names are made of, by entry: first
 /// those of the equations, then those of outputs, then those of names. Names are not followed.
-/// Without what repeats others (steps of frames, places in their axes, forces as written), and
-/// without what is asked about the model: stated points, closed forms, laws of inputs.
+/// Left out are expressions that repeat others (steps of frames, places in their axes, forces as
+/// written) and those that ask about the model (stated points, closed forms, laws of inputs).
 [[nodiscard]] std::vector<Root> roots_of(const Model& model);
 
 /// The expressions of the roots that meet a condition, in the order of roots_of().

@@ -119,7 +119,7 @@ std::string suggestion(const Inspected& subject, const ClaimedRest& claim, const
 /// `own_values`: whether the parameters have theirs, so that the figures mean something.
 Diagnostics unbalanced(const Inspected& subject, const ClaimedRest& claim, const Residual& balance,
                        const State& point, bool own_values) {
-  // The oracle's 60 digits less 20 for what cancels, as in verify.
+  // The oracle's 60 digits less 20 for cancellation.
   static const cl_R tolerance = power_of_ten(-40);
   Diagnostics found;
   for (const std::uint32_t row : claim.rows) {

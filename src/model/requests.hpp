@@ -30,7 +30,7 @@ namespace elgen {
 /// Only forces may have kinks.
 [[nodiscard]] const Expression* find_kink(const Model& model);
 
-/// A row or column of a field, by what it stands for.
+/// A row or column of a field: its name, its unit, and the leaf or entry that it stands for.
 struct Line {
   /// "theta", "hand.m"; "tip[2]" in an [[output]] of several values; in a pose "x", "y", "z" by
   /// "x", "y", "z", "p", in a twist "wx" to "vz"; empty if the line is a single number.
